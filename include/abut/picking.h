@@ -1,0 +1,99 @@
+/*
+ * picking.h - rays and the mouse against a universe, through Embree.
+ *
+ * A library of its own (libabut_picking.so) on top of the public interface of libabut.so: a program
+ * that never picks never loads Embree. The conventions of abut.h hold.
+ *
+ * A picker follows its universe: each query first looks at the universe's change counters and, when
+ * something changed, brings the scene of rays up to date. Queries of one picker may run together,
+ * and count as [const] calls on its universe. The universe must outlive the picker.
+ *
+ * Rays are traced in single precision relative to the picker's origin; hits on spheres, boxes,
+ * capsules and planes are exact in double; hits on triangles are found in single precision and then
+ * computed again in double on the triangle that was hit.
+ */
+#ifndef ABUT_PICKING_H
+#define ABUT_PICKING_H
+
+#include "abut.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Rays against one universe. Owned by its creator. */
+typedef struct abut_picker abut_picker;
+
+typedef struct abut_pick {
+  abut_geometry_id geometry; /**< null when nothing was hit */
+  abut_feature feature;
+  double distance;           /**< along the unit direction; infinite when nothing was hit */
+  abut_vec3 point;           /**< world frame */
+  abut_vec3 normal;          /**< unit, world frame, out of the solid; of a mesh: by winding */
+} abut_pick;
+
+/** A pinhole camera that looks along its local -Z, with local +Y up. */
+typedef struct abut_camera {
+  uint32_t struct_size;
+  uint32_t width;            /**< pixels, at least 1 */
+  uint32_t height;           /**< pixels, at least 1 */
+  uint32_t reserved;         /**< zero */
+  abut_pose pose;            /**< default identity */
+  double vertical_fov;       /**< radians in (0, pi); default 1 */
+  double near_distance;      /**< rays start here, measured along the ray; default 0 */
+  double far_distance;       /**< rays end here; default infinite */
+} abut_camera;
+
+/** Fills in the defaults: 640 x 480, identity pose, vertical_fov 1. */
+ABUT_API void abut_camera_init(abut_camera *camera);
+
+/**
+ * Turns a camera so that it looks from `eye` to `target` with `up` upwards in the picture.
+ * ABUT_ZERO_VECTOR when eye and target coincide or `up` is parallel to the line of sight. [any]
+ */
+ABUT_API abut_status abut_camera_look_at(abut_camera *camera, const abut_vec3 *eye, const abut_vec3 *target, const abut_vec3 *up);
+
+/** Ray through a point of the picture; x to the right and y down, (0.5, 0.5) is the centre of the first pixel. [any] */
+ABUT_API abut_status abut_camera_ray(const abut_camera *camera, double x, double y, abut_ray *out);
+
+/** Creates a picker. Nothing is built before the first query. [const] on the universe. */
+ABUT_API abut_status abut_picker_create(abut_universe *universe, abut_picker **out);
+
+/** Destroys a picker. Null is allowed. [exclusive] on the picker. */
+ABUT_API void abut_picker_destroy(abut_picker *picker);
+
+/** Follows the universe now rather than at the next query. [const] */
+ABUT_API abut_status abut_picker_update(abut_picker *picker);
+
+/** First thing that a ray meets; out->geometry is null when there is none. [const] */
+ABUT_API abut_status abut_picker_cast_ray(abut_picker *picker, const abut_ray *ray, abut_pick *out);
+
+/** How similar the rays of a batch are; a hint that changes only the speed. */
+typedef uint32_t abut_coherence;
+enum abut_coherence_value ABUT_ENUM(uint32_t) {
+  ABUT_COHERENCE_NONE = 0,      /**< unrelated rays */
+  ABUT_COHERENCE_NEIGHBOURS = 1 /**< neighbours in the array are neighbours in space, as in a picture */
+};
+
+/** First things that `count` rays meet; `out` is an array of `count`. [const] */
+ABUT_API abut_status abut_picker_cast_rays(abut_picker *picker, const abut_ray *rays, size_t count, abut_coherence coherence, abut_pick *out);
+
+/** Everything that a ray meets, nearest first, by count-then-fill. Each crossing of a surface counts. [const] */
+ABUT_API abut_status abut_picker_cast_ray_all(abut_picker *picker, const abut_ray *ray, abut_pick *picks, size_t capacity, size_t *count);
+
+/**
+ * What lies under the mouse: the first thing that the ray through (x, y) meets; when that is
+ * nothing, the hit nearest to (x, y) in the picture within `radius` pixels.
+ * @param radius  pixels, not negative
+ * [const]
+ */
+ABUT_API abut_status abut_picker_pick_pixel(abut_picker *picker, const abut_camera *camera, double x, double y, double radius, abut_pick *out);
+
+/** One ray through the centre of each pixel; `out` holds width * height picks, row by row from the top. [const] */
+ABUT_API abut_status abut_picker_render(abut_picker *picker, const abut_camera *camera, abut_pick *out, size_t capacity);
+
+#ifdef __cplusplus
+} /* extern "C" */
+#endif
+
+#endif /* ABUT_PICKING_H */
