@@ -74,6 +74,13 @@ enum abut_status_value ABUT_ENUM(int32_t) {
   ABUT_INTERNAL = 16              /**< a defect of abut; the universe answers only this from now on */
 };
 
+/**
+ * For extension libraries: sets this thread's message and returns `status`, so that their failures
+ * read like those of abut itself. `message` may be null for an empty one; it is copied and cut to
+ * what fits. [any]
+ */
+ABUT_API abut_status abut_set_last_error(abut_status status, const char *message);
+
 /** Name of a status, such as "ABUT_OK"; "unknown" for a number that is none. Static. [any] */
 ABUT_API const char *abut_status_name(abut_status status);
 
@@ -354,8 +361,6 @@ typedef struct abut_distance {
   abut_vec3 point_a;        /**< on the surface of a, world frame */
   abut_vec3 point_b;        /**< on the surface of b, world frame */
   abut_vec3 normal;         /**< unit, from a to b; dot(point_b - point_a, normal) == distance */
-  abut_feature feature_a;
-  abut_feature feature_b;
   abut_algorithm algorithm; /**< what was used */
   uint32_t iterations;      /**< steps that it took */
 } abut_distance;

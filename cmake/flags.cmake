@@ -1,0 +1,84 @@
+# The only place that names a compiler flag.
+#
+# Module interfaces (BMIs) do not record -D_GLIBCXX_ASSERTIONS, -fsanitize or -march, so a mismatch
+# between two translation units is accepted silently and breaks the one-definition rule. Hence
+# everything here is set for the whole build tree.
+
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang" OR CMAKE_CXX_COMPILER_VERSION VERSION_LESS 19)
+  message(FATAL_ERROR "abut needs clang 19 or newer, this is ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}. "
+                      "Use a preset, such as: cmake --preset release")
+endif()
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_SCAN_FOR_MODULES ON)
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_C_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_C_VISIBILITY_PRESET hidden)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+
+set(ABUT_ARCH "x86-64-v3" CACHE STRING "Target of -march; empty for the compiler's default")
+set(ABUT_SANITIZE "" CACHE STRING "address (with undefined), thread, fuzzer (address, undefined and coverage), or empty")
+
+add_compile_options(
+  -Wall -Wextra -Wpedantic -Werror
+  -Wunsafe-buffer-usage -Wunsafe-buffer-usage-in-container
+  -Wdangling -Wdangling-gsl -Wdangling-field -Wdangling-assignment -Wreturn-stack-address
+  -Wthread-safety -Wthread-safety-beta
+  -Wswitch-enum -Wcovered-switch-default -Wimplicit-fallthrough -Wunused-result
+  -Wconversion -Wsign-conversion -Wfloat-conversion -Wdouble-promotion
+  -Wshadow-all -Wcast-align -Wcast-qual -Wcast-function-type-strict
+  -Wconditional-uninitialized -Wcomma -Wdocumentation -Wmissing-variable-declarations
+  "$<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast;-Wundefined-reinterpret-cast;-Wzero-as-null-pointer-constant>"
+  "$<$<COMPILE_LANGUAGE:CXX>:-Wglobal-constructors;-Wexit-time-destructors;-Wnon-virtual-dtor;-Wextra-semi>")
+
+# The same arithmetic on every target: no fused multiply-add, no reassociation, no errno.
+add_compile_options(-ffp-contract=off -fno-math-errno)
+
+# Hardening, also in release. Large scratch arrays of the kernels are written before they are read
+# and are left out of the automatic initialisation, which would cost more than the kernels.
+add_compile_definitions(_GLIBCXX_ASSERTIONS)
+add_compile_options(-fstack-protector-strong -fstack-clash-protection -fcf-protection=full
+                    -ftrivial-auto-var-init-max-size=256
+                    $<IF:$<CONFIG:Debug>,-ftrivial-auto-var-init=pattern,-ftrivial-auto-var-init=zero>)
+add_link_options(-fuse-ld=lld -Wl,-z,relro,-z,now)
+
+if(ABUT_ARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  add_compile_options(-march=${ABUT_ARCH})
+endif()
+
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
+
+set(abut_sanitize_checks
+    address,undefined,float-divide-by-zero,implicit-integer-truncation,implicit-integer-sign-change,nullability,local-bounds)
+if(ABUT_SANITIZE STREQUAL "address")
+  add_compile_options(-fsanitize=${abut_sanitize_checks} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${abut_sanitize_checks})
+elseif(ABUT_SANITIZE STREQUAL "thread")
+  add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=thread)
+elseif(ABUT_SANITIZE STREQUAL "fuzzer")
+  # The library is instrumented; only the targets link libFuzzer's main function.
+  add_compile_options(-fsanitize=fuzzer-no-link,${abut_sanitize_checks} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${abut_sanitize_checks})
+elseif(ABUT_SANITIZE)
+  message(FATAL_ERROR "ABUT_SANITIZE is '${ABUT_SANITIZE}'; it must be address, thread, fuzzer or empty")
+else()
+  # A shared library that leaves symbols undefined is found when it is linked, not when it is loaded.
+  add_link_options($<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,SHARED_LIBRARY>:-Wl,-z,defs>)
+endif()
+
+# Code of others, and tests, that the warnings above are not meant for.
+function(abut_relax_for_tests target)
+  target_compile_options(${target} PRIVATE -Wno-global-constructors -Wno-exit-time-destructors)
+endfunction()
+function(abut_link_fuzzer target)
+  target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+endfunction()

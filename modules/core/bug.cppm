@@ -1,0 +1,18 @@
+// A broken invariant of abut itself.
+module;
+#include <stdexcept>
+#include <string>
+export module abut.core.bug;
+
+export namespace abut {
+
+class Bug : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+[[noreturn]] inline void report_bug(const char* condition, const char* file, int line) {
+  throw Bug(std::string(file) + ":" + std::to_string(line) + ": " + condition);
+}
+
+}  // namespace abut

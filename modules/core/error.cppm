@@ -1,0 +1,51 @@
+// Expected failures: a stable code, and a sentence for people.
+module;
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <string>
+#include <string_view>
+export module abut.core.error;
+
+export namespace abut {
+
+// The numbers are those of abut_status in abut.h.
+enum class Errc : std::int32_t {
+  invalid_argument = 1,
+  null_argument = 2,
+  not_finite = 3,
+  out_of_range = 4,
+  zero_vector = 5,
+  not_unit = 6,
+  index_out_of_range = 7,
+  size_overflow = 8,
+  empty = 9,
+  stale_id = 10,
+  wrong_struct_size = 11,
+  unknown_value = 12,
+  unsupported = 13,
+  not_converged = 14,
+  out_of_memory = 15,
+  internal = 16,
+};
+
+struct Error {
+  Errc code{};
+  std::string message;
+};
+
+[[nodiscard]] inline std::string to_text(double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return std::string(buffer.data(), end);
+}
+
+[[nodiscard]] inline std::string to_text(std::uint64_t value) { return std::to_string(value); }
+
+// "radius is -1; it must be positive"
+template <class Value>
+[[nodiscard]] Error error_about(Errc code, std::string_view name, Value value, std::string_view expectation) {
+  return {code, std::string(name) + " is " + to_text(value) + "; it must be " + std::string(expectation)};
+}
+
+}  // namespace abut

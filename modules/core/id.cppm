@@ -1,0 +1,19 @@
+// Ids instead of pointers: a slot and the generation that lived in it.
+module;
+#include <compare>
+#include <cstdint>
+export module abut.core.id;
+
+export namespace abut {
+
+template <class Tag>
+struct Id {
+  std::uint32_t slot = 0;  // one-based; 0 is null
+  std::uint32_t generation = 0;
+
+  friend constexpr bool operator==(const Id&, const Id&) = default;
+  friend constexpr auto operator<=>(const Id&, const Id&) = default;
+  [[nodiscard]] constexpr bool is_null() const { return slot == 0; }
+};
+
+}  // namespace abut

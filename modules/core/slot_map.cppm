@@ -1,0 +1,93 @@
+// SlotMap: values under ids that go stale when the value is erased.
+//
+// Generations of a map start at a number of its own, so that an id of one universe is stale in any
+// other one: with 2^32 generations a foreign id is accepted only if the two maps' starting points
+// differ by exactly the difference in how often the slot was reused.
+module;
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+export module abut.core.slot_map;
+import abut.core.id;
+
+export namespace abut {
+
+template <class T, class Tag>
+class SlotMap {
+ public:
+  explicit SlotMap(std::uint32_t first_generation) : first_generation_(first_generation) {}
+
+  [[nodiscard]] Id<Tag> insert(T value) {
+    if (!free_.empty()) {
+      const std::uint32_t slot = free_.back();
+      free_.pop_back();
+      Entry& entry = entries_[slot - 1];
+      entry.value.emplace(std::move(value));
+      ++size_;
+      return {slot, entry.generation};
+    }
+    entries_.push_back({std::move(value), first_generation_});
+    free_.reserve(entries_.size());  // so that erase cannot fail
+    ++size_;
+    return {static_cast<std::uint32_t>(entries_.size()), first_generation_};
+  }
+
+  // True when there was such a value.
+  bool erase(Id<Tag> id) noexcept {
+    if (!contains(id)) {
+      return false;
+    }
+    Entry& entry = entries_[id.slot - 1];
+    entry.value.reset();
+    ++entry.generation;
+    free_.push_back(id.slot);
+    --size_;
+    return true;
+  }
+
+  [[nodiscard]] bool contains(Id<Tag> id) const noexcept {
+    return id.slot != 0 && id.slot <= entries_.size() && entries_[id.slot - 1].generation == id.generation &&
+           entries_[id.slot - 1].value.has_value();
+  }
+
+  // The value of an id that `contains` has confirmed.
+  [[nodiscard]] T& at(Id<Tag> id) [[clang::lifetimebound]] { return entries_[id.slot - 1].value.value(); }
+  [[nodiscard]] const T& at(Id<Tag> id) const [[clang::lifetimebound]] { return entries_[id.slot - 1].value.value(); }
+
+  // The id of whatever lives in a slot now, or null.
+  [[nodiscard]] Id<Tag> id_at_slot(std::uint32_t slot) const {
+    return slot != 0 && slot <= entries_.size() && entries_[slot - 1].value ? Id<Tag>{slot, entries_[slot - 1].generation}
+                                                                             : Id<Tag>{};
+  }
+
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] std::uint32_t slot_count() const noexcept { return static_cast<std::uint32_t>(entries_.size()); }
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return entries_.capacity() * sizeof(Entry) + free_.capacity() * sizeof(std::uint32_t);
+  }
+
+  // Calls visit(id, value) in order of slots.
+  template <class Visitor>
+  void for_each(Visitor&& visit) const {
+    for (std::uint32_t slot = 1; slot <= slot_count(); ++slot) {
+      const Entry& entry = entries_[slot - 1];
+      if (entry.value) {
+        visit(Id<Tag>{slot, entry.generation}, *entry.value);
+      }
+    }
+  }
+
+ private:
+  struct Entry {
+    std::optional<T> value;
+    std::uint32_t generation;
+  };
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> free_;
+  std::uint32_t first_generation_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace abut

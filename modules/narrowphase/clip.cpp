@@ -1,0 +1,231 @@
+module;
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+module abut.narrowphase.clip;
+import abut.core;
+import abut.math;
+import abut.shape;
+
+namespace abut {
+namespace {
+
+// A face whose normal is further than this from the contact normal is met at an edge or a vertex.
+constexpr Real steepest_cosine = 0.05;
+// Segments closer to parallel than this share a stretch, not a crossing.
+constexpr Real parallel_sine = 1e-3;
+
+struct Flat {
+  Real u, v;
+};
+[[nodiscard]] inline Real cross2(const Flat& a, const Flat& b) { return a.u * b.v - a.v * b.u; }
+[[nodiscard]] inline Flat operator-(const Flat& a, const Flat& b) { return {a.u - b.u, a.v - b.v}; }
+[[nodiscard]] inline Flat mix(const Flat& a, const Flat& b, Real t) { return {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)}; }
+
+// Projection along the normal onto its tangents, about a base point that keeps coordinates small.
+struct Projection {
+  Vec3 base;
+  Tangents tangents;
+  Vec3 normal;
+
+  [[nodiscard]] inline Flat operator()(const Vec3& p) const {
+    const Vec3 d = p - base;
+    return {dot(d, tangents.first), dot(d, tangents.second)};
+  }
+};
+
+// Lifts projected points onto the plane of a polygon.
+struct Lift {
+  Real height, slope_u, slope_v;
+
+  Lift(const Face& face, const Projection& projection) {
+    const Real along = dot(face.normal, projection.normal);
+    slope_u = -dot(face.normal, projection.tangents.first) / along;
+    slope_v = -dot(face.normal, projection.tangents.second) / along;
+    const Vec3 d = face.vertices[0].point - projection.base;
+    height = dot(d, projection.normal) - slope_u * dot(d, projection.tangents.first) - slope_v * dot(d, projection.tangents.second);
+  }
+  [[nodiscard]] inline Vec3 operator()(const Flat& p, const Projection& projection) const {
+    return projection.base + p.u * projection.tangents.first + p.v * projection.tangents.second +
+           (height + slope_u * p.u + slope_v * p.v) * projection.normal;
+  }
+};
+
+[[nodiscard]] bool faces_normal(const Face& face, const Vec3& normal) {
+  return std::fabs(dot(face.normal, normal)) > steepest_cosine;
+}
+
+// A corner of the region while it is cut: what it is on each side, and on which edge of which polygon
+// the boundary leaves it.
+struct Corner {
+  Flat at;
+  Feature feature_a, feature_b;
+  bool leaves_on_b;    // along an edge of b, else of a
+  std::uint32_t edge;  // that edge's number
+};
+using Corners = SmallVector<Corner, 24>;
+
+// Cuts the corners by the line through `from` and `to`, an edge of polygon a; what lies left stays
+// (Sutherland and Hodgman 1974).
+void cut(const Corners& in, Corners& out, const Flat& from, const Flat& to, std::uint32_t edge, std::uint32_t from_vertex,
+         std::uint32_t to_vertex, std::uint32_t face_of_b) {
+  out.clear();
+  const Flat direction = to - from;
+  const auto side = [&](const Flat& p) { return cross2(direction, p - from); };
+  const auto corners = in.span();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Corner& here = corners[i];
+    const Corner& next = corners[(i + 1) % corners.size()];
+    const Real here_side = side(here.at), next_side = side(next.at);
+    if (here_side >= 0) {
+      out.push_back(here);
+    }
+    if ((here_side >= 0) != (next_side >= 0)) {
+      Corner crossing = here;
+      crossing.at = mix(here.at, next.at, here_side / (here_side - next_side));
+      // The boundary between the two runs along an edge of b, which this edge of a crosses, or along
+      // an earlier edge of a, which it meets at a vertex of a inside b.
+      if (here.leaves_on_b) {
+        crossing.feature_a = {FeatureKind::edge, edge};
+        crossing.feature_b = {FeatureKind::edge, here.edge};
+      } else {
+        crossing.feature_a = {FeatureKind::vertex, here_side >= 0 ? from_vertex : to_vertex};
+        crossing.feature_b = {FeatureKind::face, face_of_b};
+      }
+      if (here_side >= 0) {
+        crossing.leaves_on_b = false;
+        crossing.edge = edge;
+      }
+      out.push_back(crossing);
+    }
+  }
+}
+
+void clip_polygons(const Face& a, const Face& b, const Projection& projection, ClipPoints& out) {
+  [[clang::uninitialized]] Corners current;
+  [[clang::uninitialized]] Corners next;
+  const auto vertices_a = a.vertices.span();
+  const auto vertices_b = b.vertices.span();
+  // Seen against the normal a runs counter-clockwise when its normal agrees, b when its disagrees.
+  const bool a_turns = dot(a.normal, projection.normal) >= 0;
+  const bool b_turns = dot(b.normal, projection.normal) >= 0;
+  for (std::size_t i = 0; i < vertices_b.size(); ++i) {
+    const std::size_t k = b_turns ? i : vertices_b.size() - 1 - i;
+    const std::size_t edge = b_turns ? k : (k + vertices_b.size() - 1) % vertices_b.size();
+    current.push_back({projection(vertices_b[k].point), {FeatureKind::face, a.index}, {FeatureKind::vertex, vertices_b[k].vertex},
+                       true, vertices_b[edge].edge});
+  }
+  for (std::size_t i = 0; i < vertices_a.size() && !current.empty(); ++i) {
+    const std::size_t k = a_turns ? i : vertices_a.size() - 1 - i;
+    const std::size_t to = a_turns ? (k + 1) % vertices_a.size() : (k + vertices_a.size() - 1) % vertices_a.size();
+    const std::uint32_t edge = vertices_a[a_turns ? k : to].edge;
+    cut(current, next, projection(vertices_a[k].point), projection(vertices_a[to].point), edge, vertices_a[k].vertex,
+        vertices_a[to].vertex, b.index);
+    std::swap(current, next);
+  }
+  const Lift lift_a(a, projection), lift_b(b, projection);
+  for (const Corner& corner : current.span()) {
+    out.push_back({lift_a(corner.at, projection), lift_b(corner.at, projection), corner.feature_a, corner.feature_b});
+  }
+}
+
+// The stretch of a segment inside a polygon, by its two ends. `swapped`: the segment is side b.
+void clip_segment(const Face& segment, const Face& polygon, const Projection& projection, bool swapped, ClipPoints& out) {
+  const FaceVertex &start = segment.vertices[0], &end = segment.vertices[1];
+  const Flat p = projection(start.point), q = projection(end.point);
+  const bool turns = dot(polygon.normal, projection.normal) >= 0;
+  const auto vertices = polygon.vertices.span();
+  Real enter = 0, leave = 1;
+  std::uint32_t enter_edge = no_index, leave_edge = no_index;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::size_t j = (i + 1) % vertices.size();
+    const Flat from = projection(vertices[turns ? i : j].point), to = projection(vertices[turns ? j : i].point);
+    const Real at_p = cross2(to - from, p - from), at_q = cross2(to - from, q - from);
+    if (at_p < 0 && at_q < 0) {
+      return;
+    }
+    if (at_p < 0 && at_p / (at_p - at_q) > enter) {
+      enter = at_p / (at_p - at_q);
+      enter_edge = vertices[i].edge;
+    } else if (at_q < 0 && at_p / (at_p - at_q) < leave) {
+      leave = at_p / (at_p - at_q);
+      leave_edge = vertices[i].edge;
+    }
+  }
+  if (enter > leave) {
+    return;
+  }
+  const Lift lift(polygon, projection);
+  const auto emit = [&](Real t, std::uint32_t edge, std::uint32_t end_vertex) {
+    const Vec3 on_segment = start.point + t * (end.point - start.point);
+    const Vec3 on_polygon = lift(projection(on_segment), projection);
+    const Feature of_segment = edge == no_index ? Feature{FeatureKind::vertex, end_vertex} : Feature{FeatureKind::edge, start.edge};
+    const Feature of_polygon = edge == no_index ? Feature{FeatureKind::face, polygon.index} : Feature{FeatureKind::edge, edge};
+    if (swapped) {
+      out.push_back({on_polygon, on_segment, of_polygon, of_segment});
+    } else {
+      out.push_back({on_segment, on_polygon, of_segment, of_polygon});
+    }
+  };
+  emit(enter, enter_edge, start.vertex);
+  if (leave > enter) {
+    emit(leave, leave_edge, end.vertex);
+  }
+}
+
+// Parallel segments share a stretch; crossing ones are left to the closest points.
+void clip_segments(const Face& a, const Face& b, const Projection& projection, ClipPoints& out) {
+  const FaceVertex &a0 = a.vertices[0], &a1 = a.vertices[1], &b0 = b.vertices[0], &b1 = b.vertices[1];
+  const Flat p = projection(a0.point), e = projection(a1.point) - p;
+  const Flat q = projection(b0.point), f = projection(b1.point) - q;
+  const Real ee = e.u * e.u + e.v * e.v, ff = f.u * f.u + f.v * f.v;
+  const Real turn = cross2(e, f);
+  if (!(ee > 0 && ff > 0) || turn * turn > parallel_sine * parallel_sine * ee * ff) {
+    return;
+  }
+  const auto on_a = [&](const Flat& x) { return ((x.u - p.u) * e.u + (x.v - p.v) * e.v) / ee; };
+  const auto on_b = [&](const Flat& x) { return ((x.u - q.u) * f.u + (x.v - q.v) * f.v) / ff; };
+  struct End {
+    Real at;
+    Feature feature_a, feature_b;
+  };
+  const Real start_b = on_a(q), end_b = on_a({q.u + f.u, q.v + f.v});
+  const bool same_way = start_b <= end_b;
+  const Feature edge_a{FeatureKind::edge, a0.edge}, edge_b{FeatureKind::edge, b0.edge};
+  const auto vertex = [](const FaceVertex& v) { return Feature{FeatureKind::vertex, v.vertex}; };
+  const Real low_b = same_way ? start_b : end_b, high_b = same_way ? end_b : start_b;
+  const End low = low_b > 0 ? End{low_b, edge_a, vertex(same_way ? b0 : b1)} : End{0, vertex(a0), edge_b};
+  const End high = high_b < 1 ? End{high_b, edge_a, vertex(same_way ? b1 : b0)} : End{1, vertex(a1), edge_b};
+  if (low.at > high.at) {
+    return;
+  }
+  for (const End& end : {low, high}) {
+    const Vec3 point_a = a0.point + end.at * (a1.point - a0.point);
+    const Real t = std::clamp(on_b(projection(point_a)), Real{0}, Real{1});
+    out.push_back({point_a, b0.point + t * (b1.point - b0.point), end.feature_a, end.feature_b});
+  }
+}
+
+}  // namespace
+
+void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out) {
+  const std::size_t count_a = a.vertices.size(), count_b = b.vertices.size();
+  if (count_a < 2 || count_b < 2) {
+    return;
+  }
+  const Projection projection{a.vertices[0].point, tangents_of(normal), normal};
+  if (count_a == 2 && count_b == 2) {
+    clip_segments(a, b, projection, out);
+  } else if (count_a == 2 && faces_normal(b, normal)) {
+    clip_segment(a, b, projection, false, out);
+  } else if (count_b == 2 && faces_normal(a, normal)) {
+    clip_segment(b, a, projection, true, out);
+  } else if (count_a > 2 && count_b > 2 && faces_normal(a, normal) && faces_normal(b, normal)) {
+    clip_polygons(a, b, projection, out);
+  }
+}
+
+}  // namespace abut

@@ -1,0 +1,28 @@
+// The region in which two supporting faces meet: both are projected along the contact normal, the
+// projections are intersected, and each corner is lifted back onto both faces. The construction is the
+// same for both sides, so swapping them gives the same points.
+module;
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+export module abut.narrowphase.clip;
+import abut.core;
+import abut.math;
+import abut.shape;
+
+export namespace abut {
+
+// A corner of the common region: a point on each face and what it is on each side.
+struct ClipPoint {
+  Vec3 point_a, point_b;
+  Feature feature_a, feature_b;
+};
+using ClipPoints = SmallVector<ClipPoint, 24>;
+
+// Both faces in one frame, `normal` of length one from a to b. At least one point on each side.
+// Nothing comes out when the projections miss each other, or when a face stands so steep to the
+// normal that lifting onto it has no meaning.
+void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out);
+
+}  // namespace abut

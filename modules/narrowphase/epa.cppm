@@ -1,0 +1,83 @@
+// Depth and direction of least overlap of two convex cores by the expanding polytope algorithm (van
+// den Bergen, "Proximity queries and penetration depth computation on 3D game objects", 2001), as an
+// incremental convex hull whose least face is pushed out until it lies on the boundary.
+//
+// The polytope lies inside the Minkowski difference, so its least face distance bounds the depth from
+// below; the support in any direction bounds it from above. Both bounds are reported.
+module;
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+export module abut.narrowphase.epa;
+import abut.math;
+import abut.narrowphase.polytope;
+import abut.narrowphase.simplex;
+import abut.shape;
+
+export namespace abut {
+
+struct EpaResult {
+  Real depth;           // not negative for cores that overlap
+  Real lower, upper;    // the depth lies between them
+  Vec3 normal;          // unit: moving b along it by the depth parts the cores
+  Vec3 point_a, point_b;
+  std::uint32_t iterations;
+};
+
+template <Convex A, Convex B>
+[[nodiscard]] EpaResult epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start) {
+  const auto placement = place(b, ab);
+  const auto vertex_toward = [&](const Vec3& direction) {
+    const SupportPoint on_a = a.support(direction);
+    const SupportPoint on_b = placed_support(b, placement, -direction);
+    return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_b.point, on_a.index, on_b.index};
+  };
+  const Real noise = 8 * epsilon * size;
+
+  [[clang::uninitialized]] Polytope polytope;
+  polytope.reset();
+  const FlatDifference flat = polytope.start(start, noise, vertex_toward);
+  EpaResult result{0, 0, infinity, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
+  if (flat.is_flat) {
+    // Without volume the depth is zero across the flat, up to the noise that made it flat.
+    const DifferenceVertex top = vertex_toward(flat.normal);
+    const DifferenceVertex bottom = vertex_toward(-flat.normal);
+    const Real above = dot(flat.normal, top.w), below = -dot(flat.normal, bottom.w);
+    const bool up = above <= below;
+    result.normal = up ? flat.normal : -flat.normal;
+    result.depth = result.lower = result.upper = up ? above : below;
+    result.point_a = up ? top.a : bottom.a;
+    result.point_b = up ? top.b : bottom.b;
+    return result;
+  }
+
+  for (std::uint32_t iteration = 1; iteration <= Polytope::vertex_limit; ++iteration) {
+    result.iterations = iteration;
+    const std::size_t face = polytope.least_face();
+    const Vec3 normal = polytope.normal(face);
+    const Real distance = polytope.distance(face);
+    const DifferenceVertex vertex = vertex_toward(normal);
+    const Real reach = dot(normal, vertex.w);
+    // Face distances only grow; rounding must not make the bound shrink again.
+    result.lower = iteration == 1 || distance > result.lower ? distance : result.lower;
+    if (reach < result.upper) {
+      result.upper = reach;
+      result.normal = normal;
+      const Witness witness = polytope.witness(face);
+      result.point_a = witness.a;
+      result.point_b = witness.b;
+    }
+    if (result.upper - result.lower <= error || reach - distance <= noise || polytope.contains(vertex)) {
+      break;
+    }
+    if (!polytope.expand(face, vertex, noise)) {
+      break;
+    }
+  }
+  result.depth = result.upper;
+  result.lower = result.lower < result.upper ? result.lower : result.upper;
+  return result;
+}
+
+}  // namespace abut

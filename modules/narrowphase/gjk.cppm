@@ -1,0 +1,118 @@
+// Distance of two convex cores by GJK (Gilbert, Johnson, Keerthi 1988).
+//
+// Ends by a proof, not by a count: with v the closest point of the current simplex of the Minkowski
+// difference and w the support point against it, dot(v, w) / |v| <= distance <= |v|. When the two agree
+// within the error bound, the distance is certified. When rounding stops progress first, the interval
+// that was reached is reported as it is.
+module;
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+export module abut.narrowphase.gjk;
+import abut.math;
+import abut.narrowphase.simplex;
+import abut.shape;
+
+export namespace abut {
+
+struct GjkResult {
+  bool overlap;         // the cores overlap or touch within rounding; the rest is then undefined but the simplex
+  bool beyond;          // stopped early: the distance is at least `lower`, which exceeds the limit asked for
+  Real lower, upper;    // the distance of the cores lies between them
+  Vec3 separation;      // from b to a: the closest point of the difference
+  Simplex simplex;
+  std::uint32_t iterations;
+};
+
+// Bounded work: no pair in the tests needs more than a third of this.
+inline constexpr std::uint32_t gjk_iteration_limit = 96;
+
+// Rounding of the coordinates of difference vertices: cores closer than this touch.
+[[nodiscard]] inline Real touching_distance(Real size) { return 4 * epsilon * size; }
+
+// The direction in which a simplex without inside is separated from the origin. Of a triangle it is
+// the normal, which stays exact when the distance is so small that the closest point is rounding.
+[[nodiscard]] inline Vec3 separating_direction(const Simplex& simplex, const Vec3& closest) {
+  if (simplex.size == 3) {
+    const Vec3& r = simplex.vertices[2].w;
+    const Vec3 normal = cross(simplex.vertices[0].w - r, simplex.vertices[1].w - r);
+    if (squared_norm(normal) > 0) {
+      return dot(normal, closest) >= 0 ? normal : -normal;
+    }
+  }
+  return closest;
+}
+
+// The cores of a and b in the frame of a, b being placed by ab. `size` bounds the coordinates of both;
+// `error` is the gap that is allowed; `limit`: stop as soon as the distance is known to exceed it.
+template <Convex A, Convex B>
+[[nodiscard]] GjkResult gjk(const A& a, const B& b, const Pose& ab, Real size, Real error, Real limit) {
+  const auto placement = place(b, ab);
+  const auto difference_vertex = [&](const Vec3& toward_origin) {
+    const SupportPoint on_a = a.support(toward_origin);
+    const SupportPoint on_b = placed_support(b, placement, -toward_origin);
+    return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_b.point, on_a.index, on_b.index};
+  };
+
+  [[clang::uninitialized]] GjkResult result;
+  result.overlap = false;
+  result.beyond = false;
+  result.lower = 0;
+  result.simplex.size = 0;
+  Simplex& simplex = result.simplex;
+
+  const Vec3 first_direction = ab * b.centre() - a.centre();
+  simplex.push(difference_vertex(first_direction));
+  simplex.weights[0] = 1;
+  Vec3 v = simplex.vertices[0].w;
+  Real square = squared_norm(v);
+  const Real touching = touching_distance(size);
+
+  std::uint32_t iteration = 1;
+  for (; iteration < gjk_iteration_limit; ++iteration) {
+    if (!(square > touching * touching)) {
+      result.overlap = true;
+      break;
+    }
+    const DifferenceVertex vertex = difference_vertex(-v);
+    const Real reach = dot(v, vertex.w);
+    // Lower bounds of all iterations hold; the best one so far is compared in squares, without a root.
+    if (reach > 0) {
+      if (reach * reach > result.lower * result.lower * square) {
+        result.lower = reach / std::sqrt(square);
+      }
+      if (result.lower > limit) {
+        result.beyond = true;
+        break;
+      }
+    }
+    const Real gap = square - reach;  // (upper - lower) * |v|
+    if (gap * gap <= error * error * square || gap <= 0 || simplex.contains(vertex)) {
+      break;
+    }
+    const Simplex before = simplex;
+    simplex.push(vertex);
+    const ClosestPoint closest = closest_to_origin(simplex);
+    if (closest.encloses_origin) {
+      keep(simplex, closest);
+      result.overlap = true;
+      break;
+    }
+    const Real closest_square = squared_norm(closest.point);
+    if (!(closest_square < square)) {
+      // No progress is left within rounding: what was reached before is the answer.
+      simplex = before;
+      break;
+    }
+    keep(simplex, closest);
+    v = closest.point;
+    square = closest_square;
+  }
+  result.separation = v;
+  result.upper = std::sqrt(square);
+  result.lower = result.lower < result.upper ? result.lower : result.upper;
+  result.iterations = iteration;
+  return result;
+}
+
+}  // namespace abut

@@ -1,0 +1,31 @@
+// libccd's GJK/EPA and MPR behind the interface of our own routes: a second, independent opinion.
+// What it cannot answer (NaN, iteration limit, contradiction) is reported, never passed on.
+module;
+#include <cstdint>
+#include <functional>
+export module abut.narrowphase.libccd;
+import abut.math;
+import abut.shape;
+
+export namespace abut {
+
+// libccd sees whole shapes through this: a support point in the frame of a, and an inner point.
+using SupportFunction = std::function<Vec3(const Vec3& direction)>;
+
+// Outcome::unsupported in builds without libccd, and for MPR on shapes that do not overlap.
+[[nodiscard]] Outcome libccd_query(const SupportFunction& support_a, const SupportFunction& support_b, const Vec3& centre_a,
+                                   const Vec3& centre_b, Algorithm algorithm, Distance& out);
+
+template <Convex A, Convex B>
+[[nodiscard]] Outcome libccd_distance(const A& a, const B& b, const Pose& ab, Algorithm algorithm, Distance& out) {
+  const auto placement = place(b, ab);
+  const auto round_off = [](const Vec3& core, const Vec3& direction, Real radius) {
+    const auto unit = UnitVec3::make(direction);
+    return unit ? core + radius * unit->vec() : core;
+  };
+  return libccd_query([&](const Vec3& d) { return round_off(a.support(d).point, d, a.radius()); },
+                      [&](const Vec3& d) { return round_off(placed_support(b, placement, d).point, d, b.radius()); },
+                      a.centre(), ab * b.centre(), algorithm, out);
+}
+
+}  // namespace abut

@@ -1,0 +1,98 @@
+// What a shape can do. Every pair of shapes gets an algorithm from these capabilities alone.
+module;
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+export module abut.shape.concepts;
+import abut.core;
+import abut.math;
+import abut.shape.records;
+
+export namespace abut {
+
+// Has a box under any pose. Unbounded shapes answer with infinite sides.
+template <class S>
+concept Bounded = requires(const S& shape, const Pose& pose) {
+  { shape.aabb(pose) } -> std::same_as<Aabb>;
+};
+
+// A convex core, rounded by a radius: all points within radius() of the core. Directions need not
+// have length one. Everything is in the frame of the shape.
+template <class S>
+concept Convex = Bounded<S> && requires(const S& shape, const Vec3& direction) {
+  { shape.radius() } -> std::convertible_to<Real>;
+  { shape.support(direction) } -> std::same_as<SupportPoint>;
+  { shape.supporting_face(direction) } -> std::same_as<Face>;
+  { shape.centre() } -> std::convertible_to<Vec3>;
+  { shape.extent() } -> std::convertible_to<Real>;  // no core point is further from the centre, up to a factor of two
+};
+
+// Has a form of its own for support points under a pose, faster than rotating the direction in and
+// the point out. `placed` returns a value with `support(direction)`.
+template <class S>
+concept Placeable = Convex<S> && requires(const S& shape, const Pose& pose, const Vec3& direction) {
+  { shape.placed(pose).support(direction) } -> std::same_as<SupportPoint>;
+};
+
+// A core with so few face normals and edge directions that trying them all finds the exact depth.
+template <class S>
+concept FewFaced = Convex<S> && requires(const S& shape) {
+  shape.face_normals().size();
+  shape.edge_directions().size();
+  { S::is_symmetric } -> std::convertible_to<bool>;  // about its centre
+};
+
+// Everything behind a plane of the shape's own frame: dot(normal, p) <= offset.
+template <class S>
+concept HalfSpace = Bounded<S> && requires(const S& shape) {
+  { shape.normal() } -> std::convertible_to<Vec3>;
+  { shape.offset() } -> std::same_as<Real>;
+};
+
+struct AcceptsAnyPart {
+  template <class Part>
+  void operator()(const Part&, std::uint32_t) const {}
+};
+
+// Made of convex parts. visit_parts hands over every part whose box overlaps the given one; the
+// visitor may shrink that box on the way. part_near gives some part close to a point.
+template <class S>
+concept Composite = Bounded<S> && Convex<typename S::Part> &&
+                    requires(const S& shape, Aabb& box, const Vec3& point, AcceptsAnyPart visitor) {
+                      shape.visit_parts(box, visitor);
+                      { shape.part_near(point) } -> std::same_as<typename S::Part>;
+                    };
+
+template <class S>
+concept RayCastable = requires(const S& shape, const Vec3& origin, const UnitVec3& direction, Real max_distance) {
+  { shape.cast_ray(origin, direction, max_distance) } -> std::same_as<std::optional<RayHit>>;
+};
+
+// Has a surface of plane triangles.
+template <class S>
+concept Triangulated = requires(const S& shape) {
+  { shape.triangles() } -> std::same_as<Triangles>;
+};
+
+// Terrain never meets terrain.
+template <class S>
+concept Terrain = requires { requires S::is_terrain; };
+
+// Says its name and parameters, is made from checked numbers, and shows samples of itself that
+// tests, benchmarks and fuzz seeds use.
+template <class S>
+concept Described = requires(const S& shape, std::span<const Real> reals, std::span<const std::uint32_t> indices) {
+  { S::name } -> std::convertible_to<std::string_view>;
+  { S::parameter_names.size() } -> std::convertible_to<std::size_t>;
+  { S::make(reals, reals, indices) } -> std::same_as<Result<S>>;
+  { shape.parameters() } -> std::same_as<std::vector<Real>>;
+  { S::samples() } -> std::same_as<std::vector<S>>;
+};
+
+template <class S>
+concept Shape = Bounded<S> && RayCastable<S> && Described<S> && std::copyable<S>;
+
+}  // namespace abut

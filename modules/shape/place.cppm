@@ -1,0 +1,55 @@
+// Support points of a shape under a pose, by the shape's own way where it has one.
+module;
+#include <cstddef>
+export module abut.shape.place;
+import abut.math;
+import abut.shape.concepts;
+import abut.shape.records;
+
+export namespace abut {
+
+template <Convex S>
+[[nodiscard]] inline auto place(const S& shape, const Pose& pose) {
+  if constexpr (Placeable<S>) {
+    return shape.placed(pose);
+  } else {
+    return pose;
+  }
+}
+
+template <Convex S, class Placement>
+[[nodiscard]] inline SupportPoint placed_support(const S& shape, const Placement& placement, const Vec3& direction) {
+  if constexpr (Placeable<S>) {
+    return placement.support(direction);
+  } else {
+    const SupportPoint local = shape.support(placement.rotation.undo(direction));
+    return {placement * local.point, local.index};
+  }
+}
+
+template <Convex S>
+[[nodiscard]] inline Face placed_face(const S& shape, const Pose& pose, const Vec3& direction) {
+  Face face = shape.supporting_face(pose.rotation.undo(direction));
+  for (FaceVertex& vertex : face.vertices.span()) {
+    vertex.point = pose * vertex.point;
+  }
+  face.normal = pose.rotation * face.normal;
+  return face;
+}
+
+// A core that is one point.
+struct PlacedPoint {
+  Vec3 centre;
+  [[nodiscard]] inline SupportPoint support(const Vec3&) const { return {centre, 0}; }
+};
+
+// A core that is a segment: centre +- half.
+struct PlacedSegment {
+  Vec3 centre, half;
+  [[nodiscard]] inline SupportPoint support(const Vec3& direction) const {
+    const bool upper = dot(half, direction) >= 0;
+    return {upper ? centre + half : centre - half, upper ? 1u : 0u};
+  }
+};
+
+}  // namespace abut

@@ -1,0 +1,7 @@
+// What shapes are: capabilities, records and checks.
+export module abut.shape;
+export import abut.shape.checks;
+export import abut.shape.concepts;
+export import abut.shape.place;
+export import abut.shape.records;
+export import abut.shape.triangle;

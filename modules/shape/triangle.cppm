@@ -1,0 +1,106 @@
+// A triangle: the part that meshes and height fields are made of. Not a solid: it has two sides
+// unless it is told to be one-sided.
+module;
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+export module abut.shape.triangle;
+import abut.math;
+import abut.shape.concepts;
+import abut.shape.records;
+
+export namespace abut {
+
+class Triangle {
+ public:
+  static constexpr bool is_symmetric = false;
+
+  inline Triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t index, bool one_sided, std::uint8_t inner_edges)
+      : corners_{a, b, c}, normal_(unit_normal(a, b, c)), index_(index), one_sided_(one_sided), inner_edges_(inner_edges) {}
+
+  [[nodiscard]] inline const std::array<Vec3, 3>& corners() const [[clang::lifetimebound]] { return corners_; }
+  [[nodiscard]] inline const Vec3& normal() const [[clang::lifetimebound]] { return normal_; }  // zero for no area
+  [[nodiscard]] inline std::uint32_t index() const { return index_; }
+  [[nodiscard]] inline bool is_one_sided() const { return one_sided_; }
+  [[nodiscard]] inline bool has_area() const { return squared_norm(normal_) > 0; }
+  // Edges, by bit, across which the surface goes on flat or dips: nothing can rest on them.
+  [[nodiscard]] inline std::uint8_t inner_edges() const { return inner_edges_; }
+
+  [[nodiscard]] inline Aabb box() const {
+    return {minimum(minimum(corners_[0], corners_[1]), corners_[2]), maximum(maximum(corners_[0], corners_[1]), corners_[2])};
+  }
+  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
+    const Vec3 a = pose * corners_[0], b = pose * corners_[1], c = pose * corners_[2];
+    return {minimum(minimum(a, b), c), maximum(maximum(a, b), c)};
+  }
+  [[nodiscard]] inline Real radius() const { return 0; }
+  [[nodiscard]] inline Vec3 centre() const { return (1.0 / 3.0) * (corners_[0] + corners_[1] + corners_[2]); }
+  [[nodiscard]] inline Real extent() const {
+    return largest_magnitude(maximum(absolute(corners_[1] - corners_[0]), absolute(corners_[2] - corners_[0])));
+  }
+  [[nodiscard]] inline SupportPoint support(const Vec3& direction) const {
+    const Real a = dot(corners_[0], direction), b = dot(corners_[1], direction), c = dot(corners_[2], direction);
+    if (a >= b && a >= c) {
+      return {corners_[0], 0};
+    }
+    return b >= c ? SupportPoint{corners_[1], 1} : SupportPoint{corners_[2], 2};
+  }
+  [[nodiscard]] inline Face supporting_face(const Vec3& direction) const {
+    [[clang::uninitialized]] Face face;
+    face.index = 0;
+    const bool back = dot(normal_, direction) < 0;
+    face.normal = back ? -normal_ : normal_;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t corner = back ? 2 - i : i;
+      face.vertices.push_back({corners_[corner], corner, back ? (corner + 2) % 3 : corner});
+    }
+    return face;
+  }
+  [[nodiscard]] inline std::array<Vec3, 1> face_normals() const { return {normal_}; }
+  [[nodiscard]] inline std::array<Vec3, 3> edge_directions() const {
+    return {corners_[1] - corners_[0], corners_[2] - corners_[1], corners_[0] - corners_[2]};
+  }
+
+  // Möller and Trumbore, "Fast, minimum storage ray/triangle intersection", 1997; both sides count.
+  [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
+    const Vec3 u = corners_[1] - corners_[0], v = corners_[2] - corners_[0];
+    const Vec3 p = cross(direction, v);
+    const Real determinant = dot(u, p);
+    if (determinant == 0) {
+      return std::nullopt;
+    }
+    const Vec3 s = origin - corners_[0];
+    const Real first = dot(s, p) / determinant;
+    const Vec3 q = cross(s, u);
+    const Real second = dot(direction.vec(), q) / determinant;
+    const Real distance = dot(v, q) / determinant;
+    // Rays through a shared edge must not slip between its triangles; 4 units of rounding overlap.
+    constexpr Real slack = -4 * epsilon;
+    if (!(first >= slack && second >= slack && first + second <= 1 - slack && distance >= 0 && distance <= max_distance)) {
+      return std::nullopt;
+    }
+    return RayHit{distance, normal_, {FeatureKind::face, index_}};
+  }
+
+ private:
+  [[nodiscard]] static inline Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 n = cross(b - a, c - a);
+    const Real square = squared_norm(n);
+    if (square > 1e-200 && square < 1e200) [[likely]] {
+      return (1 / std::sqrt(square)) * n;
+    }
+    const auto unit = UnitVec3::make(n);
+    return unit ? unit->vec() : Vec3{0, 0, 0};
+  }
+
+  std::array<Vec3, 3> corners_;
+  Vec3 normal_;
+  std::uint32_t index_;
+  bool one_sided_;
+  std::uint8_t inner_edges_;
+};
+static_assert(FewFaced<Triangle> && RayCastable<Triangle>);
+
+}  // namespace abut

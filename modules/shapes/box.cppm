@@ -1,0 +1,167 @@
+// Solid box, centred, by half extents. Vertex i has the sign bits of i (bit 0: x positive, ...).
+module;
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+export module abut.shape.box;
+import abut.core;
+import abut.math;
+import abut.shape;
+
+export namespace abut {
+
+class Box {
+ public:
+  static constexpr std::string_view name = "box";
+  static constexpr std::array<std::string_view, 3> parameter_names{"half_x", "half_y", "half_z"};
+  static constexpr bool is_symmetric = true;
+
+  [[nodiscard]] static Result<Box> make(std::span<const Real> parameters, std::span<const Real> reals,
+                                        std::span<const std::uint32_t> indices) {
+    if (Fault fault = check_count("parameter_count", parameters.size(), 3)) {
+      return *fault;
+    }
+    if (Fault fault = check_no_buffers(reals, indices)) {
+      return *fault;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (Fault fault = check_not_negative(parameter_names[i], parameters[i])) {
+        return *fault;
+      }
+    }
+    return Box({parameters[0], parameters[1], parameters[2]});
+  }
+  [[nodiscard]] std::vector<Real> parameters() const { return {half_.x, half_.y, half_.z}; }
+  [[nodiscard]] static std::vector<Box> samples() {
+    return {Box({1, 1, 1}), Box({0.5, 1, 2}), Box({1, 1, 0}), Box({1e-3, 1e-3, 10}), Box({30, 20, 10}), Box({0, 0, 0})};
+  }
+
+  [[nodiscard]] inline const Vec3& half() const [[clang::lifetimebound]] { return half_; }
+  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
+    const Rotation& r = pose.rotation;
+    return Aabb::around(pose.position, half_.x * absolute(r.x) + half_.y * absolute(r.y) + half_.z * absolute(r.z));
+  }
+  [[nodiscard]] inline Real radius() const { return 0; }
+  [[nodiscard]] inline Vec3 centre() const { return {0, 0, 0}; }
+  [[nodiscard]] inline Real extent() const { return largest_magnitude(half_); }
+  [[nodiscard]] inline SupportPoint support(const Vec3& d) const {
+    return {{std::copysign(half_.x, d.x), std::copysign(half_.y, d.y), std::copysign(half_.z, d.z)},
+            octant(d.x, d.y, d.z)};
+  }
+
+  // The box as centre + sum of three signed half edges: a support point costs three dot products.
+  struct Placed {
+    Vec3 centre, x, y, z;
+    [[nodiscard]] inline SupportPoint support(const Vec3& d) const {
+      const Real dx = dot(x, d), dy = dot(y, d), dz = dot(z, d);
+      return {centre + std::copysign(Real{1}, dx) * x + std::copysign(Real{1}, dy) * y + std::copysign(Real{1}, dz) * z,
+              octant(dx, dy, dz)};
+    }
+  };
+  [[nodiscard]] inline Placed placed(const Pose& pose) const {
+    return {pose.position, half_.x * pose.rotation.x, half_.y * pose.rotation.y, half_.z * pose.rotation.z};
+  }
+
+  // Faces 0..5 are -x, +x, -y, +y, -z, +z. An edge is numbered by its direction and the octant bits
+  // of the two other axes: 4 * axis + bits.
+  [[nodiscard]] Face supporting_face(const Vec3& d) const {
+    const Vec3 magnitude = absolute(d);
+    const int axis = magnitude.x >= magnitude.y && magnitude.x >= magnitude.z ? 0 : magnitude.y >= magnitude.z ? 1 : 2;
+    const bool positive = d[axis] >= 0;
+    [[clang::uninitialized]] Face face;
+    face.index = static_cast<std::uint32_t>(2 * axis + (positive ? 1 : 0));
+    const Real sign = positive ? 1 : -1;
+    face.normal = {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
+    const std::uint32_t first = axis == 0 ? 1 : axis == 1 ? 2 : 0;   // the axes of the face, such that
+    const std::uint32_t second = axis == 0 ? 2 : axis == 1 ? 0 : 1;  // first x second = axis
+    const std::uint32_t base = positive ? 1u << axis : 0u;
+    for (std::uint32_t step = 0; step < 4; ++step) {
+      const std::uint32_t turn = positive ? step : 3 - step;
+      const std::uint32_t bits = base | (turn == 1 || turn == 2 ? 1u << first : 0u) | (turn >= 2 ? 1u << second : 0u);
+      const std::uint32_t next = positive ? (turn + 1) % 4 : (turn + 3) % 4;
+      const bool along_first = turn / 2 == next / 2 && (turn + next == 1 || turn + next == 5);
+      face.vertices.push_back({vertex(bits), bits, edge_number(along_first ? first : second, bits)});
+    }
+    return face;
+  }
+  [[nodiscard]] inline std::array<Vec3, 3> face_normals() const { return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}; }
+  [[nodiscard]] inline std::array<Vec3, 3> edge_directions() const { return face_normals(); }
+
+  // Slabs (Kay and Kajiya 1986). A ray that starts inside meets the far side.
+  [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
+    Real enter = -infinity, leave = infinity;
+    int enter_axis = 0, leave_axis = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Real d = direction.vec()[axis], o = origin[axis], h = half_[axis];
+      if (d == 0) {
+        if (std::fabs(o) > h) {
+          return std::nullopt;
+        }
+        continue;
+      }
+      const Real near = (std::copysign(h, -d) - o) / d, far = (std::copysign(h, d) - o) / d;
+      if (near > enter) {
+        enter = near;
+        enter_axis = axis;
+      }
+      if (far < leave) {
+        leave = far;
+        leave_axis = axis;
+      }
+    }
+    if (!(enter <= leave)) {
+      return std::nullopt;
+    }
+    const bool entering = enter >= 0;
+    const Real distance = entering ? enter : leave;
+    if (!(distance >= 0 && distance <= max_distance)) {
+      return std::nullopt;
+    }
+    const int axis = entering ? enter_axis : leave_axis;
+    const bool positive = (direction.vec()[axis] > 0) != entering;
+    const Real sign = positive ? 1 : -1;
+    const Vec3 normal{axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
+    return RayHit{distance, normal, {FeatureKind::face, static_cast<std::uint32_t>(2 * axis + (positive ? 1 : 0))}};
+  }
+
+  // Two triangles per face; triangle 2 f and 2 f + 1 belong to face f.
+  [[nodiscard]] Triangles triangles() const {
+    Triangles out;
+    for (std::uint32_t bits = 0; bits < 8; ++bits) {
+      out.vertices.push_back(vertex(bits));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const Real sign : {-1.0, 1.0}) {
+        const Face face = supporting_face({axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0});
+        for (const std::size_t corner : std::to_array<std::size_t>({0, 1, 2, 0, 2, 3})) {
+          out.indices.push_back(face.vertices[corner].vertex);
+        }
+      }
+    }
+    return out;
+  }
+
+ private:
+  explicit Box(const Vec3& half) : half_(half) {}
+
+  [[nodiscard]] static inline std::uint32_t octant(Real x, Real y, Real z) {
+    return (std::signbit(x) ? 0u : 1u) | (std::signbit(y) ? 0u : 2u) | (std::signbit(z) ? 0u : 4u);
+  }
+  [[nodiscard]] inline Vec3 vertex(std::uint32_t bits) const {
+    return {bits & 1u ? half_.x : -half_.x, bits & 2u ? half_.y : -half_.y, bits & 4u ? half_.z : -half_.z};
+  }
+  [[nodiscard]] static inline std::uint32_t edge_number(std::uint32_t axis, std::uint32_t bits) {
+    const std::uint32_t others = axis == 0 ? bits >> 1 : axis == 1 ? (bits & 1u) | ((bits >> 1) & 2u) : bits & 3u;
+    return 4 * axis + others;
+  }
+
+  Vec3 half_;
+};
+static_assert(Shape<Box> && Placeable<Box> && FewFaced<Box> && Triangulated<Box>);
+
+}  // namespace abut

@@ -1,0 +1,123 @@
+// Terrain over a regular grid: sample (i, j) is the point (i * spacing_x, j * spacing_y, height).
+// Each cell holds two triangles, split from (i, j) to (i + 1, j + 1). One-sided: the front is +Z.
+// Cells under a box are found by division (SPEC VX-11).
+module;
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+export module abut.shape.height_field;
+import abut.core;
+import abut.math;
+import abut.shape;
+
+export namespace abut {
+
+class HeightField {
+ public:
+  using Part = Triangle;
+  static constexpr std::string_view name = "height_field";
+  static constexpr std::array<std::string_view, 4> parameter_names{"columns", "rows", "spacing_x", "spacing_y"};
+  static constexpr bool is_terrain = true;
+
+  [[nodiscard]] static Result<HeightField> make(std::span<const Real> parameters, std::span<const Real> reals,
+                                                std::span<const std::uint32_t> indices);
+  [[nodiscard]] std::vector<Real> parameters() const {
+    const Data& field = *data_;
+    return {static_cast<Real>(field.columns), static_cast<Real>(field.rows), field.spacing_x, field.spacing_y};
+  }
+  [[nodiscard]] static std::vector<HeightField> samples();
+
+  [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->box, pose); }
+
+  // Triangle 2 c is the one below the diagonal of cell c, 2 c + 1 the one above; cells run along X first.
+  [[nodiscard]] inline Triangle part(std::uint32_t index) const {
+    const Data& field = *data_;
+    const std::uint32_t cell = index / 2, i = cell % (field.columns - 1), j = cell / (field.columns - 1);
+    const bool upper = index % 2 != 0;
+    return {point(i, j), upper ? point(i + 1, j + 1) : point(i + 1, j), upper ? point(i, j + 1) : point(i + 1, j + 1),
+            index, true, inner_edges(i, j, upper)};
+  }
+
+  template <class Visitor>
+  void visit_parts(Aabb& box, Visitor&& visit) const {
+    const Data& field = *data_;
+    if (!box.overlaps(field.box)) {
+      return;
+    }
+    const std::uint32_t i0 = cell_at(box.low.x / field.spacing_x, field.columns), i1 = cell_at(box.high.x / field.spacing_x, field.columns);
+    const std::uint32_t j0 = cell_at(box.low.y / field.spacing_y, field.rows), j1 = cell_at(box.high.y / field.spacing_y, field.rows);
+    for (std::uint32_t j = j0; j <= j1; ++j) {
+      for (std::uint32_t i = i0; i <= i1; ++i) {
+        const Real a = height(i, j), b = height(i + 1, j), c = height(i, j + 1), d = height(i + 1, j + 1);
+        if (std::max(std::max(a, b), std::max(c, d)) < box.low.z || std::min(std::min(a, b), std::min(c, d)) > box.high.z) {
+          continue;
+        }
+        const std::uint32_t cell = j * (field.columns - 1) + i;
+        for (const std::uint32_t index : {2 * cell, 2 * cell + 1}) {
+          const Triangle triangle = part(index);
+          if (triangle.box().overlaps(box)) {
+            visit(triangle, index);
+          }
+        }
+      }
+    }
+  }
+  [[nodiscard]] Triangle part_near(const Vec3& p) const {
+    const Data& field = *data_;
+    const std::uint32_t i = cell_at(p.x / field.spacing_x, field.columns), j = cell_at(p.y / field.spacing_y, field.rows);
+    return part(2 * (j * (field.columns - 1) + i));
+  }
+
+  // Walks the cells under the ray (Amanatides and Woo 1987).
+  [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
+  [[nodiscard]] Triangles triangles() const;
+
+ private:
+  struct Data {
+    std::uint32_t columns, rows;
+    Real spacing_x, spacing_y;
+    std::vector<Real> heights;
+    Aabb box;
+  };
+
+  explicit HeightField(Data data) : data_(std::move(data)) {}
+  [[nodiscard]] inline Real height(std::uint32_t i, std::uint32_t j) const {
+    return data_->heights[std::size_t{j} * data_->columns + i];
+  }
+  [[nodiscard]] inline Vec3 point(std::uint32_t i, std::uint32_t j) const {
+    return {i * data_->spacing_x, j * data_->spacing_y, height(i, j)};
+  }
+  [[nodiscard]] static inline std::uint32_t cell_at(Real position, std::uint32_t samples) {
+    const Real last = samples - 2;
+    return position > 0 ? static_cast<std::uint32_t>(std::min(position, last)) : 0;
+  }
+  // See Triangle::inner_edges. In a cell with corners a b (lower) and c d (upper), whether the surface
+  // dips across an edge follows from second differences of the heights alone.
+  [[nodiscard]] inline std::uint8_t inner_edges(std::uint32_t i, std::uint32_t j, bool upper) const {
+    const Data& field = *data_;
+    const Real a = height(i, j), b = height(i + 1, j), c = height(i, j + 1), d = height(i + 1, j + 1);
+    const auto dips = [](Real second_difference) { return second_difference >= 0; };
+    const bool diagonal = dips(b + c - a - d);
+    if (upper) {
+      const bool top = j + 2 < field.rows && dips(height(i + 1, j + 2) - d - (c - a));
+      const bool left = i > 0 && dips(height(i - 1, j) + d - c - a);
+      return static_cast<std::uint8_t>((diagonal ? 1 : 0) | (top ? 2 : 0) | (left ? 4 : 0));
+    }
+    const bool bottom = j > 0 && dips(height(i, j - 1) + d - b - a);
+    const bool right = i + 2 < field.columns && dips(height(i + 2, j + 1) - d - (b - a));
+    return static_cast<std::uint8_t>((bottom ? 1 : 0) | (right ? 2 : 0) | (diagonal ? 4 : 0));
+  }
+
+  Frozen<Data> data_;
+};
+static_assert(Shape<HeightField> && Composite<HeightField> && Triangulated<HeightField> && Terrain<HeightField>);
+
+}  // namespace abut

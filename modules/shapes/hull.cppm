@@ -1,0 +1,150 @@
+// Solid convex hull of points.
+module;
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+export module abut.shape.hull;
+import abut.core;
+import abut.math;
+import abut.shape;
+import abut.shape.hull_data;
+
+export namespace abut {
+
+class Hull {
+ public:
+  static constexpr std::string_view name = "hull";
+  static constexpr std::array<std::string_view, 0> parameter_names{};
+
+  [[nodiscard]] static Result<Hull> make(std::span<const Real> parameters, std::span<const Real> reals,
+                                         std::span<const std::uint32_t> indices) {
+    if (Fault fault = check_count("parameter_count", parameters.size(), 0)) {
+      return *fault;
+    }
+    if (Fault fault = check_count("index_count", indices.size(), 0)) {
+      return *fault;
+    }
+    if (reals.empty()) {
+      return Error{Errc::empty, "point_count is 0; a hull needs at least one point"};
+    }
+    if (reals.size() % 3 != 0) {
+      return error_about(Errc::invalid_argument, "real_count", static_cast<std::uint64_t>(reals.size()), "a multiple of 3");
+    }
+    if (Fault fault = check_all_finite("xyz", reals)) {
+      return *fault;
+    }
+    std::vector<Vec3> points(reals.size() / 3);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points[i] = {reals[3 * i], reals[3 * i + 1], reals[3 * i + 2]};
+    }
+    return Hull(build_hull(points));
+  }
+  [[nodiscard]] std::vector<Real> parameters() const { return {}; }
+  [[nodiscard]] static std::vector<Hull> samples();
+
+  [[nodiscard]] inline const HullData& data() const [[clang::lifetimebound]] { return *data_; }
+
+  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
+    // Exact rather than the box of the local box: six support points.
+    const Rotation back = pose.rotation.inverse();
+    const HullData& hull = *data_;
+    const Vec3 high{dot(back.x, hull.support(back.x).point), dot(back.y, hull.support(back.y).point),
+                    dot(back.z, hull.support(back.z).point)};
+    const Vec3 low{dot(back.x, hull.support(-back.x).point), dot(back.y, hull.support(-back.y).point),
+                   dot(back.z, hull.support(-back.z).point)};
+    return {low + pose.position, high + pose.position};
+  }
+  [[nodiscard]] inline Real radius() const { return 0; }
+  [[nodiscard]] inline Vec3 centre() const { return data_->centre; }
+  [[nodiscard]] inline Real extent() const { return data_->extent; }
+  [[nodiscard]] inline SupportPoint support(const Vec3& direction) const { return data_->support(direction); }
+
+  [[nodiscard]] Face supporting_face(const Vec3& direction) const {
+    const HullData& hull = *data_;
+    const SupportPoint top = hull.support(direction);
+    [[clang::uninitialized]] Face face;
+    if (hull.faces.empty()) {
+      // A point or a segment: its whole core, for the clipping to choose from.
+      for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) {
+        face.vertices.push_back({hull.vertices[i], i, 0});
+      }
+      return face;
+    }
+    Real best = -infinity;
+    for (std::uint32_t i = hull.first_face[top.index]; i < hull.first_face[top.index + 1]; ++i) {
+      const std::uint32_t candidate = hull.faces_at[i];
+      const Real alignment = dot(hull.faces[candidate].normal, direction);
+      if (alignment > best) {
+        best = alignment;
+        face.index = candidate;
+      }
+    }
+    const HullFace& found = hull.faces[face.index];
+    face.normal = found.normal;
+    for (std::uint32_t i = found.first; i < found.first + found.count; ++i) {
+      const std::uint32_t vertex = hull.face_vertices[i];
+      face.vertices.push_back({hull.vertices[vertex], vertex, hull.face_edges[i]});
+    }
+    return face;
+  }
+
+  // Clips the ray by the planes of all faces (Cyrus and Beck 1978).
+  [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
+    const HullData& hull = *data_;
+    Real enter = -infinity, leave = infinity;
+    std::uint32_t enter_face = no_index, leave_face = no_index;
+    for (std::uint32_t i = 0; i < hull.faces.size(); ++i) {
+      const HullFace& face = hull.faces[i];
+      const Real approach = dot(face.normal, direction.vec());
+      const Real height = face.offset - dot(face.normal, origin);
+      if (approach == 0) {
+        if (height < 0) {
+          return std::nullopt;
+        }
+        continue;
+      }
+      const Real at = height / approach;
+      if (approach < 0 && at > enter) {
+        enter = at;
+        enter_face = i;
+      } else if (approach > 0 && at < leave) {
+        leave = at;
+        leave_face = i;
+      }
+    }
+    const bool entering = enter >= 0;
+    const Real distance = entering ? enter : leave;
+    const std::uint32_t face = entering ? enter_face : leave_face;
+    if (!(enter <= leave) || face == no_index || !(distance >= 0 && distance <= max_distance)) {
+      return std::nullopt;
+    }
+    return RayHit{distance, hull.faces[face].normal, {FeatureKind::face, face}};
+  }
+
+  // Each face as a fan of triangles.
+  [[nodiscard]] Triangles triangles() const {
+    const HullData& hull = *data_;
+    Triangles out{hull.vertices, {}};
+    for (const HullFace& face : hull.faces) {
+      for (std::uint32_t i = 1; i + 1 < face.count; ++i) {
+        for (const std::uint32_t corner : {0u, i, i + 1}) {
+          out.indices.push_back(hull.face_vertices[face.first + corner]);
+        }
+      }
+    }
+    return out;
+  }
+
+ private:
+  explicit Hull(HullData data) : data_(std::move(data)) {}
+  Frozen<HullData> data_;
+};
+static_assert(Shape<Hull> && Convex<Hull> && Triangulated<Hull>);
+
+}  // namespace abut

@@ -1,0 +1,133 @@
+module;
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+module abut.shape.hull_data;
+import abut.math;
+
+namespace abut {
+namespace {
+
+// Below this many vertices one pass over all of them is the faster way (measured).
+constexpr std::size_t cells_pay_from = 48;
+
+void number_edges(HullData& hull) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+  hull.face_edges.resize(hull.face_vertices.size());
+  for (const HullFace& face : hull.faces) {
+    for (std::uint32_t i = 0; i < face.count; ++i) {
+      const std::uint32_t from = hull.face_vertices[face.first + i];
+      const std::uint32_t to = hull.face_vertices[face.first + (i + 1) % face.count];
+      const auto key = std::minmax(from, to);
+      hull.face_edges[face.first + i] = numbers.try_emplace(key, static_cast<std::uint32_t>(numbers.size())).first->second;
+    }
+  }
+}
+
+void list_faces_at_vertices(HullData& hull) {
+  hull.first_face.assign(hull.vertices.size() + 1, 0);
+  for (const std::uint32_t vertex : hull.face_vertices) {
+    ++hull.first_face[vertex + 1];
+  }
+  for (std::size_t i = 1; i < hull.first_face.size(); ++i) {
+    hull.first_face[i] += hull.first_face[i - 1];
+  }
+  std::vector<std::uint32_t> next(hull.first_face.begin(), hull.first_face.end() - 1);
+  hull.faces_at.resize(hull.face_vertices.size());
+  for (std::uint32_t face = 0; face < hull.faces.size(); ++face) {
+    for (std::uint32_t i = 0; i < hull.faces[face].count; ++i) {
+      hull.faces_at[next[hull.face_vertices[hull.faces[face].first + i]]++] = face;
+    }
+  }
+}
+
+void fill_blocks(HullData& hull) {
+  const std::size_t count = hull.vertices.size();
+  hull.blocks.resize((count + 3) / 4);
+  for (std::size_t i = 0; i < 4 * hull.blocks.size(); ++i) {
+    const Vec3& p = hull.vertices[std::min(i, count - 1)];
+    HullData::Block& block = hull.blocks[i / 4];
+    block.x[i % 4] = p.x;
+    block.y[i % 4] = p.y;
+    block.z[i % 4] = p.z;
+  }
+}
+
+std::array<Vec3, 4> corners_of_cell(std::size_t side, std::size_t row, std::size_t column) {
+  constexpr auto cells = static_cast<Real>(HullData::cells_per_side);
+  std::array<Vec3, 4> corners{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Real u = 2 * static_cast<Real>(column + (i & 1)) / cells - 1;
+    const Real v = 2 * static_cast<Real>(row + (i >> 1)) / cells - 1;
+    const Real main = side % 2 == 0 ? -1 : 1;
+    corners[i] = side / 2 == 0 ? Vec3{main, u, v} : side / 2 == 1 ? Vec3{u, main, v} : Vec3{u, v, main};
+  }
+  return corners;
+}
+
+// Which vertices can be extreme for some direction of a cell. A cell is the cone of its four corner
+// directions, so a vertex that another one beats at all four corners is beaten in the whole cell:
+// what is left after such eliminations is certain to hold the support point.
+std::vector<std::uint32_t> candidates_of(const HullData& hull, const std::array<Vec3, 4>& corners) {
+  const auto values_of = [&](const Vec3& p) {
+    return std::array<Real, 4>{dot(p, corners[0]), dot(p, corners[1]), dot(p, corners[2]), dot(p, corners[3])};
+  };
+  const auto beats = [](const std::array<Real, 4>& a, const std::array<Real, 4>& b) {
+    return a[0] > b[0] && a[1] > b[1] && a[2] > b[2] && a[3] > b[3];
+  };
+  // The extreme vertices of the corners and the middle beat nearly all others.
+  std::vector<std::array<Real, 4>> strong;
+  const Vec3 middle = corners[0] + corners[1] + corners[2] + corners[3];
+  for (const Vec3& direction : {corners[0], corners[1], corners[2], corners[3], middle}) {
+    const auto top = std::max_element(hull.vertices.begin(), hull.vertices.end(),
+                                      [&](const Vec3& a, const Vec3& b) { return dot(a, direction) < dot(b, direction); });
+    strong.push_back(values_of(*top));
+  }
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) {
+    const auto values = values_of(hull.vertices[i]);
+    if (std::none_of(strong.begin(), strong.end(), [&](const auto& other) { return beats(other, values); })) {
+      kept.push_back(i);
+    }
+  }
+  return kept;
+}
+
+void list_cells(HullData& hull) {
+  for (std::size_t side = 0; side < 6; ++side) {
+    for (std::size_t row = 0; row < HullData::cells_per_side; ++row) {
+      for (std::size_t column = 0; column < HullData::cells_per_side; ++column) {
+        hull.first_candidate.push_back(static_cast<std::uint32_t>(hull.cell_vertices.size()));
+        const auto candidates = candidates_of(hull, corners_of_cell(side, row, column));
+        hull.cell_vertices.insert(hull.cell_vertices.end(), candidates.begin(), candidates.end());
+      }
+    }
+  }
+  hull.first_candidate.push_back(static_cast<std::uint32_t>(hull.cell_vertices.size()));
+}
+
+}  // namespace
+
+void finish_hull(HullData& hull) {
+  Aabb box = Aabb::empty();
+  for (const Vec3& p : hull.vertices) {
+    box.include(p);
+  }
+  hull.low = box.low;
+  hull.high = box.high;
+  hull.centre = 0.5 * box.low + 0.5 * box.high;
+  hull.extent = largest_magnitude(0.5 * box.high - 0.5 * box.low);
+  number_edges(hull);
+  list_faces_at_vertices(hull);
+  fill_blocks(hull);
+  if (hull.vertices.size() >= cells_pay_from) {
+    list_cells(hull);
+  }
+}
+
+}  // namespace abut

@@ -1,0 +1,93 @@
+// Triangle mesh: a surface without inside.
+module;
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+export module abut.shape.mesh;
+import abut.core;
+import abut.math;
+import abut.midphase.bvh;
+import abut.shape;
+
+export namespace abut {
+
+class Mesh {
+ public:
+  using Part = Triangle;
+  static constexpr std::string_view name = "mesh";
+  static constexpr std::array<std::string_view, 1> parameter_names{"one_sided"};
+
+  [[nodiscard]] static Result<Mesh> make(std::span<const Real> parameters, std::span<const Real> reals,
+                                         std::span<const std::uint32_t> indices);
+  [[nodiscard]] std::vector<Real> parameters() const { return {data_->one_sided ? 1.0 : 0.0}; }
+  [[nodiscard]] static std::vector<Mesh> samples();
+
+  [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->box, pose); }
+  [[nodiscard]] std::size_t triangle_count() const { return data_->indices.size() / 3; }
+
+  [[nodiscard]] Triangle part(std::uint32_t index) const {
+    const Data& mesh = *data_;
+    const std::size_t first = 3 * std::size_t{index};
+    return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]], mesh.vertices[mesh.indices[first + 2]],
+            index, mesh.one_sided, tree().inner_edges[index]};
+  }
+
+  template <class Visitor>
+  void visit_parts(Aabb& box, Visitor&& visit) const {
+    tree().bvh.visit_overlaps(box, [&](std::uint32_t index) {
+      const Triangle triangle = part(index);
+      if (triangle.box().overlaps(box)) {
+        visit(triangle, index);
+      }
+    });
+  }
+  [[nodiscard]] Triangle part_near(const Vec3& point) const { return part(tree().bvh.item_near(point)); }
+
+  [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
+    std::optional<RayHit> best;
+    Real limit = max_distance;
+    tree().bvh.visit_ray(origin, direction, limit, [&](std::uint32_t index) {
+      const auto hit = part(index).cast_ray(origin, direction, limit);
+      if (hit && (!best || hit->distance < best->distance)) {
+        best = hit;
+        limit = hit->distance;
+      }
+    });
+    return best;
+  }
+  [[nodiscard]] Triangles triangles() const { return {data_->vertices, data_->indices}; }
+
+  // Whether a query has needed the tree so far.
+  [[nodiscard]] bool has_tree() const { return data_->tree.is_made(); }
+
+ private:
+  struct Tree {
+    Bvh bvh;
+    std::vector<std::uint8_t> inner_edges;  // per triangle, see Triangle::inner_edges
+  };
+  struct Data {
+    std::vector<Vec3> vertices;
+    std::vector<std::uint32_t> indices;
+    bool one_sided;
+    Aabb box;
+    Lazy<Tree> tree;
+  };
+
+  explicit Mesh(Data data) : data_(std::move(data)) {}
+  [[nodiscard]] const Tree& tree() const [[clang::lifetimebound]] {
+    return data_->tree.get([this] { return make_tree(*data_); });
+  }
+  [[nodiscard]] static Tree make_tree(const Data& data);
+
+  Frozen<Data> data_;
+};
+static_assert(Shape<Mesh> && Composite<Mesh> && Triangulated<Mesh>);
+
+}  // namespace abut
