@@ -1,0 +1,156 @@
+module;
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+module abut.any_shape;
+import abut.core;
+import abut.math;
+import abut.narrowphase.parts;
+import abut.registry;
+import abut.shape;
+
+namespace abut {
+namespace {
+
+struct KindEntry {
+  std::string_view name;
+  std::span<const std::string_view> parameter_names;
+  Result<AnyShape> (*make)(std::span<const Real>, std::span<const Real>, std::span<const std::uint32_t>);
+};
+
+template <class S>
+constexpr KindEntry kind_entry() {
+  return {S::name, S::parameter_names,
+          [](std::span<const Real> parameters, std::span<const Real> reals, std::span<const std::uint32_t> indices) {
+            return S::make(parameters, reals, indices).transform([](S shape) { return AnyShape(std::move(shape)); });
+          }};
+}
+
+constexpr auto kind_entries = []<std::size_t... Places>(std::index_sequence<Places...>) {
+  return std::array<KindEntry, Shapes::count>{kind_entry<Shapes::At<Places>>()...};
+}(std::make_index_sequence<Shapes::count>{});
+
+}  // namespace
+
+std::optional<std::size_t> find_kind(std::uint32_t kind) {
+  for (std::size_t place = 0; place < Shapes::count; ++place) {
+    if (Shapes::kinds[place] == kind) {
+      return place;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> find_kind(std::string_view name) {
+  for (std::size_t place = 0; place < Shapes::count; ++place) {
+    if (kind_entries[place].name == name) {
+      return place;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string_view kind_name(std::size_t place) { return kind_entries[place].name; }
+std::size_t kind_parameter_count(std::size_t place) { return kind_entries[place].parameter_names.size(); }
+std::string_view kind_parameter_name(std::size_t place, std::size_t index) { return kind_entries[place].parameter_names[index]; }
+
+Result<AnyShape> make_shape(std::size_t place, std::span<const Real> parameters, std::span<const Real> reals,
+                            std::span<const std::uint32_t> indices) {
+  return kind_entries[place].make(parameters, reals, indices);
+}
+
+Aabb aabb_of(const AnyShape& shape, const Pose& pose) {
+  return std::visit([&](const auto& s) { return s.aabb(pose); }, shape);
+}
+
+std::vector<Real> parameters_of(const AnyShape& shape) {
+  return std::visit([](const auto& s) { return s.parameters(); }, shape);
+}
+
+std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction, Real max_distance) {
+  return std::visit([&](const auto& s) { return s.cast_ray(origin, direction, max_distance); }, shape);
+}
+
+std::optional<Triangles> triangles_of(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& s) -> std::optional<Triangles> {
+        if constexpr (Triangulated<S>) {
+          return s.triangles();
+        } else {
+          return std::nullopt;
+        }
+      },
+      shape);
+}
+
+RouteDescription describe_route(std::size_t place_a, std::size_t place_b) {
+  const auto [low, high] = std::minmax(place_a, place_b);
+  switch (pair_kernels(low, high).route) {
+    case Route::hand_written:
+      return {"hand-written", "a pair of its own"};
+    case Route::half_space:
+      return {"support point", "a half-space against a convex shape"};
+    case Route::half_space_of_parts:
+      return {"support point per part", "a half-space against a composite"};
+    case Route::convex:
+      return {"GJK, SAT or EPA, clipping", "both convex"};
+    case Route::parts:
+      return {"GJK, SAT or EPA, clipping per part", "a composite against a convex shape"};
+    case Route::parts_of_both:
+      return {"GJK, SAT or EPA, clipping per pair of parts", "two composites"};
+    case Route::unsupported:
+    case Route::none:
+      return {"unsupported", "terrain never meets terrain"};
+  }
+  return {};
+}
+
+bool is_supported(std::size_t place_a, std::size_t place_b) {
+  const auto [low, high] = std::minmax(place_a, place_b);
+  return pair_kernels(low, high).route != Route::unsupported;
+}
+
+Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+  if (a.index() <= b.index()) {
+    return pair_kernels(a.index(), b.index()).distance(a, b, ab, settings, out);
+  }
+  const Outcome outcome = pair_kernels(b.index(), a.index()).distance(b, a, ab.inverse(), settings, out);
+  out = mirrored(out, ab);
+  return outcome;
+}
+
+Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+  if (a.index() <= b.index()) {
+    return pair_kernels(a.index(), b.index()).contacts(a, b, ab, settings, out);
+  }
+  const std::size_t first = out.size();
+  const Outcome outcome = pair_kernels(b.index(), a.index()).contacts(b, a, ab.inverse(), settings, out);
+  for (ContactPoint& contact : std::span(out).subspan(first)) {
+    mirror(contact, ab);
+  }
+  return outcome;
+}
+
+Distance in_world(const Distance& local, const Pose& a) {
+  Distance out = local;
+  out.point_a = a * local.point_a;
+  out.point_b = a * local.point_b;
+  out.normal = a.rotation * local.normal;
+  return out;
+}
+
+ContactPoint in_world(const ContactPoint& local, const Pose& a) {
+  ContactPoint out = local;
+  out.point_a = a * local.point_a;
+  out.point_b = a * local.point_b;
+  out.normal = a.rotation * local.normal;
+  return out;
+}
+
+}  // namespace abut

@@ -1,0 +1,54 @@
+// A shape of any kind of this build, and what can be asked of one and of two.
+module;
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+export module abut.any_shape;
+import abut.core;
+import abut.math;
+import abut.registry;
+import abut.shape;
+
+export namespace abut {
+
+using ShapeHandle = Frozen<AnyShape>;
+
+inline constexpr std::size_t shape_kind_count = Shapes::count;
+
+// Place of a kind in the registry; nothing for a number that is no kind of this build.
+[[nodiscard]] std::optional<std::size_t> find_kind(std::uint32_t kind);
+[[nodiscard]] std::optional<std::size_t> find_kind(std::string_view name);
+[[nodiscard]] std::string_view kind_name(std::size_t place);
+[[nodiscard]] std::size_t kind_parameter_count(std::size_t place);
+[[nodiscard]] std::string_view kind_parameter_name(std::size_t place, std::size_t index);
+
+// A shape of the kind at a place from checked numbers.
+[[nodiscard]] Result<AnyShape> make_shape(std::size_t place, std::span<const Real> parameters, std::span<const Real> reals,
+                                          std::span<const std::uint32_t> indices);
+
+[[nodiscard]] Aabb aabb_of(const AnyShape& shape, const Pose& pose);
+[[nodiscard]] std::vector<Real> parameters_of(const AnyShape& shape);
+[[nodiscard]] std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction, Real max_distance);
+// Nothing for shapes without a surface of plane triangles.
+[[nodiscard]] std::optional<Triangles> triangles_of(const AnyShape& shape);
+
+// Why the pair of kinds at two places is answered the way it is, in words.
+struct RouteDescription {
+  std::string_view algorithm;
+  std::string_view reason;
+};
+[[nodiscard]] RouteDescription describe_route(std::size_t place_a, std::size_t place_b);
+[[nodiscard]] bool is_supported(std::size_t place_a, std::size_t place_b);
+
+// Queries on two shapes, b being placed by ab in the frame of a. Results are in the frame of a.
+[[nodiscard]] Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Distance& out);
+[[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Manifold& out);
+
+// Moves results from the frame of a to the world.
+[[nodiscard]] Distance in_world(const Distance& local, const Pose& a);
+[[nodiscard]] ContactPoint in_world(const ContactPoint& local, const Pose& a);
+
+}  // namespace abut

@@ -1,0 +1,3 @@
+// What happens to manifolds after they were found.
+export module abut.contact;
+export import abut.contact.reduce;
