@@ -98,11 +98,13 @@ std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most) {
   std::size_t kept = 0;
   std::span<ContactPoint> rest = contacts;
   while (!rest.empty()) {
+    std::iter_swap(rest.begin(), std::min_element(rest.begin(), rest.end(), comes_before));
     const Vec3 normal = rest[0].normal;
-    const auto end = std::stable_partition(rest.begin(), rest.end(), [&](const ContactPoint& contact) {
+    const auto end = std::partition(rest.begin(), rest.end(), [&](const ContactPoint& contact) {
       return dot(contact.normal, normal) >= same_patch_cosine;
     });
     const auto count = static_cast<std::size_t>(end - rest.begin());
+    std::iter_swap(rest.begin(), std::min_element(rest.begin(), end, comes_before));
     const std::size_t kept_of_patch = reduce_patch(rest.first(count), most);
     for (std::size_t i = 0; i < kept_of_patch; ++i) {
       contacts[kept++] = rest[i];

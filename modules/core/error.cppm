@@ -1,7 +1,7 @@
 // Expected failures: a stable code, and a sentence for people.
 module;
-#include <array>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -35,9 +35,10 @@ struct Error {
 };
 
 [[nodiscard]] inline std::string to_text(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return std::string(buffer.data(), end);
+  // The shortest digits that read back as the same number; at most 24 characters.
+  std::string text(32, '\0');
+  text.resize(static_cast<std::size_t>(std::to_chars(text.data(), &text.back(), value).ptr - text.data()));
+  return text;
 }
 
 [[nodiscard]] inline std::string to_text(std::uint64_t value) { return std::to_string(value); }

@@ -6,6 +6,8 @@ module;
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 export module abut.narrowphase.convex;
 import abut.core;
 import abut.math;
@@ -14,6 +16,7 @@ import abut.narrowphase.epa;
 import abut.narrowphase.gjk;
 import abut.narrowphase.libccd;
 import abut.narrowphase.sat;
+import abut.narrowphase.simplex;
 import abut.shape;
 
 export namespace abut {

@@ -2,6 +2,8 @@
 module;
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 export module abut.narrowphase.half_space;
 import abut.core;
 import abut.math;

@@ -3,6 +3,9 @@ module;
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
 export module abut.narrowphase.parts;
 import abut.core;
 import abut.math;

@@ -5,6 +5,8 @@ module;
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 export module abut.narrowphase.triangle_contacts;
 import abut.core;
 import abut.math;

@@ -1,6 +1,7 @@
 // Support points of a shape under a pose, by the shape's own way where it has one.
 module;
 #include <cstddef>
+#include <span>
 export module abut.shape.place;
 import abut.math;
 import abut.shape.concepts;

@@ -13,8 +13,8 @@ export namespace abut {
 enum class FeatureKind : std::uint32_t { whole, vertex, edge, face };
 
 struct Feature {
-  FeatureKind kind = FeatureKind::whole;
-  std::uint32_t index = 0;
+  FeatureKind kind;
+  std::uint32_t index;
 
   friend constexpr bool operator==(const Feature&, const Feature&) = default;
 };

@@ -14,7 +14,7 @@ export namespace abut {
 
 // Four doubles that the compiler keeps in one vector register where the target has one.
 using Lanes = double __attribute__((ext_vector_type(4)));
-using LaneNumbers = long long __attribute__((ext_vector_type(4)));
+using LaneNumbers = std::int64_t __attribute__((ext_vector_type(4)));
 
 struct HullFace {
   Vec3 normal;          // outward, unit
@@ -71,7 +71,7 @@ struct HullData {
     const Lanes dx = d.x, dy = d.y, dz = d.z;
     Lanes best = -infinity;
     LaneNumbers best_block = 0;
-    long long number = 0;
+    std::int64_t number = 0;
     for (const Block& block : blocks) {
       const Lanes value = block.x * dx + block.y * dy + block.z * dz;
       const LaneNumbers better = value > best;
@@ -80,9 +80,9 @@ struct HullData {
       ++number;
     }
     Real top = best[0];
-    long long index = 4 * best_block[0];
+    std::int64_t index = 4 * best_block[0];
     for (int lane = 1; lane < 4; ++lane) {
-      const long long candidate = 4 * best_block[lane] + lane;
+      const std::int64_t candidate = 4 * best_block[lane] + lane;
       if (best[lane] > top || (best[lane] == top && candidate < index)) {
         top = best[lane];
         index = candidate;
