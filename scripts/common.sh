@@ -1,0 +1,68 @@
+# Shared by the scripts of this folder, which source it first.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+script=$(basename "$0")
+jobs=$(nproc 2>/dev/null || echo 2)
+
+fail() {
+  echo "$script: $*" >&2
+  exit 1
+}
+
+stage() {
+  printf '== %s\n' "$*"
+}
+
+# Installs what is missing; says nothing when nothing is.
+setup() {
+  stage setup
+  "$root/scripts/setup"
+}
+
+# True when the build tree has to be configured again. Ninja itself sees changes of CMakeLists.txt;
+# it does not see changed presets, nor that the tree was copied from somewhere else.
+is_unconfigured() {
+  local build=$1
+  [ ! -e "$build/build.ninja" ] || [ ! -e "$build/.configured" ] ||
+    [ "$root/CMakePresets.json" -nt "$build/.configured" ]
+}
+
+# configure PRESET [ARGUMENT...]
+configure() {
+  local preset=$1 build=$root/build/$1 fresh=()
+  shift
+  [ ! -e "$build" ] || [ -w "$build" ] || fail "$build belongs to another user; delete it or run as that user."
+  if [ -e "$build/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
+    fresh=(--fresh)
+    rm -f "$build/.configured"
+  fi
+  [ $# -gt 0 ] || is_unconfigured "$build" || return 0
+  stage "configure $preset"
+  (cd "$root" && cmake --preset "$preset" "${fresh[@]}" "$@") || fail "preset $preset could not be configured."
+  touch "$build/.configured"
+}
+
+# build PRESET [TARGET...]
+build() {
+  local preset=$1
+  shift
+  stage "build $preset${*:+: $*}"
+  ninja -C "$root/build/$preset" -j "$jobs" "$@" || fail "preset $preset could not be built."
+}
+
+# run_tests PRESET [CTEST ARGUMENT...]
+run_tests() {
+  local preset=$1
+  shift
+  stage "test $preset"
+  ctest --test-dir "$root/build/$preset" --parallel "$jobs" --output-on-failure --no-tests=error "$@" ||
+    fail "tests of preset $preset failed; the list is above."
+}
+
+# Names of the executables that a build tree can make in a folder, without the folder.
+targets_in() {
+  local preset=$1 folder=$2 prefix=$3
+  ninja -C "$root/build/$preset" -t targets all |
+    sed -n "s|^$folder/\($prefix[a-z0-9_]*\): CXX_EXECUTABLE_LINKER.*|\1|p" | sort
+}
