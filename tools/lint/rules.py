@@ -1,0 +1,269 @@
+"""Rules for one file at a time. Each is a function of a Source that yields (line, message)."""
+
+import re
+
+from members import borrowed_members
+
+HARD_LENGTH = 600
+SOFT_LENGTH = 300
+RAW = "modules/core/raw"
+
+# The only folders that may touch a library, by the name of its include folder.
+LIBRARY_OWNERS = {
+    "Eigen": ("modules/math",),
+    "embree[34]?": ("modules/picking", "bench"),
+    "ccd": ("modules/narrowphase", "bench"),
+    "libqhull(?:_r)?": ("modules/shapes", "bench"),
+}
+
+# Rank of a module by its first name after `abut`; imports go from higher to lower or stay level.
+LAYERS = {
+    "core": 0,
+    "math": 1,
+    "shape": 2,
+    "narrowphase": 3,
+    "midphase": 3,
+    "broadphase": 3,
+    "continuous": 3,
+    "proximity": 3,
+    "pair": 4,
+    "dispatch": 5,
+    "registry": 6,
+    "contact": 7,
+    "universe": 8,
+    "picking": 9,
+    "response": 9,
+    "gpu": 9,
+}
+
+
+def _in_code(source, pattern, message):
+    for line, match in source.find(pattern, source.code):
+        yield line, message.format(match[0].strip())
+
+
+def raw_memory(source):
+    """memcpy and its kin outside modules/core/raw*."""
+    if source.is_cxx and not source.path.startswith(RAW):
+        yield from _in_code(
+            source, r"\b(?:mem(?:cpy|set|move|cmp)|str(?:len|cpy|cat|cmp|ncpy)|alloca)\b(?=\s*\()", "{} outside modules/core/raw*"
+        )
+
+
+def unsafe_word(source):
+    """Casts that lie, manual ownership and jumps."""
+    if not source.is_cxx:
+        return
+    words = r"\b(?:reinterpret_cast|const_cast|union|goto|malloc|calloc|realloc|shared_ptr)\b"
+    yield from _in_code(source, words, "{} needs a place in expect.txt")
+    yield from _in_code(source, r"\bnew\b", "{}: values, containers and make_unique instead")
+    for line, _ in source.find(r"\bdelete\b", re.sub(r"=(\s*)delete\b", r"=\1      ", source.code)):
+        yield line, "delete: owners free by themselves"
+    yield from _in_code(source, r"\bunique_ptr\s*<[^;<>]*\[\s*\]", "{}: vector instead")
+
+
+def unsafe_block(source):
+    """ABUT_UNSAFE_BEGIN with its reason, in the folders that may have it, and closed."""
+    if not (source.is_cxx or source.is_c):
+        return
+    depth = 0
+    lines = source.text.split("\n")
+    for line, match in source.find(r"(?<!define )\bABUT_UNSAFE_(?:BEGIN|END)\b", source.code):
+        if match[0].endswith("END"):
+            depth -= 1
+            if depth < 0:
+                yield line, "ABUT_UNSAFE_END without a beginning"
+                depth = 0
+            continue
+        depth += 1
+        if depth > 1:
+            yield line, "ABUT_UNSAFE_BEGIN inside another"
+            depth = 1
+        if not _has_reason(lines, line - 2):
+            yield line, "ABUT_UNSAFE_BEGIN without a `// SAFETY:` reason on the line above"
+    if depth:
+        yield len(lines), "ABUT_UNSAFE_BEGIN without an end"
+
+
+def _has_reason(lines, i):
+    """Goes up through a block of // comments to the line that begins the reason."""
+    while i >= 0 and lines[i].lstrip().startswith("//"):
+        if re.match(r"\s*// SAFETY: \S", lines[i]):
+            return True
+        i -= 1
+    return False
+
+
+def unsafe_place(source):
+    """Unsafe blocks stay at the edges: the C ABI, raw memory and the wrapper of a foreign handle."""
+    if not source.is_cxx or source.within("capi", "modules/picking") or source.path.startswith((RAW, "modules/core/check")):
+        return
+    yield from _in_code(source, r"\bABUT_UNSAFE_BEGIN\b", "{} outside capi, modules/picking and modules/core/raw*")
+
+
+def count_unsafe(source):
+    if not (source.is_cxx or source.is_c):
+        return 0
+    return len(re.findall(r"(?<!define )\bABUT_UNSAFE_BEGIN\b", source.code))
+
+
+def silenced_warning(source):
+    """Warnings are turned off by cmake/flags.cmake or by ABUT_UNSAFE_BEGIN, nowhere else."""
+    if (source.is_cxx or source.is_c) and source.path != "modules/core/check.hpp":
+        pragma = r"^\s*#\s*pragma\s+(?:clang|GCC)\s+(?:diagnostic|unsafe_buffer_usage)\b|\b_Pragma\b"
+        yield from _in_code(source, pragma, "{} outside modules/core/check.hpp")
+
+
+def library_owner(source):
+    """Each foreign library is included by one folder."""
+    if not (source.is_cxx or source.is_c):
+        return
+    for library, owners in LIBRARY_OWNERS.items():
+        if not source.within(*owners):
+            pattern = rf"^\s*#\s*include\s*[<\"]{library}/[^>\"]*"
+            for line, match in source.find(pattern, source.bare):
+                yield line, f"{match[0].split()[-1]} outside {', '.join(owners)}"
+
+
+def intersector(source):
+    """Only a shape's, a pair's or a capability's own file says how two shapes meet (the orphan rule)."""
+    if not source.is_cxx:
+        return
+    if not source.within("modules/shapes", "modules/pairs", "modules/narrowphase"):
+        yield from _in_code(source, r"\b(?:struct|class)\s+Intersector\s*<", "{} specialised outside shapes, pairs and narrowphase")
+    if not source.within("modules", "tests/compile_fail", "tests/add_a_shape"):
+        yield from _in_code(source, r"\bIntersector\s*<", "{} outside modules: go through the pair table")
+
+
+def borrowed_member(source):
+    """No class stores a view, a pointer or a reference."""
+    if source.is_cxx and source.within("modules", "capi"):
+        for line, what in borrowed_members(source.code):
+            yield line, f"a member stores a borrowed `{what}`"
+
+
+def _layer(name):
+    """Rank of a module such as abut.shape.box; a concrete shape stands above the concepts."""
+    parts = name.split(".")
+    if len(parts) < 2 or parts[0] != "abut" or parts[1] not in LAYERS:
+        return None
+    rank = LAYERS[parts[1]]
+    return rank + 1 if parts[1] == "shape" and len(parts) > 2 else rank
+
+
+def layer_order(source):
+    """Imports run one way."""
+    if not source.is_cxx or not source.within("modules"):
+        return
+    own = None
+    for line, match in source.find(r"^\s*(export\s+)?(module|import)\s+([\w.]+)(:[\w.]+)?\s*;", source.code):
+        name = match[3]
+        if name.split(".")[0] != "abut" or name == "abut":
+            continue
+        rank = _layer(name)
+        if rank is None:
+            yield line, f"module {name} belongs to no layer"
+        elif match[2] == "module":
+            own = rank
+        elif own is not None and rank > own:
+            yield line, f"{name} lies above this file; imports run one way"
+
+
+def module_path(source):
+    """The name of a module mirrors its path."""
+    if source.suffix != ".cppm" or not source.within("modules"):
+        return
+    folders = source.path.split("/")[1:-1]
+    for line, match in source.find(r"^\s*export\s+module\s+([\w.]+)\s*;", source.code):
+        parts = match[1].split(".")
+        if parts[0] != "abut" or len(parts) < 2 or not folders:
+            continue
+        folder = {"shapes": "shape", "pairs": "pair"}.get(folders[0], folders[0])
+        if parts[1] not in (folder, source.stem) or parts[-1] != source.stem:
+            yield line, f"module {match[1]} lies in {source.path}"
+
+
+def interface_linkage(source):
+    """Anonymous namespaces in an interface unit are exposed by templates that use them."""
+    if source.suffix == ".cppm" and re.search(r"^\s*export\s+module\b", source.code, re.MULTILINE):
+        yield from _in_code(source, r"\bnamespace\s*\{", "anonymous {} in an interface unit")
+
+
+def include_order(source):
+    """Includes come before imports."""
+    if source.is_cxx:
+        first = next(source.find(r"^\s*(?:export\s+)?import\s+[\w.:]+\s*;", source.code), None)
+        for line, _ in source.find(r"^\s*#\s*include\b", source.code):
+            if first and line > first[0]:
+                yield line, "an include after an import"
+
+
+def macro(source):
+    """Macros of modules stand in check.hpp; the C headers and the C ABI may have their own."""
+    if source.is_cxx and source.within("modules") and source.path != "modules/core/check.hpp":
+        yield from _in_code(source, r"^\s*#\s*define\s+\w+", "{} outside modules/core/check.hpp")
+
+
+def length(source):
+    """Files stay readable."""
+    limited = source.is_cxx or source.is_c or source.is_cmake or source.suffix in (".py", ".sh", "")
+    if limited and source.length > HARD_LENGTH:
+        yield 1, f"{source.length} lines; the limit is {HARD_LENGTH}"
+
+
+def is_long(source):
+    limited = source.is_cxx or source.is_c or source.is_cmake or source.suffix in (".py", ".sh", "")
+    return limited and SOFT_LENGTH < source.length <= HARD_LENGTH
+
+
+def flag(source):
+    """Compiler flags are named by cmake/flags.cmake alone."""
+    if not source.is_cmake or source.path == "cmake/flags.cmake":
+        return
+    flags = (
+        r"(?<![\w./-])-(?:W(?!no-dev)[a-z][\w-]*|f[a-z][\w-]{3,}|m(?:arch|tune|cpu|avx|sse|fma)[\w-]*|O[0-3sgz]\b|g[0-3]?\b"
+        r"|std(?:lib)?=\S+|D_\w+|Wl,\S+)"
+    )
+    yield from _in_code(source, flags, "{} outside cmake/flags.cmake")
+    commands = r"\b(?:(?:add|target)_(?:compile|link)_options|add_compile_definitions|CMAKE_\w+_FLAGS\w*)\b"
+    yield from _in_code(source, commands, "{} outside cmake/flags.cmake")
+
+
+def word(source):
+    """What must not be in the tree."""
+    if source.within("tools/lint"):
+        return
+    for line, match in source.find(r"(?<![\w.}>)])/(?:work|tmp|root|home)(?=/|\b(?!\.))", source.text):
+        yield line, f"{match[0]}: a path of one machine"
+    for line, match in source.find(r"\b(?:TODO|FIXME|XXX|HACK)\b", source.text):
+        yield line, f"{match[0]}: finish it or leave it out"
+
+
+def test_name(source):
+    """TEST(Subject, FactInPresentTense)."""
+    if not source.is_cxx or not source.within("tests", "fuzz"):
+        return
+    for line, match in source.find(r"^\s*(?:TYPED_)?TEST(?:_[FP])?\s*\(\s*(\w+)\s*,\s*(\w+)\s*\)", source.code):
+        if not all(re.fullmatch(r"[A-Z][A-Za-z0-9]*", name) for name in match.groups()):
+            yield line, f"{match[1]}, {match[2]}: PascalCase without underscores"
+
+
+FILE_RULES = [
+    raw_memory,
+    unsafe_word,
+    unsafe_block,
+    unsafe_place,
+    silenced_warning,
+    library_owner,
+    intersector,
+    borrowed_member,
+    layer_order,
+    module_path,
+    interface_linkage,
+    include_order,
+    macro,
+    length,
+    flag,
+    word,
+    test_name,
+]

@@ -1,0 +1,228 @@
+#!/usr/bin/env python3
+"""Each rule of the lint fires on a bad snippet and is silent on a good one."""
+
+import unittest
+
+from lint import findings_of, judge
+from members import borrowed_members
+from rules import FILE_RULES, HARD_LENGTH, count_unsafe, is_long
+from source import Source, strip_cxx, strip_hash
+from tree_rules import TREE_RULES
+
+MODULE = "modules/narrowphase/gjk.cppm"
+
+# rule: (path, bad snippet, good snippet)
+SNIPPETS = {
+    "raw_memory": [
+        (MODULE, "void f() { std::memcpy(a, b, n); }", "void f() { std::ranges::copy(a, b); } // memcpy(a, b, n)"),
+        (MODULE, "auto n = strlen(p);", 'auto n = s.size(); log("strlen(p)");'),
+    ],
+    "unsafe_word": [
+        (MODULE, "auto* p = reinterpret_cast<int*>(q);", "auto p = std::bit_cast<int>(q);"),
+        (MODULE, "auto p = new Thing;", "auto p = std::make_unique<Thing>(); // new"),
+        (MODULE, "void f() { delete p; }", "Thing(const Thing&) = delete;"),
+        (MODULE, "void f() { delete[] p; }", "Thing(const Thing&) =\n    delete;"),
+        (MODULE, "std::unique_ptr<int[]> p;", "std::unique_ptr<int> p;"),
+        (MODULE, "std::shared_ptr<int> p;", "std::unique_ptr<int> p;"),
+        (MODULE, "union U { int a; };", "int set_union = 0;"),
+        (MODULE, "goto end;", "return;"),
+    ],
+    "unsafe_block": [
+        ("capi/a.cpp", "ABUT_UNSAFE_BEGIN\nf();\nABUT_UNSAFE_END", "// SAFETY: f is fine.\nABUT_UNSAFE_BEGIN\nf();\nABUT_UNSAFE_END"),
+        (
+            "capi/a.cpp",
+            "// SAFETY:\nABUT_UNSAFE_BEGIN\nABUT_UNSAFE_END",
+            "// SAFETY: a reason\n// of two lines\nABUT_UNSAFE_BEGIN\nABUT_UNSAFE_END",
+        ),
+        ("capi/a.cpp", "// SAFETY: open\nABUT_UNSAFE_BEGIN\n", "#define ABUT_UNSAFE_BEGIN _x"),
+        ("capi/a.cpp", "ABUT_UNSAFE_END", "int ABUT_UNSAFE_ENDING;"),
+    ],
+    "unsafe_place": [
+        (MODULE, "// SAFETY: no\nABUT_UNSAFE_BEGIN\nABUT_UNSAFE_END", "int x;"),
+    ],
+    "silenced_warning": [
+        (MODULE, '#pragma clang diagnostic ignored "-Wall"', "#pragma once"),
+        ("tests/unit/a.cpp", '_Pragma("GCC diagnostic push")', "int pragma;"),
+    ],
+    "library_owner": [
+        (MODULE, "#include <Eigen/Dense>", "#include <array>\n// #include <Eigen/Dense>"),
+        ("modules/universe/step.cppm", "#include <embree3/rtcore.h>", "#include <vector>"),
+        ("modules/shapes/box.cppm", "#include <ccd/ccd.h>", "#include <libqhull_r/qhull_ra.h>"),
+    ],
+    "intersector": [
+        (
+            "modules/universe/step.cppm",
+            "template <> struct Intersector<Sphere, Sphere> {};",
+            "template <class A, class B> struct Intersector;",
+        ),
+        ("tests/unit/pairs/a.cpp", "auto c = Intersector<A, B>::contact(a, b);", "auto c = contact(a, b);"),
+    ],
+    "layer_order": [
+        (MODULE, "export module abut.narrowphase.gjk;\nimport abut.dispatch;", "export module abut.narrowphase.gjk;\nimport abut.math;"),
+        ("modules/shape/shape.cppm", "export module abut.shape;\nimport abut.shape.box;", "export module abut.shape;\nimport abut.core;"),
+        ("modules/math/math.cppm", "export module abut.math;\nexport import abut.shape;", "export module abut.math;\nexport import abut.core;"),
+        (MODULE, "export module abut.narrowphase.gjk;\nimport abut.helpers;", "export module abut.narrowphase.gjk;\nimport :part;"),
+    ],
+    "module_path": [
+        (MODULE, "export module abut.narrowphase.epa;", "export module abut.narrowphase.gjk;"),
+        ("modules/core/core.cppm", "export module abut.math;", "export module abut.core;"),
+        ("modules/pairs/a_b.cppm", "export module abut.pairs.a_b;", "export module abut.pair.a_b;"),
+    ],
+    "interface_linkage": [
+        (MODULE, "export module abut.narrowphase.gjk;\nnamespace { int x; }", "export module abut.narrowphase.gjk;\nnamespace abut { int x; }"),
+    ],
+    "include_order": [
+        ("tests/unit/a.cpp", "import abut.core;\n#include <vector>", "#include <vector>\nimport abut.core;"),
+    ],
+    "macro": [
+        (MODULE, "#define SQUARE(x) ((x) * (x))", "constexpr int square(int x) { return x * x; }"),
+    ],
+    "length": [
+        (MODULE, "int x;\n" * (HARD_LENGTH + 1), "int x;\n\n" * HARD_LENGTH),
+    ],
+    "flag": [
+        ("tests/CMakeLists.txt", "set(options -Wno-shadow)", "set(options --warn) # -Wno-shadow"),
+        ("cmake/install.cmake", "set(x -fno-exceptions)", "set(x a-fno-exceptions)"),
+        ("CMakeLists.txt", "target_compile_options(a PRIVATE x)", "target_compile_definitions(a PRIVATE X=1)"),
+        ("CMakePresets.json", '{"CMAKE_CXX_FLAGS": ""}', '{"CMAKE_BUILD_TYPE": "Release"}'),
+        ("CMakeLists.txt", "set(x -O3 -march=native)", "set(x --Output)"),
+    ],
+    "word": [
+        ("docs/a.md", "see /" + "tmp/x", "see <build>/tmp/x"),
+        ("scripts/a.sh", "cd /" + "root", 'cd "$root/root"'),
+        ("docs/a.md", "TO" + "DO: more", "todos"),
+        (MODULE, "// FIX" + "ME", "// fixed"),
+    ],
+    "test_name": [
+        ("tests/unit/a.cpp", "TEST(Sphere, is_round) {}", "TEST(Sphere, IsRound) {}"),
+        ("tests/unit/a.cpp", "TYPED_TEST(Shape_All, IsRound) {}", "TYPED_TEST(AllShapes, IsRound) {}"),
+    ],
+}
+
+HEADER = "include/abut/abut.h"
+REGISTRY = "cmake/registry.cmake"
+BOX = {"modules/shapes/box.cppm": "class Box {};", REGISTRY: "abut_shape(box Box 1)"}
+
+# rule: (bad tree, good tree)
+TREES = {
+    "registry": [
+        ({REGISTRY: "abut_shape(box Box 1)"}, BOX),
+        ({**BOX, REGISTRY: "abut_shape(box Box 1)\nabut_shape(box Box 2)"}, BOX),
+        (
+            {**BOX, "modules/shapes/ball.cppm": "", REGISTRY: "abut_shape(box Box 1)\nabut_shape(ball Ball 1)"},
+            {**BOX, "modules/shapes/ball.cppm": "", REGISTRY: "abut_shape(box Box 1)\nabut_shape(ball Ball 2)"},
+        ),
+        ({**BOX, "modules/shapes/ball.cppm": ""}, {**BOX, "modules/shapes/box_faces.cppm": ""}),
+    ],
+    "shape_name": [
+        ({**BOX, "modules/universe/a.cppm": "Box b;"}, {**BOX, "modules/universe/a.cppm": "Boxes b; // Box"}),
+        ({**BOX, "modules/universe/a.cppm": "import abut.shape.box;"}, {**BOX, "modules/universe/a.cppm": "import abut.shape;"}),
+        ({**BOX, "capi/a.cpp": 'kind("box");'}, {**BOX, "capi/named_shapes.cpp": 'kind("box");'}),
+        ({**BOX, "modules/shapes/ball.cppm": "Box b;"}, {**BOX, "modules/pairs/ball_box.cppm": "Box b;"}),
+    ],
+    "header": [
+        ({HEADER: "ABUT_API bool f(void);"}, {HEADER: "ABUT_API uint32_t f(void); /* a bool */"}),
+        ({HEADER: "ABUT_API long f(void);"}, {HEADER: "ABUT_API int64_t f(void);"}),
+        ({HEADER: "ABUT_API void f(enum abut_x x);"}, {HEADER: "enum abut_x ABUT_ENUM(int32_t) { ABUT_A = 0 };"}),
+        ({HEADER: "typedef struct a { size_t n; } a;"}, {HEADER: "ABUT_API size_t f(void);"}),
+        ({HEADER: "typedef struct a { uint32_t n : 3; } a;"}, {HEADER: "typedef struct a { uint32_t n; } a;"}),
+        ({HEADER: "typedef struct a { double x[]; } a;"}, {HEADER: "typedef struct a { double x[3]; } a;"}),
+        ({HEADER: "union u;"}, {HEADER: "struct reunion;"}),
+        ({HEADER: "ABUT_API void f(const char *format, ...);"}, {HEADER: "ABUT_API void f(const char *text);"}),
+        ({HEADER: "#include <stdbool.h>"}, {HEADER: "#include <stdint.h>"}),
+    ],
+    "symbol_list": [
+        ({HEADER: "ABUT_API void abut_f(void);", "capi/symbols.txt": ""}, {HEADER: "ABUT_API void abut_f(void);", "capi/symbols.txt": "abut_f\n"}),
+        ({HEADER: "", "capi/symbols.txt": "abut_f\n"}, {HEADER: "", "capi/symbols.txt": ""}),
+        (
+            {HEADER: "ABUT_API void abut_f(void);\nABUT_API int32_t abut_e(void);", "capi/symbols.txt": "abut_f\nabut_e\n"},
+            {HEADER: "ABUT_API void abut_f(void);\nABUT_API const char *abut_e(void);", "capi/symbols.txt": "abut_e\nabut_f\n"},
+        ),
+    ],
+}
+
+# what a class body holds, and whether it stores something borrowed
+MEMBERS = [
+    ("std::span<const double> points_;", True),
+    ("std::string_view name;", True),
+    ("const Thing* thing_ = nullptr;", True),
+    ("Thing& thing_;", True),
+    ("std::vector<const Thing*> things_;", True),
+    ("Thing* thing_{nullptr};", True),
+    ("[[maybe_unused]] int* p;", True),
+    ("static constexpr std::string_view name = \"box\";", False),
+    ("double radius_ = 2 * 3;", False),
+    ("double scale_{a * b};", False),
+    ("std::unique_ptr<Thing> thing_;", False),
+    ("Thing& thing();", False),
+    ("const Thing* find(int i) const { Thing* t = at(i); return t; }", False),
+    ("explicit Box(const Vec3& v) : half_{v * 2} { int* p = f(); }", False),
+    ("friend bool operator==(const Box&, const Box&) = default;", False),
+    ("using reference = Thing&;", False),
+    ("std::array<double, 3> x{}; Thing&& take() &&;", False),
+    ("template <class T> void visit(T&& t) { t(1); }", False),
+    ("enum class Kind { a, b }; Kind kind;", False),
+    ("void (*call)(void* user);", False),
+    ("std::function<void(int&)> call;", True),
+]
+
+
+def fired(files):
+    found = findings_of([Source(path, text) for path, text in files.items()])
+    return {rule for rule, _, _, _ in found}
+
+
+class Lint(unittest.TestCase):
+    def test_each_rule_fires_and_is_silent(self):
+        for rule, cases in SNIPPETS.items():
+            for path, bad, good in cases:
+                with self.subTest(rule=rule, bad=bad[:60]):
+                    self.assertIn(rule, fired({path: bad}))
+                    self.assertNotIn(rule, fired({path: good}))
+        for rule, cases in TREES.items():
+            for bad, good in cases:
+                with self.subTest(rule=rule, bad=bad):
+                    self.assertIn(rule, fired(bad))
+                    self.assertNotIn(rule, fired(good))
+
+    def test_each_rule_has_a_case(self):
+        names = {rule.__name__ for rule in FILE_RULES + TREE_RULES} - {"borrowed_member"}
+        self.assertEqual(names, SNIPPETS.keys() | TREES.keys())
+
+    def test_members(self):
+        for body, borrowed in MEMBERS:
+            for kind in ("class Box final : public Base<int*> {", "template <class T>\nstruct Box {", "struct alignas(16) Box {"):
+                code = f"namespace abut {{\n{kind}\n public:\n  {body}\n}};\nvoid f(int* p) {{ int* q = p; }}\n}}\n"
+                with self.subTest(body=body, kind=kind):
+                    self.assertEqual(bool(list(borrowed_members(code))), borrowed)
+        self.assertEqual(list(borrowed_members("struct A {\n  int a;\n  int* b;\n};")), [(3, "*")])
+        self.assertIn("borrowed_member", fired({MODULE: "struct A { int* b; };"}))
+
+    def test_stripping_keeps_lines(self):
+        text = 'int a; // "x\n/* memcpy(\n */ auto s = "// no \\" comment"; int b = 1\'000; char c = \'"\'; auto r = R"(\n"/*)";\nint d;'
+        stripped = strip_cxx(text, strings=True)
+        self.assertEqual(len(text), len(stripped))
+        self.assertEqual(text.count("\n"), stripped.count("\n"))
+        self.assertNotIn("memcpy", stripped)
+        self.assertNotIn("no", stripped)
+        for code in ("int a;", "int b = 1'000;", "char c", "int d;"):
+            self.assertIn(code, stripped)
+        self.assertIn("// no", strip_cxx(text, strings=False))
+        self.assertEqual(strip_hash('a "#b" # c'), 'a "#b"    ')
+
+    def test_the_list_is_a_ratchet(self):
+        found = [("length", "a.cpp", 1, "601 lines")]
+        self.assertEqual(judge(found, "# why\nlength a.cpp  # one table\n"), [])
+        self.assertEqual(judge(found, ""), ["a.cpp:1: length: 601 lines"])
+        self.assertIn("has become clean", judge([], "length a.cpp  # one table")[0])
+        self.assertIn("expected `rule path  # reason`", judge([], "length a.cpp")[0])
+        self.assertIn("there is no rule", judge([], "lenght a.cpp  # one table")[0])
+
+    def test_counts(self):
+        self.assertEqual(count_unsafe(Source("capi/a.cpp", "ABUT_UNSAFE_BEGIN // ABUT_UNSAFE_BEGIN\nABUT_UNSAFE_END")), 1)
+        self.assertTrue(is_long(Source("a.cpp", "x\n" * 301)))
+        self.assertFalse(is_long(Source("a.cpp", "x\n" * 300)))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,103 @@
+"""Rules that look at several files: the registry of shapes, the C headers and their symbols.
+Each is a function of {path: Source} that yields (path, line, message)."""
+
+import re
+
+REGISTRY = "cmake/registry.cmake"
+SHAPE_LINE = r"^\s*abut_shape\s*\(\s*(\w+)\s+(\w+)\s+(\d+)[^)]*\)"
+HEADERS = {"include/abut/abut.h": "capi/symbols.txt", "include/abut/picking.h": "capi/picking_symbols.txt"}
+PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
+
+# Files below modules and capi that may name shapes, and why: the shape's own file (checked by name),
+# pairs, and the typed shorthands of the C interface.
+MAY_NAME_SHAPES = ("modules/pairs", "capi/named_shapes.cpp")
+
+
+def _shapes(sources):
+    registry = sources.get(REGISTRY)
+    return [(line, match[1], match[2], match[3]) for line, match in registry.find(SHAPE_LINE, registry.bare)] if registry else []
+
+
+def registry(sources):
+    """Each shape has one line, one file and a number of its own."""
+    seen = {}
+    for line, name, kind, tag in _shapes(sources):
+        for what, value in (("name", name), ("type", kind), ("tag", tag)):
+            if (what, value) in seen:
+                yield REGISTRY, line, f"{what} {value} is taken by line {seen[what, value]}"
+            seen[what, value] = line
+        if f"modules/shapes/{name}.cppm" not in sources:
+            yield REGISTRY, line, f"shape {name} has no file modules/shapes/{name}.cppm"
+    names = [name for _, name, _, _ in _shapes(sources)]
+    for path, source in sources.items():
+        if source.suffix == ".cppm" and source.within("modules/shapes") and names:
+            if not any(source.stem == name or source.stem.startswith(name + "_") for name in names):
+                yield path, 1, f"no line of {REGISTRY} names this shape"
+
+
+def shape_name(sources):
+    """Adding a shape touches one file and one line: nobody else knows shapes by name."""
+    for _, name, kind, _ in _shapes(sources):
+        for path, source in sources.items():
+            if not source.is_cxx or not source.within("modules", "capi") or source.within(*MAY_NAME_SHAPES):
+                continue
+            if source.within("modules/shapes") and (source.stem == name or source.stem.startswith(name + "_")):
+                continue
+            for line, _ in source.find(rf"\b{kind}\b", source.code):
+                yield path, line, f"names the shape {kind}"
+            for line, match in source.find(rf'"{name}"|\babut\.shape\.{name}\b', source.bare):
+                yield path, line, f"names the shape {match[0]}"
+
+
+def _struct_bodies(code):
+    for match in re.finditer(r"\bstruct\s+\w+\s*\{([^{}]*)\}", code):
+        yield match.start(1), match[1]
+
+
+def header(sources):
+    """The C headers hold what every language can call."""
+    for path, source in sources.items():
+        if not (source.within("include/abut") and source.suffix == ".h"):
+            continue
+        code = re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", lambda m: re.sub(r"[^\n]", " ", m[0]), source.code, flags=re.MULTILINE)
+
+        def line_of(offset):
+            return code.count("\n", 0, offset) + 1
+
+        for match in re.finditer(r"\b(?:bool|_Bool|long|short|int|unsigned|signed|float|union|inline|static|wchar_t|ssize_t)\b|\.\.\.", code):
+            yield path, line_of(match.start()), f"{match[0]} in a C header"
+        for match in re.finditer(r"\benum\b(?!\s+\w+\s+ABUT_ENUM\s*\()", code):
+            yield path, line_of(match.start()), "an enum type where its integer typedef belongs"
+        for start, body in _struct_bodies(code):
+            for match in re.finditer(r"\bsize_t\b", body):
+                yield path, line_of(start + match.start()), "size_t in a struct"
+            for match in re.finditer(r":\s*\d+\s*;", body):
+                yield path, line_of(start + match.start()), "a bit-field"
+            for match in re.finditer(r"\[\s*\]\s*;", body):
+                yield path, line_of(start + match.start()), "a flexible array"
+        for line, match in source.find(r'^\s*#\s*include\s*[<"]([^>"]*)[>"]', source.bare):
+            if match[1] not in ("stddef.h", "stdint.h", "abut.h"):
+                yield path, line, f"includes {match[1]}"
+
+
+def prototypes(source):
+    """Names of the functions that a C header declares."""
+    return sorted(match[1] for match in re.finditer(PROTOTYPE, source.code))
+
+
+def symbol_list(sources):
+    """The committed list of symbols is what the header declares, sorted."""
+    for path, listed_in in HEADERS.items():
+        if path not in sources or listed_in not in sources:
+            continue
+        listed = sources[listed_in].text.split()
+        declared = prototypes(sources[path])
+        for name in sorted(set(declared) - set(listed)):
+            yield listed_in, 1, f"{name} of {path} is missing"
+        for name in sorted(set(listed) - set(declared)):
+            yield listed_in, listed.index(name) + 1, f"{name} is not in {path}"
+        if listed != sorted(set(listed)):
+            yield listed_in, 1, "not sorted, or a name occurs twice"
+
+
+TREE_RULES = [registry, shape_name, header, symbol_list]
