@@ -2,7 +2,8 @@
 
 import re
 
-_CLASS = re.compile(r"\b(?:class|struct)\b(?P<rest>[^;(){}]*(?:\([^;(){}]*\)[^;(){}]*)*)$")
+_CLASS = re.compile(r"\b(?<!enum )(?:class|struct)\b[^;(){}=]*$")
+_ATTRIBUTE = re.compile(r"\[\[.*?\]\]|\balignas\s*\([^)]*\)", re.S)
 _NOT_DATA = re.compile(r"^\s*(?:using|friend|typedef|template|static_assert|enum|public|private|protected|requires|concept)\b")
 _STATIC = re.compile(r"\bstatic\b")
 _BORROWED = re.compile(r"\b(?:span|basic_string_view|string_view|mdspan|reference_wrapper)\b|[*&]")
@@ -10,9 +11,7 @@ _BORROWED = re.compile(r"\b(?:span|basic_string_view|string_view|mdspan|referenc
 
 def _opens_class(statement):
     """True when a brace after this text opens a class body."""
-    match = _CLASS.search(statement)
-    # `struct X f() {` and `= struct` do not occur; `enum class` opens no class.
-    return bool(match) and not re.search(r"\benum\s+(?:class|struct)\b", statement)
+    return bool(_CLASS.search(_without_angles(_ATTRIBUTE.sub("", statement))))
 
 
 def _without_angles(text):
@@ -27,7 +26,7 @@ def _without_angles(text):
 def _borrowed(statement):
     """What a member declaration stores that belongs to somebody else, or None."""
     declaration = re.sub(r"^\s*(?:(?:public|private|protected)\s*:\s*)+", "", statement)
-    declaration = re.sub(r"\[\[.*?\]\]|\balignas\s*\([^)]*\)", "", declaration, flags=re.S)
+    declaration = _ATTRIBUTE.sub("", declaration)
     if not declaration.strip() or _NOT_DATA.match(declaration) or _STATIC.search(declaration):
         return None
     declaration = re.split(r"(?<![<>=!])=(?!=)", declaration, maxsplit=1)[0]

@@ -162,6 +162,8 @@ MEMBERS = [
     ("std::array<double, 3> x{}; Thing&& take() &&;", False),
     ("template <class T> void visit(T&& t) { t(1); }", False),
     ("enum class Kind { a, b }; Kind kind;", False),
+    ("template <class F> const T& get(F&& f) const { if (!made) { return *value_; } return f(); }", False),
+    ("template <class T> struct Inner { const T* p; };", True),
     ("void (*call)(void* user);", False),
     ("std::function<void(int&)> call;", True),
 ]
