@@ -16,27 +16,6 @@ LIBRARY_OWNERS = {
     "libqhull(?:_r)?": ("modules/shapes", "bench"),
 }
 
-# Rank of a module by its first name after `abut`; imports go from higher to lower or stay level.
-LAYERS = {
-    "core": 0,
-    "math": 1,
-    "shape": 2,
-    "narrowphase": 3,
-    "midphase": 3,
-    "broadphase": 3,
-    "continuous": 3,
-    "proximity": 3,
-    "pair": 4,
-    "dispatch": 5,
-    "registry": 6,
-    "contact": 7,
-    "universe": 8,
-    "picking": 9,
-    "response": 9,
-    "gpu": 9,
-}
-
-
 def _in_code(source, pattern, message):
     for line, match in source.find(pattern, source.code):
         yield line, message.format(match[0].strip())
@@ -142,33 +121,6 @@ def borrowed_member(source):
             yield line, f"a member stores a borrowed `{what}`"
 
 
-def _layer(name):
-    """Rank of a module such as abut.shape.box; a concrete shape stands above the concepts."""
-    parts = name.split(".")
-    if len(parts) < 2 or parts[0] != "abut" or parts[1] not in LAYERS:
-        return None
-    rank = LAYERS[parts[1]]
-    return rank + 1 if parts[1] == "shape" and len(parts) > 2 else rank
-
-
-def layer_order(source):
-    """Imports run one way."""
-    if not source.is_cxx or not source.within("modules"):
-        return
-    own = None
-    for line, match in source.find(r"^\s*(export\s+)?(module|import)\s+([\w.]+)(:[\w.]+)?\s*;", source.code):
-        name = match[3]
-        if name.split(".")[0] != "abut" or name == "abut":
-            continue
-        rank = _layer(name)
-        if rank is None:
-            yield line, f"module {name} belongs to no layer"
-        elif match[2] == "module":
-            own = rank
-        elif own is not None and rank > own:
-            yield line, f"{name} lies above this file; imports run one way"
-
-
 def module_path(source):
     """The name of a module mirrors its path."""
     if source.suffix != ".cppm" or not source.within("modules"):
@@ -257,7 +209,6 @@ FILE_RULES = [
     library_owner,
     intersector,
     borrowed_member,
-    layer_order,
     module_path,
     interface_linkage,
     include_order,

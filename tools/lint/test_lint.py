@@ -57,12 +57,6 @@ SNIPPETS = {
         ),
         ("tests/unit/pairs/a.cpp", "auto c = Intersector<A, B>::contact(a, b);", "auto c = contact(a, b);"),
     ],
-    "layer_order": [
-        (MODULE, "export module abut.narrowphase.gjk;\nimport abut.dispatch;", "export module abut.narrowphase.gjk;\nimport abut.math;"),
-        ("modules/shape/shape.cppm", "export module abut.shape;\nimport abut.shape.box;", "export module abut.shape;\nimport abut.core;"),
-        ("modules/math/math.cppm", "export module abut.math;\nexport import abut.shape;", "export module abut.math;\nexport import abut.core;"),
-        (MODULE, "export module abut.narrowphase.gjk;\nimport abut.helpers;", "export module abut.narrowphase.gjk;\nimport :part;"),
-    ],
     "module_path": [
         (MODULE, "export module abut.narrowphase.epa;", "export module abut.narrowphase.gjk;"),
         ("modules/core/core.cppm", "export module abut.math;", "export module abut.core;"),
@@ -103,8 +97,26 @@ HEADER = "include/abut/abut.h"
 REGISTRY = "cmake/registry.cmake"
 BOX = {"modules/shapes/box.cppm": "class Box {};", REGISTRY: "abut_shape(box Box 1)"}
 
+LAYERED = {
+    "modules/core/core.cppm": "export module abut.core;",
+    "modules/shape/shape.cppm": "export module abut.shape;\nexport import abut.shape.records;",
+    "modules/shape/records.cppm": "export module abut.shape.records;\nimport abut.core;",
+    "modules/shapes/box.cppm": "export module abut.shape.box;\nimport abut.shape;",
+    "modules/dispatch/dispatch.cppm": "export module abut.dispatch;",
+    "modules/abut.cppm": "export module abut;\nexport import abut.registry;",
+    MODULE: "export module abut.narrowphase.gjk;\nimport :part;\nimport abut.shape;\nimport std;",
+}
+
 # rule: (bad tree, good tree)
 TREES = {
+    "layer_order": [
+        ({**LAYERED, MODULE: "import abut.dispatch;"}, LAYERED),
+        ({**LAYERED, MODULE: "export import abut.registry;"}, {**LAYERED, "modules/universe/a.cppm": "import abut.registry;"}),
+        ({**LAYERED, MODULE: "import abut;"}, {**LAYERED, "tests/unit/a.cpp": "import abut;"}),
+        ({**LAYERED, MODULE: "import abut.helpers;"}, {**LAYERED, MODULE: "// import abut.helpers;"}),
+        ({**LAYERED, "modules/shape/records.cppm": "import abut.shape.box;"}, {**LAYERED, MODULE: "import abut.shape.box;"}),
+        ({**LAYERED, "modules/misc/a.cppm": ""}, {**LAYERED, "modules/broadphase/a.cppm": ""}),
+    ],
     "registry": [
         ({REGISTRY: "abut_shape(box Box 1)"}, BOX),
         ({**BOX, REGISTRY: "abut_shape(box Box 1)\nabut_shape(box Box 2)"}, BOX),

@@ -1,4 +1,4 @@
-"""Rules that look at several files: the registry of shapes, the C headers and their symbols.
+"""Rules that look at several files: layers, the registry of shapes, the C headers and their symbols.
 Each is a function of {path: Source} that yields (path, line, message)."""
 
 import re
@@ -11,6 +11,51 @@ PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
 # Files below modules and capi that may name shapes, and why: the shape's own file (checked by name),
 # pairs, and the typed shorthands of the C interface.
 MAY_NAME_SHAPES = ("modules/pairs", "capi/named_shapes.cpp")
+
+# Rank of a module by its folder; imports go from higher to lower or stay level.
+LAYERS = [
+    ("core",),
+    ("math",),
+    ("shape",),
+    ("shapes", "narrowphase", "midphase", "broadphase", "continuous", "proximity"),
+    ("pairs",),
+    ("dispatch",),
+    ("registry",),
+    ("contact",),
+    ("universe",),
+    ("picking", "response", "gpu"),
+]
+RANKS = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folders}
+# What the build generates has no file in the tree.
+GENERATED = {"abut.registry": "registry"}
+
+
+def _folder(source):
+    """The folder below modules that a module file lies in; None for the umbrella above all layers."""
+    parts = source.path.split("/")
+    return parts[1] if parts[0] == "modules" and len(parts) > 2 else None
+
+
+def layer_order(sources):
+    """Imports run one way."""
+    module = r"^\s*(?:export\s+)?{}\s+([\w.]+)\s*;"
+    folders = dict(GENERATED)
+    for source in sources.values():
+        if source.suffix == ".cppm" and source.within("modules"):
+            folders.update((match[1], _folder(source)) for _, match in source.find(module.format("module"), source.code))
+    for path, source in sources.items():
+        if not source.is_cxx or _folder(source) is None:
+            continue
+        if _folder(source) not in RANKS:
+            yield path, 1, f"{_folder(source)} is no layer"
+            continue
+        for line, match in source.find(module.format("import"), source.code):
+            if match[1].split(".")[0] != "abut":
+                continue
+            if match[1] not in folders:
+                yield path, line, f"there is no module {match[1]}"
+            elif RANKS.get(folders[match[1]], len(LAYERS)) > RANKS[_folder(source)]:
+                yield path, line, f"{match[1]} lies above this file; imports run one way"
 
 
 def _shapes(sources):
@@ -100,4 +145,4 @@ def symbol_list(sources):
             yield listed_in, 1, "not sorted, or a name occurs twice"
 
 
-TREE_RULES = [registry, shape_name, header, symbol_list]
+TREE_RULES = [layer_order, registry, shape_name, header, symbol_list]
