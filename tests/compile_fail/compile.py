@@ -1,0 +1,38 @@
+"""Compiles a program with the command of another one and compares the errors with what it expects.
+
+usage: compile.py compile_commands.json control.cpp case.cpp
+The case says `// expect: <pattern>`; every error has to match it, and there has to be one. A case
+without that line has to compile.
+"""
+
+import json
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+
+def main(database, control, case):
+    entry = next(entry for entry in json.loads(Path(database).read_text()) if entry["file"] == control)
+    command = shlex.split(entry["command"])
+    output = command.index("-o")
+    command[output : output + 2] = ["-fsyntax-only", "-fno-color-diagnostics"]
+    command = [case if argument == control else argument for argument in command]
+    result = subprocess.run(command, cwd=entry["directory"], capture_output=True, text=True)
+    errors = [line for line in result.stderr.splitlines() if re.search(r"\berror: ", line)]
+    expected = re.search(r"^// expect: (.*)$", Path(case).read_text(), re.MULTILINE)
+    print(result.stderr)
+    if expected is None:
+        return result.returncode
+    if result.returncode == 0:
+        print(f"it compiled; expected an error like: {expected[1]}")
+        return 1
+    others = [line for line in errors if not re.search(expected[1], line)]
+    if others or not errors:
+        print(f"expected only errors like: {expected[1]}")
+        return 1
+    return 0
+
+
+sys.exit(main(*sys.argv[1:]))

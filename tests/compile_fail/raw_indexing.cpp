@@ -1,0 +1,6 @@
+// An index into a pointer, which nothing can check.
+// expect: unsafe buffer access
+import abut;
+
+double second(const double* values);
+double second(const double* values) { return values[1]; }

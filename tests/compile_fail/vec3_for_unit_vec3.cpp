@@ -1,0 +1,9 @@
+// A vector of any length where a direction is asked.
+// expect: no viable conversion from .*Vec3.* to .*UnitVec3
+import abut;
+
+abut::Vec3 along(const abut::UnitVec3& direction);
+abut::Vec3 along(const abut::UnitVec3& direction) { return 2.0 * direction.vec(); }
+
+abut::Vec3 unchecked(const abut::Vec3& direction);
+abut::Vec3 unchecked(const abut::Vec3& direction) { return along(direction); }
