@@ -20,7 +20,7 @@ def main(database, control, case):
     command[output : output + 2] = ["-fsyntax-only", "-fno-color-diagnostics"]
     command = [case if argument == control else argument for argument in command]
     result = subprocess.run(command, cwd=entry["directory"], capture_output=True, text=True)
-    errors = [line for line in result.stderr.splitlines() if re.search(r"\berror: ", line)]
+    errors = re.split(r"^(?=\S+: error: )", result.stderr, flags=re.MULTILINE)[1:]  # each with its notes
     expected = re.search(r"^// expect: (.*)$", Path(case).read_text(), re.MULTILINE)
     print(result.stderr)
     if expected is None:
@@ -28,7 +28,7 @@ def main(database, control, case):
     if result.returncode == 0:
         print(f"it compiled; expected an error like: {expected[1]}")
         return 1
-    others = [line for line in errors if not re.search(expected[1], line)]
+    others = [error for error in errors if not re.search(expected[1], error)]
     if others or not errors:
         print(f"expected only errors like: {expected[1]}")
         return 1

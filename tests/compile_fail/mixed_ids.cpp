@@ -1,5 +1,5 @@
 // An id of one kind where another is asked.
-// expect: no viable conversion from .*Id<Geometry>.* to .*Id<Part>
+// expect: no known conversion from 'Id<Geometry>' to 'Id<Part>'
 import abut;
 
 struct Part;

@@ -1,5 +1,5 @@
 // A vector of any length where a direction is asked.
-// expect: no viable conversion from .*Vec3.* to .*UnitVec3
+// expect: no known conversion from 'const .*Vec3' to 'const .*UnitVec3'
 import abut;
 
 abut::Vec3 along(const abut::UnitVec3& direction);

@@ -1,0 +1,122 @@
+/* Makes the added shape by name through the generic door, casts a ray at it, and collides it with
+ * every kind of shape that the library has, as a pair and in a universe. */
+#include <abut/abut.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int failures = 0;
+
+static void expect(int condition, const char *what, const char *kind) {
+  if (!condition) {
+    printf("%s: %s; %s\n", kind, what, abut_last_error_message());
+    failures++;
+  }
+}
+
+static abut_pose at(double x, double y, double z) {
+  abut_pose pose = {{x, y, z}, {1, 0, 0, 0}};
+  return pose;
+}
+
+/* A shape of a kind, without knowing what the kind takes: every parameter is 1, and the buffers are
+ * what some kind could be made from. Kinds with a description of their own are made by it. */
+static abut_shape *make(abut_shape_kind kind) {
+  static const double corners[] = {-4, -4, 0, 4, -4, 0, 0, 4, 0, 0, 0, -4};
+  static const uint32_t triangles[] = {0, 1, 2};
+  static const double heights[9] = {0};
+  static const uint64_t real_counts[] = {0, 12, 12}, index_counts[] = {0, 0, 3};
+  static const double ones[] = {1, 1, 1, 1, 1, 1, 1, 1};
+  abut_shape *shape = NULL;
+  int attempt;
+  if (strcmp(abut_shape_kind_name(kind), "height_field") == 0) {
+    abut_height_field_desc desc;
+    abut_height_field_desc_init(&desc);
+    desc.columns = desc.rows = 3;
+    desc.spacing_x = desc.spacing_y = 4;
+    desc.heights = heights;
+    return abut_height_field_create(&desc, &shape) == ABUT_OK ? shape : NULL;
+  }
+  for (attempt = 0; attempt < 3; attempt++) {
+    abut_shape_desc desc;
+    abut_shape_desc_init(&desc);
+    desc.kind = kind;
+    desc.parameters = ones;
+    desc.parameter_count = abut_shape_kind_parameter_count(kind);
+    desc.real_count = real_counts[attempt];
+    desc.reals = desc.real_count > 0 ? corners : NULL;
+    desc.index_count = index_counts[attempt];
+    desc.indices = desc.index_count > 0 ? triangles : NULL;
+    if (desc.parameter_count <= 8 && abut_shape_create(&desc, &shape) == ABUT_OK) {
+      return shape;
+    }
+  }
+  return NULL;
+}
+
+/* The other shape lies around or below its origin; the added one is put over the middle of it. */
+static void collide(const abut_shape *added, const abut_shape *other, const char *kind) {
+  const double middle = strcmp(kind, "height_field") == 0 ? 4 : 0;
+  abut_pose pose = at(0, 0, 0), touching = at(middle + 0.2, middle + 0.3, 0.5), apart = at(middle, middle, 9);
+  abut_universe *universe = NULL;
+  abut_part_options still;
+  abut_part_id part, still_part;
+  abut_geometry_id geometry;
+  const abut_contact *found = NULL;
+  abut_distance distance, swapped;
+  size_t count = 0;
+
+  expect(abut_shapes_distance(added, &apart, other, &pose, NULL, &distance) == ABUT_OK && distance.distance > 1, "apart", kind);
+  expect(abut_shapes_distance(other, &pose, added, &apart, NULL, &swapped) == ABUT_OK &&
+             fabs(swapped.distance - distance.distance) < 1e-9,
+         "swapped", kind);
+  expect(abut_shapes_distance(added, &touching, other, &pose, NULL, &distance) == ABUT_OK && distance.distance <= 0,
+         "overlapping", kind);
+  expect(abut_shapes_contacts(added, &touching, other, &pose, NULL, NULL, 0, &count) == ABUT_OK && count > 0, "contacts", kind);
+
+  abut_part_options_init(&still);
+  still.motion = ABUT_MOTION_STATIC;
+  expect(abut_universe_create(NULL, &universe) == ABUT_OK && abut_part_create(universe, NULL, &part) == ABUT_OK &&
+             abut_part_create(universe, &still, &still_part) == ABUT_OK &&
+             abut_part_set_pose(universe, part, &touching) == ABUT_OK &&
+             abut_geometry_create(universe, part, added, NULL, &geometry) == ABUT_OK &&
+             abut_geometry_create(universe, still_part, other, NULL, &geometry) == ABUT_OK &&
+             abut_universe_step(universe, 0.01) == ABUT_OK &&
+             abut_universe_contacts(universe, &found, &count) == ABUT_OK && count > 0,
+         "universe", kind);
+  abut_universe_destroy(universe);
+}
+
+int main(void) {
+  const abut_shape_kind kind = abut_shape_kind_by_name("octahedron");
+  abut_ray ray = {{-3, 0.1, 0.05}, {1, 0, 0}, 10};
+  abut_pose pose = at(0, 0, 0);
+  abut_shape *added;
+  abut_ray_hit hit;
+  uint32_t found = 0;
+  size_t i;
+
+  expect(kind != 0 && abut_shape_kind_parameter_count(kind) == 1 &&
+             strcmp(abut_shape_kind_parameter_name(kind, 0), "radius") == 0,
+         "described", "octahedron");
+  added = make(kind);
+  expect(added != NULL, "made", "octahedron");
+  if (failures > 0) {
+    return 1;
+  }
+  expect(abut_shape_cast_ray(added, &pose, &ray, &hit, &found) == ABUT_OK && found == 1 && fabs(hit.distance - 2.15) < 1e-12,
+         "ray", "octahedron");
+
+  for (i = 0; i < abut_shape_kind_count(); i++) {
+    const char *name = abut_shape_kind_name(abut_shape_kind_at(i));
+    abut_shape *other = make(abut_shape_kind_at(i));
+    expect(other != NULL, "made", name);
+    if (other != NULL) {
+      collide(added, other, name);
+      abut_shape_release(other);
+    }
+  }
+  abut_shape_release(added);
+  printf("%d kinds, %d failures\n", (int)abut_shape_kind_count(), failures);
+  return failures == 0 ? 0 : 1;
+}

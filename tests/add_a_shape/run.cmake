@@ -1,0 +1,36 @@
+# The steps of the test add_a_shape.
+cmake_minimum_required(VERSION 3.28)
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "failed (${result}): ${command}\n${output}")
+  endif()
+  message(STATUS "${output}")
+endfunction()
+
+# Copies keep their times and the build folder stays, so that a second run compiles what changed.
+set(tree ${work}/tree)
+file(REMOVE_RECURSE ${tree})
+file(COPY ${root}/CMakeLists.txt ${root}/capi ${root}/cmake ${root}/include ${root}/modules DESTINATION ${tree})
+
+# The file and the line.
+file(COPY ${source}/octahedron.cppm DESTINATION ${tree}/modules/shapes)
+file(APPEND ${tree}/cmake/registry.cmake "abut_shape(octahedron Octahedron 60000)\n")
+
+set(features "")
+if(hull)
+  set(features hull)
+endif()
+if(NOT shapes STREQUAL "all")
+  list(APPEND shapes octahedron)
+endif()
+run(${CMAKE_COMMAND} -G ${generator} -S ${tree} -B ${work}/build -D CMAKE_C_COMPILER=${c} -D CMAKE_CXX_COMPILER=${cxx}
+    -D CMAKE_BUILD_TYPE=Debug "-D ABUT_SHAPES=${shapes}" -D ABUT_FEATURES=${features}
+    -D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF)
+run(${CMAKE_COMMAND} --build ${work}/build --target abut)
+file(GLOB_RECURSE library ${work}/build/libabut.so)
+cmake_path(GET library PARENT_PATH library_dir)
+run(${c} -std=c99 -I ${tree}/include ${source}/collide.c -o ${work}/collide -L ${library_dir} -labut)
+run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library_dir} ${work}/collide)
