@@ -32,5 +32,5 @@ run(${CMAKE_COMMAND} -G ${generator} -S ${tree} -B ${work}/build -D CMAKE_C_COMP
 run(${CMAKE_COMMAND} --build ${work}/build --target abut)
 file(GLOB_RECURSE library ${work}/build/libabut.so)
 cmake_path(GET library PARENT_PATH library_dir)
-run(${c} -std=c99 -I ${tree}/include ${source}/collide.c -o ${work}/collide -L ${library_dir} -labut)
+run(${c} -I ${tree}/include ${source}/collide.c -o ${work}/collide -L ${library_dir} -labut)
 run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library_dir} ${work}/collide)

@@ -10,6 +10,12 @@ from source import Source, strip_cxx, strip_hash
 from tree_rules import TREE_RULES
 
 MODULE = "modules/narrowphase/gjk.cppm"
+FOREIGN = '''module;
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Weverything"
+{}
+#pragma clang diagnostic pop
+'''
 
 # rule: (path, bad snippet, good snippet)
 SNIPPETS = {
@@ -43,6 +49,7 @@ SNIPPETS = {
     "silenced_warning": [
         (MODULE, '#pragma clang diagnostic ignored "-Wall"', "#pragma once"),
         ("tests/unit/a.cpp", '_Pragma("GCC diagnostic push")', "int pragma;"),
+        (MODULE, FOREIGN.format("int x;"), FOREIGN.format("#include <Foreign>\n#include <foreign.h>")),
     ],
     "library_owner": [
         (MODULE, "#include <Eigen/Dense>", "#include <array>\n// #include <Eigen/Dense>"),
