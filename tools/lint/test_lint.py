@@ -25,7 +25,7 @@ SNIPPETS = {
     ],
     "unsafe_word": [
         (MODULE, "auto* p = reinterpret_cast<int*>(q);", "auto p = std::bit_cast<int>(q);"),
-        (MODULE, "auto p = new Thing;", "auto p = std::make_unique<Thing>(); // new"),
+        (MODULE, "auto p = new Thing;", "#include <new>\nauto p = std::make_unique<Thing>(); // new"),
         (MODULE, "void f() { delete p; }", "Thing(const Thing&) = delete;"),
         (MODULE, "void f() { delete[] p; }", "Thing(const Thing&) =\n    delete;"),
         (MODULE, "std::unique_ptr<int[]> p;", "std::unique_ptr<int> p;"),
@@ -77,6 +77,7 @@ SNIPPETS = {
     ],
     "macro": [
         (MODULE, "#define SQUARE(x) ((x) * (x))", "constexpr int square(int x) { return x * x; }"),
+        (MODULE, "#define ABUT_A_HPP 1", "#define ABUT_A_HPP\n#endif"),
     ],
     "length": [
         (MODULE, "int x;\n" * (HARD_LENGTH + 1), "int x;\n\n" * HARD_LENGTH),
