@@ -82,3 +82,13 @@ endfunction()
 function(abut_link_fuzzer target)
   target_link_options(${target} PRIVATE -fsanitize=fuzzer)
 endfunction()
+# What consumers of the installed modules must share with us: layout, arithmetic, and what clang
+# compares between a module and its importer. The rest of the options stays here.
+function(abut_export_flags target)
+  set(options -ffp-contract=off -fno-math-errno)
+  if(ABUT_ARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND options -march=${ABUT_ARCH})
+  endif()
+  target_compile_options(${target} INTERFACE "$<INSTALL_INTERFACE:${options}>")
+  target_compile_definitions(${target} INTERFACE $<INSTALL_INTERFACE:_GLIBCXX_ASSERTIONS>)
+endfunction()
