@@ -15,9 +15,13 @@ set(tree ${work}/tree)
 file(REMOVE_RECURSE ${tree})
 file(COPY ${root}/CMakeLists.txt ${root}/capi ${root}/cmake ${root}/include ${root}/modules DESTINATION ${tree})
 
-# The file and the line.
+# The file, and the line among those of its kind.
 file(COPY ${source}/octahedron.cppm DESTINATION ${tree}/modules/shapes)
-file(APPEND ${tree}/cmake/registry.cmake "abut_shape(octahedron Octahedron 60000)\n")
+file(READ ${tree}/cmake/registry.cmake registry)
+string(FIND "${registry}" "\nabut_shape(" last REVERSE)
+string(SUBSTRING "${registry}" 0 ${last} before)
+string(SUBSTRING "${registry}" ${last} -1 after)
+file(WRITE ${tree}/cmake/registry.cmake "${before}\nabut_shape(octahedron Octahedron 60000)${after}")
 
 set(features "")
 if(hull)

@@ -21,6 +21,7 @@ LAYERS = [
     ("pairs",),
     ("dispatch",),
     ("registry",),
+    ("any_shape",),
     ("contact",),
     ("universe",),
     ("picking", "response", "gpu"),
