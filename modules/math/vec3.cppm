@@ -62,6 +62,10 @@ class UnitVec3 {
  public:
   // Nothing for a vector of no length or with a NaN or an infinity in it.
   [[nodiscard]] static inline std::optional<UnitVec3> make(const Vec3& a) {
+    const Real square = squared_norm(a);
+    if (square > 1e-280 && square < 1e280) [[likely]] {
+      return UnitVec3((1 / std::sqrt(square)) * a);
+    }
     const Real scale = largest_magnitude(a);
     if (!(scale > 0) || !std::isfinite(scale)) {
       return std::nullopt;

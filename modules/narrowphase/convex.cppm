@@ -122,8 +122,7 @@ template <Convex A, Convex B>
     return core;
   }
   if (!near.overlap) {
-    const auto direction = UnitVec3::make(separating_direction(near.simplex, near.separation));
-    core.normal = direction ? -direction->vec() : Vec3{0, 0, 1};
+    core.normal = near.normal;
     core.point_a = near.simplex.witness_a();
     core.point_b = near.simplex.witness_b();
     core.distance = core.upper = near.upper;

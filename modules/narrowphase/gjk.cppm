@@ -19,7 +19,7 @@ struct GjkResult {
   bool overlap;         // the cores overlap or touch within rounding; the rest is then undefined but the simplex
   bool beyond;          // stopped early: the distance is at least `lower`, which exceeds the limit asked for
   Real lower, upper;    // the distance of the cores lies between them
-  Vec3 separation;      // from b to a: the closest point of the difference
+  Vec3 normal;          // unit, from a to b
   Simplex simplex;
   std::uint32_t iterations;
 };
@@ -30,17 +30,18 @@ inline constexpr std::uint32_t gjk_iteration_limit = 96;
 // Rounding of the coordinates of difference vertices: cores closer than this touch.
 [[nodiscard]] inline Real touching_distance(Real size) { return 4 * epsilon * size; }
 
-// The direction in which a simplex without inside is separated from the origin. Of a triangle it is
-// the normal, which stays exact when the distance is so small that the closest point is rounding.
-[[nodiscard]] inline Vec3 separating_direction(const Simplex& simplex, const Vec3& closest) {
+// The unit direction from the closest point of a simplex to the origin. Of a triangle it is the
+// normal, which stays exact when the distance is so small that the closest point is rounding.
+[[nodiscard]] inline Vec3 normal_of(const Simplex& simplex, const Vec3& closest, Real distance) {
   if (simplex.size == 3) {
     const Vec3& r = simplex.vertices[2].w;
     const Vec3 normal = cross(simplex.vertices[0].w - r, simplex.vertices[1].w - r);
-    if (squared_norm(normal) > 0) {
-      return dot(normal, closest) >= 0 ? normal : -normal;
+    const Real square = squared_norm(normal);
+    if (square > 0) {
+      return (std::copysign(Real{1}, -dot(normal, closest)) / std::sqrt(square)) * normal;
     }
   }
-  return closest;
+  return (-1 / distance) * closest;
 }
 
 // The cores of a and b in the frame of a, b being placed by ab. `size` bounds the coordinates of both;
@@ -57,7 +58,6 @@ template <Convex A, Convex B>
   [[clang::uninitialized]] GjkResult result;
   result.overlap = false;
   result.beyond = false;
-  result.lower = 0;
   result.simplex.size = 0;
   Simplex& simplex = result.simplex;
 
@@ -67,6 +67,8 @@ template <Convex A, Convex B>
   Vec3 v = simplex.vertices[0].w;
   Real square = squared_norm(v);
   const Real touching = touching_distance(size);
+  // The best lower bound so far, reach / sqrt(square), kept as it is to spare the root.
+  Real best_reach = 0, best_square = 1;
 
   std::uint32_t iteration = 1;
   for (; iteration < gjk_iteration_limit; ++iteration) {
@@ -76,12 +78,10 @@ template <Convex A, Convex B>
     }
     const DifferenceVertex vertex = difference_vertex(-v);
     const Real reach = dot(v, vertex.w);
-    // Lower bounds of all iterations hold; the best one so far is compared in squares, without a root.
-    if (reach > 0) {
-      if (reach * reach > result.lower * result.lower * square) {
-        result.lower = reach / std::sqrt(square);
-      }
-      if (result.lower > limit) {
+    if (reach > 0 && reach * reach * best_square > best_reach * best_reach * square) {
+      best_reach = reach;
+      best_square = square;
+      if (limit < 0 || reach * reach > limit * limit * square) {
         result.beyond = true;
         break;
       }
@@ -90,7 +90,6 @@ template <Convex A, Convex B>
     if (gap * gap <= error * error * square || gap <= 0 || simplex.contains(vertex)) {
       break;
     }
-    const Simplex before = simplex;
     simplex.push(vertex);
     const ClosestPoint closest = closest_to_origin(simplex);
     if (closest.encloses_origin) {
@@ -101,16 +100,17 @@ template <Convex A, Convex B>
     const Real closest_square = squared_norm(closest.point);
     if (!(closest_square < square)) {
       // No progress is left within rounding: what was reached before is the answer.
-      simplex = before;
+      simplex.size -= 1;
       break;
     }
     keep(simplex, closest);
     v = closest.point;
     square = closest_square;
   }
-  result.separation = v;
   result.upper = std::sqrt(square);
-  result.lower = result.lower < result.upper ? result.lower : result.upper;
+  const Real lower = best_reach / std::sqrt(best_square);
+  result.lower = lower < result.upper ? lower : result.upper;
+  result.normal = normal_of(simplex, v, result.upper);
   result.iterations = iteration;
   return result;
 }

@@ -34,11 +34,11 @@ template <FewFaced A, FewFaced B>
     ++best.axes;
     if constexpr (A::is_symmetric && B::is_symmetric) {
       // Of two symmetric bodies the side that faces the other one is the better one.
-      const Vec3 facing = dot(n, apart) < 0 ? -n : n;
-      const Real separation = separation_along(facing);
+      const Real offset = dot(n, apart);
+      const Real separation = std::fabs(offset) - a.reach(n) - placement.reach(n);
       if (separation > best.separation) {
         best.separation = separation;
-        best.normal = facing;
+        best.normal = offset < 0 ? -n : n;
       }
     } else {
       for (const Vec3& side : {n, -n}) {

@@ -37,7 +37,9 @@ concept Placeable = Convex<S> && requires(const S& shape, const Pose& pose, cons
   { shape.placed(pose).support(direction) } -> std::same_as<SupportPoint>;
 };
 
-// A core with so few face normals and edge directions that trying them all finds the exact depth.
+// A core with so few face normals and edge directions that trying them all finds the exact depth. One
+// that is symmetric about its centre also tells how far it reaches from there in a direction, alone
+// and placed.
 template <class S>
 concept FewFaced = Convex<S> && requires(const S& shape) {
   shape.face_normals().size();

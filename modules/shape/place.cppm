@@ -1,5 +1,6 @@
 // Support points of a shape under a pose, by the shape's own way where it has one.
 module;
+#include <cmath>
 #include <cstddef>
 #include <span>
 export module abut.shape.place;
@@ -42,6 +43,7 @@ template <Convex S>
 struct PlacedPoint {
   Vec3 centre;
   [[nodiscard]] inline SupportPoint support(const Vec3&) const { return {centre, 0}; }
+  [[nodiscard]] inline Real reach(const Vec3&) const { return 0; }
 };
 
 // A core that is a segment: centre +- half.
@@ -51,6 +53,7 @@ struct PlacedSegment {
     const bool upper = dot(half, direction) >= 0;
     return {upper ? centre + half : centre - half, upper ? 1u : 0u};
   }
+  [[nodiscard]] inline Real reach(const Vec3& direction) const { return std::fabs(dot(half, direction)); }
 };
 
 }  // namespace abut

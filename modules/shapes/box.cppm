@@ -54,6 +54,10 @@ class Box {
             octant(d.x, d.y, d.z)};
   }
 
+  [[nodiscard]] inline Real reach(const Vec3& d) const {
+    return half_.x * std::fabs(d.x) + half_.y * std::fabs(d.y) + half_.z * std::fabs(d.z);
+  }
+
   // The box as centre + sum of three signed half edges: a support point costs three dot products.
   struct Placed {
     Vec3 centre, x, y, z;
@@ -61,6 +65,9 @@ class Box {
       const Real dx = dot(x, d), dy = dot(y, d), dz = dot(z, d);
       return {centre + std::copysign(Real{1}, dx) * x + std::copysign(Real{1}, dy) * y + std::copysign(Real{1}, dz) * z,
               octant(dx, dy, dz)};
+    }
+    [[nodiscard]] inline Real reach(const Vec3& d) const {
+      return std::fabs(dot(x, d)) + std::fabs(dot(y, d)) + std::fabs(dot(z, d));
     }
   };
   [[nodiscard]] inline Placed placed(const Pose& pose) const {

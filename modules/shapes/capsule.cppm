@@ -53,6 +53,7 @@ class Capsule {
     const bool upper = direction.z >= 0;
     return {{0, 0, upper ? half_height_ : -half_height_}, upper ? 1u : 0u};
   }
+  [[nodiscard]] inline Real reach(const Vec3& direction) const { return half_height_ * std::fabs(direction.z); }
   [[nodiscard]] inline PlacedSegment placed(const Pose& pose) const { return {pose.position, half_height_ * pose.rotation.z}; }
   [[nodiscard]] inline Face supporting_face(const Vec3&) const {
     [[clang::uninitialized]] Face face;

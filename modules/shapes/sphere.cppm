@@ -41,6 +41,7 @@ class Sphere {
   [[nodiscard]] inline Vec3 centre() const { return {0, 0, 0}; }
   [[nodiscard]] inline Real extent() const { return 0; }
   [[nodiscard]] inline SupportPoint support(const Vec3&) const { return {{0, 0, 0}, 0}; }
+  [[nodiscard]] inline Real reach(const Vec3&) const { return 0; }
   [[nodiscard]] inline PlacedPoint placed(const Pose& pose) const { return {pose.position}; }
   [[nodiscard]] inline Face supporting_face(const Vec3&) const {
     [[clang::uninitialized]] Face face;
