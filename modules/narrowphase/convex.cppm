@@ -24,13 +24,13 @@ export namespace abut {
 // The separation of two cores and how it was found, in the frame of a.
 struct CoreSeparation {
   Real distance, lower, upper;
-  Vec3 normal;  // unit, from a to b
+  Real rounding;  // of the coordinates, by which the bounds may be off
+  Vec3 normal;    // unit, from a to b
   Vec3 point_a, point_b;
   bool beyond;   // only `lower` was found, and exceeds the limit asked for
   bool overlap;  // the cores overlap or touch
   Algorithm algorithm;
   std::uint32_t iterations;
-  Outcome outcome;
 };
 
 // Bound of the coordinates of both cores in the frame of a: rounding is relative to it.
@@ -60,14 +60,31 @@ template <FewFaced A, FewFaced B>
   return largest_magnitude(sideways) > noise ? UnitVec3::make(sideways)->vec() : tangents_of(*axis).first;
 }
 
-// The deepest pair of points under a known normal: from the common region of the supporting faces, or
-// else the support points, which are at the right distance along the normal if not face to face.
+// The deepest pair of points under a normal across an edge of each: the closest points of the lines
+// along both edges through the support points.
+inline void find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core) {
+  const Vec3 across = cross(edge_a, edge_b), between = core.point_b - core.point_a;
+  const Real square = squared_norm(across);
+  core.point_a += (dot(across, cross(between, edge_b)) / square) * edge_a;
+  core.point_b += (dot(across, cross(between, edge_a)) / square) * edge_b;
+}
+
+// The deepest pair of points under the normal of a face: from the common region of the supporting
+// faces, or else the support points, which are at the right distance along the normal.
 template <Convex A, Convex B>
-void find_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+void find_face_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
+  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
+  if (face_a.vertices.size() == 1) {
+    core.point_b = core.point_a + core.distance * core.normal;
+    return;
+  }
+  if (face_b.vertices.size() == 1) {
+    core.point_a = core.point_b - core.distance * core.normal;
+    return;
+  }
   [[clang::uninitialized]] ClipPoints points;
-  clip_faces(a.supporting_face(core.normal), placed_face(b, ab, -core.normal), core.normal, points);
-  core.point_a = a.support(core.normal).point;
-  core.point_b = placed_support(b, place(b, ab), -core.normal).point;
+  clip_faces(face_a, face_b, core.normal, points);
   Real least = core.distance + 1e-12 * core_size(a, b, ab);
   for (const ClipPoint& point : points.span()) {
     const Real distance = dot(point.point_b - point.point_a, core.normal);
@@ -88,7 +105,13 @@ void separate_by_sat(const A& a, const B& b, const Pose& ab, CoreSeparation& cor
   core.iterations += found ? found->axes : 0;
   core.normal = found ? found->normal : direction_across(a, b, ab);
   core.distance = core.lower = core.upper = found ? found->separation : 0;
-  find_witnesses(a, b, ab, core);
+  core.point_a = a.support(core.normal).point;
+  core.point_b = placed_support(b, place(b, ab), -core.normal).point;
+  if (found && found->of_edges) {
+    find_edge_witnesses(found->edge_a, found->edge_b, core);
+  } else {
+    find_face_witnesses(a, b, ab, core);
+  }
 }
 
 template <Convex A, Convex B>
@@ -111,7 +134,7 @@ template <Convex A, Convex B>
   const Real shape_size = 2 * (a.extent() + b.extent()) + a.radius() + b.radius();
   const Real error = settings.error_bound * shape_size + 4 * epsilon * size;
   CoreSeparation core{};
-  core.outcome = Outcome::ok;
+  core.rounding = 16 * epsilon * size;
   const GjkResult near = gjk(a, b, ab, size, error, limit);
   core.algorithm = Algorithm::gjk_epa;
   core.iterations = near.iterations;
@@ -142,8 +165,8 @@ template <Convex A, Convex B>
 [[nodiscard]] inline Distance rounded(const CoreSeparation& core, Real radius_a, Real radius_b) {
   const Real radii = radius_a + radius_b;
   return {core.distance - radii,
-          core.lower - radii,
-          core.upper - radii,
+          core.lower - core.rounding - radii,
+          core.upper + core.rounding - radii,
           core.point_a + radius_a * core.normal,
           core.point_b - radius_b * core.normal,
           core.normal,
@@ -173,9 +196,11 @@ template <Convex A, Convex B>
   return Outcome::ok;
 }
 
-// Appends the corners of the contact region under a given separation.
+// Appends the corners of the contact region under a given separation, and the closest points where the
+// region misses them, unless those are known not to count.
 template <Convex A, Convex B>
-void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, Manifold& out) {
+void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
+                    Manifold& out) {
   const Real radii = a.radius() + b.radius();
   const std::size_t first = out.size();
   [[clang::uninitialized]] ClipPoints points;
@@ -195,8 +220,8 @@ void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation
     append(point.point_a, point.point_b, point.feature_a, point.feature_b);
   }
   // Where the region misses the closest points, as between edges that cross, they are the contact.
-  const Real slack = 1e-9 * core_size(a, b, ab);
-  if (out.size() == first || least > core.distance - radii + slack) {
+  const Real slack = 64 * epsilon * core_size(a, b, ab);
+  if (closest_count && (out.size() == first || least > core.distance - radii + slack)) {
     const auto feature_of = [](const Face& face) {
       return face.vertices.size() == 1   ? Feature{FeatureKind::vertex, face.vertices[0].vertex}
              : face.vertices.size() == 2 ? Feature{FeatureKind::edge, face.vertices[0].edge}
@@ -232,7 +257,7 @@ template <Convex A, Convex B>
       return Outcome::unsupported;
     }
   }
-  contacts_under(a, b, ab, core, settings.margin, out);
+  contacts_under(a, b, ab, core, settings.margin, true, out);
   return Outcome::ok;
 }
 

@@ -46,7 +46,8 @@ template <Convex A, Convex B>
     const Real above = dot(flat.normal, top.w), below = -dot(flat.normal, bottom.w);
     const bool up = above <= below;
     result.normal = up ? flat.normal : -flat.normal;
-    result.depth = result.lower = result.upper = up ? above : below;
+    result.depth = result.upper = up ? above : below;
+    result.lower = result.depth < 0 ? result.depth : 0;
     result.point_a = up ? top.a : bottom.a;
     result.point_b = up ? top.b : bottom.b;
     return result;
@@ -61,8 +62,9 @@ template <Convex A, Convex B>
     const Real reach = dot(normal, vertex.w);
     // Face distances only grow; rounding must not make the bound shrink again.
     result.lower = iteration == 1 || distance > result.lower ? distance : result.lower;
-    if (reach < result.upper) {
-      result.upper = reach;
+    // Among equal bounds the latest face, whose witnesses lie nearest to the boundary.
+    if (reach <= result.upper + noise) {
+      result.upper = reach < result.upper ? reach : result.upper;
       result.normal = normal;
       const Witness witness = polytope.witness(face);
       result.point_a = witness.a;
@@ -76,6 +78,20 @@ template <Convex A, Convex B>
     }
   }
   result.depth = result.upper;
+  // The last face lies nearest to the boundary; its witnesses serve when they fit the best normal better.
+  const auto misfit = [&](const Vec3& on_a, const Vec3& on_b) { return result.depth + dot(on_b - on_a, result.normal); };
+  const std::size_t last = polytope.least_face();
+  if (last != Polytope::none) {
+    const Witness witness = polytope.witness(last);
+    if (std::fabs(misfit(witness.a, witness.b)) < std::fabs(misfit(result.point_a, result.point_b))) {
+      result.point_a = witness.a;
+      result.point_b = witness.b;
+    }
+  }
+  // What is left of the misfit, below the error bound, is shared by the two points.
+  const Vec3 half = (0.5 * misfit(result.point_a, result.point_b)) * result.normal;
+  result.point_a += half;
+  result.point_b = result.point_b - half;
   result.lower = result.lower < result.upper ? result.lower : result.upper;
   return result;
 }

@@ -26,6 +26,9 @@ struct GjkResult {
 
 // Bounded work: no pair in the tests needs more than a third of this.
 inline constexpr std::uint32_t gjk_iteration_limit = 96;
+inline constexpr std::uint32_t stall_limit = 4;
+// Unproven distances below this many times the touching distance are left to the overlap routes.
+inline constexpr Real unproven_limit = 1e4;
 
 // Rounding of the coordinates of difference vertices: cores closer than this touch.
 [[nodiscard]] inline Real touching_distance(Real size) { return 4 * epsilon * size; }
@@ -70,6 +73,7 @@ template <Convex A, Convex B>
   // The best lower bound so far, reach / sqrt(square), kept as it is to spare the root.
   Real best_reach = 0, best_square = 1;
 
+  std::uint32_t stalls = 0;
   std::uint32_t iteration = 1;
   for (; iteration < gjk_iteration_limit; ++iteration) {
     if (!(square > touching * touching)) {
@@ -99,9 +103,13 @@ template <Convex A, Convex B>
     }
     const Real closest_square = squared_norm(closest.point);
     if (!(closest_square < square)) {
-      // No progress is left within rounding: what was reached before is the answer.
-      simplex.size -= 1;
-      break;
+      // A face that is no closer within rounding may still turn the direction, and with it raise the
+      // lower bound; more than a few of those in a row lead nowhere.
+      ++stalls;
+      if (stalls > stall_limit || !(closest_square <= square + touching * (2 * std::sqrt(square) + touching))) {
+        simplex.size -= 1;  // what was reached before is the answer
+        break;
+      }
     }
     keep(simplex, closest);
     v = closest.point;
@@ -110,6 +118,8 @@ template <Convex A, Convex B>
   result.upper = std::sqrt(square);
   const Real lower = best_reach / std::sqrt(best_square);
   result.lower = lower < result.upper ? lower : result.upper;
+  // A separation without proof, no larger than what rounding adds up to, is a touch.
+  result.overlap = result.overlap || (!result.beyond && !(lower > 0) && result.upper <= unproven_limit * touching);
   result.normal = normal_of(simplex, v, result.upper);
   result.iterations = iteration;
   return result;

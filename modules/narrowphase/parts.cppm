@@ -42,17 +42,12 @@ template <Composite A, Convex B>
 void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& best) {
   const Aabb around = b.aabb(ab);
   const auto consider = [&](const typename A::Part& part) {
-    CoreSeparation core{};
-    if (separate_from_triangle(part, b, ab, settings, infinity, core)) {
-      const Distance distance = rounded(core, 0, b.radius());
-      if (distance.distance < best.distance) {
-        const std::uint32_t iterations = best.iterations;
-        best = distance;
-        best.iterations += iterations;
-      } else {
-        best.iterations += distance.iterations;
-      }
+    const Distance distance = rounded(separate_from_triangle(part, b, ab, settings, infinity), 0, b.radius());
+    const std::uint32_t iterations = best.iterations + distance.iterations;
+    if (distance.distance < best.distance) {
+      best = distance;
     }
+    best.iterations = iterations;
   };
   consider(a.part_near(ab * b.centre()));
   Aabb query = best.distance < infinity ? around.inflated(std::max(best.distance, Real{0})) : Aabb::everything();

@@ -145,7 +145,7 @@ FlatDifference Polytope::start(const Simplex& simplex, Real noise, VertexToward&
         consider(vertex_toward(-direction));
       }
     }
-    if (best_reach > noise) {
+    if (best_reach > threshold) {
       add(best);
       return true;
     }

@@ -16,6 +16,8 @@ struct SatResult {
   Real separation;  // largest over all axes
   Vec3 normal;      // unit, from a to b
   std::uint32_t axes;
+  bool of_edges;        // the normal is across an edge of each
+  Vec3 edge_a, edge_b;  // then these are their directions
 };
 
 // Nothing when there is no axis at all, as between two points or parallel segments: such cores only
@@ -24,7 +26,7 @@ template <FewFaced A, FewFaced B>
 [[nodiscard]] std::optional<SatResult> sat(const A& a, const B& b, const Pose& ab) {
   const auto placement = place(b, ab);
   const Vec3 apart = ab * b.centre() - a.centre();
-  SatResult best{-infinity, {0, 0, 0}, 0};
+  SatResult best{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}};
 
   // Separation along n: from the furthest point of a to the nearest of b.
   const auto separation_along = [&](const Vec3& n) {
@@ -32,6 +34,7 @@ template <FewFaced A, FewFaced B>
   };
   const auto try_axis = [&](const Vec3& n) {
     ++best.axes;
+    const Real before = best.separation;
     if constexpr (A::is_symmetric && B::is_symmetric) {
       // Of two symmetric bodies the side that faces the other one is the better one.
       const Real offset = dot(n, apart);
@@ -49,6 +52,7 @@ template <FewFaced A, FewFaced B>
         }
       }
     }
+    return best.separation > before;
   };
 
   for (const Vec3& n : a.face_normals()) {
@@ -70,8 +74,10 @@ template <FewFaced A, FewFaced B>
       const Real square = squared_norm(n);
       // Edges closer to parallel than rounding span no face. Leaving one out errs by at most the
       // angle times the length of an edge, which is rounding again.
-      if (square > 1e-28 * squared_norm(edge_a) * squared_norm(edge_b) && square > 0) {
-        try_axis((1 / std::sqrt(square)) * n);
+      if (square > 1e-28 * squared_norm(edge_a) * squared_norm(edge_b) && square > 0 && try_axis((1 / std::sqrt(square)) * n)) {
+        best.of_edges = true;
+        best.edge_a = edge_a;
+        best.edge_b = edge_b;
       }
     }
   }

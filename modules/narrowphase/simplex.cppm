@@ -69,7 +69,9 @@ struct ClosestPoint {
     return {q, {iq}, {1}, 1, false};
   }
   const Real t = along / length;
-  return {p + t * d, {ip, iq}, {1 - t, t}, 2, false};
+  const Vec3 near = p + t * d;
+  // Projected again: where the point is small beside p, its direction would be rounding of p.
+  return {near - (dot(near, d) / length) * d, {ip, iq}, {1 - t, t}, 2, false};
 }
 
 // r is the newest vertex. The closest point of a triangle that GJK extends lies on a face with r in

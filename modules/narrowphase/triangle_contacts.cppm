@@ -48,45 +48,50 @@ void turn_to_face(const Triangle& triangle, const B& b, const Pose& ab, CoreSepa
   core.point_a = core.point_b - core.distance * core.normal;
 }
 
-// Whether a core lies behind a one-sided triangle rather than on or through it.
-template <Convex B>
-[[nodiscard]] bool lies_behind(const Triangle& triangle, const B& b, const Pose& ab, const CoreSeparation& core) {
-  return !core.overlap && dot(triangle.normal(), ab * b.centre() - triangle.corners()[0]) < 0 &&
-         dot(core.normal, triangle.normal()) < 0;
+// Whether the foot of a point lies on the triangle.
+[[nodiscard]] inline bool is_over(const Triangle& triangle, const Vec3& point) {
+  const auto& corners = triangle.corners();
+  const Real slack = -on_edge * squared_norm(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const Vec3 n = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  return dot(n, cross(corners[1] - corners[0], point - corners[0])) >= slack &&
+         dot(n, cross(corners[2] - corners[1], point - corners[1])) >= slack &&
+         dot(n, cross(corners[0] - corners[2], point - corners[2])) >= slack;
 }
 
-// Like separate_cores, with the rules of surfaces. False when the triangle does not stop the shape.
+// A one-sided triangle that a core overlaps from behind pushes it out through its front.
 template <Convex B>
-[[nodiscard]] bool separate_from_triangle(const Triangle& triangle, const B& b, const Pose& ab, const QuerySettings& settings,
-                                          Real limit, CoreSeparation& core) {
-  core = separate_cores(triangle, b, ab, settings, limit);
-  if (core.beyond) {
-    return false;
-  }
-  if (!triangle.has_area()) {
-    return true;
-  }
-  if (triangle.is_one_sided() && dot(core.normal, triangle.normal()) < 0) {
-    if (lies_behind(triangle, b, ab, core)) {
-      return false;
-    }
-    turn_to_face(triangle, b, ab, core);
-  } else if (is_inner_point(triangle, core.point_a)) {
+[[nodiscard]] CoreSeparation separate_from_triangle(const Triangle& triangle, const B& b, const Pose& ab,
+                                                    const QuerySettings& settings, Real limit) {
+  CoreSeparation core = separate_cores(triangle, b, ab, settings, limit);
+  if (core.overlap && triangle.is_one_sided() && triangle.has_area() && dot(core.normal, triangle.normal()) < 0) {
     turn_to_face(triangle, b, ab, core);
   }
-  return true;
+  return core;
 }
 
 template <Convex B>
 void triangle_contacts(const Triangle& triangle, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
   const Real radii = b.radius();
-  CoreSeparation core{};
-  if (!separate_from_triangle(triangle, b, ab, settings, settings.margin + radii, core) ||
-      core.distance - radii > settings.margin) {
+  CoreSeparation core = separate_from_triangle(triangle, b, ab, settings, settings.margin + radii);
+  if (core.beyond || core.distance - radii > settings.margin) {
     return;
   }
+  bool closest_count = true;
+  if (triangle.has_area()) {
+    if (triangle.is_one_sided() && dot(core.normal, triangle.normal()) < 0) {
+      // A core beside or behind the triangle: only what its rounding has sunk in from the front counts.
+      if (dot(triangle.normal(), ab * b.centre() - triangle.corners()[0]) < 0) {
+        return;
+      }
+      turn_to_face(triangle, b, ab, core);
+      closest_count = is_over(triangle, core.point_b);
+    } else if (is_inner_point(triangle, core.point_a)) {
+      turn_to_face(triangle, b, ab, core);
+      closest_count = is_over(triangle, core.point_b);
+    }
+  }
   const std::size_t first = out.size();
-  contacts_under(triangle, b, ab, core, settings.margin, out);
+  contacts_under(triangle, b, ab, core, settings.margin, closest_count, out);
   // Seen from outside, the feature of a surface is its triangle; the number of the contact still tells
   // the corners and edges of the triangle apart.
   for (std::size_t i = first; i < out.size(); ++i) {

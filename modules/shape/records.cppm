@@ -95,9 +95,8 @@ struct ContactPoint {
 [[nodiscard]] inline constexpr std::uint64_t feature_bits(const Feature& feature) {
   return (static_cast<std::uint64_t>(feature.kind) << 32) | feature.index;
 }
-// Symmetric, so that swapping a and b keeps the number.
 [[nodiscard]] inline constexpr std::uint64_t contact_id(const Feature& a, const Feature& b) {
-  return mixed(feature_bits(a)) ^ mixed(feature_bits(b)) ^ mixed(mixed(feature_bits(a)) + mixed(feature_bits(b)));
+  return mixed(mixed(feature_bits(a)) + feature_bits(b));
 }
 
 using Manifold = std::vector<ContactPoint>;

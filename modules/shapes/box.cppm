@@ -94,6 +94,10 @@ class Box {
       const bool along_first = turn / 2 == next / 2 && (turn + next == 1 || turn + next == 5);
       face.vertices.push_back({vertex(bits), bits, edge_number(along_first ? first : second, bits)});
     }
+    const bool flat_first = half_[static_cast<int>(first)] == 0, flat_second = half_[static_cast<int>(second)] == 0;
+    if (flat_first || flat_second) [[unlikely]] {
+      return without_area(face, flat_first, flat_second);
+    }
     return face;
   }
   [[nodiscard]] inline std::array<Vec3, 3> face_normals() const { return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}; }
@@ -155,6 +159,18 @@ class Box {
 
  private:
   explicit Box(const Vec3& half) : half_(half) {}
+
+  // The side of a flat box is an edge or a vertex. Corners 0 and 2 of a side differ in both of its
+  // directions; its edges run along the first direction from corner 0 and along the second from 1.
+  [[nodiscard]] static Face without_area(const Face& side, bool flat_first, bool flat_second) {
+    [[clang::uninitialized]] Face face;
+    const std::uint32_t edge = side.vertices[flat_second ? 0 : 1].edge;
+    face.vertices.push_back({side.vertices[0].point, side.vertices[0].vertex, edge});
+    if (!(flat_first && flat_second)) {
+      face.vertices.push_back({side.vertices[2].point, side.vertices[2].vertex, edge});
+    }
+    return face;
+  }
 
   [[nodiscard]] static inline std::uint32_t octant(Real x, Real y, Real z) {
     return (std::signbit(x) ? 0u : 1u) | (std::signbit(y) ? 0u : 2u) | (std::signbit(z) ? 0u : 4u);
