@@ -1,0 +1,98 @@
+// Checks of what comes in, and the only place where pointers of the caller become spans.
+#ifndef ABUT_CAPI_BORDER_HPP
+#define ABUT_CAPI_BORDER_HPP
+
+#include "prelude.hpp"
+
+#include "error.hpp"
+
+import abut.core;
+import abut.shape;
+
+namespace abut::capi {
+
+// Which argument a check is about: "pose_a", or "poses[3]". Put into words only when a check fails.
+struct Where {
+  static constexpr std::size_t no_index = std::numeric_limits<std::size_t>::max();
+
+  std::string_view name;
+  std::size_t index = no_index;
+
+  [[nodiscard]] std::string with(std::string_view suffix) const {
+    std::string text(name);
+    if (index != no_index) {
+      text += "[" + std::to_string(index) + "]";
+    }
+    text += suffix;
+    return text;
+  }
+};
+
+[[nodiscard]] inline abut_status to_status(const Fault& fault) noexcept {
+  return fault ? refuse(*fault) : static_cast<abut_status>(ABUT_OK);
+}
+
+[[nodiscard]] inline abut_status check_not_null(std::string_view name, const void* pointer) {
+  if (pointer == nullptr) [[unlikely]] {
+    return refuse(ABUT_NULL_ARGUMENT, std::string(name) + " is null");
+  }
+  return ABUT_OK;
+}
+
+// The first of several pointers that is null.
+template <std::size_t Count>
+[[nodiscard]] inline abut_status check_none_null(const std::array<std::pair<std::string_view, const void*>, Count>& pointers) {
+  for (const auto& [name, pointer] : pointers) {
+    if (pointer == nullptr) [[unlikely]] {
+      return check_not_null(name, pointer);
+    }
+  }
+  return ABUT_OK;
+}
+
+// An array of `count` groups of `Group` elements each. Sizes are checked before an element is read.
+template <std::size_t Group = 1, class T>
+[[nodiscard]] abut_status read_span(std::string_view name, T* pointer, std::uint64_t count, std::span<T>& out) {
+  constexpr std::uint64_t most = static_cast<std::uint64_t>(std::numeric_limits<std::ptrdiff_t>::max()) / (Group * sizeof(T));
+  if (count > most) {
+    return refuse(ABUT_SIZE_OVERFLOW, "the " + std::to_string(count) + " elements of " + std::string(name) +
+                                          " do not fit into memory");
+  }
+  if (count == 0) {
+    out = {};
+    return ABUT_OK;
+  }
+  if (const abut_status status = check_not_null(name, pointer); status != ABUT_OK) {
+    return status;
+  }
+  ABUT_UNSAFE_BEGIN
+  // SAFETY: the caller of the C interface says that so many elements are there; the size is checked.
+  out = std::span<T>(pointer, static_cast<std::size_t>(count) * Group);
+  ABUT_UNSAFE_END
+  return ABUT_OK;
+}
+
+// One element where there is one; for structs that a caller hands over by pointer.
+template <class T>
+[[nodiscard]] inline std::span<T> bytes_of(T* pointer, std::size_t count) {
+  ABUT_UNSAFE_BEGIN
+  // SAFETY: count is the struct_size that the caller has set, and at most a page.
+  return std::span<T>(pointer, count);
+  ABUT_UNSAFE_END
+}
+
+// Count-then-fill: as many of `found` as fit, changed by `convert`.
+template <class To, class From, class Convert>
+void fill(std::span<const From> found, std::span<To> out, Convert&& convert) {
+  const std::size_t written = std::min(found.size(), out.size());
+  for (std::size_t i = 0; i < written; ++i) {
+    out[i] = convert(found[i]);
+  }
+}
+
+// Names and texts of the modules come from literals, which end with a zero.
+[[nodiscard]] inline const char* c_string(std::string_view literal) { return literal.data(); }
+
+}  // namespace abut::capi
+
+#endif

@@ -1,0 +1,20 @@
+// How a call fails: the message of this thread, and statuses for errors of the modules.
+#ifndef ABUT_CAPI_ERROR_HPP
+#define ABUT_CAPI_ERROR_HPP
+
+#include "prelude.hpp"
+
+import abut.core;
+
+namespace abut::capi {
+
+void clear_message() noexcept;
+void set_message(std::string_view message) noexcept;
+
+// Sets the message and gives the status back.
+[[gnu::cold]] abut_status refuse(abut_status status, std::string_view message) noexcept;
+[[gnu::cold]] abut_status refuse(const Error& error) noexcept;
+
+}  // namespace abut::capi
+
+#endif

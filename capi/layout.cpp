@@ -1,0 +1,198 @@
+// The memory layout of every public struct: fixed here, and reported to bindings.
+#include "border.hpp"
+#include "guard.hpp"
+
+import abut.core;
+
+using namespace abut::capi;
+
+static_assert(sizeof(void*) == 8 && sizeof(std::size_t) == 8, "the sizes below are those of 64-bit platforms");
+
+namespace {
+
+// Plain data of a size that never changes.
+template <class Struct>
+constexpr bool is_plain(std::size_t size) {
+  return std::is_standard_layout_v<Struct> && std::is_trivially_copyable_v<Struct> && sizeof(Struct) == size &&
+         alignof(Struct) <= 8;
+}
+
+static_assert(is_plain<abut_vec3>(24));
+static_assert(is_plain<abut_quat>(32));
+static_assert(is_plain<abut_pose>(56));
+static_assert(is_plain<abut_aabb>(48));
+static_assert(is_plain<abut_part_id>(8));
+static_assert(is_plain<abut_geometry_id>(8));
+static_assert(is_plain<abut_feature>(8));
+static_assert(is_plain<abut_mesh_options>(8));
+static_assert(is_plain<abut_height_field_desc>(40));
+static_assert(is_plain<abut_shape_desc>(56));
+static_assert(is_plain<abut_ray>(56));
+static_assert(is_plain<abut_ray_hit>(64));
+static_assert(is_plain<abut_query_options>(32));
+static_assert(is_plain<abut_distance>(104));
+static_assert(is_plain<abut_contact>(136));
+static_assert(is_plain<abut_universe_options>(40));
+static_assert(is_plain<abut_part_options>(72));
+static_assert(is_plain<abut_geometry_options>(80));
+static_assert(is_plain<abut_geometry_info>(152));
+static_assert(is_plain<abut_revision>(16));
+static_assert(is_plain<abut_step_stats>(104));
+static_assert(is_plain<abut_layout_entry>(32));
+
+#define ABUT_STRUCT(type) \
+  abut_layout_entry { #type, "", 0, sizeof(type) }
+#define ABUT_FIELD(type, field) \
+  abut_layout_entry { #type, #field, offsetof(type, field), sizeof(type::field) }
+
+constexpr auto layout = std::to_array<abut_layout_entry>({
+    ABUT_STRUCT(abut_vec3),
+    ABUT_FIELD(abut_vec3, x),
+    ABUT_FIELD(abut_vec3, y),
+    ABUT_FIELD(abut_vec3, z),
+    ABUT_STRUCT(abut_quat),
+    ABUT_FIELD(abut_quat, w),
+    ABUT_FIELD(abut_quat, x),
+    ABUT_FIELD(abut_quat, y),
+    ABUT_FIELD(abut_quat, z),
+    ABUT_STRUCT(abut_pose),
+    ABUT_FIELD(abut_pose, position),
+    ABUT_FIELD(abut_pose, orientation),
+    ABUT_STRUCT(abut_aabb),
+    ABUT_FIELD(abut_aabb, minimum),
+    ABUT_FIELD(abut_aabb, maximum),
+    ABUT_STRUCT(abut_part_id),
+    ABUT_FIELD(abut_part_id, slot),
+    ABUT_FIELD(abut_part_id, generation),
+    ABUT_STRUCT(abut_geometry_id),
+    ABUT_FIELD(abut_geometry_id, slot),
+    ABUT_FIELD(abut_geometry_id, generation),
+    ABUT_STRUCT(abut_feature),
+    ABUT_FIELD(abut_feature, kind),
+    ABUT_FIELD(abut_feature, index),
+    ABUT_STRUCT(abut_mesh_options),
+    ABUT_FIELD(abut_mesh_options, struct_size),
+    ABUT_FIELD(abut_mesh_options, sides),
+    ABUT_STRUCT(abut_height_field_desc),
+    ABUT_FIELD(abut_height_field_desc, struct_size),
+    ABUT_FIELD(abut_height_field_desc, reserved),
+    ABUT_FIELD(abut_height_field_desc, columns),
+    ABUT_FIELD(abut_height_field_desc, rows),
+    ABUT_FIELD(abut_height_field_desc, spacing_x),
+    ABUT_FIELD(abut_height_field_desc, spacing_y),
+    ABUT_FIELD(abut_height_field_desc, heights),
+    ABUT_STRUCT(abut_shape_desc),
+    ABUT_FIELD(abut_shape_desc, struct_size),
+    ABUT_FIELD(abut_shape_desc, kind),
+    ABUT_FIELD(abut_shape_desc, parameters),
+    ABUT_FIELD(abut_shape_desc, parameter_count),
+    ABUT_FIELD(abut_shape_desc, reals),
+    ABUT_FIELD(abut_shape_desc, real_count),
+    ABUT_FIELD(abut_shape_desc, indices),
+    ABUT_FIELD(abut_shape_desc, index_count),
+    ABUT_STRUCT(abut_ray),
+    ABUT_FIELD(abut_ray, origin),
+    ABUT_FIELD(abut_ray, direction),
+    ABUT_FIELD(abut_ray, max_distance),
+    ABUT_STRUCT(abut_ray_hit),
+    ABUT_FIELD(abut_ray_hit, distance),
+    ABUT_FIELD(abut_ray_hit, point),
+    ABUT_FIELD(abut_ray_hit, normal),
+    ABUT_FIELD(abut_ray_hit, feature),
+    ABUT_STRUCT(abut_query_options),
+    ABUT_FIELD(abut_query_options, struct_size),
+    ABUT_FIELD(abut_query_options, algorithm),
+    ABUT_FIELD(abut_query_options, error_bound),
+    ABUT_FIELD(abut_query_options, margin),
+    ABUT_FIELD(abut_query_options, max_contacts),
+    ABUT_FIELD(abut_query_options, reserved),
+    ABUT_STRUCT(abut_distance),
+    ABUT_FIELD(abut_distance, distance),
+    ABUT_FIELD(abut_distance, lower),
+    ABUT_FIELD(abut_distance, upper),
+    ABUT_FIELD(abut_distance, point_a),
+    ABUT_FIELD(abut_distance, point_b),
+    ABUT_FIELD(abut_distance, normal),
+    ABUT_FIELD(abut_distance, algorithm),
+    ABUT_FIELD(abut_distance, iterations),
+    ABUT_STRUCT(abut_contact),
+    ABUT_FIELD(abut_contact, geometry_a),
+    ABUT_FIELD(abut_contact, geometry_b),
+    ABUT_FIELD(abut_contact, id),
+    ABUT_FIELD(abut_contact, feature_a),
+    ABUT_FIELD(abut_contact, feature_b),
+    ABUT_FIELD(abut_contact, point_a),
+    ABUT_FIELD(abut_contact, point_b),
+    ABUT_FIELD(abut_contact, normal),
+    ABUT_FIELD(abut_contact, distance),
+    ABUT_FIELD(abut_contact, toi),
+    ABUT_FIELD(abut_contact, flags),
+    ABUT_FIELD(abut_contact, reserved),
+    ABUT_STRUCT(abut_universe_options),
+    ABUT_FIELD(abut_universe_options, struct_size),
+    ABUT_FIELD(abut_universe_options, broadphase),
+    ABUT_FIELD(abut_universe_options, tolerance_mode),
+    ABUT_FIELD(abut_universe_options, max_contacts),
+    ABUT_FIELD(abut_universe_options, origin),
+    ABUT_STRUCT(abut_part_options),
+    ABUT_FIELD(abut_part_options, struct_size),
+    ABUT_FIELD(abut_part_options, motion),
+    ABUT_FIELD(abut_part_options, pose),
+    ABUT_FIELD(abut_part_options, user_data),
+    ABUT_STRUCT(abut_geometry_options),
+    ABUT_FIELD(abut_geometry_options, struct_size),
+    ABUT_FIELD(abut_geometry_options, reserved),
+    ABUT_FIELD(abut_geometry_options, pose),
+    ABUT_FIELD(abut_geometry_options, tolerance),
+    ABUT_FIELD(abut_geometry_options, user_data),
+    ABUT_STRUCT(abut_geometry_info),
+    ABUT_FIELD(abut_geometry_info, struct_size),
+    ABUT_FIELD(abut_geometry_info, kind),
+    ABUT_FIELD(abut_geometry_info, part),
+    ABUT_FIELD(abut_geometry_info, shape),
+    ABUT_FIELD(abut_geometry_info, pose),
+    ABUT_FIELD(abut_geometry_info, local),
+    ABUT_FIELD(abut_geometry_info, tolerance),
+    ABUT_FIELD(abut_geometry_info, user_data),
+    ABUT_STRUCT(abut_revision),
+    ABUT_FIELD(abut_revision, geometries),
+    ABUT_FIELD(abut_revision, poses),
+    ABUT_STRUCT(abut_step_stats),
+    ABUT_FIELD(abut_step_stats, struct_size),
+    ABUT_FIELD(abut_step_stats, reserved),
+    ABUT_FIELD(abut_step_stats, parts),
+    ABUT_FIELD(abut_step_stats, geometries),
+    ABUT_FIELD(abut_step_stats, moved),
+    ABUT_FIELD(abut_step_stats, candidate_pairs),
+    ABUT_FIELD(abut_step_stats, touching_pairs),
+    ABUT_FIELD(abut_step_stats, contacts),
+    ABUT_FIELD(abut_step_stats, unsupported_pairs),
+    ABUT_FIELD(abut_step_stats, bytes),
+    ABUT_FIELD(abut_step_stats, refresh_microseconds),
+    ABUT_FIELD(abut_step_stats, broadphase_microseconds),
+    ABUT_FIELD(abut_step_stats, narrowphase_microseconds),
+    ABUT_FIELD(abut_step_stats, contact_microseconds),
+    ABUT_STRUCT(abut_layout_entry),
+    ABUT_FIELD(abut_layout_entry, type),
+    ABUT_FIELD(abut_layout_entry, field),
+    ABUT_FIELD(abut_layout_entry, offset),
+    ABUT_FIELD(abut_layout_entry, size),
+});
+
+}  // namespace
+
+size_t abut_layout_count(void) { return layout.size(); }
+
+abut_status abut_layout_at(size_t index, abut_layout_entry* out) {
+  return guard([&]() -> abut_status {
+    if (const abut_status status = check_not_null("out", out); status != ABUT_OK) {
+      return status;
+    }
+    if (index >= layout.size()) {
+      return refuse(abut::error_about(abut::Errc::index_out_of_range, "index", std::uint64_t{index},
+                                "below " + std::to_string(layout.size())));
+    }
+    *out = layout[index];
+    return ABUT_OK;
+  });
+}

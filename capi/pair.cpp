@@ -1,0 +1,221 @@
+// Questions about two shapes. The way to the kernel and back allocates nothing and builds no text
+// unless something is wrong.
+#include "convert.hpp"
+#include "guard.hpp"
+#include "options.hpp"
+#include "shape_handle.hpp"
+
+import abut.any_shape;
+import abut.contact;
+import abut.core;
+import abut.math;
+import abut.registry;
+import abut.shape;
+
+using namespace abut::capi;
+
+namespace {
+
+constexpr abut_query_options default_options{sizeof(abut_query_options), ABUT_ALGORITHM_AUTO, 0, 0, 4, 0};
+
+constexpr std::array<std::string_view, 6> algorithm_names{"any algorithm",          "ABUT_ALGORITHM_ANALYTIC",
+                                                          "ABUT_ALGORITHM_SAT",     "ABUT_ALGORITHM_GJK_EPA",
+                                                          "ABUT_ALGORITHM_LIBCCD_GJK", "ABUT_ALGORITHM_LIBCCD_MPR"};
+
+struct Query {
+  abut::QuerySettings settings;
+  std::uint32_t max_contacts = default_options.max_contacts;
+};
+
+abut_status read_given_options(const abut_query_options& options, Query& query) {
+  if (const abut_status status = check_struct_size({"options"}, options); status != ABUT_OK) {
+    return status;
+  }
+  if (const abut_status status = check_reserved({"options"}, options.reserved); status != ABUT_OK) {
+    return status;
+  }
+  if (const abut_status status = check_value({"options"}, ".algorithm", options.algorithm, ABUT_ALGORITHM_LIBCCD_MPR);
+      status != ABUT_OK) {
+    return status;
+  }
+  if (!(options.error_bound >= 0 && options.error_bound <= abut::largest_coordinate)) {
+    return to_status(abut::check_not_negative("options.error_bound", options.error_bound));
+  }
+  if (!is_coordinate(options.margin)) {
+    return to_status(abut::check_finite("options.margin", options.margin));
+  }
+  query.settings.algorithm = static_cast<abut::Algorithm>(options.algorithm);
+  if (options.error_bound > 0) {
+    query.settings.error_bound = options.error_bound;
+  }
+  query.settings.margin = options.margin;
+  query.max_contacts = options.max_contacts;
+  return ABUT_OK;
+}
+
+inline abut_status read_options(const abut_query_options* options, Query& query) {
+  return options == nullptr ? static_cast<abut_status>(ABUT_OK) : read_given_options(*options, query);
+}
+
+inline abut_status check_poses(const abut_pose& pose_a, const abut_pose& pose_b) {
+  const abut_status status = check_pose({"pose_a"}, pose_a);
+  return status != ABUT_OK ? status : check_pose({"pose_b"}, pose_b);
+}
+
+[[gnu::cold]] abut_status refuse_outcome(abut::Outcome outcome, const abut::AnyShape& a, const abut::AnyShape& b,
+                                         abut::Algorithm algorithm) {
+  const std::string pair = std::string(abut::kind_name(a.index())) + " and " + std::string(abut::kind_name(b.index()));
+  const std::string with(algorithm_names[static_cast<std::size_t>(algorithm)]);
+  switch (outcome) {
+    case abut::Outcome::apart:
+      return refuse(ABUT_UNSUPPORTED, with + " only finds how deep shapes overlap; this " + pair + " are apart");
+    case abut::Outcome::unsupported:
+      return refuse(ABUT_UNSUPPORTED, "there is no answer for " + pair + " by " + with + " in this configuration");
+    case abut::Outcome::not_converged:
+      return refuse(ABUT_NOT_CONVERGED, with + " gave up on " + pair);
+    case abut::Outcome::ok:
+      break;
+  }
+  return ABUT_OK;
+}
+
+inline abut_distance from_distance(const abut::Distance& found, const abut::Pose& a) {
+  return {found.distance,
+          found.lower,
+          found.upper,
+          from_vec3(a * found.point_a),
+          from_vec3(a * found.point_b),
+          from_vec3(a.rotation * found.normal),
+          static_cast<abut_algorithm>(found.algorithm),
+          found.iterations};
+}
+
+// For poses that were checked.
+inline abut_status find_distance(const abut::AnyShape& a, const abut_pose& given_a, const abut::AnyShape& b,
+                                 const abut_pose& given_b, const abut::QuerySettings& settings, abut_distance& out) {
+  const abut::Pose pose_a = to_pose(given_a);
+  [[clang::uninitialized]] abut::Distance found;
+  const abut::Outcome outcome = abut::pair_distance(a, b, abut::relative(pose_a, to_pose(given_b)), settings, found);
+  if (outcome != abut::Outcome::ok) [[unlikely]] {
+    return refuse_outcome(outcome, a, b, settings.algorithm);
+  }
+  out = from_distance(found, pose_a);
+  return ABUT_OK;
+}
+
+abut_status distance(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
+                     const abut_query_options* options, abut_distance* out) {
+  if (const abut_status status = check_poses(pose_a, pose_b); status != ABUT_OK) {
+    return status;
+  }
+  Query query;
+  if (const abut_status status = read_options(options, query); status != ABUT_OK) {
+    return status;
+  }
+  return find_distance(shape_of(a), pose_a, shape_of(b), pose_b, query.settings, *out);
+}
+
+struct PoseBatch {
+  std::span<const abut_pose> a, b;
+};
+
+abut_status check_batch(const PoseBatch& poses) {
+  for (std::size_t i = 0; i < poses.a.size(); ++i) {
+    if (const abut_status status = check_pose({"poses_a", i}, poses.a[i]); status != ABUT_OK) {
+      return status;
+    }
+    if (const abut_status status = check_pose({"poses_b", i}, poses.b[i]); status != ABUT_OK) {
+      return status;
+    }
+  }
+  return ABUT_OK;
+}
+
+abut_status distances(const abut_shape* a, const abut_shape* b, const PoseBatch& poses, const abut_query_options* options,
+                      std::span<abut_distance> out) {
+  if (const abut_status status = check_batch(poses); status != ABUT_OK) {
+    return status;
+  }
+  Query query;
+  if (const abut_status status = read_options(options, query); status != ABUT_OK) {
+    return status;
+  }
+  // A kernel may fail at the last pair, and then nothing must have been written.
+  std::vector<abut_distance> found;
+  found.reserve(out.size());
+  for (std::size_t i = 0; i < poses.a.size(); ++i) {
+    [[clang::uninitialized]] abut_distance one;
+    if (const abut_status status = find_distance(shape_of(a), poses.a[i], shape_of(b), poses.b[i], query.settings, one);
+        status != ABUT_OK) {
+      set_message("pair " + std::to_string(i) + ": " + abut_last_error_message());
+      return status;
+    }
+    found.push_back(one);
+  }
+  std::copy(found.begin(), found.end(), out.begin());
+  return ABUT_OK;
+}
+
+abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_shape* b, const abut_pose& given_b,
+                     const abut_query_options* options, std::span<abut_contact> out, std::size_t* count) {
+  if (const abut_status status = check_poses(given_a, given_b); status != ABUT_OK) {
+    return status;
+  }
+  Query query;
+  if (const abut_status status = read_options(options, query); status != ABUT_OK) {
+    return status;
+  }
+  const abut::Pose pose_a = to_pose(given_a);
+  const abut::Pose ab = abut::relative(pose_a, to_pose(given_b));
+  abut::Manifold found;
+  const abut::Outcome outcome = abut::pair_contacts(shape_of(a), shape_of(b), ab, query.settings, found);
+  if (outcome != abut::Outcome::ok) [[unlikely]] {
+    return refuse_outcome(outcome, shape_of(a), shape_of(b), query.settings.algorithm);
+  }
+  const std::size_t kept = abut::reduce(found, query.max_contacts);
+  fill(std::span<const abut::ContactPoint>(found).first(kept), out,
+       [&](const abut::ContactPoint& contact) { return from_contact(abut::in_world(contact, pose_a)); });
+  *count = kept;
+  return ABUT_OK;
+}
+
+}  // namespace
+
+void abut_query_options_init(abut_query_options* options) {
+  if (options != nullptr) {
+    *options = default_options;
+  }
+}
+
+abut_status abut_shapes_distance(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b, const abut_pose* pose_b,
+                                 const abut_query_options* options, abut_distance* out) {
+  return guard([&] {
+    const abut_status status =
+        check_none_null<5>({{{"a", a}, {"pose_a", pose_a}, {"b", b}, {"pose_b", pose_b}, {"out", out}}});
+    return status != ABUT_OK ? status : distance(a, *pose_a, b, *pose_b, options, out);
+  });
+}
+
+abut_status abut_shapes_distances(const abut_shape* a, const abut_pose* poses_a, const abut_shape* b, const abut_pose* poses_b,
+                                  size_t count, const abut_query_options* options, abut_distance* out) {
+  return guard([&] {
+    PoseBatch poses;
+    std::span<abut_distance> results;
+    abut_status status = check_none_null<2>({{{"a", a}, {"b", b}}});
+    status = status != ABUT_OK ? status : read_span("poses_a", poses_a, count, poses.a);
+    status = status != ABUT_OK ? status : read_span("poses_b", poses_b, count, poses.b);
+    status = status != ABUT_OK ? status : read_span("out", out, count, results);
+    return status != ABUT_OK ? status : distances(a, b, poses, options, results);
+  });
+}
+
+abut_status abut_shapes_contacts(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b, const abut_pose* pose_b,
+                                 const abut_query_options* options, abut_contact* contacts_out, size_t capacity, size_t* count) {
+  return guard([&] {
+    std::span<abut_contact> results;
+    abut_status status =
+        check_none_null<5>({{{"a", a}, {"pose_a", pose_a}, {"b", b}, {"pose_b", pose_b}, {"count", count}}});
+    status = status != ABUT_OK ? status : read_span("contacts", contacts_out, capacity, results);
+    return status != ABUT_OK ? status : contacts(a, *pose_a, b, *pose_b, options, results, count);
+  });
+}

@@ -1,0 +1,208 @@
+// Making and owning shapes. No class of a shape is named here: kinds are found by name.
+#include "guard.hpp"
+#include "options.hpp"
+#include "shape_handle.hpp"
+
+import abut.any_shape;
+import abut.core;
+import abut.math;
+import abut.registry;
+import abut.shape;
+
+using namespace abut::capi;
+
+namespace {
+
+struct Numbers {
+  std::span<const double> parameters;
+  std::span<const double> reals;
+  std::span<const std::uint32_t> indices;
+};
+
+abut_status create(std::size_t place, const Numbers& numbers, abut_shape** out) {
+  abut::Result<abut::AnyShape> made = abut::make_shape(place, numbers.parameters, numbers.reals, numbers.indices);
+  if (!made) {
+    return refuse(made.error());
+  }
+  *out = std::make_unique<abut_shape>(abut::ShapeHandle(std::move(made).value())).release();
+  return ABUT_OK;
+}
+
+abut_status create_named(std::string_view name, const Numbers& numbers, abut_shape** out) {
+  const std::optional<std::size_t> place = abut::find_kind(name);
+  if (!place) {
+    return refuse(ABUT_UNSUPPORTED, "this build of abut has no shape named " + std::string(name));
+  }
+  return create(*place, numbers, out);
+}
+
+abut_status create_plane(const abut_vec3& normal, double offset, abut_shape** out) {
+  for (const auto& [name, value] : std::array<std::pair<std::string_view, double>, 3>{
+           {{"normal.x", normal.x}, {"normal.y", normal.y}, {"normal.z", normal.z}}}) {
+    if (!std::isfinite(value)) {
+      return refuse(abut::error_about(abut::Errc::not_finite, name, value, "finite"));
+    }
+  }
+  // Normalised here, since lengths may be beyond what coordinates may be.
+  const auto unit = abut::UnitVec3::make({normal.x, normal.y, normal.z});
+  if (!unit) {
+    return refuse(ABUT_ZERO_VECTOR, "normal is (0, 0, 0); it must have a direction");
+  }
+  const std::array parameters{unit->vec().x, unit->vec().y, unit->vec().z, offset};
+  return create_named("plane", {parameters, {}, {}}, out);
+}
+
+abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::uint32_t* triangles, std::size_t triangle_count,
+                        const abut_mesh_options* options, abut_shape** out) {
+  abut_sides sides = ABUT_SIDES_BOTH;
+  if (options != nullptr) {
+    if (const abut_status status = check_struct_size({"options"}, *options); status != ABUT_OK) {
+      return status;
+    }
+    sides = options->sides;
+    if (const abut_status status = check_value({"options"}, ".sides", sides, ABUT_SIDES_FRONT); status != ABUT_OK) {
+      return status;
+    }
+  }
+  Numbers numbers;
+  if (const abut_status status = read_span<3>("xyz", xyz, vertex_count, numbers.reals); status != ABUT_OK) {
+    return status;
+  }
+  if (const abut_status status = read_span<3>("triangles", triangles, triangle_count, numbers.indices); status != ABUT_OK) {
+    return status;
+  }
+  const std::array one_sided{sides == ABUT_SIDES_FRONT ? 1.0 : 0.0};
+  numbers.parameters = one_sided;
+  return create_named("mesh", numbers, out);
+}
+
+abut_status create_height_field(const abut_height_field_desc& desc, abut_shape** out) {
+  if (const abut_status status = check_struct_size({"desc"}, desc); status != ABUT_OK) {
+    return status;
+  }
+  if (const abut_status status = check_reserved({"desc"}, desc.reserved); status != ABUT_OK) {
+    return status;
+  }
+  Numbers numbers;
+  const std::uint64_t samples = std::uint64_t{desc.columns} * desc.rows;
+  if (const abut_status status = read_span("desc.heights", desc.heights, samples, numbers.reals); status != ABUT_OK) {
+    return status;
+  }
+  const std::array parameters{static_cast<double>(desc.columns), static_cast<double>(desc.rows), desc.spacing_x, desc.spacing_y};
+  numbers.parameters = parameters;
+  return create_named("height_field", numbers, out);
+}
+
+abut_status create_from(const abut_shape_desc& desc, abut_shape** out) {
+  if (const abut_status status = check_struct_size({"desc"}, desc); status != ABUT_OK) {
+    return status;
+  }
+  const std::optional<std::size_t> place = abut::find_kind(desc.kind);
+  if (!place) {
+    return refuse(abut::error_about(abut::Errc::unknown_value, "desc.kind", std::uint64_t{desc.kind}, "a kind of this build"));
+  }
+  Numbers numbers;
+  if (const abut_status status = read_span("desc.parameters", desc.parameters, desc.parameter_count, numbers.parameters);
+      status != ABUT_OK) {
+    return status;
+  }
+  if (const abut_status status = read_span("desc.reals", desc.reals, desc.real_count, numbers.reals); status != ABUT_OK) {
+    return status;
+  }
+  if (const abut_status status = read_span("desc.indices", desc.indices, desc.index_count, numbers.indices); status != ABUT_OK) {
+    return status;
+  }
+  return create(*place, numbers, out);
+}
+
+}  // namespace
+
+abut_status abut_sphere_create(double radius, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_not_null("out", out);
+    return status != ABUT_OK ? status : create_named("sphere", {std::array{radius}, {}, {}}, out);
+  });
+}
+
+abut_status abut_box_create(double half_x, double half_y, double half_z, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_not_null("out", out);
+    return status != ABUT_OK ? status : create_named("box", {std::array{half_x, half_y, half_z}, {}, {}}, out);
+  });
+}
+
+abut_status abut_capsule_create(double radius, double half_height, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_not_null("out", out);
+    return status != ABUT_OK ? status : create_named("capsule", {std::array{radius, half_height}, {}, {}}, out);
+  });
+}
+
+abut_status abut_plane_create(const abut_vec3* normal, double offset, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_none_null<2>({{{"normal", normal}, {"out", out}}});
+    return status != ABUT_OK ? status : create_plane(*normal, offset, out);
+  });
+}
+
+abut_status abut_hull_create(const double* xyz, size_t point_count, abut_shape** out) {
+  return guard([&] {
+    Numbers numbers;
+    abut_status status = check_not_null("out", out);
+    status = status != ABUT_OK ? status : read_span<3>("xyz", xyz, point_count, numbers.reals);
+    return status != ABUT_OK ? status : create_named("hull", numbers, out);
+  });
+}
+
+void abut_mesh_options_init(abut_mesh_options* options) {
+  if (options != nullptr) {
+    *options = {sizeof(abut_mesh_options), ABUT_SIDES_BOTH};
+  }
+}
+
+abut_status abut_mesh_create(const double* xyz, size_t vertex_count, const uint32_t* triangles, size_t triangle_count,
+                             const abut_mesh_options* options, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_not_null("out", out);
+    return status != ABUT_OK ? status : create_mesh(xyz, vertex_count, triangles, triangle_count, options, out);
+  });
+}
+
+void abut_height_field_desc_init(abut_height_field_desc* desc) {
+  if (desc != nullptr) {
+    *desc = {sizeof(abut_height_field_desc), 0, 0, 0, 1, 1, nullptr};
+  }
+}
+
+abut_status abut_height_field_create(const abut_height_field_desc* desc, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_none_null<2>({{{"desc", desc}, {"out", out}}});
+    return status != ABUT_OK ? status : create_height_field(*desc, out);
+  });
+}
+
+void abut_shape_desc_init(abut_shape_desc* desc) {
+  if (desc != nullptr) {
+    *desc = {sizeof(abut_shape_desc), 0, nullptr, 0, nullptr, 0, nullptr, 0};
+  }
+}
+
+abut_status abut_shape_create(const abut_shape_desc* desc, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_none_null<2>({{{"desc", desc}, {"out", out}}});
+    return status != ABUT_OK ? status : create_from(*desc, out);
+  });
+}
+
+void abut_shape_retain(abut_shape* shape) {
+  if (shape != nullptr) {
+    shape->references.fetch_add(1, std::memory_order_relaxed);
+  }
+}
+
+void abut_shape_release(abut_shape* shape) {
+  // The last owner must see everything that the others did with the shape.
+  if (shape != nullptr && shape->references.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+    const std::unique_ptr<abut_shape> last(shape);
+  }
+}

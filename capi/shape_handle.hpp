@@ -1,0 +1,30 @@
+// abut_shape: a frozen shape and the number of its owners on the C side.
+#ifndef ABUT_CAPI_SHAPE_HANDLE_HPP
+#define ABUT_CAPI_SHAPE_HANDLE_HPP
+
+#include "prelude.hpp"
+
+import abut.any_shape;
+import abut.registry;
+
+struct abut_shape {
+  explicit abut_shape(abut::ShapeHandle shape) : handle(std::move(shape)) {}
+
+  abut::ShapeHandle handle;
+  std::atomic<std::size_t> references{1};
+};
+
+namespace abut::capi {
+
+// An owner of one reference.
+struct ReleaseShape {
+  void operator()(abut_shape* shape) const noexcept { abut_shape_release(shape); }
+};
+using ShapeOwner = std::unique_ptr<abut_shape, ReleaseShape>;
+
+// The shape of an argument that is known not to be null.
+[[nodiscard]] inline const AnyShape& shape_of(const abut_shape* shape) { return *shape->handle; }
+
+}  // namespace abut::capi
+
+#endif
