@@ -22,6 +22,9 @@ constexpr float largest_bounded = 1e18f;
 // fewer changes of the trees and more pairs to look at in every step.
 constexpr float slack_share = 0.1f;
 
+// Visits of a tree have room for this many nodes from the start.
+constexpr std::size_t usual_depth = 256;
+
 bool is_bounded(const CompactAabb& box) {
   bool bounded = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -75,6 +78,7 @@ void Tree::insert(std::uint32_t proxy, const CompactAabb& box, Mobility mobility
     boxes_.resize(std::size_t{proxy} + 1);
     larger_.resize(std::size_t{proxy} + 1);
     infos_.resize(std::size_t{proxy} + 1);
+    stack_.reserve(usual_depth);
   }
   ABUT_CHECK(infos_[proxy].place == Place::nowhere);
   boxes_[proxy] = box;
