@@ -120,7 +120,7 @@ void Tree::ask_for_neighbours(std::uint32_t proxy) {
   }
 }
 
-void Tree::add_unbounded_pairs(std::vector<ProxyPair>& out) const {
+void Tree::add_unbounded_pairs() {
   for (const std::uint32_t proxy : unbounded_) {
     const Info& info = infos_[proxy];
     for (std::uint32_t other = 0; other < infos_.size(); ++other) {
@@ -128,7 +128,7 @@ void Tree::add_unbounded_pairs(std::vector<ProxyPair>& out) const {
       const bool counts_here = its.place != Place::nowhere && (its.place != Place::unbounded || proxy < other);
       if (counts_here && its.group != info.group && (its.is_moving || info.is_moving) &&
           boxes_[other].overlaps(boxes_[proxy])) {
-        out.push_back({std::min(proxy, other), std::max(proxy, other)});
+        overlapping_.push_back({std::min(proxy, other), std::max(proxy, other)});
       }
     }
   }
@@ -148,22 +148,22 @@ void Tree::find_pairs(std::vector<ProxyPair>& out) {
     touched_.clear();
   }
   std::size_t count = 0;
-  out.resize(kept_.size());
+  overlapping_.resize(kept_.size());
   for (const ProxyPair& pair : kept_) {
     // Always written, kept only if the given boxes overlap: no branch to predict.
-    out[count] = pair;
+    overlapping_[count] = pair;
     count += std::size_t{boxes_[pair.low].overlaps(boxes_[pair.high])};
   }
-  out.resize(count);
-  add_unbounded_pairs(out);
-  put_in_order(out, static_cast<std::uint32_t>(infos_.size()), scratch_, starts_);
+  overlapping_.resize(count);
+  add_unbounded_pairs();
+  put_in_order(overlapping_, static_cast<std::uint32_t>(infos_.size()), starts_, out);
 }
 
 std::size_t Tree::bytes() const {
   return boxes_.capacity() * sizeof(CompactAabb) + larger_.capacity() * sizeof(CompactAabb) +
          infos_.capacity() * sizeof(Info) + moving_.bytes() + still_.bytes() +
          (unbounded_.capacity() + touched_.capacity() + stack_.capacity() + starts_.capacity()) * sizeof(std::uint32_t) +
-         (kept_.capacity() + scratch_.capacity()) * sizeof(ProxyPair);
+         (kept_.capacity() + overlapping_.capacity()) * sizeof(ProxyPair);
 }
 
 }  // namespace abut

@@ -42,7 +42,7 @@ class Tree {
   void touch(std::uint32_t proxy);
   void drop_touched_pairs();
   void ask_for_neighbours(std::uint32_t proxy);
-  void add_unbounded_pairs(std::vector<ProxyPair>& out) const;
+  void add_unbounded_pairs();
   [[nodiscard]] BoxTree& tree_of(Place place) [[clang::lifetimebound]] {
     return place == Place::moving_tree ? moving_ : still_;
   }
@@ -57,8 +57,9 @@ class Tree {
   std::vector<std::uint32_t> touched_;
   std::vector<ProxyPair> kept_;  // pairs of larger boxes
 
+  // Scratch that keeps its memory from call to call.
   std::vector<std::uint32_t> stack_, starts_;
-  std::vector<ProxyPair> scratch_;
+  std::vector<ProxyPair> overlapping_;
 };
 
 }  // namespace abut
