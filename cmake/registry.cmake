@@ -144,6 +144,7 @@ export import abut.shape;
 export import abut.registry;
 export import abut.any_shape;
 export import abut.contact;
+export import abut.universe;
 ")
   set(${out_interfaces} ${gen}/registry.cppm ${gen}/abut.cppm PARENT_SCOPE)
   set(${out_implementations} ${gen}/table.cpp ${row_files} PARENT_SCOPE)
