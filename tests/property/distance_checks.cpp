@@ -149,6 +149,33 @@ void check_doubled(const Case& c, const abut_distance& result) {
               2 * distance_tolerance(c.magnitude));
 }
 
+// The route from support points alone, which every convex pair has beside a faster one.
+void check_support_points(const Case& c) {
+  abut_query_options options;
+  abut_query_options_init(&options);
+  options.algorithm = ABUT_ALGORITHM_GJK_EPA;
+  abut_distance other{};
+  const abut_status status = abut_shapes_distance(c.a.shape.get(), &c.placement.a, c.b.shape.get(), &c.placement.b,
+                                                  &options, &other);
+  if (status == ABUT_UNSUPPORTED) return;
+  if (status != ABUT_OK) return broken(c, "status from support points", status, ABUT_OK, 0);
+  const double truth = static_cast<double>(c.truth.distance);
+  const double scale = std::max(c.magnitude.size_a + c.magnitude.size_b + std::abs(truth), 1e-300);
+  record().add(row_of(c) + " from support points", c.a.name + " / " + c.b.name,
+               std::abs(static_cast<double>(oracle::quad(other.distance) - c.truth.distance)) / scale,
+               (other.upper - other.lower) / scale, other.iterations);
+  expect_near(c, "distance from support points", other.distance, truth, distance_tolerance(c.magnitude));
+}
+
+// A batch of one pose gives the bits of the single call.
+void check_batch(const Case& c, const abut_distance& result) {
+  abut_distance other{};
+  const abut_status status = abut_shapes_distances(c.a.shape.get(), &c.placement.a, c.b.shape.get(), &c.placement.b, 1,
+                                                   nullptr, &other);
+  if (status != ABUT_OK) return broken(c, "status of a batch", status, ABUT_OK, 0);
+  expect_near(c, "distance in a batch", other.distance, result.distance, 0);
+}
+
 // Moving b by the depth along the normal leaves the two touching.
 void check_parting(const Case& c, const abut_distance& result) {
   if (result.distance >= 0) return;
@@ -175,6 +202,8 @@ void check_distance(const Case& c) {
   check_moved(c, result);
   check_doubled(c, result);
   check_parting(c, result);
+  check_batch(c, result);
+  check_support_points(c);
 }
 
 }  // namespace property
