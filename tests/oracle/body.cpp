@@ -8,9 +8,7 @@ namespace oracle {
 
 Body make_sphere(double radius) { return {{{0, 0, 0}}, radius}; }
 
-Body make_capsule(double radius, double half_height) {
-  return {{{0, 0, -half_height}, {0, 0, half_height}}, radius};
-}
+Body make_capsule(double radius, double half_height) { return {{{0, 0, -half_height}, {0, 0, half_height}}, radius}; }
 
 Body make_box(double x, double y, double z) {
   Body body;

@@ -65,8 +65,8 @@ Answer with_radii(const CoreAnswer& core, Quad radius_a, Quad radius_b, const Ve
   answer.distance = core.distance - radius_a - radius_b;
   answer.normal = core.normal;
   if (core.witness) {
-    answer.witness = Witness{core.witness->a + core.normal * radius_a + origin,
-                             core.witness->b - core.normal * radius_b + origin};
+    answer.witness =
+        Witness{core.witness->a + core.normal * radius_a + origin, core.witness->b - core.normal * radius_b + origin};
   }
   return answer;
 }

@@ -19,7 +19,7 @@ struct Features {
   std::vector<Vec> normals;     // of the faces, unit, one of each pair of opposite signs is enough
   std::vector<Vec> directions;  // of the edges, unit, without repeats
   Vec centre;
-  Quad size = 0;                // farthest point from the centre
+  Quad size = 0;  // farthest point from the centre
 };
 
 // Local faces and edges. O(n^4) for n points: meant for a few dozen.

@@ -76,7 +76,8 @@ std::vector<KnownFailure> read_known_failures(const std::string& path) {
   std::string line;
   while (std::getline(file, line)) {
     const Json json = Json::parse(line);
-    const Json reference = json.contains("reference") ? json["reference"] : json.value("reference_at_start_pose", Json());
+    const Json reference =
+        json.contains("reference") ? json["reference"] : json.value("reference_at_start_pose", Json());
     if (!reference.is_object() || !json.contains("a") || !json.contains("b")) continue;
     const auto a = read_shape(json["a"]);
     const auto b = read_shape(json["b"]);
@@ -93,10 +94,9 @@ Pose pose_of(const FailurePose& pose) {
   const auto& p = outer.orientation;
   const auto& q = inner.orientation;
   Pose result = outer;
-  result.orientation = {p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3],
-                        p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
-                        p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1],
-                        p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
+  result.orientation = {
+      p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3], p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
+      p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1], p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
   return result;
 }
 

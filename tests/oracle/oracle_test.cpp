@@ -107,8 +107,7 @@ TEST(Oracle, FlatCoresInOnePlaneHaveNoDepth) {
   EXPECT_EQ(apart(make_hull({{1, 1, 0}}), at(0, 0, 0), make_hull({{1, 1, 0}}), at(0, 0, 0)), 0.0);
   EXPECT_EQ(apart(make_hull({{0, 0, 0}, {1, 0, 0}}), at(0, 0, 0), make_hull({{0.5, 0, 0}, {3, 0, 0}}), at(0, 0, 0)),
             0.0);
-  EXPECT_EQ(apart(make_hull({{0, 0, 0}, {1, 0, 0}}), at(0, 0, 0), make_hull({{2, 0, 0}, {3, 0, 0}}), at(0, 0, 0)),
-            1.0);
+  EXPECT_EQ(apart(make_hull({{0, 0, 0}, {1, 0, 0}}), at(0, 0, 0), make_hull({{2, 0, 0}, {3, 0, 0}}), at(0, 0, 0)), 1.0);
 }
 
 TEST(Oracle, SegmentThroughTriangleIsAsDeepAsTheLeastWayOut) {
@@ -129,8 +128,10 @@ TEST(Oracle, HalfSpaceMeasuresTheLowestPoint) {
 }
 
 TEST(Oracle, SoupIsAsFarAsItsNearestTriangle) {
-  const oracle::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {6, 5, 5}, {5, 6, 5}}, {{{0, 1, 2}}, {{3, 4, 5}}}};
-  const Answer answer = oracle::signed_distance(measured(soup), at(0, 0, 0), measured(make_sphere(1)), at(5.25, 5.25, 8));
+  const oracle::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {6, 5, 5}, {5, 6, 5}},
+                          {{{0, 1, 2}}, {{3, 4, 5}}}};
+  const Answer answer =
+      oracle::signed_distance(measured(soup), at(0, 0, 0), measured(make_sphere(1)), at(5.25, 5.25, 8));
   EXPECT_EQ(static_cast<double>(answer.distance), 2.0);
 }
 

@@ -20,9 +20,7 @@ struct Rounded {
   double x, y, z;
 };
 
-Rounded rounded(const Vec& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
+Rounded rounded(const Vec& v) { return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)}; }
 
 std::vector<Rounded> rounded(const std::vector<Vec>& points) {
   std::vector<Rounded> result;

@@ -122,8 +122,12 @@ oracle::Soup bumpy_sheet() {
 oracle::Soup cube_surface() {
   oracle::Soup soup;
   soup.points = cube_points(0.5);
-  for (const auto& quad : {std::array<std::uint32_t, 4>{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6},
-                           {0, 2, 6, 4}, {1, 5, 7, 3}}) {
+  for (const auto& quad : {std::array<std::uint32_t, 4>{0, 1, 3, 2},
+                           {4, 6, 7, 5},
+                           {0, 4, 5, 1},
+                           {2, 3, 7, 6},
+                           {0, 2, 6, 4},
+                           {1, 5, 7, 3}}) {
     soup.triangles.push_back({quad[0], quad[1], quad[2]});
     soup.triangles.push_back({quad[0], quad[2], quad[3]});
   }

@@ -7,7 +7,7 @@
 
 namespace property {
 
-[[nodiscard]] std::vector<Subject> convex_subjects();   // spheres, boxes, capsules, hulls
+[[nodiscard]] std::vector<Subject> convex_subjects();  // spheres, boxes, capsules, hulls
 [[nodiscard]] std::vector<Subject> plane_subjects();
 [[nodiscard]] std::vector<Subject> surface_subjects();  // meshes and height fields
 

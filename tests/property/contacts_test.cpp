@@ -40,8 +40,8 @@ double off_surface(const Subject& shape, const abut_pose& pose, const abut_vec3&
 }
 
 // Points of a rounded shape beside the deepest may lie under its surface where the shape curves away, never above.
-void check_on_surface(const Case& c, const Subject& shape, const abut_pose& pose, const abut_vec3& point, bool is_deepest,
-                      const std::string& side) {
+void check_on_surface(const Case& c, const Subject& shape, const abut_pose& pose, const abut_vec3& point,
+                      bool is_deepest, const std::string& side) {
   const double tolerance = distance_tolerance(c.magnitude) + point_rounding(c.magnitude);
   const double off = off_surface(shape, pose, point);
   const bool must_reach = !is_rounded(shape) || is_deepest;
@@ -153,9 +153,7 @@ TEST(Contacts, OfConvexPairsAreConsistent) {
   check_pairs(subjects, subjects, 50000);
 }
 
-TEST(Contacts, WithPlanesAreConsistent) {
-  check_pairs(property::plane_subjects(), property::convex_subjects(), 90000);
-}
+TEST(Contacts, WithPlanesAreConsistent) { check_pairs(property::plane_subjects(), property::convex_subjects(), 90000); }
 
 // Only bodies of the size of the surface: how deep a body stands in a surface without inside is not defined.
 TEST(Contacts, WithSurfacesAreConsistent) {

@@ -100,8 +100,8 @@ void check_value(const Case& c, const abut_distance& result) {
 // A plane across the normal parts the shapes by the distance: this proves the normal, also where it is not unique.
 void check_normal(const Case& c, const abut_distance& result) {
   const oracle::Vec normal = oracle::unit(vec_of(result.normal));
-  const oracle::Quad separation = oracle::separation_along(c.a.measured, pose_of(c.placement.a), c.b.measured,
-                                                           pose_of(c.placement.b), normal);
+  const oracle::Quad separation =
+      oracle::separation_along(c.a.measured, pose_of(c.placement.a), c.b.measured, pose_of(c.placement.b), normal);
   const double loss = static_cast<double>(c.truth.distance - separation);
   expect_near(c, "separation along the normal falls short of the distance", loss, 0, distance_tolerance(c.magnitude));
 }
@@ -143,7 +143,8 @@ abut_pose doubled(abut_pose pose) {
 
 void check_doubled(const Case& c, const abut_distance& result) {
   abut_distance other{};
-  const abut_status status = ask(c.a.doubled.get(), doubled(c.placement.a), c.b.doubled.get(), doubled(c.placement.b), other);
+  const abut_status status =
+      ask(c.a.doubled.get(), doubled(c.placement.a), c.b.doubled.get(), doubled(c.placement.b), other);
   if (status != ABUT_OK) return broken(c, "status at twice the size", status, ABUT_OK, 0);
   expect_near(c, "distance at twice the size", other.distance, 2 * result.distance,
               2 * distance_tolerance(c.magnitude));
@@ -155,8 +156,8 @@ void check_support_points(const Case& c) {
   abut_query_options_init(&options);
   options.algorithm = ABUT_ALGORITHM_GJK_EPA;
   abut_distance other{};
-  const abut_status status = abut_shapes_distance(c.a.shape.get(), &c.placement.a, c.b.shape.get(), &c.placement.b,
-                                                  &options, &other);
+  const abut_status status =
+      abut_shapes_distance(c.a.shape.get(), &c.placement.a, c.b.shape.get(), &c.placement.b, &options, &other);
   if (status == ABUT_UNSUPPORTED) return;
   if (status != ABUT_OK) return broken(c, "status from support points", status, ABUT_OK, 0);
   const double truth = static_cast<double>(c.truth.distance);
@@ -170,8 +171,8 @@ void check_support_points(const Case& c) {
 // A batch of one pose gives the bits of the single call.
 void check_batch(const Case& c, const abut_distance& result) {
   abut_distance other{};
-  const abut_status status = abut_shapes_distances(c.a.shape.get(), &c.placement.a, c.b.shape.get(), &c.placement.b, 1,
-                                                   nullptr, &other);
+  const abut_status status =
+      abut_shapes_distances(c.a.shape.get(), &c.placement.a, c.b.shape.get(), &c.placement.b, 1, nullptr, &other);
   if (status != ABUT_OK) return broken(c, "status of a batch", status, ABUT_OK, 0);
   expect_near(c, "distance in a batch", other.distance, result.distance, 0);
 }

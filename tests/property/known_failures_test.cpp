@@ -1,11 +1,12 @@
 // Inputs on which other libraries failed, judged by the rule of tests/data/README.md.
+#include "oracle/known_failures.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "oracle/known_failures.hpp"
 #include "record.hpp"
 #include "subject.hpp"
 

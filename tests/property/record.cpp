@@ -5,8 +5,7 @@
 
 namespace property {
 
-void Record::add(const std::string& row, const std::string& where, double error, double gap,
-                 std::uint32_t iterations) {
+void Record::add(const std::string& row, const std::string& where, double error, double gap, std::uint32_t iterations) {
   Worst& worst = rows_[row];
   ++worst.cases;
   if (!(error <= worst.error)) {
@@ -22,9 +21,9 @@ bool Record::fails(const std::string& row) { return ++rows_[row].failures <= 2; 
 void Record::print() const {
   std::printf("%-44s %6s %6s %10s %10s %5s  %s\n", "row", "cases", "failed", "error", "gap", "steps", "worst case");
   for (const auto& [row, worst] : rows_) {
-    std::printf("%-44s %6llu %6llu %10.2e %10.2e %5u  %s\n", row.c_str(),
-                static_cast<unsigned long long>(worst.cases), static_cast<unsigned long long>(worst.failures),
-                worst.error, worst.gap, worst.iterations, worst.where.c_str());
+    std::printf("%-44s %6llu %6llu %10.2e %10.2e %5u  %s\n", row.c_str(), static_cast<unsigned long long>(worst.cases),
+                static_cast<unsigned long long>(worst.failures), worst.error, worst.gap, worst.iterations,
+                worst.where.c_str());
   }
 }
 

@@ -10,10 +10,10 @@ namespace property {
 struct Worst {
   std::uint64_t cases = 0;
   std::uint64_t failures = 0;
-  double error = 0;         // largest relative error
-  double gap = 0;           // largest upper - lower, relative
+  double error = 0;  // largest relative error
+  double gap = 0;    // largest upper - lower, relative
   std::uint32_t iterations = 0;
-  std::string where;        // the case of the largest error
+  std::string where;  // the case of the largest error
 };
 
 // Rows by name, such as "box/hull touching".

@@ -55,8 +55,7 @@ TEST(Resting, TurnedBoxOnBoxTouchesAtTheWholeOverlap) {
     const double angle = uniform(random) * 3;
     const double x = uniform(random);
     const double y = uniform(random);
-    const Manifold manifold =
-        contacts_of(lower, at(0, 0, 0), upper, turned(x, y, 2 - sunk, {0, 0, 1}, angle), 0, 0);
+    const Manifold manifold = contacts_of(lower, at(0, 0, 0), upper, turned(x, y, 2 - sunk, {0, 0, 1}, angle), 0, 0);
     std::vector<Flat> top;
     for (const double corner : {0.25, 0.75, 1.25, 1.75}) {
       const double direction = angle + corner * pi;
@@ -91,7 +90,8 @@ TEST(Resting, CapsuleAcrossTheRimOfBoxTouchesUpToTheRim) {
 TEST(Resting, CapsuleLyingOnPlaneTouchesTwice) {
   const Subject plane = property::make_plane("plane", {0, 0, 1}, 0);
   const Subject capsule = property::make_capsule("capsule", 0.25, 1);
-  const Manifold manifold = contacts_of(plane, at(0, 0, 0), capsule, turned(0, 0, 0.25 - sunk, {0, 1, 0}, pi / 2), 0, 4);
+  const Manifold manifold =
+      contacts_of(plane, at(0, 0, 0), capsule, turned(0, 0, 0.25 - sunk, {0, 1, 0}, pi / 2), 0, 4);
   EXPECT_EQ(manifold.contacts.size(), 2u);
   expect_corners(manifold, {{-1, 0}, {1, 0}}, sunk);
 }
@@ -151,8 +151,8 @@ TEST(Resting, SphereTouchesOnce) {
 TEST(Resting, CrossedEdgesTouchOnce) {
   const Subject box = property::make_box("box", 1, 1, 1);
   const double high = 2 * std::sqrt(2.0) - sunk;
-  const Manifold manifold = contacts_of(box, turned(0, 0, 0, {0, 1, 0}, pi / 4), box,
-                                        turned(0.25, 0.5, high, {1, 0, 0}, pi / 4), 0, 0);
+  const Manifold manifold =
+      contacts_of(box, turned(0, 0, 0, {0, 1, 0}, pi / 4), box, turned(0.25, 0.5, high, {1, 0, 0}, pi / 4), 0, 0);
   EXPECT_EQ(manifold.contacts.size(), 1u);
   expect_corners(manifold, {{0, 0.5}}, sunk);
 }
@@ -175,7 +175,8 @@ TEST(Resting, NothingIsWrittenPastTheCapacity) {
 oracle::Soup flat_sheet(int cells, double size) {
   oracle::Soup soup;
   for (int j = 0; j <= cells; ++j) {
-    for (int i = 0; i <= cells; ++i) soup.points.push_back({i * size - cells * size / 2, j * size - cells * size / 2, 0});
+    for (int i = 0; i <= cells; ++i)
+      soup.points.push_back({i * size - cells * size / 2, j * size - cells * size / 2, 0});
   }
   const auto side = static_cast<std::uint32_t>(cells) + 1;
   for (std::uint32_t j = 0; j + 1 < side; ++j) {
@@ -203,13 +204,15 @@ TEST(Resting, FlatSurfacesPushStraightUp) {
     for (const Subject* body : {&sphere, &box, &capsule}) {
       for (const Subject* ground : {&mesh, &field}) {
         const double middle = ground == &field ? 2 : 0;
-        const abut_pose pose = turned(x + middle, y + middle, 0.3 - sunk, {0, 0, 1}, body == &box ? uniform(random) : 0);
+        const abut_pose pose =
+            turned(x + middle, y + middle, 0.3 - sunk, {0, 0, 1}, body == &box ? uniform(random) : 0);
         const Manifold manifold = contacts_of(*ground, at(0, 0, 0), *body, pose, 0, 0);
         ASSERT_EQ(manifold.status, ABUT_OK);
         EXPECT_FALSE(manifold.contacts.empty()) << body->kind << " on " << ground->kind;
         for (const abut_contact& contact : manifold.contacts) {
           EXPECT_NEAR(contact.normal.z, 1, 1e-9) << body->kind << " on " << ground->kind << " at " << x << ", " << y;
-          EXPECT_NEAR(contact.distance, -sunk, 1e-9) << body->kind << " on " << ground->kind << " at " << x << ", " << y;
+          EXPECT_NEAR(contact.distance, -sunk, 1e-9)
+              << body->kind << " on " << ground->kind << " at " << x << ", " << y;
         }
         if (body != &box) continue;
         EXPECT_NEAR(property::hull_area(property::flattened(manifold.contacts)), 0.48, 1e-9)

@@ -148,7 +148,8 @@ std::vector<Placement> placements_above(const Subject& a, const Subject& b, Rand
     const double height = 0.6 + b.size + between(random, 0, i % 3 == 0 ? a.size : 0.1);
     abut_pose local = on_a;
     local.position.z = height;
-    const abut_pose pose_a = i % 2 == 0 ? abut_pose{{0, 0, 0}, {1, 0, 0, 0}} : random_pose(random, i % 4 == 1 ? 3 : 1e5);
+    const abut_pose pose_a =
+        i % 2 == 0 ? abut_pose{{0, 0, 0}, {1, 0, 0, 0}} : random_pose(random, i % 4 == 1 ? 3 : 1e5);
     list.push_back({"apart", pose_a, composed(pose_a, local)});
   }
   return list;

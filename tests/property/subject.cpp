@@ -86,9 +86,8 @@ std::vector<double> flat(const std::vector<oracle::Point>& points, double scale)
 double smallest_side(const std::vector<oracle::Point>& points) {
   std::vector<double> sides;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::minmax_element(points.begin(), points.end(), [axis](const auto& p, const auto& q) {
-      return p[axis] < q[axis];
-    });
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                                 [axis](const auto& p, const auto& q) { return p[axis] < q[axis]; });
     sides.push_back(((*high)[axis] - (*low)[axis]) / 2);
   }
   return smallest_positive(sides);
@@ -113,8 +112,8 @@ Subject make_mesh(const std::string& name, const oracle::Soup& soup) {
     std::vector<std::uint32_t> indices;
     for (const auto& triangle : soup.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
     abut_shape* shape = nullptr;
-    const abut_status status = abut_mesh_create(numbers.data(), soup.points.size(), indices.data(),
-                                                soup.triangles.size(), nullptr, &shape);
+    const abut_status status =
+        abut_mesh_create(numbers.data(), soup.points.size(), indices.data(), soup.triangles.size(), nullptr, &shape);
     return owned(status, shape, name);
   };
   return subject("mesh", name, build, oracle::measured(soup), oracle::size_of(soup), smallest_side(soup.points));

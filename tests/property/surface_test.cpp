@@ -18,8 +18,8 @@ bool is_small(const Subject& subject) { return subject.size < 100; }
 void check_point_of(const Case& c, const Subject& shape, const abut_pose& pose, const abut_vec3& point,
                     const std::string& fact) {
   const double tolerance = distance_tolerance(c.magnitude) + point_rounding(c.magnitude);
-  const double off = static_cast<double>(
-      oracle::distance_to_point(shape.measured, property::pose_of(pose), property::vec_of(point)));
+  const double off =
+      static_cast<double>(oracle::distance_to_point(shape.measured, property::pose_of(pose), property::vec_of(point)));
   if (!(std::abs(off) <= tolerance)) broken(c, fact, off, 0, tolerance);
 }
 
@@ -32,8 +32,10 @@ void check_apart(const Case& c) {
   property::record().add(row_of(c), c.a.name + " / " + c.b.name, error / (c.a.size + c.b.size + truth),
                          (result.upper - result.lower) / (c.a.size + c.b.size + truth), result.iterations);
   if (!(error <= tolerance)) broken(c, "distance", result.distance, truth, tolerance);
-  if (!(result.lower <= truth + rounding(c.magnitude))) broken(c, "lower <= truth", result.lower, truth, rounding(c.magnitude));
-  if (!(truth <= result.upper + rounding(c.magnitude))) broken(c, "truth <= upper", truth, result.upper, rounding(c.magnitude));
+  if (!(result.lower <= truth + rounding(c.magnitude)))
+    broken(c, "lower <= truth", result.lower, truth, rounding(c.magnitude));
+  if (!(truth <= result.upper + rounding(c.magnitude)))
+    broken(c, "truth <= upper", truth, result.upper, rounding(c.magnitude));
   check_point_of(c, c.a, c.placement.a, result.point_a, "point_a is off the surface of a");
   check_point_of(c, c.b, c.placement.b, result.point_b, "point_b is off the surface of b");
 }
