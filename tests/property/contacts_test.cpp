@@ -26,6 +26,14 @@ double along(const abut_contact& c) {
          (c.point_b.z - c.point_a.z) * c.normal.z;
 }
 
+// How far the points of a contact are apart across its normal.
+double sideways(const abut_contact& c) {
+  const double distance = along(c);
+  return std::hypot(c.point_b.x - c.point_a.x - distance * c.normal.x,
+                    c.point_b.y - c.point_a.y - distance * c.normal.y,
+                    c.point_b.z - c.point_a.z - distance * c.normal.z);
+}
+
 bool is_surface(const Subject& subject) { return subject.kind == "mesh" || subject.kind == "height_field"; }
 
 bool is_rounded(const Subject& subject) { return subject.kind == "sphere" || subject.kind == "capsule"; }
@@ -66,27 +74,40 @@ void check_each(const Case& c, const Manifold& manifold, double margin) {
     expect(c, "no contact deeper than the shapes", contact.distance >= truth - tolerance || is_surface(c.a),
            contact.distance, truth, tolerance);
     expect(c, "contact ids differ", ids.insert(contact.id).second, static_cast<double>(contact.id), 0, 0);
+    const double aside = sideways(contact);
+    expect(c, "contact points lie across each other", aside <= tolerance + rounding, aside, 0, tolerance + rounding);
     check_on_surface(c, c.a, c.placement.a, contact.point_a, is_deepest, "a");
     check_on_surface(c, c.b, c.placement.b, contact.point_b, is_deepest, "b");
     previous = contact.distance;
   }
 }
 
-// Every contact of one order has its mirror image in the other.
-void check_mirrored(const Case& c, const Manifold& there, const Manifold& back) {
-  const double count = static_cast<double>(there.contacts.size());
-  expect(c, "contact count swapped", back.contacts.size() == there.contacts.size(),
-         static_cast<double>(back.contacts.size()), count, 0);
+bool are_opposite(const abut_vec3& u, const abut_vec3& v) {
+  return std::hypot(u.x + v.x, u.y + v.y, u.z + v.z) < 1e-12;
+}
+
+// How far the nearest mirror image of a contact is off.
+double nearest_mirror(const abut_contact& contact, const Manifold& back) {
+  const abut_contact mirror = property::swapped(contact);
+  double nearest = 1e300;
+  for (const abut_contact& other : back.contacts) {
+    const double off = std::max({apart(mirror.point_a, other.point_a), apart(mirror.point_b, other.point_b),
+                                 std::abs(mirror.distance - other.distance)});
+    nearest = std::min(nearest, off);
+  }
+  return nearest;
+}
+
+// Every contact of one order has its mirror image in the other, but for those that are at the margin within rounding.
+// Where the least way out is not unique, each order may have chosen its own.
+void check_mirrored(const Case& c, const Manifold& there, const Manifold& back, double margin) {
+  if (there.contacts.empty() || back.contacts.empty()) return;
+  if (!are_opposite(there.contacts.front().normal, back.contacts.front().normal)) return;
   const double tolerance = distance_tolerance(c.magnitude) + point_rounding(c.magnitude);
   for (const abut_contact& contact : there.contacts) {
-    const abut_contact mirror = property::swapped(contact);
-    double nearest = 1e300;
-    for (const abut_contact& other : back.contacts) {
-      const double off = std::max({apart(mirror.point_a, other.point_a), apart(mirror.point_b, other.point_b),
-                                   std::abs(mirror.distance - other.distance)});
-      nearest = std::min(nearest, off);
-    }
-    expect(c, "contact mirrored when swapped", nearest <= tolerance, nearest, 0, tolerance);
+    if (contact.distance > margin - tolerance) continue;
+    const double off = nearest_mirror(contact, back);
+    expect(c, "contact mirrored when swapped", off <= tolerance, off, 0, tolerance);
   }
 }
 
@@ -108,6 +129,12 @@ void check_reduced(const Case& c, const Manifold& all, const Manifold& four) {
          0.1 * best);
 }
 
+// Height fields only stop what comes from above.
+bool meets_the_back(const Case& c) {
+  if (c.a.kind != "height_field") return false;
+  return property::pose_of(c.placement.a).rotate_back(c.truth.normal).z <= oracle::quad(0.0);
+}
+
 void check_contacts(const Case& c, double margin) {
   const auto& [scene, pose_a, pose_b] = c.placement;
   const Manifold all = contacts_of(c.a, pose_a, c.b, pose_b, margin, 0);
@@ -120,9 +147,10 @@ void check_contacts(const Case& c, double margin) {
   const double tolerance = distance_tolerance(c.magnitude);
   const double count = static_cast<double>(all.contacts.size());
   expect(c, "no contact beyond the margin", truth <= margin + tolerance || all.contacts.empty(), count, 0, 0);
-  expect(c, "contact within the margin exists", truth >= margin - tolerance || !all.contacts.empty(), count, 1, 0);
+  expect(c, "contact within the margin exists",
+         truth >= margin - tolerance || !all.contacts.empty() || meets_the_back(c), count, 1, 0);
   check_each(c, all, margin);
-  check_mirrored(c, all, back);
+  check_mirrored(c, all, back, margin);
   check_reduced(c, all, four);
   if (all.contacts.empty()) return;
   const double error = std::abs(all.contacts.front().distance - truth);

@@ -87,7 +87,7 @@ namespace {
 void check_value(const Case& c, const abut_distance& result) {
   const double truth = static_cast<double>(c.truth.distance);
   const double error = static_cast<double>(oracle::quad(result.distance) - c.truth.distance);
-  const double scale = std::max(c.magnitude.size_a + c.magnitude.size_b + std::abs(truth), 1e-300);
+  const double scale = std::max(c.magnitude.size_a + c.magnitude.size_b + c.magnitude.apart + std::abs(truth), 1e-300);
   const double gap = (result.upper - result.lower) / scale;
   record().add(row_of(c), c.a.name + " / " + c.b.name, std::abs(error) / scale, gap, result.iterations);
   const double tolerance = distance_tolerance(c.magnitude);
@@ -112,6 +112,16 @@ void check_points(const Case& c, const abut_distance& result) {
   const auto off_b = oracle::distance_to_point(c.b.measured, pose_of(c.placement.b), vec_of(result.point_b));
   expect_near(c, "point_a is off the surface of a", static_cast<double>(off_a), 0, tolerance);
   expect_near(c, "point_b is off the surface of b", static_cast<double>(off_b), 0, tolerance);
+}
+
+// The points realise the distance: the way from one to the other is along the normal.
+void check_across(const Case& c, const abut_distance& result) {
+  const abut_vec3 way = minus(result.point_b, result.point_a);
+  const abut_vec3& n = result.normal;
+  const double distance = result.distance;
+  const double aside = norm({way.x - distance * n.x, way.y - distance * n.y, way.z - distance * n.z});
+  const double tolerance = distance_tolerance(c.magnitude) + point_rounding(c.magnitude);
+  expect_near(c, "points lie across each other", aside, 0, tolerance);
 }
 
 void check_swapped(const Case& c, const abut_distance& result) {
@@ -161,7 +171,7 @@ void check_support_points(const Case& c) {
   if (status == ABUT_UNSUPPORTED) return;
   if (status != ABUT_OK) return broken(c, "status from support points", status, ABUT_OK, 0);
   const double truth = static_cast<double>(c.truth.distance);
-  const double scale = std::max(c.magnitude.size_a + c.magnitude.size_b + std::abs(truth), 1e-300);
+  const double scale = std::max(c.magnitude.size_a + c.magnitude.size_b + c.magnitude.apart + std::abs(truth), 1e-300);
   record().add(row_of(c) + " from support points", c.a.name + " / " + c.b.name,
                std::abs(static_cast<double>(oracle::quad(other.distance) - c.truth.distance)) / scale,
                (other.upper - other.lower) / scale, other.iterations);
@@ -199,6 +209,7 @@ void check_distance(const Case& c) {
   check_value(c, result);
   check_normal(c, result);
   check_points(c, result);
+  check_across(c, result);
   check_swapped(c, result);
   check_moved(c, result);
   check_doubled(c, result);

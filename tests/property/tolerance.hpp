@@ -23,9 +23,9 @@ struct Magnitude {
   return rounding(m) + 8 * std::numeric_limits<double>::epsilon() * m.far;
 }
 
-// Of a signed distance: rounding, and the default error bound of a query, relative to the size of the shapes.
+// Of a signed distance: rounding, and the default error bound of a query, relative to the diameters of the shapes.
 [[nodiscard]] inline double distance_tolerance(const Magnitude& m) {
-  return rounding(m) + 1e-12 * (m.size_a + m.size_b);
+  return rounding(m) + 2e-12 * (m.size_a + m.size_b);
 }
 
 // The length of a unit normal may be off 1 by this.
