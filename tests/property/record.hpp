@@ -1,0 +1,37 @@
+// Worst errors per row, printed and written as CSV at the end of a program.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace property {
+
+struct Worst {
+  std::uint64_t cases = 0;
+  std::uint64_t failures = 0;
+  double error = 0;  // largest relative error
+  double gap = 0;    // largest upper - lower, relative
+  std::uint32_t iterations = 0;
+  std::string where;  // the case of the largest error
+};
+
+// Rows by name, such as "box/hull touching".
+class Record {
+ public:
+  void add(const std::string& row, const std::string& where, double error, double gap, std::uint32_t iterations);
+
+  // Counts a failure; true for the first few of a row, which are worth printing.
+  [[nodiscard]] bool fails(const std::string& row);
+
+  void print() const;
+  void write_csv(const std::string& path) const;
+
+ private:
+  std::map<std::string, Worst> rows_;
+};
+
+// The record of this program.
+[[nodiscard]] Record& record();
+
+}  // namespace property
