@@ -247,8 +247,8 @@ ABUT_API abut_status abut_mesh_create(const double *xyz, size_t vertex_count, co
 typedef struct abut_height_field_desc {
   uint32_t struct_size;
   uint32_t reserved;     /**< zero */
-  uint32_t columns;      /**< samples along X, at least 2 */
-  uint32_t rows;         /**< samples along Y, at least 2 */
+  uint32_t columns;      /**< samples along X, from 2 to 65535 */
+  uint32_t rows;         /**< samples along Y, from 2 to 65535 */
   double spacing_x;      /**< positive */
   double spacing_y;      /**< positive */
   const double *heights; /**< columns * rows numbers, X fastest, copied */
@@ -296,7 +296,8 @@ ABUT_API abut_status abut_shape_aabb(const abut_shape *shape, const abut_pose *p
 
 /**
  * Surface of a mesh, height field, hull or box as triangles in the local frame, by count-then-fill;
- * the triangle at index i is the feature (ABUT_FEATURE_FACE, i) of ray hits. ABUT_UNSUPPORTED for
+ * of a mesh or a height field, triangle i is the feature (ABUT_FEATURE_FACE, i) of ray hits and contacts;
+ * the faces of boxes and hulls become several triangles each, in order. ABUT_UNSUPPORTED for
  * curved and unbounded shapes, which rays meet exactly through abut_shape_cast_ray.
  * @param xyz        vertex_capacity * 3 numbers
  * @param triangles  triangle_capacity * 3 indices

@@ -176,6 +176,9 @@ template <Convex A, Convex B>
 
 template <Convex A, Convex B>
 [[nodiscard]] Outcome convex_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+  if (settings.algorithm == Algorithm::analytic) {
+    return Outcome::unsupported;
+  }
   if (settings.algorithm == Algorithm::libccd_gjk || settings.algorithm == Algorithm::libccd_mpr) {
     return libccd_distance(a, b, ab, settings.algorithm, out);
   }
@@ -233,6 +236,9 @@ void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation
 
 template <Convex A, Convex B>
 [[nodiscard]] Outcome convex_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+  if (settings.algorithm == Algorithm::analytic) {
+    return Outcome::unsupported;
+  }
   const Real radii = a.radius() + b.radius();
   CoreSeparation core{};
   if (settings.algorithm == Algorithm::libccd_gjk || settings.algorithm == Algorithm::libccd_mpr) {

@@ -21,6 +21,9 @@ Fault check_samples(std::string_view name, Real value) {
   if (Fault fault = check_finite(name, value)) {
     return fault;
   }
+  if (value == 0) {
+    return error_about(Errc::empty, name, value, "at least 2");
+  }
   if (!(value >= 2 && value <= 65535) || value != std::floor(value)) {
     return error_about(Errc::out_of_range, name, value, "a whole number from 2 to 65535");
   }

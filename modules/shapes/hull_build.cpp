@@ -164,6 +164,7 @@ HullData solid_hull(std::span<const Vec3> points, const Frame& frame) {
       loop.push_back(number_of(static_cast<vertexT*>(element->p)));
     }
     qh_settempfree(qh.get(), &vertices);
+    std::reverse(loop.begin(), loop.end());  // Qhull's order is clockwise from outside (qh_ORIENTclock)
     add_face(hull, loop);
   }
   ABUT_UNSAFE_END
