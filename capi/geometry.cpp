@@ -82,7 +82,12 @@ abut_status create_one(abut_universe& its, const abut_part_id& part, const abut_
   if (!exists(its.universe, part)) {
     return refuse_stale({"part"}, part);
   }
-  return create(its, {std::array{part}, std::array{shape}, std::array{to_options(options)}}, std::span(out, 1));
+  std::array<abut_geometry_id, 1> created{};
+  status = create(its, {std::array{part}, std::array{shape}, std::array{to_options(options)}}, created);
+  if (status == ABUT_OK) {
+    *out = created[0];
+  }
+  return status;
 }
 
 abut_status create_all(abut_universe& its, std::span<const abut_part_id> parts, std::span<const abut_shape* const> shapes,
