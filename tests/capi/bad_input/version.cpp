@@ -40,6 +40,21 @@ TEST(LastErrorMessage, IsOfItsThread) {
   EXPECT_STRNE(abut_last_error_message(), "");
 }
 
+TEST(SetLastError, SetsTheMessageAndAnswersTheStatus) {
+  EXPECT_TRUE(refused(abut_set_last_error(ABUT_UNSUPPORTED, "no such ray"), ABUT_UNSUPPORTED, {"no such ray"}));
+  EXPECT_EQ(abut_set_last_error(ABUT_EMPTY, nullptr), abut_status{ABUT_EMPTY});
+  EXPECT_STREQ(abut_last_error_message(), "");
+}
+
+TEST(SetLastError, CutsLongMessages) {
+  const std::string endless(100000, 'x');
+  EXPECT_EQ(abut_set_last_error(ABUT_EMPTY, endless.c_str()), abut_status{ABUT_EMPTY});
+  const std::string message = abut_last_error_message();
+  EXPECT_GE(message.size(), 64U);
+  EXPECT_LT(message.size(), endless.size());
+  EXPECT_EQ(message, endless.substr(0, message.size()));
+}
+
 TEST(VersionString, IsThatOfTheHeader) {
   const std::string expected = std::to_string(ABUT_VERSION_MAJOR) + "." + std::to_string(ABUT_VERSION_MINOR) + "." +
                                std::to_string(ABUT_VERSION_PATCH);
