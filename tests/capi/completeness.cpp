@@ -55,6 +55,16 @@ bool has(const std::string& text, std::initializer_list<std::string_view> words)
   return std::any_of(words.begin(), words.end(), [&](auto word) { return text.find(word) != std::string::npos; });
 }
 
+// Numbers come by value, or in arrays and structs that are only read. Places for answers are not const.
+bool takes_numbers(const std::string& parameters) {
+  std::string rest = parameters.substr(1);
+  for (std::size_t answer = rest.find(", double *"); answer != std::string::npos; answer = rest.find(", double *")) {
+    rest.erase(answer, std::string_view(", double *").size());
+  }
+  return rest.starts_with("double ") ||
+         has(rest, {", double ", "const double *", "const abut_pose *", "const abut_vec3 *", "const abut_ray *", "_desc *"});
+}
+
 // The words that the tests of a function must name.
 std::vector<std::string_view> obligations(const Declaration& declaration) {
   std::vector<std::string_view> words;
@@ -64,10 +74,7 @@ std::vector<std::string_view> obligations(const Declaration& declaration) {
   if (is_extension_entry) return words;
   words.emplace_back("Refuses");
   if (has(parameters, {"*"})) words.emplace_back("Null");
-  if (has(parameters, {"(double ", ", double ", "const double ", "const abut_pose ", "const abut_vec3 ", "const abut_ray ", "_desc *"}) &&
-      !has(parameters, {"double *parameters"})) {
-    words.emplace_back("NonFinite");
-  }
+  if (takes_numbers(parameters)) words.emplace_back("NonFinite");
   if (has(parameters, {"abut_part_id part,", "abut_part_id part)", "const abut_part_id *", "abut_geometry_id geometry,",
                        "abut_geometry_id geometry)", "const abut_geometry_id *"})) {
     words.emplace_back("Stale");

@@ -56,15 +56,15 @@ TEST(HeightFieldCreate, RefusesFieldsWithoutSamples) {
   EXPECT_TRUE(out.is_untouched());
 }
 
-// One row of samples spans no cell: the field has nothing in it.
+// One row of samples spans no cell.
 TEST(HeightFieldCreate, RefusesFieldsWithoutCells) {
   Out<abut_shape*> out;
   abut_height_field_desc desc = good_desc();
   desc.columns = 1;
-  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_EMPTY, {"columns", "1"}));
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_OUT_OF_RANGE, {"columns", "1"}));
   desc = good_desc();
   desc.rows = 1;
-  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_EMPTY, {"rows", "1"}));
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_OUT_OF_RANGE, {"rows", "1"}));
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -120,10 +120,10 @@ TEST(HeightFieldCreate, RefusesOverflowingCounts) {
   abut_height_field_desc desc = good_desc();
   desc.columns = 0xFFFFFFFFU;
   desc.rows = 0xFFFFFFFFU;
-  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"4294967295"}));
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"heights", "18446744065119617025"}));
   desc.columns = 0x80000000U;
   desc.rows = 0x80000000U;
-  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"2147483648"}));
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"heights", "4611686018427387904"}));
   EXPECT_TRUE(out.is_untouched());
 }
 
