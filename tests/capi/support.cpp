@@ -3,10 +3,9 @@
 #include <abut/abut.h>
 
 #include <cmath>
-#include <span>
+#include <iterator>
 #include <utility>
 
-#include "unsafe.hpp"
 
 namespace abut_test {
 namespace {
@@ -149,11 +148,9 @@ std::vector<abut_contact> Universe::contacts() const {
   const abut_contact* first = nullptr;
   std::size_t count = 0;
   require(abut_universe_contacts(universe_, &first, &count));
-  // SAFETY: the library answers with an array of `count` contacts, borrowed until the next exclusive call.
-  ABUT_TEST_UNSAFE_BEGIN
-  const std::span<const abut_contact> all(first, count);
-  ABUT_TEST_UNSAFE_END
-  return {all.begin(), all.end()};
+  std::vector<abut_contact> all;
+  std::copy_n(first, count, std::back_inserter(all));
+  return all;
 }
 
 std::vector<abut_contact> Universe::step() {
@@ -196,10 +193,7 @@ std::vector<unsigned char> snapshot(const abut_universe* universe) {
   const abut_contact* contacts = nullptr;
   require(abut_universe_contacts(universe, &contacts, &count));
   append(bytes, contacts);
-  // SAFETY: the library answers with an array of `count` contacts, borrowed until the next exclusive call.
-  ABUT_TEST_UNSAFE_BEGIN
-  for (const abut_contact& contact : std::span(contacts, count)) append(bytes, contact);
-  ABUT_TEST_UNSAFE_END
+  std::for_each_n(contacts, count, [&](const abut_contact& contact) { append(bytes, contact); });
   return bytes;
 }
 

@@ -1,6 +1,5 @@
 // Arrays of unknown length: ask for the count, then fill.
 #include <cmath>
-#include <cstring>
 
 #include "bad_values.hpp"
 
@@ -57,7 +56,8 @@ TEST(CountThenFill, ShortArraysHoldTheDeepestContacts) {
   ASSERT_GE(count, 2U);
   abut_contact first{};
   ASSERT_TRUE(succeeded(abut_shapes_contacts(block, &identity, block, &other, nullptr, &first, 1, &count)));
-  EXPECT_EQ(std::memcmp(&first, all.data(), sizeof(first)), 0);
+  using Bytes = std::array<unsigned char, sizeof(abut_contact)>;
+  EXPECT_EQ(std::bit_cast<Bytes>(first), std::bit_cast<Bytes>(all[0]));
   for (std::size_t i = 1; i < count; ++i) EXPECT_LE(all.at(i - 1).distance, all.at(i).distance);
 }
 
