@@ -1,0 +1,368 @@
+"""The C interface of abut as it is, through ctypes: constants, structs, functions.
+
+The names are those of abut.h and picking.h without their prefix for constants and structs. Functions are attributes of
+`library` (and of `picking`, which is None where that library is not installed). One that answers a status other than
+ABUT_OK raises Error. The module abut wraps all this in objects.
+
+The libraries are found by the loader, or by the environment variables ABUT_LIBRARY and ABUT_PICKING_LIBRARY.
+"""
+
+import ctypes
+import os
+from ctypes import POINTER, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
+
+Status = c_int32
+OK = 0
+INVALID_ARGUMENT = 1
+NULL_ARGUMENT = 2
+NOT_FINITE = 3
+OUT_OF_RANGE = 4
+ZERO_VECTOR = 5
+NOT_UNIT = 6
+INDEX_OUT_OF_RANGE = 7
+SIZE_OVERFLOW = 8
+EMPTY = 9
+STALE_ID = 10
+WRONG_STRUCT_SIZE = 11
+UNKNOWN_VALUE = 12
+UNSUPPORTED = 13
+NOT_CONVERGED = 14
+OUT_OF_MEMORY = 15
+INTERNAL = 16
+
+FEATURE_WHOLE = 0
+FEATURE_VERTEX = 1
+FEATURE_EDGE = 2
+FEATURE_FACE = 3
+
+SIDES_BOTH = 0
+SIDES_FRONT = 1
+
+ALGORITHM_AUTO = 0
+ALGORITHM_ANALYTIC = 1
+ALGORITHM_SAT = 2
+ALGORITHM_GJK_EPA = 3
+ALGORITHM_LIBCCD_GJK = 4
+ALGORITHM_LIBCCD_MPR = 5
+
+BROADPHASE_AUTO = 0
+BROADPHASE_BRUTE = 1
+BROADPHASE_TREE = 2
+
+TOLERANCE_DEAD_BAND = 0
+TOLERANCE_MARGIN = 1
+
+MOTION_DYNAMIC = 0
+MOTION_ANIMATED = 1
+MOTION_STATIC = 2
+
+COHERENCE_NONE = 0
+COHERENCE_NEIGHBOURS = 1
+
+
+class _Struct(ctypes.Structure):
+    """A struct of C that prints its fields."""
+
+    def __repr__(self):
+        fields = ", ".join(f"{name}={getattr(self, name)!r}" for name, _ in self._fields_)
+        return f"{type(self).__name__}({fields})"
+
+
+class Vec3(_Struct):
+    _fields_ = [
+        ("x", c_double), ("y", c_double), ("z", c_double),
+    ]
+
+
+class Quat(_Struct):
+    _fields_ = [
+        ("w", c_double), ("x", c_double), ("y", c_double), ("z", c_double),
+    ]
+
+
+class Pose(_Struct):
+    _fields_ = [
+        ("position", Vec3), ("orientation", Quat),
+    ]
+
+
+class Aabb(_Struct):
+    _fields_ = [
+        ("minimum", Vec3), ("maximum", Vec3),
+    ]
+
+
+class PartId(_Struct):
+    _fields_ = [
+        ("slot", c_uint32), ("generation", c_uint32),
+    ]
+
+
+class GeometryId(_Struct):
+    _fields_ = [
+        ("slot", c_uint32), ("generation", c_uint32),
+    ]
+
+
+class Feature(_Struct):
+    _fields_ = [
+        ("kind", c_uint32), ("index", c_uint32),
+    ]
+
+
+class MeshOptions(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("sides", c_uint32),
+    ]
+
+
+class HeightFieldDesc(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("reserved", c_uint32), ("columns", c_uint32), ("rows", c_uint32),
+        ("spacing_x", c_double), ("spacing_y", c_double), ("heights", POINTER(c_double)),
+    ]
+
+
+class ShapeDesc(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("kind", c_uint32), ("parameters", POINTER(c_double)),
+        ("parameter_count", c_uint64), ("reals", POINTER(c_double)), ("real_count", c_uint64),
+        ("indices", POINTER(c_uint32)), ("index_count", c_uint64),
+    ]
+
+
+class Ray(_Struct):
+    _fields_ = [
+        ("origin", Vec3), ("direction", Vec3), ("max_distance", c_double),
+    ]
+
+
+class RayHit(_Struct):
+    _fields_ = [
+        ("distance", c_double), ("point", Vec3), ("normal", Vec3), ("feature", Feature),
+    ]
+
+
+class QueryOptions(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("algorithm", c_uint32), ("error_bound", c_double), ("margin", c_double),
+        ("max_contacts", c_uint32), ("reserved", c_uint32),
+    ]
+
+
+class Distance(_Struct):
+    _fields_ = [
+        ("distance", c_double), ("lower", c_double), ("upper", c_double), ("point_a", Vec3), ("point_b", Vec3),
+        ("normal", Vec3), ("algorithm", c_uint32), ("iterations", c_uint32),
+    ]
+
+
+class Contact(_Struct):
+    _fields_ = [
+        ("geometry_a", GeometryId), ("geometry_b", GeometryId), ("id", c_uint64), ("feature_a", Feature),
+        ("feature_b", Feature), ("point_a", Vec3), ("point_b", Vec3), ("normal", Vec3), ("distance", c_double),
+        ("toi", c_double), ("flags", c_uint32), ("reserved", c_uint32),
+    ]
+
+
+class UniverseOptions(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("broadphase", c_uint32), ("tolerance_mode", c_uint32),
+        ("max_contacts", c_uint32), ("origin", Vec3),
+    ]
+
+
+class PartOptions(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("motion", c_uint32), ("pose", Pose), ("user_data", c_uint64),
+    ]
+
+
+class GeometryOptions(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("reserved", c_uint32), ("pose", Pose), ("tolerance", c_double),
+        ("user_data", c_uint64),
+    ]
+
+
+class GeometryInfo(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("kind", c_uint32), ("part", PartId), ("shape", c_void_p), ("pose", Pose),
+        ("local", Pose), ("tolerance", c_double), ("user_data", c_uint64),
+    ]
+
+
+class Revision(_Struct):
+    _fields_ = [
+        ("geometries", c_uint64), ("poses", c_uint64),
+    ]
+
+
+class StepStats(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("reserved", c_uint32), ("parts", c_uint64), ("geometries", c_uint64),
+        ("moved", c_uint64), ("candidate_pairs", c_uint64), ("touching_pairs", c_uint64), ("contacts", c_uint64),
+        ("unsupported_pairs", c_uint64), ("bytes", c_uint64), ("refresh_microseconds", c_double),
+        ("broadphase_microseconds", c_double), ("narrowphase_microseconds", c_double),
+        ("contact_microseconds", c_double),
+    ]
+
+
+class LayoutEntry(_Struct):
+    _fields_ = [
+        ("type", c_char_p), ("field", c_char_p), ("offset", c_uint64), ("size", c_uint64),
+    ]
+
+
+class Pick(_Struct):
+    _fields_ = [
+        ("geometry", GeometryId), ("feature", Feature), ("distance", c_double), ("point", Vec3), ("normal", Vec3),
+    ]
+
+
+class Camera(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("width", c_uint32), ("height", c_uint32), ("reserved", c_uint32),
+        ("pose", Pose), ("vertical_fov", c_double), ("near_distance", c_double), ("far_distance", c_double),
+    ]
+
+
+class Error(Exception):
+    """A call that failed: `status` is its number, `name` the name of that, `message` says which argument and why."""
+
+    def __init__(self, status, name, message):
+        super().__init__(f"{name}: {message}")
+        self.status = status
+        self.name = name
+        self.message = message
+
+
+FUNCTIONS = {
+    "abut_set_last_error": (Status, [Status, c_char_p]),
+    "abut_status_name": (c_char_p, [Status]),
+    "abut_last_error_message": (c_char_p, []),
+    "abut_version_string": (c_char_p, []),
+    "abut_check_version": (Status, [c_uint32, c_uint32]),
+    "abut_has_feature": (c_uint32, [c_char_p]),
+    "abut_shape_kind_count": (c_size_t, []),
+    "abut_shape_kind_at": (c_uint32, [c_size_t]),
+    "abut_shape_kind_by_name": (c_uint32, [c_char_p]),
+    "abut_shape_kind_name": (c_char_p, [c_uint32]),
+    "abut_shape_kind_parameter_count": (c_size_t, [c_uint32]),
+    "abut_shape_kind_parameter_name": (c_char_p, [c_uint32, c_size_t]),
+    "abut_sphere_create": (Status, [c_double, POINTER(c_void_p)]),
+    "abut_box_create": (Status, [c_double, c_double, c_double, POINTER(c_void_p)]),
+    "abut_capsule_create": (Status, [c_double, c_double, POINTER(c_void_p)]),
+    "abut_plane_create": (Status, [POINTER(Vec3), c_double, POINTER(c_void_p)]),
+    "abut_hull_create": (Status, [POINTER(c_double), c_size_t, POINTER(c_void_p)]),
+    "abut_mesh_options_init": (None, [POINTER(MeshOptions)]),
+    "abut_mesh_create": (Status, [
+        POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t, POINTER(MeshOptions), POINTER(c_void_p)]),
+    "abut_height_field_desc_init": (None, [POINTER(HeightFieldDesc)]),
+    "abut_height_field_create": (Status, [POINTER(HeightFieldDesc), POINTER(c_void_p)]),
+    "abut_shape_desc_init": (None, [POINTER(ShapeDesc)]),
+    "abut_shape_create": (Status, [POINTER(ShapeDesc), POINTER(c_void_p)]),
+    "abut_shape_retain": (None, [c_void_p]),
+    "abut_shape_release": (None, [c_void_p]),
+    "abut_shape_kind_of": (c_uint32, [c_void_p]),
+    "abut_shape_parameters": (Status, [c_void_p, POINTER(c_double), c_size_t, POINTER(c_size_t)]),
+    "abut_shape_aabb": (Status, [c_void_p, POINTER(Pose), POINTER(Aabb)]),
+    "abut_shape_triangles": (Status, [
+        c_void_p, POINTER(c_double), c_size_t, POINTER(c_size_t), POINTER(c_uint32), c_size_t,
+        POINTER(c_size_t)]),
+    "abut_shape_cast_ray": (Status, [
+        c_void_p, POINTER(Pose), POINTER(Ray), POINTER(RayHit), POINTER(c_uint32)]),
+    "abut_query_options_init": (None, [POINTER(QueryOptions)]),
+    "abut_shapes_distance": (Status, [
+        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Distance)]),
+    "abut_shapes_distances": (Status, [
+        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), c_size_t, POINTER(QueryOptions),
+        POINTER(Distance)]),
+    "abut_shapes_contacts": (Status, [
+        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Contact),
+        c_size_t, POINTER(c_size_t)]),
+    "abut_universe_options_init": (None, [POINTER(UniverseOptions)]),
+    "abut_universe_create": (Status, [POINTER(UniverseOptions), POINTER(c_void_p)]),
+    "abut_universe_destroy": (None, [c_void_p]),
+    "abut_part_options_init": (None, [POINTER(PartOptions)]),
+    "abut_part_create": (Status, [c_void_p, POINTER(PartOptions), POINTER(PartId)]),
+    "abut_parts_create": (Status, [c_void_p, POINTER(PartOptions), c_size_t, POINTER(PartId)]),
+    "abut_part_destroy": (Status, [c_void_p, PartId]),
+    "abut_parts_destroy": (Status, [c_void_p, POINTER(PartId), c_size_t]),
+    "abut_part_set_pose": (Status, [c_void_p, PartId, POINTER(Pose)]),
+    "abut_parts_set_poses": (Status, [c_void_p, POINTER(PartId), POINTER(Pose), c_size_t]),
+    "abut_part_pose": (Status, [c_void_p, PartId, POINTER(Pose)]),
+    "abut_parts_poses": (Status, [c_void_p, POINTER(PartId), c_size_t, POINTER(Pose)]),
+    "abut_part_user_data": (Status, [c_void_p, PartId, POINTER(c_uint64)]),
+    "abut_part_geometries": (Status, [c_void_p, PartId, POINTER(GeometryId), c_size_t, POINTER(c_size_t)]),
+    "abut_geometry_options_init": (None, [POINTER(GeometryOptions)]),
+    "abut_geometry_create": (Status, [
+        c_void_p, PartId, c_void_p, POINTER(GeometryOptions), POINTER(GeometryId)]),
+    "abut_geometries_create": (Status, [
+        c_void_p, POINTER(PartId), POINTER(c_void_p), POINTER(GeometryOptions), c_size_t,
+        POINTER(GeometryId)]),
+    "abut_geometry_destroy": (Status, [c_void_p, GeometryId]),
+    "abut_geometries_destroy": (Status, [c_void_p, POINTER(GeometryId), c_size_t]),
+    "abut_geometry_info_init": (None, [POINTER(GeometryInfo)]),
+    "abut_geometry_describe": (Status, [c_void_p, GeometryId, POINTER(GeometryInfo)]),
+    "abut_geometries_poses": (Status, [c_void_p, POINTER(GeometryId), c_size_t, POINTER(Pose)]),
+    "abut_universe_parts": (Status, [c_void_p, POINTER(PartId), c_size_t, POINTER(c_size_t)]),
+    "abut_universe_geometries": (Status, [c_void_p, POINTER(GeometryId), c_size_t, POINTER(c_size_t)]),
+    "abut_universe_revision": (Status, [c_void_p, POINTER(Revision)]),
+    "abut_universe_step": (Status, [c_void_p, c_double]),
+    "abut_universe_contacts": (Status, [c_void_p, POINTER(POINTER(Contact)), POINTER(c_size_t)]),
+    "abut_step_stats_init": (None, [POINTER(StepStats)]),
+    "abut_universe_stats": (Status, [c_void_p, POINTER(StepStats)]),
+    "abut_universe_explain": (Status, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "abut_layout_count": (c_size_t, []),
+    "abut_layout_at": (Status, [c_size_t, POINTER(LayoutEntry)]),
+}
+
+PICKING_FUNCTIONS = {
+    "abut_camera_init": (None, [POINTER(Camera)]),
+    "abut_camera_look_at": (Status, [POINTER(Camera), POINTER(Vec3), POINTER(Vec3), POINTER(Vec3)]),
+    "abut_camera_ray": (Status, [POINTER(Camera), c_double, c_double, POINTER(Ray)]),
+    "abut_picker_create": (Status, [c_void_p, POINTER(c_void_p)]),
+    "abut_picker_destroy": (None, [c_void_p]),
+    "abut_picker_update": (Status, [c_void_p]),
+    "abut_picker_cast_ray": (Status, [c_void_p, POINTER(Ray), POINTER(Pick)]),
+    "abut_picker_cast_rays": (Status, [c_void_p, POINTER(Ray), c_size_t, c_uint32, POINTER(Pick)]),
+    "abut_picker_cast_ray_all": (Status, [
+        c_void_p, POINTER(Ray), POINTER(Pick), c_size_t, POINTER(c_size_t)]),
+    "abut_picker_pick_pixel": (Status, [
+        c_void_p, POINTER(Camera), c_double, c_double, c_double, POINTER(Pick)]),
+    "abut_picker_render": (Status, [c_void_p, POINTER(Camera), POINTER(Pick), c_size_t]),
+}
+
+
+def _raise_failures(status, _function, _arguments):
+    if status != OK:
+        message = library.abut_last_error_message().decode("utf-8", "replace")
+        raise Error(status, library.abut_status_name(status).decode(), message)
+
+
+def _declare(loaded, functions):
+    for name, (result, arguments) in functions.items():
+        function = getattr(loaded, name)
+        function.restype = result
+        function.argtypes = arguments
+        # abut_set_last_error answers the status that it was given.
+        if result is Status and name != "abut_set_last_error":
+            function.errcheck = _raise_failures
+    return loaded
+
+
+def _load(name, variable):
+    return ctypes.CDLL(os.environ.get(variable) or f"{name}.so.{VERSION_MAJOR}")
+
+
+VERSION_MAJOR = 0
+VERSION_MINOR = 1
+
+library = _declare(_load("libabut", "ABUT_LIBRARY"), FUNCTIONS)
+library.abut_check_version(VERSION_MAJOR, VERSION_MINOR)
+
+try:
+    picking = _declare(_load("libabut_picking", "ABUT_PICKING_LIBRARY"), PICKING_FUNCTIONS)
+except OSError:
+    picking = None

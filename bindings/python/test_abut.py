@@ -1,0 +1,147 @@
+"""Smoke test of the Python binding: layouts, completeness, queries, a universe, errors.
+
+With the path of the folder of the C headers as its first argument it also checks that no function is missing.
+"""
+
+import array
+import ctypes
+import pathlib
+import re
+import sys
+import unittest
+
+import abut
+import abut_c as c
+
+HEADERS = None
+
+
+class Layout(unittest.TestCase):
+    def test_structs_are_those_of_the_library(self):
+        structs = {"abut_" + re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower(): value for name, value in vars(c).items()
+                   if isinstance(value, type) and issubclass(value, ctypes.Structure) and name[0] != "_"}
+        reported = {}
+        for index in range(c.library.abut_layout_count()):
+            entry = c.LayoutEntry()
+            c.library.abut_layout_at(index, ctypes.byref(entry))
+            reported.setdefault(entry.type.decode(), {})[entry.field.decode()] = (entry.offset, entry.size)
+        self.assertGreater(len(reported), 20)
+        for name, fields in reported.items():
+            ours = {field: (getattr(structs[name], field).offset, getattr(structs[name], field).size)
+                    for field, _ in structs[name]._fields_}
+            ours[""] = (0, ctypes.sizeof(structs[name]))
+            self.assertEqual(ours, fields, name)
+
+    def test_no_function_is_missing(self):
+        if HEADERS is None:
+            self.skipTest("the folder of the headers was not given")
+        for header, functions in (("abut.h", c.FUNCTIONS), ("picking.h", c.PICKING_FUNCTIONS)):
+            text = (HEADERS / "abut" / header).read_text()
+            declared = set(re.findall(r"^ABUT_API [^;(]*?(abut_\w+)\(", text, re.MULTILINE))
+            self.assertGreater(len(declared), 8)
+            self.assertEqual(declared, set(functions))
+
+    def test_constants_are_those_of_the_header(self):
+        if HEADERS is None:
+            self.skipTest("the folder of the headers was not given")
+        for header in ("abut.h", "picking.h"):
+            text = (HEADERS / "abut" / header).read_text()
+            for name, value in re.findall(r"^  ABUT_(\w+) = (\d+)", text, re.MULTILINE):
+                self.assertEqual(getattr(c, name), int(value), name)
+
+
+class Queries(unittest.TestCase):
+    def test_two_boxes(self):
+        with abut.Shape.box(1, 1, 1) as box:
+            apart = abut.distance(box, abut.pose(), box, abut.pose(3.5, 0, 0))
+            self.assertAlmostEqual(apart.distance, 1.5, places=12)
+            self.assertAlmostEqual(apart.normal.x, 1.0, places=12)
+            touching = abut.contacts(box, abut.pose(), box, abut.pose(0, 0, 1.75))
+            self.assertEqual(len(touching), 4)
+            for contact in touching:
+                self.assertAlmostEqual(contact.distance, -0.25, places=12)
+                self.assertAlmostEqual(contact.normal.z, 1.0, places=12)
+            many = abut.distances(box, [abut.pose()] * 3, box, [abut.pose(3 + i, 0, 0) for i in range(3)])
+            self.assertEqual([round(each.distance, 9) for each in many], [1.0, 2.0, 3.0])
+            self.assertEqual(len(abut.contacts(box, abut.pose(), box, abut.pose(0, 0, 1.75), max_contacts=1)), 1)
+
+    def test_shapes(self):
+        capsule = abut.Shape.capsule(0.5, 2)
+        self.assertEqual(capsule.kind, "capsule")
+        self.assertEqual(list(capsule.parameters.values()), [0.5, 2.0])
+        self.assertAlmostEqual(capsule.aabb(abut.pose(0, 0, 1)).maximum.z, 3.5)
+        points = array.array("d", [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0])
+        mesh = abut.Shape.mesh(points, [0, 1, 2, 0, 2, 3], sides=abut.SIDES_FRONT)
+        xyz, indices = mesh.triangles()
+        self.assertEqual(list(xyz), list(points))
+        self.assertEqual(list(indices), [0, 1, 2, 0, 2, 3])
+        hit = mesh.cast_ray(abut.pose(), abut.ray((0.5, 0, 2), (0, 0, -1)))
+        self.assertAlmostEqual(hit.distance, 2.0)
+        self.assertIsNone(mesh.cast_ray(abut.pose(), abut.ray((5, 0, 2), (0, 0, -1))))
+        self.assertEqual(abut.Shape.hull(points).kind, "hull")
+        self.assertEqual(abut.Shape.plane((0, 0, 2), 1).kind, "plane")
+        self.assertEqual(abut.Shape.height_field(2, 2, [0, 0, 0, 1]).kind, "height_field")
+        self.assertEqual(abut.Shape.of_kind("sphere", [2.0]).parameters, {"radius": 2.0})
+
+    def test_errors(self):
+        with self.assertRaises(abut.Error) as caught:
+            abut.Shape.sphere(-2.5)
+        self.assertEqual(caught.exception.status, abut.OUT_OF_RANGE)
+        self.assertEqual(caught.exception.name, "ABUT_OUT_OF_RANGE")
+        self.assertIn("radius", caught.exception.message)
+        self.assertIn("-2.5", str(caught.exception))
+        with self.assertRaises(TypeError):
+            abut.Universe(broad_phase=1)
+        closed = abut.Shape.sphere(1)
+        closed.close()
+        with self.assertRaises(ValueError):
+            closed.aabb(abut.pose())
+
+
+class Universes(unittest.TestCase):
+    def test_step(self):
+        with abut.Universe(broadphase=abut.BROADPHASE_TREE) as universe, abut.Shape.sphere(1) as ball:
+            parts = [universe.add_part(pose=abut.pose(x=1.5 * i), user_data=10 + i) for i in range(3)]
+            geometries = [universe.add_geometry(part, ball, tolerance=0.01) for part in parts]
+            universe.step(0.01)
+            found = universe.contacts()
+            self.assertEqual([(each.geometry_a.slot, each.geometry_b.slot) for each in found],
+                             [(geometries[0].slot, geometries[1].slot), (geometries[1].slot, geometries[2].slot)])
+            self.assertAlmostEqual(found[0].distance, -0.5)
+            self.assertEqual(universe.stats().contacts, 2)
+            self.assertIn("sphere", universe.explain())
+            self.assertEqual(universe.user_data(parts[2]), 12)
+            self.assertEqual(universe.describe(geometries[1]).tolerance, 0.01)
+            self.assertEqual(len(universe.geometries(parts[0])), 1)
+            universe.set_poses(parts[:1], [abut.pose(-5, 0, 0)])
+            universe.step()
+            self.assertEqual(len(universe.contacts()), 1)
+            self.assertEqual(universe.poses(parts)[0].position.x, -5)
+            universe.destroy_parts(parts[1:])
+            self.assertEqual(len(universe.parts()), 1)
+            with self.assertRaises(abut.Error) as caught:
+                universe.poses(parts)
+            self.assertEqual(caught.exception.status, abut.STALE_ID)
+
+
+@unittest.skipIf(abut.picking is None, "libabut_picking is not installed")
+class Picking(unittest.TestCase):
+    def test_rays(self):
+        with abut.Universe() as universe, abut.Shape.sphere(1) as ball:
+            geometry = universe.add_geometry(universe.add_part(), ball)
+            with abut.Picker(universe) as picker:
+                hit = picker.cast_ray(abut.ray((-5, 0, 0), (1, 0, 0)))
+                self.assertEqual(hit.geometry.slot, geometry.slot)
+                self.assertAlmostEqual(hit.distance, 4.0)
+                self.assertEqual(len(picker.cast_ray_all(abut.ray((-5, 0, 0), (1, 0, 0)))), 2)
+                view = abut.camera(eye=(-5, 0, 0), target=(0, 0, 0), width=16, height=8)
+                self.assertEqual(picker.pick_pixel(view, 8, 4).geometry.slot, geometry.slot)
+                picture = picker.render(view)
+                self.assertEqual(len(picture), 128)
+                self.assertGreater(sum(each.geometry.slot != 0 for each in picture), 4)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        HEADERS = pathlib.Path(sys.argv.pop(1))
+    unittest.main()

@@ -1,0 +1,177 @@
+// Single geometries under bad input.
+#include "bad_values.hpp"
+
+namespace {
+
+using namespace abut_test;
+
+abut_geometry_options default_options() {
+  abut_geometry_options options;
+  abut_geometry_options_init(&options);
+  return options;
+}
+
+TEST(GeometryOptionsInit, IgnoresNull) { abut_geometry_options_init(nullptr); }
+
+TEST(GeometryOptionsInit, FillsInTheDefaults) {
+  Out<abut_geometry_options> options;
+  abut_geometry_options_init(options.address());
+  EXPECT_EQ(options.value().struct_size, sizeof(abut_geometry_options));
+  EXPECT_EQ(options.value().reserved, 0U);
+  EXPECT_EQ(options.value().pose.orientation.w, 1.0);
+  EXPECT_EQ(options.value().pose.position.z, 0.0);
+  EXPECT_EQ(options.value().tolerance, 0.0);
+  EXPECT_EQ(options.value().user_data, 0U);
+}
+
+TEST(GeometryCreate, RefusesNullPointers) {
+  const Scene scene;
+  Out<abut_geometry_id> out;
+  EXPECT_TRUE(refused(abut_geometry_create(nullptr, scene.part, scene.ball, nullptr, out.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, nullptr, nullptr, out.address()), ABUT_NULL_ARGUMENT,
+                      {"shape", "null"}));
+  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, scene.ball, nullptr, nullptr), ABUT_NULL_ARGUMENT,
+                      {"out", "null"}));
+  EXPECT_TRUE(out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometryCreate, RefusesStaleIds) {
+  const Scene scene;
+  Out<abut_geometry_id> out;
+  for (const abut_part_id stale : scene.stale_parts) {
+    EXPECT_TRUE(refused(abut_geometry_create(scene.universe, stale, scene.ball, nullptr, out.address()), ABUT_STALE_ID,
+                        {"part", std::to_string(stale.slot)}));
+  }
+  EXPECT_TRUE(out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometryCreate, RefusesNonFiniteAndOtherBadPoses) {
+  const Scene scene;
+  Out<abut_geometry_id> out;
+  expect_pose_field_checked([&](const abut_pose& pose) {
+    abut_geometry_options options = default_options();
+    options.pose = pose;
+    return abut_geometry_create(scene.universe, scene.part, scene.ball, &options, out.address());
+  });
+  EXPECT_TRUE(out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometryCreate, RefusesBadTolerance) {
+  const Scene scene;
+  Out<abut_geometry_id> out;
+  abut_geometry_options options = default_options();
+  expect_non_finite_refused("tolerance", [&](double bad) {
+    options.tolerance = bad;
+    return abut_geometry_create(scene.universe, scene.part, scene.ball, &options, out.address());
+  });
+  options.tolerance = -2.5;
+  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, scene.ball, &options, out.address()), ABUT_OUT_OF_RANGE,
+                      {"tolerance", "-2.5"}));
+  EXPECT_TRUE(out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometryCreate, RefusesReservedThatIsNotZero) {
+  const Scene scene;
+  Out<abut_geometry_id> out;
+  abut_geometry_options options = default_options();
+  options.reserved = 31;
+  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, scene.ball, &options, out.address()), ABUT_INVALID_ARGUMENT,
+                      {"reserved", "31"}));
+  EXPECT_TRUE(out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometryCreate, RefusesWrongStructSize) {
+  const Scene scene;
+  Out<abut_geometry_id> out;
+  expect_struct_size_checked(default_options(), [&](const abut_geometry_options* wrong) {
+    return abut_geometry_create(scene.universe, scene.part, scene.ball, wrong, out.address());
+  });
+  EXPECT_TRUE(out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometryCreate, AcceptsLaterOptionsWithZeroTail) {
+  const Scene scene;
+  abut_geometry_id geometry{};
+  expect_zero_tail_accepted(default_options(), [&](const abut_geometry_options* later) {
+    return abut_geometry_create(scene.universe, scene.part, scene.ball, later, &geometry);
+  });
+  EXPECT_NE(geometry.slot, 0U);
+}
+
+TEST(GeometryDestroy, RefusesNullUniverse) {
+  const Scene scene;
+  EXPECT_TRUE(refused(abut_geometry_destroy(nullptr, scene.geometry), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+}
+
+TEST(GeometryDestroy, RefusesStaleIds) {
+  const Scene scene;
+  for (const abut_geometry_id stale : scene.stale_geometries) {
+    EXPECT_TRUE(refused(abut_geometry_destroy(scene.universe, stale), ABUT_STALE_ID, {"geometry", std::to_string(stale.slot)}));
+  }
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometryInfoInit, IgnoresNull) { abut_geometry_info_init(nullptr); }
+
+TEST(GeometryInfoInit, FillsInSize) {
+  Out<abut_geometry_info> info;
+  abut_geometry_info_init(info.address());
+  EXPECT_EQ(info.value().struct_size, sizeof(abut_geometry_info));
+  EXPECT_EQ(info.value().kind, 0U);
+  EXPECT_EQ(info.value().part.slot, 0U);
+  EXPECT_EQ(info.value().shape, nullptr);
+}
+
+TEST(GeometryDescribe, RefusesNullPointers) {
+  const Scene scene;
+  abut_geometry_info good;
+  abut_geometry_info_init(&good);
+  Out<abut_geometry_info> out(good);
+  EXPECT_TRUE(refused(abut_geometry_describe(nullptr, scene.geometry, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometry_describe(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(GeometryDescribe, RefusesStaleIds) {
+  const Scene scene;
+  abut_geometry_info good;
+  abut_geometry_info_init(&good);
+  Out<abut_geometry_info> out(good);
+  for (const abut_geometry_id stale : scene.stale_geometries) {
+    EXPECT_TRUE(refused(abut_geometry_describe(scene.universe, stale, out.address()), ABUT_STALE_ID,
+                        {"geometry", std::to_string(stale.slot)}));
+  }
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(GeometryDescribe, RefusesWrongStructSize) {
+  const Scene scene;
+  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, sizeof(abut_geometry_info) - 1}) {
+    abut_geometry_info wrong;
+    abut_geometry_info_init(&wrong);
+    wrong.struct_size = static_cast<std::uint32_t>(size);
+    Out<abut_geometry_info> out(wrong);
+    EXPECT_TRUE(refused(abut_geometry_describe(scene.universe, scene.geometry, out.address()), ABUT_WRONG_STRUCT_SIZE,
+                        {"struct_size", std::to_string(size)}));
+    EXPECT_TRUE(out.is_untouched());
+  }
+}
+
+TEST(GeometryDescribe, AcceptsLaterStructWithZeroTail) {
+  const Scene scene;
+  Grown<abut_geometry_info> later{};
+  abut_geometry_info_init(&later.known);
+  later.known.struct_size = sizeof(later);
+  EXPECT_TRUE(succeeded(abut_geometry_describe(scene.universe, scene.geometry, &later.known)));
+  EXPECT_EQ(later.known.struct_size, sizeof(later));
+  EXPECT_EQ(later.known.part, scene.part);
+}
+
+}  // namespace

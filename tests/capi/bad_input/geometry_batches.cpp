@@ -1,0 +1,202 @@
+// Batches of geometries under bad input: one bad element spoils all, whichever it is.
+#include "bad_values.hpp"
+
+namespace {
+
+using namespace abut_test;
+
+// A batch of three geometries for a scene, ready to be spoiled.
+struct Batch {
+  explicit Batch(const Scene& scene)
+      : universe(scene.universe),
+        parts{scene.part, scene.second_part, scene.part},
+        shapes{scene.ball, scene.block, scene.ball} {
+    for (abut_geometry_options& each : options) abut_geometry_options_init(&each);
+  }
+  abut_status create() {
+    return abut_geometries_create(universe, parts.data(), shapes.data(), options.data(), 3, out.data());
+  }
+
+  abut_universe* universe;
+  std::array<abut_part_id, 3> parts;
+  std::array<const abut_shape*, 3> shapes;
+  std::array<abut_geometry_options, 3> options{};
+  OutArray<abut_geometry_id> out{3};
+};
+
+TEST(GeometriesCreate, AcceptsTheBatchThatTheOthersSpoil) {
+  const Scene scene;
+  Batch batch(scene);
+  EXPECT_TRUE(succeeded(batch.create()));
+  EXPECT_TRUE(succeeded(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, 3, batch.out.data())));
+  EXPECT_TRUE(succeeded(abut_geometries_create(scene.universe, nullptr, nullptr, nullptr, 0, nullptr)));
+}
+
+TEST(GeometriesCreate, RefusesNullPointers) {
+  const Scene scene;
+  Batch batch(scene);
+  abut_geometry_id* const out = batch.out.data();
+  EXPECT_TRUE(refused(abut_geometries_create(nullptr, batch.parts.data(), batch.shapes.data(), nullptr, 3, out), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_create(scene.universe, nullptr, batch.shapes.data(), nullptr, 3, out), ABUT_NULL_ARGUMENT,
+                      {"parts", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), nullptr, nullptr, 3, out), ABUT_NULL_ARGUMENT,
+                      {"shapes", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, 3, nullptr),
+                      ABUT_NULL_ARGUMENT, {"out", "null"}));
+  batch.shapes[2] = nullptr;
+  EXPECT_TRUE(refused(batch.create(), ABUT_NULL_ARGUMENT, {"shapes", "2", "null"}));
+  EXPECT_TRUE(batch.out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometriesCreate, RefusesOverflowingCounts) {
+  const Scene scene;
+  Batch batch(scene);
+  for (const std::size_t count : overflowing_counts(sizeof(abut_geometry_options))) {
+    EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), batch.options.data(), count,
+                                               batch.out.data()),
+                        ABUT_SIZE_OVERFLOW, {std::to_string(count)}));
+  }
+  for (const std::size_t count : overflowing_counts(sizeof(abut_part_id))) {
+    EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, count, batch.out.data()),
+                        ABUT_SIZE_OVERFLOW, {std::to_string(count)}));
+  }
+  EXPECT_TRUE(batch.out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometriesCreate, RefusesStaleIdsAndCreatesNone) {
+  const Scene scene;
+  Batch batch(scene);
+  for (const abut_part_id stale : scene.stale_parts) {
+    batch.parts[2] = stale;
+    EXPECT_TRUE(refused(batch.create(), ABUT_STALE_ID, {"parts", "2", std::to_string(stale.slot)}));
+  }
+  EXPECT_TRUE(batch.out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometriesCreate, RefusesNonFiniteAndOtherBadPosesAndCreatesNone) {
+  const Scene scene;
+  Batch batch(scene);
+  for (const BadPose& bad : bad_poses()) {
+    batch.options[2].pose = bad.pose;
+    EXPECT_TRUE(refused(batch.create(), bad.status, {"options", "2", "pose", bad.word}));
+  }
+  EXPECT_TRUE(batch.out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometriesCreate, RefusesBadTolerance) {
+  const Scene scene;
+  Batch batch(scene);
+  expect_non_finite_refused("tolerance", [&](double bad) {
+    batch.options[1].tolerance = bad;
+    return batch.create();
+  });
+  batch.options[1].tolerance = -2.5;
+  EXPECT_TRUE(refused(batch.create(), ABUT_OUT_OF_RANGE, {"options", "1", "tolerance", "-2.5"}));
+  EXPECT_TRUE(batch.out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometriesCreate, RefusesReservedThatIsNotZero) {
+  const Scene scene;
+  Batch batch(scene);
+  batch.options[1].reserved = 31;
+  EXPECT_TRUE(refused(batch.create(), ABUT_INVALID_ARGUMENT, {"options", "1", "reserved", "31"}));
+  EXPECT_TRUE(batch.out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometriesCreate, RefusesWrongStructSize) {
+  const Scene scene;
+  Batch batch(scene);
+  expect_struct_size_checked(batch.options[0], [&](const abut_geometry_options* wrong) {
+    return abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), wrong, 1, batch.out.data());
+  });
+  batch.options[1].struct_size = 0;
+  EXPECT_TRUE(refused(batch.create(), ABUT_WRONG_STRUCT_SIZE, {"struct_size", "0"}));
+  EXPECT_TRUE(batch.out.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+// An array of structs steps by what the caller's header calls their size.
+TEST(GeometriesCreate, StepsByTheStructSizeOfTheCaller) {
+  const Scene scene;
+  Batch batch(scene);
+  std::array<Grown<abut_geometry_options>, 3> later{};
+  for (std::size_t i = 0; i < later.size(); ++i) {
+    later.at(i).known = batch.options.at(i);
+    later.at(i).known.struct_size = sizeof(later[0]);
+    later.at(i).known.user_data = 100 + i;
+  }
+  ASSERT_TRUE(succeeded(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), &later[0].known, 3, batch.out.data())));
+  for (std::size_t i = 0; i < later.size(); ++i) {
+    abut_geometry_info info;
+    abut_geometry_info_init(&info);
+    ASSERT_TRUE(succeeded(abut_geometry_describe(scene.universe, batch.out[i], &info)));
+    EXPECT_EQ(info.user_data, 100 + i);
+  }
+}
+
+TEST(GeometriesDestroy, RefusesNullPointers) {
+  const Scene scene;
+  EXPECT_TRUE(refused(abut_geometries_destroy(nullptr, &scene.geometry, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_destroy(scene.universe, nullptr, 1), ABUT_NULL_ARGUMENT, {"geometries", "null"}));
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometriesDestroy, RefusesOverflowingCounts) {
+  const Scene scene;
+  for (const std::size_t count : overflowing_counts(sizeof(abut_geometry_id))) {
+    EXPECT_TRUE(refused(abut_geometries_destroy(scene.universe, &scene.geometry, count), ABUT_SIZE_OVERFLOW,
+                        {std::to_string(count)}));
+  }
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometriesDestroy, RefusesStaleIdsAndDestroysNone) {
+  const Scene scene;
+  for (const abut_geometry_id stale : scene.stale_geometries) {
+    const std::array<abut_geometry_id, 3> geometries{scene.geometry, scene.second_geometry, stale};
+    EXPECT_TRUE(refused(abut_geometries_destroy(scene.universe, geometries.data(), 3), ABUT_STALE_ID,
+                        {"geometries", "2", std::to_string(stale.slot)}));
+  }
+  const std::array<abut_geometry_id, 3> twice{scene.geometry, scene.second_geometry, scene.geometry};
+  EXPECT_TRUE(refused(abut_geometries_destroy(scene.universe, twice.data(), 3), ABUT_STALE_ID, {"geometries", "2"}));
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(GeometriesPoses, RefusesNullPointers) {
+  const Scene scene;
+  Out<abut_pose> out;
+  EXPECT_TRUE(refused(abut_geometries_poses(nullptr, &scene.geometry, 1, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, nullptr, 1, out.address()), ABUT_NULL_ARGUMENT, {"geometries", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, &scene.geometry, 1, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(GeometriesPoses, RefusesOverflowingCounts) {
+  const Scene scene;
+  Out<abut_pose> out;
+  for (const std::size_t count : overflowing_counts(sizeof(abut_pose))) {
+    EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, &scene.geometry, count, out.address()), ABUT_SIZE_OVERFLOW,
+                        {std::to_string(count)}));
+  }
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(GeometriesPoses, RefusesStaleIdsAndWritesNothing) {
+  const Scene scene;
+  OutArray<abut_pose> out(2);
+  for (const abut_geometry_id stale : scene.stale_geometries) {
+    const std::array<abut_geometry_id, 2> geometries{scene.geometry, stale};
+    EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, geometries.data(), 2, out.data()), ABUT_STALE_ID,
+                        {"geometries", "1", std::to_string(stale.slot)}));
+  }
+  EXPECT_TRUE(out.is_untouched());
+}
+
+}  // namespace

@@ -1,0 +1,154 @@
+// Height fields under bad input.
+#include "bad_values.hpp"
+
+namespace {
+
+using namespace abut_test;
+
+constexpr std::array<double, 6> six_heights{0, 1, 2, 3, 4, 5};
+
+abut_height_field_desc good_desc() {
+  abut_height_field_desc desc;
+  abut_height_field_desc_init(&desc);
+  desc.columns = 3;
+  desc.rows = 2;
+  desc.spacing_x = 1.0;
+  desc.spacing_y = 2.0;
+  desc.heights = six_heights.data();
+  return desc;
+}
+
+TEST(HeightFieldDescInit, IgnoresNull) { abut_height_field_desc_init(nullptr); }
+
+TEST(HeightFieldDescInit, FillsInSizeAndZeroes) {
+  Out<abut_height_field_desc> desc;
+  abut_height_field_desc_init(desc.address());
+  EXPECT_EQ(desc.value().struct_size, sizeof(abut_height_field_desc));
+  EXPECT_EQ(desc.value().reserved, 0U);
+  EXPECT_EQ(desc.value().heights, nullptr);
+}
+
+TEST(HeightFieldCreate, AcceptsTheDescriptionThatTheOthersSpoil) {
+  const abut_height_field_desc desc = good_desc();
+  abut_shape* shape = nullptr;
+  EXPECT_TRUE(succeeded(abut_height_field_create(&desc, &shape)));
+  abut_shape_release(shape);
+}
+
+TEST(HeightFieldCreate, RefusesNullPointers) {
+  Out<abut_shape*> out;
+  abut_height_field_desc desc = good_desc();
+  EXPECT_TRUE(refused(abut_height_field_create(nullptr, out.address()), ABUT_NULL_ARGUMENT, {"desc", "null"}));
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  desc.heights = nullptr;
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_NULL_ARGUMENT, {"heights", "null"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(HeightFieldCreate, RefusesFieldsWithoutSamples) {
+  Out<abut_shape*> out;
+  abut_height_field_desc desc = good_desc();
+  desc.columns = 0;
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_EMPTY, {"columns", "0"}));
+  desc = good_desc();
+  desc.rows = 0;
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_EMPTY, {"rows", "0"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+// One row of samples spans no cell.
+TEST(HeightFieldCreate, RefusesFieldsWithoutCells) {
+  Out<abut_shape*> out;
+  abut_height_field_desc desc = good_desc();
+  desc.columns = 1;
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_OUT_OF_RANGE, {"columns", "1"}));
+  desc = good_desc();
+  desc.rows = 1;
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_OUT_OF_RANGE, {"rows", "1"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(HeightFieldCreate, RefusesNonFiniteNumbers) {
+  Out<abut_shape*> out;
+  abut_height_field_desc desc = good_desc();
+  expect_non_finite_refused("spacing_x", [&](double bad) {
+    desc.spacing_x = bad;
+    return abut_height_field_create(&desc, out.address());
+  });
+  desc = good_desc();
+  expect_non_finite_refused("spacing_y", [&](double bad) {
+    desc.spacing_y = bad;
+    return abut_height_field_create(&desc, out.address());
+  });
+  for (std::size_t place = 0; place < six_heights.size(); ++place) {
+    auto heights = six_heights;
+    desc = good_desc();
+    desc.heights = heights.data();
+    expect_non_finite_refused("heights", [&](double bad) {
+      heights.at(place) = bad;
+      return abut_height_field_create(&desc, out.address());
+    });
+  }
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(HeightFieldCreate, RefusesSpacingThatIsNotPositive) {
+  Out<abut_shape*> out;
+  for (const double spacing : {0.0, -2.5}) {
+    const std::string_view word = spacing < 0.0 ? "-2.5" : "0";
+    abut_height_field_desc desc = good_desc();
+    desc.spacing_x = spacing;
+    EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_OUT_OF_RANGE, {"spacing_x", word}));
+    desc = good_desc();
+    desc.spacing_y = spacing;
+    EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_OUT_OF_RANGE, {"spacing_y", word}));
+  }
+  EXPECT_TRUE(out.is_untouched());
+}
+
+// The far corner of the field would lie at infinity.
+TEST(HeightFieldCreate, RefusesFieldsThatAreTooLarge) {
+  Out<abut_shape*> out;
+  abut_height_field_desc desc = good_desc();
+  desc.spacing_x = std::numeric_limits<double>::max();
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_OUT_OF_RANGE, {"spacing_x"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(HeightFieldCreate, RefusesOverflowingCounts) {
+  Out<abut_shape*> out;
+  abut_height_field_desc desc = good_desc();
+  desc.columns = 0xFFFFFFFFU;
+  desc.rows = 0xFFFFFFFFU;
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"heights", "18446744065119617025"}));
+  desc.columns = 0x80000000U;
+  desc.rows = 0x80000000U;
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"heights", "4611686018427387904"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(HeightFieldCreate, RefusesReservedThatIsNotZero) {
+  Out<abut_shape*> out;
+  abut_height_field_desc desc = good_desc();
+  desc.reserved = 31;
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_INVALID_ARGUMENT, {"reserved", "31"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(HeightFieldCreate, RefusesWrongStructSize) {
+  Out<abut_shape*> out;
+  expect_struct_size_checked(good_desc(), [&](const abut_height_field_desc* wrong) {
+    return abut_height_field_create(wrong, out.address());
+  });
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(HeightFieldCreate, AcceptsLaterDescriptionWithZeroTail) {
+  abut_shape* shape = nullptr;
+  expect_zero_tail_accepted(good_desc(), [&](const abut_height_field_desc* later) {
+    return abut_height_field_create(later, &shape);
+  });
+  abut_shape_release(shape);
+}
+
+}  // namespace

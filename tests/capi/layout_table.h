@@ -1,0 +1,156 @@
+/* Sizes and offsets of the structs of the C interface, as every binding may rely on them: TYPE(struct, size) and
+ * FIELD(struct, field, offset, size). On targets with 64-bit pointers, whatever the compiler. */
+#ifndef ABUT_TESTS_LAYOUT_TABLE_H
+#define ABUT_TESTS_LAYOUT_TABLE_H
+
+#define ABUT_LAYOUT(TYPE, FIELD)                          \
+  TYPE(abut_vec3, 24)                                     \
+  FIELD(abut_vec3, x, 0, 8)                               \
+  FIELD(abut_vec3, y, 8, 8)                               \
+  FIELD(abut_vec3, z, 16, 8)                              \
+  TYPE(abut_quat, 32)                                     \
+  FIELD(abut_quat, w, 0, 8)                               \
+  FIELD(abut_quat, x, 8, 8)                               \
+  FIELD(abut_quat, y, 16, 8)                              \
+  FIELD(abut_quat, z, 24, 8)                              \
+  TYPE(abut_pose, 56)                                     \
+  FIELD(abut_pose, position, 0, 24)                       \
+  FIELD(abut_pose, orientation, 24, 32)                   \
+  TYPE(abut_aabb, 48)                                     \
+  FIELD(abut_aabb, minimum, 0, 24)                        \
+  FIELD(abut_aabb, maximum, 24, 24)                       \
+  TYPE(abut_part_id, 8)                                   \
+  FIELD(abut_part_id, slot, 0, 4)                         \
+  FIELD(abut_part_id, generation, 4, 4)                   \
+  TYPE(abut_geometry_id, 8)                               \
+  FIELD(abut_geometry_id, slot, 0, 4)                     \
+  FIELD(abut_geometry_id, generation, 4, 4)               \
+  TYPE(abut_feature, 8)                                   \
+  FIELD(abut_feature, kind, 0, 4)                         \
+  FIELD(abut_feature, index, 4, 4)                        \
+  TYPE(abut_mesh_options, 8)                              \
+  FIELD(abut_mesh_options, struct_size, 0, 4)             \
+  FIELD(abut_mesh_options, sides, 4, 4)                   \
+  TYPE(abut_height_field_desc, 40)                        \
+  FIELD(abut_height_field_desc, struct_size, 0, 4)        \
+  FIELD(abut_height_field_desc, reserved, 4, 4)           \
+  FIELD(abut_height_field_desc, columns, 8, 4)            \
+  FIELD(abut_height_field_desc, rows, 12, 4)              \
+  FIELD(abut_height_field_desc, spacing_x, 16, 8)         \
+  FIELD(abut_height_field_desc, spacing_y, 24, 8)         \
+  FIELD(abut_height_field_desc, heights, 32, 8)           \
+  TYPE(abut_shape_desc, 56)                               \
+  FIELD(abut_shape_desc, struct_size, 0, 4)               \
+  FIELD(abut_shape_desc, kind, 4, 4)                      \
+  FIELD(abut_shape_desc, parameters, 8, 8)                \
+  FIELD(abut_shape_desc, parameter_count, 16, 8)          \
+  FIELD(abut_shape_desc, reals, 24, 8)                    \
+  FIELD(abut_shape_desc, real_count, 32, 8)               \
+  FIELD(abut_shape_desc, indices, 40, 8)                  \
+  FIELD(abut_shape_desc, index_count, 48, 8)              \
+  TYPE(abut_ray, 56)                                      \
+  FIELD(abut_ray, origin, 0, 24)                          \
+  FIELD(abut_ray, direction, 24, 24)                      \
+  FIELD(abut_ray, max_distance, 48, 8)                    \
+  TYPE(abut_ray_hit, 64)                                  \
+  FIELD(abut_ray_hit, distance, 0, 8)                     \
+  FIELD(abut_ray_hit, point, 8, 24)                       \
+  FIELD(abut_ray_hit, normal, 32, 24)                     \
+  FIELD(abut_ray_hit, feature, 56, 8)                     \
+  TYPE(abut_query_options, 32)                            \
+  FIELD(abut_query_options, struct_size, 0, 4)            \
+  FIELD(abut_query_options, algorithm, 4, 4)              \
+  FIELD(abut_query_options, error_bound, 8, 8)            \
+  FIELD(abut_query_options, margin, 16, 8)                \
+  FIELD(abut_query_options, max_contacts, 24, 4)          \
+  FIELD(abut_query_options, reserved, 28, 4)              \
+  TYPE(abut_distance, 104)                                \
+  FIELD(abut_distance, distance, 0, 8)                    \
+  FIELD(abut_distance, lower, 8, 8)                       \
+  FIELD(abut_distance, upper, 16, 8)                      \
+  FIELD(abut_distance, point_a, 24, 24)                   \
+  FIELD(abut_distance, point_b, 48, 24)                   \
+  FIELD(abut_distance, normal, 72, 24)                    \
+  FIELD(abut_distance, algorithm, 96, 4)                  \
+  FIELD(abut_distance, iterations, 100, 4)                \
+  TYPE(abut_contact, 136)                                 \
+  FIELD(abut_contact, geometry_a, 0, 8)                   \
+  FIELD(abut_contact, geometry_b, 8, 8)                   \
+  FIELD(abut_contact, id, 16, 8)                          \
+  FIELD(abut_contact, feature_a, 24, 8)                   \
+  FIELD(abut_contact, feature_b, 32, 8)                   \
+  FIELD(abut_contact, point_a, 40, 24)                    \
+  FIELD(abut_contact, point_b, 64, 24)                    \
+  FIELD(abut_contact, normal, 88, 24)                     \
+  FIELD(abut_contact, distance, 112, 8)                   \
+  FIELD(abut_contact, toi, 120, 8)                        \
+  FIELD(abut_contact, flags, 128, 4)                      \
+  FIELD(abut_contact, reserved, 132, 4)                   \
+  TYPE(abut_universe_options, 40)                         \
+  FIELD(abut_universe_options, struct_size, 0, 4)         \
+  FIELD(abut_universe_options, broadphase, 4, 4)          \
+  FIELD(abut_universe_options, tolerance_mode, 8, 4)      \
+  FIELD(abut_universe_options, max_contacts, 12, 4)       \
+  FIELD(abut_universe_options, origin, 16, 24)            \
+  TYPE(abut_part_options, 72)                             \
+  FIELD(abut_part_options, struct_size, 0, 4)             \
+  FIELD(abut_part_options, motion, 4, 4)                  \
+  FIELD(abut_part_options, pose, 8, 56)                   \
+  FIELD(abut_part_options, user_data, 64, 8)              \
+  TYPE(abut_geometry_options, 80)                         \
+  FIELD(abut_geometry_options, struct_size, 0, 4)         \
+  FIELD(abut_geometry_options, reserved, 4, 4)            \
+  FIELD(abut_geometry_options, pose, 8, 56)               \
+  FIELD(abut_geometry_options, tolerance, 64, 8)          \
+  FIELD(abut_geometry_options, user_data, 72, 8)          \
+  TYPE(abut_geometry_info, 152)                           \
+  FIELD(abut_geometry_info, struct_size, 0, 4)            \
+  FIELD(abut_geometry_info, kind, 4, 4)                   \
+  FIELD(abut_geometry_info, part, 8, 8)                   \
+  FIELD(abut_geometry_info, shape, 16, 8)                 \
+  FIELD(abut_geometry_info, pose, 24, 56)                 \
+  FIELD(abut_geometry_info, local, 80, 56)                \
+  FIELD(abut_geometry_info, tolerance, 136, 8)            \
+  FIELD(abut_geometry_info, user_data, 144, 8)            \
+  TYPE(abut_revision, 16)                                 \
+  FIELD(abut_revision, geometries, 0, 8)                  \
+  FIELD(abut_revision, poses, 8, 8)                       \
+  TYPE(abut_step_stats, 104)                              \
+  FIELD(abut_step_stats, struct_size, 0, 4)               \
+  FIELD(abut_step_stats, reserved, 4, 4)                  \
+  FIELD(abut_step_stats, parts, 8, 8)                     \
+  FIELD(abut_step_stats, geometries, 16, 8)               \
+  FIELD(abut_step_stats, moved, 24, 8)                    \
+  FIELD(abut_step_stats, candidate_pairs, 32, 8)          \
+  FIELD(abut_step_stats, touching_pairs, 40, 8)           \
+  FIELD(abut_step_stats, contacts, 48, 8)                 \
+  FIELD(abut_step_stats, unsupported_pairs, 56, 8)        \
+  FIELD(abut_step_stats, bytes, 64, 8)                    \
+  FIELD(abut_step_stats, refresh_microseconds, 72, 8)     \
+  FIELD(abut_step_stats, broadphase_microseconds, 80, 8)  \
+  FIELD(abut_step_stats, narrowphase_microseconds, 88, 8) \
+  FIELD(abut_step_stats, contact_microseconds, 96, 8)     \
+  TYPE(abut_layout_entry, 32)                             \
+  FIELD(abut_layout_entry, type, 0, 8)                    \
+  FIELD(abut_layout_entry, field, 8, 8)                   \
+  FIELD(abut_layout_entry, offset, 16, 8)                 \
+  FIELD(abut_layout_entry, size, 24, 8)
+
+#define ABUT_PICKING_LAYOUT(TYPE, FIELD)   \
+  TYPE(abut_pick, 72)                      \
+  FIELD(abut_pick, geometry, 0, 8)         \
+  FIELD(abut_pick, feature, 8, 8)          \
+  FIELD(abut_pick, distance, 16, 8)        \
+  FIELD(abut_pick, point, 24, 24)          \
+  FIELD(abut_pick, normal, 48, 24)         \
+  TYPE(abut_camera, 96)                    \
+  FIELD(abut_camera, struct_size, 0, 4)    \
+  FIELD(abut_camera, width, 4, 4)          \
+  FIELD(abut_camera, height, 8, 4)         \
+  FIELD(abut_camera, reserved, 12, 4)      \
+  FIELD(abut_camera, pose, 16, 56)         \
+  FIELD(abut_camera, vertical_fov, 72, 8)  \
+  FIELD(abut_camera, near_distance, 80, 8) \
+  FIELD(abut_camera, far_distance, 88, 8)
+
+#endif

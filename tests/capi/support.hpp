@@ -1,0 +1,162 @@
+// What the tests of the C interface share: owners of its objects, out-parameters that notice when they are written,
+// and assertions on statuses and messages.
+#pragma once
+
+#include <abut/abut.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace abut_test {
+
+// Holds when a call answered ABUT_OK and left no message.
+testing::AssertionResult succeeded(abut_status status);
+
+// Holds when a call failed with exactly this status and a message that contains every word.
+testing::AssertionResult refused(abut_status status, abut_status expected,
+                                 std::initializer_list<std::string_view> words);
+
+// An out-parameter, filled with a pattern that a failing call must leave alone.
+template <class Value>
+class Out {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  using Bytes = std::array<unsigned char, sizeof(Value)>;
+
+ public:
+  Out() {
+    before_.fill(0xA5);
+    value_ = std::bit_cast<Value>(before_);
+  }
+  explicit Out(const Value& before) : value_(before), before_(std::bit_cast<Bytes>(before)) {}
+
+  Value* address() { return &value_; }
+  const Value& value() const { return value_; }
+  bool is_untouched() const { return std::bit_cast<Bytes>(value_) == before_; }
+
+ private:
+  Value value_;
+  Bytes before_{};
+};
+
+// The same for an array.
+template <class Value>
+class OutArray {
+ public:
+  explicit OutArray(std::size_t size) : values_(size, Out<Value>{}.value()) {}
+
+  Value* data() { return values_.data(); }
+  std::size_t size() const { return values_.size(); }
+  const Value& operator[](std::size_t index) const { return values_.at(index); }
+  bool is_untouched() const { return is_untouched_from(0); }
+  bool is_untouched_from(std::size_t first) const {
+    for (std::size_t index = first; index < values_.size(); ++index) {
+      using Bytes = std::array<unsigned char, sizeof(Value)>;
+      if (std::bit_cast<Bytes>(values_.at(index)) != std::bit_cast<Bytes>(Out<Value>{}.value())) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::vector<Value> values_;
+};
+
+// Owns one reference to a shape.
+class Shape {
+ public:
+  Shape() = default;
+  explicit Shape(abut_shape* shape) : shape_(shape) {}
+  Shape(Shape&& other) noexcept : shape_(other.shape_) { other.shape_ = nullptr; }
+  Shape& operator=(Shape&& other) noexcept {
+    std::swap(shape_, other.shape_);
+    return *this;
+  }
+  Shape(const Shape&) = delete;
+  Shape& operator=(const Shape&) = delete;
+  ~Shape() { abut_shape_release(shape_); }
+
+  // Implicit, so that the tests read like calls of the C interface.
+  operator abut_shape*() const { return shape_; }  // NOLINT(google-explicit-constructor)
+
+ private:
+  abut_shape* shape_ = nullptr;
+};
+
+Shape make_sphere(double radius);
+Shape make_box(double half_x, double half_y, double half_z);
+Shape make_capsule(double radius, double half_height);
+Shape make_plane(abut_vec3 normal, double offset);
+Shape make_octahedron(double radius);                       // a hull of six points
+Shape make_square_mesh(double half_side);                   // two triangles at z = 0, front up
+Shape make_terrain(std::uint32_t samples, double spacing);  // flat at z = 0 but for a bump in the middle
+// One shape of every kind, all about one unit large, in the order sphere, box, capsule, plane, hull, mesh, height field.
+std::vector<Shape> make_one_of_each_kind();
+
+// Owns a universe.
+class Universe {
+ public:
+  Universe() : Universe(nullptr) {}
+  explicit Universe(const abut_universe_options* options);
+  Universe(const Universe&) = delete;
+  Universe& operator=(const Universe&) = delete;
+  ~Universe() { abut_universe_destroy(universe_); }
+
+  operator abut_universe*() const { return universe_; }  // NOLINT(google-explicit-constructor)
+
+  abut_part_id add_part(const abut_pose& pose, abut_motion motion = ABUT_MOTION_DYNAMIC, std::uint64_t user_data = 0);
+  abut_geometry_id add_geometry(abut_part_id part, const abut_shape* shape, double tolerance = 0.0);
+  abut_geometry_id add(const abut_shape* shape, const abut_pose& pose, abut_motion motion = ABUT_MOTION_DYNAMIC,
+                       double tolerance = 0.0);
+  std::vector<abut_contact> contacts() const;
+  std::vector<abut_contact> step();  // one step of no length, then its contacts
+
+ private:
+  abut_universe* universe_ = nullptr;
+};
+
+inline constexpr abut_quat no_rotation{1.0, 0.0, 0.0, 0.0};
+inline constexpr abut_pose identity{{0.0, 0.0, 0.0}, no_rotation};
+constexpr abut_pose at(double x, double y, double z) { return {{x, y, z}, no_rotation}; }
+
+// Everything that a universe tells about itself, as bytes: parts, geometries, poses, counters, contacts, statistics.
+std::vector<unsigned char> snapshot(const abut_universe* universe);
+
+// A small stepped universe with contacts, and the ids that a caller could get wrong.
+class Scene {
+ public:
+  Scene();
+
+  Universe universe;
+  Universe other;  // with the same slots in use
+  Shape ball = make_sphere(1.0);
+  Shape block = make_box(1.0, 1.0, 1.0);
+  abut_part_id part{};
+  abut_part_id second_part{};
+  abut_geometry_id geometry{};
+  abut_geometry_id second_geometry{};
+  std::vector<abut_part_id> stale_parts;          // null, destroyed, foreign, never issued
+  std::vector<abut_geometry_id> stale_geometries;  // the same kinds
+
+  bool is_unchanged() const { return snapshot(universe) == before_; }
+
+ private:
+  std::vector<unsigned char> before_;
+};
+
+}  // namespace abut_test
+
+// The ids are plain C structs; the tests compare them often.
+inline bool operator==(const abut_part_id& a, const abut_part_id& b) {
+  return a.slot == b.slot && a.generation == b.generation;
+}
+inline bool operator==(const abut_geometry_id& a, const abut_geometry_id& b) {
+  return a.slot == b.slot && a.generation == b.generation;
+}
