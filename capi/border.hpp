@@ -65,8 +65,8 @@ template <std::size_t Group = 1, class T>
   if (const abut_status status = check_not_null(name, pointer); status != ABUT_OK) {
     return status;
   }
-  ABUT_UNSAFE_BEGIN
   // SAFETY: the caller of the C interface says that so many elements are there; the size is checked.
+  ABUT_UNSAFE_BEGIN
   out = std::span<T>(pointer, static_cast<std::size_t>(count) * Group);
   ABUT_UNSAFE_END
   return ABUT_OK;
@@ -75,8 +75,8 @@ template <std::size_t Group = 1, class T>
 // One element where there is one; for structs that a caller hands over by pointer.
 template <class T>
 [[nodiscard]] inline std::span<T> bytes_of(T* pointer, std::size_t count) {
-  ABUT_UNSAFE_BEGIN
   // SAFETY: count is the struct_size that the caller has set, and at most a page.
+  ABUT_UNSAFE_BEGIN
   return std::span<T>(pointer, count);
   ABUT_UNSAFE_END
 }

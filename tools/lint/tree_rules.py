@@ -12,6 +12,8 @@ PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
 # pairs, and the typed shorthands of the C interface.
 MAY_NAME_SHAPES = ("modules/pairs", "capi/shape.cpp")
 
+DECLARES = r"\b(?:struct|class)\s+(?:alignas\s*\([^)]*\)\s*|\[\[[^\]]*\]\]\s*)*"
+
 # Rank of a module by its folder; imports go from higher to lower or stay level.
 LAYERS = [
     ("core",),
@@ -88,7 +90,7 @@ def shape_name(sources):
         own = {
             path.rpartition("/")[0]
             for path, source in sources.items()
-            if not source.within("modules/shapes") and re.search(rf"\b(?:struct|class)\s+{kind}\b[^;()]*\{{", source.code)
+            if not source.within("modules/shapes") and re.search(rf"{DECLARES}{kind}\b[^;()]*\{{", source.code)
         }
         for path, source in sources.items():
             if not source.is_cxx or not source.within("modules", "capi") or source.within(*MAY_NAME_SHAPES):
