@@ -73,8 +73,8 @@ template <std::size_t Group = 1, class T>
   if (const abut_status status = check_not_null(name, pointer); status != ABUT_OK) {
     return status;
   }
-  ABUT_UNSAFE_BEGIN
   // SAFETY: the caller of the C interface says that so many elements are there; the size is checked.
+  ABUT_UNSAFE_BEGIN
   out = std::span<T>(pointer, static_cast<std::size_t>(count) * Group);
   ABUT_UNSAFE_END
   return ABUT_OK;
@@ -82,8 +82,8 @@ template <std::size_t Group = 1, class T>
 
 // A struct of the caller, or an array of them, as bytes.
 [[nodiscard]] inline std::span<const unsigned char> bytes_of(const void* structs, std::size_t size) {
-  ABUT_UNSAFE_BEGIN
   // SAFETY: the size is the struct_size that the caller has set, times a count that was checked.
+  ABUT_UNSAFE_BEGIN
   return std::span<const unsigned char>(static_cast<const unsigned char*>(structs), size);
   ABUT_UNSAFE_END
 }

@@ -13,7 +13,6 @@ if(TARGET abut_picking)
 endif()
 set_target_properties(abut_modules PROPERTIES EXPORT_NAME modules)
 abut_export_flags(abut_modules)
-target_include_directories(abut INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 install(TARGETS ${abut_installed} EXPORT abut_targets FILE_SET CXX_MODULES DESTINATION ${abut_modules_dir})
 install(EXPORT abut_targets NAMESPACE abut:: FILE abut_targets.cmake

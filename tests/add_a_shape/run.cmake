@@ -30,8 +30,9 @@ endif()
 if(NOT shapes STREQUAL "all")
   list(APPEND shapes octahedron)
 endif()
+# A build type without optimisation and without debug information compiles fastest.
 run(${CMAKE_COMMAND} -G ${generator} -S ${tree} -B ${work}/build -D CMAKE_C_COMPILER=${c} -D CMAKE_CXX_COMPILER=${cxx}
-    -D CMAKE_BUILD_TYPE=Debug "-D ABUT_SHAPES=${shapes}" -D ABUT_FEATURES=${features}
+    -D CMAKE_BUILD_TYPE=None "-D ABUT_SHAPES=${shapes}" -D ABUT_FEATURES=${features}
     -D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF)
 run(${CMAKE_COMMAND} --build ${work}/build --target abut)
 file(GLOB_RECURSE library ${work}/build/libabut.so)

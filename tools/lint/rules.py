@@ -25,7 +25,7 @@ def raw_memory(source):
     """memcpy and its kin outside modules/core/raw*."""
     if source.is_cxx and not source.path.startswith(RAW):
         yield from _in_code(
-            source, r"\b(?:mem(?:cpy|set|move|cmp)|str(?:len|cpy|cat|cmp|ncpy)|alloca)\b(?=\s*\()", "{} outside modules/core/raw*"
+            source, r"\b(?:mem(?:cpy|set|move)|str(?:len|n?cpy|n?cat)|alloca)\b(?=\s*\()", "{} outside modules/core/raw*"
         )
 
 

@@ -121,10 +121,13 @@ class Source:
 def read_tree(root):
     """All text files below root that somebody wrote, in order of their paths."""
     root = Path(root)
+    builds = {cache.parent for cache in root.rglob("CMakeCache.txt")}
     sources = []
     for path in sorted(root.rglob("*")):
         relative = path.relative_to(root)
-        if SKIPPED_FOLDERS.intersection(relative.parts[:-1]) or not path.is_file() or path.is_symlink():
+        if SKIPPED_FOLDERS.intersection(relative.parts[:-1]) or builds.intersection(path.parents):
+            continue
+        if not path.is_file() or path.is_symlink():
             continue
         if path.suffix not in TEXT and not (path.suffix == "" and path.read_bytes()[:2] == b"#!"):
             continue

@@ -136,8 +136,9 @@ TREES = {
     ],
     "shape_name": [
         ({**BOX, "modules/universe/a.cppm": "Box b;"}, {**BOX, "modules/universe/a.cppm": "Boxes b; // Box"}),
+        ({**BOX, "modules/universe/a.cppm": "class Box;\nBox b;"}, {**BOX, "modules/universe/a.cppm": "class alignas(8) Box {};\nBox b;"}),
         ({**BOX, "modules/universe/a.cppm": "import abut.shape.box;"}, {**BOX, "modules/universe/a.cppm": "import abut.shape;"}),
-        ({**BOX, "capi/a.cpp": 'kind("box");'}, {**BOX, "capi/named_shapes.cpp": 'kind("box");'}),
+        ({**BOX, "capi/a.cpp": 'kind("box");'}, {**BOX, "capi/shape.cpp": 'kind("box");'}),
         ({**BOX, "modules/shapes/ball.cppm": "Box b;"}, {**BOX, "modules/pairs/ball_box.cppm": "Box b;"}),
     ],
     "header": [

@@ -10,7 +10,9 @@ PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
 
 # Files below modules and capi that may name shapes, and why: the shape's own file (checked by name),
 # pairs, and the typed shorthands of the C interface.
-MAY_NAME_SHAPES = ("modules/pairs", "capi/named_shapes.cpp")
+MAY_NAME_SHAPES = ("modules/pairs", "capi/shape.cpp")
+
+DECLARES = r"\b(?:struct|class)\s+(?:alignas\s*\([^)]*\)\s*|\[\[[^\]]*\]\]\s*)*"
 
 # Rank of a module by its folder; imports go from higher to lower or stay level.
 LAYERS = [
@@ -84,13 +86,20 @@ def registry(sources):
 def shape_name(sources):
     """Adding a shape touches one file and one line: nobody else knows shapes by name."""
     for _, name, kind, _ in _shapes(sources):
+        # A folder that declares a type of the same name means its own.
+        own = {
+            path.rpartition("/")[0]
+            for path, source in sources.items()
+            if not source.within("modules/shapes") and re.search(rf"{DECLARES}{kind}\b[^;()]*\{{", source.code)
+        }
         for path, source in sources.items():
             if not source.is_cxx or not source.within("modules", "capi") or source.within(*MAY_NAME_SHAPES):
                 continue
             if source.within("modules/shapes") and (source.stem == name or source.stem.startswith(name + "_")):
                 continue
-            for line, _ in source.find(rf"\b{kind}\b", source.code):
-                yield path, line, f"names the shape {kind}"
+            if path.rpartition("/")[0] not in own:
+                for line, _ in source.find(rf"\b{kind}\b", source.code):
+                    yield path, line, f"names the shape {kind}"
             for line, match in source.find(rf'"{name}"|\babut\.shape\.{name}\b', source.bare):
                 yield path, line, f"names the shape {match[0]}"
 
