@@ -224,7 +224,7 @@ abut_status Tracer::pick_near(const View& view, double x, double y, double radiu
     }
     if (best.size <= radius) candidates.push_back(best);
   }
-  std::ranges::stable_sort(candidates, {}, &Candidate::size);
+  std::ranges::sort(candidates, {}, &Candidate::size);
   double found_at = radius;
   for (const Candidate& candidate : candidates) {
     if (try_candidate(*this, sight, candidate, out)) {
