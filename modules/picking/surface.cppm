@@ -1,15 +1,13 @@
-// Triangles prepared for rays: neighbours joined in pairs, each with its plane in double.
+// Triangles prepared for rays: outlines for Embree in single precision, planes for us in double.
 //
-// Embree traverses quads a third faster than the triangles that they consist of. Single precision
-// would leave cracks between neighbours, so the outlines that Embree sees are a little larger than
-// the triangles (surface.cpp, `grown`); the hit itself is computed on the plane of the true triangle.
+// Single precision leaves cracks between neighbouring triangles; Embree's robust mode has fewer, at a
+// quarter of its speed. So the outlines that Embree sees are grown a little beyond the triangles,
+// which leaves none and costs nothing; the hit itself is computed on the plane of the true triangle.
 module;
 
 #include <abut/abut.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,34 +17,21 @@ import :vector;
 
 namespace abut::picking {
 
-/// Points p with dot(normal, p) == offset; the normal has unit length.
-struct Plane {
+/// Points p with dot(normal, p) == offset. The normal has unit length, or none for a triangle without area.
+struct alignas(32) Plane {
   abut_vec3 normal;
   double offset;
 };
+static_assert(sizeof(Plane) == 32);
 
-/// Planes of the two triangles of a pair; both are the same when a triangle stays alone. One cache line.
-struct alignas(64) Patch {
-  std::array<Plane, 2> planes;
-};
-static_assert(sizeof(Patch) == 64);
+/// The plane of each triangle.
+using Surface = std::vector<Plane>;
 
-/// Corners of a pair, as indices into the vertices of its list: the triangles are 0 1 3 and 2 3 1.
-/// A triangle alone has its last corner twice.
-using Corners = std::array<std::uint32_t, 4>;
-
-struct Surface {
-  std::vector<Patch> patches;
-  std::vector<std::array<std::uint32_t, 2>> triangles;  // numbers in the list, for each patch
-  std::vector<Corners> corners;                         // empty once Embree has them
-};
-
-/// Joins triangles to pairs. Triangles without area are left out: no ray meets them.
 [[nodiscard]] Surface make_surface(const TriangleList& list);
 
-/// Outlines of the patches in single precision relative to the space, three numbers for each of the
-/// four corners of each patch.
-void write_outlines(const Surface& surface, const TriangleList& list, const Space& space, std::span<float> out);
+/// Outlines in single precision relative to the space, nine numbers for each triangle. Those of
+/// triangles without area have none either: no ray meets them.
+void write_outlines(const TriangleList& list, const Space& space, std::span<float> out);
 
 /// Box around the vertices.
 [[nodiscard]] abut_aabb box_of(const TriangleList& list);

@@ -69,7 +69,7 @@ struct ShapeRecord {
   TriangleList few;                      // of a shape that has triangles and is asked in double
 };
 
-/// A surface as it lies in the world.
+/// A surface as it lies in the world, relative to the still space.
 struct Baked {
   abut_geometry_id id{};
   std::uint32_t entry = nowhere;
@@ -152,7 +152,7 @@ class Tracer {
   [[nodiscard]] abut_status make_instanced(ShapeRecord& shape) const;
   [[nodiscard]] abut_status become_moving(std::uint32_t index);
   [[nodiscard]] abut_status embree_status() const;
-  [[nodiscard]] embree::Geometry make_quads(const Surface& surface, const TriangleList& list, const Space& space) const;
+  [[nodiscard]] embree::Geometry make_triangles(const TriangleList& list, const Space& space) const;
   void settle_moving_space();
   void settle_still_space();
   void write_box(MovingBox& box) const;
@@ -171,9 +171,9 @@ class Tracer {
   [[nodiscard]] bool has_moving() const noexcept { return !moving_.empty() || !endless_.empty(); }
   void trace_moving(const abut_ray& ray, abut_pick& out) const;
   void meet_endless(abut_ray& ray, abut_pick& out) const;
-  void resolve_still(const abut_ray& ray, std::uint32_t geometry, std::uint32_t primitive, bool second, double found,
+  void resolve_still(const abut_ray& ray, std::uint32_t geometry, std::uint32_t triangle, double found,
                      abut_pick& out) const;
-  void resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t primitive, bool second, double found,
+  void resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t triangle, double found,
                      abut_pick& out) const;
   friend struct PacketTracer;
 

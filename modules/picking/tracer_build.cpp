@@ -123,42 +123,43 @@ abut_status Tracer::build_still() {
   if (baked_.empty()) return ABUT_OK;
   still_ = embree::Scene(rtcNewScene(device_.get()));
   if (!still_) return ABUT_OUT_OF_MEMORY;
-  rtcSetSceneFlags(still_.get(), static_cast<RTCSceneFlags>(static_cast<unsigned>(RTC_SCENE_FLAG_ROBUST) |
-                                                            static_cast<unsigned>(embree::filtered_scene)));
+  rtcSetSceneFlags(still_.get(), embree::filtered_scene);
   for (std::size_t i = 0; i < baked_.size(); ++i) {
     Baked& baked = baked_[i];
     const Entry& entry = entries_[baked.entry];
     TriangleList list;
     if (const abut_status status = shapes_[entry.shape].access->triangles(list); status != ABUT_OK) return status;
+    // Relative to the space, so that what lies far from the origin of the world keeps its digits.
+    Frame frame = entry.frame;
+    frame.position = subtract(frame.position, still_space_.origin);
     for (std::size_t at = 0; at + 2 < list.xyz.size(); at += 3) {
-      const abut_vec3 p = to_world(entry.frame, {list.xyz[at], list.xyz[at + 1], list.xyz[at + 2]});
+      const abut_vec3 p = to_world(frame, {list.xyz[at], list.xyz[at + 1], list.xyz[at + 2]});
       list.xyz[at] = p.x;
       list.xyz[at + 1] = p.y;
       list.xyz[at + 2] = p.z;
     }
     baked.surface = make_surface(list);
-    const embree::Geometry geometry = make_quads(baked.surface, list, still_space_);
+    const embree::Geometry geometry = make_triangles(list, {{0, 0, 0}, still_space_.extent});
     if (!geometry) return ABUT_OUT_OF_MEMORY;
-    baked.surface.corners = {};
     rtcAttachGeometryByID(still_.get(), geometry.get(), static_cast<unsigned>(i));
   }
   rtcCommitScene(still_.get());
   return embree_status();
 }
 
-embree::Geometry Tracer::make_quads(const Surface& surface, const TriangleList& list, const Space& space) const {
-  embree::Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_QUAD));
+embree::Geometry Tracer::make_triangles(const TriangleList& list, const Space& space) const {
+  embree::Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
   if (!geometry) return geometry;
-  const std::size_t count = surface.patches.size();
-  void* const vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 4 * count);
-  void* const indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(std::uint32_t), count);
+  const std::size_t count = list.indices.size() / 3;
+  void* const vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count);
+  void* const indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count);
   if (count != 0 && (vertices == nullptr || indices == nullptr)) return {};
   // SAFETY: Embree has just made these buffers with the sizes named in the two calls above.
   ABUT_UNSAFE_BEGIN
-  const std::span<float> outlines(static_cast<float*>(vertices), 12 * count);
-  const std::span<std::uint32_t> numbers(static_cast<std::uint32_t*>(indices), 4 * count);
+  const std::span<float> outlines(static_cast<float*>(vertices), 9 * count);
+  const std::span<std::uint32_t> numbers(static_cast<std::uint32_t*>(indices), 3 * count);
   ABUT_UNSAFE_END
-  write_outlines(surface, list, space, outlines);
+  write_outlines(list, space, outlines);
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::uint32_t>(i);
   rtcSetGeometryUserData(geometry.get(), const_cast<Tracer*>(this));
 #if RTC_VERSION_MAJOR >= 4
@@ -177,11 +178,9 @@ abut_status Tracer::make_instanced(ShapeRecord& shape) const {
   made->surface = make_surface(list);
   made->scene = embree::Scene(rtcNewScene(device_.get()));
   if (!made->scene) return ABUT_OUT_OF_MEMORY;
-  rtcSetSceneFlags(made->scene.get(), static_cast<RTCSceneFlags>(static_cast<unsigned>(RTC_SCENE_FLAG_ROBUST) |
-                                                                 static_cast<unsigned>(embree::filtered_scene)));
-  const embree::Geometry geometry = make_quads(made->surface, list, made->space);
+  rtcSetSceneFlags(made->scene.get(), embree::filtered_scene);
+  const embree::Geometry geometry = make_triangles(list, made->space);
   if (!geometry) return ABUT_OUT_OF_MEMORY;
-  made->surface.corners = {};
   rtcAttachGeometryByID(made->scene.get(), geometry.get(), 0);
   rtcCommitScene(made->scene.get());
   shape.instanced = std::move(made);
@@ -242,7 +241,6 @@ abut_status Tracer::build_moving() {
     rtcSetGeometryUserData(moving_geometry_.get(), this);
     rtcSetGeometryBoundsFunction(moving_geometry_.get(), report_bounds, this);
     rtcSetGeometryIntersectFunction(moving_geometry_.get(), report_hits);
-    rtcSetSceneFlags(moving_scene_.get(), RTC_SCENE_FLAG_ROBUST);
     rtcAttachGeometryByID(moving_scene_.get(), moving_geometry_.get(), 0);
   }
   rtcSetGeometryUserPrimitiveCount(moving_geometry_.get(), static_cast<unsigned>(moving_.size()));

@@ -43,9 +43,7 @@ namespace {
 // First hit on an instanced surface, nearer than `limit` from the origin of the ray.
 struct LocalHit {
   double distance;
-  std::uint32_t primitive;
-  float u;
-  float v;
+  std::uint32_t triangle;
 };
 
 [[nodiscard]] std::optional<LocalHit> cast_into(const Instanced& instanced, const Frame& frame, const abut_ray& ray, double limit) {
@@ -57,7 +55,7 @@ struct LocalHit {
   embree::Query query(false);
   embree::intersect(instanced.scene.get(), query, hit);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return LocalHit{entrance.advance + static_cast<double>(hit.ray.tfar), hit.hit.primID, hit.hit.u, hit.hit.v};
+  return LocalHit{entrance.advance + static_cast<double>(hit.ray.tfar), hit.hit.primID};
 }
 
 }  // namespace
@@ -84,9 +82,7 @@ void Tracer::meet(const RTCIntersectFunctionNArguments& arguments) const {
       const auto hit = cast_into(*shape.instanced, entry.frame, lane.ray, limit);
       if (!hit || !(hit->distance < limit)) continue;
       far = static_cast<float>(hit->distance - lane.advance);
-      RTCHitN_primID(hits, count, i) = hit->primitive;
-      RTCHitN_u(hits, count, i) = hit->u;
-      RTCHitN_v(hits, count, i) = hit->v;
+      RTCHitN_primID(hits, count, i) = hit->triangle;
     } else {
       // The limit is blurred by single precision: equal distances must stay in the race.
       const abut_ray ray{lane.ray.origin, lane.ray.direction, std::min(lane.ray.max_distance, limit * (1 + 0x1p-20))};
@@ -102,8 +98,6 @@ void Tracer::meet(const RTCIntersectFunctionNArguments& arguments) const {
       lane.exact = *hit;
       far = std::min(far, static_cast<float>(hit->distance - lane.advance));
       RTCHitN_primID(hits, count, i) = hit->feature.index;
-      RTCHitN_u(hits, count, i) = 0;
-      RTCHitN_v(hits, count, i) = 0;
     }
     RTCHitN_geomID(hits, count, i) = entry_flag | index;
   }
@@ -174,15 +168,14 @@ void Tracer::collect_hit(const RTCFilterFunctionNArguments* arguments) {
   const auto& self = *static_cast<const Tracer*>(arguments->geometryUserPtr);
   auto& query = static_cast<AllHits&>(static_cast<Trace&>(static_cast<embree::Query&>(*arguments->context)));
   *arguments->valid = 0;
-  const std::uint32_t primitive = RTCHitN_primID(arguments->hit, 1, 0);
-  const bool second = RTCHitN_u(arguments->hit, 1, 0) + RTCHitN_v(arguments->hit, 1, 0) > 1.0F;
+  const std::uint32_t triangle = RTCHitN_primID(arguments->hit, 1, 0);
   const double found = query.advance + static_cast<double>(RTCRayN_tfar(arguments->ray, 1, 0));
   abut_pick pick = nothing();
   if (query.entry == nowhere) {
-    self.resolve_still(query.ray, RTCHitN_geomID(arguments->hit, 1, 0), primitive, second, found, pick);
+    self.resolve_still(query.ray, RTCHitN_geomID(arguments->hit, 1, 0), triangle, found, pick);
   } else {
     const Lane lane{.ray = query.ray, .advance = 0, .exact = {}};
-    self.resolve_entry(lane, entry_flag | query.entry, primitive, second, found, pick);
+    self.resolve_entry(lane, entry_flag | query.entry, triangle, found, pick);
   }
   if (pick.geometry.slot == 0) return;
   try {

@@ -160,8 +160,7 @@ void PacketTracer::trace(const Tracer& tracer, Batch<Width>& batch, const Place&
     out = nothing();
     if (!still || native.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
     const double found = batch.advance[i] + static_cast<double>(native.ray.tfar[i]);
-    const bool second = native.hit.u[i] + native.hit.v[i] > 1.0F;
-    tracer.resolve_still(batch.ray(i), native.hit.geomID[i], native.hit.primID[i], second, found, out);
+    tracer.resolve_still(batch.ray(i), native.hit.geomID[i], native.hit.primID[i], found, out);
   }
   if (tracer.has_moving()) trace_moving(tracer, batch, place);
 }
@@ -186,8 +185,7 @@ void PacketTracer::trace_moving(const Tracer& tracer, Batch<Width>& batch, const
   for (std::size_t i = 0; i < Width; ++i) {
     if (batch.valid[i] == 0 || native.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
     const double found = batch.advance[i] + static_cast<double>(native.ray.tfar[i]);
-    const bool second = native.hit.u[i] + native.hit.v[i] > 1.0F;
-    tracer.resolve_entry(query.lanes[i], native.hit.geomID[i], native.hit.primID[i], second, found, place(i));
+    tracer.resolve_entry(query.lanes[i], native.hit.geomID[i], native.hit.primID[i], found, place(i));
   }
 }
 

@@ -32,7 +32,7 @@ void Tracer::trace(const abut_ray& ray, abut_pick& out) const {
   out = nothing();
   if (hit.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
     const double found = entrance.advance + static_cast<double>(hit.ray.tfar);
-    resolve_still(unit, hit.hit.geomID, hit.hit.primID, hit.hit.u + hit.hit.v > 1.0F, found, out);
+    resolve_still(unit, hit.hit.geomID, hit.hit.primID, found, out);
   }
   if (has_moving()) trace_moving(unit, out);
 }
@@ -52,7 +52,7 @@ void Tracer::trace_moving(const abut_ray& ray, abut_pick& out) const {
   embree::intersect(moving_scene_.get(), query, hit);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
   const double found = lane.advance + static_cast<double>(hit.ray.tfar);
-  resolve_entry(lane, hit.hit.geomID, hit.hit.primID, hit.hit.u + hit.hit.v > 1.0F, found, out);
+  resolve_entry(lane, hit.hit.geomID, hit.hit.primID, found, out);
 }
 
 // Shortens the ray to what it meets.
@@ -66,21 +66,20 @@ void Tracer::meet_endless(abut_ray& ray, abut_pick& out) const {
   }
 }
 
-void Tracer::resolve_still(const abut_ray& ray, std::uint32_t geometry, std::uint32_t primitive, bool second, double found,
+void Tracer::resolve_still(const abut_ray& ray, std::uint32_t geometry, std::uint32_t triangle, double found,
                            abut_pick& out) const {
   const Baked& baked = baked_[geometry];
-  const std::size_t side = second ? 1 : 0;
-  const Plane& plane = baked.surface.patches[primitive].planes[side];
-  const double distance = distance_to(plane, ray.origin, ray.direction, found, still_space_.extent);
+  const Plane& plane = baked.surface[triangle];
+  const double distance = distance_to(plane, subtract(ray.origin, still_space_.origin), ray.direction, found, still_space_.extent);
   if (distance > ray.max_distance) return;
   out = {.geometry = baked.id,
-         .feature = {ABUT_FEATURE_FACE, baked.surface.triangles[primitive][side]},
+         .feature = {ABUT_FEATURE_FACE, triangle},
          .distance = distance,
          .point = add(ray.origin, scale(ray.direction, distance)),
          .normal = plane.normal};
 }
 
-void Tracer::resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t primitive, bool second, double found,
+void Tracer::resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t triangle, double found,
                            abut_pick& out) const {
   const Entry& entry = entries_[geometry & ~entry_flag];
   if (entry.role != Role::instance) {
@@ -89,13 +88,12 @@ void Tracer::resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32
     return;
   }
   const Instanced& instanced = *shapes_[entry.shape].instanced;
-  const std::size_t side = second ? 1 : 0;
-  const Plane& plane = instanced.surface.patches[primitive].planes[side];
+  const Plane& plane = instanced.surface[triangle];
   const double distance = distance_to(plane, to_local(entry.frame, lane.ray.origin), rotate_back(entry.frame, lane.ray.direction),
                                       found, instanced.space.extent);
   if (distance > lane.ray.max_distance) return;
   out = {.geometry = entry.id,
-         .feature = {ABUT_FEATURE_FACE, instanced.surface.triangles[primitive][side]},
+         .feature = {ABUT_FEATURE_FACE, triangle},
          .distance = distance,
          .point = add(lane.ray.origin, scale(lane.ray.direction, distance)),
          .normal = rotate(entry.frame, plane.normal)};
