@@ -7,6 +7,7 @@ module;
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -25,37 +26,28 @@ namespace abut::picking {
 /// growth, which a slope stretches.
 inline constexpr double crossing_blur = 0x1p-17;
 
-/// Largest difference between a hit found in single precision and the one on the plane of the
-/// triangle, in parts of the extent. Beyond it the ray runs along the plane and single precision
-/// knows better.
-inline constexpr double largest_correction = 1e-3;
-
 /// A limit that no rounding makes smaller.
 [[nodiscard]] inline float widened(double limit) { return static_cast<float>(limit * (1 + 0x1p-22)); }
 
+/// The three lines of a ray, each written at once: Embree reads them so, and a line that was written
+/// in pieces would have to reach the cache first.
+struct RayLines {
+  using Floats = float __attribute__((ext_vector_type(4)));
+  using Numbers = std::uint32_t __attribute__((ext_vector_type(4)));
+  Floats origin_and_near;
+  Floats direction_and_time;
+  Numbers far_mask_id_flags;
+};
+static_assert(sizeof(RayLines) == sizeof(RTCRay));
+
 inline void write_ray(RTCRayHit& hit, const abut_vec3& point, const abut_vec3& direction, double limit) {
-  hit.ray.org_x = static_cast<float>(point.x);
-  hit.ray.org_y = static_cast<float>(point.y);
-  hit.ray.org_z = static_cast<float>(point.z);
-  hit.ray.tnear = 0;
-  hit.ray.dir_x = static_cast<float>(direction.x);
-  hit.ray.dir_y = static_cast<float>(direction.y);
-  hit.ray.dir_z = static_cast<float>(direction.z);
-  hit.ray.time = 0;
-  hit.ray.tfar = widened(limit);
-  hit.ray.mask = ~0U;
-  hit.ray.id = 0;
-  hit.ray.flags = 0;
+  const Four from{point.x, point.y, point.z, 0};
+  const Four along{direction.x, direction.y, direction.z, 0};
+  hit.ray = std::bit_cast<RTCRay>(RayLines{__builtin_convertvector(from, RayLines::Floats),
+                                           __builtin_convertvector(along, RayLines::Floats),
+                                           {std::bit_cast<std::uint32_t>(widened(limit)), ~0U, 0, 0}});
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-}
-
-/// Distance along a ray to a plane near which a hit was found.
-[[nodiscard]] inline double distance_to(const Plane& plane, const abut_vec3& origin, const abut_vec3& direction, double found,
-                                        double extent) {
-  const double exact = (plane.offset - dot(plane.normal, origin)) / dot(plane.normal, direction);
-  const bool is_close = std::fabs(exact - found) <= largest_correction * extent;
-  return std::max(is_close ? exact : found, 0.0);
 }
 
 /// Distance at which a line crosses a triangle, its edges included; none when they are parallel.

@@ -169,10 +169,24 @@ class Tracer {
   void cross_surface(AllHits& query, std::uint32_t index, const Instanced& instanced) const;
   // tracer_trace.cpp
   [[nodiscard]] bool has_moving() const noexcept { return !moving_.empty() || !endless_.empty(); }
+  void trace_unit(const abut_ray& ray, abut_pick& out) const;
   void trace_moving(const abut_ray& ray, abut_pick& out) const;
   void meet_endless(abut_ray& ray, abut_pick& out) const;
-  void resolve_still(const abut_ray& ray, std::uint32_t geometry, std::uint32_t triangle, double found,
-                     abut_pick& out) const;
+  /// Whether the ray reaches the plane of a triangle on which a hit was found.
+  [[gnu::always_inline]] inline bool resolve_still(const abut_vec3& origin, const abut_vec3& direction, double limit,
+                                                   std::uint32_t geometry, std::uint32_t triangle, double found,
+                                                   abut_pick& out) const {
+    const Baked& baked = baked_[geometry];
+    const Plane& plane = baked.surface[triangle];
+    const double distance = distance_to(plane, subtract(origin, still_space_.origin), direction, found, still_space_.extent);
+    if (distance > limit) return false;
+    out = {.geometry = baked.id,
+           .feature = {ABUT_FEATURE_FACE, triangle},
+           .distance = distance,
+           .point = add(origin, scale(direction, distance)),
+           .normal = plane.normal};
+    return true;
+  }
   void resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t triangle, double found,
                      abut_pick& out) const;
   friend struct PacketTracer;
@@ -213,6 +227,10 @@ struct Batch;
 struct PacketTracer {
   template <std::size_t Width, class Place>
   static void trace(const Tracer& tracer, Batch<Width>& batch, const Place& place);
+  template <std::size_t Width, class Place>
+  static void resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place);
+  template <std::size_t Width>
+  static void read_four(Batch<Width>& batch, std::size_t k, const abut_ray& a, const abut_ray& b, const abut_ray& c, const abut_ray& d);
   template <std::size_t Width, class Place>
   static void trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place);
   template <std::size_t Width>

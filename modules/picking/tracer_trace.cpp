@@ -5,6 +5,7 @@ module;
 
 #include "embree.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,22 +20,30 @@ import :vector;
 namespace abut::picking {
 
 void Tracer::trace(const abut_ray& ray, abut_pick& out) const {
-  const abut_ray unit{ray.origin, normalized(ray.direction), ray.max_distance};
-  [[clang::uninitialized]] RTCRayHit hit;
+  if (std::fabs(dot(ray.direction, ray.direction) - 1.0) < nearly_unit) [[likely]] {
+    trace_unit(ray, out);
+  } else {
+    trace_unit({ray.origin, normalized(ray.direction), ray.max_distance}, out);
+  }
+}
+
+// A direction that is nearly of unit length is the same in single precision, so Embree need not wait
+// for its scale. Vectors stay in registers here: to store their parts and load them whole stalls.
+void Tracer::trace_unit(const abut_ray& ray, abut_pick& out) const {
+  const abut_vec3 direction = scale(ray.direction, 1.5 - 0.5 * dot(ray.direction, ray.direction));
+  bool is_hit = false;
   Entrance entrance{};
-  if (!baked_.empty() && enter(still_space_, unit.origin, unit.direction, unit.max_distance, entrance)) {
-    write_ray(hit, entrance.point, unit.direction, unit.max_distance - entrance.advance);
+  if (!baked_.empty() && enter(still_space_, ray.origin, direction, ray.max_distance, entrance)) {
+    [[clang::uninitialized]] RTCRayHit hit;
+    write_ray(hit, entrance.point, ray.direction, ray.max_distance - entrance.advance);
     embree::Query query(false);
     embree::intersect(still_.get(), query, hit);
-  } else {
-    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  }
-  out = nothing();
-  if (hit.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
     const double found = entrance.advance + static_cast<double>(hit.ray.tfar);
-    resolve_still(unit, hit.hit.geomID, hit.hit.primID, found, out);
+    is_hit = hit.hit.geomID != RTC_INVALID_GEOMETRY_ID &&
+             resolve_still(ray.origin, direction, ray.max_distance, hit.hit.geomID, hit.hit.primID, found, out);
   }
-  if (has_moving()) trace_moving(unit, out);
+  if (!is_hit) out = nothing();
+  if (has_moving()) trace_moving({ray.origin, direction, ray.max_distance}, out);
 }
 
 // Looks for something nearer than `out` holds.
@@ -64,19 +73,6 @@ void Tracer::meet_endless(abut_ray& ray, abut_pick& out) const {
     out = {entry.id, hit->feature, hit->distance, hit->point, hit->normal};
     ray.max_distance = hit->distance;
   }
-}
-
-void Tracer::resolve_still(const abut_ray& ray, std::uint32_t geometry, std::uint32_t triangle, double found,
-                           abut_pick& out) const {
-  const Baked& baked = baked_[geometry];
-  const Plane& plane = baked.surface[triangle];
-  const double distance = distance_to(plane, subtract(ray.origin, still_space_.origin), ray.direction, found, still_space_.extent);
-  if (distance > ray.max_distance) return;
-  out = {.geometry = baked.id,
-         .feature = {ABUT_FEATURE_FACE, triangle},
-         .distance = distance,
-         .point = add(ray.origin, scale(ray.direction, distance)),
-         .normal = plane.normal};
 }
 
 void Tracer::resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t triangle, double found,

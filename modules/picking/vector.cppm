@@ -8,6 +8,7 @@ module;
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 export module abut.picking:vector;
 
@@ -30,16 +31,35 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
   return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
 }
 
+/// A squared length this close to 1 needs one Newton step only: it is exact to the last bits.
+inline constexpr double nearly_unit = 1e-8;
+
 /// Unit vector of any finite vector but zero. Scaled first: a square may overflow or underflow.
 [[nodiscard]] inline abut_vec3 normalized(const abut_vec3& a) {
   const double square = dot(a, a);
   if (square > 1e-200 && square < 1e200) {
-    // One Newton step from 1 is exact to the last bits for what is a unit vector already.
-    if (std::fabs(square - 1.0) < 1e-8) return scale(a, 1.5 - 0.5 * square);
+    if (std::fabs(square - 1.0) < nearly_unit) return scale(a, 1.5 - 0.5 * square);
     return scale(a, 1.0 / std::sqrt(square));
   }
   const abut_vec3 tame = scale(a, 1.0 / largest_component(a));
   return scale(tame, 1.0 / length(tame));
+}
+
+/// Four numbers in one register.
+using Four = double __attribute__((ext_vector_type(4)));
+
+struct FourRows {
+  Four a, b, c, d;
+};
+
+/// Rows to columns.
+[[nodiscard]] inline FourRows transposed(const FourRows& rows) {
+  const Four low_ab = __builtin_shufflevector(rows.a, rows.b, 0, 4, 2, 6);
+  const Four high_ab = __builtin_shufflevector(rows.a, rows.b, 1, 5, 3, 7);
+  const Four low_cd = __builtin_shufflevector(rows.c, rows.d, 0, 4, 2, 6);
+  const Four high_cd = __builtin_shufflevector(rows.c, rows.d, 1, 5, 3, 7);
+  return {__builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5), __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5),
+          __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7), __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7)};
 }
 
 /// A pose with its rotation as a matrix, whose rows are `rows`.
@@ -106,30 +126,20 @@ struct Entrance {
   double advance;
 };
 
+/// Where a ray that starts far outside of a space enters it; none when it passes by.
+[[nodiscard]] std::optional<Entrance> enter_from_afar(const Space& space, const abut_vec3& origin, const abut_vec3& direction,
+                                                      double limit);
+
 /// Rays that start far outside of a space begin where they enter it, so that single precision is
-/// spent on the space and not on the way. False when such a ray passes by.
-[[nodiscard]] inline bool enter(const Space& space, const abut_vec3& origin, const abut_vec3& direction, double limit,
-                                Entrance& out) {
+/// spent on the space and not on the way. False when such a ray passes by. Inlined: handing the
+/// result over through memory would cost more than computing it.
+[[nodiscard]] [[gnu::always_inline]] inline bool enter(const Space& space, const abut_vec3& origin, const abut_vec3& direction,
+                                                       double limit, Entrance& out) {
   out = {subtract(origin, space.origin), 0};
-  if (largest_component(out.point) <= 2 * space.extent) return true;
-  const double side = 1.01 * space.extent;
-  double first = 0;
-  double last = limit;
-  const std::array<double, 3> point{out.point.x, out.point.y, out.point.z};
-  const std::array<double, 3> along{direction.x, direction.y, direction.z};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (along[axis] == 0) {
-      if (std::fabs(point[axis]) > side) return false;
-      continue;
-    }
-    const double inverse = 1 / along[axis];
-    const double a = (-side - point[axis]) * inverse;
-    const double b = (side - point[axis]) * inverse;
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-  }
-  if (first > last) return false;
-  out = {add(out.point, scale(direction, first)), first};
+  if (largest_component(out.point) <= 2 * space.extent) [[likely]] return true;
+  const std::optional<Entrance> entrance = enter_from_afar(space, origin, direction, limit);
+  if (!entrance) return false;
+  out = *entrance;
   return true;
 }
 
