@@ -167,7 +167,8 @@ struct World {
     check(abut_universe_create(nullptr, &made_universe));
     universe.reset(made_universe);
     abut_shape* made_shape = nullptr;
-    check(abut_mesh_create(mesh.xyz.data(), mesh.xyz.size() / 3, mesh.triangles.data(), mesh.triangles.size() / 3, nullptr, &made_shape));
+    check(abut_mesh_create(mesh.xyz.data(), mesh.xyz.size() / 3, mesh.triangles.data(), mesh.triangles.size() / 3,
+                           nullptr, &made_shape));
     const std::unique_ptr<abut_shape, Delete> shape(made_shape);
     abut_part_id part{};
     abut_geometry_id geometry{};
@@ -196,7 +197,8 @@ void raw(benchmark::State& state, const RawScene& scene, const Rays& rays, std::
 void single(benchmark::State& state, World& world, const Rays& rays) {
   std::vector<abut_pick> picks(rays.rays.size());
   for (auto _ : state) {
-    for (std::size_t i = 0; i < rays.rays.size(); ++i) abut_picker_cast_ray(world.picker.get(), &rays.rays[i], &picks[i]);
+    for (std::size_t i = 0; i < rays.rays.size(); ++i)
+      abut_picker_cast_ray(world.picker.get(), &rays.rays[i], &picks[i]);
     benchmark::ClobberMemory();
   }
   finish(state);
@@ -277,13 +279,18 @@ void register_rows(Subject& subject) {
     for (const std::size_t width : {8U, 16U}) {
       for (const bool coherent : {false, true}) {
         const std::string row = "packet" + std::to_string(width) + (coherent ? "_coherent" : "");
-        add("raw_" + row, [&subject, &rays, width, coherent](benchmark::State& state) { raw(state, *subject.scene, rays, width, coherent); });
-        add("robust_" + row, [&subject, &rays, width, coherent](benchmark::State& state) { raw(state, *subject.robust_scene, rays, width, coherent); });
+        add("raw_" + row, [&subject, &rays, width, coherent](benchmark::State& state) {
+          raw(state, *subject.scene, rays, width, coherent);
+        });
+        add("robust_" + row, [&subject, &rays, width, coherent](benchmark::State& state) {
+          raw(state, *subject.robust_scene, rays, width, coherent);
+        });
       }
     }
     add("abut_single", [&](benchmark::State& state) { single(state, *subject.world, rays); });
     add("abut_batch", [&](benchmark::State& state) { batch(state, *subject.world, rays); });
-    if (rays.are_neighbours) add("abut_render", [&](benchmark::State& state) { render(state, *subject.world, subject.camera); });
+    if (rays.are_neighbours)
+      add("abut_render", [&](benchmark::State& state) { render(state, *subject.world, subject.camera); });
   }
 }
 

@@ -1,6 +1,5 @@
 #include "raw_embree.hpp"
 
-#include "core/check.hpp"
 #include "picking/embree.hpp"
 
 #include <abut/abut.h>
@@ -23,27 +22,22 @@ namespace {
 
 constexpr float endless = std::numeric_limits<float>::infinity();
 
-// SAFETY: packets are filled from `count` rays, `width` at a time, and buffers have the sizes that
-// Embree was asked for.
-ABUT_UNSAFE_BEGIN
-
-template <class Native, std::size_t Width>
-std::vector<Native> packed(std::span<const abut_ray> rays) {
+template <class Native, std::size_t Width> std::vector<Native> packed(std::span<const abut_ray> rays) {
   std::vector<Native> out(rays.size() / Width);
   for (std::size_t i = 0; i < out.size() * Width; ++i) {
     auto& ray = out[i / Width].ray;
     const std::size_t k = i % Width;
-    ray.org_x[k] = static_cast<float>(rays[i].origin.x);
-    ray.org_y[k] = static_cast<float>(rays[i].origin.y);
-    ray.org_z[k] = static_cast<float>(rays[i].origin.z);
-    ray.dir_x[k] = static_cast<float>(rays[i].direction.x);
-    ray.dir_y[k] = static_cast<float>(rays[i].direction.y);
-    ray.dir_z[k] = static_cast<float>(rays[i].direction.z);
-    ray.tnear[k] = 0;
-    ray.time[k] = 0;
-    ray.mask[k] = ~0U;
-    ray.id[k] = 0;
-    ray.flags[k] = 0;
+    std::span(ray.org_x)[k] = static_cast<float>(rays[i].origin.x);
+    std::span(ray.org_y)[k] = static_cast<float>(rays[i].origin.y);
+    std::span(ray.org_z)[k] = static_cast<float>(rays[i].origin.z);
+    std::span(ray.dir_x)[k] = static_cast<float>(rays[i].direction.x);
+    std::span(ray.dir_y)[k] = static_cast<float>(rays[i].direction.y);
+    std::span(ray.dir_z)[k] = static_cast<float>(rays[i].direction.z);
+    std::span(ray.tnear)[k] = 0;
+    std::span(ray.time)[k] = 0;
+    std::span(ray.mask)[k] = ~0U;
+    std::span(ray.id)[k] = 0;
+    std::span(ray.flags)[k] = 0;
   }
   return out;
 }
@@ -71,9 +65,9 @@ void trace_packets(RTCScene scene, std::vector<Native>& packets, bool coherent) 
   embree::Query query(coherent);
   for (Native& packet : packets) {
     for (std::size_t k = 0; k < Width; ++k) {
-      packet.ray.tfar[k] = endless;
-      packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-      packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+      std::span(packet.ray.tfar)[k] = endless;
+      std::span(packet.hit.geomID)[k] = RTC_INVALID_GEOMETRY_ID;
+      std::span(packet.hit.instID[0])[k] = RTC_INVALID_GEOMETRY_ID;
     }
     embree::intersect(scene, query, valid.data(), packet);
   }
@@ -95,6 +89,8 @@ Packing::Packing(std::span<const abut_ray> rays, std::size_t width) : rays_(std:
 Packing::~Packing() = default;
 
 struct RawScene::Scene {
+  std::vector<float> vertices;
+  std::vector<std::uint32_t> triangles;
   embree::Device device;
   embree::Scene scene;
 };
@@ -104,19 +100,20 @@ RawScene::RawScene(const Mesh& mesh, bool robust) : scene_(std::make_unique<Scen
   scene_->scene = embree::Scene(rtcNewScene(scene_->device.get()));
   rtcSetSceneFlags(scene_->scene.get(), robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   const embree::Geometry geometry(rtcNewGeometry(scene_->device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-  void* const vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.xyz.size() / 3);
-  void* const triangles = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size() / 3);
-  const std::span<float> floats(static_cast<float*>(vertices), mesh.xyz.size());
-  const std::span<std::uint32_t> indices(static_cast<std::uint32_t*>(triangles), mesh.triangles.size());
-  std::ranges::transform(mesh.xyz, floats.begin(), [](double x) { return static_cast<float>(x); });
-  std::ranges::copy(mesh.triangles, indices.begin());
+  // Embree reads the last element of a buffer as 16 bytes.
+  scene_->vertices.resize(mesh.xyz.size() + 1);
+  scene_->triangles.resize(mesh.triangles.size() + 1);
+  std::ranges::transform(mesh.xyz, scene_->vertices.begin(), [](double x) { return static_cast<float>(x); });
+  std::ranges::copy(mesh.triangles, scene_->triangles.begin());
+  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, scene_->vertices.data(), 0,
+                             12, mesh.xyz.size() / 3);
+  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, scene_->triangles.data(), 0,
+                             12, mesh.triangles.size() / 3);
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometry(scene_->scene.get(), geometry.get());
   rtcCommitScene(scene_->scene.get());
 }
 RawScene::~RawScene() = default;
-
-ABUT_UNSAFE_END
 
 void RawScene::trace(Packing& packing, bool coherent) const {
   const RTCScene scene = scene_->scene.get();

@@ -26,6 +26,7 @@ namespace {
 using abut::capi::check_camera;
 using abut::capi::check_finite;
 using abut::capi::check_rays;
+using abut::capi::check_size;
 using abut::capi::explain_ray;
 using abut::capi::is_good;
 using abut::capi::refuse;
@@ -39,8 +40,7 @@ using abut::capi::refuse_null;
   return status;
 }
 
-template <class Action>
-[[nodiscard]] abut_status guarded(const Action& action) noexcept {
+template <class Action> [[nodiscard]] abut_status guarded(const Action& action) noexcept {
   try {
     return answer(action());
   } catch (const std::bad_alloc&) {
@@ -50,7 +50,9 @@ template <class Action>
   }
 }
 
-[[nodiscard]] abut_status succeed() noexcept { return abut_set_last_error(ABUT_OK, nullptr); }
+[[nodiscard]] abut_status succeed() noexcept {
+  return abut_set_last_error(ABUT_OK, nullptr);
+}
 
 // Whether `count` elements of `size` bytes can be in memory at all.
 [[nodiscard]] bool fits(std::size_t count, std::size_t size) noexcept {
@@ -75,19 +77,22 @@ void abut_camera_init(abut_camera* camera) {
              .far_distance = std::numeric_limits<double>::infinity()};
 }
 
-abut_status abut_camera_look_at(abut_camera* camera, const abut_vec3* eye, const abut_vec3* target, const abut_vec3* up) {
+abut_status abut_camera_look_at(abut_camera* camera, const abut_vec3* eye, const abut_vec3* target,
+                                const abut_vec3* up) {
   if (camera == nullptr) return refuse_null("camera");
   if (eye == nullptr) return refuse_null("eye");
   if (target == nullptr) return refuse_null("target");
   if (up == nullptr) return refuse_null("up");
-  if (camera->struct_size != sizeof(abut_camera)) return check_camera(*camera);
+  if (const abut_status status = check_size(*camera); status != ABUT_OK) return status;
   if (const abut_status status = check_finite(*eye, "eye"); status != ABUT_OK) return status;
   if (const abut_status status = check_finite(*target, "target"); status != ABUT_OK) return status;
   if (const abut_status status = check_finite(*up, "up"); status != ABUT_OK) return status;
   // Halves: the difference of two finite numbers may not be finite.
-  const abut_vec3 forward{0.5 * target->x - 0.5 * eye->x, 0.5 * target->y - 0.5 * eye->y, 0.5 * target->z - 0.5 * eye->z};
+  const abut_vec3 forward{0.5 * target->x - 0.5 * eye->x, 0.5 * target->y - 0.5 * eye->y,
+                          0.5 * target->z - 0.5 * eye->z};
   if (forward.x == 0 && forward.y == 0 && forward.z == 0) return refuse(ABUT_ZERO_VECTOR, "target coincides with eye");
-  if (abut::picking::are_parallel(forward, *up)) return refuse(ABUT_ZERO_VECTOR, "up is zero or parallel to the line of sight");
+  if (abut::picking::are_parallel(forward, *up))
+    return refuse(ABUT_ZERO_VECTOR, "up is zero or parallel to the line of sight");
   camera->pose = {.position = *eye, .orientation = abut::picking::look_along(forward, *up)};
   return succeed();
 }
@@ -113,7 +118,9 @@ abut_status abut_picker_create(abut_universe* universe, abut_picker** out) {
   });
 }
 
-void abut_picker_destroy(abut_picker* picker) { const std::unique_ptr<abut_picker> owned(picker); }
+void abut_picker_destroy(abut_picker* picker) {
+  const std::unique_ptr<abut_picker> owned(picker);
+}
 
 abut_status abut_picker_update(abut_picker* picker) {
   if (picker == nullptr) return refuse_null("picker");
@@ -128,8 +135,8 @@ abut_status abut_picker_cast_ray(abut_picker* picker, const abut_ray* ray, abut_
   return answer(picker->picker.cast_ray(*ray, *out));
 }
 
-abut_status abut_picker_cast_rays(abut_picker* picker, const abut_ray* rays, std::size_t count, abut_coherence coherence,
-                                  abut_pick* out) {
+abut_status abut_picker_cast_rays(abut_picker* picker, const abut_ray* rays, std::size_t count,
+                                  abut_coherence coherence, abut_pick* out) {
   if (picker == nullptr) return refuse_null("picker");
   if (coherence != ABUT_COHERENCE_NONE && coherence != ABUT_COHERENCE_NEIGHBOURS) {
     return refuse(ABUT_UNKNOWN_VALUE, "coherence", coherence, "it must be a value of abut_coherence");
@@ -156,7 +163,8 @@ abut_status abut_picker_cast_ray_all(abut_picker* picker, const abut_ray* ray, a
   if (count == nullptr) return refuse_null("count");
   if (picks == nullptr && capacity != 0) return refuse_null("picks");
   if (!fits(capacity, sizeof(abut_pick))) {
-    return refuse(ABUT_SIZE_OVERFLOW, "capacity", static_cast<double>(capacity), "that many elements do not fit into memory");
+    return refuse(ABUT_SIZE_OVERFLOW, "capacity", static_cast<double>(capacity),
+                  "that many elements do not fit into memory");
   }
   if (!is_good(*ray)) return explain_ray(*ray);
   return guarded([&]() -> abut_status {
@@ -192,10 +200,12 @@ abut_status abut_picker_render(abut_picker* picker, const abut_camera* camera, a
   if (const abut_status status = check_camera(*camera); status != ABUT_OK) return status;
   const std::uint64_t pixels = std::uint64_t{camera->width} * camera->height;
   if (!fits(pixels, sizeof(abut_pick))) {
-    return refuse(ABUT_SIZE_OVERFLOW, "camera.width * camera.height", static_cast<double>(pixels), "the picture does not fit into memory");
+    return refuse(ABUT_SIZE_OVERFLOW, "camera.width * camera.height", static_cast<double>(pixels),
+                  "the picture does not fit into memory");
   }
   if (capacity < pixels) {
-    return refuse(ABUT_OUT_OF_RANGE, "capacity", static_cast<double>(capacity), "it must be at least camera.width * camera.height");
+    return refuse(ABUT_OUT_OF_RANGE, "capacity", static_cast<double>(capacity),
+                  "it must be at least camera.width * camera.height");
   }
   // SAFETY: the caller answers for `capacity` elements, and the picture has no more.
   ABUT_UNSAFE_BEGIN

@@ -12,11 +12,14 @@
 namespace abut::capi {
 
 /// Refuses: "<argument> is <value>; <expectation>".
-[[nodiscard]] abut_status refuse(abut_status status, const char* argument, double value, const char* expectation) noexcept;
+[[nodiscard]] abut_status refuse(abut_status status, const char* argument, double value,
+                                 const char* expectation) noexcept;
 [[nodiscard]] abut_status refuse(abut_status status, const char* message) noexcept;
 [[nodiscard]] abut_status refuse_null(const char* argument) noexcept;
 
 [[nodiscard]] abut_status check_finite(const abut_vec3& vector, const char* argument) noexcept;
+/// A camera of a later version is accepted when what this version does not know is zero.
+[[nodiscard]] abut_status check_size(const abut_camera& camera) noexcept;
 [[nodiscard]] abut_status check_camera(const abut_camera& camera) noexcept;
 
 /// Why a ray is refused, in full; ABUT_OK for a ray that is good.

@@ -2,9 +2,9 @@
 
 #include <abut/abut.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,7 +15,9 @@ import abut.picking;
 
 namespace abut::capi {
 
-UniverseShape::UniverseShape(abut_shape* shape) noexcept : shape_(shape) { abut_shape_retain(shape); }
+UniverseShape::UniverseShape(abut_shape* shape) noexcept : shape_(shape) {
+  abut_shape_retain(shape);
+}
 
 abut_status UniverseShape::bounds(const abut_pose& pose, abut_aabb& out) const {
   return abut_shape_aabb(shape_.get(), &pose, &out);
@@ -32,12 +34,14 @@ abut_status UniverseShape::triangle_count(std::size_t& out) const {
 abut_status UniverseShape::triangles(picking::TriangleList& out) const {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  if (const abut_status status = abut_shape_triangles(shape_.get(), nullptr, 0, &vertices, nullptr, 0, &triangles); status != ABUT_OK) {
+  if (const abut_status status = abut_shape_triangles(shape_.get(), nullptr, 0, &vertices, nullptr, 0, &triangles);
+      status != ABUT_OK) {
     return status;
   }
   out.xyz.resize(3 * vertices);
   out.indices.resize(3 * triangles);
-  return abut_shape_triangles(shape_.get(), out.xyz.data(), vertices, &vertices, out.indices.data(), triangles, &triangles);
+  return abut_shape_triangles(shape_.get(), out.xyz.data(), vertices, &vertices, out.indices.data(), triangles,
+                              &triangles);
 }
 
 std::optional<abut_ray_hit> UniverseShape::cast(const abut_pose& pose, const abut_ray& ray) const noexcept {
@@ -54,15 +58,19 @@ std::optional<picking::RoundedSegment> UniverseShape::rounded() const {
   std::size_t count = 0;
   if (abut_shape_parameters(shape_.get(), nullptr, 0, &count) != ABUT_OK) return std::nullopt;
   std::vector<double> parameters(count);
-  if (abut_shape_parameters(shape_.get(), parameters.data(), count, &count) != ABUT_OK || parameters.empty()) return std::nullopt;
+  if (abut_shape_parameters(shape_.get(), parameters.data(), count, &count) != ABUT_OK || parameters.empty())
+    return std::nullopt;
   return picking::RoundedSegment{parameters[0], parameters.size() > 1 ? parameters[1] : 0};
 }
 
-abut_status UniverseSource::revision(abut_revision& out) const noexcept { return abut_universe_revision(universe_.get(), &out); }
+abut_status UniverseSource::revision(abut_revision& out) const noexcept {
+  return abut_universe_revision(universe_.get(), &out);
+}
 
 abut_status UniverseSource::geometries(std::vector<abut_geometry_id>& out) const {
   std::size_t count = 0;
-  if (const abut_status status = abut_universe_geometries(universe_.get(), nullptr, 0, &count); status != ABUT_OK) return status;
+  if (const abut_status status = abut_universe_geometries(universe_.get(), nullptr, 0, &count); status != ABUT_OK)
+    return status;
   out.resize(count);
   return abut_universe_geometries(universe_.get(), out.data(), count, &count);
 }
@@ -71,7 +79,7 @@ abut_status UniverseSource::describe(abut_geometry_id id, picking::GeometryView&
   abut_geometry_info info;
   abut_geometry_info_init(&info);
   if (const abut_status status = abut_geometry_describe(universe_.get(), id, &info); status != ABUT_OK) return status;
-  out = {reinterpret_cast<std::uintptr_t>(info.shape), info.pose};
+  out = {std::bit_cast<std::uintptr_t>(info.shape), info.pose};
   return ABUT_OK;
 }
 

@@ -50,7 +50,9 @@ struct Query : NativeContext {
   }
 };
 
-inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) { rtcIntersect1(scene, &ray, &query.arguments); }
+inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) {
+  rtcIntersect1(scene, &ray, &query.arguments);
+}
 inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit4& rays) {
   rtcIntersect4(valid, scene, &rays, &query.arguments);
 }
@@ -79,7 +81,9 @@ struct Query : NativeContext {
   void filter_hits(RTCFilterFunctionN function) noexcept { filter = function; }
 };
 
-inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) { rtcIntersect1(scene, &query, &ray); }
+inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) {
+  rtcIntersect1(scene, &query, &ray);
+}
 inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit4& rays) {
   rtcIntersect4(valid, scene, &query, &rays);
 }

@@ -53,7 +53,8 @@ std::optional<double> crossing_of_triangle(const TriangleList& list, const std::
   return std::isfinite(distance) ? std::optional(distance) : std::nullopt;
 }
 
-void merge_crossings(std::vector<AllHits::Crossing>& crossings, const abut_vec3& direction, std::vector<abut_pick>& out) {
+void merge_crossings(std::vector<AllHits::Crossing>& crossings, const abut_vec3& direction,
+                     std::vector<abut_pick>& out) {
   std::ranges::sort(crossings, [](const AllHits::Crossing& a, const AllHits::Crossing& b) {
     if (a.pick.distance != b.pick.distance) return a.pick.distance < b.pick.distance;
     if (a.pick.geometry.slot != b.pick.geometry.slot) return a.pick.geometry.slot < b.pick.geometry.slot;

@@ -27,7 +27,9 @@ namespace abut::picking {
 inline constexpr double crossing_blur = 0x1p-17;
 
 /// A limit that no rounding makes smaller.
-[[nodiscard]] inline float widened(double limit) { return static_cast<float>(limit * (1 + 0x1p-22)); }
+[[nodiscard]] inline float widened(double limit) {
+  return static_cast<float>(limit * (1 + 0x1p-22));
+}
 
 /// The three lines of a ray, each written at once: Embree reads them so, and a line that was written
 /// in pieces would have to reach the cache first.
@@ -51,11 +53,13 @@ inline void write_ray(RTCRayHit& hit, const abut_vec3& point, const abut_vec3& d
 }
 
 /// Distance at which a line crosses a triangle, its edges included; none when they are parallel.
-[[nodiscard]] std::optional<double> crossing_of_triangle(const TriangleList& list, const std::array<std::uint32_t, 3>& corners,
+[[nodiscard]] std::optional<double> crossing_of_triangle(const TriangleList& list,
+                                                         const std::array<std::uint32_t, 3>& corners,
                                                          const abut_vec3& origin, const abut_vec3& direction);
 [[nodiscard]] abut_vec3 normal_of_triangle(const TriangleList& list, const std::array<std::uint32_t, 3>& corners);
 
 /// Sorts crossings by distance and reports those of neighbouring triangles at their edge once.
-void merge_crossings(std::vector<AllHits::Crossing>& crossings, const abut_vec3& direction, std::vector<abut_pick>& out);
+void merge_crossings(std::vector<AllHits::Crossing>& crossings, const abut_vec3& direction,
+                     std::vector<abut_pick>& out);
 
 }  // namespace abut::picking

@@ -38,11 +38,13 @@ class Picker {
   /// First thing that a ray meets; a null geometry when there is none.
   [[nodiscard]] abut_status cast_ray(const abut_ray& ray, abut_pick& out) noexcept;
   /// First things that rays meet; `out` is as long as `rays`.
-  [[nodiscard]] abut_status cast_rays(std::span<const abut_ray> rays, Coherence coherence, std::span<abut_pick> out) noexcept;
+  [[nodiscard]] abut_status cast_rays(std::span<const abut_ray> rays, Coherence coherence,
+                                      std::span<abut_pick> out) noexcept;
   /// Everything that a ray meets, nearest first.
   [[nodiscard]] abut_status cast_ray_all(const abut_ray& ray, std::vector<abut_pick>& out) noexcept;
   /// What lies at a point of a picture, or nearest to it within a radius in pixels.
-  [[nodiscard]] abut_status pick_pixel(const abut_camera& camera, double x, double y, double radius, abut_pick& out) noexcept;
+  [[nodiscard]] abut_status pick_pixel(const abut_camera& camera, double x, double y, double radius,
+                                       abut_pick& out) noexcept;
   /// One ray per pixel, row by row from the top; `out` holds width * height picks.
   [[nodiscard]] abut_status render(const abut_camera& camera, std::span<abut_pick> out) noexcept;
 

@@ -41,10 +41,13 @@ using Corners = std::array<abut_vec3, 3>;
   return cross(subtract(corners[1], corners[0]), subtract(corners[2], corners[0]));
 }
 
-[[nodiscard]] abut_vec3 unit_or_zero(const abut_vec3& v) { return largest_component(v) == 0 ? v : normalized(v); }
+[[nodiscard]] abut_vec3 unit_or_zero(const abut_vec3& v) {
+  return largest_component(v) == 0 ? v : normalized(v);
+}
 
 // A corner moved outwards in its plane, so that both edges that meet there move by `distance`.
-[[nodiscard]] abut_vec3 grown(const abut_vec3& corner, const abut_vec3& next, const abut_vec3& previous, double distance) {
+[[nodiscard]] abut_vec3 grown(const abut_vec3& corner, const abut_vec3& next, const abut_vec3& previous,
+                              double distance) {
   const abut_vec3 a = unit_or_zero(subtract(next, corner));
   const abut_vec3 b = unit_or_zero(subtract(previous, corner));
   const double sine = length(cross(a, b));
@@ -71,7 +74,8 @@ void write_outlines(const TriangleList& list, const Space& space, std::span<floa
     const Corners corners = corners_of(list, i);
     const bool has_area = largest_component(area_vector(corners)) != 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const abut_vec3 moved = has_area ? grown(corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3], distance) : corners[0];
+      const abut_vec3 moved =
+          has_area ? grown(corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3], distance) : corners[0];
       const abut_vec3 local = subtract(moved, space.origin);
       const std::size_t at = 9 * i + 3 * k;
       out[at] = static_cast<float>(local.x);

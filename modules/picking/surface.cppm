@@ -20,11 +20,11 @@ import :vector;
 namespace abut::picking {
 
 /// Points p with dot(normal, p) == offset. The normal has unit length, or none for a triangle without area.
-struct alignas(32) Plane {
+struct alignas(32) Facet {
   abut_vec3 normal;
   double offset;
 };
-static_assert(sizeof(Plane) == 32);
+static_assert(sizeof(Facet) == 32);
 
 /// Largest difference between a hit found in single precision and the one on the plane of the
 /// triangle, in parts of the extent. Beyond it the ray runs along the plane and single precision
@@ -32,15 +32,16 @@ static_assert(sizeof(Plane) == 32);
 inline constexpr double largest_correction = 1e-3;
 
 /// Distance along a ray to a plane near which a hit was found.
-[[nodiscard]] [[gnu::always_inline]] inline double distance_to(const Plane& plane, const abut_vec3& origin, const abut_vec3& direction, double found,
-                                        double extent) {
+[[nodiscard]] [[gnu::always_inline]] inline double distance_to(const Facet& plane, const abut_vec3& origin,
+                                                               const abut_vec3& direction, double found,
+                                                               double extent) {
   const double exact = (plane.offset - dot(plane.normal, origin)) / dot(plane.normal, direction);
   const bool is_close = std::fabs(exact - found) <= largest_correction * extent;
   return std::max(is_close ? exact : found, 0.0);
 }
 
 /// The plane of each triangle.
-using Surface = std::vector<Plane>;
+using Surface = std::vector<Facet>;
 
 [[nodiscard]] Surface make_surface(const TriangleList& list);
 

@@ -44,10 +44,10 @@ struct Entry {
   std::uint32_t shape = nowhere;
   std::uint32_t place = nowhere;  // in moving_ or endless_
   Role role = Role::exact;
-  std::uint64_t epoch = 0;        // when it was last listed
+  std::uint64_t epoch = 0;  // when it was last listed
   abut_pose pose{};
   Frame frame;
-  abut_aabb box = empty_box;      // world
+  abut_aabb box = empty_box;  // world
 };
 
 /// A surface in the frame of its shape with a scene of its own.
@@ -84,9 +84,9 @@ struct MovingBox {
 
 /// What callbacks need to know of one ray.
 struct Lane {
-  abut_ray ray;         // unit direction
-  double advance;       // where the float ray starts, from the origin of the ray
-  abut_ray_hit exact;   // when the hit is one of a shape asked in double
+  abut_ray ray;        // unit direction
+  double advance;      // where the float ray starts, from the origin of the ray
+  abut_ray_hit exact;  // when the hit is one of a shape asked in double
 };
 
 /// Context of a query; `width` says which of the types below it is.
@@ -95,8 +95,7 @@ struct Trace : embree::Query {
   Trace(std::uint32_t wide, bool coherent) noexcept : embree::Query(coherent), width(wide) {}
 };
 
-template <std::size_t Width>
-struct FirstHit : Trace {
+template <std::size_t Width> struct FirstHit : Trace {
   std::array<Lane, Width> lanes;
   explicit FirstHit(bool coherent) noexcept : Trace(static_cast<std::uint32_t>(Width), coherent) {}
 };
@@ -113,7 +112,7 @@ struct AllHits : Trace {
     double blur;  // two crossings of equal facing closer than this are one, on the edge of neighbours
   };
   std::vector<Crossing> crossings;
-  double advance = 0;             // where the float ray starts
+  double advance = 0;  // where the float ray starts
   explicit AllHits(const abut_ray& unit_ray) noexcept;
 };
 
@@ -149,10 +148,10 @@ class Tracer {
   [[nodiscard]] abut_status make_device();
   [[nodiscard]] abut_status build_still();
   [[nodiscard]] abut_status build_moving();
-  [[nodiscard]] abut_status make_instanced(ShapeRecord& shape) const;
+  [[nodiscard]] abut_status make_instanced(ShapeRecord& shape);
   [[nodiscard]] abut_status become_moving(std::uint32_t index);
   [[nodiscard]] abut_status embree_status() const;
-  [[nodiscard]] embree::Geometry make_triangles(const TriangleList& list, const Space& space) const;
+  [[nodiscard]] embree::Geometry make_triangles(const TriangleList& list, const Space& space);
   void settle_moving_space();
   void settle_still_space();
   void write_box(MovingBox& box) const;
@@ -161,8 +160,7 @@ class Tracer {
   static void report_hits(const RTCIntersectFunctionNArguments* arguments);
   static void collect_hit(const RTCFilterFunctionNArguments* arguments);
   static void collect(RTCScene scene, AllHits& query, const Entrance& entrance, const abut_vec3& direction);
-  template <std::size_t Width>
-  void meet(const RTCIntersectFunctionNArguments& arguments) const;
+  template <std::size_t Width> void meet(const RTCIntersectFunctionNArguments& arguments) const;
   void meet_all(AllHits& query, std::uint32_t index) const;
   void cross_few(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
   void cross_rounded(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
@@ -177,8 +175,9 @@ class Tracer {
                                                    std::uint32_t geometry, std::uint32_t triangle, double found,
                                                    abut_pick& out) const {
     const Baked& baked = baked_[geometry];
-    const Plane& plane = baked.surface[triangle];
-    const double distance = distance_to(plane, subtract(origin, still_space_.origin), direction, found, still_space_.extent);
+    const Facet& plane = baked.surface[triangle];
+    const double distance =
+        distance_to(plane, subtract(origin, still_space_.origin), direction, found, still_space_.extent);
     if (distance > limit) return false;
     out = {.geometry = baked.id,
            .feature = {ABUT_FEATURE_FACE, triangle},
@@ -220,8 +219,7 @@ class Tracer {
   std::vector<std::uint32_t> endless_;
 };
 
-template <std::size_t Width>
-struct Batch;
+template <std::size_t Width> struct Batch;
 
 /// Rays in packets (tracer_packet.cpp).
 struct PacketTracer {
@@ -230,16 +228,20 @@ struct PacketTracer {
   template <std::size_t Width, class Place>
   static void resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place);
   template <std::size_t Width>
-  static void read_four(Batch<Width>& batch, std::size_t k, const abut_ray& a, const abut_ray& b, const abut_ray& c, const abut_ray& d);
+  static void read_four(Batch<Width>& batch, std::size_t k, const abut_ray& a, const abut_ray& b, const abut_ray& c,
+                        const abut_ray& d);
   template <std::size_t Width, class Place>
   static void trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place);
   template <std::size_t Width>
-  static void trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, bool coherent, std::span<abut_pick> out);
+  static void trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, bool coherent,
+                          std::span<abut_pick> out);
   template <std::size_t Width>
   static void render(const Tracer& tracer, const abut_camera& camera, std::span<abut_pick> out);
 };
 
 /// A miss.
-[[nodiscard]] inline abut_pick nothing() { return {{0, 0}, {0, 0}, infinity, {0, 0, 0}, {0, 0, 0}}; }
+[[nodiscard]] inline abut_pick nothing() {
+  return {{0, 0}, {0, 0}, infinity, {0, 0, 0}, {0, 0, 0}};
+}
 
 }  // namespace abut::picking

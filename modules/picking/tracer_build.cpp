@@ -36,10 +36,13 @@ constexpr double widening = 0x1p-20;
 
 [[nodiscard]] float rounded_down(double value) {
   const float nearest = static_cast<float>(value);
-  return static_cast<double>(nearest) <= value ? nearest : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
+  return static_cast<double>(nearest) <= value ? nearest
+                                               : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
 }
 
-[[nodiscard]] float rounded_up(double value) { return -rounded_down(-value); }
+[[nodiscard]] float rounded_up(double value) {
+  return -rounded_down(-value);
+}
 
 }  // namespace
 
@@ -147,12 +150,14 @@ abut_status Tracer::build_still() {
   return embree_status();
 }
 
-embree::Geometry Tracer::make_triangles(const TriangleList& list, const Space& space) const {
+embree::Geometry Tracer::make_triangles(const TriangleList& list, const Space& space) {
   embree::Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
   if (!geometry) return geometry;
   const std::size_t count = list.indices.size() / 3;
-  void* const vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count);
-  void* const indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count);
+  void* const vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                 3 * sizeof(float), 3 * count);
+  void* const indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                3 * sizeof(std::uint32_t), count);
   if (count != 0 && (vertices == nullptr || indices == nullptr)) return {};
   // SAFETY: Embree has just made these buffers with the sizes named in the two calls above.
   ABUT_UNSAFE_BEGIN
@@ -161,7 +166,7 @@ embree::Geometry Tracer::make_triangles(const TriangleList& list, const Space& s
   ABUT_UNSAFE_END
   write_outlines(list, space, outlines);
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::uint32_t>(i);
-  rtcSetGeometryUserData(geometry.get(), const_cast<Tracer*>(this));
+  rtcSetGeometryUserData(geometry.get(), this);
 #if RTC_VERSION_MAJOR >= 4
   rtcSetGeometryEnableFilterFunctionFromArguments(geometry.get(), true);
 #endif
@@ -169,7 +174,7 @@ embree::Geometry Tracer::make_triangles(const TriangleList& list, const Space& s
   return geometry;
 }
 
-abut_status Tracer::make_instanced(ShapeRecord& shape) const {
+abut_status Tracer::make_instanced(ShapeRecord& shape) {
   if (shape.instanced) return ABUT_OK;
   TriangleList list;
   if (const abut_status status = shape.access->triangles(list); status != ABUT_OK) return status;

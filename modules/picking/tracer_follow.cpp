@@ -41,7 +41,9 @@ template <class Value>
   return index;
 }
 
-[[nodiscard]] bool equal(const abut_vec3& a, const abut_vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+[[nodiscard]] bool equal(const abut_vec3& a, const abut_vec3& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
 [[nodiscard]] bool equal(const abut_quat& a, const abut_quat& b) {
   return a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z;
 }
@@ -55,7 +57,8 @@ abut_status Tracer::follow() {
     return seen_geometries_.load(std::memory_order_acquire) == now.geometries &&
            seen_poses_.load(std::memory_order_acquire) == now.poses;
   };
-  if (is_seen()) [[likely]] return ABUT_OK;
+  if (is_seen()) [[likely]]
+    return ABUT_OK;
   // The world does not change while queries run, so no ray is under way in a scene that is stale.
   const std::scoped_lock lock(mutex_);
   if (is_seen()) return ABUT_OK;

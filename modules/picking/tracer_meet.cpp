@@ -30,11 +30,21 @@ void Tracer::report_hits(const RTCIntersectFunctionNArguments* arguments) {
   const auto& self = *static_cast<const Tracer*>(arguments->geometryUserPtr);
   auto& trace = static_cast<Trace&>(static_cast<embree::Query&>(*arguments->context));
   switch (trace.width) {
-    case 0: self.meet_all(static_cast<AllHits&>(trace), self.moving_[arguments->primID].entry); return;
-    case 1: self.meet<1>(*arguments); return;
-    case 4: self.meet<4>(*arguments); return;
-    case 8: self.meet<8>(*arguments); return;
-    default: self.meet<16>(*arguments); return;
+    case 0:
+      self.meet_all(static_cast<AllHits&>(trace), self.moving_[arguments->primID].entry);
+      return;
+    case 1:
+      self.meet<1>(*arguments);
+      return;
+    case 4:
+      self.meet<4>(*arguments);
+      return;
+    case 8:
+      self.meet<8>(*arguments);
+      return;
+    default:
+      self.meet<16>(*arguments);
+      return;
   }
 }
 
@@ -46,7 +56,8 @@ struct LocalHit {
   std::uint32_t triangle;
 };
 
-[[nodiscard]] std::optional<LocalHit> cast_into(const Instanced& instanced, const Frame& frame, const abut_ray& ray, double limit) {
+[[nodiscard]] std::optional<LocalHit> cast_into(const Instanced& instanced, const Frame& frame, const abut_ray& ray,
+                                                double limit) {
   const abut_vec3 direction = rotate_back(frame, ray.direction);
   Entrance entrance{};
   if (!enter(instanced.space, to_local(frame, ray.origin), direction, limit, entrance)) return std::nullopt;
@@ -60,8 +71,7 @@ struct LocalHit {
 
 }  // namespace
 
-template <std::size_t Width>
-void Tracer::meet(const RTCIntersectFunctionNArguments& arguments) const {
+template <std::size_t Width> void Tracer::meet(const RTCIntersectFunctionNArguments& arguments) const {
   auto& trace = static_cast<FirstHit<Width>&>(static_cast<Trace&>(static_cast<embree::Query&>(*arguments.context)));
   const std::uint32_t index = moving_[arguments.primID].entry;
   const Entry& entry = entries_[index];
@@ -89,7 +99,8 @@ void Tracer::meet(const RTCIntersectFunctionNArguments& arguments) const {
       const auto hit = shape.access->cast(entry.pose, ray);
       if (!hit) continue;
       const std::uint32_t present = RTCHitN_geomID(hits, count, i);
-      const bool against_exact = present != RTC_INVALID_GEOMETRY_ID && entries_[present & ~entry_flag].role == Role::exact;
+      const bool against_exact =
+          present != RTC_INVALID_GEOMETRY_ID && entries_[present & ~entry_flag].role == Role::exact;
       const bool is_nearer = against_exact ? hit->distance < lane.exact.distance ||
                                                  (hit->distance == lane.exact.distance &&
                                                   entry.id.slot < entries_[present & ~entry_flag].id.slot)
@@ -144,11 +155,13 @@ void Tracer::meet_all(AllHits& query, std::uint32_t index) const {
 void Tracer::cross_surface(AllHits& query, std::uint32_t index, const Instanced& instanced) const {
   const Frame& frame = entries_[index].frame;
   AllHits local(query.ray);
-  local.local_ray = {to_local(frame, query.ray.origin), rotate_back(frame, query.ray.direction), query.ray.max_distance};
+  local.local_ray = {to_local(frame, query.ray.origin), rotate_back(frame, query.ray.direction),
+                     query.ray.max_distance};
   local.entry = index;
   local.extent = instanced.space.extent;
   Entrance entrance{};
-  if (!enter(instanced.space, local.local_ray.origin, local.local_ray.direction, query.ray.max_distance, entrance)) return;
+  if (!enter(instanced.space, local.local_ray.origin, local.local_ray.direction, query.ray.max_distance, entrance))
+    return;
   collect(instanced.scene.get(), local, entrance, local.local_ray.direction);
   query.out_of_memory = query.out_of_memory || local.out_of_memory;
   query.crossings.insert(query.crossings.end(), local.crossings.begin(), local.crossings.end());
@@ -172,7 +185,8 @@ void Tracer::collect_hit(const RTCFilterFunctionNArguments* arguments) {
   const double found = query.advance + static_cast<double>(RTCRayN_tfar(arguments->ray, 1, 0));
   abut_pick pick = nothing();
   if (query.entry == nowhere) {
-    (void)self.resolve_still(query.ray.origin, query.ray.direction, query.ray.max_distance, RTCHitN_geomID(arguments->hit, 1, 0), triangle, found, pick);
+    (void)self.resolve_still(query.ray.origin, query.ray.direction, query.ray.max_distance,
+                             RTCHitN_geomID(arguments->hit, 1, 0), triangle, found, pick);
   } else {
     const Lane lane{.ray = query.ray, .advance = 0, .exact = {}};
     self.resolve_entry(lane, entry_flag | query.entry, triangle, found, pick);
@@ -190,7 +204,8 @@ void Tracer::cross_few(AllHits& query, const Entry& entry, const ShapeRecord& sh
   const abut_vec3 direction = rotate_back(entry.frame, query.ray.direction);
   const std::vector<std::uint32_t>& indices = shape.few.indices;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    const auto distance = crossing_of_triangle(shape.few, {indices[i], indices[i + 1], indices[i + 2]}, origin, direction);
+    const auto distance =
+        crossing_of_triangle(shape.few, {indices[i], indices[i + 1], indices[i + 2]}, origin, direction);
     if (!distance || *distance < 0 || *distance > query.ray.max_distance) continue;
     const abut_vec3 normal = normal_of_triangle(shape.few, {indices[i], indices[i + 1], indices[i + 2]});
     query.crossings.push_back({.pick = {.geometry = entry.id,

@@ -31,7 +31,9 @@ struct Offset {
   double y;
 };
 
-[[nodiscard]] double size_of(const Offset& offset) { return std::sqrt(offset.x * offset.x + offset.y * offset.y); }
+[[nodiscard]] double size_of(const Offset& offset) {
+  return std::sqrt(offset.x * offset.x + offset.y * offset.y);
+}
 
 // The picture around a point: pixel offsets of what lies in front of the eye.
 struct Sight {
@@ -61,7 +63,9 @@ struct Sight {
   }
 };
 
-[[nodiscard]] Offset between(const Offset& a, const Offset& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
+[[nodiscard]] Offset between(const Offset& a, const Offset& b, double t) {
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+}
 
 // Point of a segment nearest to the origin.
 [[nodiscard]] Offset nearest_on(const Offset& a, const Offset& b) {

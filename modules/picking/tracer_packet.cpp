@@ -23,29 +23,23 @@ import :vector;
 
 namespace abut::picking {
 
-template <std::size_t Width>
-struct NativePacket;
-template <>
-struct NativePacket<4> {
+template <std::size_t Width> struct NativePacket;
+template <> struct NativePacket<4> {
   using Type = RTCRayHit4;
 };
-template <>
-struct NativePacket<8> {
+template <> struct NativePacket<8> {
   using Type = RTCRayHit8;
 };
-template <>
-struct NativePacket<16> {
+template <> struct NativePacket<16> {
   using Type = RTCRayHit16;
 };
 
 using FourFloats = float __attribute__((ext_vector_type(4)));
 
-template <std::size_t Width>
-using Doubles = std::array<Four, Width / 4>;
+template <std::size_t Width> using Doubles = std::array<Four, Width / 4>;
 
 // What a packet needs from one call of Embree to the next; kept, so that constants are written once.
-template <std::size_t Width>
-struct alignas(64) Batch {
+template <std::size_t Width> struct alignas(64) Batch {
   typename NativePacket<Width>::Type native;
   alignas(64) std::array<int, Width> valid;   // -1 for a ray, 0 for none
   alignas(64) std::array<int, Width> active;  // the rays that reach the space being traced
@@ -69,7 +63,8 @@ struct alignas(64) Batch {
 ABUT_UNSAFE_BEGIN
 
 template <std::size_t Width>
-Batch<Width>::Batch(bool are_neighbours) noexcept : native{}, valid{}, active{}, coherent(are_neighbours), advances(false) {
+Batch<Width>::Batch(bool are_neighbours) noexcept
+    : native{}, valid{}, active{}, coherent(are_neighbours), advances(false) {
   for (std::size_t i = 0; i < Width; ++i) {
     native.ray.mask[i] = ~0U;
     native.ray.id[i] = static_cast<unsigned>(i);
@@ -82,8 +77,7 @@ Batch<Width>::Batch(bool are_neighbours) noexcept : native{}, valid{}, active{},
   }
 }
 
-template <std::size_t Width>
-void Batch<Width>::normalize() noexcept {
+template <std::size_t Width> void Batch<Width>::normalize() noexcept {
   [[clang::uninitialized]] Doubles<Width> square;
   Four worst = 0;
   for (std::size_t k = 0; k < Width / 4; ++k) {
@@ -98,7 +92,8 @@ void Batch<Width>::normalize() noexcept {
     for (std::size_t i = 0; i < Width; ++i) {
       const std::size_t k = i / 4;
       const std::size_t j = i % 4;
-      if (square[k][j] > 1e-200 && square[k][j] < 1e200) [[likely]] continue;
+      if (square[k][j] > 1e-200 && square[k][j] < 1e200) [[likely]]
+        continue;
       const abut_vec3 unit = normalized({dx[k][j], dy[k][j], dz[k][j]});
       dx[k][j] = unit.x;
       dy[k][j] = unit.y;
@@ -114,8 +109,7 @@ void Batch<Width>::normalize() noexcept {
   }
 }
 
-template <std::size_t Width>
-bool Batch<Width>::write(const Space& space) noexcept {
+template <std::size_t Width> bool Batch<Width>::write(const Space& space) noexcept {
   const auto put = [](auto& out, std::size_t k, const Four& values) {
     const FourFloats floats = __builtin_convertvector(values, FourFloats);
     for (std::size_t j = 0; j < 4; ++j) out[4 * k + j] = floats[j];
@@ -144,8 +138,7 @@ bool Batch<Width>::write(const Space& space) noexcept {
 }
 
 // Rays that start far outside of the space begin where they enter it.
-template <std::size_t Width>
-void Batch<Width>::write_far(const Space& space) noexcept {
+template <std::size_t Width> void Batch<Width>::write_far(const Space& space) noexcept {
   for (std::size_t i = 0; i < Width; ++i) {
     const abut_ray from = ray(i);
     Entrance entrance{};
@@ -165,11 +158,12 @@ void Batch<Width>::write_far(const Space& space) noexcept {
 // plane 0, whose distance is not a number.
 template <std::size_t Width, class Place>
 void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place) {
-  static constexpr Plane no_plane{{0, 0, 0}, 0};
+  static constexpr Facet no_facet{{0, 0, 0}, 0};
   const auto& native = batch.native;
   const auto row = [&](std::size_t j) {
     const std::uint32_t geometry = native.hit.geomID[4 * k + j];
-    const Plane& plane = geometry == RTC_INVALID_GEOMETRY_ID ? no_plane : tracer.baked_[geometry].surface[native.hit.primID[4 * k + j]];
+    const Facet& plane =
+        geometry == RTC_INVALID_GEOMETRY_ID ? no_facet : tracer.baked_[geometry].surface[native.hit.primID[4 * k + j]];
     return Four{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
   };
   const FourRows rows{row(0), row(1), row(2), row(3)};
@@ -179,14 +173,15 @@ void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch,
                                   planes.c * (batch.oz[k] - origin.z));
   const Four slope = planes.a * batch.dx[k] + planes.b * batch.dy[k] + planes.c * batch.dz[k];
   const Four exact = height / slope;
-  Four found = __builtin_convertvector((FourFloats{native.ray.tfar[4 * k], native.ray.tfar[4 * k + 1], native.ray.tfar[4 * k + 2],
-                                                   native.ray.tfar[4 * k + 3]}), Four);
+  Four found = __builtin_convertvector((FourFloats{native.ray.tfar[4 * k], native.ray.tfar[4 * k + 1],
+                                                   native.ray.tfar[4 * k + 2], native.ray.tfar[4 * k + 3]}),
+                                       Four);
   if (batch.advances) found += batch.advance[k];
   const Four correction = __builtin_elementwise_abs(exact - found);
   const Four nearest = correction <= largest_correction * tracer.still_space_.extent ? exact : found;
   const Four distance = __builtin_elementwise_max(nearest, Four(0));
-  const FourRows ends = transposed({distance, batch.ox[k] + distance * batch.dx[k], batch.oy[k] + distance * batch.dy[k],
-                                    batch.oz[k] + distance * batch.dz[k]});
+  const FourRows ends = transposed({distance, batch.ox[k] + distance * batch.dx[k],
+                                    batch.oy[k] + distance * batch.dy[k], batch.oz[k] + distance * batch.dz[k]});
   const auto write = [&](std::size_t j, const Four& end, const Four& plane) {
     const std::size_t i = 4 * k + j;
     if (batch.valid[i] == 0) return;
@@ -251,10 +246,14 @@ ABUT_UNSAFE_END
 
 // Rays to registers, four at a time.
 template <std::size_t Width>
-void PacketTracer::read_four(Batch<Width>& batch, std::size_t k, const abut_ray& a, const abut_ray& b, const abut_ray& c,
-                             const abut_ray& d) {
-  const auto first = [](const abut_ray& ray) { return Four{ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x}; };
-  const auto last = [](const abut_ray& ray) { return Four{ray.direction.x, ray.direction.y, ray.direction.z, ray.max_distance}; };
+void PacketTracer::read_four(Batch<Width>& batch, std::size_t k, const abut_ray& a, const abut_ray& b,
+                             const abut_ray& c, const abut_ray& d) {
+  const auto first = [](const abut_ray& ray) {
+    return Four{ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x};
+  };
+  const auto last = [](const abut_ray& ray) {
+    return Four{ray.direction.x, ray.direction.y, ray.direction.z, ray.max_distance};
+  };
   const FourRows from = transposed({first(a), first(b), first(c), first(d)});
   const FourRows along = transposed({last(a), last(b), last(c), last(d)});
   batch.ox[k] = from.a;
@@ -267,7 +266,8 @@ void PacketTracer::read_four(Batch<Width>& batch, std::size_t k, const abut_ray&
 }
 
 template <std::size_t Width>
-void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, bool coherent, std::span<abut_pick> out) {
+void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, bool coherent,
+                               std::span<abut_pick> out) {
   Batch<Width> batch(coherent);
   for (std::size_t first = 0; first < rays.size(); first += Width) {
     const std::size_t count = std::min(Width, rays.size() - first);
@@ -302,7 +302,8 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::
         batch.dy[k] = view.right.y * right + (view.up.y * up) + view.forward.y;
         batch.dz[k] = view.right.z * right + (view.up.z * up) + view.forward.z;
       }
-      for (std::size_t i = 0; i < Width; ++i) batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
+      for (std::size_t i = 0; i < Width; ++i)
+        batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
       batch.normalize();
       for (std::size_t k = 0; k < down; ++k) {
         batch.ox[k] = view.eye.x + view.start * batch.dx[k];
@@ -318,9 +319,15 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::
 
 void Tracer::trace_neighbours(std::span<const abut_ray> rays, std::span<abut_pick> out) const {
   switch (widest_) {
-    case 16: PacketTracer::trace_batch<16>(*this, rays, true, out); return;
-    case 8: PacketTracer::trace_batch<8>(*this, rays, true, out); return;
-    default: PacketTracer::trace_batch<4>(*this, rays, true, out); return;
+    case 16:
+      PacketTracer::trace_batch<16>(*this, rays, true, out);
+      return;
+    case 8:
+      PacketTracer::trace_batch<8>(*this, rays, true, out);
+      return;
+    default:
+      PacketTracer::trace_batch<4>(*this, rays, true, out);
+      return;
   }
 }
 
@@ -335,9 +342,15 @@ void Tracer::trace_unrelated(std::span<const abut_ray> rays, std::span<abut_pick
 
 void Tracer::render(const abut_camera& camera, std::span<abut_pick> out) const {
   switch (widest_) {
-    case 16: PacketTracer::render<16>(*this, camera, out); return;
-    case 8: PacketTracer::render<8>(*this, camera, out); return;
-    default: PacketTracer::render<4>(*this, camera, out); return;
+    case 16:
+      PacketTracer::render<16>(*this, camera, out);
+      return;
+    case 8:
+      PacketTracer::render<8>(*this, camera, out);
+      return;
+    default:
+      PacketTracer::render<4>(*this, camera, out);
+      return;
   }
 }
 

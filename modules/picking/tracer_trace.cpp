@@ -84,9 +84,9 @@ void Tracer::resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32
     return;
   }
   const Instanced& instanced = *shapes_[entry.shape].instanced;
-  const Plane& plane = instanced.surface[triangle];
-  const double distance = distance_to(plane, to_local(entry.frame, lane.ray.origin), rotate_back(entry.frame, lane.ray.direction),
-                                      found, instanced.space.extent);
+  const Facet& plane = instanced.surface[triangle];
+  const double distance = distance_to(plane, to_local(entry.frame, lane.ray.origin),
+                                      rotate_back(entry.frame, lane.ray.direction), found, instanced.space.extent);
   if (distance > lane.ray.max_distance) return;
   out = {.geometry = entry.id,
          .feature = {ABUT_FEATURE_FACE, triangle},

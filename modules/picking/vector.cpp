@@ -13,7 +13,8 @@ import :vector;
 
 namespace abut::picking {
 
-std::optional<Entrance> enter_from_afar(const Space& space, const abut_vec3& origin, const abut_vec3& direction, double limit) {
+std::optional<Entrance> enter_from_afar(const Space& space, const abut_vec3& origin, const abut_vec3& direction,
+                                        double limit) {
   // A little more than the cube, so that nothing on its faces is passed by.
   const double side = 1.01 * space.extent;
   const abut_vec3 start = subtract(origin, space.origin);

@@ -16,16 +16,26 @@ namespace abut::picking {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-[[nodiscard]] inline abut_vec3 add(const abut_vec3& a, const abut_vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-[[nodiscard]] inline abut_vec3 subtract(const abut_vec3& a, const abut_vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-[[nodiscard]] inline abut_vec3 scale(const abut_vec3& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
-[[nodiscard]] inline double dot(const abut_vec3& a, const abut_vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+[[nodiscard]] inline abut_vec3 add(const abut_vec3& a, const abut_vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+[[nodiscard]] inline abut_vec3 subtract(const abut_vec3& a, const abut_vec3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+[[nodiscard]] inline abut_vec3 scale(const abut_vec3& a, double s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+[[nodiscard]] inline double dot(const abut_vec3& a, const abut_vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 [[nodiscard]] inline abut_vec3 cross(const abut_vec3& a, const abut_vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-[[nodiscard]] inline double length(const abut_vec3& a) { return std::sqrt(dot(a, a)); }
+[[nodiscard]] inline double length(const abut_vec3& a) {
+  return std::sqrt(dot(a, a));
+}
 
 [[nodiscard]] inline double largest_component(const abut_vec3& a) {
   return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
@@ -85,7 +95,9 @@ struct Frame {
   return add(add(scale(frame.rows[0], v.x), scale(frame.rows[1], v.y)), scale(frame.rows[2], v.z));
 }
 
-[[nodiscard]] inline abut_vec3 to_world(const Frame& frame, const abut_vec3& p) { return add(rotate(frame, p), frame.position); }
+[[nodiscard]] inline abut_vec3 to_world(const Frame& frame, const abut_vec3& p) {
+  return add(rotate(frame, p), frame.position);
+}
 [[nodiscard]] inline abut_vec3 to_local(const Frame& frame, const abut_vec3& p) {
   return rotate_back(frame, subtract(p, frame.position));
 }
@@ -107,7 +119,9 @@ inline void extend(abut_aabb& box, const abut_vec3& p) {
           0.5 * box.minimum.z + 0.5 * box.maximum.z};
 }
 
-[[nodiscard]] inline double diagonal_of(const abut_aabb& box) { return length(subtract(box.maximum, box.minimum)); }
+[[nodiscard]] inline double diagonal_of(const abut_aabb& box) {
+  return length(subtract(box.maximum, box.minimum));
+}
 
 /// Largest coordinate of a box relative to a point.
 [[nodiscard]] inline double reach_of(const abut_aabb& box, const abut_vec3& origin) {
@@ -127,16 +141,17 @@ struct Entrance {
 };
 
 /// Where a ray that starts far outside of a space enters it; none when it passes by.
-[[nodiscard]] std::optional<Entrance> enter_from_afar(const Space& space, const abut_vec3& origin, const abut_vec3& direction,
-                                                      double limit);
+[[nodiscard]] std::optional<Entrance> enter_from_afar(const Space& space, const abut_vec3& origin,
+                                                      const abut_vec3& direction, double limit);
 
 /// Rays that start far outside of a space begin where they enter it, so that single precision is
 /// spent on the space and not on the way. False when such a ray passes by. Inlined: handing the
 /// result over through memory would cost more than computing it.
-[[nodiscard]] [[gnu::always_inline]] inline bool enter(const Space& space, const abut_vec3& origin, const abut_vec3& direction,
-                                                       double limit, Entrance& out) {
+[[nodiscard]] [[gnu::always_inline]] inline bool enter(const Space& space, const abut_vec3& origin,
+                                                       const abut_vec3& direction, double limit, Entrance& out) {
   out = {subtract(origin, space.origin), 0};
-  if (largest_component(out.point) <= 2 * space.extent) [[likely]] return true;
+  if (largest_component(out.point) <= 2 * space.extent) [[likely]]
+    return true;
   const std::optional<Entrance> entrance = enter_from_afar(space, origin, direction, limit);
   if (!entrance) return false;
   out = *entrance;
