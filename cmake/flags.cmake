@@ -97,3 +97,8 @@ function(abut_export_flags target)
   target_compile_options(${target} INTERFACE "$<INSTALL_INTERFACE:${options}>")
   target_compile_definitions(${target} INTERFACE $<INSTALL_INTERFACE:_GLIBCXX_ASSERTIONS>)
 endfunction()
+# A shared library exports what its version script names, and nothing of the archives inside it.
+function(abut_limit_exports target script)
+  target_link_options(${target} PRIVATE LINKER:--version-script=${script} LINKER:--exclude-libs,ALL)
+  set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${script})
+endfunction()

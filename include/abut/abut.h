@@ -91,6 +91,14 @@ ABUT_API const char *abut_status_name(abut_status status);
  */
 ABUT_API const char *abut_last_error_message(void);
 
+/**
+ * Sets this thread's message and returns `status`, for libraries that extend this one. With ABUT_OK
+ * the message becomes empty.
+ * @param message  copied, cut where it is too long; null for an empty one
+ * [any]
+ */
+ABUT_API abut_status abut_set_last_error(abut_status status, const char *message);
+
 /** Version of the library that was loaded, such as "0.1.0". Static. [any] */
 ABUT_API const char *abut_version_string(void);
 

@@ -1,0 +1,319 @@
+// Rays through abut_picking beside Embree's own calls: the same mesh, the same rays, one thread.
+//
+// The raw rows use Embree as its manual shows it: one triangle geometry, default flags, rays prepared
+// in Embree's layout before the clock starts. The abut rows start from abut_ray, check it, and end in
+// abut_pick with the hit computed again in double.
+#include <abut/picking.h>
+
+#include "raw_embree.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using abut_bench::Mesh;
+using abut_bench::Packing;
+using abut_bench::RawScene;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t picture_width = 256;
+constexpr std::uint32_t picture_height = 192;
+constexpr std::size_t ray_count = std::size_t{picture_width} * picture_height;
+
+void check(abut_status status) {
+  if (status == ABUT_OK) return;
+  std::fprintf(stderr, "%s: %s\n", abut_status_name(status), abut_last_error_message());
+  std::exit(1);
+}
+
+// 16-bit binary PGM; spacing in metres as data/README.md says.
+Mesh read_terrain(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string header;
+  std::vector<std::size_t> numbers;
+  std::getline(file, header);
+  while (numbers.size() < 3 && std::getline(file, header)) {
+    if (header.starts_with('#')) continue;
+    std::istringstream line(header);
+    for (std::size_t number = 0; line >> number;) numbers.push_back(number);
+  }
+  if (numbers.size() < 3) {
+    std::fprintf(stderr, "%s is not a PGM file\n", path.c_str());
+    std::exit(1);
+  }
+  const std::size_t columns = numbers[0];
+  const std::size_t rows = numbers[1];
+  std::string bytes(2 * columns * rows, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  const auto byte = [&](std::size_t i) { return static_cast<double>(static_cast<unsigned char>(bytes[i])); };
+  Mesh mesh;
+  for (std::size_t j = 0; j < rows; ++j) {
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::size_t at = 2 * (j * columns + i);
+      const double x = 74.4 * (static_cast<double>(i) - 0.5 * static_cast<double>(columns));
+      const double y = 92.6 * (static_cast<double>(j) - 0.5 * static_cast<double>(rows));
+      mesh.xyz.insert(mesh.xyz.end(), {x, y, 256 * byte(at) + byte(at + 1)});
+    }
+  }
+  for (std::size_t j = 0; j + 1 < rows; ++j) {
+    for (std::size_t i = 0; i + 1 < columns; ++i) {
+      const auto a = static_cast<std::uint32_t>(j * columns + i);
+      const auto c = static_cast<std::uint32_t>(a + columns);
+      mesh.triangles.insert(mesh.triangles.end(), {a, a + 1, c + 1, a, c + 1, c});
+    }
+  }
+  return mesh;
+}
+
+Mesh read_obj(const std::string& path) {
+  std::ifstream file(path);
+  Mesh mesh;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    if (kind == "v") {
+      double x = 0;
+      double y = 0;
+      double z = 0;
+      words >> x >> y >> z;
+      mesh.xyz.insert(mesh.xyz.end(), {x, y, z});
+    } else if (kind == "f") {
+      for (std::string corner; words >> corner;) {
+        mesh.triangles.push_back(static_cast<std::uint32_t>(std::stoul(corner)) - 1);
+      }
+    }
+  }
+  return mesh;
+}
+
+struct Rays {
+  std::vector<abut_ray> rays;
+  bool are_neighbours;
+};
+
+// The rays of a picture of the whole mesh, row by row.
+abut_camera camera_on(const Mesh& mesh) {
+  const auto [low, high] = abut_bench::bounds_of(mesh);
+  const abut_vec3 target{0.5 * (low.x + high.x), 0.5 * (low.y + high.y), 0.5 * (low.z + high.z)};
+  const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const abut_vec3 eye{target.x - 0.4 * size, target.y - 0.55 * size, target.z + 0.25 * size};
+  const abut_vec3 up{0, 0, 1};
+  abut_camera camera;
+  abut_camera_init(&camera);
+  camera.width = picture_width;
+  camera.height = picture_height;
+  check(abut_camera_look_at(&camera, &eye, &target, &up));
+  return camera;
+}
+
+Rays camera_rays(const abut_camera& camera) {
+  Rays out{{}, true};
+  for (std::uint32_t y = 0; y < camera.height; ++y) {
+    for (std::uint32_t x = 0; x < camera.width; ++x) {
+      abut_ray ray;
+      check(abut_camera_ray(&camera, x + 0.5, y + 0.5, &ray));
+      out.rays.push_back(ray);
+    }
+  }
+  return out;
+}
+
+Rays random_rays(const Mesh& mesh) {
+  const auto [low, high] = abut_bench::bounds_of(mesh);
+  std::mt19937_64 random(7);
+  const auto between = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11U) * 0x1p-53; };
+  const auto point = [&] { return abut_vec3{between(low.x, high.x), between(low.y, high.y), between(low.z, high.z)}; };
+  Rays out{{}, false};
+  for (std::size_t i = 0; i < ray_count; ++i) {
+    const abut_vec3 from = point();
+    const abut_vec3 to = point();
+    const abut_vec3 along{to.x - from.x, to.y - from.y, to.z - from.z};
+    const double length = std::sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
+    out.rays.push_back({from, {along.x / length, along.y / length, along.z / length}, infinity});
+  }
+  return out;
+}
+
+struct Delete {
+  void operator()(abut_universe* universe) const { abut_universe_destroy(universe); }
+  void operator()(abut_picker* picker) const { abut_picker_destroy(picker); }
+  void operator()(abut_shape* shape) const { abut_shape_release(shape); }
+};
+
+// A universe that holds one mesh.
+struct World {
+  std::unique_ptr<abut_universe, Delete> universe;
+  std::unique_ptr<abut_picker, Delete> picker;
+
+  explicit World(const Mesh& mesh) {
+    abut_universe* made_universe = nullptr;
+    check(abut_universe_create(nullptr, &made_universe));
+    universe.reset(made_universe);
+    abut_shape* made_shape = nullptr;
+    check(abut_mesh_create(mesh.xyz.data(), mesh.xyz.size() / 3, mesh.triangles.data(), mesh.triangles.size() / 3,
+                           nullptr, &made_shape));
+    const std::unique_ptr<abut_shape, Delete> shape(made_shape);
+    abut_part_id part{};
+    abut_geometry_id geometry{};
+    check(abut_part_create(universe.get(), nullptr, &part));
+    check(abut_geometry_create(universe.get(), part, shape.get(), nullptr, &geometry));
+    abut_picker* made_picker = nullptr;
+    check(abut_picker_create(universe.get(), &made_picker));
+    picker.reset(made_picker);
+    check(abut_picker_update(picker.get()));
+  }
+};
+
+void finish(benchmark::State& state) {
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ray_count));
+}
+
+void raw(benchmark::State& state, const RawScene& scene, const Rays& rays, std::size_t width, bool coherent) {
+  Packing packing(rays.rays, width);
+  for (auto _ : state) {
+    scene.trace(packing, coherent);
+    benchmark::ClobberMemory();
+  }
+  finish(state);
+}
+
+void single(benchmark::State& state, World& world, const Rays& rays) {
+  std::vector<abut_pick> picks(rays.rays.size());
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < rays.rays.size(); ++i)
+      abut_picker_cast_ray(world.picker.get(), &rays.rays[i], &picks[i]);
+    benchmark::ClobberMemory();
+  }
+  finish(state);
+}
+
+void batch(benchmark::State& state, World& world, const Rays& rays) {
+  std::vector<abut_pick> picks(rays.rays.size());
+  const abut_coherence coherence = rays.are_neighbours ? ABUT_COHERENCE_NEIGHBOURS : ABUT_COHERENCE_NONE;
+  for (auto _ : state) {
+    abut_picker_cast_rays(world.picker.get(), rays.rays.data(), rays.rays.size(), coherence, picks.data());
+    benchmark::ClobberMemory();
+  }
+  finish(state);
+}
+
+void render(benchmark::State& state, World& world, const abut_camera& camera) {
+  std::vector<abut_pick> picks(ray_count);
+  for (auto _ : state) {
+    abut_picker_render(world.picker.get(), &camera, picks.data(), picks.size());
+    benchmark::ClobberMemory();
+  }
+  finish(state);
+}
+
+// Prints the rows, and at the end how abut compares with the best raw row of the same kind.
+class RatioReporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      const auto found = run.counters.find("items_per_second");
+      if (found == run.counters.end()) continue;
+      if (run.run_type == Run::RT_Aggregate && run.aggregate_name != "median") continue;
+      speeds_[run.run_name.function_name] = found->second.value;
+    }
+  }
+
+  void Finalize() override {
+    ConsoleReporter::Finalize();
+    std::printf("\n%-18s %10s %14s %8s %14s %8s\n", "rays", "abut", "raw single", "ratio", "raw packets", "ratio");
+    for (const auto& [name, speed] : speeds_) {
+      const std::size_t cut = name.rfind('/');
+      if (cut == std::string::npos || !name.substr(cut + 1).starts_with("abut")) continue;
+      const std::string group = name.substr(0, cut + 1);
+      double packets = 0;
+      for (const auto& [other, other_speed] : speeds_) {
+        if (other.starts_with(group + "raw_packet")) packets = std::max(packets, other_speed);
+      }
+      const auto alone = speeds_.find(group + "raw_single");
+      if (alone == speeds_.end() || packets == 0) continue;
+      std::printf("%-32s %7.2f M/s %7.2f M/s %7.2f %7.2f M/s %7.2f\n", name.c_str(), speed * 1e-6, alone->second * 1e-6,
+                  speed / alone->second, packets * 1e-6, speed / packets);
+    }
+  }
+
+ private:
+  std::map<std::string, double> speeds_;
+};
+
+struct Subject {
+  std::string name;
+  Mesh mesh;
+  std::unique_ptr<RawScene> scene;
+  std::unique_ptr<RawScene> robust_scene;
+  std::unique_ptr<World> world;
+  abut_camera camera;
+  std::map<std::string, Rays> rays;
+};
+
+void register_rows(Subject& subject) {
+  for (auto& [kind, rays] : subject.rays) {
+    const std::string group = subject.name + "/" + kind + "/";
+    const auto add = [&](const std::string& row, auto function) {
+      benchmark::RegisterBenchmark((group + row).c_str(), function)->Unit(benchmark::kMillisecond);
+    };
+    add("raw_single", [&](benchmark::State& state) { raw(state, *subject.scene, rays, 1, false); });
+    add("robust_single", [&](benchmark::State& state) { raw(state, *subject.robust_scene, rays, 1, false); });
+    for (const std::size_t width : {8U, 16U}) {
+      for (const bool coherent : {false, true}) {
+        const std::string row = "packet" + std::to_string(width) + (coherent ? "_coherent" : "");
+        add("raw_" + row, [&subject, &rays, width, coherent](benchmark::State& state) {
+          raw(state, *subject.scene, rays, width, coherent);
+        });
+        add("robust_" + row, [&subject, &rays, width, coherent](benchmark::State& state) {
+          raw(state, *subject.robust_scene, rays, width, coherent);
+        });
+      }
+    }
+    add("abut_single", [&](benchmark::State& state) { single(state, *subject.world, rays); });
+    add("abut_batch", [&](benchmark::State& state) { batch(state, *subject.world, rays); });
+    if (rays.are_neighbours)
+      add("abut_render", [&](benchmark::State& state) { render(state, *subject.world, subject.camera); });
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  const std::string data = ABUT_DATA_DIR;
+  std::vector<Subject> subjects(2);
+  subjects[0].name = "terrain";
+  subjects[0].mesh = read_terrain(data + "/jacksboro_dem.pgm");
+  subjects[1].name = "bunny";
+  subjects[1].mesh = read_obj(data + "/bunny.obj");
+  for (Subject& subject : subjects) {
+    subject.scene = std::make_unique<RawScene>(subject.mesh, false);
+    subject.robust_scene = std::make_unique<RawScene>(subject.mesh, true);
+    subject.world = std::make_unique<World>(subject.mesh);
+    subject.camera = camera_on(subject.mesh);
+    subject.rays.emplace("camera", camera_rays(subject.camera));
+    subject.rays.emplace("random", random_rays(subject.mesh));
+    register_rows(subject);
+  }
+  RatioReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  return 0;
+}

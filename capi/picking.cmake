@@ -1,0 +1,8 @@
+# libabut_picking.so: picking.h on top of abut.h. Included by CMakeLists.txt beside it.
+add_library(abut_picking SHARED picking.cpp picking_arguments.cpp picking_source.cpp)
+add_library(abut::picking ALIAS abut_picking)
+target_link_libraries(abut_picking PUBLIC abut::abut PRIVATE abut_picking_modules)
+target_include_directories(abut_picking PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/modules)
+abut_limit_exports(abut_picking ${CMAKE_CURRENT_SOURCE_DIR}/picking.map)
+set_target_properties(abut_picking PROPERTIES
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})

@@ -1,0 +1,138 @@
+#include "picking_arguments.hpp"
+
+#include "core/check.hpp"
+
+#include <abut/picking.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <numbers>
+#include <span>
+
+namespace abut::capi {
+
+namespace {
+
+using Message = std::array<char, 200>;
+
+// A struct_size beyond this is garbage, not a later version.
+constexpr std::size_t largest_struct = 4096;
+
+[[nodiscard]] abut_status refuse_at(abut_status status, std::size_t index, const char* what) noexcept {
+  Message message{};
+  std::snprintf(message.data(), message.size(), "rays[%zu]: %s", index, what);
+  return refuse(status, message.data());
+}
+
+[[nodiscard]] bool is_finite(const abut_vec3& v) noexcept {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+[[nodiscard]] bool is_zero(const abut_vec3& v) noexcept {
+  return v.x == 0 && v.y == 0 && v.z == 0;
+}
+
+// Calls `refusal` with what is wrong with a ray.
+template <class Refusal> [[nodiscard]] abut_status judge(const abut_ray& ray, const Refusal& refusal) noexcept {
+  if (!is_finite(ray.origin)) return refusal(ABUT_NOT_FINITE, "the origin has a coordinate that is not finite");
+  if (!is_finite(ray.direction)) return refusal(ABUT_NOT_FINITE, "the direction has a coordinate that is not finite");
+  if (is_zero(ray.direction)) return refusal(ABUT_ZERO_VECTOR, "the direction is zero; it must have a length");
+  if (std::isnan(ray.max_distance)) return refusal(ABUT_NOT_FINITE, "max_distance is not a number");
+  if (ray.max_distance < 0) return refusal(ABUT_OUT_OF_RANGE, "max_distance is negative; it must be at least 0");
+  return ABUT_OK;
+}
+
+}  // namespace
+
+abut_status refuse(abut_status status, const char* message) noexcept {
+  return abut_set_last_error(status, message);
+}
+
+abut_status refuse(abut_status status, const char* argument, double value, const char* expectation) noexcept {
+  Message message{};
+  std::snprintf(message.data(), message.size(), "%s is %.17g; %s", argument, value, expectation);
+  return refuse(status, message.data());
+}
+
+abut_status refuse_null(const char* argument) noexcept {
+  Message message{};
+  std::snprintf(message.data(), message.size(), "%s is null", argument);
+  return refuse(ABUT_NULL_ARGUMENT, message.data());
+}
+
+abut_status check_finite(const abut_vec3& vector, const char* argument) noexcept {
+  if (!std::isfinite(vector.x)) return refuse(ABUT_NOT_FINITE, argument, vector.x, "its x must be finite");
+  if (!std::isfinite(vector.y)) return refuse(ABUT_NOT_FINITE, argument, vector.y, "its y must be finite");
+  if (!std::isfinite(vector.z)) return refuse(ABUT_NOT_FINITE, argument, vector.z, "its z must be finite");
+  return ABUT_OK;
+}
+
+abut_status check_size(const abut_camera& camera) noexcept {
+  const std::size_t size = camera.struct_size;
+  if (size >= sizeof(abut_camera) && size <= largest_struct) {
+    // SAFETY: the caller says that the struct has this size.
+    ABUT_UNSAFE_BEGIN
+    const std::span<const unsigned char> bytes(static_cast<const unsigned char*>(static_cast<const void*>(&camera)),
+                                               size);
+    ABUT_UNSAFE_END
+    const auto tail = bytes.subspan(sizeof(abut_camera));
+    if (std::ranges::all_of(tail, [](unsigned char byte) { return byte == 0; })) return ABUT_OK;
+  }
+  return refuse(ABUT_WRONG_STRUCT_SIZE, "camera.struct_size", camera.struct_size,
+                "fill the camera with abut_camera_init");
+}
+
+abut_status check_camera(const abut_camera& camera) noexcept {
+  if (const abut_status status = check_size(camera); status != ABUT_OK) return status;
+  if (camera.reserved != 0) return refuse(ABUT_INVALID_ARGUMENT, "camera.reserved", camera.reserved, "it must be 0");
+  if (camera.width == 0) return refuse(ABUT_OUT_OF_RANGE, "camera.width", 0, "it must be at least 1");
+  if (camera.height == 0) return refuse(ABUT_OUT_OF_RANGE, "camera.height", 0, "it must be at least 1");
+  if (const abut_status status = check_finite(camera.pose.position, "camera.pose.position"); status != ABUT_OK)
+    return status;
+  const abut_quat& q = camera.pose.orientation;
+  const double norm = std::hypot(std::hypot(q.w, q.x), std::hypot(q.y, q.z));
+  if (!std::isfinite(norm))
+    return refuse(ABUT_NOT_FINITE, "length of camera.pose.orientation", norm, "it must be finite");
+  if (norm == 0) return refuse(ABUT_ZERO_VECTOR, "length of camera.pose.orientation", norm, "it must be 1");
+  if (std::fabs(norm - 1) > 1e-3)
+    return refuse(ABUT_NOT_UNIT, "length of camera.pose.orientation", norm, "it must be 1");
+  if (!std::isfinite(camera.vertical_fov))
+    return refuse(ABUT_NOT_FINITE, "camera.vertical_fov", camera.vertical_fov, "it must be finite");
+  if (!(camera.vertical_fov > 0 && camera.vertical_fov < std::numbers::pi)) {
+    return refuse(ABUT_OUT_OF_RANGE, "camera.vertical_fov", camera.vertical_fov, "it must lie between 0 and pi");
+  }
+  if (!std::isfinite(camera.near_distance)) {
+    return refuse(ABUT_NOT_FINITE, "camera.near_distance", camera.near_distance, "it must be finite");
+  }
+  if (camera.near_distance < 0)
+    return refuse(ABUT_OUT_OF_RANGE, "camera.near_distance", camera.near_distance, "it must be at least 0");
+  if (std::isnan(camera.far_distance))
+    return refuse(ABUT_NOT_FINITE, "camera.far_distance", camera.far_distance, "it must be a number");
+  if (camera.far_distance < camera.near_distance) {
+    return refuse(ABUT_OUT_OF_RANGE, "camera.far_distance", camera.far_distance, "it must be at least near_distance");
+  }
+  return ABUT_OK;
+}
+
+abut_status explain_ray(const abut_ray& ray) noexcept {
+  return judge(ray, [](abut_status status, const char* what) {
+    Message message{};
+    std::snprintf(message.data(), message.size(), "ray: %s", what);
+    return refuse(status, message.data());
+  });
+}
+
+abut_status check_rays(std::span<const abut_ray> rays) noexcept {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (is_good(rays[i])) [[likely]]
+      continue;
+    return judge(rays[i], [i](abut_status status, const char* what) { return refuse_at(status, i, what); });
+  }
+  return ABUT_OK;
+}
+
+}  // namespace abut::capi

@@ -1,0 +1,100 @@
+#include "picking_source.hpp"
+
+#include <abut/abut.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+import abut.picking;
+
+namespace abut::capi {
+
+UniverseShape::UniverseShape(abut_shape* shape) noexcept : shape_(shape) {
+  abut_shape_retain(shape);
+}
+
+abut_status UniverseShape::bounds(const abut_pose& pose, abut_aabb& out) const {
+  return abut_shape_aabb(shape_.get(), &pose, &out);
+}
+
+abut_status UniverseShape::triangle_count(std::size_t& out) const {
+  std::size_t vertices = 0;
+  const abut_status status = abut_shape_triangles(shape_.get(), nullptr, 0, &vertices, nullptr, 0, &out);
+  if (status != ABUT_UNSUPPORTED) return status;
+  out = 0;
+  return ABUT_OK;
+}
+
+abut_status UniverseShape::triangles(picking::TriangleList& out) const {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  if (const abut_status status = abut_shape_triangles(shape_.get(), nullptr, 0, &vertices, nullptr, 0, &triangles);
+      status != ABUT_OK) {
+    return status;
+  }
+  out.xyz.resize(3 * vertices);
+  out.indices.resize(3 * triangles);
+  return abut_shape_triangles(shape_.get(), out.xyz.data(), vertices, &vertices, out.indices.data(), triangles,
+                              &triangles);
+}
+
+std::optional<abut_ray_hit> UniverseShape::cast(const abut_pose& pose, const abut_ray& ray) const noexcept {
+  abut_ray_hit hit;
+  std::uint32_t found = 0;
+  if (abut_shape_cast_ray(shape_.get(), &pose, &ray, &hit, &found) != ABUT_OK || found == 0) return std::nullopt;
+  return hit;
+}
+
+std::optional<picking::RoundedSegment> UniverseShape::rounded() const {
+  const char* const name = abut_shape_kind_name(abut_shape_kind_of(shape_.get()));
+  const std::string_view kind = name == nullptr ? "" : name;
+  if (kind != "sphere" && kind != "capsule") return std::nullopt;
+  std::size_t count = 0;
+  if (abut_shape_parameters(shape_.get(), nullptr, 0, &count) != ABUT_OK) return std::nullopt;
+  std::vector<double> parameters(count);
+  if (abut_shape_parameters(shape_.get(), parameters.data(), count, &count) != ABUT_OK || parameters.empty())
+    return std::nullopt;
+  return picking::RoundedSegment{parameters[0], parameters.size() > 1 ? parameters[1] : 0};
+}
+
+abut_status UniverseSource::revision(abut_revision& out) const noexcept {
+  return abut_universe_revision(universe_.get(), &out);
+}
+
+abut_status UniverseSource::geometries(std::vector<abut_geometry_id>& out) const {
+  std::size_t count = 0;
+  if (const abut_status status = abut_universe_geometries(universe_.get(), nullptr, 0, &count); status != ABUT_OK)
+    return status;
+  out.resize(count);
+  return abut_universe_geometries(universe_.get(), out.data(), count, &count);
+}
+
+abut_status UniverseSource::describe(abut_geometry_id id, picking::GeometryView& out) const {
+  abut_geometry_info info;
+  abut_geometry_info_init(&info);
+  if (const abut_status status = abut_geometry_describe(universe_.get(), id, &info); status != ABUT_OK) return status;
+  out = {std::bit_cast<std::uintptr_t>(info.shape), info.pose};
+  return ABUT_OK;
+}
+
+abut_status UniverseSource::poses(std::span<const abut_geometry_id> ids, std::vector<abut_pose>& out) const {
+  out.resize(ids.size());
+  if (ids.empty()) return ABUT_OK;
+  return abut_geometries_poses(universe_.get(), ids.data(), ids.size(), out.data());
+}
+
+abut_status UniverseSource::shape(abut_geometry_id id, std::unique_ptr<picking::PickableShape>& out) const {
+  abut_geometry_info info;
+  abut_geometry_info_init(&info);
+  if (const abut_status status = abut_geometry_describe(universe_.get(), id, &info); status != ABUT_OK) return status;
+  out = std::make_unique<UniverseShape>(info.shape);
+  return ABUT_OK;
+}
+
+}  // namespace abut::capi

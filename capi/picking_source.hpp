@@ -1,0 +1,59 @@
+// The world of a picker, seen through abut.h.
+#ifndef ABUT_CAPI_PICKING_SOURCE_HPP
+#define ABUT_CAPI_PICKING_SOURCE_HPP
+
+#include <abut/abut.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+import abut.picking;
+
+namespace abut::capi {
+
+/// Lets go of a shape.
+struct ShapeRelease {
+  void operator()(abut_shape* shape) const noexcept { abut_shape_release(shape); }
+};
+
+class UniverseShape final : public picking::PickableShape {
+ public:
+  /// Adds a reference of its own.
+  explicit UniverseShape(abut_shape* shape) noexcept;
+
+  [[nodiscard]] abut_status bounds(const abut_pose& pose, abut_aabb& out) const override;
+  [[nodiscard]] abut_status triangle_count(std::size_t& out) const override;
+  [[nodiscard]] abut_status triangles(picking::TriangleList& out) const override;
+  [[nodiscard]] std::optional<abut_ray_hit> cast(const abut_pose& pose, const abut_ray& ray) const noexcept override;
+  [[nodiscard]] std::optional<picking::RoundedSegment> rounded() const override;
+
+ private:
+  std::unique_ptr<abut_shape, ShapeRelease> shape_;
+};
+
+/// A borrowed universe: it outlives its pickers, and is not freed with them.
+struct Borrowed {
+  void operator()(const abut_universe* /*universe*/) const noexcept {}
+};
+
+class UniverseSource final : public picking::Source {
+ public:
+  explicit UniverseSource(const abut_universe* universe) noexcept : universe_(universe) {}
+
+  [[nodiscard]] abut_status revision(abut_revision& out) const noexcept override;
+  [[nodiscard]] abut_status geometries(std::vector<abut_geometry_id>& out) const override;
+  [[nodiscard]] abut_status describe(abut_geometry_id id, picking::GeometryView& out) const override;
+  [[nodiscard]] abut_status poses(std::span<const abut_geometry_id> ids, std::vector<abut_pose>& out) const override;
+  [[nodiscard]] abut_status shape(abut_geometry_id id, std::unique_ptr<picking::PickableShape>& out) const override;
+
+ private:
+  std::unique_ptr<const abut_universe, Borrowed> universe_;
+};
+
+}  // namespace abut::capi
+
+#endif

@@ -1,0 +1,65 @@
+// From what Embree found in single precision to hits in double.
+module;
+
+#include <abut/picking.h>
+
+#include "embree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+module abut.picking:hit;
+import :source;
+import :surface;
+import :tracer;
+import :vector;
+
+namespace abut::picking {
+
+/// Two crossings of neighbouring triangles, in parts of the extent: outlines overlap by twice their
+/// growth, which a slope stretches.
+inline constexpr double crossing_blur = 0x1p-17;
+
+/// A limit that no rounding makes smaller.
+[[nodiscard]] inline float widened(double limit) {
+  return static_cast<float>(limit * (1 + 0x1p-22));
+}
+
+/// The three lines of a ray, each written at once: Embree reads them so, and a line that was written
+/// in pieces would have to reach the cache first.
+struct RayLines {
+  using Floats = float __attribute__((ext_vector_type(4)));
+  using Numbers = std::uint32_t __attribute__((ext_vector_type(4)));
+  Floats origin_and_near;
+  Floats direction_and_time;
+  Numbers far_mask_id_flags;
+};
+static_assert(sizeof(RayLines) == sizeof(RTCRay));
+
+inline void write_ray(RTCRayHit& hit, const abut_vec3& point, const abut_vec3& direction, double limit) {
+  const Four from{point.x, point.y, point.z, 0};
+  const Four along{direction.x, direction.y, direction.z, 0};
+  hit.ray = std::bit_cast<RTCRay>(RayLines{__builtin_convertvector(from, RayLines::Floats),
+                                           __builtin_convertvector(along, RayLines::Floats),
+                                           {std::bit_cast<std::uint32_t>(widened(limit)), ~0U, 0, 0}});
+  hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+}
+
+/// Distance at which a line crosses a triangle, its edges included; none when they are parallel.
+[[nodiscard]] std::optional<double> crossing_of_triangle(const TriangleList& list,
+                                                         const std::array<std::uint32_t, 3>& corners,
+                                                         const abut_vec3& origin, const abut_vec3& direction);
+[[nodiscard]] abut_vec3 normal_of_triangle(const TriangleList& list, const std::array<std::uint32_t, 3>& corners);
+
+/// Sorts crossings by distance and reports those of neighbouring triangles at their edge once.
+void merge_crossings(std::vector<AllHits::Crossing>& crossings, const abut_vec3& direction,
+                     std::vector<abut_pick>& out);
+
+}  // namespace abut::picking

@@ -1,0 +1,95 @@
+module;
+
+#include <abut/picking.h>
+
+#include "embree.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <span>
+#include <utility>
+#include <vector>
+
+module abut.picking;
+import :camera;
+import :source;
+import :tracer;
+
+namespace abut::picking {
+
+namespace {
+
+// No exception crosses the module's interface.
+template <class Action> [[nodiscard]] abut_status guarded(const Action& action) noexcept {
+  try {
+    return action();
+  } catch (const std::bad_alloc&) {
+    return ABUT_OUT_OF_MEMORY;
+  } catch (...) {
+    return ABUT_INTERNAL;
+  }
+}
+
+}  // namespace
+
+void TracerDeleter::operator()(Tracer* tracer) const noexcept {
+  std::default_delete<Tracer>()(tracer);
+}
+
+Picker::Picker(std::unique_ptr<Source> source) : tracer_(std::make_unique<Tracer>(std::move(source)).release()) {}
+
+abut_status Picker::update() noexcept {
+  return guarded([&] { return tracer_->follow(); });
+}
+
+abut_status Picker::cast_ray(const abut_ray& ray, abut_pick& out) noexcept {
+  return guarded([&]() -> abut_status {
+    if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
+    tracer_->trace(ray, out);
+    return ABUT_OK;
+  });
+}
+
+abut_status Picker::cast_rays(std::span<const abut_ray> rays, Coherence coherence, std::span<abut_pick> out) noexcept {
+  return guarded([&]() -> abut_status {
+    if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
+    if (coherence == Coherence::neighbours) {
+      tracer_->trace_neighbours(rays, out);
+    } else {
+      tracer_->trace_unrelated(rays, out);
+    }
+    return ABUT_OK;
+  });
+}
+
+abut_status Picker::cast_ray_all(const abut_ray& ray, std::vector<abut_pick>& out) noexcept {
+  return guarded([&]() -> abut_status {
+    if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
+    return tracer_->trace_all(ray, out) ? ABUT_OK : ABUT_OUT_OF_MEMORY;
+  });
+}
+
+abut_status Picker::pick_pixel(const abut_camera& camera, double x, double y, double radius, abut_pick& out) noexcept {
+  return guarded([&]() -> abut_status {
+    if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
+    const View view = view_of(camera);
+    abut_pick pick = nothing();
+    tracer_->trace(ray_through(view, x, y), pick);
+    if (pick.geometry.slot == 0 && radius > 0) {
+      if (const abut_status status = tracer_->pick_near(view, x, y, radius, pick); status != ABUT_OK) return status;
+    }
+    out = pick;
+    return ABUT_OK;
+  });
+}
+
+abut_status Picker::render(const abut_camera& camera, std::span<abut_pick> out) noexcept {
+  return guarded([&]() -> abut_status {
+    if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
+    tracer_->render(camera, out);
+    return ABUT_OK;
+  });
+}
+
+}  // namespace abut::picking

@@ -1,0 +1,55 @@
+// Rays against a world, through Embree.
+module;
+
+#include <abut/picking.h>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+export module abut.picking;
+export import :vector;
+export import :source;
+export import :camera;
+
+namespace abut::picking {
+class Tracer;
+/// Deletes a tracer where its type is complete.
+struct TracerDeleter {
+  void operator()(Tracer* tracer) const noexcept;
+};
+}  // namespace abut::picking
+
+export namespace abut::picking {
+
+/// How similar the rays of a batch are; changes only the speed.
+enum class Coherence : unsigned char { none, neighbours };
+
+/// Rays against one world. Follows its source by itself: each query first compares the revision
+/// with the one it has seen. Queries may run together. Arguments are trusted: finite, directions
+/// not zero, distances not negative.
+class Picker {
+ public:
+  explicit Picker(std::unique_ptr<Source> source);
+
+  /// Follows the source now.
+  [[nodiscard]] abut_status update() noexcept;
+  /// First thing that a ray meets; a null geometry when there is none.
+  [[nodiscard]] abut_status cast_ray(const abut_ray& ray, abut_pick& out) noexcept;
+  /// First things that rays meet; `out` is as long as `rays`.
+  [[nodiscard]] abut_status cast_rays(std::span<const abut_ray> rays, Coherence coherence,
+                                      std::span<abut_pick> out) noexcept;
+  /// Everything that a ray meets, nearest first.
+  [[nodiscard]] abut_status cast_ray_all(const abut_ray& ray, std::vector<abut_pick>& out) noexcept;
+  /// What lies at a point of a picture, or nearest to it within a radius in pixels.
+  [[nodiscard]] abut_status pick_pixel(const abut_camera& camera, double x, double y, double radius,
+                                       abut_pick& out) noexcept;
+  /// One ray per pixel, row by row from the top; `out` holds width * height picks.
+  [[nodiscard]] abut_status render(const abut_camera& camera, std::span<abut_pick> out) noexcept;
+
+ private:
+  std::unique_ptr<Tracer, TracerDeleter> tracer_;
+};
+
+}  // namespace abut::picking

@@ -1,0 +1,85 @@
+// What the picker asks of the world that it looks at. One implementation stands on the C interface;
+// another one can stand on any container of shapes.
+module;
+
+#include <abut/picking.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+export module abut.picking:source;
+
+export using ::abut_aabb;
+export using ::abut_camera;
+export using ::abut_geometry_id;
+export using ::abut_pick;
+export using ::abut_pose;
+export using ::abut_ray;
+export using ::abut_ray_hit;
+export using ::abut_revision;
+export using ::abut_status;
+export using ::abut_vec3;
+
+export namespace abut::picking {
+
+/// Triangles in the frame of their shape.
+struct TriangleList {
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> indices;
+};
+
+/// All points within `radius` of the segment from (0, 0, -half_height) to (0, 0, half_height).
+struct RoundedSegment {
+  double radius;
+  double half_height;
+};
+
+/// A shape as the picker sees it. Keeps the shape alive.
+class PickableShape {
+ public:
+  PickableShape() = default;
+  PickableShape(const PickableShape&) = delete;
+  PickableShape& operator=(const PickableShape&) = delete;
+  virtual ~PickableShape() = default;
+
+  /// Box around the shape under a pose; infinite sides where it is unbounded.
+  [[nodiscard]] virtual abut_status bounds(const abut_pose& pose, abut_aabb& out) const = 0;
+  /// Number of triangles of its surface; 0 when it has none.
+  [[nodiscard]] virtual abut_status triangle_count(std::size_t& out) const = 0;
+  /// Its surface, when triangle_count is not 0.
+  [[nodiscard]] virtual abut_status triangles(TriangleList& out) const = 0;
+  /// First crossing with its surface, as abut_shape_cast_ray. Runs on several threads at once.
+  [[nodiscard]] virtual std::optional<abut_ray_hit> cast(const abut_pose& pose, const abut_ray& ray) const noexcept = 0;
+  /// Whether the shape is a sphere or a capsule, and which one.
+  [[nodiscard]] virtual std::optional<RoundedSegment> rounded() const = 0;
+};
+
+/// A geometry: which shape, and where. Equal keys are the same shape.
+struct GeometryView {
+  std::uintptr_t shape_key;
+  abut_pose pose;
+};
+
+/// The world.
+class Source {
+ public:
+  Source() = default;
+  Source(const Source&) = delete;
+  Source& operator=(const Source&) = delete;
+  virtual ~Source() = default;
+
+  /// Counters that change with the world.
+  [[nodiscard]] virtual abut_status revision(abut_revision& out) const noexcept = 0;
+  /// All geometries, ordered by slot.
+  [[nodiscard]] virtual abut_status geometries(std::vector<abut_geometry_id>& out) const = 0;
+  [[nodiscard]] virtual abut_status describe(abut_geometry_id id, GeometryView& out) const = 0;
+  /// World poses, in the order of `ids`.
+  [[nodiscard]] virtual abut_status poses(std::span<const abut_geometry_id> ids, std::vector<abut_pose>& out) const = 0;
+  /// Access to the shape of a geometry.
+  [[nodiscard]] virtual abut_status shape(abut_geometry_id id, std::unique_ptr<PickableShape>& out) const = 0;
+};
+
+}  // namespace abut::picking

@@ -1,0 +1,58 @@
+// Triangles prepared for rays: outlines for Embree in single precision, planes for us in double.
+//
+// Single precision leaves cracks between neighbouring triangles; Embree's robust mode has fewer, at a
+// quarter of its speed. So the outlines that Embree sees are grown a little beyond the triangles,
+// which leaves none and costs nothing; the hit itself is computed on the plane of the true triangle.
+module;
+
+#include <abut/abut.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+module abut.picking:surface;
+import :source;
+import :vector;
+
+namespace abut::picking {
+
+/// Points p with dot(normal, p) == offset. The normal has unit length, or none for a triangle without area.
+struct alignas(32) Facet {
+  abut_vec3 normal;
+  double offset;
+};
+static_assert(sizeof(Facet) == 32);
+
+/// Largest difference between a hit found in single precision and the one on the plane of the
+/// triangle, in parts of the extent. Beyond it the ray runs along the plane and single precision
+/// knows better.
+inline constexpr double largest_correction = 1e-3;
+
+/// Distance along a ray to a plane near which a hit was found.
+[[nodiscard]] [[gnu::always_inline]] inline double distance_to(const Facet& plane, const abut_vec3& origin,
+                                                               const abut_vec3& direction, double found,
+                                                               double extent) {
+  const double exact = (plane.offset - dot(plane.normal, origin)) / dot(plane.normal, direction);
+  const bool is_close = std::fabs(exact - found) <= largest_correction * extent;
+  return std::max(is_close ? exact : found, 0.0);
+}
+
+/// The plane of each triangle.
+using Surface = std::vector<Facet>;
+
+[[nodiscard]] Surface make_surface(const TriangleList& list);
+
+/// Outlines in single precision relative to the space, nine numbers for each triangle. Those of
+/// triangles without area have none either: no ray meets them.
+void write_outlines(const TriangleList& list, const Space& space, std::span<float> out);
+
+/// Box around the vertices.
+[[nodiscard]] abut_aabb box_of(const TriangleList& list);
+
+/// A space that fits around a box.
+[[nodiscard]] Space space_around(const abut_aabb& box);
+
+}  // namespace abut::picking

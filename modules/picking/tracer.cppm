@@ -1,0 +1,247 @@
+// The scene of rays: what Embree holds of a world, and how rays meet it.
+//
+//  - still:   surfaces of geometries that are used once and have not moved, baked as they lie; rays
+//             meet them at Embree's own speed.
+//  - moving:  one box per remaining geometry. A surface has an Embree scene of its own, in the frame
+//             of its shape, that rays enter after their transformation in double: far from the
+//             origin costs no digits. Any other shape is asked in double.
+//  - endless: shapes without bounds, asked one after the other.
+//
+// Each scene is traced in single precision inside a space of its own (vector.cppm).
+module;
+
+#include <abut/picking.h>
+
+#include "embree.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+module abut.picking:tracer;
+import :camera;
+import :source;
+import :surface;
+import :vector;
+
+namespace abut::picking {
+
+inline constexpr std::uint32_t nowhere = ~std::uint32_t{0};
+/// In a hit: the rest of the geometry number is an entry, not the number of a baked surface.
+inline constexpr std::uint32_t entry_flag = std::uint32_t{1} << 31U;
+
+enum class Role : std::uint8_t { baked, instance, exact, endless };
+
+/// A geometry.
+struct Entry {
+  abut_geometry_id id{};
+  std::uint32_t shape = nowhere;
+  std::uint32_t place = nowhere;  // in moving_ or endless_
+  Role role = Role::exact;
+  std::uint64_t epoch = 0;  // when it was last listed
+  abut_pose pose{};
+  Frame frame;
+  abut_aabb box = empty_box;  // world
+};
+
+/// A surface in the frame of its shape with a scene of its own.
+struct Instanced {
+  Space space;
+  Surface surface;
+  embree::Scene scene;
+};
+
+/// A shape, shared by entries.
+struct ShapeRecord {
+  std::uintptr_t key = 0;
+  std::unique_ptr<PickableShape> access;
+  std::uint32_t users = 0;
+  std::size_t triangle_count = 0;
+  bool is_surface = false;
+  abut_aabb local_box = empty_box;       // of a surface
+  std::unique_ptr<Instanced> instanced;  // made when first needed
+  TriangleList few;                      // of a shape that has triangles and is asked in double
+};
+
+/// A surface as it lies in the world, relative to the still space.
+struct Baked {
+  abut_geometry_id id{};
+  std::uint32_t entry = nowhere;
+  Surface surface;
+};
+
+struct MovingBox {
+  std::array<float, 3> lower;
+  std::array<float, 3> upper;
+  std::uint32_t entry;
+};
+
+/// What callbacks need to know of one ray.
+struct Lane {
+  abut_ray ray;        // unit direction
+  double advance;      // where the float ray starts, from the origin of the ray
+  abut_ray_hit exact;  // when the hit is one of a shape asked in double
+};
+
+/// Context of a query; `width` says which of the types below it is.
+struct Trace : embree::Query {
+  std::uint32_t width;
+  Trace(std::uint32_t wide, bool coherent) noexcept : embree::Query(coherent), width(wide) {}
+};
+
+template <std::size_t Width> struct FirstHit : Trace {
+  std::array<Lane, Width> lanes;
+  explicit FirstHit(bool coherent) noexcept : Trace(static_cast<std::uint32_t>(Width), coherent) {}
+};
+
+/// Collects everything that one ray meets; width 0.
+struct AllHits : Trace {
+  abut_ray ray;
+  abut_ray local_ray;             // in the frame of `entry`
+  double extent = 0;              // of the space that is being traced
+  std::uint32_t entry = nowhere;  // nowhere while the still scene is traced
+  bool out_of_memory = false;
+  struct Crossing {
+    abut_pick pick;
+    double blur;  // two crossings of equal facing closer than this are one, on the edge of neighbours
+  };
+  std::vector<Crossing> crossings;
+  double advance = 0;  // where the float ray starts
+  explicit AllHits(const abut_ray& unit_ray) noexcept;
+};
+
+class Tracer {
+ public:
+  explicit Tracer(std::unique_ptr<Source> source) : source_(std::move(source)) {}
+
+  /// Brings the scenes up to date when the world has changed.
+  [[nodiscard]] abut_status follow();
+
+  void trace(const abut_ray& ray, abut_pick& out) const;
+  void trace_neighbours(std::span<const abut_ray> rays, std::span<abut_pick> out) const;
+  void trace_unrelated(std::span<const abut_ray> rays, std::span<abut_pick> out) const;
+  void render(const abut_camera& camera, std::span<abut_pick> out) const;
+  /// False when memory ran out.
+  [[nodiscard]] bool trace_all(const abut_ray& ray, std::vector<abut_pick>& out) const;
+  [[nodiscard]] abut_status pick_near(const View& view, double x, double y, double radius, abut_pick& out) const;
+
+ private:
+  // tracer_follow.cpp
+  [[nodiscard]] abut_status synchronize(const abut_revision& now);
+  [[nodiscard]] abut_status list_geometries();
+  [[nodiscard]] abut_status add_entry(abut_geometry_id id);
+  [[nodiscard]] abut_status find_shape(abut_geometry_id id, std::uintptr_t key, std::uint32_t& out);
+  [[nodiscard]] abut_status follow_poses();
+  [[nodiscard]] abut_status place_box(Entry& entry) const;
+  void remove_entry(std::uint32_t index);
+  void leave_place(Entry& entry);
+  void release_shape(std::uint32_t index);
+  void forget_everything();
+  // tracer_build.cpp
+  [[nodiscard]] abut_status build();
+  [[nodiscard]] abut_status make_device();
+  [[nodiscard]] abut_status build_still();
+  [[nodiscard]] abut_status build_moving();
+  [[nodiscard]] abut_status make_instanced(ShapeRecord& shape);
+  [[nodiscard]] abut_status become_moving(std::uint32_t index);
+  [[nodiscard]] abut_status embree_status() const;
+  [[nodiscard]] embree::Geometry make_triangles(const TriangleList& list, const Space& space);
+  void settle_moving_space();
+  void settle_still_space();
+  void write_box(MovingBox& box) const;
+  static void report_bounds(const RTCBoundsFunctionArguments* arguments);
+  // tracer_meet.cpp
+  static void report_hits(const RTCIntersectFunctionNArguments* arguments);
+  static void collect_hit(const RTCFilterFunctionNArguments* arguments);
+  static void collect(RTCScene scene, AllHits& query, const Entrance& entrance, const abut_vec3& direction);
+  template <std::size_t Width> void meet(const RTCIntersectFunctionNArguments& arguments) const;
+  void meet_all(AllHits& query, std::uint32_t index) const;
+  void cross_few(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
+  void cross_rounded(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
+  void cross_surface(AllHits& query, std::uint32_t index, const Instanced& instanced) const;
+  // tracer_trace.cpp
+  [[nodiscard]] bool has_moving() const noexcept { return !moving_.empty() || !endless_.empty(); }
+  void trace_unit(const abut_ray& ray, abut_pick& out) const;
+  void trace_moving(const abut_ray& ray, abut_pick& out) const;
+  void meet_endless(abut_ray& ray, abut_pick& out) const;
+  /// Whether the ray reaches the plane of a triangle on which a hit was found.
+  [[gnu::always_inline]] inline bool resolve_still(const abut_vec3& origin, const abut_vec3& direction, double limit,
+                                                   std::uint32_t geometry, std::uint32_t triangle, double found,
+                                                   abut_pick& out) const {
+    const Baked& baked = baked_[geometry];
+    const Facet& plane = baked.surface[triangle];
+    const double distance =
+        distance_to(plane, subtract(origin, still_space_.origin), direction, found, still_space_.extent);
+    if (distance > limit) return false;
+    out = {.geometry = baked.id,
+           .feature = {ABUT_FEATURE_FACE, triangle},
+           .distance = distance,
+           .point = add(origin, scale(direction, distance)),
+           .normal = plane.normal};
+    return true;
+  }
+  void resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t triangle, double found,
+                     abut_pick& out) const;
+  friend struct PacketTracer;
+
+  std::unique_ptr<Source> source_;
+  std::mutex mutex_;
+  std::atomic<std::uint64_t> seen_geometries_{~std::uint64_t{0}};
+  std::atomic<std::uint64_t> seen_poses_{~std::uint64_t{0}};
+
+  std::uint64_t epoch_ = 0;
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> free_entries_;
+  std::vector<std::uint32_t> entry_of_slot_;  // by slot of the geometry id
+  std::vector<ShapeRecord> shapes_;
+  std::vector<std::uint32_t> free_shapes_;
+  std::unordered_map<std::uintptr_t, std::uint32_t> shape_of_key_;  // looked up, never walked
+  std::vector<std::uint32_t> arrivals_;                             // surfaces without a place yet
+
+  embree::Device device_;
+  std::size_t widest_ = 4;  // rays in the largest packet that the processor holds in registers
+  Space still_space_;
+  embree::Scene still_;
+  std::vector<Baked> baked_;
+  bool still_changed_ = false;
+  Space moving_space_;
+  embree::Geometry moving_geometry_;
+  embree::Scene moving_scene_;
+  std::vector<MovingBox> moving_;
+  std::vector<std::uint32_t> moved_;  // entries in moving_ whose box changed
+  bool moving_changed_ = false;
+  std::vector<std::uint32_t> endless_;
+};
+
+template <std::size_t Width> struct Batch;
+
+/// Rays in packets (tracer_packet.cpp).
+struct PacketTracer {
+  template <std::size_t Width, class Place>
+  static void trace(const Tracer& tracer, Batch<Width>& batch, const Place& place);
+  template <std::size_t Width, class Place>
+  static void resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place);
+  template <std::size_t Width>
+  static void read_four(Batch<Width>& batch, std::size_t k, const abut_ray& a, const abut_ray& b, const abut_ray& c,
+                        const abut_ray& d);
+  template <std::size_t Width, class Place>
+  static void trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place);
+  template <std::size_t Width>
+  static void trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, bool coherent,
+                          std::span<abut_pick> out);
+  template <std::size_t Width>
+  static void render(const Tracer& tracer, const abut_camera& camera, std::span<abut_pick> out);
+};
+
+/// A miss.
+[[nodiscard]] inline abut_pick nothing() {
+  return {{0, 0}, {0, 0}, infinity, {0, 0, 0}, {0, 0, 0}};
+}
+
+}  // namespace abut::picking

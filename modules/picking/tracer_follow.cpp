@@ -1,0 +1,282 @@
+// Following the world: which geometries came, went and moved.
+module;
+
+#include <abut/picking.h>
+
+#include "embree.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+module abut.picking;
+import :source;
+import :surface;
+import :tracer;
+import :vector;
+
+namespace abut::picking {
+
+namespace {
+
+// Shapes with at most this many triangles are asked in double: that is faster than a scene of their
+// own. A box has 12.
+constexpr std::size_t few_triangles = 12;
+
+template <class Value>
+[[nodiscard]] std::uint32_t take_slot(std::vector<Value>& values, std::vector<std::uint32_t>& free) {
+  if (free.empty()) {
+    values.emplace_back();
+    return static_cast<std::uint32_t>(values.size() - 1);
+  }
+  const std::uint32_t index = free.back();
+  free.pop_back();
+  values[index] = Value{};
+  return index;
+}
+
+[[nodiscard]] bool equal(const abut_vec3& a, const abut_vec3& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+[[nodiscard]] bool equal(const abut_quat& a, const abut_quat& b) {
+  return a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+}  // namespace
+
+abut_status Tracer::follow() {
+  abut_revision now{};
+  if (const abut_status status = source_->revision(now); status != ABUT_OK) return status;
+  const auto is_seen = [&] {
+    return seen_geometries_.load(std::memory_order_acquire) == now.geometries &&
+           seen_poses_.load(std::memory_order_acquire) == now.poses;
+  };
+  if (is_seen()) [[likely]]
+    return ABUT_OK;
+  // The world does not change while queries run, so no ray is under way in a scene that is stale.
+  const std::scoped_lock lock(mutex_);
+  if (is_seen()) return ABUT_OK;
+  try {
+    const abut_status status = synchronize(now);
+    if (status != ABUT_OK) forget_everything();
+    return status;
+  } catch (...) {
+    forget_everything();
+    throw;
+  }
+}
+
+abut_status Tracer::synchronize(const abut_revision& now) {
+  if (const abut_status status = make_device(); status != ABUT_OK) return status;
+  if (seen_geometries_.load(std::memory_order_relaxed) != now.geometries) {
+    if (const abut_status status = list_geometries(); status != ABUT_OK) return status;
+  }
+  if (seen_poses_.load(std::memory_order_relaxed) != now.poses) {
+    if (const abut_status status = follow_poses(); status != ABUT_OK) return status;
+  }
+  if (const abut_status status = build(); status != ABUT_OK) return status;
+  seen_geometries_.store(now.geometries, std::memory_order_release);
+  seen_poses_.store(now.poses, std::memory_order_release);
+  return ABUT_OK;
+}
+
+abut_status Tracer::list_geometries() {
+  std::vector<abut_geometry_id> ids;
+  if (const abut_status status = source_->geometries(ids); status != ABUT_OK) return status;
+  ++epoch_;
+  std::vector<abut_geometry_id> added;
+  for (const abut_geometry_id id : ids) {
+    if (id.slot >= entry_of_slot_.size()) entry_of_slot_.resize(std::size_t{id.slot} + 1, nowhere);
+    const std::uint32_t index = entry_of_slot_[id.slot];
+    if (index != nowhere && entries_[index].id.generation == id.generation) {
+      entries_[index].epoch = epoch_;
+    } else {
+      added.push_back(id);
+    }
+  }
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].id.slot != 0 && entries_[i].epoch != epoch_) remove_entry(static_cast<std::uint32_t>(i));
+  }
+  for (const abut_geometry_id id : added) {
+    if (const abut_status status = add_entry(id); status != ABUT_OK) return status;
+  }
+  return ABUT_OK;
+}
+
+abut_status Tracer::add_entry(abut_geometry_id id) {
+  GeometryView view{};
+  if (const abut_status status = source_->describe(id, view); status != ABUT_OK) return status;
+  std::uint32_t shape = nowhere;
+  if (const abut_status status = find_shape(id, view.shape_key, shape); status != ABUT_OK) return status;
+  const std::uint32_t index = take_slot(entries_, free_entries_);
+  ++shapes_[shape].users;
+  Entry& entry = entries_[index];
+  entry.id = id;
+  entry.shape = shape;
+  entry.epoch = epoch_;
+  entry.pose = view.pose;
+  entry.frame = frame_of(view.pose);
+  entry_of_slot_[id.slot] = index;
+  if (const abut_status status = place_box(entry); status != ABUT_OK) return status;
+  if (!is_bounded(entry.box)) {
+    entry.role = Role::endless;
+    entry.place = static_cast<std::uint32_t>(endless_.size());
+    endless_.push_back(index);
+    return ABUT_OK;
+  }
+  if (shapes_[shape].is_surface) {
+    arrivals_.push_back(index);
+    return ABUT_OK;
+  }
+  entry.role = Role::exact;
+  return become_moving(index);
+}
+
+abut_status Tracer::find_shape(abut_geometry_id id, std::uintptr_t key, std::uint32_t& out) {
+  if (const auto found = shape_of_key_.find(key); found != shape_of_key_.end()) {
+    out = found->second;
+    return ABUT_OK;
+  }
+  ShapeRecord record;
+  record.key = key;
+  if (const abut_status status = source_->shape(id, record.access); status != ABUT_OK) return status;
+  if (const abut_status status = record.access->triangle_count(record.triangle_count); status != ABUT_OK) return status;
+  record.is_surface = record.triangle_count > few_triangles;
+  if (record.triangle_count != 0) {
+    TriangleList list;
+    if (const abut_status status = record.access->triangles(list); status != ABUT_OK) return status;
+    if (record.is_surface) {
+      record.local_box = box_of(list);
+    } else {
+      record.few = std::move(list);
+    }
+  }
+  out = take_slot(shapes_, free_shapes_);
+  shapes_[out] = std::move(record);
+  shape_of_key_.emplace(key, out);
+  return ABUT_OK;
+}
+
+abut_status Tracer::place_box(Entry& entry) const {
+  const ShapeRecord& shape = shapes_[entry.shape];
+  if (!shape.is_surface) return shape.access->bounds(entry.pose, entry.box);
+  // The surface is all that rays meet; its box is tight under any rotation of the box of its vertices.
+  const abut_aabb& local = shape.local_box;
+  entry.box = empty_box;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    extend(entry.box, to_world(entry.frame, {(corner & 1U) != 0 ? local.maximum.x : local.minimum.x,
+                                             (corner & 2U) != 0 ? local.maximum.y : local.minimum.y,
+                                             (corner & 4U) != 0 ? local.maximum.z : local.minimum.z}));
+  }
+  return ABUT_OK;
+}
+
+abut_status Tracer::follow_poses() {
+  std::vector<abut_geometry_id> ids;
+  std::vector<std::uint32_t> indices;
+  ids.reserve(entries_.size());
+  indices.reserve(entries_.size());
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].id.slot == 0) continue;
+    ids.push_back(entries_[i].id);
+    indices.push_back(static_cast<std::uint32_t>(i));
+  }
+  std::vector<abut_pose> poses;
+  if (const abut_status status = source_->poses(ids, poses); status != ABUT_OK) return status;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    Entry& entry = entries_[indices[i]];
+    if (equal(entry.pose.position, poses[i].position) && equal(entry.pose.orientation, poses[i].orientation)) continue;
+    entry.pose = poses[i];
+    entry.frame = frame_of(poses[i]);
+    if (const abut_status status = place_box(entry); status != ABUT_OK) return status;
+    if (entry.role == Role::baked && entry.place != nowhere) {
+      leave_place(entry);
+      entry.role = Role::instance;
+      if (const abut_status status = become_moving(indices[i]); status != ABUT_OK) return status;
+    } else if (entry.role != Role::endless && entry.place != nowhere) {
+      moved_.push_back(indices[i]);
+      moving_changed_ = true;
+    }
+  }
+  return ABUT_OK;
+}
+
+void Tracer::remove_entry(std::uint32_t index) {
+  Entry& entry = entries_[index];
+  leave_place(entry);
+  std::erase(arrivals_, index);
+  if (entry_of_slot_[entry.id.slot] == index) entry_of_slot_[entry.id.slot] = nowhere;
+  release_shape(entry.shape);
+  free_entries_.push_back(index);
+  entry = Entry{};
+}
+
+void Tracer::leave_place(Entry& entry) {
+  if (entry.place == nowhere) return;
+  const std::uint32_t place = entry.place;
+  entry.place = nowhere;
+  switch (entry.role) {
+    case Role::baked:
+      // The last one takes its number; the still scene is built anew.
+      if (place + 1 != baked_.size()) {
+        baked_[place] = std::move(baked_.back());
+        entries_[baked_[place].entry].place = place;
+      }
+      baked_.pop_back();
+      still_changed_ = true;
+      return;
+    case Role::instance:
+    case Role::exact:
+      if (place + 1 != moving_.size()) {
+        moving_[place] = moving_.back();
+        entries_[moving_[place].entry].place = place;
+      }
+      moving_.pop_back();
+      moving_changed_ = true;
+      return;
+    case Role::endless:
+      // Kept in order, so that equal distances are always decided alike.
+      endless_.erase(endless_.begin() + static_cast<std::ptrdiff_t>(place));
+      for (std::size_t i = place; i < endless_.size(); ++i) entries_[endless_[i]].place = static_cast<std::uint32_t>(i);
+      return;
+  }
+}
+
+void Tracer::release_shape(std::uint32_t index) {
+  ShapeRecord& shape = shapes_[index];
+  if (--shape.users != 0) return;
+  shape_of_key_.erase(shape.key);
+  shape = ShapeRecord{};
+  free_shapes_.push_back(index);
+}
+
+void Tracer::forget_everything() {
+  seen_geometries_.store(~std::uint64_t{0}, std::memory_order_release);
+  seen_poses_.store(~std::uint64_t{0}, std::memory_order_release);
+  moving_scene_.reset();
+  moving_geometry_.reset();
+  still_.reset();
+  baked_.clear();
+  moving_.clear();
+  moved_.clear();
+  endless_.clear();
+  arrivals_.clear();
+  entries_.clear();
+  free_entries_.clear();
+  entry_of_slot_.clear();
+  shape_of_key_.clear();
+  shapes_.clear();
+  free_shapes_.clear();
+  still_space_ = {};
+  moving_space_ = {};
+  still_changed_ = false;
+  moving_changed_ = false;
+}
+
+}  // namespace abut::picking

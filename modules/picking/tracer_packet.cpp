@@ -1,0 +1,357 @@
+// Rays in packets.
+module;
+
+#include <abut/picking.h>
+
+#include "core/check.hpp"
+#include "embree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+module abut.picking;
+import :camera;
+import :hit;
+import :source;
+import :surface;
+import :tracer;
+import :vector;
+
+namespace abut::picking {
+
+template <std::size_t Width> struct NativePacket;
+template <> struct NativePacket<4> {
+  using Type = RTCRayHit4;
+};
+template <> struct NativePacket<8> {
+  using Type = RTCRayHit8;
+};
+template <> struct NativePacket<16> {
+  using Type = RTCRayHit16;
+};
+
+using FourFloats = float __attribute__((ext_vector_type(4)));
+
+template <std::size_t Width> using Doubles = std::array<Four, Width / 4>;
+
+// What a packet needs from one call of Embree to the next; kept, so that constants are written once.
+template <std::size_t Width> struct alignas(64) Batch {
+  typename NativePacket<Width>::Type native;
+  alignas(64) std::array<int, Width> valid;   // -1 for a ray, 0 for none
+  alignas(64) std::array<int, Width> active;  // the rays that reach the space being traced
+  Doubles<Width> ox, oy, oz, dx, dy, dz, limit, advance;
+  bool coherent;
+  bool advances;  // whether some float ray does not start where its ray does
+
+  explicit Batch(bool are_neighbours) noexcept;
+  void normalize() noexcept;
+  // False when no ray reaches the space.
+  [[nodiscard]] bool write(const Space& space) noexcept;
+  void write_far(const Space& space) noexcept;
+  [[nodiscard]] abut_ray ray(std::size_t i) const noexcept {
+    const std::size_t k = i / 4;
+    const std::size_t j = i % 4;
+    return {{ox[k][j], oy[k][j], oz[k][j]}, {dx[k][j], dy[k][j], dz[k][j]}, limit[k][j]};
+  }
+};
+
+// SAFETY: every index into the arrays of the packet, here and below, is less than Width, their size.
+ABUT_UNSAFE_BEGIN
+
+template <std::size_t Width>
+Batch<Width>::Batch(bool are_neighbours) noexcept
+    : native{}, valid{}, active{}, coherent(are_neighbours), advances(false) {
+  for (std::size_t i = 0; i < Width; ++i) {
+    native.ray.mask[i] = ~0U;
+    native.ray.id[i] = static_cast<unsigned>(i);
+    native.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    valid[i] = -1;
+  }
+  for (std::size_t k = 0; k < Width / 4; ++k) {
+    ox[k] = oy[k] = oz[k] = dx[k] = dy[k] = limit[k] = advance[k] = Four(0);
+    dz[k] = Four(1);
+  }
+}
+
+template <std::size_t Width> void Batch<Width>::normalize() noexcept {
+  [[clang::uninitialized]] Doubles<Width> square;
+  Four worst = 0;
+  for (std::size_t k = 0; k < Width / 4; ++k) {
+    square[k] = dx[k] * dx[k] + dy[k] * dy[k] + dz[k] * dz[k];
+    worst = __builtin_elementwise_max(worst, __builtin_elementwise_abs(square[k] - 1.0));
+  }
+  // As `normalized` does, for all at once.
+  const double off = __builtin_reduce_max(worst);
+  if (off < nearly_unit) {
+    for (std::size_t k = 0; k < Width / 4; ++k) square[k] = 1.5 - 0.5 * square[k];
+  } else {
+    for (std::size_t i = 0; i < Width; ++i) {
+      const std::size_t k = i / 4;
+      const std::size_t j = i % 4;
+      if (square[k][j] > 1e-200 && square[k][j] < 1e200) [[likely]]
+        continue;
+      const abut_vec3 unit = normalized({dx[k][j], dy[k][j], dz[k][j]});
+      dx[k][j] = unit.x;
+      dy[k][j] = unit.y;
+      dz[k][j] = unit.z;
+      square[k][j] = 1;
+    }
+    for (std::size_t k = 0; k < Width / 4; ++k) square[k] = 1.0 / __builtin_elementwise_sqrt(square[k]);
+  }
+  for (std::size_t k = 0; k < Width / 4; ++k) {
+    dx[k] *= square[k];
+    dy[k] *= square[k];
+    dz[k] *= square[k];
+  }
+}
+
+template <std::size_t Width> bool Batch<Width>::write(const Space& space) noexcept {
+  const auto put = [](auto& out, std::size_t k, const Four& values) {
+    const FourFloats floats = __builtin_convertvector(values, FourFloats);
+    for (std::size_t j = 0; j < 4; ++j) out[4 * k + j] = floats[j];
+  };
+  Four farthest = 0;
+  for (std::size_t k = 0; k < Width / 4; ++k) {
+    const Four x = ox[k] - space.origin.x;
+    const Four y = oy[k] - space.origin.y;
+    const Four z = oz[k] - space.origin.z;
+    farthest = __builtin_elementwise_max(farthest, __builtin_elementwise_abs(x));
+    farthest = __builtin_elementwise_max(farthest, __builtin_elementwise_abs(y));
+    farthest = __builtin_elementwise_max(farthest, __builtin_elementwise_abs(z));
+    put(native.ray.org_x, k, x);
+    put(native.ray.org_y, k, y);
+    put(native.ray.org_z, k, z);
+    put(native.ray.dir_x, k, dx[k]);
+    put(native.ray.dir_y, k, dy[k]);
+    put(native.ray.dir_z, k, dz[k]);
+    put(native.ray.tfar, k, limit[k] * (1 + 0x1p-22));
+  }
+  for (std::size_t i = 0; i < Width; ++i) native.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  active = valid;
+  advances = !(__builtin_reduce_max(farthest) <= 2 * space.extent);
+  if (advances) write_far(space);
+  return !advances || std::ranges::any_of(active, [](int flag) { return flag != 0; });
+}
+
+// Rays that start far outside of the space begin where they enter it.
+template <std::size_t Width> void Batch<Width>::write_far(const Space& space) noexcept {
+  for (std::size_t i = 0; i < Width; ++i) {
+    const abut_ray from = ray(i);
+    Entrance entrance{};
+    if (!enter(space, from.origin, from.direction, from.max_distance, entrance)) {
+      active[i] = 0;
+      entrance.advance = 0;
+    }
+    advance[i / 4][i % 4] = entrance.advance;
+    native.ray.org_x[i] = static_cast<float>(entrance.point.x);
+    native.ray.org_y[i] = static_cast<float>(entrance.point.y);
+    native.ray.org_z[i] = static_cast<float>(entrance.point.z);
+    native.ray.tfar[i] = widened(from.max_distance - entrance.advance);
+  }
+}
+
+// The hits of four rays of the still scene, computed on their planes. Lanes without a hit hold the
+// plane 0, whose distance is not a number.
+template <std::size_t Width, class Place>
+void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place) {
+  static constexpr Facet no_facet{{0, 0, 0}, 0};
+  const auto& native = batch.native;
+  const auto row = [&](std::size_t j) {
+    const std::uint32_t geometry = native.hit.geomID[4 * k + j];
+    const Facet& plane =
+        geometry == RTC_INVALID_GEOMETRY_ID ? no_facet : tracer.baked_[geometry].surface[native.hit.primID[4 * k + j]];
+    return Four{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
+  };
+  const FourRows rows{row(0), row(1), row(2), row(3)};
+  const FourRows planes = transposed(rows);
+  const abut_vec3& origin = tracer.still_space_.origin;
+  const Four height = planes.d - (planes.a * (batch.ox[k] - origin.x) + planes.b * (batch.oy[k] - origin.y) +
+                                  planes.c * (batch.oz[k] - origin.z));
+  const Four slope = planes.a * batch.dx[k] + planes.b * batch.dy[k] + planes.c * batch.dz[k];
+  const Four exact = height / slope;
+  Four found = __builtin_convertvector((FourFloats{native.ray.tfar[4 * k], native.ray.tfar[4 * k + 1],
+                                                   native.ray.tfar[4 * k + 2], native.ray.tfar[4 * k + 3]}),
+                                       Four);
+  if (batch.advances) found += batch.advance[k];
+  const Four correction = __builtin_elementwise_abs(exact - found);
+  const Four nearest = correction <= largest_correction * tracer.still_space_.extent ? exact : found;
+  const Four distance = __builtin_elementwise_max(nearest, Four(0));
+  const FourRows ends = transposed({distance, batch.ox[k] + distance * batch.dx[k],
+                                    batch.oy[k] + distance * batch.dy[k], batch.oz[k] + distance * batch.dz[k]});
+  const auto write = [&](std::size_t j, const Four& end, const Four& plane) {
+    const std::size_t i = 4 * k + j;
+    if (batch.valid[i] == 0) return;
+    abut_pick& out = place(i);
+    const std::uint32_t geometry = native.hit.geomID[i];
+    if (geometry == RTC_INVALID_GEOMETRY_ID || end[0] > batch.limit[k][j]) {
+      out = nothing();
+      return;
+    }
+    out.geometry = tracer.baked_[geometry].id;
+    out.feature = {ABUT_FEATURE_FACE, native.hit.primID[i]};
+    out.distance = end[0];
+    out.point = {end[1], end[2], end[3]};
+    out.normal = {plane[0], plane[1], plane[2]};
+  };
+  write(0, ends.a, rows.a);
+  write(1, ends.b, rows.b);
+  write(2, ends.c, rows.c);
+  write(3, ends.d, rows.d);
+}
+
+// Traces the rays of the batch. `place(i)` is where the pick of ray i goes.
+template <std::size_t Width, class Place>
+void PacketTracer::trace(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
+  if (!tracer.baked_.empty() && batch.write(tracer.still_space_)) {
+    embree::Query query(batch.coherent);
+    embree::intersect(tracer.still_.get(), query, batch.active.data(), batch.native);
+    for (std::size_t k = 0; k < Width / 4; ++k) resolve_four(tracer, batch, k, place);
+  } else {
+    for (std::size_t i = 0; i < Width; ++i) {
+      if (batch.valid[i] != 0) place(i) = nothing();
+    }
+  }
+  if (tracer.has_moving()) trace_moving(tracer, batch, place);
+}
+
+// Looks for something nearer than what was found in the still scene.
+template <std::size_t Width, class Place>
+void PacketTracer::trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
+  FirstHit<Width> query(batch.coherent);
+  for (std::size_t i = 0; i < Width; ++i) {
+    if (batch.valid[i] == 0) continue;
+    abut_pick& out = place(i);
+    Lane& lane = query.lanes[i];
+    lane.ray = batch.ray(i);
+    if (out.geometry.slot != 0) lane.ray.max_distance = out.distance;
+    tracer.meet_endless(lane.ray, out);
+    batch.limit[i / 4][i % 4] = lane.ray.max_distance;
+  }
+  if (tracer.moving_.empty() || !batch.write(tracer.moving_space_)) return;
+  for (std::size_t i = 0; i < Width; ++i) query.lanes[i].advance = batch.advances ? batch.advance[i / 4][i % 4] : 0;
+  auto& native = batch.native;
+  embree::intersect(tracer.moving_scene_.get(), query, batch.active.data(), native);
+  for (std::size_t i = 0; i < Width; ++i) {
+    if (batch.valid[i] == 0 || native.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    const double found = query.lanes[i].advance + static_cast<double>(native.ray.tfar[i]);
+    tracer.resolve_entry(query.lanes[i], native.hit.geomID[i], native.hit.primID[i], found, place(i));
+  }
+}
+
+ABUT_UNSAFE_END
+
+// Rays to registers, four at a time.
+template <std::size_t Width>
+void PacketTracer::read_four(Batch<Width>& batch, std::size_t k, const abut_ray& a, const abut_ray& b,
+                             const abut_ray& c, const abut_ray& d) {
+  const auto first = [](const abut_ray& ray) {
+    return Four{ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x};
+  };
+  const auto last = [](const abut_ray& ray) {
+    return Four{ray.direction.x, ray.direction.y, ray.direction.z, ray.max_distance};
+  };
+  const FourRows from = transposed({first(a), first(b), first(c), first(d)});
+  const FourRows along = transposed({last(a), last(b), last(c), last(d)});
+  batch.ox[k] = from.a;
+  batch.oy[k] = from.b;
+  batch.oz[k] = from.c;
+  batch.dx[k] = along.a;
+  batch.dy[k] = along.b;
+  batch.dz[k] = along.c;
+  batch.limit[k] = along.d;
+}
+
+template <std::size_t Width>
+void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, bool coherent,
+                               std::span<abut_pick> out) {
+  Batch<Width> batch(coherent);
+  for (std::size_t first = 0; first < rays.size(); first += Width) {
+    const std::size_t count = std::min(Width, rays.size() - first);
+    const std::span<const abut_ray> some = rays.subspan(first, count);
+    const std::span<abut_pick> picks = out.subspan(first, count);
+    // The last packet may be short: its last ray fills it up, without being traced again.
+    const auto at = [&](std::size_t i) -> const abut_ray& { return some[std::min(i, count - 1)]; };
+    for (std::size_t i = 0; i < Width; i += 4) read_four(batch, i / 4, at(i), at(i + 1), at(i + 2), at(i + 3));
+    for (std::size_t i = count; i < Width; ++i) batch.valid[i] = 0;
+    batch.normalize();
+    trace(tracer, batch, [&](std::size_t i) -> abut_pick& { return picks[i]; });
+  }
+}
+
+// Tiles of four by Width / 4 pixels: their rays stay together longer than those of a row.
+template <std::size_t Width>
+void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::span<abut_pick> out) {
+  constexpr std::size_t across = 4;
+  constexpr std::size_t down = Width / across;
+  const View view = view_of(camera);
+  const std::size_t width = camera.width;
+  const std::size_t height = camera.height;
+  Batch<Width> batch(true);
+  for (std::size_t top = 0; top < height; top += down) {
+    for (std::size_t left = 0; left < width; left += across) {
+      for (std::size_t k = 0; k < down; ++k) {
+        const double y = static_cast<double>(top + k) + 0.5;
+        const Four x = Four{0.5, 1.5, 2.5, 3.5} + static_cast<double>(left);
+        const Four right = (x - view.centre_x) / view.focal;
+        const double up = (view.centre_y - y) / view.focal;
+        batch.dx[k] = view.right.x * right + (view.up.x * up) + view.forward.x;
+        batch.dy[k] = view.right.y * right + (view.up.y * up) + view.forward.y;
+        batch.dz[k] = view.right.z * right + (view.up.z * up) + view.forward.z;
+      }
+      for (std::size_t i = 0; i < Width; ++i)
+        batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
+      batch.normalize();
+      for (std::size_t k = 0; k < down; ++k) {
+        batch.ox[k] = view.eye.x + view.start * batch.dx[k];
+        batch.oy[k] = view.eye.y + view.start * batch.dy[k];
+        batch.oz[k] = view.eye.z + view.start * batch.dz[k];
+        batch.limit[k] = Four(view.limit);
+      }
+      trace(tracer, batch,
+            [&](std::size_t i) -> abut_pick& { return out[(top + i / across) * width + left + i % across]; });
+    }
+  }
+}
+
+void Tracer::trace_neighbours(std::span<const abut_ray> rays, std::span<abut_pick> out) const {
+  switch (widest_) {
+    case 16:
+      PacketTracer::trace_batch<16>(*this, rays, true, out);
+      return;
+    case 8:
+      PacketTracer::trace_batch<8>(*this, rays, true, out);
+      return;
+    default:
+      PacketTracer::trace_batch<4>(*this, rays, true, out);
+      return;
+  }
+}
+
+// Unrelated rays part at the first boxes: wide packets do not pay for them.
+void Tracer::trace_unrelated(std::span<const abut_ray> rays, std::span<abut_pick> out) const {
+  if (widest_ >= 8) {
+    PacketTracer::trace_batch<8>(*this, rays, false, out);
+  } else {
+    PacketTracer::trace_batch<4>(*this, rays, false, out);
+  }
+}
+
+void Tracer::render(const abut_camera& camera, std::span<abut_pick> out) const {
+  switch (widest_) {
+    case 16:
+      PacketTracer::render<16>(*this, camera, out);
+      return;
+    case 8:
+      PacketTracer::render<8>(*this, camera, out);
+      return;
+    default:
+      PacketTracer::render<4>(*this, camera, out);
+      return;
+  }
+}
+
+}  // namespace abut::picking

@@ -1,0 +1,98 @@
+// One ray.
+module;
+
+#include <abut/picking.h>
+
+#include "embree.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+module abut.picking;
+import :hit;
+import :source;
+import :surface;
+import :tracer;
+import :vector;
+
+namespace abut::picking {
+
+void Tracer::trace(const abut_ray& ray, abut_pick& out) const {
+  if (std::fabs(dot(ray.direction, ray.direction) - 1.0) < nearly_unit) [[likely]] {
+    trace_unit(ray, out);
+  } else {
+    trace_unit({ray.origin, normalized(ray.direction), ray.max_distance}, out);
+  }
+}
+
+// A direction that is nearly of unit length is the same in single precision, so Embree need not wait
+// for its scale. Vectors stay in registers here: to store their parts and load them whole stalls.
+void Tracer::trace_unit(const abut_ray& ray, abut_pick& out) const {
+  const abut_vec3 direction = scale(ray.direction, 1.5 - 0.5 * dot(ray.direction, ray.direction));
+  bool is_hit = false;
+  Entrance entrance{};
+  if (!baked_.empty() && enter(still_space_, ray.origin, direction, ray.max_distance, entrance)) {
+    [[clang::uninitialized]] RTCRayHit hit;
+    write_ray(hit, entrance.point, ray.direction, ray.max_distance - entrance.advance);
+    embree::Query query(false);
+    embree::intersect(still_.get(), query, hit);
+    const double found = entrance.advance + static_cast<double>(hit.ray.tfar);
+    is_hit = hit.hit.geomID != RTC_INVALID_GEOMETRY_ID &&
+             resolve_still(ray.origin, direction, ray.max_distance, hit.hit.geomID, hit.hit.primID, found, out);
+  }
+  if (!is_hit) out = nothing();
+  if (has_moving()) trace_moving({ray.origin, direction, ray.max_distance}, out);
+}
+
+// Looks for something nearer than `out` holds.
+void Tracer::trace_moving(const abut_ray& ray, abut_pick& out) const {
+  FirstHit<1> query(false);
+  Lane& lane = query.lanes[0];
+  lane.ray = ray;
+  if (out.geometry.slot != 0) lane.ray.max_distance = out.distance;
+  meet_endless(lane.ray, out);
+  Entrance entrance{};
+  if (moving_.empty() || !enter(moving_space_, ray.origin, ray.direction, lane.ray.max_distance, entrance)) return;
+  lane.advance = entrance.advance;
+  [[clang::uninitialized]] RTCRayHit hit;
+  write_ray(hit, entrance.point, ray.direction, lane.ray.max_distance - entrance.advance);
+  embree::intersect(moving_scene_.get(), query, hit);
+  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
+  const double found = lane.advance + static_cast<double>(hit.ray.tfar);
+  resolve_entry(lane, hit.hit.geomID, hit.hit.primID, found, out);
+}
+
+// Shortens the ray to what it meets.
+void Tracer::meet_endless(abut_ray& ray, abut_pick& out) const {
+  for (const std::uint32_t index : endless_) {
+    const Entry& entry = entries_[index];
+    const auto hit = shapes_[entry.shape].access->cast(entry.pose, ray);
+    if (!hit || !(hit->distance < out.distance)) continue;
+    out = {entry.id, hit->feature, hit->distance, hit->point, hit->normal};
+    ray.max_distance = hit->distance;
+  }
+}
+
+void Tracer::resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t triangle, double found,
+                           abut_pick& out) const {
+  const Entry& entry = entries_[geometry & ~entry_flag];
+  if (entry.role != Role::instance) {
+    const abut_ray_hit& hit = lane.exact;
+    if (hit.distance <= lane.ray.max_distance) out = {entry.id, hit.feature, hit.distance, hit.point, hit.normal};
+    return;
+  }
+  const Instanced& instanced = *shapes_[entry.shape].instanced;
+  const Facet& plane = instanced.surface[triangle];
+  const double distance = distance_to(plane, to_local(entry.frame, lane.ray.origin),
+                                      rotate_back(entry.frame, lane.ray.direction), found, instanced.space.extent);
+  if (distance > lane.ray.max_distance) return;
+  out = {.geometry = entry.id,
+         .feature = {ABUT_FEATURE_FACE, triangle},
+         .distance = distance,
+         .point = add(lane.ray.origin, scale(lane.ray.direction, distance)),
+         .normal = rotate(entry.frame, plane.normal)};
+}
+
+}  // namespace abut::picking
