@@ -77,47 +77,44 @@ std::size_t mark_contacts(Picture& picture, const abut_camera& camera, std::span
       picture.image.draw_disc(mark.pixel.x, mark.pixel.y, radius + 0.9 * scale, outline_colour, 0.75);
       picture.image.draw_disc(mark.pixel.x, mark.pixel.y, radius, mark_colour, 1.0);
     } else {
-      picture.image.draw_disc(mark.pixel.x, mark.pixel.y, 0.8 * radius, mark_colour, 0.22);
+      picture.image.draw_disc(mark.pixel.x, mark.pixel.y, 0.8 * radius, mark_colour, 0.45);
     }
   }
   return static_cast<std::size_t>(std::ranges::count(marks, Sight::seen, &Mark::sight));
 }
 
 void draw_legend(Image& image, const Scene& scene, std::size_t contacts) {
-  struct Row {
+  struct Entry {
     Kind kind;
     std::string_view label;
   };
-  constexpr std::array<Row, 7> rows{{{Kind::sphere, "sphere"},
-                                     {Kind::box, "box"},
-                                     {Kind::capsule, "capsule"},
-                                     {Kind::hull, "convex hull"},
-                                     {Kind::compound, "several shapes"},
-                                     {Kind::bunny_mesh, "bunny, mesh"},
-                                     {Kind::bunny_hull, "bunny, hull"}}};
-  const double s = image.height() / 720.0;
-  const double letter = 9.0 * s;
-  const double line = 19.0 * s;
-  const double left = 18.0 * s;
-  const double width = 208.0 * s;
-  const double height = line * (rows.size() + 3) + 14.0 * s;
-  const double top = image.height() - 18.0 * s - height;
-  const Colour ink{0.9, 0.9, 0.9};
-  image.draw_panel(left, top, left + width, top + height, 8.0 * s, {0.01, 0.015, 0.02}, 0.68);
-  const double x = left + 14.0 * s;
-  double y = top + 12.0 * s;
-  draw_text(image, x, y, letter, std::to_string(scene.body_count()) + " bodies", ink);
-  y += line;
-  draw_text(image, x, y, letter, std::to_string(contacts) + " contacts", ink);
-  y += 1.1 * line;
-  for (const Row& row : rows) {
-    image.draw_disc(x + 0.5 * letter, y + 0.5 * letter, 0.65 * letter, tone_mapped(colour_of(row.kind) * 1.5), 1.0);
-    draw_text(image, x + 24.0 * s, y, letter, row.label, ink);
-    y += line;
+  constexpr std::array<Entry, 7> entries{{{Kind::sphere, "sphere"},
+                                          {Kind::box, "box"},
+                                          {Kind::capsule, "capsule"},
+                                          {Kind::hull, "convex hull"},
+                                          {Kind::compound, "several shapes"},
+                                          {Kind::bunny_mesh, "bunny, mesh"},
+                                          {Kind::bunny_hull, "bunny, hull"}}};
+  const double s = image.width() / 1280.0;
+  const double letter = 8.0 * s;
+  const double gap = 17.0 * s;
+  const double strip = 30.0 * s;
+  const double y = image.height() - 0.5 * (strip + letter);
+  const double middle = image.height() - 0.5 * strip;
+  const Colour ink{0.88, 0.88, 0.88};
+  image.draw_panel(0.0, image.height() - strip, image.width(), image.height() + 1.0, 0.0, {0.008, 0.012, 0.016}, 0.8);
+  const std::string title = std::to_string(scene.body_count()) + " bodies";
+  double x = gap;
+  draw_text(image, x, y, letter, title, ink);
+  x += text_width(title, letter) + 1.5 * gap;
+  for (const Entry& entry : entries) {
+    image.draw_disc(x + 0.5 * letter, middle, 0.65 * letter, tone_mapped(colour_of(entry.kind) * 1.1), 1.0);
+    x += 1.9 * letter;
+    draw_text(image, x, y, letter, entry.label, ink);
+    x += text_width(entry.label, letter) + gap;
   }
-  image.draw_disc(x + 0.5 * letter, y + 0.5 * letter, 4.4 * s, outline_colour, 1.0);
-  image.draw_disc(x + 0.5 * letter, y + 0.5 * letter, 3.5 * s, mark_colour, 1.0);
-  draw_text(image, x + 24.0 * s, y, letter, "contact", ink);
+  image.draw_disc(x + 0.5 * letter, middle, 0.5 * letter, mark_colour, 1.0);
+  draw_text(image, x + 1.9 * letter, y, letter, std::to_string(contacts) + " contacts", ink);
 }
 
 }  // namespace demo

@@ -11,11 +11,13 @@ constexpr double half_sqrt2 = 0.5 * std::numbers::sqrt2;
 constexpr abut_quat z_to_x{half_sqrt2, 0.0, half_sqrt2, 0.0};
 constexpr abut_quat z_to_y{half_sqrt2, -half_sqrt2, 0.0, 0.0};
 
-constexpr abut_pose lifted(double z) { return {{0.0, 0.0, z}, no_rotation}; }
+constexpr abut_pose lifted(double z) {
+  return {{0.0, 0.0, z}, no_rotation};
+}
 
 // Sizes in metres: the terrain is 30 km wide, so that smaller bodies could not be seen from where its ridges can.
-constexpr double smallest = 22.0;
-constexpr double largest = 46.0;
+constexpr double smallest = 18.0;
+constexpr double largest = 40.0;
 
 double any_size(Random& random) {
   const double t = random.uniform(0.0, 1.0);
@@ -65,7 +67,7 @@ Catalogue::Catalogue(const Triangles& bunny, Random random) {
   add_bunnies(bunny);
 }
 
-const Design& Catalogue::choose(Random& random) const {
+std::size_t Catalogue::choose(Random& random) const {
   struct Share {
     Kind kind;
     std::uint32_t percent;
@@ -83,8 +85,13 @@ const Design& Catalogue::choose(Random& random) const {
     ticket -= shares[chosen].percent;
     ++chosen;
   }
-  const std::vector<Design>& of_kind = designs_[static_cast<std::size_t>(shares[chosen].kind)];
+  const std::vector<std::size_t>& of_kind = designs_of_kind_[static_cast<std::size_t>(shares[chosen].kind)];
   return of_kind[random.below(of_kind.size())];
+}
+
+void Catalogue::add(Kind kind, std::vector<Piece> pieces, double radius) {
+  designs_of_kind_[static_cast<std::size_t>(kind)].push_back(designs_.size());
+  designs_.push_back({kind, std::move(pieces), radius});
 }
 
 std::size_t Catalogue::keep(abut_shape* shape) {
@@ -128,7 +135,7 @@ std::size_t Catalogue::mesh(const std::vector<Vec3>& points, const std::vector<s
 void Catalogue::add_spheres(Random& random) {
   for (int i = 0; i < 16; ++i) {
     const double radius = any_size(random);
-    designs(Kind::sphere).push_back({Kind::sphere, {{sphere(radius), lifted(radius)}}, radius});
+    add(Kind::sphere, {{sphere(radius), lifted(radius)}}, radius);
   }
 }
 
@@ -138,7 +145,7 @@ void Catalogue::add_boxes(Random& random) {
     const double x = size * random.uniform(0.8, 1.5);
     const double y = size * random.uniform(0.7, 1.1);
     const double z = size * random.uniform(0.5, 1.1);
-    designs(Kind::box).push_back({Kind::box, {{box(x, y, z), lifted(z)}}, std::max(x, y)});
+    add(Kind::box, {{box(x, y, z), lifted(z)}}, std::max(x, y));
   }
 }
 
@@ -146,26 +153,24 @@ void Catalogue::add_capsules(Random& random) {
   for (int i = 0; i < 16; ++i) {
     const double radius = 0.6 * any_size(random);
     const double half_height = radius * random.uniform(1.0, 2.4);
-    designs(Kind::capsule)
-        .push_back({Kind::capsule, {{capsule(radius, half_height), {{0.0, 0.0, radius}, z_to_x}}}, half_height});
+    add(Kind::capsule, {{capsule(radius, half_height), {{0.0, 0.0, radius}, z_to_x}}}, half_height);
   }
 }
 
 void Catalogue::add_hulls(Random& random) {
   for (int i = 0; i < 32; ++i) {
     const double size = any_size(random);
-    designs(Kind::hull).push_back({Kind::hull, {{hull(boulder(random, size)), lifted(0.0)}}, 1.1 * size});
+    add(Kind::hull, {{hull(boulder(random, size)), lifted(0.0)}}, 1.1 * size);
   }
 }
 
 void Catalogue::add_snowmen(Random& random) {
   const double size = any_size(random);
-  designs(Kind::compound)
-      .push_back({Kind::compound,
-                  {{sphere(size), lifted(size)},
-                   {sphere(0.7 * size), lifted(2.4 * size)},
-                   {sphere(0.45 * size), lifted(3.3 * size)}},
-                  size});
+  add(Kind::compound,
+      {{sphere(size), lifted(size)},
+       {sphere(0.7 * size), lifted(2.4 * size)},
+       {sphere(0.45 * size), lifted(3.3 * size)}},
+      size);
 }
 
 void Catalogue::add_houses(Random& random) {
@@ -176,19 +181,17 @@ void Catalogue::add_houses(Random& random) {
   const double ridge = 2.0 * size;
   const std::vector<Vec3> roof{{-1.1 * x, -1.2 * y, eaves}, {1.1 * x, -1.2 * y, eaves}, {-1.1 * x, 1.2 * y, eaves},
                                {1.1 * x, 1.2 * y, eaves},   {-1.1 * x, 0.0, ridge},     {1.1 * x, 0.0, ridge}};
-  designs(Kind::compound)
-      .push_back({Kind::compound, {{box(x, y, 0.5 * eaves), lifted(0.5 * eaves)}, {hull(roof), lifted(0.0)}}, x});
+  add(Kind::compound, {{box(x, y, 0.5 * eaves), lifted(0.5 * eaves)}, {hull(roof), lifted(0.0)}}, x);
 }
 
 void Catalogue::add_dumbbells(Random& random) {
   const double size = 0.8 * any_size(random);
   const double half = 1.5 * size;
-  designs(Kind::compound)
-      .push_back({Kind::compound,
-                  {{capsule(0.4 * size, half), {{0.0, 0.0, size}, z_to_x}},
-                   {sphere(size), {{-half, 0.0, size}, no_rotation}},
-                   {sphere(size), {{half, 0.0, size}, no_rotation}}},
-                  half + 0.5 * size});
+  add(Kind::compound,
+      {{capsule(0.4 * size, half), {{0.0, 0.0, size}, z_to_x}},
+       {sphere(size), {{-half, 0.0, size}, no_rotation}},
+       {sphere(size), {{half, 0.0, size}, no_rotation}}},
+      half + 0.5 * size);
 }
 
 void Catalogue::add_crosses(Random& random) {
@@ -197,32 +200,32 @@ void Catalogue::add_crosses(Random& random) {
   const double half = 1.1 * size;
   const double centre = half + radius;
   const std::size_t beam = capsule(radius, half);
-  designs(Kind::compound)
-      .push_back({Kind::compound,
-                  {{beam, {{0.0, 0.0, centre}, no_rotation}},
-                   {beam, {{0.0, 0.0, centre}, z_to_x}},
-                   {beam, {{0.0, 0.0, centre}, z_to_y}}},
-                  size});
+  add(Kind::compound,
+      {{beam, {{0.0, 0.0, centre}, no_rotation}},
+       {beam, {{0.0, 0.0, centre}, z_to_x}},
+       {beam, {{0.0, 0.0, centre}, z_to_y}}},
+      size);
 }
 
 void Catalogue::add_pyramids(Random& random) {
   const double size = any_size(random);
-  Design design{Kind::compound, {}, 1.2 * size};
+  std::vector<Piece> pieces;
   double top = 0.0;
   for (const double part : {1.2, 0.8, 0.4}) {
     const double half = 0.3 * size;
-    design.pieces.push_back({box(part * size, part * size, half), lifted(top + half)});
+    pieces.push_back({box(part * size, part * size, half), lifted(top + half)});
     top += 2.0 * half;
   }
-  designs(Kind::compound).push_back(std::move(design));
+  add(Kind::compound, std::move(pieces), 1.2 * size);
 }
 
 void Catalogue::add_bunnies(const Triangles& bunny) {
   for (const double tall : {60.0, 80.0, 105.0}) {
     std::vector<Vec3> points(bunny.vertices.size());
-    std::transform(bunny.vertices.begin(), bunny.vertices.end(), points.begin(), [&](const Vec3& v) { return v * tall; });
-    designs(Kind::bunny_mesh).push_back({Kind::bunny_mesh, {{mesh(points, bunny.indices), lifted(0.0)}}, 0.5 * tall});
-    designs(Kind::bunny_hull).push_back({Kind::bunny_hull, {{hull(points), lifted(0.0)}}, 0.5 * tall});
+    std::transform(bunny.vertices.begin(), bunny.vertices.end(), points.begin(),
+                   [&](const Vec3& v) { return v * tall; });
+    add(Kind::bunny_mesh, {{mesh(points, bunny.indices), lifted(0.0)}}, 0.5 * tall);
+    add(Kind::bunny_hull, {{hull(points), lifted(0.0)}}, 0.5 * tall);
   }
 }
 

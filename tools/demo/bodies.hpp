@@ -17,7 +17,9 @@ enum class Kind : std::uint8_t { terrain, sphere, box, capsule, hull, compound, 
 inline constexpr std::array<std::string_view, 8> kind_names{"terrain", "sphere",   "box",        "capsule",
                                                             "hull",    "compound", "bunny_mesh", "bunny_hull"};
 
-[[nodiscard]] constexpr std::string_view name_of(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+[[nodiscard]] constexpr std::string_view name_of(Kind kind) {
+  return kind_names[static_cast<std::size_t>(kind)];
+}
 
 /// One geometry of a body: a shape of the catalogue at a place in the frame of the body.
 struct Piece {
@@ -37,9 +39,10 @@ class Catalogue {
  public:
   Catalogue(const Triangles& bunny, Random random);
 
-  /// A design by chance: every kind with its own share.
-  [[nodiscard]] const Design& choose(Random& random) const;
+  /// Index of a design by chance: every kind with its own share.
+  [[nodiscard]] std::size_t choose(Random& random) const;
 
+  [[nodiscard]] const Design& design(std::size_t index) const { return designs_[index]; }
   [[nodiscard]] const abut_shape* shape(std::size_t index) const { return shapes_[index].get(); }
   [[nodiscard]] std::size_t shape_count() const { return shapes_.size(); }
 
@@ -62,10 +65,11 @@ class Catalogue {
   void add_pyramids(Random& random);
   void add_bunnies(const Triangles& bunny);
 
-  std::vector<Design>& designs(Kind kind) { return designs_[static_cast<std::size_t>(kind)]; }
+  void add(Kind kind, std::vector<Piece> pieces, double radius);
 
   std::vector<ShapeOwner> shapes_;
-  std::array<std::vector<Design>, kind_names.size()> designs_;
+  std::vector<Design> designs_;
+  std::array<std::vector<std::size_t>, kind_names.size()> designs_of_kind_;
 };
 
 }  // namespace demo

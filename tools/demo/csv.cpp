@@ -34,7 +34,8 @@ class Table {
   Table& real(double value, int decimals) {
     separate();
     std::array<char, 64> digits{};
-    const auto result = std::to_chars(digits.data(), std::to_address(digits.end()), value, std::chars_format::fixed, decimals);
+    const auto result =
+        std::to_chars(digits.data(), std::to_address(digits.end()), value, std::chars_format::fixed, decimals);
     if (result.ec == std::errc{}) {
       row_.append(digits.data(), result.ptr);
     }

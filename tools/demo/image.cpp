@@ -56,11 +56,12 @@ void Image::draw_ring(double x, double y, double radius, double width, const Col
 
 void Image::draw_line(double x0, double y0, double x1, double y1, double width, const Colour& colour, double opacity) {
   const double half = 0.5 * width;
-  cover(std::min(x0, x1) - half, std::min(y0, y1) - half, std::max(x0, x1) + half, std::max(y0, y1) + half, colour, opacity,
-        [&](double px, double py) { return distance_to_segment(px, py, x0, y0, x1, y1) - half; });
+  cover(std::min(x0, x1) - half, std::min(y0, y1) - half, std::max(x0, x1) + half, std::max(y0, y1) + half, colour,
+        opacity, [&](double px, double py) { return distance_to_segment(px, py, x0, y0, x1, y1) - half; });
 }
 
-void Image::draw_panel(double x0, double y0, double x1, double y1, double corner, const Colour& colour, double opacity) {
+void Image::draw_panel(double x0, double y0, double x1, double y1, double corner, const Colour& colour,
+                       double opacity) {
   cover(x0, y0, x1, y1, colour, opacity, [&](double px, double py) {
     const double dx = std::max({x0 + corner - px, px - (x1 - corner), 0.0});
     const double dy = std::max({y0 + corner - py, py - (y1 - corner), 0.0});

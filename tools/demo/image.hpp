@@ -14,14 +14,23 @@ struct Colour {
   double b;
 };
 
-[[nodiscard]] constexpr Colour operator+(const Colour& a, const Colour& b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-[[nodiscard]] constexpr Colour operator*(const Colour& a, const Colour& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
-[[nodiscard]] constexpr Colour operator*(const Colour& a, double s) { return {a.r * s, a.g * s, a.b * s}; }
-[[nodiscard]] constexpr Colour mix(const Colour& a, const Colour& b, double t) { return a * (1.0 - t) + b * t; }
+[[nodiscard]] constexpr Colour operator+(const Colour& a, const Colour& b) {
+  return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+[[nodiscard]] constexpr Colour operator*(const Colour& a, const Colour& b) {
+  return {a.r * b.r, a.g * b.g, a.b * b.b};
+}
+[[nodiscard]] constexpr Colour operator*(const Colour& a, double s) {
+  return {a.r * s, a.g * s, a.b * s};
+}
+[[nodiscard]] constexpr Colour mix(const Colour& a, const Colour& b, double t) {
+  return a * (1.0 - t) + b * t;
+}
 
 class Image {
  public:
-  Image(std::uint32_t width, std::uint32_t height) : width_(width), height_(height), pixels_(std::size_t{width} * height) {}
+  Image(std::uint32_t width, std::uint32_t height)
+      : width_(width), height_(height), pixels_(std::size_t{width} * height) {}
 
   [[nodiscard]] std::uint32_t width() const { return width_; }
   [[nodiscard]] std::uint32_t height() const { return height_; }

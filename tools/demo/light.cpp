@@ -7,9 +7,10 @@
 namespace demo {
 namespace {
 
-constexpr std::uint32_t sky_rays = 4;       // a sample
-constexpr double sky_reach = 160.0;         // metres in which something covers the sky
-constexpr double lift = 0.25;               // metres by which rays start off the surface
+constexpr std::uint32_t sky_rays = 4;  // a sample
+constexpr double sky_reach = 160.0;    // metres in which something covers the sky
+constexpr double sun_radius = 0.02;    // radians; wider than the real one, for soft shadows
+constexpr double lift = 0.25;          // metres by which rays start off the surface
 
 // Van der Corput's sequence in base 2.
 double radical_inverse(std::uint32_t n) {
@@ -45,10 +46,23 @@ Vec3 about(const Vec3& normal, const Vec3& v) {
   return tangent * v.x + cross(normal, tangent) * v.y + normal * v.z;
 }
 
+// A point of the sun's disc for each pattern.
+std::array<Vec3, pattern_count> sun_directions() {
+  std::array<Vec3, pattern_count> directions{};
+  for (std::uint32_t i = 0; i < pattern_count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * radical_inverse(i);
+    const double radius = sun_radius * std::sqrt((i + 0.5) / pattern_count);
+    directions[(i * 5U) % pattern_count] =
+        normalised(about(sun_direction(), {radius * std::cos(angle), radius * std::sin(angle), 1.0}));
+  }
+  return directions;
+}
+
 std::vector<abut_pick> cast(abut_picker* picker, const std::vector<abut_ray>& rays) {
   std::vector<abut_pick> hits(rays.size());
   if (!rays.empty()) {
-    check(abut_picker_cast_rays(picker, rays.data(), rays.size(), ABUT_COHERENCE_NONE, hits.data()), "cannot cast rays");
+    check(abut_picker_cast_rays(picker, rays.data(), rays.size(), ABUT_COHERENCE_NONE, hits.data()),
+          "cannot cast rays");
   }
   return hits;
 }
@@ -57,6 +71,7 @@ std::vector<abut_pick> cast(abut_picker* picker, const std::vector<abut_ray>& ra
 
 std::vector<Light> trace_light(abut_picker* picker, const Scene& scene, std::span<const Sample> samples) {
   const std::vector<Vec3> directions = sky_directions();
+  const std::array<Vec3, pattern_count> suns = sun_directions();
   std::vector<Light> lights(samples.size());
   std::vector<abut_ray> to_sun;
   std::vector<std::size_t> sun_sample;
@@ -71,7 +86,7 @@ std::vector<Light> trace_light(abut_picker* picker, const Scene& scene, std::spa
     const bool away = dot(sample.pick.normal, sample.ray.direction) > 0.0;
     const Vec3 start = sample.pick.point + sample.pick.normal * (away ? -lift : lift);
     if (dot(normal, sun_direction()) > 0.0) {
-      to_sun.push_back({start, sun_direction(), 40'000.0});
+      to_sun.push_back({start, suns[sample.pattern], 40'000.0});
       sun_sample.push_back(i);
     }
     for (std::uint32_t k = 0; k < sky_rays; ++k) {

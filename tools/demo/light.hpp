@@ -13,10 +13,10 @@ namespace demo {
 struct Sample {
   abut_ray ray;
   abut_pick pick;
-  std::uint32_t pattern;  // below pattern_count: which share of the sky's directions this sample tests
+  std::uint32_t pattern;  // below pattern_count: which share of the sky and the sun this sample tests
 };
 
-/// Neighbouring samples with different patterns test different directions; together they cover the sky evenly.
+/// Neighbouring samples with different patterns test different directions; together they cover sky and sun evenly.
 inline constexpr std::uint32_t pattern_count = 16;
 
 /// Light that reaches each sample.

@@ -59,8 +59,8 @@ void draw_picture(const std::filesystem::path& path, const Options& options, con
   const std::size_t seen = mark_contacts(picture, camera, contacts, scene);
   draw_legend(picture.image, scene, contacts.size());
   write_png(path, picture.image);
-  std::printf("\npicture: %u x %u pixels, %zu of %zu contacts in plain sight, %.1f s\n", options.width, options.height, seen,
-              contacts.size(), 1e-6 * watch.microseconds());
+  std::printf("\npicture: %u x %u pixels, %zu of %zu contacts in plain sight, %.1f s\n", options.width, options.height,
+              seen, contacts.size(), 1e-6 * watch.microseconds());
 }
 
 void run(const Options& options) {
@@ -70,10 +70,12 @@ void run(const Options& options) {
     throw Failure("cannot make the folder " + options.out.string() + ": " + error.message());
   }
   Scene scene(options.data, options.bodies, options.seed);
-  std::printf("abut %s: %zu bodies of %zu geometries and %zu shapes on %u x %u elevations, %u steps of %g s, seed %llu\n",
-              abut_version_string(), scene.body_count(), scene.geometry_count() - 1, scene.shape_count(),
-              scene.terrain().columns(), scene.terrain().rows(), options.steps, step_seconds,
-              static_cast<unsigned long long>(options.seed));
+  std::printf(
+      "abut %s: %zu bodies of %zu geometries and %zu shapes on %u x %u elevations (heights x %g), %u steps of %g s, "
+      "seed %llu\n",
+      abut_version_string(), scene.body_count(), scene.geometry_count() - 1, scene.shape_count(),
+      scene.terrain().columns(), scene.terrain().rows(), Terrain::exaggeration, options.steps, step_seconds,
+      static_cast<unsigned long long>(options.seed));
   std::fflush(stdout);
   const Statistics statistics = run_steps(scene, options.steps);
   const std::vector<abut_contact> contacts = contacts_of(scene.universe());
@@ -101,7 +103,8 @@ int main(int argc, char** argv) {
       std::fputs(demo::usage(), stdout);
       return EXIT_SUCCESS;
     }
-    demo::check(abut_check_version(ABUT_VERSION_MAJOR, ABUT_VERSION_MINOR), "this program needs another version of abut");
+    demo::check(abut_check_version(ABUT_VERSION_MAJOR, ABUT_VERSION_MINOR),
+                "this program needs another version of abut");
     demo::run(options);
     return EXIT_SUCCESS;
   } catch (const std::exception& failure) {

@@ -6,14 +6,14 @@ namespace demo {
 namespace {
 
 constexpr double gravity = 9.81;       // m / s^2
-constexpr double drag = 0.15;          // 1 / s: the final speed is gravity * slope / drag
+constexpr double drag = 0.6;           // 1 / s: the final speed is gravity * slope / drag
 constexpr double sinking = 0.07;       // of the radius
 constexpr double first_spacing = 1.1;  // of the sum of two radii
 
-// The hillside in view: an escarpment above the valley of the Jacksboro fault.
-constexpr double area_x = -1500.0;
-constexpr double area_y = -2600.0;
-constexpr double area_half_side = 2300.0;  // for 2,000 bodies; others get the same room each
+// The slopes in view: spurs between a plateau and the valley of the Jacksboro fault.
+constexpr double area_x = 950.0;
+constexpr double area_y = -750.0;
+constexpr double area_half_side = 1900.0;  // for 2,000 bodies; others get the same room each
 
 struct Ground {
   Vec3 point;
@@ -35,7 +35,7 @@ bool is_free(const std::vector<Slider>& placed, const Slider& candidate) {
   return std::none_of(placed.begin(), placed.end(), [&](const Slider& other) {
     const double dx = other.x - candidate.x;
     const double dy = other.y - candidate.y;
-    const double apart = first_spacing * (other.design->radius + candidate.design->radius);
+    const double apart = first_spacing * (other.radius + candidate.radius);
     return dx * dx + dy * dy < apart * apart;
   });
 }
@@ -51,7 +51,9 @@ std::vector<Slider> lay_out(const Catalogue& catalogue, const Terrain& terrain, 
   std::vector<Slider> placed;
   placed.reserve(count);
   while (placed.size() < count) {
-    Slider slider{&catalogue.choose(random), 0.0, 0.0, 0.0, 0.0, {1.0, 0.0, 0.0}, random.uniform(-0.01, 0.01)};
+    const std::size_t design = catalogue.choose(random);
+    Slider slider{design,          catalogue.design(design).radius, 0.0, 0.0, 0.0, 0.0,
+                  {1.0, 0.0, 0.0}, random.uniform(-0.01, 0.01)};
     const Vec3 d = random.direction();
     if (d.x * d.x + d.y * d.y > 0.01) {
       slider.heading = normalised({d.x, d.y, 0.0});
@@ -71,12 +73,14 @@ std::vector<Slider> lay_out(const Catalogue& catalogue, const Terrain& terrain, 
 }
 
 void advance(Slider& slider, const Terrain& terrain) {
-  const Vec3 normal = ground_under(terrain, slider.x, slider.y, 2.0 * slider.design->radius).normal;
+  const Vec3 normal = ground_under(terrain, slider.x, slider.y, 2.0 * slider.radius).normal;
   // On an incline with the unit normal n, gravity accelerates along the horizontal by g * n.z * (n.x, n.y).
   slider.velocity_x += step_seconds * (gravity * normal.z * normal.x - drag * slider.velocity_x);
   slider.velocity_y += step_seconds * (gravity * normal.z * normal.y - drag * slider.velocity_y);
-  slider.x = std::clamp(slider.x + step_seconds * slider.velocity_x, -0.95 * terrain.half_width(), 0.95 * terrain.half_width());
-  slider.y = std::clamp(slider.y + step_seconds * slider.velocity_y, -0.95 * terrain.half_depth(), 0.95 * terrain.half_depth());
+  slider.x = std::clamp(slider.x + step_seconds * slider.velocity_x, -0.95 * terrain.half_width(),
+                        0.95 * terrain.half_width());
+  slider.y = std::clamp(slider.y + step_seconds * slider.velocity_y, -0.95 * terrain.half_depth(),
+                        0.95 * terrain.half_depth());
   // A rotation by 2 * atan(t) has the cosine (1 - t^2) / (1 + t^2) and the sine 2 t / (1 + t^2).
   const double t = slider.spin;
   const double scale = 1.0 / (1.0 + t * t);
@@ -87,10 +91,10 @@ void advance(Slider& slider, const Terrain& terrain) {
 }
 
 abut_pose pose_of(const Slider& slider, const Terrain& terrain) {
-  const Ground ground = ground_under(terrain, slider.x, slider.y, slider.design->radius);
+  const Ground ground = ground_under(terrain, slider.x, slider.y, slider.radius);
   const Vec3 up = ground.normal;
   const Vec3 forward = normalised(slider.heading - up * dot(slider.heading, up));
-  return {ground.point - up * (sinking * slider.design->radius), from_axes(forward, cross(up, forward), up)};
+  return {ground.point - up * (sinking * slider.radius), from_axes(forward, cross(up, forward), up)};
 }
 
 }  // namespace demo

@@ -13,7 +13,8 @@ inline constexpr double step_seconds = 0.25;
 
 /// Where a body is on the map and where it goes.
 struct Slider {
-  const Design* design;  // of a Catalogue that outlives the slider
+  std::size_t design;  // of the catalogue
+  double radius;       // of the design, metres
   double x;
   double y;
   double velocity_x;

@@ -40,8 +40,9 @@ void Scene::add_body(const Slider& slider) {
   parts_.push_back(part);
   poses_.push_back(options.pose);
   std::uint32_t index = 0;
-  for (const Piece& piece : slider.design->pieces) {
-    add_geometry(part, catalogue_.shape(piece.shape), piece.pose, {slider.design->kind, number, index});
+  const Design& design = catalogue_.design(slider.design);
+  for (const Piece& piece : design.pieces) {
+    add_geometry(part, catalogue_.shape(piece.shape), piece.pose, {design.kind, number, index});
     ++index;
   }
 }
@@ -66,6 +67,8 @@ void Scene::move() {
   check(abut_parts_set_poses(universe_.get(), parts_.data(), poses_.data(), parts_.size()), "cannot place the bodies");
 }
 
-void Scene::detect() { check(abut_universe_step(universe_.get(), step_seconds), "cannot run a step"); }
+void Scene::detect() {
+  check(abut_universe_step(universe_.get(), step_seconds), "cannot run a step");
+}
 
 }  // namespace demo

@@ -8,8 +8,8 @@ namespace {
 
 constexpr Colour sunlight{3.0, 2.72, 2.25};
 constexpr Colour skylight{0.52, 0.66, 0.92};
-constexpr Colour haze{0.60, 0.70, 0.84};
-constexpr double haze_distance = 26'000.0;  // metres in which the air swallows 1 - 1/e of the light
+constexpr Colour haze{0.40, 0.55, 0.78};
+constexpr double haze_distance = 45'000.0;  // metres in which the air swallows 1 - 1/e of the light
 
 struct Stop {
   double at;
@@ -17,12 +17,12 @@ struct Stop {
 };
 
 // Elevation tints from the valley to the crest.
-constexpr std::array<Stop, 6> tints{{{0.00, {0.110, 0.205, 0.075}},
-                                     {0.18, {0.165, 0.255, 0.090}},
-                                     {0.40, {0.290, 0.310, 0.125}},
-                                     {0.62, {0.400, 0.330, 0.165}},
-                                     {0.82, {0.430, 0.300, 0.185}},
-                                     {1.00, {0.620, 0.540, 0.450}}}};
+constexpr std::array<Stop, 6> tints{{{0.00, {0.050, 0.150, 0.050}},
+                                     {0.12, {0.090, 0.200, 0.055}},
+                                     {0.30, {0.200, 0.260, 0.080}},
+                                     {0.50, {0.330, 0.300, 0.115}},
+                                     {0.72, {0.360, 0.235, 0.120}},
+                                     {1.00, {0.560, 0.460, 0.360}}}};
 
 Colour tint(double t) {
   for (std::size_t i = 1; i < tints.size(); ++i) {
@@ -75,18 +75,28 @@ Colour ground(const Terrain& terrain, const Vec3& p, const Vec3& normal, double 
 
 }  // namespace
 
-Vec3 sun_direction() { return normalised({-0.35, -0.72, 0.62}); }
+Vec3 sun_direction() {
+  return normalised({-0.7, 0.5, 0.42});
+}  // low in the north-west, as on maps
 
 Colour colour_of(Kind kind) {
   switch (kind) {
-    case Kind::terrain: return {0.29, 0.31, 0.125};
-    case Kind::sphere: return {0.80, 0.10, 0.07};
-    case Kind::box: return {0.90, 0.42, 0.04};
-    case Kind::capsule: return {0.03, 0.48, 0.50};
-    case Kind::hull: return {0.36, 0.16, 0.62};
-    case Kind::compound: return {0.06, 0.22, 0.72};
-    case Kind::bunny_mesh: return {0.86, 0.83, 0.76};
-    case Kind::bunny_hull: return {0.90, 0.36, 0.50};
+    case Kind::terrain:
+      return {0.29, 0.31, 0.125};
+    case Kind::sphere:
+      return {0.62, 0.055, 0.04};
+    case Kind::box:
+      return {0.78, 0.30, 0.03};
+    case Kind::capsule:
+      return {0.02, 0.34, 0.34};
+    case Kind::hull:
+      return {0.24, 0.10, 0.42};
+    case Kind::compound:
+      return {0.05, 0.17, 0.50};
+    case Kind::bunny_mesh:
+      return {0.78, 0.75, 0.68};
+    case Kind::bunny_hull:
+      return {0.72, 0.25, 0.36};
   }
   return {0.0, 0.0, 0.0};
 }
@@ -94,7 +104,7 @@ Colour colour_of(Kind kind) {
 Colour sky(const Vec3& direction) {
   const double up = std::clamp(direction.z, 0.0, 1.0);
   const double t = 1.0 - (1.0 - up) * (1.0 - up) * (1.0 - up);
-  const Colour blue = mix(haze, Colour{0.16, 0.34, 0.72}, std::min(1.0, 1.15 * t));
+  const Colour blue = mix(haze, Colour{0.09, 0.24, 0.60}, std::min(1.0, 2.2 * t));
   const double towards_sun = std::max(0.0, dot(direction, sun_direction()));
   const double glow = towards_sun * towards_sun * towards_sun * towards_sun;
   return blue + Colour{0.35, 0.27, 0.14} * (0.6 * glow);
@@ -117,7 +127,7 @@ Colour shade(const Scene& scene, const abut_ray& ray, const abut_pick& pick, con
       kind == Kind::terrain ? ground(scene.terrain(), pick.point, normal, pixel * pick.distance) : colour_of(kind);
   const double sun = light.sun * std::max(0.0, dot(normal, sun_direction()));
   const double dome = light.sky * (0.6 + 0.4 * normal.z);
-  Colour result = albedo * (sunlight * (0.62 * sun) + skylight * (0.62 * dome));
+  Colour result = albedo * (sunlight * (0.52 * sun) + skylight * (0.26 * dome));
   if (kind != Kind::terrain) {
     const Vec3 half = normalised(sun_direction() - view);
     const double shine = std::pow(std::max(0.0, dot(normal, half)), 40.0);

@@ -6,7 +6,7 @@
 
 namespace demo {
 
-/// How much light reaches a point: of the sun, 0 or 1, and of the sky, in [0, 1].
+/// How much light reaches a point: shares of sun and sky that are not covered, in [0, 1].
 struct Light {
   double sun = 1.0;
   double sky = 1.0;
@@ -25,6 +25,7 @@ struct Light {
 [[nodiscard]] Vec3 shading_normal(const Scene& scene, const abut_ray& ray, const abut_pick& pick);
 
 /// Light that comes back along a ray from what it met; `pixel` is the width of a pixel at distance 1.
-[[nodiscard]] Colour shade(const Scene& scene, const abut_ray& ray, const abut_pick& pick, const Light& light, double pixel);
+[[nodiscard]] Colour shade(const Scene& scene, const abut_ray& ray, const abut_pick& pick, const Light& light,
+                           double pixel);
 
 }  // namespace demo

@@ -39,7 +39,8 @@ Terrain Terrain::load(const std::filesystem::path& path) {
   const std::uint32_t maximum = header_number(in);
   in.get();  // the single white space that ends the header
   constexpr std::uint32_t most = 20'000;
-  if (!in || magic != "P5" || columns < 2 || rows < 2 || columns > most || rows > most || maximum < 256 || maximum > 65535) {
+  if (!in || magic != "P5" || columns < 2 || rows < 2 || columns > most || rows > most || maximum < 256 ||
+      maximum > 65535) {
     throw Failure(path.string() + " is not a 16-bit binary PGM");
   }
   const std::size_t count = std::size_t{columns} * rows;
@@ -53,7 +54,7 @@ Terrain Terrain::load(const std::filesystem::path& path) {
       const std::size_t from = 2 * (row * columns + column);
       const auto high = static_cast<unsigned char>(bytes[from]);
       const auto low = static_cast<unsigned char>(bytes[from + 1]);
-      heights[(rows - 1 - row) * columns + column] = 256.0 * high + low;
+      heights[(rows - 1 - row) * columns + column] = exaggeration * (256.0 * high + low);
     }
   }
   return {columns, rows, std::move(heights)};
@@ -72,7 +73,9 @@ ShapeOwner Terrain::make_shape() const {
   return ShapeOwner(shape);
 }
 
-abut_pose Terrain::pose() const { return {{-half_width(), -half_depth(), 0.0}, no_rotation}; }
+abut_pose Terrain::pose() const {
+  return {{-half_width(), -half_depth(), 0.0}, no_rotation};
+}
 
 Terrain::Cell Terrain::cell(double x, double y) const {
   const double column = std::clamp((x + half_width()) / spacing_x, 0.0, columns_ - 1.0);

@@ -1,5 +1,5 @@
 // The elevation grid as a height field. World frame: metres, x to the east, y to the north, z up; the origin lies in
-// the middle of the grid at sea level.
+// the middle of the grid at sea level. Heights are exaggerated.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,9 @@ namespace demo {
 
 class Terrain {
  public:
+  /// Heights are multiplied by this, as on relief maps: over 30 km of width the true relief of 840 m looks flat.
+  static constexpr double exaggeration = 1.5;
+
   /// Reads a 16-bit big-endian PGM whose rows run from north to south. Throws Failure.
   [[nodiscard]] static Terrain load(const std::filesystem::path& path);
 
