@@ -16,8 +16,8 @@ constexpr abut_pose lifted(double z) {
 }
 
 // Sizes in metres: the terrain is 30 km wide, so that smaller bodies could not be seen from where its ridges can.
-constexpr double smallest = 18.0;
-constexpr double largest = 40.0;
+constexpr double smallest = 16.0;
+constexpr double largest = 37.0;
 
 double any_size(Random& random) {
   const double t = random.uniform(0.0, 1.0);
@@ -76,9 +76,9 @@ std::size_t Catalogue::choose(Random& random) const {
                                          {Kind::box, 18},
                                          {Kind::capsule, 15},
                                          {Kind::hull, 17},
-                                         {Kind::compound, 19},
-                                         {Kind::bunny_mesh, 7},
-                                         {Kind::bunny_hull, 7}}};
+                                         {Kind::compound, 23},
+                                         {Kind::bunny_mesh, 5},
+                                         {Kind::bunny_hull, 5}}};
   std::size_t ticket = random.below(100);
   std::size_t chosen = 0;
   while (ticket >= shares[chosen].percent) {
@@ -220,7 +220,7 @@ void Catalogue::add_pyramids(Random& random) {
 }
 
 void Catalogue::add_bunnies(const Triangles& bunny) {
-  for (const double tall : {60.0, 80.0, 105.0}) {
+  for (const double tall : {52.0, 70.0, 95.0}) {
     std::vector<Vec3> points(bunny.vertices.size());
     std::transform(bunny.vertices.begin(), bunny.vertices.end(), points.begin(),
                    [&](const Vec3& v) { return v * tall; });

@@ -67,6 +67,14 @@ std::vector<abut_pick> cast(abut_picker* picker, const std::vector<abut_ray>& ra
   return hits;
 }
 
+// The terrain is lit by smooth normals, so the steps between its flat triangles must not show as shadows: it casts none
+// on itself nearby.
+bool is_lit(const Scene& scene, const abut_pick& from, const abut_pick& hit) {
+  constexpr double nearby = 250.0;
+  const auto is_terrain = [&](const abut_pick& pick) { return scene.owner(pick.geometry).kind == Kind::terrain; };
+  return hit.geometry.slot == 0 || (hit.distance < nearby && is_terrain(hit) && is_terrain(from));
+}
+
 }  // namespace
 
 std::vector<Light> trace_light(abut_picker* picker, const Scene& scene, std::span<const Sample> samples) {
@@ -96,7 +104,7 @@ std::vector<Light> trace_light(abut_picker* picker, const Scene& scene, std::spa
   }
   const std::vector<abut_pick> sun_hits = cast(picker, to_sun);
   for (std::size_t i = 0; i < sun_hits.size(); ++i) {
-    lights[sun_sample[i]].sun = sun_hits[i].geometry.slot == 0 ? 1.0 : 0.0;
+    lights[sun_sample[i]].sun = is_lit(scene, samples[sun_sample[i]].pick, sun_hits[i]) ? 1.0 : 0.0;
   }
   const std::vector<abut_pick> sky_hits = cast(picker, to_sky);
   for (std::size_t i = 0; i < sky_hits.size(); ++i) {

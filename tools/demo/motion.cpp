@@ -6,14 +6,14 @@ namespace demo {
 namespace {
 
 constexpr double gravity = 9.81;       // m / s^2
-constexpr double drag = 0.6;           // 1 / s: the final speed is gravity * slope / drag
+constexpr double drag = 0.8;           // 1 / s: the final speed is gravity * slope / drag
 constexpr double sinking = 0.07;       // of the radius
 constexpr double first_spacing = 1.1;  // of the sum of two radii
 
 // The slopes in view: spurs between a plateau and the valley of the Jacksboro fault.
 constexpr double area_x = 950.0;
 constexpr double area_y = -750.0;
-constexpr double area_half_side = 1900.0;  // for 2,000 bodies; others get the same room each
+constexpr double area_half_side = 2150.0;  // for 2,000 bodies; others get the same room each
 
 struct Ground {
   Vec3 point;
