@@ -1,0 +1,114 @@
+// abut-demo: bodies of many shapes slide over real terrain; see usage() for what it does and writes.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "annotate.hpp"
+#include "csv.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "render.hpp"
+#include "scene.hpp"
+#include "statistics.hpp"
+
+namespace demo {
+namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double microseconds() const {
+    const std::chrono::duration<double, std::micro> elapsed = std::chrono::steady_clock::now() - start_;
+    return elapsed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+Statistics run_steps(Scene& scene, std::uint32_t steps) {
+  Statistics statistics;
+  Progress progress("steps", steps);
+  progress.show(0);
+  for (std::uint32_t step = 1; step <= steps; ++step) {
+    const Stopwatch motion;
+    scene.move();
+    const double motion_microseconds = motion.microseconds();
+    const Stopwatch whole;
+    scene.detect();
+    statistics.record(scene.universe(), motion_microseconds, whole.microseconds());
+    progress.show(step);
+  }
+  progress.finish();
+  return statistics;
+}
+
+void draw_picture(const std::filesystem::path& path, const Options& options, const Scene& scene,
+                  const std::vector<abut_contact>& contacts) {
+  const Stopwatch watch;
+  abut_picker* created = nullptr;
+  check(abut_picker_create(scene.universe(), &created), "cannot create the picker");
+  const PickerOwner picker(created);
+  const abut_camera camera = make_camera(scene.terrain(), options.width, options.height);
+  Picture picture = render(picker.get(), scene, camera);
+  const std::size_t seen = mark_contacts(picture, camera, contacts, scene);
+  draw_legend(picture.image, scene, contacts.size());
+  write_png(path, picture.image);
+  std::printf("\npicture: %u x %u pixels, %zu of %zu contacts in plain sight, %.1f s\n", options.width, options.height,
+              seen, contacts.size(), 1e-6 * watch.microseconds());
+}
+
+void run(const Options& options) {
+  std::error_code error;
+  std::filesystem::create_directories(options.out, error);
+  if (error) {
+    throw Failure("cannot make the folder " + options.out.string() + ": " + error.message());
+  }
+  Scene scene(options.data, options.bodies, options.seed);
+  std::printf(
+      "abut %s: %zu bodies of %zu geometries and %zu shapes on %u x %u elevations (heights x %g), %u steps of %g s, "
+      "seed %llu\n",
+      abut_version_string(), scene.body_count(), scene.geometry_count() - 1, scene.shape_count(),
+      scene.terrain().columns(), scene.terrain().rows(), Terrain::exaggeration, options.steps, step_seconds,
+      static_cast<unsigned long long>(options.seed));
+  std::fflush(stdout);
+  const Statistics statistics = run_steps(scene, options.steps);
+  const std::vector<abut_contact> contacts = contacts_of(scene.universe());
+  statistics.print();
+  if (options.explain) {
+    std::printf("\n%s", plan_of(scene.universe()).c_str());
+  }
+  write_contacts(options.out / "contacts.csv", options.steps, contacts, scene);
+  write_steps(options.out / "steps.csv", statistics.steps());
+  std::fflush(stdout);
+  draw_picture(options.out / "scene.png", options, scene, contacts);
+  std::printf("wrote %s: contacts.csv (the last step), steps.csv (all steps), scene.png\n", options.out.c_str());
+}
+
+}  // namespace
+}  // namespace demo
+
+int main(int argc, char** argv) {
+  try {
+    std::vector<const char*> words(static_cast<std::size_t>(argc));
+    std::copy_n(argv, words.size(), words.begin());
+    const std::vector<std::string> arguments(words.begin() + (words.empty() ? 0 : 1), words.end());
+    const demo::Options options = demo::parse_options(arguments);
+    if (options.help) {
+      std::fputs(demo::usage(), stdout);
+      return EXIT_SUCCESS;
+    }
+    demo::check(abut_check_version(ABUT_VERSION_MAJOR, ABUT_VERSION_MINOR),
+                "this program needs another version of abut");
+    demo::run(options);
+    return EXIT_SUCCESS;
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "abut-demo: %s.\n", failure.what());
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,74 @@
+#include "scene.hpp"
+
+#include <algorithm>
+
+namespace demo {
+
+Scene::Scene(const std::filesystem::path& data, std::size_t bodies, std::uint64_t seed)
+    : terrain_(Terrain::load(data / "jacksboro_dem.pgm")), catalogue_(load_obj(data / "bunny.obj"), Random(seed)) {
+  abut_universe* universe = nullptr;
+  check(abut_universe_create(nullptr, &universe), "cannot create the universe");
+  universe_.reset(universe);
+  add_terrain();
+  Random random(~seed);
+  sliders_ = lay_out(catalogue_, terrain_, bodies, random);
+  for (const Slider& slider : sliders_) {
+    add_body(slider);
+  }
+}
+
+void Scene::add_terrain() {
+  abut_part_options options;
+  abut_part_options_init(&options);
+  options.motion = ABUT_MOTION_STATIC;
+  options.pose = terrain_.pose();
+  abut_part_id part;
+  check(abut_part_create(universe_.get(), &options, &part), "cannot create the part of the terrain");
+  const ShapeOwner shape = terrain_.make_shape();
+  add_geometry(part, shape.get(), {{0.0, 0.0, 0.0}, no_rotation}, Owner{});
+}
+
+void Scene::add_body(const Slider& slider) {
+  abut_part_options options;
+  abut_part_options_init(&options);
+  options.motion = ABUT_MOTION_DYNAMIC;
+  options.pose = pose_of(slider, terrain_);
+  const auto number = static_cast<std::uint32_t>(parts_.size() + 1);
+  options.user_data = number;
+  abut_part_id part;
+  check(abut_part_create(universe_.get(), &options, &part), "cannot create the part of a body");
+  parts_.push_back(part);
+  poses_.push_back(options.pose);
+  std::uint32_t index = 0;
+  const Design& design = catalogue_.design(slider.design);
+  for (const Piece& piece : design.pieces) {
+    add_geometry(part, catalogue_.shape(piece.shape), piece.pose, {design.kind, number, index});
+    ++index;
+  }
+}
+
+void Scene::add_geometry(abut_part_id part, const abut_shape* shape, const abut_pose& pose, const Owner& owner) {
+  abut_geometry_options options;
+  abut_geometry_options_init(&options);
+  options.pose = pose;
+  options.user_data = owner.body;
+  abut_geometry_id geometry;
+  check(abut_geometry_create(universe_.get(), part, shape, &options, &geometry), "cannot place a shape");
+  owners_.resize(std::max<std::size_t>(owners_.size(), std::size_t{geometry.slot} + 1));
+  owners_[geometry.slot] = owner;
+  ++geometry_count_;
+}
+
+void Scene::move() {
+  for (std::size_t i = 0; i < sliders_.size(); ++i) {
+    advance(sliders_[i], terrain_);
+    poses_[i] = pose_of(sliders_[i], terrain_);
+  }
+  check(abut_parts_set_poses(universe_.get(), parts_.data(), poses_.data(), parts_.size()), "cannot place the bodies");
+}
+
+void Scene::detect() {
+  check(abut_universe_step(universe_.get(), step_seconds), "cannot run a step");
+}
+
+}  // namespace demo

@@ -1,0 +1,118 @@
+#include "terrain.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string>
+
+namespace demo {
+namespace {
+
+// The next number of a PGM header; comments run from '#' to the end of the line.
+std::uint32_t header_number(std::istream& in) {
+  while ((in >> std::ws) && in.peek() == '#') {
+    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  std::uint32_t number = 0;
+  in >> number;
+  return number;
+}
+
+}  // namespace
+
+Terrain::Terrain(std::uint32_t columns, std::uint32_t rows, std::vector<double> heights)
+    : columns_(columns),
+      rows_(rows),
+      heights_(std::move(heights)),
+      lowest_(*std::min_element(heights_.begin(), heights_.end())),
+      highest_(*std::max_element(heights_.begin(), heights_.end())) {}
+
+Terrain Terrain::load(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) {
+    throw Failure("cannot open the elevation grid " + path.string());
+  }
+  std::string magic;
+  in >> magic;
+  const std::uint32_t columns = header_number(in);
+  const std::uint32_t rows = header_number(in);
+  const std::uint32_t maximum = header_number(in);
+  in.get();  // the single white space that ends the header
+  constexpr std::uint32_t most = 20'000;
+  if (!in || magic != "P5" || columns < 2 || rows < 2 || columns > most || rows > most || maximum < 256 ||
+      maximum > 65535) {
+    throw Failure(path.string() + " is not a 16-bit binary PGM");
+  }
+  const std::size_t count = std::size_t{columns} * rows;
+  std::vector<char> bytes(2 * count);
+  if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+    throw Failure(path.string() + " ends too early");
+  }
+  std::vector<double> heights(count);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::size_t from = 2 * (row * columns + column);
+      const auto high = static_cast<unsigned char>(bytes[from]);
+      const auto low = static_cast<unsigned char>(bytes[from + 1]);
+      heights[(rows - 1 - row) * columns + column] = exaggeration * (256.0 * high + low);
+    }
+  }
+  return {columns, rows, std::move(heights)};
+}
+
+ShapeOwner Terrain::make_shape() const {
+  abut_height_field_desc desc;
+  abut_height_field_desc_init(&desc);
+  desc.columns = columns_;
+  desc.rows = rows_;
+  desc.spacing_x = spacing_x;
+  desc.spacing_y = spacing_y;
+  desc.heights = heights_.data();
+  abut_shape* shape = nullptr;
+  check(abut_height_field_create(&desc, &shape), "cannot create the height field");
+  return ShapeOwner(shape);
+}
+
+abut_pose Terrain::pose() const {
+  return {{-half_width(), -half_depth(), 0.0}, no_rotation};
+}
+
+Terrain::Cell Terrain::cell(double x, double y) const {
+  const double column = std::clamp((x + half_width()) / spacing_x, 0.0, columns_ - 1.0);
+  const double row = std::clamp((y + half_depth()) / spacing_y, 0.0, rows_ - 1.0);
+  const auto i = std::min(static_cast<std::size_t>(column), std::size_t{columns_} - 2);
+  const auto j = std::min(static_cast<std::size_t>(row), std::size_t{rows_} - 2);
+  return {i, j, column - static_cast<double>(i), row - static_cast<double>(j)};
+}
+
+double Terrain::height(double x, double y) const {
+  const auto [i, j, u, v] = cell(x, y);
+  const double near = sample(i, j);
+  const double far = sample(i + 1, j + 1);
+  if (u >= v) {
+    const double corner = sample(i + 1, j);
+    return near + u * (corner - near) + v * (far - corner);
+  }
+  const double corner = sample(i, j + 1);
+  return near + v * (corner - near) + u * (far - corner);
+}
+
+// (dz/dx, dz/dy, 0) by central differences, one-sided at the border.
+Vec3 Terrain::slope_at_sample(std::size_t i, std::size_t j) const {
+  const std::size_t west = i > 0 ? i - 1 : i;
+  const std::size_t east = std::min(i + 1, std::size_t{columns_} - 1);
+  const std::size_t south = j > 0 ? j - 1 : j;
+  const std::size_t north = std::min(j + 1, std::size_t{rows_} - 1);
+  return {(sample(east, j) - sample(west, j)) / (spacing_x * static_cast<double>(east - west)),
+          (sample(i, north) - sample(i, south)) / (spacing_y * static_cast<double>(north - south)), 0.0};
+}
+
+Vec3 Terrain::normal(double x, double y) const {
+  const auto [i, j, u, v] = cell(x, y);
+  const Vec3 south = slope_at_sample(i, j) * (1.0 - u) + slope_at_sample(i + 1, j) * u;
+  const Vec3 north = slope_at_sample(i, j + 1) * (1.0 - u) + slope_at_sample(i + 1, j + 1) * u;
+  const Vec3 slope = south * (1.0 - v) + north * v;
+  return normalised({-slope.x, -slope.y, 1.0});
+}
+
+}  // namespace demo
