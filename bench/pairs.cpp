@@ -8,9 +8,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,18 +27,34 @@ namespace {
 
 constexpr std::size_t case_count = 512;
 constexpr std::size_t solid_count = 8;
+// Cases nearer to touching than this are left out: the libraries may disagree on which side they lie.
+constexpr double least_gap = 0.01;
+constexpr std::array kinds{Kind::sphere, Kind::capsule, Kind::box, Kind::hull32, Kind::hull200};
 
 struct Maker {
   std::string_view name;
   std::unique_ptr<Contender> (*make)(Query query, const Cell& cell);
 };
-constexpr std::array makers{Maker{"abut", make_abut}, Maker{"bullet", make_bullet}, Maker{"fcl", make_fcl}};
+// The first one is what the others are compared with.
+constexpr std::array makers{Maker{"abut", make_abut},
+                            Maker{"bullet", make_bullet},
+                            Maker{"fcl", make_fcl},
+                            Maker{"libccd-gjk", make_libccd_gjk},
+                            Maker{"libccd-mpr", make_libccd_mpr}};
 
-// Cases of a pair of kinds, their solids, and what abut says of them.
+constexpr std::string_view query_name(Query query) {
+  constexpr std::array<std::string_view, 3> names{"distance", "depth", "contacts"};
+  return names[static_cast<std::size_t>(query)];
+}
+
 struct Scene {
+  std::string name;
   std::vector<Solid> solids_a, solids_b;
-  std::vector<Case> cases;
-  [[nodiscard]] Cell cell() const { return {solids_a, solids_b, cases}; }
+  std::vector<Case> separated, overlapping, mixed;
+
+  [[nodiscard]] Cell cell(Query query) const {
+    return {solids_a, solids_b, query == Query::distance ? separated : query == Query::depth ? overlapping : mixed};
+  }
 };
 
 std::vector<Solid> make_solids(Kind kind, Random& random) {
@@ -50,100 +68,154 @@ std::vector<Solid> make_solids(Kind kind, Random& random) {
   return solids;
 }
 
-// Cases that overlap or are separated by more than a hundredth of their size. A plane lies at the
-// origin in its own frame, so that its partner is placed above it.
-Scene make_scene(Kind kind_a, Kind kind_b, bool overlap, std::uint64_t seed) {
+// Its orientation applied to z: the way out of a plane.
+Point up(const std::array<double, 4>& q) {
+  const auto& [w, x, y, z] = q;
+  return {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
+}
+
+Case random_case(const Scene& scene, Random& random) {
+  Case one{random.below(solid_count), random.below(solid_count), {}, {}};
+  const Solid& a = scene.solids_a[one.a];
+  const Point centre{random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-10, 10)};
+  one.pose_a = {centre, random.orientation()};
+  const Point any = random.direction();
+  const Point direction = a.kind == Kind::plane ? up(one.pose_a.orientation) : any;
+  const double reach = bounding_radius(a) + bounding_radius(scene.solids_b[one.b]);
+  const double apart = random.uniform(0, 1.5) * reach;
+  one.pose_b = {{centre[0] + apart * direction[0], centre[1] + apart * direction[1], centre[2] + apart * direction[2]},
+                random.orientation()};
+  return one;
+}
+
+Scene make_scene(Kind kind_a, Kind kind_b, std::uint64_t seed) {
   Random random(seed);
-  Scene scene{make_solids(kind_a, random), make_solids(kind_b, random), {}};
-  while (scene.cases.size() < case_count) {
-    Scene tried{scene.solids_a, scene.solids_b, {}};
-    for (std::size_t i = 0; i < case_count; ++i) {
-      Case one{random.below(solid_count), random.below(solid_count), {}, {}};
-      const Point centre{random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-10, 10)};
-      const Point direction = random.direction();
-      const double reach = bounding_radius(tried.solids_a[one.a]) + bounding_radius(tried.solids_b[one.b]);
-      const double apart = random.uniform(0, 1.5) * reach;
-      one.pose_a = {centre, random.orientation()};
-      one.pose_b = {{centre[0] + apart * direction[0], centre[1] + apart * direction[1], centre[2] + apart * direction[2]},
-                    random.orientation()};
-      tried.cases.push_back(one);
+  Scene scene{std::string(kind_name(kind_a)) + "-" + std::string(kind_name(kind_b)),
+              make_solids(kind_a, random),
+              make_solids(kind_b, random),
+              {},
+              {},
+              {}};
+  while (std::min(scene.separated.size(), scene.overlapping.size()) < case_count) {
+    std::vector<Case> tried;
+    while (tried.size() < case_count) {
+      tried.push_back(random_case(scene, random));
     }
     std::vector<Answer> answers(case_count);
-    make_abut(Query::depth, tried.cell())->answer(answers);
-    for (std::size_t i = 0; i < case_count && scene.cases.size() < case_count; ++i) {
-      if (overlap ? answers[i].distance < -0.01 : answers[i].distance > 0.01) {
-        scene.cases.push_back(tried.cases[i]);
+    make_abut(Query::depth, {scene.solids_a, scene.solids_b, tried})->answer(answers);
+    for (std::size_t i = 0; i < case_count; ++i) {
+      if (answers[i].distance > least_gap && scene.separated.size() < case_count) {
+        scene.separated.push_back(tried[i]);
+      } else if (answers[i].distance < -least_gap && scene.overlapping.size() < case_count) {
+        scene.overlapping.push_back(tried[i]);
       }
     }
+  }
+  // As many of one as of the other, in no order.
+  for (std::size_t i = 0; i < case_count / 2; ++i) {
+    scene.mixed.push_back(scene.separated[i]);
+    scene.mixed.push_back(scene.overlapping[i]);
+  }
+  for (std::size_t i = case_count - 1; i > 0; --i) {
+    std::swap(scene.mixed[i], scene.mixed[random.below(i + 1)]);
   }
   return scene;
 }
 
+// How far the answers of a contender are from those of abut, over all cells of a query.
+struct Agreement {
+  double worst = 0;
+  std::string cell = "-";
+  std::size_t unanswered = 0, asked = 0;
+  std::size_t points = 0;
+};
+
 class Suite {
  public:
-  void add(Query query, std::string_view query_name, Kind kind_a, Kind kind_b, const Scene& scene) {
-    const std::string name =
-        std::string(query_name) + "/" + std::string(kind_name(kind_a)) + "-" + std::string(kind_name(kind_b));
+  void add(Query query, const Scene& scene) {
+    const Cell cell = scene.cell(query);
     std::vector<Answer> expected;
     for (const Maker& maker : makers) {
-      auto contender = std::shared_ptr<Contender>(maker.make(query, scene.cell()));
+      const std::shared_ptr<Contender> contender = maker.make(query, cell);
       if (!contender) {
         continue;
       }
-      std::vector<Answer> answers(scene.cases.size());
+      std::vector<Answer> answers(cell.cases.size());
       contender->answer(answers);
       if (expected.empty()) {
         expected = answers;
-      } else {
-        print_agreement(name, maker.name, expected, answers);
       }
-      for (const Answer& answer : answers) {
-        hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(answer.distance)) * 0x100000001b3;
-      }
-      benchmark::RegisterBenchmark((name + "/" + std::string(maker.name)).c_str(),
-                                   [contender, count = scene.cases.size()](benchmark::State& state) {
-                                     std::vector<Answer> timed(count);
-                                     for ([[maybe_unused]] auto _ : state) {
-                                       contender->answer(timed);
-                                       benchmark::DoNotOptimize(timed.data());
-                                       benchmark::ClobberMemory();
-                                     }
-                                   });
+      compare({query, std::string(maker.name)}, scene.name, expected, answers);
+      const std::string name = std::string(query_name(query)) + "/" + scene.name + "/" + std::string(maker.name);
+      benchmark::RegisterBenchmark(name.c_str(), [contender, count = cell.cases.size()](benchmark::State& state) {
+        std::vector<Answer> timed(count);
+        for ([[maybe_unused]] auto _ : state) {
+          contender->answer(timed);
+          benchmark::DoNotOptimize(timed.data());
+          benchmark::ClobberMemory();
+        }
+      });
     }
   }
 
-  void print_hash() const { std::printf("hash of all answers: %016llx\n", static_cast<unsigned long long>(hash_)); }
+  void print() const {
+    std::printf("%-10s %-12s %12s  %-18s %12s %8s\n", "query", "library", "differs by", "at worst in", "no answer", "points");
+    for (const auto& [key, found] : agreements_) {
+      std::printf("%-10s %-12s %12.1e  %-18s %5zu/%6zu %8.2f\n", std::string(query_name(key.first)).c_str(),
+                  key.second.c_str(), found.worst, found.cell.c_str(), found.unanswered, found.asked,
+                  static_cast<double>(found.points) / static_cast<double>(std::max<std::size_t>(1, found.asked)));
+    }
+    std::printf("hash of all answers: %016llx\n", static_cast<unsigned long long>(hash_));
+  }
 
  private:
-  static void print_agreement(const std::string& cell, std::string_view peer, std::span<const Answer> ours,
-                              std::span<const Answer> theirs) {
-    double worst = 0;
-    std::size_t lost = 0;
-    for (std::size_t i = 0; i < ours.size(); ++i) {
-      if (theirs[i].points == 0 && ours[i].points > 0) {
-        ++lost;
-      } else {
-        worst = std::max(worst, std::fabs(theirs[i].distance - ours[i].distance));
+  void compare(const std::pair<Query, std::string>& key, const std::string& cell, std::span<const Answer> expected,
+               std::span<const Answer> answers) {
+    Agreement& agreement = agreements_[key];
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(answers[i].distance)) * 0x100000001b3;
+      if (expected[i].points == 0 && answers[i].points == 0) {
+        continue;
+      }
+      ++agreement.asked;
+      agreement.points += answers[i].points;
+      const double difference = std::fabs(answers[i].distance - expected[i].distance);
+      if (answers[i].points == 0) {
+        ++agreement.unanswered;
+      } else if (!(difference <= agreement.worst)) {
+        agreement.worst = difference;
+        agreement.cell = cell;
       }
     }
-    std::printf("%-28s %-12s differs from abut by up to %.1e, no answer in %zu of %zu\n", cell.c_str(),
-                std::string(peer).c_str(), worst, lost, ours.size());
   }
 
+  std::map<std::pair<Query, std::string>, Agreement> agreements_;
   std::uint64_t hash_ = 0xcbf29ce484222325;
 };
 
 int run(int argument_count, char** arguments) {
   Suite suite;
+  std::vector<Scene> scenes;
+  std::vector<Scene> planes;
   std::uint64_t seed = 1;
-  const std::array<std::pair<Kind, Kind>, 4> pairs{
-      {{Kind::box, Kind::box}, {Kind::capsule, Kind::box}, {Kind::hull32, Kind::hull32}, {Kind::hull200, Kind::hull200}}};
-  for (const auto& [a, b] : pairs) {
-    const Scene separated = make_scene(a, b, false, ++seed);
-    suite.add(Query::distance, "distance", a, b, separated);
+  for (std::size_t b = 0; b < kinds.size(); ++b) {
+    for (std::size_t a = 0; a <= b; ++a) {
+      scenes.push_back(make_scene(kinds[a], kinds[b], seed++));
+    }
+    planes.push_back(make_scene(Kind::plane, kinds[b], seed++));
   }
-  suite.print_hash();
-  return run_and_compare(argument_count, arguments, {"abut", {"bullet", "fcl"}, {}, static_cast<double>(case_count), "ns", 1e-9});
+  for (const Query query : {Query::distance, Query::depth, Query::contacts}) {
+    for (const Scene& scene : scenes) {
+      suite.add(query, scene);
+    }
+  }
+  // Closest points to a half-space are a query that the peers do not have.
+  for (const Scene& scene : planes) {
+    suite.add(Query::contacts, scene);
+  }
+  suite.print();
+  return run_and_compare(argument_count, arguments,
+                         {"abut", {"bullet", "fcl"}, {"libccd-gjk", "libccd-mpr"}, static_cast<double>(case_count), "ns", 1e-9});
 }
 
 }  // namespace

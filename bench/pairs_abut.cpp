@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pairs.hpp"
@@ -51,7 +52,7 @@ abut::AnyShape shape_of(const Solid& solid) {
   if (!shape) {
     throw std::runtime_error(std::string(shape.error().message));
   }
-  return *shape;
+  return std::move(shape).value();
 }
 
 class Abut final : public Contender {
