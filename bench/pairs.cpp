@@ -29,6 +29,8 @@ constexpr std::size_t case_count = 512;
 constexpr std::size_t solid_count = 8;
 // Cases nearer to touching than this are left out: the libraries may disagree on which side they lie.
 constexpr double least_gap = 0.01;
+// Answers that differ by more than this are counted: a thousandth of the size of the solids.
+constexpr double far_off = 1e-3;
 constexpr std::array kinds{Kind::sphere, Kind::capsule, Kind::box, Kind::hull32, Kind::hull200};
 
 struct Maker {
@@ -126,8 +128,8 @@ Scene make_scene(Kind kind_a, Kind kind_b, std::uint64_t seed) {
 struct Agreement {
   double worst = 0;
   std::string cell = "-";
+  std::size_t far_off = 0;
   std::size_t unanswered = 0, asked = 0;
-  std::size_t points = 0;
 };
 
 class Suite {
@@ -159,16 +161,33 @@ class Suite {
   }
 
   void print() const {
-    std::printf("%-10s %-12s %12s  %-18s %12s %8s\n", "query", "library", "differs by", "at worst in", "no answer", "points");
+    std::printf("Answers beside those of abut\n%-10s %-12s %8s %10s %8s %11s  %s\n", "query", "library", "asked", "no answer",
+                "> 1e-3", "worst", "where");
     for (const auto& [key, found] : agreements_) {
-      std::printf("%-10s %-12s %12.1e  %-18s %5zu/%6zu %8.2f\n", std::string(query_name(key.first)).c_str(),
-                  key.second.c_str(), found.worst, found.cell.c_str(), found.unanswered, found.asked,
-                  static_cast<double>(found.points) / static_cast<double>(std::max<std::size_t>(1, found.asked)));
+      std::printf("%-10s %-12s %8zu %10zu %8zu %11.1e  %s\n", std::string(query_name(key.first)).c_str(), key.second.c_str(),
+                  found.asked, found.unanswered, found.far_off, found.worst, found.cell.c_str());
     }
+    print_points();
     std::printf("hash of all answers: %016llx\n", static_cast<unsigned long long>(hash_));
   }
 
  private:
+  // "Contact" is not the same work everywhere: how many points there are for an overlapping pair.
+  void print_points() const {
+    std::printf("\nContact points per overlapping pair\n%-18s", "");
+    for (const Maker& maker : makers) {
+      std::printf(" %10s", std::string(maker.name).c_str());
+    }
+    for (const auto& [cell, points] : points_) {
+      std::printf("\n%-18s", cell.c_str());
+      for (const Maker& maker : makers) {
+        const auto found = points.find(std::string(maker.name));
+        std::printf(" %10.2f", found == points.end() ? 0 : static_cast<double>(found->second) / (case_count / 2.0));
+      }
+    }
+    std::printf("\n\n");
+  }
+
   void compare(const std::pair<Query, std::string>& key, const std::string& cell, std::span<const Answer> expected,
                std::span<const Answer> answers) {
     Agreement& agreement = agreements_[key];
@@ -178,8 +197,11 @@ class Suite {
         continue;
       }
       ++agreement.asked;
-      agreement.points += answers[i].points;
+      if (key.first == Query::contacts) {
+        points_[cell][key.second] += answers[i].points;
+      }
       const double difference = std::fabs(answers[i].distance - expected[i].distance);
+      agreement.far_off += difference > far_off ? 1 : 0;
       if (answers[i].points == 0) {
         ++agreement.unanswered;
       } else if (!(difference <= agreement.worst)) {
@@ -190,6 +212,7 @@ class Suite {
   }
 
   std::map<std::pair<Query, std::string>, Agreement> agreements_;
+  std::map<std::string, std::map<std::string, std::size_t>> points_;
   std::uint64_t hash_ = 0xcbf29ce484222325;
 };
 

@@ -70,13 +70,17 @@ class Contacts final : public Contender {
     object_b_.setCollisionShape(shapes_b_.front().get());
     const btCollisionObjectWrapper a(nullptr, object_a_.getCollisionShape(), &object_a_, object_a_.getWorldTransform(), -1, -1);
     const btCollisionObjectWrapper b(nullptr, object_b_.getCollisionShape(), &object_b_, object_b_.getWorldTransform(), -1, -1);
-    manifold_ = dispatcher_.getNewManifold(&object_a_, &object_b_);
-    algorithm_ = dispatcher_.findAlgorithm(&a, &b, manifold_, BT_CONTACT_POINT_ALGORITHMS);
+    algorithm_ = dispatcher_.findAlgorithm(&a, &b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+    // Some algorithms make their manifold with the first call.
+    btManifoldResult result(&a, &b);
+    algorithm_->processCollision(&a, &b, dispatch_info_, &result);
+    btManifoldArray manifolds;
+    algorithm_->getAllContactManifolds(manifolds);
+    manifold_ = manifolds.at(0);
   }
   ~Contacts() override {
     algorithm_->~btCollisionAlgorithm();
     dispatcher_.freeCollisionAlgorithm(algorithm_);
-    dispatcher_.releaseManifold(manifold_);
   }
 
   void answer(std::span<Answer> answers) override {
@@ -88,7 +92,6 @@ class Contacts final : public Contender {
       object_a_.setWorldTransform(job.pose_a);
       object_b_.setWorldTransform(job.pose_b);
       btManifoldResult result(&a, &b);
-      result.setPersistentManifold(manifold_);
       algorithm_->processCollision(&a, &b, dispatch_info_, &result);
       Answer found;
       for (int p = 0; p < manifold_->getNumContacts(); ++p) {
