@@ -39,6 +39,7 @@ struct Maker {
 };
 // The first one is what the others are compared with.
 constexpr std::array makers{Maker{"abut", make_abut},
+                            Maker{"abut-c", make_abut_c},
                             Maker{"bullet", make_bullet},
                             Maker{"fcl", make_fcl},
                             Maker{"libccd-gjk", make_libccd_gjk},
@@ -47,6 +48,10 @@ constexpr std::array makers{Maker{"abut", make_abut},
 constexpr std::string_view query_name(Query query) {
   constexpr std::array<std::string_view, 3> names{"distance", "depth", "contacts"};
   return names[static_cast<std::size_t>(query)];
+}
+
+std::string full_name(Query query, const std::string& scene, const Maker& maker) {
+  return std::string(query_name(query)) + "/" + scene + "/" + std::string(maker.name);
 }
 
 struct Scene {
@@ -90,9 +95,12 @@ Case random_case(const Scene& scene, Random& random) {
   return one;
 }
 
-Scene make_scene(Kind kind_a, Kind kind_b, std::uint64_t seed) {
-  Random random(seed);
-  Scene scene{std::string(kind_name(kind_a)) + "-" + std::string(kind_name(kind_b)),
+std::string scene_name(Kind a, Kind b) { return std::string(kind_name(a)) + "-" + std::string(kind_name(b)); }
+
+Scene make_scene(Kind kind_a, Kind kind_b) {
+  // A seed of its own for each pair, so that a scene does not depend on which others are made.
+  Random random(1 + 16 * static_cast<std::uint64_t>(kind_a) + static_cast<std::uint64_t>(kind_b));
+  Scene scene{scene_name(kind_a, kind_b),
               make_solids(kind_a, random),
               make_solids(kind_b, random),
               {},
@@ -138,6 +146,10 @@ class Suite {
     const Cell cell = scene.cell(query);
     std::vector<Answer> expected;
     for (const Maker& maker : makers) {
+      const std::string name = full_name(query, scene.name, maker);
+      if (!is_selected(name)) {
+        continue;
+      }
       const std::shared_ptr<Contender> contender = maker.make(query, cell);
       if (!contender) {
         continue;
@@ -148,7 +160,6 @@ class Suite {
         expected = answers;
       }
       compare({query, std::string(maker.name)}, scene.name, expected, answers);
-      const std::string name = std::string(query_name(query)) + "/" + scene.name + "/" + std::string(maker.name);
       benchmark::RegisterBenchmark(name.c_str(), [contender, count = cell.cases.size()](benchmark::State& state) {
         std::vector<Answer> timed(count);
         for ([[maybe_unused]] auto _ : state) {
@@ -216,29 +227,56 @@ class Suite {
   std::uint64_t hash_ = 0xcbf29ce484222325;
 };
 
-int run(int argument_count, char** arguments) {
-  Suite suite;
+// Whether any query of a pair of kinds is asked for.
+bool is_wanted(const std::string& scene_name, std::span<const Query> queries) {
+  for (const Query query : queries) {
+    for (const Maker& maker : makers) {
+      if (is_selected(full_name(query, scene_name, maker))) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::vector<Scene> make_scenes(std::span<const std::pair<Kind, Kind>> pairs, std::span<const Query> queries) {
   std::vector<Scene> scenes;
-  std::vector<Scene> planes;
-  std::uint64_t seed = 1;
+  for (const auto& [a, b] : pairs) {
+    if (is_wanted(scene_name(a, b), queries)) {
+      scenes.push_back(make_scene(a, b));
+    }
+  }
+  return scenes;
+}
+
+int run(int argument_count, char** arguments) {
+  if (!read_flags(argument_count, arguments)) {
+    return 1;
+  }
+  std::vector<std::pair<Kind, Kind>> bounded, with_plane;
   for (std::size_t b = 0; b < kinds.size(); ++b) {
     for (std::size_t a = 0; a <= b; ++a) {
-      scenes.push_back(make_scene(kinds[a], kinds[b], seed++));
+      bounded.emplace_back(kinds[a], kinds[b]);
     }
-    planes.push_back(make_scene(Kind::plane, kinds[b], seed++));
+    with_plane.emplace_back(Kind::plane, kinds[b]);
   }
-  for (const Query query : {Query::distance, Query::depth, Query::contacts}) {
+  constexpr std::array all_queries{Query::distance, Query::depth, Query::contacts};
+  // Closest points to a half-space are a query that the peers do not have.
+  constexpr std::array contacts_only{Query::contacts};
+  const std::vector<Scene> scenes = make_scenes(bounded, all_queries);
+  const std::vector<Scene> planes = make_scenes(with_plane, contacts_only);
+
+  Suite suite;
+  for (const Query query : all_queries) {
     for (const Scene& scene : scenes) {
       suite.add(query, scene);
     }
   }
-  // Closest points to a half-space are a query that the peers do not have.
   for (const Scene& scene : planes) {
     suite.add(Query::contacts, scene);
   }
   suite.print();
-  return run_and_compare(argument_count, arguments,
-                         {"abut", {"bullet", "fcl"}, {"libccd-gjk", "libccd-mpr"}, static_cast<double>(case_count), "ns", 1e-9});
+  return run_and_compare({"abut", {"bullet", "fcl"}, {"libccd-gjk", "libccd-mpr", "abut-c"}, static_cast<double>(case_count), "ns", 1e-9});
 }
 
 }  // namespace

@@ -3,10 +3,13 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <map>
+#include <regex>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -35,9 +38,8 @@ class Collector final : public benchmark::BenchmarkReporter {
       const std::string& name = run.run_name.function_name;
       const std::size_t slash = name.rfind('/');
       const std::string cell = name.substr(0, slash);
-      if (!times_.contains(cell)) {
-        order_.push_back(cell);
-      }
+      const auto place = order_.try_emplace(cell, run.family_index).first;
+      place->second = std::min(place->second, run.family_index);
       times_[cell][name.substr(slash + 1)].push_back(run.cpu_accumulated_time / static_cast<double>(run.iterations));
     }
   }
@@ -52,7 +54,13 @@ class Collector final : public benchmark::BenchmarkReporter {
       std::printf(" %12s", column.c_str());
     }
     std::printf(" %8s %8s\n", "ratio", "spread");
-    for (const std::string& cell : order_) {
+    // Cells in the order of their registration: repetitions come in any order.
+    std::vector<std::pair<std::int64_t, std::string>> cells;
+    for (const auto& [cell, place] : order_) {
+      cells.emplace_back(place, cell);
+    }
+    std::sort(cells.begin(), cells.end());
+    for (const auto& [place, cell] : cells) {
       print_row(cell, columns, comparison);
     }
   }
@@ -85,13 +93,13 @@ class Collector final : public benchmark::BenchmarkReporter {
     std::printf("\n");
   }
 
-  std::vector<std::string> order_;
+  std::map<std::string, std::int64_t> order_;
   std::map<std::string, std::map<std::string, Times>> times_;
 };
 
 }  // namespace
 
-int run_and_compare(int argument_count, char** arguments, const Comparison& comparison) {
+bool read_flags(int argument_count, char** arguments) {
   std::vector<std::string> words{"benchmark", "--benchmark_repetitions=5", "--benchmark_enable_random_interleaving=true",
                                  "--benchmark_min_time=0.02"};
   std::vector<char*> defaults;
@@ -102,9 +110,19 @@ int run_and_compare(int argument_count, char** arguments, const Comparison& comp
   benchmark::Initialize(&default_count, defaults.data());
   // The flags of the caller come second and win.
   benchmark::Initialize(&argument_count, arguments);
-  if (benchmark::ReportUnrecognizedArguments(argument_count, arguments)) {
-    return 1;
+  return !benchmark::ReportUnrecognizedArguments(argument_count, arguments);
+}
+
+bool is_selected(const std::string& name) {
+  const std::string filter = benchmark::GetBenchmarkFilter();
+  // A leading minus turns the filter round; such runs make everything ready.
+  if (filter.empty() || filter == "all" || filter.front() == '-') {
+    return true;
   }
+  return std::regex_search(name, std::regex(filter, std::regex::extended));
+}
+
+int run_and_compare(const Comparison& comparison) {
   Collector collector;
   if (benchmark::RunSpecifiedBenchmarks(&collector) == 0) {
     return 1;

@@ -15,8 +15,14 @@ struct Comparison {
   double seconds = 1e-9;            // that unit in seconds
 };
 
-// Flags of Google Benchmark work; without them there are five short repetitions in random order.
-// Returns what main returns.
-int run_and_compare(int argument_count, char** arguments, const Comparison& comparison);
+// Reads the flags of Google Benchmark; without them there are five short repetitions in random order.
+// False when one is unknown.
+[[nodiscard]] bool read_flags(int argument_count, char** arguments);
+
+// Whether --benchmark_filter selects this name: what it leaves out need not be made ready.
+[[nodiscard]] bool is_selected(const std::string& name);
+
+// Runs what was registered and prints the table. Returns what main returns.
+[[nodiscard]] int run_and_compare(const Comparison& comparison);
 
 }  // namespace bench

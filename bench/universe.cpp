@@ -136,6 +136,9 @@ void add(const std::string& cell, std::string_view name, const std::shared_ptr<D
 }
 
 int run(int argument_count, char** arguments) {
+  if (!read_flags(argument_count, arguments)) {
+    return 1;
+  }
   World pile = make_block(1.15, 0.1, 1);
   settle(pile, 60);
   animate(pile, 2);
@@ -147,7 +150,7 @@ int run(int argument_count, char** arguments) {
     add(name, "bullet", make_bullet_world(world, -1));
     add(name, "bullet-0", make_bullet_world(world, 0));
   }
-  return run_and_compare(argument_count, arguments, {"abut", {"bullet", "bullet-0"}, {}, 1, "us", 1e-6});
+  return run_and_compare({"abut", {"bullet", "bullet-0"}, {}, 1, "us", 1e-6});
 }
 
 }  // namespace
