@@ -8,8 +8,12 @@
 
 namespace bench {
 
-[[nodiscard]] inline btScalar to_bullet(double value) { return static_cast<btScalar>(value); }
-[[nodiscard]] inline btVector3 to_bullet(const Point& p) { return {to_bullet(p[0]), to_bullet(p[1]), to_bullet(p[2])}; }
+[[nodiscard]] inline btScalar to_bullet(double value) {
+  return static_cast<btScalar>(value);
+}
+[[nodiscard]] inline btVector3 to_bullet(const Point& p) {
+  return {to_bullet(p[0]), to_bullet(p[1]), to_bullet(p[2])};
+}
 
 [[nodiscard]] inline btTransform bullet_transform(const Placement& placement) {
   const auto& q = placement.orientation;

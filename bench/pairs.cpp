@@ -38,12 +38,9 @@ struct Maker {
   std::unique_ptr<Contender> (*make)(Query query, const Cell& cell);
 };
 // The first one is what the others are compared with.
-constexpr std::array makers{Maker{"abut", make_abut},
-                            Maker{"abut-c", make_abut_c},
-                            Maker{"bullet", make_bullet},
-                            Maker{"fcl", make_fcl},
-                            Maker{"libccd-gjk", make_libccd_gjk},
-                            Maker{"libccd-mpr", make_libccd_mpr}};
+constexpr std::array makers{
+    Maker{"abut", make_abut}, Maker{"abut-c", make_abut_c},         Maker{"bullet", make_bullet},
+    Maker{"fcl", make_fcl},   Maker{"libccd-gjk", make_libccd_gjk}, Maker{"libccd-mpr", make_libccd_mpr}};
 
 constexpr std::string_view query_name(Query query) {
   constexpr std::array<std::string_view, 3> names{"distance", "depth", "contacts"};
@@ -95,17 +92,14 @@ Case random_case(const Scene& scene, Random& random) {
   return one;
 }
 
-std::string scene_name(Kind a, Kind b) { return std::string(kind_name(a)) + "-" + std::string(kind_name(b)); }
+std::string scene_name(Kind a, Kind b) {
+  return std::string(kind_name(a)) + "-" + std::string(kind_name(b));
+}
 
 Scene make_scene(Kind kind_a, Kind kind_b) {
   // A seed of its own for each pair, so that a scene does not depend on which others are made.
   Random random(1 + 16 * static_cast<std::uint64_t>(kind_a) + static_cast<std::uint64_t>(kind_b));
-  Scene scene{scene_name(kind_a, kind_b),
-              make_solids(kind_a, random),
-              make_solids(kind_b, random),
-              {},
-              {},
-              {}};
+  Scene scene{scene_name(kind_a, kind_b), make_solids(kind_a, random), make_solids(kind_b, random), {}, {}, {}};
   while (std::min(scene.separated.size(), scene.overlapping.size()) < case_count) {
     std::vector<Case> tried;
     while (tried.size() < case_count) {
@@ -150,20 +144,21 @@ class Suite {
       if (!is_selected(name)) {
         continue;
       }
-      const std::shared_ptr<Contender> contender = maker.make(query, cell);
-      if (!contender) {
+      std::unique_ptr<Contender> made = maker.make(query, cell);
+      if (!made) {
         continue;
       }
+      Contender& contender = *contenders_.emplace_back(std::move(made));
       std::vector<Answer> answers(cell.cases.size());
-      contender->answer(answers);
+      contender.answer(answers);
       if (expected.empty()) {
         expected = answers;
       }
       compare({query, std::string(maker.name)}, scene.name, expected, answers);
-      benchmark::RegisterBenchmark(name.c_str(), [contender, count = cell.cases.size()](benchmark::State& state) {
+      benchmark::RegisterBenchmark(name.c_str(), [&contender, count = cell.cases.size()](benchmark::State& state) {
         std::vector<Answer> timed(count);
         for ([[maybe_unused]] auto _ : state) {
-          contender->answer(timed);
+          contender.answer(timed);
           benchmark::DoNotOptimize(timed.data());
           benchmark::ClobberMemory();
         }
@@ -172,11 +167,11 @@ class Suite {
   }
 
   void print() const {
-    std::printf("Answers beside those of abut\n%-10s %-12s %8s %10s %8s %11s  %s\n", "query", "library", "asked", "no answer",
-                "> 1e-3", "worst", "where");
+    std::printf("Answers beside those of abut\n%-10s %-12s %8s %10s %8s %11s  %s\n", "query", "library", "asked",
+                "no answer", "> 1e-3", "worst", "where");
     for (const auto& [key, found] : agreements_) {
-      std::printf("%-10s %-12s %8zu %10zu %8zu %11.1e  %s\n", std::string(query_name(key.first)).c_str(), key.second.c_str(),
-                  found.asked, found.unanswered, found.far_off, found.worst, found.cell.c_str());
+      std::printf("%-10s %-12s %8zu %10zu %8zu %11.1e  %s\n", std::string(query_name(key.first)).c_str(),
+                  key.second.c_str(), found.asked, found.unanswered, found.far_off, found.worst, found.cell.c_str());
     }
     print_points();
     std::printf("hash of all answers: %016llx\n", static_cast<unsigned long long>(hash_));
@@ -222,6 +217,7 @@ class Suite {
     }
   }
 
+  std::vector<std::unique_ptr<Contender>> contenders_;
   std::map<std::pair<Query, std::string>, Agreement> agreements_;
   std::map<std::string, std::map<std::string, std::size_t>> points_;
   std::uint64_t hash_ = 0xcbf29ce484222325;
@@ -276,7 +272,8 @@ int run(int argument_count, char** arguments) {
     suite.add(Query::contacts, scene);
   }
   suite.print();
-  return run_and_compare({"abut", {"bullet", "fcl"}, {"libccd-gjk", "libccd-mpr", "abut-c"}, static_cast<double>(case_count), "ns", 1e-9});
+  return run_and_compare(
+      {"abut", {"bullet", "fcl"}, {"libccd-gjk", "libccd-mpr", "abut-c"}, static_cast<double>(case_count), "ns", 1e-9});
 }
 
 }  // namespace

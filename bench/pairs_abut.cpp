@@ -123,7 +123,9 @@ class Abut final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_abut(Query query, const Cell& cell) { return std::make_unique<Abut>(query, cell); }
+std::unique_ptr<Contender> make_abut(Query query, const Cell& cell) {
+  return std::make_unique<Abut>(query, cell);
+}
 
 void find_surface(Solid& hull) {
   const abut::AnyShape shape = shape_of(hull);

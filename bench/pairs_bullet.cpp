@@ -68,8 +68,10 @@ class Contacts final : public Contender {
       : jobs_(jobs_of(cell)), shapes_a_(shapes_of(cell.solids_a)), shapes_b_(shapes_of(cell.solids_b)) {
     object_a_.setCollisionShape(shapes_a_.front().get());
     object_b_.setCollisionShape(shapes_b_.front().get());
-    const btCollisionObjectWrapper a(nullptr, object_a_.getCollisionShape(), &object_a_, object_a_.getWorldTransform(), -1, -1);
-    const btCollisionObjectWrapper b(nullptr, object_b_.getCollisionShape(), &object_b_, object_b_.getWorldTransform(), -1, -1);
+    const btCollisionObjectWrapper a(nullptr, object_a_.getCollisionShape(), &object_a_, object_a_.getWorldTransform(),
+                                     -1, -1);
+    const btCollisionObjectWrapper b(nullptr, object_b_.getCollisionShape(), &object_b_, object_b_.getWorldTransform(),
+                                     -1, -1);
     algorithm_ = dispatcher_.findAlgorithm(&a, &b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     // Some algorithms make their manifold with the first call.
     btManifoldResult result(&a, &b);

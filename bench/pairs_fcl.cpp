@@ -10,7 +10,7 @@ namespace bench {
 namespace {
 
 using Transform = fcl::Transform3<double>;
-using Geometry = std::shared_ptr<fcl::CollisionGeometry<double>>;
+using Geometry = std::unique_ptr<fcl::CollisionGeometry<double>>;
 
 Transform transform_of(const Placement& placement) {
   const auto& [w, x, y, z] = placement.orientation;
@@ -24,13 +24,13 @@ Geometry geometry_of(const Solid& solid) {
   const Point& s = solid.sizes;
   switch (solid.kind) {
     case Kind::sphere:
-      return std::make_shared<fcl::Sphere<double>>(s[0]);
+      return std::make_unique<fcl::Sphere<double>>(s[0]);
     case Kind::box:
-      return std::make_shared<fcl::Box<double>>(2 * s[0], 2 * s[1], 2 * s[2]);
+      return std::make_unique<fcl::Box<double>>(2 * s[0], 2 * s[1], 2 * s[2]);
     case Kind::capsule:
-      return std::make_shared<fcl::Capsule<double>>(s[0], 2 * s[1]);
+      return std::make_unique<fcl::Capsule<double>>(s[0], 2 * s[1]);
     case Kind::plane:
-      return std::make_shared<fcl::Halfspace<double>>(0, 0, 1, 0);
+      return std::make_unique<fcl::Halfspace<double>>(0, 0, 1, 0);
     case Kind::hull32:
     case Kind::hull200: {
       auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>();
@@ -41,7 +41,7 @@ Geometry geometry_of(const Solid& solid) {
       for (const auto& triangle : solid.triangles) {
         faces->insert(faces->end(), {3, triangle[0], triangle[1], triangle[2]});
       }
-      return std::make_shared<fcl::Convex<double>>(vertices, static_cast<int>(solid.triangles.size()), faces);
+      return std::make_unique<fcl::Convex<double>>(vertices, static_cast<int>(solid.triangles.size()), faces);
     }
   }
   return nullptr;
@@ -107,6 +107,8 @@ class Fcl final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_fcl(Query query, const Cell& cell) { return std::make_unique<Fcl>(query, cell); }
+std::unique_ptr<Contender> make_fcl(Query query, const Cell& cell) {
+  return std::make_unique<Fcl>(query, cell);
+}
 
 }  // namespace bench

@@ -31,7 +31,9 @@ Rotation rotation_of(const std::array<double, 4>& q) {
           {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
 }
 
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 Point local_support(const Solid& solid, const Point& d) {
   switch (solid.kind) {
@@ -42,7 +44,8 @@ Point local_support(const Solid& solid, const Point& d) {
       return {scale * d[0], scale * d[1], scale * d[2] + up};
     }
     case Kind::box:
-      return {std::copysign(solid.sizes[0], d[0]), std::copysign(solid.sizes[1], d[1]), std::copysign(solid.sizes[2], d[2])};
+      return {std::copysign(solid.sizes[0], d[0]), std::copysign(solid.sizes[1], d[1]),
+              std::copysign(solid.sizes[2], d[2])};
     case Kind::plane:
       return {};
     case Kind::hull32:
@@ -81,7 +84,8 @@ using Penetration = int (*)(const void*, const void*, const ccd_t*, ccd_real_t*,
 class Libccd final : public Contender {
  public:
   Libccd(Penetration penetration, const Cell& cell)
-      : penetration_(penetration), solids_a_(cell.solids_a.begin(), cell.solids_a.end()),
+      : penetration_(penetration),
+        solids_a_(cell.solids_a.begin(), cell.solids_a.end()),
         solids_b_(cell.solids_b.begin(), cell.solids_b.end()) {
     for (const Case& one : cell.cases) {
       jobs_.push_back({{&solids_a_[one.a], rotation_of(one.pose_a.orientation), one.pose_a.position},
@@ -124,7 +128,11 @@ std::unique_ptr<Contender> make_libccd(Penetration penetration, Query query, con
 
 }  // namespace
 
-std::unique_ptr<Contender> make_libccd_gjk(Query query, const Cell& cell) { return make_libccd(ccdGJKPenetration, query, cell); }
-std::unique_ptr<Contender> make_libccd_mpr(Query query, const Cell& cell) { return make_libccd(ccdMPRPenetration, query, cell); }
+std::unique_ptr<Contender> make_libccd_gjk(Query query, const Cell& cell) {
+  return make_libccd(ccdGJKPenetration, query, cell);
+}
+std::unique_ptr<Contender> make_libccd_mpr(Query query, const Cell& cell) {
+  return make_libccd(ccdMPRPenetration, query, cell);
+}
 
 }  // namespace bench

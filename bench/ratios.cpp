@@ -100,8 +100,8 @@ class Collector final : public benchmark::BenchmarkReporter {
 }  // namespace
 
 bool read_flags(int argument_count, char** arguments) {
-  std::vector<std::string> words{"benchmark", "--benchmark_repetitions=5", "--benchmark_enable_random_interleaving=true",
-                                 "--benchmark_min_time=0.02"};
+  std::vector<std::string> words{"benchmark", "--benchmark_repetitions=5",
+                                 "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=0.02"};
   std::vector<char*> defaults;
   for (std::string& word : words) {
     defaults.push_back(word.data());

@@ -19,7 +19,9 @@ enum class Kind : std::uint8_t { sphere, box, capsule, plane, hull32, hull200 };
   constexpr std::array<std::string_view, 6> names{"sphere", "box", "capsule", "plane", "hull32", "hull200"};
   return names[static_cast<std::size_t>(kind)];
 }
-[[nodiscard]] constexpr bool is_hull(Kind kind) { return kind == Kind::hull32 || kind == Kind::hull200; }
+[[nodiscard]] constexpr bool is_hull(Kind kind) {
+  return kind == Kind::hull32 || kind == Kind::hull200;
+}
 
 // Sphere: radius. Box: half extents. Capsule: radius and half height, along z. Plane: the half-space
 // below z = 0. Hull: its vertices and its surface, counter-clockwise seen from outside.
@@ -70,7 +72,8 @@ class Random {
     while (solid.points.size() < count) {
       const Point direction = random.direction();
       const double radius = random.uniform(1 - roughness, 1 + roughness);
-      solid.points.push_back({radius * axes[0] * direction[0], radius * axes[1] * direction[1], radius * axes[2] * direction[2]});
+      solid.points.push_back(
+          {radius * axes[0] * direction[0], radius * axes[1] * direction[1], radius * axes[2] * direction[2]});
     }
   } else {
     solid.sizes = {random.uniform(0.3, 0.7), random.uniform(0.3, 0.7), random.uniform(0.3, 0.7)};

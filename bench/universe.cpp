@@ -41,10 +41,13 @@ World make_block(double spacing, double jitter, std::uint64_t seed) {
   world.ground_at.position = {0, 0, -1};
   std::vector<Placement> placements;
   for (std::size_t i = 0; i < body_count; ++i) {
-    const auto cell = [&](std::size_t number) { return spacing * (static_cast<double>(number % side) + random.uniform(-jitter, jitter)); };
+    const auto cell = [&](std::size_t number) {
+      return spacing * (static_cast<double>(number % side) + random.uniform(-jitter, jitter));
+    };
     const double middle = spacing * static_cast<double>(side - 1) / 2;
     world.bodies.push_back(random.below(solid_count));
-    placements.push_back({{cell(i) - middle, cell(i / side) - middle, cell(i / (side * side)) + 0.6}, random.orientation()});
+    placements.push_back(
+        {{cell(i) - middle, cell(i / side) - middle, cell(i / (side * side)) + 0.6}, random.orientation()});
   }
   world.frames = {placements};
   return world;
@@ -91,10 +94,9 @@ void animate(World& world, std::uint64_t seed) {
       }
       const double half = 0.5 * swing * std::cos(phase), s = std::sin(half), c = std::cos(half);
       const auto& [w, x, y, z] = middle[i].orientation;
-      placement.orientation = {c * w - s * (axis[0] * x + axis[1] * y + axis[2] * z),
-                               c * x + s * (axis[0] * w + axis[1] * z - axis[2] * y),
-                               c * y + s * (axis[1] * w + axis[2] * x - axis[0] * z),
-                               c * z + s * (axis[2] * w + axis[0] * y - axis[1] * x)};
+      placement.orientation = {
+          c * w - s * (axis[0] * x + axis[1] * y + axis[2] * z), c * x + s * (axis[0] * w + axis[1] * z - axis[2] * y),
+          c * y + s * (axis[1] * w + axis[2] * x - axis[0] * z), c * z + s * (axis[2] * w + axis[0] * y - axis[1] * x)};
     }
   }
 }
@@ -114,19 +116,20 @@ void print_counts(const std::string& cell, std::string_view name, Detector& dete
               sum.touching / frame_count, sum.points / frame_count, sum.overlapping / frame_count);
 }
 
-void add(const std::string& cell, std::string_view name, const std::shared_ptr<Detector>& detector) {
-  print_counts(cell, name, *detector);
+// The detector must outlive the run.
+void add(const std::string& cell, std::string_view name, Detector& detector) {
+  print_counts(cell, name, detector);
   const auto measure = [&](const char* part, bool place, bool detect) {
     const std::string full = cell + "/" + part + "/" + std::string(name);
-    benchmark::RegisterBenchmark(full.c_str(), [=](benchmark::State& state) {
+    benchmark::RegisterBenchmark(full.c_str(), [=, &detector](benchmark::State& state) {
       std::size_t frame = 0;
       for ([[maybe_unused]] auto _ : state) {
         if (place) {
-          detector->place(frame);
+          detector.place(frame);
           frame = (frame + 1) % frame_count;
         }
         if (detect) {
-          detector->detect();
+          detector.detect();
         }
       }
     })->Unit(benchmark::kMillisecond);
@@ -145,11 +148,14 @@ int run(int argument_count, char** arguments) {
   World sparse = make_block(2, 0.4, 3);
   animate(sparse, 4);
   std::printf("per step   library         pairs   touching     points    overlap\n");
-  for (const auto& [name, world] : {std::pair<std::string, const World&>("pile", pile), {"sparse", sparse}}) {
-    add(name, "abut", make_abut_world(world));
-    add(name, "bullet", make_bullet_world(world, -1));
-    add(name, "bullet-0", make_bullet_world(world, 0));
-  }
+  std::vector<std::unique_ptr<Detector>> detectors;
+  const auto compare = [&](const std::string& name, const World& world) {
+    add(name, "abut", *detectors.emplace_back(make_abut_world(world)));
+    add(name, "bullet", *detectors.emplace_back(make_bullet_world(world, -1)));
+    add(name, "bullet-0", *detectors.emplace_back(make_bullet_world(world, 0)));
+  };
+  compare("pile", pile);
+  compare("sparse", sparse);
   return run_and_compare({"abut", {"bullet", "bullet-0"}, {}, 1, "us", 1e-6});
 }
 

@@ -25,10 +25,10 @@ struct Touch {
 };
 
 struct Counts {
-  std::size_t pairs = 0;         // of boxes, handed to the narrow phase
-  std::size_t touching = 0;      // pairs with a contact
-  std::size_t points = 0;        // contacts that are reported
-  std::size_t overlapping = 0;   // contacts with a distance below 0
+  std::size_t pairs = 0;        // of boxes, handed to the narrow phase
+  std::size_t touching = 0;     // pairs with a contact
+  std::size_t points = 0;       // contacts that are reported
+  std::size_t overlapping = 0;  // contacts with a distance below 0
 };
 
 class Detector {

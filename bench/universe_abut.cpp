@@ -66,8 +66,10 @@ class AbutWorld final : public Detector {
     std::copy_n(first, count, contacts.data());
     std::vector<Touch> out;
     for (const abut_contact& contact : contacts) {
-      out.push_back({contact.geometry_a.slot - 1, contact.geometry_b.slot - 1,
-                     {contact.normal.x, contact.normal.y, contact.normal.z}, contact.distance});
+      out.push_back({contact.geometry_a.slot - 1,
+                     contact.geometry_b.slot - 1,
+                     {contact.normal.x, contact.normal.y, contact.normal.z},
+                     contact.distance});
     }
     return out;
   }
@@ -93,7 +95,9 @@ class AbutWorld final : public Detector {
 
 }  // namespace
 
-std::unique_ptr<Detector> make_abut_world(const World& world) { return std::make_unique<AbutWorld>(world, world.frames); }
+std::unique_ptr<Detector> make_abut_world(const World& world) {
+  return std::make_unique<AbutWorld>(world, world.frames);
+}
 
 std::vector<Touch> touches(const World& world, std::span<const Placement> placements) {
   const std::vector<std::vector<Placement>> frames{{placements.begin(), placements.end()}};
