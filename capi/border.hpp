@@ -11,20 +11,21 @@ import abut.shape;
 
 namespace abut::capi {
 
-// Which argument a check is about: "pose_a", or "poses[3]". Put into words only when a check fails.
+// Which argument a check is about: "pose_a", "poses[3]", or "options[3].pose". Put into words only when a
+// check fails.
 struct Where {
   static constexpr std::size_t no_index = std::numeric_limits<std::size_t>::max();
 
   std::string_view name;
   std::size_t index = no_index;
+  std::string_view field = "";
 
   [[nodiscard]] std::string with(std::string_view suffix) const {
     std::string text(name);
     if (index != no_index) {
       text += "[" + std::to_string(index) + "]";
     }
-    text += suffix;
-    return text;
+    return text.append(field).append(suffix);
   }
 };
 
@@ -50,13 +51,20 @@ template <std::size_t Count>
   return ABUT_OK;
 }
 
+[[nodiscard]] inline abut_status check_size(std::string_view count_name, std::uint64_t count, std::size_t stride) {
+  if (count > static_cast<std::uint64_t>(std::numeric_limits<std::ptrdiff_t>::max()) / stride) [[unlikely]] {
+    return refuse(ABUT_SIZE_OVERFLOW, std::string(count_name) + " is " + std::to_string(count) + "; that many elements of " +
+                                          std::to_string(stride) + " bytes do not fit into memory");
+  }
+  return ABUT_OK;
+}
+
 // An array of `count` groups of `Group` elements each. Sizes are checked before an element is read.
 template <std::size_t Group = 1, class T>
-[[nodiscard]] abut_status read_span(std::string_view name, T* pointer, std::uint64_t count, std::span<T>& out) {
-  constexpr std::uint64_t most = static_cast<std::uint64_t>(std::numeric_limits<std::ptrdiff_t>::max()) / (Group * sizeof(T));
-  if (count > most) {
-    return refuse(ABUT_SIZE_OVERFLOW, "the " + std::to_string(count) + " elements of " + std::string(name) +
-                                          " do not fit into memory");
+[[nodiscard]] abut_status read_span(std::string_view name, T* pointer, std::string_view count_name, std::uint64_t count,
+                                    std::span<T>& out) {
+  if (const abut_status status = check_size(count_name, count, Group * sizeof(T)); status != ABUT_OK) {
+    return status;
   }
   if (count == 0) {
     out = {};
@@ -72,12 +80,11 @@ template <std::size_t Group = 1, class T>
   return ABUT_OK;
 }
 
-// One element where there is one; for structs that a caller hands over by pointer.
-template <class T>
-[[nodiscard]] inline std::span<T> bytes_of(T* pointer, std::size_t count) {
+// A struct of the caller, or an array of them, as bytes.
+[[nodiscard]] inline std::span<const unsigned char> bytes_of(const void* structs, std::size_t size) {
   ABUT_UNSAFE_BEGIN
-  // SAFETY: count is the struct_size that the caller has set, and at most a page.
-  return std::span<T>(pointer, count);
+  // SAFETY: the size is the struct_size that the caller has set, times a count that was checked.
+  return std::span<const unsigned char>(static_cast<const unsigned char*>(structs), size);
   ABUT_UNSAFE_END
 }
 

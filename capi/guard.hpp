@@ -23,6 +23,24 @@ template <class Body>
   }
 }
 
+// The same for an object that a defect makes unusable: what is left of it may break every promise.
+template <class Body>
+[[nodiscard]] inline abut_status guard(std::atomic<bool>& poisoned, Body&& body) noexcept {
+  clear_message();
+  if (poisoned.load(std::memory_order_relaxed)) [[unlikely]] {
+    return refuse(ABUT_INTERNAL, "a defect of abut was met earlier; the universe can only be destroyed");
+  }
+  try {
+    return std::forward<Body>(body)();
+  } catch (...) {
+    const abut_status status = refuse_exception();
+    if (status == ABUT_INTERNAL) {
+      poisoned.store(true, std::memory_order_relaxed);
+    }
+    return status;
+  }
+}
+
 }  // namespace abut::capi
 
 #endif

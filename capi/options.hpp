@@ -16,8 +16,17 @@ inline constexpr std::uint32_t largest_struct_size = 4096;
 template <class Struct>
 inline constexpr std::uint32_t first_size = sizeof(Struct);
 
-// Checks the size that a struct says it has. What an unknown newer header has appended must be zero:
-// those wishes cannot be met.
+// What an unknown newer header has appended must be zero: those wishes cannot be met.
+[[nodiscard]] inline abut_status check_tail(const Where& where, std::uint32_t size, std::span<const unsigned char> tail) {
+  if (std::any_of(tail.begin(), tail.end(), [](unsigned char byte) { return byte != 0; })) {
+    return refuse(ABUT_WRONG_STRUCT_SIZE, where.with(".struct_size is ") + std::to_string(size) +
+                                              " and some of its last " + std::to_string(tail.size()) +
+                                              " bytes are set; this version of abut does not know them");
+  }
+  return ABUT_OK;
+}
+
+// Checks the size that a struct says it has.
 template <class Struct>
 [[nodiscard]] abut_status check_struct_size(const Where& where, const Struct& given) {
   const std::uint32_t size = given.struct_size;
@@ -25,15 +34,8 @@ template <class Struct>
     return refuse(error_about(Errc::wrong_struct_size, where.with(".struct_size"), std::uint64_t{size},
                               std::to_string(sizeof(Struct)) + ", which the _init function sets"));
   }
-  if (size > sizeof(Struct)) {
-    const auto tail = bytes_of(reinterpret_cast<const unsigned char*>(&given), size).subspan(sizeof(Struct));
-    if (std::any_of(tail.begin(), tail.end(), [](unsigned char byte) { return byte != 0; })) {
-      return refuse(ABUT_WRONG_STRUCT_SIZE,
-                    where.with(".struct_size is ") + std::to_string(size) + " and fields past the known " +
-                        std::to_string(sizeof(Struct)) + " bytes are set; this version of abut does not have them");
-    }
-  }
-  return ABUT_OK;
+  return size > sizeof(Struct) ? check_tail(where, size, bytes_of(&given, size).subspan(sizeof(Struct)))
+                               : static_cast<abut_status>(ABUT_OK);
 }
 
 [[nodiscard]] inline abut_status check_reserved(const Where& where, std::uint32_t reserved) {
@@ -50,6 +52,53 @@ template <class Struct>
   }
   return ABUT_OK;
 }
+
+// An array of structs as a caller with another header lays it out: one struct_size after the other.
+template <class Struct>
+class StructArray {
+ public:
+  // An argument that may be null, for which the answer is an empty array.
+  [[nodiscard]] static abut_status read(std::string_view name, const Struct* structs, std::size_t count, StructArray& out) {
+    if (const abut_status status = check_size("count", count, sizeof(Struct)); status != ABUT_OK || structs == nullptr || count == 0) {
+      return status;
+    }
+    if (const abut_status status = check_struct_size({name, 0}, *structs); status != ABUT_OK) {
+      return status;
+    }
+    const std::uint32_t stride = structs->struct_size;
+    if (count > 1 && stride % alignof(Struct) != 0) {
+      return refuse(error_about(Errc::wrong_struct_size, Where{name, 0}.with(".struct_size"), std::uint64_t{stride},
+                                "a multiple of " + std::to_string(alignof(Struct))));
+    }
+    if (const abut_status status = check_size("count", count, stride); status != ABUT_OK) {
+      return status;
+    }
+    out.structs_.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      Struct& next = out.structs_.emplace_back();
+      std::memcpy(&next, bytes_of(structs, count * stride).subspan(i * stride).data(), sizeof(Struct));
+      if (const abut_status status = check_element(name, i, stride, next.struct_size, structs); status != ABUT_OK) {
+        return status;
+      }
+    }
+    return ABUT_OK;
+  }
+
+  [[nodiscard]] std::span<const Struct> span() const [[clang::lifetimebound]] { return structs_; }
+
+ private:
+  [[nodiscard]] static abut_status check_element(std::string_view name, std::size_t index, std::uint32_t stride,
+                                                 std::uint32_t size, const Struct* structs) {
+    if (size != stride) {
+      return refuse(error_about(Errc::wrong_struct_size, Where{name, index}.with(".struct_size"), std::uint64_t{size},
+                                std::to_string(stride) + " as in the first element"));
+    }
+    const auto tail = bytes_of(structs, (index + 1) * stride).subspan(index * stride + sizeof(Struct));
+    return check_tail({name, index}, size, tail);
+  }
+
+  std::vector<Struct> structs_;
+};
 
 // Fills a struct that the caller may know in an older version.
 template <class Struct>

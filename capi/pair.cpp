@@ -202,9 +202,9 @@ abut_status abut_shapes_distances(const abut_shape* a, const abut_pose* poses_a,
     PoseBatch poses;
     std::span<abut_distance> results;
     abut_status status = check_none_null<2>({{{"a", a}, {"b", b}}});
-    status = status != ABUT_OK ? status : read_span("poses_a", poses_a, count, poses.a);
-    status = status != ABUT_OK ? status : read_span("poses_b", poses_b, count, poses.b);
-    status = status != ABUT_OK ? status : read_span("out", out, count, results);
+    status = status != ABUT_OK ? status : read_span("poses_a", poses_a, "count", count, poses.a);
+    status = status != ABUT_OK ? status : read_span("poses_b", poses_b, "count", count, poses.b);
+    status = status != ABUT_OK ? status : read_span("out", out, "count", count, results);
     return status != ABUT_OK ? status : distances(a, b, poses, options, results);
   });
 }
@@ -215,7 +215,7 @@ abut_status abut_shapes_contacts(const abut_shape* a, const abut_pose* pose_a, c
     std::span<abut_contact> results;
     abut_status status =
         check_none_null<5>({{{"a", a}, {"pose_a", pose_a}, {"b", b}, {"pose_b", pose_b}, {"count", count}}});
-    status = status != ABUT_OK ? status : read_span("contacts", contacts_out, capacity, results);
+    status = status != ABUT_OK ? status : read_span("contacts", contacts_out, "capacity", capacity, results);
     return status != ABUT_OK ? status : contacts(a, *pose_a, b, *pose_b, options, results, count);
   });
 }

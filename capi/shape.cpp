@@ -65,10 +65,10 @@ abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::
     }
   }
   Numbers numbers;
-  if (const abut_status status = read_span<3>("xyz", xyz, vertex_count, numbers.reals); status != ABUT_OK) {
+  if (const abut_status status = read_span<3>("xyz", xyz, "vertex_count", vertex_count, numbers.reals); status != ABUT_OK) {
     return status;
   }
-  if (const abut_status status = read_span<3>("triangles", triangles, triangle_count, numbers.indices); status != ABUT_OK) {
+  if (const abut_status status = read_span<3>("triangles", triangles, "triangle_count", triangle_count, numbers.indices); status != ABUT_OK) {
     return status;
   }
   const std::array one_sided{sides == ABUT_SIDES_FRONT ? 1.0 : 0.0};
@@ -84,8 +84,9 @@ abut_status create_height_field(const abut_height_field_desc& desc, abut_shape**
     return status;
   }
   Numbers numbers;
+  const std::string product = "desc.columns * desc.rows = " + std::to_string(desc.columns) + " * " + std::to_string(desc.rows);
   const std::uint64_t samples = std::uint64_t{desc.columns} * desc.rows;
-  if (const abut_status status = read_span("desc.heights", desc.heights, samples, numbers.reals); status != ABUT_OK) {
+  if (const abut_status status = read_span("desc.heights", desc.heights, product, samples, numbers.reals); status != ABUT_OK) {
     return status;
   }
   const std::array parameters{static_cast<double>(desc.columns), static_cast<double>(desc.rows), desc.spacing_x, desc.spacing_y};
@@ -102,14 +103,14 @@ abut_status create_from(const abut_shape_desc& desc, abut_shape** out) {
     return refuse(abut::error_about(abut::Errc::unknown_value, "desc.kind", std::uint64_t{desc.kind}, "a kind of this build"));
   }
   Numbers numbers;
-  if (const abut_status status = read_span("desc.parameters", desc.parameters, desc.parameter_count, numbers.parameters);
+  if (const abut_status status = read_span("desc.parameters", desc.parameters, "desc.parameter_count", desc.parameter_count, numbers.parameters);
       status != ABUT_OK) {
     return status;
   }
-  if (const abut_status status = read_span("desc.reals", desc.reals, desc.real_count, numbers.reals); status != ABUT_OK) {
+  if (const abut_status status = read_span("desc.reals", desc.reals, "desc.real_count", desc.real_count, numbers.reals); status != ABUT_OK) {
     return status;
   }
-  if (const abut_status status = read_span("desc.indices", desc.indices, desc.index_count, numbers.indices); status != ABUT_OK) {
+  if (const abut_status status = read_span("desc.indices", desc.indices, "desc.index_count", desc.index_count, numbers.indices); status != ABUT_OK) {
     return status;
   }
   return create(*place, numbers, out);
@@ -149,7 +150,7 @@ abut_status abut_hull_create(const double* xyz, size_t point_count, abut_shape**
   return guard([&] {
     Numbers numbers;
     abut_status status = check_not_null("out", out);
-    status = status != ABUT_OK ? status : read_span<3>("xyz", xyz, point_count, numbers.reals);
+    status = status != ABUT_OK ? status : read_span<3>("xyz", xyz, "point_count", point_count, numbers.reals);
     return status != ABUT_OK ? status : create_named("hull", numbers, out);
   });
 }

@@ -15,7 +15,7 @@ namespace {
 
 abut_status write_parameters(const abut_shape* shape, double* parameters, std::size_t capacity, std::size_t* count) {
   std::span<double> out;
-  if (const abut_status status = read_span("parameters", parameters, capacity, out); status != ABUT_OK) {
+  if (const abut_status status = read_span("parameters", parameters, "capacity", capacity, out); status != ABUT_OK) {
     return status;
   }
   const std::vector<double> found = abut::parameters_of(shape_of(shape));
@@ -44,11 +44,11 @@ struct TriangleBuffers {
 
 abut_status write_triangles(const abut_shape* shape, const TriangleBuffers& buffers) {
   std::span<double> xyz;
-  if (const abut_status status = read_span<3>("xyz", buffers.xyz, buffers.vertex_capacity, xyz); status != ABUT_OK) {
+  if (const abut_status status = read_span<3>("xyz", buffers.xyz, "vertex_capacity", buffers.vertex_capacity, xyz); status != ABUT_OK) {
     return status;
   }
   std::span<std::uint32_t> triangles;
-  if (const abut_status status = read_span<3>("triangles", buffers.triangles, buffers.triangle_capacity, triangles);
+  if (const abut_status status = read_span<3>("triangles", buffers.triangles, "triangle_capacity", buffers.triangle_capacity, triangles);
       status != ABUT_OK) {
     return status;
   }

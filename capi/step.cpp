@@ -1,0 +1,71 @@
+// Steps of a universe and what they found.
+#include "universe_handle.hpp"
+#include "options.hpp"
+
+import abut.core;
+import abut.shape;
+import abut.universe;
+
+using namespace abut::capi;
+
+namespace {
+
+abut_status step(abut_universe& its, double dt) {
+  if (const abut::Fault fault = abut::check_not_negative("dt", dt)) {
+    return refuse(*fault);
+  }
+  if (const auto done = its.universe.step(dt); !done) {
+    return refuse(done.error());
+  }
+  const std::span<const abut::Contact> found = its.universe.contacts();
+  its.contacts.resize(found.size());
+  fill(found, std::span(its.contacts), [](const abut::Contact& contact) {
+    abut_contact out = from_contact(contact.point);
+    out.geometry_a = from_geometry(contact.geometry_a);
+    out.geometry_b = from_geometry(contact.geometry_b);
+    return out;
+  });
+  return ABUT_OK;
+}
+
+abut_status write_stats(const abut::StepStats& stats, abut_step_stats* out) {
+  if (const abut_status status = check_struct_size({"out"}, *out); status != ABUT_OK) {
+    return status;
+  }
+  write_struct({sizeof(abut_step_stats), 0, stats.parts, stats.geometries, stats.moved, stats.candidate_pairs,
+                stats.touching_pairs, stats.contacts, stats.unsupported_pairs, stats.bytes, stats.refresh_microseconds,
+                stats.broadphase_microseconds, stats.narrowphase_microseconds, stats.contact_microseconds},
+               out);
+  return ABUT_OK;
+}
+
+}  // namespace
+
+abut_status abut_universe_step(abut_universe* universe, double dt) {
+  return guard(universe, [&](abut_universe& its) { return step(its, dt); });
+}
+
+abut_status abut_universe_contacts(const abut_universe* universe, const abut_contact** contacts, size_t* count) {
+  return guard(universe, [&](const abut_universe& its) {
+    const abut_status status = check_none_null<2>({{{"contacts", contacts}, {"count", count}}});
+    if (status == ABUT_OK) {
+      *contacts = its.contacts.data();
+      *count = its.contacts.size();
+    }
+    return status;
+  });
+}
+
+void abut_step_stats_init(abut_step_stats* stats) {
+  if (stats != nullptr) {
+    *stats = {};
+    stats->struct_size = sizeof(abut_step_stats);
+  }
+}
+
+abut_status abut_universe_stats(const abut_universe* universe, abut_step_stats* out) {
+  return guard(universe, [&](const abut_universe& its) {
+    const abut_status status = check_not_null("out", out);
+    return status != ABUT_OK ? status : write_stats(its.universe.stats(), out);
+  });
+}

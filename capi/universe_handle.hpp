@@ -1,0 +1,96 @@
+// abut_universe: a universe of the modules, and what the C interface lends out of it.
+#ifndef ABUT_CAPI_UNIVERSE_HANDLE_HPP
+#define ABUT_CAPI_UNIVERSE_HANDLE_HPP
+
+#include "prelude.hpp"
+
+#include "convert.hpp"
+#include "guard.hpp"
+#include "shape_handle.hpp"
+
+import abut.core;
+import abut.math;
+import abut.universe;
+
+struct abut_universe {
+  abut_universe(const abut::UniverseOptions& options, std::uint32_t number) : universe(options, number) {}
+
+  abut::Universe universe;
+  mutable std::atomic<bool> poisoned{false};
+  // By slot of the geometry, less one: what abut_geometry_describe lends out.
+  std::vector<abut::capi::ShapeOwner> shapes;
+  // Of the last step.
+  std::vector<abut_contact> contacts;
+};
+
+namespace abut::capi {
+
+// Every call on a universe, except the one that destroys it, goes through here.
+template <class Handle, class Body>
+  requires std::is_same_v<std::remove_const_t<Handle>, abut_universe>
+[[nodiscard]] inline abut_status guard(Handle* universe, Body&& body) noexcept {
+  if (universe == nullptr) [[unlikely]] {
+    return refuse(ABUT_NULL_ARGUMENT, "universe is null");
+  }
+  return guard(universe->poisoned, [&] { return std::forward<Body>(body)(*universe); });
+}
+
+[[nodiscard]] inline PartId to_part(const abut_part_id& id) { return {id.slot, id.generation}; }
+[[nodiscard]] inline GeometryId to_geometry(const abut_geometry_id& id) { return {id.slot, id.generation}; }
+[[nodiscard]] inline abut_part_id from_part(const PartId& id) { return {id.slot, id.generation}; }
+[[nodiscard]] inline abut_geometry_id from_geometry(const GeometryId& id) { return {id.slot, id.generation}; }
+
+[[nodiscard]] inline std::vector<PartId> to_parts(std::span<const abut_part_id> ids) {
+  std::vector<PartId> parts(ids.size());
+  std::transform(ids.begin(), ids.end(), parts.begin(), to_part);
+  return parts;
+}
+[[nodiscard]] inline std::vector<GeometryId> to_geometries(std::span<const abut_geometry_id> ids) {
+  std::vector<GeometryId> geometries(ids.size());
+  std::transform(ids.begin(), ids.end(), geometries.begin(), to_geometry);
+  return geometries;
+}
+
+// A checked pose as a placement. A quaternion of length one within rounding stays as it is, so that it
+// reads back as it was set.
+[[nodiscard]] inline Placement to_placement(const abut_pose& pose) {
+  const Quat q = to_quat(pose.orientation);
+  const double square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  const bool is_unit = std::fabs(square - 1) <= 4 * epsilon;
+  return {to_vec3(pose.position), is_unit ? q : normalized(q).value_or(q)};
+}
+[[nodiscard]] inline abut_pose from_placement(const Placement& placement) {
+  return {from_vec3(placement.position), from_quat(placement.orientation)};
+}
+
+// The word for an id that names nothing.
+template <class CId>
+[[gnu::cold]] [[nodiscard]] abut_status refuse_stale(const Where& where, const CId& id) {
+  return refuse(ABUT_STALE_ID, where.with(id.slot == 0 ? " is null" : " is stale or of another universe") + " (slot " +
+                                   std::to_string(id.slot) + ", generation " + std::to_string(id.generation) + ")");
+}
+
+[[nodiscard]] inline bool exists(const Universe& universe, const abut_part_id& id) {
+  return universe.user_data(to_part(id)).has_value();
+}
+[[nodiscard]] inline bool exists(const Universe& universe, const abut_geometry_id& id) {
+  return universe.world_pose(to_geometry(id)).has_value();
+}
+
+// An error about a batch in the words of the call: which id was stale, with its numbers.
+template <class CId>
+[[gnu::cold]] [[nodiscard]] abut_status refuse_batch(const Universe& universe, std::string_view name, std::span<const CId> ids,
+                                                     const Error& error) {
+  if (error.code == Errc::stale_id) {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (!exists(universe, ids[i])) {
+        return refuse_stale({name, i}, ids[i]);
+      }
+    }
+  }
+  return refuse(error);
+}
+
+}  // namespace abut::capi
+
+#endif
