@@ -1,0 +1,54 @@
+// Solids and placements as Bullet wants them.
+#pragma once
+#include <btBulletCollisionCommon.h>
+
+#include <memory>
+
+#include "scene.hpp"
+
+namespace bench {
+
+[[nodiscard]] inline btScalar to_bullet(double value) {
+  return static_cast<btScalar>(value);
+}
+[[nodiscard]] inline btVector3 to_bullet(const Point& p) {
+  return {to_bullet(p[0]), to_bullet(p[1]), to_bullet(p[2])};
+}
+
+[[nodiscard]] inline btTransform bullet_transform(const Placement& placement) {
+  const auto& q = placement.orientation;
+  return btTransform(btQuaternion(to_bullet(q[1]), to_bullet(q[2]), to_bullet(q[3]), to_bullet(q[0])),
+                     to_bullet(placement.position));
+}
+
+// A negative margin keeps Bullet's own.
+[[nodiscard]] inline std::unique_ptr<btCollisionShape> bullet_shape(const Solid& solid, double margin) {
+  const auto with_margin = [&](auto shape) {
+    if (margin >= 0) {
+      shape->setMargin(to_bullet(margin));
+    }
+    return shape;
+  };
+  switch (solid.kind) {
+    case Kind::sphere:
+      return std::make_unique<btSphereShape>(to_bullet(solid.sizes[0]));
+    case Kind::box:
+      return with_margin(std::make_unique<btBoxShape>(to_bullet(solid.sizes)));
+    case Kind::capsule:
+      return std::make_unique<btCapsuleShapeZ>(to_bullet(solid.sizes[0]), to_bullet(2 * solid.sizes[1]));
+    case Kind::plane:
+      return with_margin(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), to_bullet(0)));
+    case Kind::hull32:
+    case Kind::hull200: {
+      auto hull = with_margin(std::make_unique<btConvexHullShape>());
+      for (const Point& p : solid.points) {
+        hull->addPoint(to_bullet(p), false);
+      }
+      hull->recalcLocalAabb();
+      return hull;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace bench

@@ -1,0 +1,289 @@
+// Pairs of shapes: abut beside Bullet, FCL and libccd on the same placed pairs, one thread, no caches
+// kept from call to call.
+#include "pairs.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ratios.hpp"
+
+namespace bench {
+namespace {
+
+constexpr std::size_t case_count = 512;
+constexpr std::size_t solid_count = 8;
+// Cases nearer to touching than this are left out: the libraries may disagree on which side they lie.
+constexpr double least_gap = 0.01;
+// Answers that differ by more than this are counted: a thousandth of the size of the solids.
+constexpr double far_off = 1e-3;
+constexpr std::array kinds{Kind::sphere, Kind::capsule, Kind::box, Kind::hull32, Kind::hull200};
+
+struct Maker {
+  std::string_view name;
+  std::unique_ptr<Contender> (*make)(Query query, const Cell& cell);
+};
+// The first one is what the others are compared with.
+constexpr std::array makers{
+    Maker{"abut", make_abut}, Maker{"abut-c", make_abut_c},         Maker{"bullet", make_bullet},
+    Maker{"fcl", make_fcl},   Maker{"libccd-gjk", make_libccd_gjk}, Maker{"libccd-mpr", make_libccd_mpr}};
+
+constexpr std::string_view query_name(Query query) {
+  constexpr std::array<std::string_view, 3> names{"distance", "depth", "contacts"};
+  return names[static_cast<std::size_t>(query)];
+}
+
+std::string full_name(Query query, const std::string& scene, const Maker& maker) {
+  return std::string(query_name(query)) + "/" + scene + "/" + std::string(maker.name);
+}
+
+struct Scene {
+  std::string name;
+  std::vector<Solid> solids_a, solids_b;
+  std::vector<Case> separated, overlapping, mixed;
+
+  [[nodiscard]] Cell cell(Query query) const {
+    return {solids_a, solids_b, query == Query::distance ? separated : query == Query::depth ? overlapping : mixed};
+  }
+};
+
+std::vector<Solid> make_solids(Kind kind, Random& random) {
+  std::vector<Solid> solids;
+  for (std::size_t i = 0; i < solid_count; ++i) {
+    solids.push_back(random_solid(kind, random));
+    if (is_hull(kind)) {
+      find_surface(solids.back());
+    }
+  }
+  return solids;
+}
+
+// Its orientation applied to z: the way out of a plane.
+Point up(const std::array<double, 4>& q) {
+  const auto& [w, x, y, z] = q;
+  return {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
+}
+
+Case random_case(const Scene& scene, Random& random) {
+  Case one{random.below(solid_count), random.below(solid_count), {}, {}};
+  const Solid& a = scene.solids_a[one.a];
+  const Point centre{random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-10, 10)};
+  one.pose_a = {centre, random.orientation()};
+  const Point any = random.direction();
+  const Point direction = a.kind == Kind::plane ? up(one.pose_a.orientation) : any;
+  const double reach = bounding_radius(a) + bounding_radius(scene.solids_b[one.b]);
+  const double apart = random.uniform(0, 1.5) * reach;
+  one.pose_b = {{centre[0] + apart * direction[0], centre[1] + apart * direction[1], centre[2] + apart * direction[2]},
+                random.orientation()};
+  return one;
+}
+
+std::string scene_name(Kind a, Kind b) {
+  return std::string(kind_name(a)) + "-" + std::string(kind_name(b));
+}
+
+Scene make_scene(Kind kind_a, Kind kind_b) {
+  // A seed of its own for each pair, so that a scene does not depend on which others are made.
+  Random random(1 + 16 * static_cast<std::uint64_t>(kind_a) + static_cast<std::uint64_t>(kind_b));
+  Scene scene{scene_name(kind_a, kind_b), make_solids(kind_a, random), make_solids(kind_b, random), {}, {}, {}};
+  while (std::min(scene.separated.size(), scene.overlapping.size()) < case_count) {
+    std::vector<Case> tried;
+    while (tried.size() < case_count) {
+      tried.push_back(random_case(scene, random));
+    }
+    std::vector<Answer> answers(case_count);
+    make_abut(Query::depth, {scene.solids_a, scene.solids_b, tried})->answer(answers);
+    for (std::size_t i = 0; i < case_count; ++i) {
+      if (answers[i].distance > least_gap && scene.separated.size() < case_count) {
+        scene.separated.push_back(tried[i]);
+      } else if (answers[i].distance < -least_gap && scene.overlapping.size() < case_count) {
+        scene.overlapping.push_back(tried[i]);
+      }
+    }
+  }
+  // As many of one as of the other, in no order.
+  for (std::size_t i = 0; i < case_count / 2; ++i) {
+    scene.mixed.push_back(scene.separated[i]);
+    scene.mixed.push_back(scene.overlapping[i]);
+  }
+  for (std::size_t i = case_count - 1; i > 0; --i) {
+    std::swap(scene.mixed[i], scene.mixed[random.below(i + 1)]);
+  }
+  return scene;
+}
+
+// How far the answers of a contender are from those of abut, over all cells of a query.
+struct Agreement {
+  double worst = 0;
+  std::string cell = "-";
+  std::size_t far_off = 0;
+  std::size_t unanswered = 0, asked = 0;
+};
+
+class Suite {
+ public:
+  void add(Query query, const Scene& scene) {
+    const Cell cell = scene.cell(query);
+    std::vector<Answer> expected;
+    for (const Maker& maker : makers) {
+      const std::string name = full_name(query, scene.name, maker);
+      if (!is_selected(name)) {
+        continue;
+      }
+      std::unique_ptr<Contender> made = maker.make(query, cell);
+      if (!made) {
+        continue;
+      }
+      Contender& contender = *contenders_.emplace_back(std::move(made));
+      std::vector<Answer> answers(cell.cases.size());
+      contender.answer(answers);
+      if (expected.empty()) {
+        expected = answers;
+      }
+      compare({query, std::string(maker.name)}, scene.name, expected, answers);
+      benchmark::RegisterBenchmark(name.c_str(), [&contender, count = cell.cases.size()](benchmark::State& state) {
+        std::vector<Answer> timed(count);
+        for ([[maybe_unused]] auto _ : state) {
+          contender.answer(timed);
+          benchmark::DoNotOptimize(timed.data());
+          benchmark::ClobberMemory();
+        }
+      });
+    }
+  }
+
+  void print() const {
+    std::printf("Answers beside those of abut\n%-10s %-12s %8s %10s %8s %11s  %s\n", "query", "library", "asked",
+                "no answer", "> 1e-3", "worst", "where");
+    for (const auto& [key, found] : agreements_) {
+      std::printf("%-10s %-12s %8zu %10zu %8zu %11.1e  %s\n", std::string(query_name(key.first)).c_str(),
+                  key.second.c_str(), found.asked, found.unanswered, found.far_off, found.worst, found.cell.c_str());
+    }
+    print_points();
+    std::printf("hash of all answers: %016llx\n", static_cast<unsigned long long>(hash_));
+  }
+
+ private:
+  // "Contact" is not the same work everywhere: how many points there are for an overlapping pair.
+  void print_points() const {
+    std::printf("\nContact points per overlapping pair\n%-18s", "");
+    for (const Maker& maker : makers) {
+      std::printf(" %10s", std::string(maker.name).c_str());
+    }
+    for (const auto& [cell, points] : points_) {
+      std::printf("\n%-18s", cell.c_str());
+      for (const Maker& maker : makers) {
+        const auto found = points.find(std::string(maker.name));
+        std::printf(" %10.2f", found == points.end() ? 0 : static_cast<double>(found->second) / (case_count / 2.0));
+      }
+    }
+    std::printf("\n\n");
+  }
+
+  void compare(const std::pair<Query, std::string>& key, const std::string& cell, std::span<const Answer> expected,
+               std::span<const Answer> answers) {
+    Agreement& agreement = agreements_[key];
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(answers[i].distance)) * 0x100000001b3;
+      if (expected[i].points == 0 && answers[i].points == 0) {
+        continue;
+      }
+      ++agreement.asked;
+      if (key.first == Query::contacts) {
+        points_[cell][key.second] += answers[i].points;
+      }
+      const double difference = std::fabs(answers[i].distance - expected[i].distance);
+      agreement.far_off += difference > far_off ? 1 : 0;
+      if (answers[i].points == 0) {
+        ++agreement.unanswered;
+      } else if (!(difference <= agreement.worst)) {
+        agreement.worst = difference;
+        agreement.cell = cell;
+      }
+    }
+  }
+
+  std::vector<std::unique_ptr<Contender>> contenders_;
+  std::map<std::pair<Query, std::string>, Agreement> agreements_;
+  std::map<std::string, std::map<std::string, std::size_t>> points_;
+  std::uint64_t hash_ = 0xcbf29ce484222325;
+};
+
+// Whether any query of a pair of kinds is asked for.
+bool is_wanted(const std::string& scene_name, std::span<const Query> queries) {
+  for (const Query query : queries) {
+    for (const Maker& maker : makers) {
+      if (is_selected(full_name(query, scene_name, maker))) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::vector<Scene> make_scenes(std::span<const std::pair<Kind, Kind>> pairs, std::span<const Query> queries) {
+  std::vector<Scene> scenes;
+  for (const auto& [a, b] : pairs) {
+    if (is_wanted(scene_name(a, b), queries)) {
+      scenes.push_back(make_scene(a, b));
+    }
+  }
+  return scenes;
+}
+
+int run(int argument_count, char** arguments) {
+  if (!read_flags(argument_count, arguments)) {
+    return 1;
+  }
+  std::vector<std::pair<Kind, Kind>> bounded, with_plane;
+  for (std::size_t b = 0; b < kinds.size(); ++b) {
+    for (std::size_t a = 0; a <= b; ++a) {
+      bounded.emplace_back(kinds[a], kinds[b]);
+    }
+    with_plane.emplace_back(Kind::plane, kinds[b]);
+  }
+  constexpr std::array all_queries{Query::distance, Query::depth, Query::contacts};
+  // Closest points to a half-space are a query that the peers do not have.
+  constexpr std::array contacts_only{Query::contacts};
+  const std::vector<Scene> scenes = make_scenes(bounded, all_queries);
+  const std::vector<Scene> planes = make_scenes(with_plane, contacts_only);
+
+  Suite suite;
+  for (const Query query : all_queries) {
+    for (const Scene& scene : scenes) {
+      suite.add(query, scene);
+    }
+  }
+  for (const Scene& scene : planes) {
+    suite.add(Query::contacts, scene);
+  }
+  suite.print();
+  return run_and_compare(
+      {"abut", {"bullet", "fcl"}, {"libccd-gjk", "libccd-mpr", "abut-c"}, static_cast<double>(case_count), "ns", 1e-9});
+}
+
+}  // namespace
+}  // namespace bench
+
+int main(int argument_count, char** arguments) {
+  try {
+    return bench::run(argument_count, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

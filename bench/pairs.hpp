@@ -1,0 +1,54 @@
+// One question about many placed pairs of solids, asked to one library.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "scene.hpp"
+
+namespace bench {
+
+// distance: of separated pairs. depth: signed distance of overlapping pairs. contacts: of both.
+enum class Query : std::uint8_t { distance, depth, contacts };
+
+struct Case {
+  std::size_t a = 0, b = 0;  // which of the solids
+  Placement pose_a, pose_b;
+};
+
+struct Cell {
+  std::span<const Solid> solids_a, solids_b;
+  std::span<const Case> cases;
+};
+
+struct Answer {
+  double distance = 0;       // signed; of contacts: of the deepest one
+  std::uint32_t points = 0;  // contacts that overlap; 1 for the other queries, 0 where the library gave up
+};
+
+class Contender {
+ public:
+  Contender() = default;
+  Contender(const Contender&) = delete;
+  Contender& operator=(const Contender&) = delete;
+  virtual ~Contender() = default;
+
+  // The timed part: answers all cases of the cell that it was made for.
+  virtual void answer(std::span<Answer> answers) = 0;
+};
+
+// Each makes what the library wants to have ready; null when it has no such query for the cell.
+[[gnu::visibility("default")]] std::unique_ptr<Contender> make_bullet(Query query, const Cell& cell);
+[[gnu::visibility("default")]] std::unique_ptr<Contender> make_fcl(Query query, const Cell& cell);
+[[gnu::visibility("default")]] std::unique_ptr<Contender> make_libccd_gjk(Query query, const Cell& cell);
+[[gnu::visibility("default")]] std::unique_ptr<Contender> make_libccd_mpr(Query query, const Cell& cell);
+std::unique_ptr<Contender> make_abut(Query query, const Cell& cell);
+std::unique_ptr<Contender> make_abut_c(Query query, const Cell& cell);
+
+// Replaces the points of a hull by its vertices and adds its surface.
+void find_surface(Solid& hull);
+
+}  // namespace bench

@@ -1,0 +1,147 @@
+// abut through its modules: poses in the world, the relative pose formed inside the timed part.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pairs.hpp"
+
+import abut;
+
+namespace bench {
+namespace {
+
+abut::Pose pose_of(const Placement& placement) {
+  const auto& [w, x, y, z] = placement.orientation;
+  return {abut::Rotation::from({w, x, y, z}), {placement.position[0], placement.position[1], placement.position[2]}};
+}
+
+abut::AnyShape shape_of(const Solid& solid) {
+  std::vector<abut::Real> parameters;
+  std::vector<abut::Real> reals;
+  switch (solid.kind) {
+    case Kind::sphere:
+      parameters = {solid.sizes[0]};
+      break;
+    case Kind::box:
+      parameters = {solid.sizes[0], solid.sizes[1], solid.sizes[2]};
+      break;
+    case Kind::capsule:
+      parameters = {solid.sizes[0], solid.sizes[1]};
+      break;
+    case Kind::plane:
+      parameters = {0, 0, 1, 0};
+      break;
+    case Kind::hull32:
+    case Kind::hull200:
+      for (const Point& p : solid.points) {
+        reals.insert(reals.end(), p.begin(), p.end());
+      }
+      break;
+  }
+  const auto place = abut::find_kind(is_hull(solid.kind) ? "hull" : kind_name(solid.kind));
+  if (!place) {
+    throw std::runtime_error("this build of abut lacks a shape of the benchmark");
+  }
+  auto shape = abut::make_shape(*place, parameters, reals, {});
+  if (!shape) {
+    throw std::runtime_error(std::string(shape.error().message));
+  }
+  return std::move(shape).value();
+}
+
+class Abut final : public Contender {
+ public:
+  Abut(Query query, const Cell& cell) : query_(query) {
+    for (const Solid& solid : cell.solids_a) {
+      a_.push_back(shape_of(solid));
+    }
+    for (const Solid& solid : cell.solids_b) {
+      b_.push_back(shape_of(solid));
+    }
+    for (const Case& one : cell.cases) {
+      jobs_.push_back({one.a, one.b, pose_of(one.pose_a), pose_of(one.pose_b)});
+    }
+  }
+
+  void answer(std::span<Answer> answers) override {
+    if (query_ == Query::contacts) {
+      contacts(answers);
+    } else {
+      distances(answers);
+    }
+  }
+
+ private:
+  struct Job {
+    std::size_t a, b;
+    abut::Pose pose_a, pose_b;
+  };
+
+  void distances(std::span<Answer> answers) const {
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      const Job& job = jobs_[i];
+      abut::Distance out;
+      const abut::Outcome outcome =
+          abut::pair_distance(a_[job.a], b_[job.b], abut::relative(job.pose_a, job.pose_b), settings_, out);
+      out = abut::in_world(out, job.pose_a);
+      answers[i] = {out.distance, outcome == abut::Outcome::ok ? 1u : 0u};
+    }
+  }
+
+  void contacts(std::span<Answer> answers) {
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      const Job& job = jobs_[i];
+      manifold_.clear();
+      const abut::Outcome outcome =
+          abut::pair_contacts(a_[job.a], b_[job.b], abut::relative(job.pose_a, job.pose_b), settings_, manifold_);
+      Answer found;
+      if (outcome == abut::Outcome::ok) {
+        for (const abut::ContactPoint& local : manifold_) {
+          const abut::ContactPoint point = abut::in_world(local, job.pose_a);
+          if (point.distance < 0) {
+            found.distance = std::min(found.distance, point.distance);
+            ++found.points;
+          }
+        }
+      }
+      answers[i] = found;
+    }
+  }
+
+  Query query_;
+  std::vector<abut::AnyShape> a_, b_;
+  std::vector<Job> jobs_;
+  abut::QuerySettings settings_;
+  abut::Manifold manifold_;
+};
+
+}  // namespace
+
+std::unique_ptr<Contender> make_abut(Query query, const Cell& cell) {
+  return std::make_unique<Abut>(query, cell);
+}
+
+void find_surface(Solid& hull) {
+  const abut::AnyShape shape = shape_of(hull);
+  const auto surface = abut::triangles_of(shape);
+  if (!surface) {
+    throw std::runtime_error("a hull without a surface");
+  }
+  hull.points.clear();
+  for (const abut::Vec3& p : surface->vertices) {
+    hull.points.push_back({p.x, p.y, p.z});
+  }
+  hull.triangles.clear();
+  for (std::size_t i = 0; i + 2 < surface->indices.size(); i += 3) {
+    hull.triangles.push_back({static_cast<int>(surface->indices[i]), static_cast<int>(surface->indices[i + 1]),
+                              static_cast<int>(surface->indices[i + 2])});
+  }
+}
+
+}  // namespace bench

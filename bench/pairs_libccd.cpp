@@ -1,0 +1,138 @@
+// libccd by itself, with support functions of our own: penetration by GJK and EPA, and by MPR.
+#include <ccd/ccd.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "pairs.hpp"
+
+namespace bench {
+namespace {
+
+struct Rotation {
+  Point x, y, z;  // columns
+};
+
+struct Body {
+  const Solid* solid;
+  Rotation rotation;
+  Point position;
+};
+
+Rotation rotation_of(const std::array<double, 4>& q) {
+  const auto& [w, x, y, z] = q;
+  return {{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+          {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+          {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
+}
+
+double dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Point local_support(const Solid& solid, const Point& d) {
+  switch (solid.kind) {
+    case Kind::sphere:
+    case Kind::capsule: {
+      const double scale = solid.sizes[0] / std::sqrt(dot(d, d));
+      const double up = solid.kind == Kind::capsule ? std::copysign(solid.sizes[1], d[2]) : 0;
+      return {scale * d[0], scale * d[1], scale * d[2] + up};
+    }
+    case Kind::box:
+      return {std::copysign(solid.sizes[0], d[0]), std::copysign(solid.sizes[1], d[1]),
+              std::copysign(solid.sizes[2], d[2])};
+    case Kind::plane:
+      return {};
+    case Kind::hull32:
+    case Kind::hull200: {
+      double top = -std::numeric_limits<double>::infinity();
+      Point best{};
+      for (const Point& p : solid.points) {
+        if (const double value = dot(p, d); value > top) {
+          top = value;
+          best = p;
+        }
+      }
+      return best;
+    }
+  }
+  return {};
+}
+
+void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* out) {
+  const Body& body = *static_cast<const Body*>(object);
+  const Rotation& r = body.rotation;
+  const Point d{ccdVec3X(direction), ccdVec3Y(direction), ccdVec3Z(direction)};
+  const Point p = local_support(*body.solid, {dot(r.x, d), dot(r.y, d), dot(r.z, d)});
+  ccdVec3Set(out, r.x[0] * p[0] + r.y[0] * p[1] + r.z[0] * p[2] + body.position[0],
+             r.x[1] * p[0] + r.y[1] * p[1] + r.z[1] * p[2] + body.position[1],
+             r.x[2] * p[0] + r.y[2] * p[1] + r.z[2] * p[2] + body.position[2]);
+}
+
+void centre(const void* object, ccd_vec3_t* out) {
+  const Point& p = static_cast<const Body*>(object)->position;
+  ccdVec3Set(out, p[0], p[1], p[2]);
+}
+
+using Penetration = int (*)(const void*, const void*, const ccd_t*, ccd_real_t*, ccd_vec3_t*, ccd_vec3_t*);
+
+class Libccd final : public Contender {
+ public:
+  Libccd(Penetration penetration, const Cell& cell)
+      : penetration_(penetration),
+        solids_a_(cell.solids_a.begin(), cell.solids_a.end()),
+        solids_b_(cell.solids_b.begin(), cell.solids_b.end()) {
+    for (const Case& one : cell.cases) {
+      jobs_.push_back({{&solids_a_[one.a], rotation_of(one.pose_a.orientation), one.pose_a.position},
+                       {&solids_b_[one.b], rotation_of(one.pose_b.orientation), one.pose_b.position}});
+    }
+    CCD_INIT(&settings_);
+    settings_.support1 = settings_.support2 = support;
+    settings_.center1 = settings_.center2 = centre;
+    settings_.max_iterations = 500;
+    settings_.epa_tolerance = settings_.mpr_tolerance = 1e-6;
+  }
+
+  void answer(std::span<Answer> answers) override {
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      ccd_real_t depth = 0;
+      ccd_vec3_t direction{}, position{};
+      const bool found = penetration_(&jobs_[i].a, &jobs_[i].b, &settings_, &depth, &direction, &position) == 0;
+      answers[i] = found ? Answer{-depth, 1} : Answer{};
+    }
+  }
+
+ private:
+  struct Job {
+    Body a, b;
+  };
+
+  Penetration penetration_;
+  std::vector<Solid> solids_a_, solids_b_;
+  std::vector<Job> jobs_;
+  ccd_t settings_{};
+};
+
+std::unique_ptr<Contender> make_libccd(Penetration penetration, Query query, const Cell& cell) {
+  const bool has_plane = cell.solids_a.front().kind == Kind::plane || cell.solids_b.front().kind == Kind::plane;
+  if (query == Query::distance || has_plane) {
+    return nullptr;
+  }
+  return std::make_unique<Libccd>(penetration, cell);
+}
+
+}  // namespace
+
+std::unique_ptr<Contender> make_libccd_gjk(Query query, const Cell& cell) {
+  return make_libccd(ccdGJKPenetration, query, cell);
+}
+std::unique_ptr<Contender> make_libccd_mpr(Query query, const Cell& cell) {
+  return make_libccd(ccdMPRPenetration, query, cell);
+}
+
+}  // namespace bench

@@ -1,0 +1,106 @@
+// What the benchmarks give to every library: solids, placements, and the seeded numbers behind them.
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <string_view>
+#include <vector>
+
+namespace bench {
+
+using Point = std::array<double, 3>;
+
+enum class Kind : std::uint8_t { sphere, box, capsule, plane, hull32, hull200 };
+
+[[nodiscard]] constexpr std::string_view kind_name(Kind kind) {
+  constexpr std::array<std::string_view, 6> names{"sphere", "box", "capsule", "plane", "hull32", "hull200"};
+  return names[static_cast<std::size_t>(kind)];
+}
+[[nodiscard]] constexpr bool is_hull(Kind kind) {
+  return kind == Kind::hull32 || kind == Kind::hull200;
+}
+
+// Sphere: radius. Box: half extents. Capsule: radius and half height, along z. Plane: the half-space
+// below z = 0. Hull: its vertices and its surface, counter-clockwise seen from outside.
+struct Solid {
+  Kind kind = Kind::sphere;
+  Point sizes{};
+  std::vector<Point> points;
+  std::vector<std::array<int, 3>> triangles;
+};
+
+struct Placement {
+  Point position{};
+  std::array<double, 4> orientation{1, 0, 0, 0};  // unit quaternion, scalar first
+};
+
+// The same numbers on every platform, which the distributions of the standard library do not promise.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  [[nodiscard]] double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
+  [[nodiscard]] std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
+
+  [[nodiscard]] Point direction() {
+    const double z = uniform(-1, 1), angle = uniform(0, 2 * std::numbers::pi), radius = std::sqrt(1 - z * z);
+    return {radius * std::cos(angle), radius * std::sin(angle), z};
+  }
+  // Uniform over all rotations (Shoemake 1992).
+  [[nodiscard]] std::array<double, 4> orientation() {
+    const double share = uniform(0, 1), s = uniform(0, 2 * std::numbers::pi), t = uniform(0, 2 * std::numbers::pi);
+    const double p = std::sqrt(1 - share), q = std::sqrt(share);
+    return {p * std::sin(s), p * std::cos(s), q * std::sin(t), q * std::cos(t)};
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// A solid of about unit size. A hull gets points on a perturbed sphere; its surface is left to the caller.
+[[nodiscard]] inline Solid random_solid(Kind kind, Random& random) {
+  Solid solid{kind, {}, {}, {}};
+  if (is_hull(kind)) {
+    const Point axes{random.uniform(0.4, 0.8), random.uniform(0.4, 0.8), random.uniform(0.4, 0.8)};
+    const std::size_t count = kind == Kind::hull32 ? 32 : 200;
+    const double roughness = kind == Kind::hull32 ? 0.03 : 0.003;
+    while (solid.points.size() < count) {
+      const Point direction = random.direction();
+      const double radius = random.uniform(1 - roughness, 1 + roughness);
+      solid.points.push_back(
+          {radius * axes[0] * direction[0], radius * axes[1] * direction[1], radius * axes[2] * direction[2]});
+    }
+  } else {
+    solid.sizes = {random.uniform(0.3, 0.7), random.uniform(0.3, 0.7), random.uniform(0.3, 0.7)};
+  }
+  return solid;
+}
+
+// Radius of a ball around the origin that holds the solid; of a plane 0.
+[[nodiscard]] inline double bounding_radius(const Solid& solid) {
+  double square = 0;
+  switch (solid.kind) {
+    case Kind::sphere:
+      return solid.sizes[0];
+    case Kind::box:
+      return std::hypot(solid.sizes[0], solid.sizes[1], solid.sizes[2]);
+    case Kind::capsule:
+      return solid.sizes[0] + solid.sizes[1];
+    case Kind::plane:
+      return 0;
+    case Kind::hull32:
+    case Kind::hull200:
+      for (const Point& p : solid.points) {
+        square = std::fmax(square, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+      }
+      return std::sqrt(square);
+  }
+  return 0;
+}
+
+}  // namespace bench

@@ -1,0 +1,53 @@
+// Many moving bodies and what touches what, asked to one library.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "scene.hpp"
+
+namespace bench {
+
+// Bodies that all move a little from frame to frame. The ground does not.
+struct World {
+  std::vector<Solid> solids;
+  std::vector<std::size_t> bodies;             // the solid of each body
+  std::vector<std::vector<Placement>> frames;  // a placement of each body
+  Solid ground;
+  Placement ground_at;
+};
+
+struct Touch {
+  std::size_t a, b;  // bodies; the number of bodies for the ground
+  Point normal;      // from a to b
+  double distance;
+};
+
+struct Counts {
+  std::size_t pairs = 0;        // of boxes, handed to the narrow phase
+  std::size_t touching = 0;     // pairs with a contact
+  std::size_t points = 0;       // contacts that are reported
+  std::size_t overlapping = 0;  // contacts with a distance below 0
+};
+
+class Detector {
+ public:
+  Detector() = default;
+  Detector(const Detector&) = delete;
+  Detector& operator=(const Detector&) = delete;
+  virtual ~Detector() = default;
+
+  virtual void place(std::size_t frame) = 0;
+  virtual void detect() = 0;
+  [[nodiscard]] virtual Counts counts() const = 0;
+};
+
+// With Bullet's own margins when `margin` is negative.
+[[gnu::visibility("default")]] std::unique_ptr<Detector> make_bullet_world(const World& world, double margin);
+std::unique_ptr<Detector> make_abut_world(const World& world);
+
+// All overlaps of bodies at placements, by abut.
+std::vector<Touch> touches(const World& world, std::span<const Placement> placements);
+
+}  // namespace bench

@@ -1,0 +1,109 @@
+// abut through its C interface.
+#include <abut/abut.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "abut_c_shapes.hpp"
+#include "universe.hpp"
+
+namespace bench {
+namespace {
+
+struct DestroyUniverse {
+  void operator()(abut_universe* universe) const { abut_universe_destroy(universe); }
+};
+
+class AbutWorld final : public Detector {
+ public:
+  AbutWorld(const World& world, std::span<const std::vector<Placement>> frames) {
+    abut_universe* universe = nullptr;
+    expect_ok(abut_universe_create(nullptr, &universe));
+    universe_.reset(universe);
+    for (const auto& frame : frames) {
+      std::vector<abut_pose>& poses = frames_.emplace_back();
+      for (const Placement& placement : frame) {
+        poses.push_back(abut_c_pose(placement));
+      }
+    }
+    for (const Solid& solid : world.solids) {
+      shapes_.push_back(abut_c_shape(solid));
+    }
+    shapes_.push_back(abut_c_shape(world.ground));
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+      parts_.push_back(add(shapes_[world.bodies[i]], frames_.front()[i], ABUT_MOTION_DYNAMIC));
+    }
+    add(shapes_.back(), abut_c_pose(world.ground_at), ABUT_MOTION_STATIC);
+  }
+
+  void place(std::size_t frame) override {
+    const std::vector<abut_pose>& poses = frames_[frame];
+    expect_ok(abut_parts_set_poses(universe_.get(), parts_.data(), poses.data(), parts_.size()));
+  }
+  void detect() override { expect_ok(abut_universe_step(universe_.get(), 0)); }
+
+  [[nodiscard]] Counts counts() const override {
+    abut_step_stats stats;
+    abut_step_stats_init(&stats);
+    expect_ok(abut_universe_stats(universe_.get(), &stats));
+    Counts counts{stats.candidate_pairs, stats.touching_pairs, stats.contacts, 0};
+    for (const Touch& touch : touches()) {
+      counts.overlapping += touch.distance < 0 ? 1 : 0;
+    }
+    return counts;
+  }
+
+  // Geometries are created in the order of the bodies, so that slots, which count from 1, tell them.
+  [[nodiscard]] std::vector<Touch> touches() const {
+    const abut_contact* first = nullptr;
+    std::size_t count = 0;
+    expect_ok(abut_universe_contacts(universe_.get(), &first, &count));
+    std::vector<abut_contact> contacts(count);
+    std::copy_n(first, count, contacts.data());
+    std::vector<Touch> out;
+    for (const abut_contact& contact : contacts) {
+      out.push_back({contact.geometry_a.slot - 1,
+                     contact.geometry_b.slot - 1,
+                     {contact.normal.x, contact.normal.y, contact.normal.z},
+                     contact.distance});
+    }
+    return out;
+  }
+
+ private:
+  abut_part_id add(const AbutCShape& shape, const abut_pose& pose, abut_motion motion) {
+    abut_part_options options;
+    abut_part_options_init(&options);
+    options.motion = motion;
+    options.pose = pose;
+    abut_part_id part;
+    abut_geometry_id geometry;
+    expect_ok(abut_part_create(universe_.get(), &options, &part));
+    expect_ok(abut_geometry_create(universe_.get(), part, shape.get(), nullptr, &geometry));
+    return part;
+  }
+
+  std::unique_ptr<abut_universe, DestroyUniverse> universe_;
+  std::vector<AbutCShape> shapes_;
+  std::vector<abut_part_id> parts_;
+  std::vector<std::vector<abut_pose>> frames_;
+};
+
+}  // namespace
+
+std::unique_ptr<Detector> make_abut_world(const World& world) {
+  return std::make_unique<AbutWorld>(world, world.frames);
+}
+
+std::vector<Touch> touches(const World& world, std::span<const Placement> placements) {
+  const std::vector<std::vector<Placement>> frames{{placements.begin(), placements.end()}};
+  AbutWorld detector(world, frames);
+  detector.detect();
+  return detector.touches();
+}
+
+}  // namespace bench
