@@ -22,6 +22,10 @@ constexpr float largest_bounded = 1e18f;
 // fewer changes of the trees and more pairs to look at in every step.
 constexpr float slack_share = 0.1f;
 
+// They also reach ahead by the present motion times this many, up to a share of the mean side.
+constexpr float updates_ahead = 5.0f;
+constexpr float most_ahead = 0.5f;
+
 // Visits of a tree have room for this many nodes from the start.
 constexpr std::size_t usual_depth = 256;
 
@@ -33,11 +37,20 @@ bool is_bounded(const CompactAabb& box) {
   return bounded;
 }
 
-CompactAabb enlarged(const CompactAabb& box) {
-  const float sides = (box.high[0] - box.low[0]) + (box.high[1] - box.low[1]) + (box.high[2] - box.low[2]);
-  const float slack = slack_share * (1.0f / 3.0f) * sides;
-  return {{box.low[0] - slack, box.low[1] - slack, box.low[2] - slack},
-          {box.high[0] + slack, box.high[1] + slack, box.high[2] + slack}};
+float mean_side(const CompactAabb& box) {
+  return (1.0f / 3.0f) * ((box.high[0] - box.low[0]) + (box.high[1] - box.low[1]) + (box.high[2] - box.low[2]));
+}
+
+CompactAabb enlarged(const CompactAabb& box, const CompactAabb& before) {
+  const float side = mean_side(box);
+  CompactAabb larger;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float shift = 0.5f * (box.low[axis] - before.low[axis]) + 0.5f * (box.high[axis] - before.high[axis]);
+    const float ahead = std::clamp(updates_ahead * shift, -most_ahead * side, most_ahead * side);
+    larger.low[axis] = box.low[axis] - slack_share * side + std::min(ahead, 0.0f);
+    larger.high[axis] = box.high[axis] + slack_share * side + std::max(ahead, 0.0f);
+  }
+  return larger;
 }
 
 }  // namespace
@@ -53,7 +66,7 @@ void Tree::put(std::uint32_t proxy) {
   Info& info = infos_[proxy];
   if (is_bounded(boxes_[proxy])) {
     info.place = info.is_moving ? Place::moving_tree : Place::still_tree;
-    larger_[proxy] = enlarged(boxes_[proxy]);
+    larger_[proxy] = enlarged(boxes_[proxy], boxes_[proxy]);
     tree_of(info.place).insert(proxy, larger_[proxy]);
   } else {
     info.place = Place::unbounded;
@@ -94,8 +107,17 @@ void Tree::erase(std::uint32_t proxy) {
 
 void Tree::update(std::uint32_t proxy, const CompactAabb& box) {
   ABUT_CHECK(proxy < infos_.size() && infos_[proxy].place != Place::nowhere);
+  const CompactAabb before = boxes_[proxy];
   boxes_[proxy] = box;
-  if (infos_[proxy].place == Place::unbounded ? is_bounded(box) : !larger_[proxy].contains(box)) {
+  const bool was_bounded = infos_[proxy].place != Place::unbounded;
+  if (was_bounded && larger_[proxy].contains(box)) {
+    return;
+  }
+  if (was_bounded && is_bounded(box)) {
+    larger_[proxy] = enlarged(box, before);
+    tree_of(infos_[proxy].place).move(proxy, larger_[proxy]);
+    touch(proxy);
+  } else if (was_bounded || is_bounded(box)) {
     take_out(proxy);
     put(proxy);
   }

@@ -109,6 +109,7 @@ Result<void> Universe::destroy_parts(std::span<const PartId> parts) {
     for (const GeometryId geometry : parts_.at(part).geometries) {
       forget_geometry(geometry);
     }
+    list_bytes_ -= parts_.at(part).geometries.capacity() * sizeof(GeometryId);
     parts_.erase(part);
   }
   return {};
@@ -192,7 +193,10 @@ Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const Part
       kinds_.resize(shapes_.size());
       in_broadphase_.resize(shapes_.size());
       new_geometries_.push_back(id);
-      parts_.at(parts[i]).geometries.push_back(id);
+      std::vector<GeometryId>& list = parts_.at(parts[i]).geometries;
+      list_bytes_ -= list.capacity() * sizeof(GeometryId);
+      list.push_back(id);
+      list_bytes_ += list.capacity() * sizeof(GeometryId);
       shapes_[id.slot - 1] = shapes[i];
       tolerances_[id.slot - 1] = option.tolerance;
       kinds_[id.slot - 1] = static_cast<std::uint8_t>((*shapes[i]).index());
@@ -277,9 +281,7 @@ std::size_t Universe::bytes() const {
   const std::size_t results = pairs_.capacity() * sizeof(ProxyPair) + runs_.bytes() + results_.capacity() * sizeof(PairResult) +
                               manifold_.capacity() * sizeof(ContactPoint) + contacts_.capacity() * sizeof(Contact);
   const std::size_t broadphase = std::visit([](const auto& its) { return its.bytes(); }, broadphase_);
-  std::size_t lists = 0;
-  parts_.for_each([&](PartId, const Part& part) { lists += part.geometries.capacity() * sizeof(GeometryId); });
-  return sizeof(Universe) + parts_.bytes() + geometries_.bytes() + lists + per_geometry + changes + results + broadphase;
+  return sizeof(Universe) + parts_.bytes() + geometries_.bytes() + list_bytes_ + per_geometry + changes + results + broadphase;
 }
 
 }  // namespace abut

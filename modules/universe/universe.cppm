@@ -84,6 +84,7 @@ class Universe {
   SlotMap<Part, PartTag> parts_;
   SlotMap<Geometry, GeometryTag> geometries_;
   Revision revision_;
+  std::size_t list_bytes_ = 0;  // of the lists of geometries of the parts
 
   // By slot of the geometry, less one: what the stages of a step read and write.
   ShapeHandle vacant_;  // stands where there is no geometry
