@@ -70,7 +70,7 @@ inline abut_status check_poses(const abut_pose& pose_a, const abut_pose& pose_b)
     case abut::Outcome::apart:
       return refuse(ABUT_UNSUPPORTED, with + " only finds how deep shapes overlap; this " + pair + " are apart");
     case abut::Outcome::unsupported:
-      return refuse(ABUT_UNSUPPORTED, "there is no answer for " + pair + " by " + with + " in this configuration");
+      return refuse(ABUT_UNSUPPORTED, "options.algorithm is " + with + "; " + pair + " have no answer by it");
     case abut::Outcome::not_converged:
       return refuse(ABUT_NOT_CONVERGED, with + " gave up on " + pair);
     case abut::Outcome::ok:

@@ -19,10 +19,22 @@ struct Numbers {
   std::span<const std::uint32_t> indices;
 };
 
-abut_status create(std::size_t place, const Numbers& numbers, abut_shape** out) {
+// Shapes name their buffers as the named functions do; the generic door calls them reals and indices.
+abut::Error renamed(abut::Error error) {
+  for (const auto& [from, to] : std::array<std::pair<std::string_view, std::string_view>, 3>{
+           {{"xyz[", "desc.reals["}, {"heights[", "desc.reals["}, {"triangles[", "desc.indices["}}}) {
+    if (error.message.starts_with(from)) {
+      error.message.replace(0, from.size(), to);
+      break;
+    }
+  }
+  return error;
+}
+
+abut_status create(std::size_t place, const Numbers& numbers, abut_shape** out, bool by_generic_door = false) {
   abut::Result<abut::AnyShape> made = abut::make_shape(place, numbers.parameters, numbers.reals, numbers.indices);
   if (!made) {
-    return refuse(made.error());
+    return refuse(by_generic_door ? renamed(made.error()) : made.error());
   }
   *out = std::make_unique<abut_shape>(abut::ShapeHandle(std::move(made).value())).release();
   return ABUT_OK;
@@ -113,7 +125,7 @@ abut_status create_from(const abut_shape_desc& desc, abut_shape** out) {
   if (const abut_status status = read_span("desc.indices", desc.indices, "desc.index_count", desc.index_count, numbers.indices); status != ABUT_OK) {
     return status;
   }
-  return create(*place, numbers, out);
+  return create(*place, numbers, out, true);
 }
 
 }  // namespace

@@ -11,9 +11,6 @@ using namespace abut::capi;
 namespace {
 
 abut_status step(abut_universe& its, double dt) {
-  if (const abut::Fault fault = abut::check_not_negative("dt", dt)) {
-    return refuse(*fault);
-  }
   if (const auto done = its.universe.step(dt); !done) {
     return refuse(done.error());
   }

@@ -28,14 +28,13 @@ set(ABUT_SANITIZE "" CACHE STRING "address (with undefined), thread, fuzzer (add
 
 add_compile_options(
   -Wall -Wextra -Wpedantic -Werror
-  -Wunsafe-buffer-usage -Wunsafe-buffer-usage-in-container
   -Wdangling -Wdangling-gsl -Wdangling-field -Wdangling-assignment -Wreturn-stack-address
   -Wthread-safety -Wthread-safety-beta
   -Wswitch-enum -Wcovered-switch-default -Wimplicit-fallthrough -Wunused-result
   -Wconversion -Wsign-conversion -Wfloat-conversion -Wdouble-promotion
   -Wshadow-all -Wcast-align -Wcast-qual -Wcast-function-type-strict
   -Wconditional-uninitialized -Wcomma -Wdocumentation -Wmissing-variable-declarations
-  "$<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast;-Wundefined-reinterpret-cast;-Wzero-as-null-pointer-constant>"
+  "$<$<COMPILE_LANGUAGE:CXX>:-Wunsafe-buffer-usage;-Wunsafe-buffer-usage-in-container;-Wold-style-cast;-Wundefined-reinterpret-cast;-Wzero-as-null-pointer-constant>"
   "$<$<COMPILE_LANGUAGE:CXX>:-Wglobal-constructors;-Wexit-time-destructors;-Wnon-virtual-dtor;-Wextra-semi>")
 
 # The same arithmetic on every target: no fused multiply-add, no reassociation, no errno.

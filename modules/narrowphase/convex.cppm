@@ -97,10 +97,10 @@ void find_face_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation&
 }
 
 template <Convex A, Convex B>
-void separate_by_sat(const A& a, const B& b, const Pose& ab, CoreSeparation& core)
+void separate_by_sat(const A& a, const B& b, const Pose& ab, Real noise, CoreSeparation& core)
   requires FewFaced<A> && FewFaced<B>
 {
-  const std::optional<SatResult> found = sat(a, b, ab);
+  const std::optional<SatResult> found = sat(a, b, ab, noise);
   core.algorithm = Algorithm::sat;
   core.iterations += found ? found->axes : 0;
   core.normal = found ? found->normal : direction_across(a, b, ab);
@@ -125,6 +125,11 @@ void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real err
   core.upper = -found.lower;
   core.point_a = found.point_a;
   core.point_b = found.point_b;
+  // The polytope knows one triangle of a face, which need not hold the closest points of both faces.
+  const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
+  if (largest_magnitude(aside) > core.rounding) {
+    find_face_witnesses(a, b, ab, core);
+  }
 }
 
 // `limit`: the caller only wants to know how near the cores are when they are nearer than this.
@@ -153,7 +158,7 @@ template <Convex A, Convex B>
   }
   if constexpr (FewFaced<A> && FewFaced<B>) {
     if (settings.algorithm != Algorithm::gjk_epa) {
-      separate_by_sat(a, b, ab, core);
+      separate_by_sat(a, b, ab, core.rounding, core);
       return core;
     }
   }

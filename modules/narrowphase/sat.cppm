@@ -22,8 +22,11 @@ struct SatResult {
 
 // Nothing when there is no axis at all, as between two points or parallel segments: such cores only
 // touch, and any direction across both separates them.
+//
+// A normal across edges must beat those of faces by more than `noise`: nearly parallel edges repeat the
+// normal of a face, and the closest points of their lines say nothing.
 template <FewFaced A, FewFaced B>
-[[nodiscard]] std::optional<SatResult> sat(const A& a, const B& b, const Pose& ab) {
+[[nodiscard]] std::optional<SatResult> sat(const A& a, const B& b, const Pose& ab, Real noise) {
   const auto placement = place(b, ab);
   const Vec3 apart = ab * b.centre() - a.centre();
   SatResult best{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}};
@@ -32,21 +35,21 @@ template <FewFaced A, FewFaced B>
   const auto separation_along = [&](const Vec3& n) {
     return dot(n, placed_support(b, placement, -n).point) - dot(n, a.support(n).point);
   };
-  const auto try_axis = [&](const Vec3& n) {
+  const auto try_axis = [&](const Vec3& n, Real lead) {
     ++best.axes;
     const Real before = best.separation;
     if constexpr (A::is_symmetric && B::is_symmetric) {
       // Of two symmetric bodies the side that faces the other one is the better one.
       const Real offset = dot(n, apart);
       const Real separation = std::fabs(offset) - a.reach(n) - placement.reach(n);
-      if (separation > best.separation) {
+      if (separation > best.separation + lead) {
         best.separation = separation;
         best.normal = offset < 0 ? -n : n;
       }
     } else {
       for (const Vec3& side : {n, -n}) {
         const Real separation = separation_along(side);
-        if (separation > best.separation) {
+        if (separation > best.separation + lead) {
           best.separation = separation;
           best.normal = side;
         }
@@ -57,13 +60,13 @@ template <FewFaced A, FewFaced B>
 
   for (const Vec3& n : a.face_normals()) {
     if (squared_norm(n) > 0) {
-      try_axis(n);
+      try_axis(n, 0);
     }
   }
   for (const Vec3& local : b.face_normals()) {
     const Vec3 n = ab.rotation * local;
     if (squared_norm(n) > 0) {
-      try_axis(n);
+      try_axis(n, 0);
     }
   }
   const auto edges_b = b.edge_directions();
@@ -74,7 +77,7 @@ template <FewFaced A, FewFaced B>
       const Real square = squared_norm(n);
       // Edges closer to parallel than rounding span no face. Leaving one out errs by at most the
       // angle times the length of an edge, which is rounding again.
-      if (square > 1e-28 * squared_norm(edge_a) * squared_norm(edge_b) && square > 0 && try_axis((1 / std::sqrt(square)) * n)) {
+      if (square > 1e-28 * squared_norm(edge_a) * squared_norm(edge_b) && square > 0 && try_axis((1 / std::sqrt(square)) * n, noise)) {
         best.of_edges = true;
         best.edge_a = edge_a;
         best.edge_b = edge_b;

@@ -120,10 +120,10 @@ TEST(HeightFieldCreate, RefusesOverflowingCounts) {
   abut_height_field_desc desc = good_desc();
   desc.columns = 0xFFFFFFFFU;
   desc.rows = 0xFFFFFFFFU;
-  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"heights", "18446744065119617025"}));
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"desc.columns", "18446744065119617025"}));
   desc.columns = 0x80000000U;
   desc.rows = 0x80000000U;
-  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"heights", "4611686018427387904"}));
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"desc.columns", "4611686018427387904"}));
   EXPECT_TRUE(out.is_untouched());
 }
 

@@ -80,7 +80,13 @@ TEST(CountThenFill, Triangles) {
   EXPECT_EQ(xyz[9], -1.0);
 }
 
-// Every triangle of the surface lies on it, and its index is the feature of a ray through its middle.
+// Meshes and height fields are their triangles; the faces of boxes and hulls become several each.
+bool numbers_its_triangles(const abut_shape* shape) {
+  const abut_shape_kind kind = abut_shape_kind_of(shape);
+  return kind == abut_shape_kind_by_name("mesh") || kind == abut_shape_kind_by_name("height_field");
+}
+
+// Every triangle of the surface lies on it, and of surfaces its index is the feature of a ray through its middle.
 TEST(CountThenFill, TrianglesAreTheFeaturesOfRays) {
   std::vector<Shape> shapes;
   shapes.push_back(make_box(1, 0.75, 0.5));
@@ -116,7 +122,7 @@ TEST(CountThenFill, TrianglesAreTheFeaturesOfRays) {
       ASSERT_EQ(found, 1U);
       EXPECT_NEAR(hit.distance, 0.01, 1e-12);
       EXPECT_EQ(hit.feature.kind, abut_feature_kind{ABUT_FEATURE_FACE});
-      EXPECT_EQ(hit.feature.index, triangle) << abut_shape_kind_name(abut_shape_kind_of(shape));
+      if (numbers_its_triangles(shape)) EXPECT_EQ(hit.feature.index, triangle) << abut_shape_kind_name(abut_shape_kind_of(shape));
       EXPECT_NEAR(hit.normal.x * normal.x + hit.normal.y * normal.y + hit.normal.z * normal.z, length, 1e-9);
     }
   }

@@ -27,7 +27,7 @@ TEST(Explain, NamesTheKindsOfThePairsAndWhatWasLeftOut) {
     EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
   }
   EXPECT_NE(text.find("unsupported"), std::string::npos) << "the plane against the height field\n" << text;
-  EXPECT_NE(text.find("gjk"), std::string::npos) << text;
+  EXPECT_NE(text.find("GJK"), std::string::npos) << text;
   EXPECT_NE(text.find("left out"), std::string::npos) << text;
 }
 
