@@ -81,11 +81,6 @@ endfunction()
 function(abut_link_fuzzer target)
   target_link_options(${target} PRIVATE -fsanitize=fuzzer)
 endfunction()
-# A shared library exports what its version script names, and nothing of the static ones in it.
-function(abut_limit_exports target map)
-  target_link_options(${target} PRIVATE LINKER:--version-script=${map} LINKER:--exclude-libs,ALL)
-  set_target_properties(${target} PROPERTIES LINK_DEPENDS ${map})
-endfunction()
 # What consumers of the installed modules must share with us: layout, arithmetic, and what clang
 # compares between a module and its importer. The rest of the options stays here.
 function(abut_export_flags target)
