@@ -95,7 +95,7 @@ class Capsule {
     }
     roots(1, {origin.x, origin.y, origin.z - half_height_}, false, false);
     roots(1, {origin.x, origin.y, origin.z + half_height_}, false, false);
-    if (!(best <= max_distance)) {
+    if (best == infinity || !(best <= max_distance)) {
       return std::nullopt;
     }
     const Vec3 point = origin + best * d;
