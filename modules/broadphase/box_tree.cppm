@@ -3,10 +3,10 @@ module;
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <vector>
 export module abut.broadphase.box_tree;
+import abut.core.raw;
 import abut.math;
 
 export namespace abut {
@@ -76,9 +76,7 @@ class BoxTree {
   };
   static_assert(sizeof(Node) == 64);
   [[nodiscard]] static inline Lanes lanes(const Node& node, std::size_t side) {
-    Lanes values;
-    std::memcpy(&values, &node.sides[6 * side], sizeof values);
-    return values;
+    return loaded<Lanes>(node.sides, 6 * side);
   }
 
   [[nodiscard]] static Sides sides_of(const CompactAabb& box);

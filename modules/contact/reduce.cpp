@@ -41,11 +41,50 @@ Real bring_best(std::span<ContactPoint> contacts, std::size_t from, Score&& scor
   return best_score;
 }
 
+// Twice the area of the quadrilateral of four points in any order: half of the largest cross product of
+// two of its lines.
+Real quadrilateral(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& normal) {
+  const auto turn = [&](const Vec3& p, const Vec3& q) { return std::fabs(dot(normal, cross(p, q))); };
+  return std::max({turn(c - a, d - b), turn(b - a, d - c), turn(d - a, c - b)});
+}
+
+// Up to this many points all triples beside the deepest are tried: at most 120.
+constexpr std::size_t few_points = 11;
+
+// Brings the three points to the front that span the largest area with the deepest, which is first.
+void bring_best_three(std::span<ContactPoint> patch) {
+  const Vec3 normal = patch[0].normal;
+  std::array<Vec3, few_points> points{};
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    points[i] = middle(patch[i]);
+  }
+  std::array<std::size_t, 3> best{1, 2, 3};
+  Real best_area = -1;
+  for (std::size_t i = 1; i < patch.size(); ++i) {
+    for (std::size_t j = i + 1; j < patch.size(); ++j) {
+      for (std::size_t k = j + 1; k < patch.size(); ++k) {
+        const Real size = quadrilateral(points[0], points[i], points[j], points[k], normal);
+        if (size > best_area) {
+          best_area = size;
+          best = {i, j, k};
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::swap(patch[i + 1], patch[best[i]]);  // best rises, so that no chosen point is moved away
+  }
+}
+
 // The deepest, the one furthest from it, then the ones that add most area on either side of the
 // widest line, then on any side of the polygon so far.
 std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most) {
   if (patch.size() <= most) {
     return patch.size();
+  }
+  if (most == 4 && patch.size() <= few_points) {
+    bring_best_three(patch);
+    return 4;
   }
   const Vec3 normal = patch[0].normal;
   const Vec3 first = middle(patch[0]);

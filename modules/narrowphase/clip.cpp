@@ -31,6 +31,7 @@ struct Projection {
   Vec3 base;
   Tangents tangents;
   Vec3 normal;
+  Real rounding;  // of projected coordinates
 
   [[nodiscard]] inline Flat operator()(const Vec3& p) const {
     const Vec3 d = p - base;
@@ -71,11 +72,13 @@ using Corners = SmallVector<Corner, 24>;
 
 // Cuts the corners by the line through `from` and `to`, an edge of polygon a; what lies left stays
 // (Sutherland and Hodgman 1974).
-void cut(const Corners& in, Corners& out, const Flat& from, const Flat& to, std::uint32_t edge, std::uint32_t from_vertex,
+void cut(const Corners& in, Corners& out, const Flat& from, const Flat& to, Real rounding, std::uint32_t edge, std::uint32_t from_vertex,
          std::uint32_t to_vertex, std::uint32_t face_of_b) {
   out.clear();
   const Flat direction = to - from;
-  const auto side = [&](const Flat& p) { return cross2(direction, p - from); };
+  // What touches the line within rounding stays, so that faces that meet along an edge have it in common.
+  const Real slack = rounding * (std::fabs(direction.u) + std::fabs(direction.v));
+  const auto side = [&](const Flat& p) { return cross2(direction, p - from) + slack; };
   const auto corners = in.span();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Corner& here = corners[i];
@@ -123,12 +126,18 @@ void clip_polygons(const Face& a, const Face& b, const Projection& projection, C
     const std::size_t k = a_turns ? i : vertices_a.size() - 1 - i;
     const std::size_t to = a_turns ? (k + 1) % vertices_a.size() : (k + vertices_a.size() - 1) % vertices_a.size();
     const std::uint32_t edge = vertices_a[a_turns ? k : to].edge;
-    cut(current, next, projection(vertices_a[k].point), projection(vertices_a[to].point), edge, vertices_a[k].vertex,
+    cut(current, next, projection(vertices_a[k].point), projection(vertices_a[to].point), projection.rounding, edge, vertices_a[k].vertex,
         vertices_a[to].vertex, b.index);
     std::swap(current, next);
   }
   const Lift lift_a(a, projection), lift_b(b, projection);
-  for (const Corner& corner : current.span()) {
+  const auto corners = current.span();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Corner& corner = corners[i];
+    const Flat step = corners[(i + 1) % corners.size()].at - corner.at;
+    if (corners.size() > 1 && std::fabs(step.u) + std::fabs(step.v) <= 4 * projection.rounding) {
+      continue;  // the same corner twice, from two edges that meet there
+    }
     out.push_back({lift_a(corner.at, projection), lift_b(corner.at, projection), corner.feature_a, corner.feature_b});
   }
 }
@@ -144,7 +153,9 @@ void clip_segment(const Face& segment, const Face& polygon, const Projection& pr
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::size_t j = (i + 1) % vertices.size();
     const Flat from = projection(vertices[turns ? i : j].point), to = projection(vertices[turns ? j : i].point);
-    const Real at_p = cross2(to - from, p - from), at_q = cross2(to - from, q - from);
+    const Flat direction = to - from;
+    const Real slack = projection.rounding * (std::fabs(direction.u) + std::fabs(direction.v));
+    const Real at_p = cross2(direction, p - from) + slack, at_q = cross2(direction, q - from) + slack;
     if (at_p < 0 && at_q < 0) {
       return;
     }
@@ -217,7 +228,15 @@ void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& ou
   if (count_a < 2 || count_b < 2) {
     return;
   }
-  const Projection projection{a.vertices[0].point, tangents_of(normal), normal};
+  const Vec3& base = a.vertices[0].point;
+  Real reach = 0;
+  for (const FaceVertex& vertex : b.vertices.span()) {
+    reach = std::max(reach, largest_magnitude(vertex.point - base));
+  }
+  for (const FaceVertex& vertex : a.vertices.span()) {
+    reach = std::max(reach, largest_magnitude(vertex.point - base));
+  }
+  const Projection projection{base, tangents_of(normal), normal, 16 * epsilon * (reach + largest_magnitude(base))};
   if (count_a == 2 && count_b == 2) {
     clip_segments(a, b, projection, out);
   } else if (count_a == 2 && faces_normal(b, normal)) {

@@ -94,6 +94,10 @@ void find_face_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation&
       core.point_b = point.point_b;
     }
   }
+  // What rounding leaves between the points and the distance is shared by both.
+  const Vec3 half = (0.5 * (core.distance - dot(core.point_b - core.point_a, core.normal))) * core.normal;
+  core.point_a = core.point_a - half;
+  core.point_b += half;
 }
 
 template <Convex A, Convex B>
@@ -139,7 +143,7 @@ template <Convex A, Convex B>
   const Real shape_size = 2 * (a.extent() + b.extent()) + a.radius() + b.radius();
   const Real error = settings.error_bound * shape_size + 4 * epsilon * size;
   CoreSeparation core{};
-  core.rounding = 16 * epsilon * size;
+  core.rounding = 64 * epsilon * size;
   const GjkResult near = gjk(a, b, ab, size, error, limit);
   core.algorithm = Algorithm::gjk_epa;
   core.iterations = near.iterations;
@@ -152,7 +156,7 @@ template <Convex A, Convex B>
   if (!near.overlap) {
     core.normal = near.normal;
     core.point_a = near.simplex.witness_a();
-    core.point_b = near.simplex.witness_b();
+    core.point_b = core.point_a - near.closest;
     core.distance = core.upper = near.upper;
     return core;
   }

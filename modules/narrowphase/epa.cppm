@@ -31,7 +31,7 @@ template <Convex A, Convex B>
   const auto vertex_toward = [&](const Vec3& direction) {
     const SupportPoint on_a = a.support(direction);
     const SupportPoint on_b = placed_support(b, placement, -direction);
-    return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_b.point, on_a.index, on_b.index};
+    return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_a.index, on_b.index};
   };
   const Real noise = 8 * epsilon * size;
 
@@ -49,7 +49,7 @@ template <Convex A, Convex B>
     result.depth = result.upper = up ? above : below;
     result.lower = result.depth < 0 ? result.depth : 0;
     result.point_a = up ? top.a : bottom.a;
-    result.point_b = up ? top.b : bottom.b;
+    result.point_b = result.point_a - (up ? top.w : bottom.w);
     return result;
   }
 
@@ -62,13 +62,10 @@ template <Convex A, Convex B>
     const Real reach = dot(normal, vertex.w);
     // Face distances only grow; rounding must not make the bound shrink again.
     result.lower = iteration == 1 || distance > result.lower ? distance : result.lower;
-    // Among equal bounds the latest face, whose witnesses lie nearest to the boundary.
+    // Among equal bounds the normal of the latest face, which lies nearest to the boundary.
     if (reach <= result.upper + noise) {
       result.upper = reach < result.upper ? reach : result.upper;
       result.normal = normal;
-      const Witness witness = polytope.witness(face);
-      result.point_a = witness.a;
-      result.point_b = witness.b;
     }
     if (result.upper - result.lower <= error || reach - distance <= noise || polytope.contains(vertex)) {
       break;
@@ -78,18 +75,11 @@ template <Convex A, Convex B>
     }
   }
   result.depth = result.upper;
-  // The last face lies nearest to the boundary; its witnesses serve when they fit the best normal better.
-  const auto misfit = [&](const Vec3& on_a, const Vec3& on_b) { return result.depth + dot(on_b - on_a, result.normal); };
-  const std::size_t last = polytope.least_face();
-  if (last != Polytope::none) {
-    const Witness witness = polytope.witness(last);
-    if (std::fabs(misfit(witness.a, witness.b)) < std::fabs(misfit(result.point_a, result.point_b))) {
-      result.point_a = witness.a;
-      result.point_b = witness.b;
-    }
-  }
-  // What is left of the misfit, below the error bound, is shared by the two points.
-  const Vec3 half = (0.5 * misfit(result.point_a, result.point_b)) * result.normal;
+  const Witness witness = polytope.witness(polytope.least_face());
+  result.point_a = witness.a;
+  result.point_b = witness.b;
+  // What is left between the points and the depth, below the error bound, is shared by both.
+  const Vec3 half = (0.5 * (result.depth + dot(witness.b - witness.a, result.normal))) * result.normal;
   result.point_a += half;
   result.point_b = result.point_b - half;
   result.lower = result.lower < result.upper ? result.lower : result.upper;

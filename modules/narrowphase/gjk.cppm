@@ -19,6 +19,7 @@ struct GjkResult {
   bool overlap;         // the cores overlap or touch within rounding; the rest is then undefined but the simplex
   bool beyond;          // stopped early: the distance is at least `lower`, which exceeds the limit asked for
   Real lower, upper;    // the distance of the cores lies between them
+  Vec3 closest;         // the closest point of the difference: from b to a
   Vec3 normal;          // unit, from a to b
   Simplex simplex;
   std::uint32_t iterations;
@@ -55,7 +56,7 @@ template <Convex A, Convex B>
   const auto difference_vertex = [&](const Vec3& toward_origin) {
     const SupportPoint on_a = a.support(toward_origin);
     const SupportPoint on_b = placed_support(b, placement, -toward_origin);
-    return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_b.point, on_a.index, on_b.index};
+    return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_a.index, on_b.index};
   };
 
   [[clang::uninitialized]] GjkResult result;
@@ -115,6 +116,7 @@ template <Convex A, Convex B>
     v = closest.point;
     square = closest_square;
   }
+  result.closest = v;
   result.upper = std::sqrt(square);
   const Real lower = best_reach / std::sqrt(best_square);
   result.lower = lower < result.upper ? lower : result.upper;

@@ -66,7 +66,7 @@ class Polytope {
     for (std::size_t i = 0; i < closest.size; ++i) {
       const DifferenceVertex& vertex = vertices_[f.corner[closest.chosen[i]]];
       sum.a += closest.weights[i] * vertex.a;
-      sum.b += closest.weights[i] * vertex.b;
+      sum.b += closest.weights[i] * (vertex.a - vertex.w);
     }
     return sum;
   }

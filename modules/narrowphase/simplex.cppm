@@ -14,9 +14,9 @@ import abut.math;
 
 export namespace abut {
 
-// A vertex of the Minkowski difference a - b.
+// A vertex w = a - b of the Minkowski difference, with the point a that it came from; b is a - w.
 struct DifferenceVertex {
-  Vec3 w, a, b;  // w = a - b
+  Vec3 w, a;
   std::uint32_t index_a, index_b;
 };
 
@@ -38,13 +38,6 @@ struct Simplex {
     Vec3 sum = weights[0] * vertices[0].a;
     for (std::size_t i = 1; i < size; ++i) {
       sum += weights[i] * vertices[i].a;
-    }
-    return sum;
-  }
-  [[nodiscard]] inline Vec3 witness_b() const {
-    Vec3 sum = weights[0] * vertices[0].b;
-    for (std::size_t i = 1; i < size; ++i) {
-      sum += weights[i] * vertices[i].b;
     }
     return sum;
   }

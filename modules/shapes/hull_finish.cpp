@@ -4,6 +4,7 @@ module;
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -58,12 +59,13 @@ void fill_blocks(HullData& hull) {
   }
 }
 
-std::array<Vec3, 4> corners_of_cell(std::size_t side, std::size_t row, std::size_t column) {
+// The corner directions of the square of `width` cells on a side that begins at a row and a column.
+std::array<Vec3, 4> corners_of_cells(std::size_t side, std::size_t row, std::size_t column, std::size_t width) {
   constexpr auto cells = static_cast<Real>(HullData::cells_per_side);
   std::array<Vec3, 4> corners{};
   for (std::size_t i = 0; i < 4; ++i) {
-    const Real u = 2 * static_cast<Real>(column + (i & 1)) / cells - 1;
-    const Real v = 2 * static_cast<Real>(row + (i >> 1)) / cells - 1;
+    const Real u = 2 * static_cast<Real>(column + (i & 1) * width) / cells - 1;
+    const Real v = 2 * static_cast<Real>(row + (i >> 1) * width) / cells - 1;
     const Real main = side % 2 == 0 ? -1 : 1;
     corners[i] = side / 2 == 0 ? Vec3{main, u, v} : side / 2 == 1 ? Vec3{u, main, v} : Vec3{u, v, main};
   }
@@ -72,8 +74,10 @@ std::array<Vec3, 4> corners_of_cell(std::size_t side, std::size_t row, std::size
 
 // Which vertices can be extreme for some direction of a cell. A cell is the cone of its four corner
 // directions, so a vertex that another one beats at all four corners is beaten in the whole cell:
-// what is left after such eliminations is certain to hold the support point.
-std::vector<std::uint32_t> candidates_of(const HullData& hull, const std::array<Vec3, 4>& corners) {
+// what is left after such eliminations is certain to hold the support point. `among`: the vertices to
+// choose from, those of a larger cell around.
+std::vector<std::uint32_t> candidates_of(const HullData& hull, std::span<const std::uint32_t> among,
+                                         const std::array<Vec3, 4>& corners) {
   const auto values_of = [&](const Vec3& p) {
     return std::array<Real, 4>{dot(p, corners[0]), dot(p, corners[1]), dot(p, corners[2]), dot(p, corners[3])};
   };
@@ -84,12 +88,13 @@ std::vector<std::uint32_t> candidates_of(const HullData& hull, const std::array<
   std::vector<std::array<Real, 4>> strong;
   const Vec3 middle = corners[0] + corners[1] + corners[2] + corners[3];
   for (const Vec3& direction : {corners[0], corners[1], corners[2], corners[3], middle}) {
-    const auto top = std::max_element(hull.vertices.begin(), hull.vertices.end(),
-                                      [&](const Vec3& a, const Vec3& b) { return dot(a, direction) < dot(b, direction); });
-    strong.push_back(values_of(*top));
+    const auto top = std::max_element(among.begin(), among.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return dot(hull.vertices[a], direction) < dot(hull.vertices[b], direction);
+    });
+    strong.push_back(values_of(hull.vertices[*top]));
   }
   std::vector<std::uint32_t> kept;
-  for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) {
+  for (const std::uint32_t i : among) {
     const auto values = values_of(hull.vertices[i]);
     if (std::none_of(strong.begin(), strong.end(), [&](const auto& other) { return beats(other, values); })) {
       kept.push_back(i);
@@ -98,15 +103,34 @@ std::vector<std::uint32_t> candidates_of(const HullData& hull, const std::array<
   return kept;
 }
 
-void list_cells(HullData& hull) {
-  for (std::size_t side = 0; side < 6; ++side) {
-    for (std::size_t row = 0; row < HullData::cells_per_side; ++row) {
-      for (std::size_t column = 0; column < HullData::cells_per_side; ++column) {
-        hull.first_candidate.push_back(static_cast<std::uint32_t>(hull.cell_vertices.size()));
-        const auto candidates = candidates_of(hull, corners_of_cell(side, row, column));
-        hull.cell_vertices.insert(hull.cell_vertices.end(), candidates.begin(), candidates.end());
-      }
+using CellLists = std::vector<std::vector<std::uint32_t>>;
+
+// From coarse to fine: what is beaten in a square of cells need not be looked at in its quarters.
+void list_cells_within(const HullData& hull, std::span<const std::uint32_t> among, std::size_t side, std::size_t row,
+                       std::size_t column, std::size_t width, CellLists& lists) {
+  const auto candidates = candidates_of(hull, among, corners_of_cells(side, row, column, width));
+  if (width == 1) {
+    lists[(side * HullData::cells_per_side + row) * HullData::cells_per_side + column] = candidates;
+    return;
+  }
+  const std::size_t half = width / 2;
+  for (const std::size_t down : {std::size_t{0}, half}) {
+    for (const std::size_t right : {std::size_t{0}, half}) {
+      list_cells_within(hull, candidates, side, row + down, column + right, half, lists);
     }
+  }
+}
+
+void list_cells(HullData& hull) {
+  CellLists lists(6 * HullData::cells_per_side * HullData::cells_per_side);
+  std::vector<std::uint32_t> all(hull.vertices.size());
+  std::iota(all.begin(), all.end(), 0u);
+  for (std::size_t side = 0; side < 6; ++side) {
+    list_cells_within(hull, all, side, 0, 0, HullData::cells_per_side, lists);
+  }
+  for (const auto& list : lists) {
+    hull.first_candidate.push_back(static_cast<std::uint32_t>(hull.cell_vertices.size()));
+    hull.cell_vertices.insert(hull.cell_vertices.end(), list.begin(), list.end());
   }
   hull.first_candidate.push_back(static_cast<std::uint32_t>(hull.cell_vertices.size()));
 }

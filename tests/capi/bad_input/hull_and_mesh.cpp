@@ -25,7 +25,7 @@ TEST(HullCreate, RefusesOverflowingCounts) {
   Out<abut_shape*> out;
   for (const std::size_t count : overflowing_counts(3 * sizeof(double))) {
     EXPECT_TRUE(refused(abut_hull_create(square.data(), count, out.address()), ABUT_SIZE_OVERFLOW,
-                        {"xyz", std::to_string(count)}));
+                        {"point_count", std::to_string(count)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
@@ -91,11 +91,11 @@ TEST(MeshCreate, RefusesOverflowingCounts) {
   Out<abut_shape*> out;
   for (const std::size_t count : overflowing_counts(3 * sizeof(double))) {
     EXPECT_TRUE(refused(MeshCall{.vertex_count = count}.into(out.address()), ABUT_SIZE_OVERFLOW,
-                        {"xyz", std::to_string(count)}));
+                        {"vertex_count", std::to_string(count)}));
   }
   for (const std::size_t count : overflowing_counts(3 * sizeof(std::uint32_t))) {
     EXPECT_TRUE(refused(MeshCall{.triangle_count = count}.into(out.address()), ABUT_SIZE_OVERFLOW,
-                        {"triangles", std::to_string(count)}));
+                        {"triangle_count", std::to_string(count)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
