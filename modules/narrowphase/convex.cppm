@@ -155,7 +155,7 @@ template <Convex A, Convex B>
   }
   if (!near.overlap) {
     core.normal = near.normal;
-    core.point_a = near.simplex.witness_a();
+    core.point_a = witness_on_a(near.simplex, near.closest);
     core.point_b = core.point_a - near.closest;
     core.distance = core.upper = near.upper;
     return core;

@@ -67,7 +67,6 @@ template <Convex A, Convex B>
 
   const Vec3 first_direction = ab * b.centre() - a.centre();
   simplex.push(difference_vertex(first_direction));
-  simplex.weights[0] = 1;
   Vec3 v = simplex.vertices[0].w;
   Real square = squared_norm(v);
   const Real touching = touching_distance(size);
@@ -97,8 +96,7 @@ template <Convex A, Convex B>
     }
     simplex.push(vertex);
     const ClosestPoint closest = closest_to_origin(simplex);
-    if (closest.encloses_origin) {
-      keep(simplex, closest);
+    if (closest.vertices == all_of_tetrahedron) {
       result.overlap = true;
       break;
     }
@@ -112,18 +110,22 @@ template <Convex A, Convex B>
         break;
       }
     }
-    keep(simplex, closest);
+    keep(simplex, closest.vertices);
     v = closest.point;
     square = closest_square;
   }
+  const Real lower = best_reach / std::sqrt(best_square);
+  result.iterations = iteration;
+  if (result.beyond) {
+    result.lower = lower;
+    return result;
+  }
   result.closest = v;
   result.upper = std::sqrt(square);
-  const Real lower = best_reach / std::sqrt(best_square);
   result.lower = lower < result.upper ? lower : result.upper;
   // A separation without proof, no larger than what rounding adds up to, is a touch.
-  result.overlap = result.overlap || (!result.beyond && !(lower > 0) && result.upper <= unproven_limit * touching);
+  result.overlap = result.overlap || (!(lower > 0) && result.upper <= unproven_limit * touching);
   result.normal = normal_of(simplex, v, result.upper);
-  result.iterations = iteration;
   return result;
 }
 

@@ -59,16 +59,14 @@ class Polytope {
 
   // The points of both bodies under the point of a face that is closest to the origin.
   [[nodiscard]] Witness witness(std::size_t face) const {
-    const Face& f = faces_[face];
-    const DifferenceVertex &p = vertices_[f.corner[0]], &q = vertices_[f.corner[1]], &r = vertices_[f.corner[2]];
-    const ClosestPoint closest = closest_on_triangle(p.w, q.w, r.w, 0, 1, 2);
-    Witness sum{{0, 0, 0}, {0, 0, 0}};
-    for (std::size_t i = 0; i < closest.size; ++i) {
-      const DifferenceVertex& vertex = vertices_[f.corner[closest.chosen[i]]];
-      sum.a += closest.weights[i] * vertex.a;
-      sum.b += closest.weights[i] * (vertex.a - vertex.w);
+    [[clang::uninitialized]] Simplex corners;
+    for (const std::uint16_t corner : faces_[face].corner) {
+      corners.push(vertices_[corner]);
     }
-    return sum;
+    const ClosestPoint closest = closest_to_origin(corners);
+    keep(corners, closest.vertices);
+    const Vec3 on_a = witness_on_a(corners, closest.point);
+    return {on_a, on_a - closest.point};
   }
 
   // Replaces all faces that see the vertex by the cone from their horizon. False when the storage is

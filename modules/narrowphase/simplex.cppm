@@ -22,7 +22,6 @@ struct DifferenceVertex {
 
 struct Simplex {
   std::array<DifferenceVertex, 4> vertices;
-  std::array<Real, 4> weights;  // of the closest point
   std::size_t size = 0;
 
   inline void push(const DifferenceVertex& vertex) { vertices[size++] = vertex; }
@@ -34,119 +33,98 @@ struct Simplex {
     }
     return false;
   }
-  [[nodiscard]] inline Vec3 witness_a() const {
-    Vec3 sum = weights[0] * vertices[0].a;
-    for (std::size_t i = 1; i < size; ++i) {
-      sum += weights[i] * vertices[i].a;
-    }
-    return sum;
-  }
 };
 
-// A choice of vertices of a simplex with their weights, and the point that they make.
+// A point of a simplex and the vertices that span it, by bit. Weights are left to weights_of: GJK needs
+// them only once, at its end.
 struct ClosestPoint {
   Vec3 point;
-  std::array<std::uint8_t, 4> chosen;
-  std::array<Real, 4> weights;
-  std::size_t size;
-  bool encloses_origin;
+  unsigned vertices;
 };
 
-[[nodiscard]] inline ClosestPoint closest_on_segment(const Vec3& p, const Vec3& q, std::uint8_t ip, std::uint8_t iq) {
+inline constexpr unsigned all_of_tetrahedron = 15;
+
+[[nodiscard]] inline ClosestPoint closest_on_segment(const Vec3& p, const Vec3& q, unsigned at_p, unsigned at_q) {
   const Vec3 d = q - p;
   const Real along = -dot(p, d), length = squared_norm(d);
   if (!(along > 0)) {
-    return {p, {ip}, {1}, 1, false};
+    return {p, at_p};
   }
   if (!(along < length)) {
-    return {q, {iq}, {1}, 1, false};
+    return {q, at_q};
   }
-  const Real t = along / length;
-  const Vec3 near = p + t * d;
+  const Real inverse = 1 / length;
+  const Vec3 near = p + (along * inverse) * d;
   // Projected again: where the point is small beside p, its direction would be rounding of p.
-  return {near - (dot(near, d) / length) * d, {ip, iq}, {1 - t, t}, 2, false};
+  return {near - (dot(near, d) * inverse) * d, at_p | at_q};
 }
 
-// r is the newest vertex. The closest point of a triangle that GJK extends lies on a face with r in
-// it; the edge p q only counts when rounding says so.
-[[nodiscard]] inline ClosestPoint closest_on_triangle(const Vec3& p, const Vec3& q, const Vec3& r, std::uint8_t ip,
-                                                      std::uint8_t iq, std::uint8_t ir) {
+// Keeps the closer one of two candidates.
+inline void consider(ClosestPoint& best, Real& best_square, const ClosestPoint& candidate) {
+  const Real square = squared_norm(candidate.point);
+  if (square < best_square) {
+    best = candidate;
+    best_square = square;
+  }
+}
+
+// The edges opposite to corners whose barycentric weight is not positive may hold the closest point.
+[[nodiscard]] inline ClosestPoint closest_on_triangle(const Vec3& p, const Vec3& q, const Vec3& r, unsigned at_p, unsigned at_q,
+                                                      unsigned at_r) {
   const Vec3 normal = cross(p - r, q - r);
   const Real square = squared_norm(normal);
   bool try_pr = true, try_qr = true, try_pq = true;
-  if (square > 0) {
-    const Real height = dot(normal, r);
-    const Vec3 foot = (height / square) * normal;
+  if (square > 0) [[likely]] {
+    const Vec3 foot = (dot(normal, r) / square) * normal;
     const Vec3 fp = p - foot, fq = q - foot, fr = r - foot;
-    const Real wp = dot(normal, cross(fq, fr)), wq = dot(normal, cross(fr, fp)), wr = dot(normal, cross(fp, fq));
-    if (wp > 0 && wq > 0 && wr > 0) {
-      const Real scale = 1 / (wp + wq + wr);
-      return {foot, {ip, iq, ir}, {scale * wp, scale * wq, scale * wr}, 3, false};
+    try_qr = !(dot(normal, cross(fq, fr)) > 0);
+    try_pr = !(dot(normal, cross(fr, fp)) > 0);
+    try_pq = !(dot(normal, cross(fp, fq)) > 0);
+    if (!(try_qr || try_pr || try_pq)) {
+      return {foot, at_p | at_q | at_r};
     }
-    try_qr = !(wp > 0);
-    try_pr = !(wq > 0);
-    try_pq = !(wr > 0);
   }
-  ClosestPoint best{};
+  ClosestPoint best{r, at_r};
   Real best_square = infinity;
-  const auto consider = [&](const ClosestPoint& candidate) {
-    const Real candidate_square = squared_norm(candidate.point);
-    if (candidate_square < best_square) {
-      best = candidate;
-      best_square = candidate_square;
-    }
-  };
   if (try_pr) {
-    consider(closest_on_segment(p, r, ip, ir));
+    consider(best, best_square, closest_on_segment(p, r, at_p, at_r));
   }
   if (try_qr) {
-    consider(closest_on_segment(q, r, iq, ir));
+    consider(best, best_square, closest_on_segment(q, r, at_q, at_r));
   }
   if (try_pq) {
-    consider(closest_on_segment(p, q, ip, iq));
+    consider(best, best_square, closest_on_segment(p, q, at_p, at_q));
   }
   return best;
 }
 
-// The simplex p q r s, s being the newest. With cofactors of mixed signs the origin is outside the
-// faces opposite to the vertices whose sign differs from that of the volume.
+// With cofactors of mixed signs the origin is outside the faces opposite to the vertices whose sign
+// differs from that of the volume.
 [[nodiscard]] inline ClosestPoint closest_on_tetrahedron(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
   const Vec3 sp = p - s, sq = q - s, sr = r - s;
   const Vec3 qr = cross(sq, sr), rp = cross(sr, sp), pq = cross(sp, sq);
   const Real volume = dot(sp, qr);
   // Heights of the origin over the planes of the faces through s, in units of the volume.
   const Real hp = -dot(s, qr), hq = -dot(s, rp), hr = -dot(s, pq);
-  const Vec3 base = cross(q - p, r - p);
-  const Real hs = -dot(p, base);  // the face p q r; s itself has height -volume
+  const Real hs = -dot(p, cross(q - p, r - p));  // the face p q r; s itself has height -volume
   // A volume that is no more than rounding says nothing about sides: then every face is a candidate.
   const Real noise = 16 * epsilon * largest_magnitude(sp) * largest_magnitude(sq) * largest_magnitude(sr);
   const bool flat = !(volume > noise || volume < -noise);
   const auto outside = [&](Real h) { return flat || !(volume > 0 ? h >= 0 : h <= 0); };
   const bool out_p = outside(hp), out_q = outside(hq), out_r = outside(hr), out_s = outside(-hs);
-  if (!(out_p || out_q || out_r || out_s)) {
-    const Real scale = 1 / volume;
-    return {{0, 0, 0}, {0, 1, 2, 3}, {scale * hp, scale * hq, scale * hr, 1 - scale * (hp + hq + hr)}, 4, true};
-  }
-  ClosestPoint best{};
+  ClosestPoint best{{0, 0, 0}, all_of_tetrahedron};
   Real best_square = infinity;
-  const auto consider = [&](const ClosestPoint& candidate) {
-    const Real candidate_square = squared_norm(candidate.point);
-    if (candidate_square < best_square) {
-      best = candidate;
-      best_square = candidate_square;
-    }
-  };
   if (out_p) {
-    consider(closest_on_triangle(q, r, s, 1, 2, 3));
+    consider(best, best_square, closest_on_triangle(q, r, s, 2, 4, 8));
   }
   if (out_q) {
-    consider(closest_on_triangle(p, r, s, 0, 2, 3));
+    consider(best, best_square, closest_on_triangle(p, r, s, 1, 4, 8));
   }
   if (out_r) {
-    consider(closest_on_triangle(p, q, s, 0, 1, 3));
+    consider(best, best_square, closest_on_triangle(p, q, s, 1, 2, 8));
   }
   if (out_s) {
-    consider(closest_on_triangle(p, q, r, 0, 1, 2));
+    consider(best, best_square, closest_on_triangle(p, q, r, 1, 2, 4));
   }
   return best;
 }
@@ -155,23 +133,46 @@ struct ClosestPoint {
   const auto& v = simplex.vertices;
   switch (simplex.size) {
     case 1:
-      return {v[0].w, {0}, {1}, 1, false};
+      return {v[0].w, 1};
     case 2:
-      return closest_on_segment(v[0].w, v[1].w, 0, 1);
+      return closest_on_segment(v[0].w, v[1].w, 1, 2);
     case 3:
-      return closest_on_triangle(v[0].w, v[1].w, v[2].w, 0, 1, 2);
+      return closest_on_triangle(v[0].w, v[1].w, v[2].w, 1, 2, 4);
     default:
       return closest_on_tetrahedron(v[0].w, v[1].w, v[2].w, v[3].w);
   }
 }
 
-// Keeps the chosen vertices, in their order.
-inline void keep(Simplex& simplex, const ClosestPoint& closest) {
-  for (std::size_t i = 0; i < closest.size; ++i) {
-    simplex.vertices[i] = simplex.vertices[closest.chosen[i]];
-    simplex.weights[i] = closest.weights[i];
+// Keeps the vertices that span a closest point, in their order.
+inline void keep(Simplex& simplex, unsigned vertices) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < simplex.size; ++i) {
+    if ((vertices >> i & 1u) != 0) {
+      if (kept != i) {
+        simplex.vertices[kept] = simplex.vertices[i];
+      }
+      ++kept;
+    }
   }
-  simplex.size = closest.size;
+  simplex.size = kept;
+}
+
+// The point of a under the closest point of at most three vertices, with the weights that it has there.
+[[nodiscard]] inline Vec3 witness_on_a(const Simplex& simplex, const Vec3& closest) {
+  const auto& v = simplex.vertices;
+  if (simplex.size == 1) {
+    return v[0].a;
+  }
+  if (simplex.size == 2) {
+    const Vec3 d = v[1].w - v[0].w;
+    const Real t = dot(closest - v[0].w, d) / squared_norm(d);
+    return v[0].a + t * (v[1].a - v[0].a);
+  }
+  const Vec3 normal = cross(v[0].w - v[2].w, v[1].w - v[2].w);
+  const Vec3 p = v[0].w - closest, q = v[1].w - closest, r = v[2].w - closest;
+  const Real wp = dot(normal, cross(q, r)), wq = dot(normal, cross(r, p)), wr = dot(normal, cross(p, q));
+  const Real scale = 1 / (wp + wq + wr);
+  return (scale * wp) * v[0].a + (scale * wq) * v[1].a + (scale * wr) * v[2].a;
 }
 
 }  // namespace abut

@@ -76,7 +76,6 @@ void triangle_contacts(const Triangle& triangle, const B& b, const Pose& ab, con
   if (core.beyond || core.distance - radii > settings.margin) {
     return;
   }
-  bool closest_count = true;
   if (triangle.has_area()) {
     if (triangle.is_one_sided() && dot(core.normal, triangle.normal()) < 0) {
       // A core beside or behind the triangle: only what its rounding has sunk in from the front counts.
@@ -84,12 +83,12 @@ void triangle_contacts(const Triangle& triangle, const B& b, const Pose& ab, con
         return;
       }
       turn_to_face(triangle, b, ab, core);
-      closest_count = is_over(triangle, core.point_b);
     } else if (is_inner_point(triangle, core.point_a)) {
       turn_to_face(triangle, b, ab, core);
-      closest_count = is_over(triangle, core.point_b);
     }
   }
+  // After a turn the closest points may lie beside the triangle, over a neighbour that has them too.
+  const bool closest_count = !triangle.has_area() || is_over(triangle, core.point_a);
   const std::size_t first = out.size();
   contacts_under(triangle, b, ab, core, settings.margin, closest_count, out);
   // Seen from outside, the feature of a surface is its triangle; the number of the contact still tells
