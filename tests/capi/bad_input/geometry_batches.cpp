@@ -56,11 +56,11 @@ TEST(GeometriesCreate, RefusesOverflowingCounts) {
   for (const std::size_t count : overflowing_counts(sizeof(abut_geometry_options))) {
     EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), batch.options.data(), count,
                                                batch.out.data()),
-                        ABUT_SIZE_OVERFLOW, {std::to_string(count)}));
+                        ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
   }
   for (const std::size_t count : overflowing_counts(sizeof(abut_part_id))) {
     EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, count, batch.out.data()),
-                        ABUT_SIZE_OVERFLOW, {std::to_string(count)}));
+                        ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
   }
   EXPECT_TRUE(batch.out.is_untouched());
   EXPECT_TRUE(scene.is_unchanged());
@@ -152,7 +152,7 @@ TEST(GeometriesDestroy, RefusesOverflowingCounts) {
   const Scene scene;
   for (const std::size_t count : overflowing_counts(sizeof(abut_geometry_id))) {
     EXPECT_TRUE(refused(abut_geometries_destroy(scene.universe, &scene.geometry, count), ABUT_SIZE_OVERFLOW,
-                        {std::to_string(count)}));
+                        {"count", std::to_string(count)}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -183,7 +183,7 @@ TEST(GeometriesPoses, RefusesOverflowingCounts) {
   Out<abut_pose> out;
   for (const std::size_t count : overflowing_counts(sizeof(abut_pose))) {
     EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, &scene.geometry, count, out.address()), ABUT_SIZE_OVERFLOW,
-                        {std::to_string(count)}));
+                        {"count", std::to_string(count)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }

@@ -191,7 +191,7 @@ TEST(ShapesDistances, RefusesOverflowingCounts) {
   PairCall call;
   for (const std::size_t count : overflowing_counts(sizeof(abut_pose))) {
     EXPECT_TRUE(refused(abut_shapes_distances(call.a, &identity, call.b, &identity, count, nullptr, call.distance.address()),
-                        ABUT_SIZE_OVERFLOW, {std::to_string(count)}));
+                        ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
   }
   EXPECT_TRUE(call.is_untouched());
 }

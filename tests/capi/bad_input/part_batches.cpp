@@ -28,7 +28,7 @@ TEST(PartsCreate, RefusesOverflowingCounts) {
   OutArray<abut_part_id> out(3);
   for (const std::size_t count : overflowing_counts(sizeof(abut_part_options))) {
     EXPECT_TRUE(refused(abut_parts_create(scene.universe, options.data(), count, out.data()), ABUT_SIZE_OVERFLOW,
-                        {std::to_string(count)}));
+                        {"count", std::to_string(count)}));
   }
   EXPECT_TRUE(out.is_untouched());
   EXPECT_TRUE(scene.is_unchanged());
@@ -112,7 +112,7 @@ TEST(PartsDestroy, RefusesNullPointers) {
 TEST(PartsDestroy, RefusesOverflowingCounts) {
   const Scene scene;
   for (const std::size_t count : overflowing_counts(sizeof(abut_part_id))) {
-    EXPECT_TRUE(refused(abut_parts_destroy(scene.universe, &scene.part, count), ABUT_SIZE_OVERFLOW, {std::to_string(count)}));
+    EXPECT_TRUE(refused(abut_parts_destroy(scene.universe, &scene.part, count), ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -140,7 +140,7 @@ TEST(PartsSetPoses, RefusesOverflowingCounts) {
   const Scene scene;
   for (const std::size_t count : overflowing_counts(sizeof(abut_pose))) {
     EXPECT_TRUE(refused(abut_parts_set_poses(scene.universe, &scene.part, &identity, count), ABUT_SIZE_OVERFLOW,
-                        {std::to_string(count)}));
+                        {"count", std::to_string(count)}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -180,7 +180,7 @@ TEST(PartsPoses, RefusesOverflowingCounts) {
   Out<abut_pose> out;
   for (const std::size_t count : overflowing_counts(sizeof(abut_pose))) {
     EXPECT_TRUE(refused(abut_parts_poses(scene.universe, &scene.part, count, out.address()), ABUT_SIZE_OVERFLOW,
-                        {std::to_string(count)}));
+                        {"count", std::to_string(count)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
