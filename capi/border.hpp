@@ -51,10 +51,11 @@ template <std::size_t Count>
   return ABUT_OK;
 }
 
-[[nodiscard]] inline abut_status check_size(std::string_view count_name, std::uint64_t count, std::size_t stride) {
+[[nodiscard]] inline abut_status check_size(std::string_view name, std::string_view count_name, std::uint64_t count,
+                                            std::size_t stride) {
   if (count > static_cast<std::uint64_t>(std::numeric_limits<std::ptrdiff_t>::max()) / stride) [[unlikely]] {
     return refuse(ABUT_SIZE_OVERFLOW, std::string(count_name) + " is " + std::to_string(count) + "; that many elements of " +
-                                          std::to_string(stride) + " bytes do not fit into memory");
+                                          std::string(name) + ", " + std::to_string(stride) + " bytes each, do not fit into memory");
   }
   return ABUT_OK;
 }
@@ -63,7 +64,7 @@ template <std::size_t Count>
 template <std::size_t Group = 1, class T>
 [[nodiscard]] abut_status read_span(std::string_view name, T* pointer, std::string_view count_name, std::uint64_t count,
                                     std::span<T>& out) {
-  if (const abut_status status = check_size(count_name, count, Group * sizeof(T)); status != ABUT_OK) {
+  if (const abut_status status = check_size(name, count_name, count, Group * sizeof(T)); status != ABUT_OK) {
     return status;
   }
   if (count == 0) {

@@ -59,7 +59,8 @@ class StructArray {
  public:
   // An argument that may be null, for which the answer is an empty array.
   [[nodiscard]] static abut_status read(std::string_view name, const Struct* structs, std::size_t count, StructArray& out) {
-    if (const abut_status status = check_size("count", count, sizeof(Struct)); status != ABUT_OK || structs == nullptr || count == 0) {
+    if (const abut_status status = check_size(name, "count", count, sizeof(Struct));
+        status != ABUT_OK || structs == nullptr || count == 0) {
       return status;
     }
     if (const abut_status status = check_struct_size({name, 0}, *structs); status != ABUT_OK) {
@@ -70,7 +71,7 @@ class StructArray {
       return refuse(error_about(Errc::wrong_struct_size, Where{name, 0}.with(".struct_size"), std::uint64_t{stride},
                                 "a multiple of " + std::to_string(alignof(Struct))));
     }
-    if (const abut_status status = check_size("count", count, stride); status != ABUT_OK) {
+    if (const abut_status status = check_size(name, "count", count, stride); status != ABUT_OK) {
       return status;
     }
     out.structs_.reserve(count);

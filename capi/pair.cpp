@@ -18,7 +18,7 @@ namespace {
 
 constexpr abut_query_options default_options{sizeof(abut_query_options), ABUT_ALGORITHM_AUTO, 0, 0, 4, 0};
 
-constexpr std::array<std::string_view, 6> algorithm_names{"any algorithm",          "ABUT_ALGORITHM_ANALYTIC",
+constexpr std::array<std::string_view, 6> algorithm_names{"ABUT_ALGORITHM_AUTO",       "ABUT_ALGORITHM_ANALYTIC",
                                                           "ABUT_ALGORITHM_SAT",     "ABUT_ALGORITHM_GJK_EPA",
                                                           "ABUT_ALGORITHM_LIBCCD_GJK", "ABUT_ALGORITHM_LIBCCD_MPR"};
 
@@ -66,11 +66,15 @@ inline abut_status check_poses(const abut_pose& pose_a, const abut_pose& pose_b)
                                          abut::Algorithm algorithm) {
   const std::string pair = std::string(abut::kind_name(a.index())) + " and " + std::string(abut::kind_name(b.index()));
   const std::string with(algorithm_names[static_cast<std::size_t>(algorithm)]);
+  if (outcome == abut::Outcome::unsupported && algorithm == abut::Algorithm::automatic) {
+    return refuse(ABUT_UNSUPPORTED, "there is no algorithm for " + pair);
+  }
   switch (outcome) {
     case abut::Outcome::apart:
-      return refuse(ABUT_UNSUPPORTED, with + " only finds how deep shapes overlap; this " + pair + " are apart");
+      return refuse(ABUT_UNSUPPORTED,
+                    "options.algorithm is " + with + ", which only tells how deep shapes overlap; this " + pair + " are apart");
     case abut::Outcome::unsupported:
-      return refuse(ABUT_UNSUPPORTED, "options.algorithm is " + with + "; " + pair + " have no answer by it");
+      return refuse(ABUT_UNSUPPORTED, "options.algorithm is " + with + "; there is no such way for " + pair);
     case abut::Outcome::not_converged:
       return refuse(ABUT_NOT_CONVERGED, with + " gave up on " + pair);
     case abut::Outcome::ok:
