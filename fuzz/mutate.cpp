@@ -1,0 +1,54 @@
+module;
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+module abut.fuzz;
+
+namespace abut::fuzz {
+
+void snap_to_touching(std::size_t place_a, std::size_t place_b, Record& record) {
+  const Result<Scene> scene = make_scene(place_a, place_b, record);
+  Distance found{};
+  if (!scene || pair_distance(scene.value().a, scene.value().b, scene.value().ab, {}, found) != Outcome::ok) {
+    return;
+  }
+  const Vec3 position = scene.value().ab.position - found.distance * found.normal;
+  if (is_finite(position)) {
+    record.position = {position.x, position.y, position.z};
+  }
+}
+
+void mutate(std::size_t place_a, std::size_t place_b, Record& record, std::uint64_t seed) {
+  Random random(seed);
+  const std::size_t field = random.below(number_count);
+  const Real value = number_at(record, field);
+  switch (random.below(8)) {
+    case 0:
+      set_number(record, field, -value);
+      break;
+    case 1:
+      set_number(record, field, std::nextafter(value, random.below(2) == 0 ? infinity : -infinity));
+      break;
+    case 2:
+      // The same number of the other shape, or for the pose a number of a shape.
+      set_number(record, field, number_at(record, field < 16 ? (field + 8) % 16 : random.below(16)));
+      break;
+    case 3:
+      set_number(record, field, std::copysign(std::exp2(static_cast<Real>(random.below(41)) - 20), value));
+      break;
+    case 4:
+      set_number(record, field, 0);
+      break;
+    case 5:
+      record.flags = static_cast<std::uint8_t>(record.flags ^ (1u << random.below(7)));
+      break;
+    default:
+      snap_to_touching(place_a, place_b, record);
+      break;
+  }
+}
+
+}  // namespace abut::fuzz

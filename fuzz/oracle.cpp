@@ -1,0 +1,279 @@
+module;
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+module abut.fuzz;
+
+namespace abut::fuzz {
+namespace {
+
+std::string fault(std::string_view what, Real got, Real expected) {
+  return std::string(what) + ": got " + to_text(got) + ", expected " + to_text(expected);
+}
+
+bool is_convex(const AnyShape& shape) {
+  return std::visit([]<class S>(const S&) { return Convex<S>; }, shape);
+}
+// Convex, bounded or not: the least translation that parts it is unique in length.
+bool is_solid(const AnyShape& shape) {
+  return std::visit([]<class S>(const S&) { return Convex<S> || HalfSpace<S>; }, shape);
+}
+// Whether contacts are found from all sides.
+bool has_back(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& s) {
+        if constexpr (requires { s.triangle_count(); }) {
+          return s.parameters()[0] == 0;
+        } else {
+          return Convex<S> || HalfSpace<S>;
+        }
+      },
+      shape);
+}
+
+// How far a convex shape reaches along a unit direction of its own frame.
+std::optional<Real> reach_along(const AnyShape& shape, const Vec3& direction) {
+  return std::visit(
+      [&]<class S>(const S& s) -> std::optional<Real> {
+        if constexpr (Convex<S>) {
+          return dot(s.support(direction).point, direction) + s.radius();
+        } else {
+          return std::nullopt;
+        }
+      },
+      shape);
+}
+
+// Directions spread over the sphere, on a Fibonacci spiral.
+std::span<const Vec3> sweep() {
+  static const auto directions = [] {
+    std::array<Vec3, 128> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Real z = 1 - (2 * static_cast<Real>(i) + 1) / static_cast<Real>(all.size());
+      const Real around = 2.399963229728653 * static_cast<Real>(i), radius = std::sqrt(1 - z * z);
+      all[i] = {radius * std::cos(around), radius * std::sin(around), z};
+    }
+    return all;
+  }();
+  return directions;
+}
+
+// A point in the frame of the shape must lie in it, and in what bounds it along the outward direction.
+Verdict judge_point(const AnyShape& shape, const Vec3& point, const Vec3& outward, bool must_be_outermost, Real noise, std::string_view name) {
+  if (!aabb_of(shape, Pose::identity()).inflated(noise).overlaps({point, point})) {
+    return std::string(name) + " is outside the box of its shape";
+  }
+  if (!is_convex(shape)) {
+    return std::nullopt;
+  }
+  for (const Vec3& direction : sweep()) {
+    const Real most = reach_along(shape, direction).value_or(0), got = dot(point, direction);
+    if (got > most + noise) {
+      return fault(std::string(name) + " is off its shape", got, most);
+    }
+  }
+  const Real most = reach_along(shape, outward).value_or(0), got = dot(point, outward);
+  if (must_be_outermost && got < most - noise) {
+    return fault(std::string(name) + " is below the surface", got, most);
+  }
+  return std::nullopt;
+}
+
+// What holds for distances and contacts alike.
+Verdict judge_record(const Scene& scene, Real distance, const Vec3& point_a, const Vec3& point_b, const Vec3& normal,
+                     bool must_be_outermost) {
+  const Real noise = tolerance(scene);
+  if (!std::isfinite(distance) || !is_finite(point_a) || !is_finite(point_b) || !is_finite(normal)) {
+    return "a number is not finite";
+  }
+  if (std::fabs(norm(normal) - 1) > 1e-12) {
+    return fault("length of the normal", norm(normal), 1);
+  }
+  const Real along = dot(point_b - point_a, normal);
+  if (std::fabs(along - distance) > noise) {
+    return fault("distance along the normal of the points", along, distance);
+  }
+  if (Verdict verdict = judge_point(scene.a, point_a, normal, must_be_outermost, noise, "point_a")) {
+    return verdict;
+  }
+  return judge_point(scene.b, scene.ab.undo(point_b), -scene.ab.rotation.undo(normal), must_be_outermost, noise, "point_b");
+}
+
+Outcome distance_of(const Scene& scene, Algorithm algorithm, Distance& out) {
+  return pair_distance(scene.a, scene.b, scene.ab, {.algorithm = algorithm}, out);
+}
+
+Verdict judge_swap(const Scene& scene, const Distance& found) {
+  Distance other{};
+  if (distance_of(swapped(scene), Algorithm::automatic, other) != Outcome::ok) {
+    return "the swapped pair has no answer";
+  }
+  if (!(std::fabs(other.distance - found.distance) <= tolerance(scene))) {
+    return fault("distance of the swapped pair", other.distance, found.distance);
+  }
+  return std::nullopt;
+}
+
+// Apart boxes mean apart shapes.
+Verdict judge_boxes(const Scene& scene, const Distance& found) {
+  const Aabb a = aabb_of(scene.a, Pose::identity()), b = aabb_of(scene.b, scene.ab);
+  if (!a.inflated(tolerance(scene)).overlaps(b) && found.distance <= 0) {
+    return fault("distance of shapes with boxes apart", found.distance, tolerance(scene));
+  }
+  return std::nullopt;
+}
+
+Verdict judge_parted(const Scene& scene, const Distance& found) {
+  if (!is_solid(scene.a) || !is_solid(scene.b) || found.distance >= 0) {
+    return std::nullopt;
+  }
+  Scene parted = scene;
+  parted.ab.position += -found.distance * found.normal;
+  Distance left{};
+  if (distance_of(parted, Algorithm::automatic, left) != Outcome::ok) {
+    return "shapes moved to touching have no answer";
+  }
+  if (!(std::fabs(left.distance) <= 2 * tolerance(scene))) {
+    return fault("distance after parting along the normal", left.distance, 0);
+  }
+  return std::nullopt;
+}
+
+Verdict judge_scaled(std::size_t place_a, std::size_t place_b, const Record& record, const Scene& scene, const Distance& found) {
+  const Result<Scene> larger = make_scene(place_a, place_b, record, 2);
+  if (!larger) {
+    return "the doubled scene is refused: " + larger.error().message;
+  }
+  Distance doubled{};
+  if (distance_of(larger.value(), Algorithm::automatic, doubled) != Outcome::ok) {
+    return "the doubled scene has no answer";
+  }
+  if (!(std::fabs(doubled.distance - 2 * found.distance) <= 2 * tolerance(scene))) {
+    return fault("distance of the doubled scene", doubled.distance, 2 * found.distance);
+  }
+  return std::nullopt;
+}
+
+// Our second route must agree. libccd may be wrong; what it says counts when the gap along its own
+// normal is larger than the distance, which cannot be.
+Verdict judge_other_routes(const Scene& scene, const Distance& found) {
+  const Real noise = tolerance(scene);
+  Distance other{};
+  if (distance_of(scene, Algorithm::gjk_epa, other) == Outcome::ok && !(std::fabs(other.distance - found.distance) <= noise)) {
+    return fault("distance by GJK and EPA", other.distance, found.distance);
+  }
+  for (const Algorithm algorithm : {Algorithm::libccd_gjk, Algorithm::libccd_mpr}) {
+    if (distance_of(scene, algorithm, other) != Outcome::ok) {
+      continue;
+    }
+    const std::optional<Real> gap = gap_along(scene, other.normal);
+    if (gap && *gap > found.distance + noise) {
+      return fault("distance although libccd's normal has a larger gap", found.distance, *gap);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+// Rounding of the input's largest length, with three digits to spare for badly shaped input.
+Real tolerance(const Scene& scene) { return 1e-9 * scene.size; }
+
+std::optional<Real> gap_along(const Scene& scene, const Vec3& direction) {
+  const std::optional<Real> a = reach_along(scene.a, direction), b = reach_along(scene.b, -scene.ab.rotation.undo(direction));
+  return a && b ? std::optional(dot(direction, scene.ab.position) - *a - *b) : std::nullopt;
+}
+
+Verdict judge_distance(const Scene& scene, const Distance& found) {
+  if (Verdict verdict = judge_record(scene, found.distance, found.point_a, found.point_b, found.normal, true)) {
+    return verdict;
+  }
+  const Real noise = tolerance(scene);
+  if (!(found.lower <= found.upper) || !(found.lower <= found.distance + noise) || !(found.distance <= found.upper + noise)) {
+    return "the distance " + to_text(found.distance) + " is not within [" + to_text(found.lower) + ", " + to_text(found.upper) + "]";
+  }
+  if (const std::optional<Real> gap = gap_along(scene, found.normal)) {
+    if (std::fabs(*gap - found.distance) > noise) {
+      return fault("gap along the normal", *gap, found.distance);
+    }
+    for (const Vec3& direction : sweep()) {
+      const Real other = gap_along(scene, direction).value_or(0);
+      if (other > found.distance + noise) {
+        return fault("distance although another direction has a larger gap", found.distance, other);
+      }
+    }
+  }
+  return judge_boxes(scene, found);
+}
+
+Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manifold& found) {
+  const Real noise = tolerance(scene);
+  if (distance.distance > scene.margin + noise && !found.empty()) {
+    return "contacts of shapes that are apart";
+  }
+  const bool solid = is_solid(scene.a) && is_solid(scene.b);
+  if (distance.distance < scene.margin - noise && found.empty() && has_back(scene.a) && has_back(scene.b)) {
+    return fault("no contacts at distance", distance.distance, scene.margin);
+  }
+  Real deepest = std::numeric_limits<Real>::infinity();
+  for (const ContactPoint& contact : found) {
+    if (Verdict verdict = judge_record(scene, contact.distance, contact.point_a, contact.point_b, contact.normal, false)) {
+      return "contact: " + *verdict;
+    }
+    if (contact.distance > scene.margin + noise) {
+      return fault("distance of a contact", contact.distance, scene.margin);
+    }
+    deepest = std::min(deepest, contact.distance);
+  }
+  if (solid && !found.empty() && std::fabs(deepest - distance.distance) > noise) {
+    return fault("distance of the deepest contact", deepest, distance.distance);
+  }
+  return std::nullopt;
+}
+
+Verdict judge(std::size_t place_a, std::size_t place_b, const Record& record) {
+  const Result<Scene> made = make_scene(place_a, place_b, record);
+  if (!made) {
+    return "the scene is refused: " + made.error().message;
+  }
+  const Scene& scene = made.value();
+  Distance found{};
+  const Outcome outcome = distance_of(scene, Algorithm::automatic, found);
+  if (!is_supported(place_a, place_b)) {
+    return outcome == Outcome::unsupported ? Verdict() : "an unsupported pair has an answer";
+  }
+  if (outcome != Outcome::ok) {
+    return "the pair has no answer";
+  }
+  Manifold contacts;
+  if (pair_contacts(scene.a, scene.b, scene.ab, {.margin = scene.margin}, contacts) != Outcome::ok) {
+    return "the pair has no contacts query";
+  }
+  if (Verdict verdict = judge_distance(scene, found)) {
+    return verdict;
+  }
+  if (Verdict verdict = judge_contacts(scene, found, contacts)) {
+    return verdict;
+  }
+  if (Verdict verdict = judge_swap(scene, found)) {
+    return verdict;
+  }
+  if (Verdict verdict = judge_parted(scene, found)) {
+    return verdict;
+  }
+  if (Verdict verdict = judge_scaled(place_a, place_b, record, scene, found)) {
+    return verdict;
+  }
+  return judge_other_routes(scene, found);
+}
+
+}  // namespace abut::fuzz

@@ -1,0 +1,166 @@
+// The judge must be able to say no.
+#include <gtest/gtest.h>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+import abut.any_shape;
+import abut.fuzz;
+import abut.math;
+import abut.shape;
+
+namespace {
+
+using namespace abut;
+using namespace abut::fuzz;
+
+constexpr std::string_view box_kind = "box";
+
+std::size_t box() { return find_kind(box_kind).value(); }
+
+// Two boxes, apart or overlapping by 0.25 along X.
+Scene boxes(bool apart) {
+  Record record;
+  record.a = {1, 1, 1};
+  record.b = {1, 0.5, 0.5};
+  record.position = {apart ? 2.5 : 1.75, 0.25, 0};
+  return make_scene(box(), box(), record).value();
+}
+
+Distance answer(const Scene& scene) {
+  Distance found{};
+  EXPECT_EQ(pair_distance(scene.a, scene.b, scene.ab, {}, found), Outcome::ok);
+  return found;
+}
+
+template <class Change>
+void expect_refused(Change change) {
+  for (const bool apart : {false, true}) {
+    const Scene scene = boxes(apart);
+    Distance found = answer(scene);
+    ASSERT_EQ(judge_distance(scene, found), std::nullopt);
+    change(found);
+    EXPECT_NE(judge_distance(scene, found), std::nullopt) << (apart ? "apart" : "overlapping");
+  }
+}
+
+TEST(FuzzOracle, RefusesANegatedNormal) {
+  expect_refused([](Distance& found) { found.normal = -found.normal; });
+}
+
+TEST(FuzzOracle, RefusesANegatedNormalWithNegatedDistance) {
+  expect_refused([](Distance& found) {
+    found.normal = -found.normal;
+    found.distance = -found.distance;
+    found.lower = found.upper = found.distance;
+  });
+}
+
+TEST(FuzzOracle, RefusesADistanceOffByOnePerCent) {
+  expect_refused([](Distance& found) {
+    found.point_b = found.point_a + 1.01 * found.distance * found.normal;
+    found.lower = found.upper = found.distance *= 1.01;
+  });
+}
+
+TEST(FuzzOracle, RefusesNotANumber) {
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  expect_refused([&](Distance& found) { found.distance = nan; });
+  expect_refused([&](Distance& found) { found.point_a.y = nan; });
+  expect_refused([&](Distance& found) { found.normal.z = nan; });
+  expect_refused([&](Distance& found) { found.upper = nan; });
+}
+
+TEST(FuzzOracle, RefusesANormalThatIsNotUnit) {
+  expect_refused([](Distance& found) { found.normal = 1.001 * found.normal; });
+}
+
+TEST(FuzzOracle, RefusesPointsOffTheSurface) {
+  expect_refused([](Distance& found) { found.point_a.y += 3, found.point_b.y += 3; });
+  expect_refused([](Distance& found) { found.point_a.x -= 0.1, found.point_b.x -= 0.1; });
+}
+
+TEST(FuzzOracle, RefusesBoundsThatMissTheDistance) {
+  expect_refused([](Distance& found) { found.upper = found.distance - 0.01; });
+  expect_refused([](Distance& found) { found.lower = found.distance + 0.01; });
+}
+
+TEST(FuzzOracle, RefusesADepthThatIsNotTheLeast) {
+  const Scene scene = boxes(false);
+  Distance found = answer(scene);
+  found.normal = {0, 0, 1};
+  found.point_a = {0.9, 0, 1};
+  found.point_b = {0.9, 0, -0.5};
+  found.distance = found.lower = found.upper = -1.5;
+  EXPECT_NE(judge_distance(scene, found), std::nullopt);
+}
+
+TEST(FuzzOracle, RefusesWrongContacts) {
+  const Scene scene = boxes(false);
+  const Distance found = answer(scene);
+  Manifold contacts;
+  ASSERT_EQ(pair_contacts(scene.a, scene.b, scene.ab, {}, contacts), Outcome::ok);
+  ASSERT_FALSE(contacts.empty());
+  ASSERT_EQ(judge_contacts(scene, found, contacts), std::nullopt);
+  EXPECT_NE(judge_contacts(scene, found, {}), std::nullopt) << "none";
+  EXPECT_NE(judge_contacts(boxes(true), answer(boxes(true)), contacts), std::nullopt) << "apart";
+  Manifold wrong = contacts;
+  wrong[0].normal = -wrong[0].normal;
+  EXPECT_NE(judge_contacts(scene, found, wrong), std::nullopt) << "normal";
+  wrong = contacts;
+  for (ContactPoint& contact : wrong) {
+    contact.point_b += 0.01 * contact.normal;
+    contact.distance += 0.01;
+  }
+  EXPECT_NE(judge_contacts(scene, found, wrong), std::nullopt) << "all too shallow";
+  wrong = contacts;
+  wrong[0].point_a.z += 5;
+  wrong[0].point_b.z += 5;
+  EXPECT_NE(judge_contacts(scene, found, wrong), std::nullopt) << "off the shape";
+}
+
+TEST(FuzzRecord, KeepsItsLayout) {
+  Record record;
+  record.flags = 3;
+  record.a[0] = 1;
+  record.extra[1] = -2;
+  const auto bytes = bytes_of(record);
+  EXPECT_EQ(bytes[0], 1);
+  EXPECT_EQ(bytes[1], 3);
+  EXPECT_EQ(bytes[8], 0xf0);
+  EXPECT_EQ(bytes[9], 0x3f);
+  EXPECT_EQ(bytes[201], 0xc0);
+  EXPECT_EQ(bytes_of(read_record(bytes)), bytes);
+  EXPECT_EQ(read_record(std::span(bytes).first(10)).a[0], 1);
+}
+
+TEST(FuzzRecord, AnyBytesGiveAScene) {
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  for (std::size_t a = 0; a < shape_kind_count; ++a) {
+    for (const Real value : {0.0, -0.0, 1e300, -1e-300, infinity, nan}) {
+      for (unsigned flags = 0; flags < 128; ++flags) {
+        Record record{.flags = static_cast<std::uint8_t>(flags)};
+        for (std::size_t i = 0; i < number_count; ++i) {
+          set_number(record, i, value);
+        }
+        const auto scene = make_scene(a, a, record);
+        ASSERT_TRUE(scene.has_value()) << kind_name(a) << " " << value << " " << flags << " " << scene.error().message;
+      }
+    }
+  }
+}
+
+TEST(FuzzMutation, SnappedShapesTouch) {
+  Record record;
+  record.a = {1, 1, 1};
+  record.b = {1, 0.5, 0.5};
+  record.rotation = {0.9, 0.3, 0.1, 0.3};
+  record.position = {4, 1, 2};
+  snap_to_touching(box(), box(), record);
+  EXPECT_NEAR(answer(make_scene(box(), box(), record).value()).distance, 0, 1e-12);
+}
+
+}  // namespace

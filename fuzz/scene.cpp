@@ -1,0 +1,179 @@
+module;
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+module abut.fuzz;
+
+namespace abut::fuzz {
+namespace {
+
+using Numbers = std::array<Real, 8>;
+
+Real size_or_one(Real value) { return value == 0 ? 1 : std::fabs(value); }
+
+// Everything that is not a length, from the bits of the numbers that are not used as one.
+Random random_of(const Numbers& numbers) {
+  std::uint64_t seed = 0;
+  for (std::size_t i = 3; i < 8; ++i) {
+    seed = mixed(seed + std::bit_cast<std::uint64_t>(numbers[i]));
+  }
+  return Random(seed);
+}
+
+// Between -1 and 1; on a lattice, where points fall on common lines and planes, in steps of a half.
+Real coordinate(Random& random, bool on_lattice) {
+  return on_lattice ? 0.5 * (static_cast<Real>(random.below(5)) - 2) : random.between(-1, 1);
+}
+
+ShapeInput hull_input(const Numbers& numbers, bool flat, bool doubled, bool on_lattice) {
+  Random random = random_of(numbers);
+  const std::size_t count = 4 + random.below(21);
+  ShapeInput input;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Real place = coordinate(random, on_lattice);
+      const bool repeats = doubled && i % 3 == 2;
+      input.reals.push_back(repeats               ? input.reals[3 * (i - 2) + axis]
+                            : flat && axis == 2   ? 0
+                                                  : size_or_one(numbers[axis]) * place);
+    }
+  }
+  return input;
+}
+
+ShapeInput tetrahedron_input(const Numbers& numbers, bool flat) {
+  const Real x = size_or_one(numbers[0]), y = size_or_one(numbers[1]), z = flat ? 0 : size_or_one(numbers[2]);
+  return {{0}, {0, 0, 0, x, 0, 0, 0, y, 0, 0, 0, z}, {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}};
+}
+
+ShapeInput sheet_input(const Numbers& numbers, bool flat, bool on_lattice) {
+  Random random = random_of(numbers);
+  const std::uint32_t columns = 2 + static_cast<std::uint32_t>(random.below(4)), rows = 2 + static_cast<std::uint32_t>(random.below(4));
+  ShapeInput input{{0}, {}, {}};
+  for (std::uint32_t j = 0; j < rows; ++j) {
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      const Real height = flat ? 0 : coordinate(random, on_lattice);
+      input.reals.push_back(size_or_one(numbers[0]) * (2 * Real{i} / (columns - 1) - 1));
+      input.reals.push_back(size_or_one(numbers[1]) * (2 * Real{j} / (rows - 1) - 1));
+      input.reals.push_back(numbers[2] * height);
+      if (i + 1 < columns && j + 1 < rows) {
+        const std::uint32_t corner = j * columns + i;
+        input.indices.insert(input.indices.end(), {corner, corner + 1, corner + columns + 1, corner, corner + columns + 1, corner + columns});
+      }
+    }
+  }
+  return input;
+}
+
+ShapeInput height_field_input(const Numbers& numbers, bool flat, bool on_lattice) {
+  Random random = random_of(numbers);
+  const std::size_t columns = 3 + random.below(4), rows = 3 + random.below(3);
+  ShapeInput input{{static_cast<Real>(columns), static_cast<Real>(rows), size_or_one(numbers[0]), size_or_one(numbers[1])}, {}, {}};
+  for (std::size_t i = 0; i < columns * rows; ++i) {
+    input.reals.push_back(flat ? 0 : numbers[2] * coordinate(random, on_lattice));
+  }
+  return input;
+}
+
+// Parameters of this kind that are no lengths stay as they are.
+void scale(std::string_view kind, ShapeInput& input, Real by) {
+  const std::size_t first = kind == "plane" ? 3 : kind == "height_field" ? 2 : kind == "mesh" ? 1 : 0;
+  for (std::size_t i = first; i < input.parameters.size(); ++i) {
+    input.parameters[i] *= by;
+  }
+  for (Real& value : input.reals) {
+    value *= by;
+  }
+}
+
+Real reach(const AnyShape& shape) {
+  const Aabb box = aabb_of(shape, Pose::identity());
+  if (box.is_bounded()) {
+    return largest_magnitude(maximum(absolute(box.low), absolute(box.high)));
+  }
+  return std::visit(
+      []<class S>(const S& s) -> Real {
+        if constexpr (HalfSpace<S>) {
+          return std::fabs(s.offset());
+        } else {
+          return 0;
+        }
+      },
+      shape);
+}
+
+}  // namespace
+
+Real tamed(Real value) {
+  if (!std::isfinite(value) || value == 0) {
+    return 0;
+  }
+  return std::copysign(std::clamp(std::fabs(value), 0x1p-20, 0x1p20), value);
+}
+
+ShapeInput shape_input(std::size_t place, const std::array<Real, 8>& raw, bool flat, bool doubled, std::uint8_t flags) {
+  Numbers numbers = raw;
+  std::ranges::transform(numbers, numbers.begin(), tamed);
+  const bool on_lattice = (flags & lattice) != 0;
+  const std::string_view kind = kind_name(place);
+  if (kind == "hull") {
+    return hull_input(numbers, flat, doubled, on_lattice);
+  }
+  if (kind == "mesh") {
+    ShapeInput input = doubled ? tetrahedron_input(numbers, flat) : sheet_input(numbers, flat, on_lattice);
+    input.parameters[0] = (flags & one_sided) != 0 ? 1 : 0;
+    return input;
+  }
+  if (kind == "height_field") {
+    return height_field_input(numbers, flat, on_lattice);
+  }
+  ShapeInput input;
+  if (kind == "plane") {
+    const auto normal = UnitVec3::make({numbers[0], numbers[1], numbers[2]}).value_or(UnitVec3::axis_z()).vec();
+    input.parameters = {normal.x, normal.y, normal.z, numbers[3]};
+    return input;
+  }
+  for (std::size_t i = 0; i < kind_parameter_count(place); ++i) {
+    const Real value = i < numbers.size() ? numbers[i] : 0;
+    // A half extent may be zero; a radius may not.
+    input.parameters.push_back(kind_parameter_name(place, i).starts_with("half") ? std::fabs(value) : size_or_one(value));
+  }
+  return input;
+}
+
+Result<Scene> make_scene(std::size_t place_a, std::size_t place_b, const Record& record, Real by) {
+  const auto has = [&](std::uint8_t flag) { return (record.flags & flag) != 0; };
+  const auto shape = [&](std::size_t place, const Numbers& numbers, bool flat, bool doubled) {
+    ShapeInput input = shape_input(place, numbers, flat, doubled, record.flags);
+    scale(kind_name(place), input, by);
+    return make_shape(place, input.parameters, input.reals, input.indices);
+  };
+  Result<AnyShape> a = shape(place_a, record.a, has(flat_a), has(doubled_a));
+  if (!a) {
+    return a.error();
+  }
+  Result<AnyShape> b = shape(place_b, record.b, has(flat_b), has(doubled_b));
+  if (!b) {
+    return b.error();
+  }
+  const std::array<Real, 4>& q = record.rotation;
+  const Quat upright{1, 0, 0, 0};
+  const Quat rotation = has(parallel) ? upright : normalized(Quat{tamed(q[0]), tamed(q[1]), tamed(q[2]), tamed(q[3])}).value_or(upright);
+  const Vec3 position = by * Vec3{tamed(record.position[0]), tamed(record.position[1]), tamed(record.position[2])};
+  Scene scene{std::move(a).value(), std::move(b).value(), {Rotation::from(rotation), position}, 0, 0};
+  scene.size = std::max({reach(scene.a), reach(scene.b), largest_magnitude(position)});
+  scene.margin = std::min(std::fabs(by * tamed(record.extra[0])), scene.size);
+  return scene;
+}
+
+Scene swapped(const Scene& scene) { return {scene.b, scene.a, scene.ab.inverse(), scene.margin, scene.size}; }
+
+}  // namespace abut::fuzz

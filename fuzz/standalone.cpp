@@ -1,0 +1,114 @@
+// Judges the committed records of all pairs, and random ones, without a fuzzing engine.
+// usage: abut_fuzz_replay <folder with corpus/ and regress/> [random records per pair] [seed]
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+#include "core/check.hpp"
+import abut.any_shape;
+import abut.fuzz;
+
+namespace {
+
+using namespace abut::fuzz;
+
+struct Pair {
+  std::size_t a, b;
+  std::string name;
+};
+
+std::vector<Pair> all_pairs() {
+  std::vector<Pair> pairs;
+  for (std::size_t a = 0; a < abut::shape_kind_count; ++a) {
+    for (std::size_t b = 0; b < abut::shape_kind_count; ++b) {
+      if (abut::kind_name(a) <= abut::kind_name(b)) {
+        pairs.push_back({a, b, std::string(abut::kind_name(a)) + "_" + std::string(abut::kind_name(b))});
+      }
+    }
+  }
+  std::ranges::sort(pairs, {}, &Pair::name);
+  return pairs;
+}
+
+Verdict judge_safely(const Pair& pair, const Record& record) {
+  try {
+    return judge(pair.a, pair.b, record);
+  } catch (const std::exception& error) {
+    return "exception: " + std::string(error.what());
+  }
+}
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      files.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+Record read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::vector<std::uint8_t> bytes;
+  std::ranges::transform(text, std::back_inserter(bytes), [](char c) { return static_cast<std::uint8_t>(static_cast<unsigned char>(c)); });
+  return read_record(bytes);
+}
+
+int replay(const std::filesystem::path& root, std::size_t random_count, std::uint64_t seed) {
+  std::size_t judged = 0, files = 0, findings = 0;
+  const auto report = [&](const Pair& pair, const std::string& record, const Verdict& verdict) {
+    ++judged;
+    if (verdict) {
+      ++findings;
+      std::printf("%s %s: %s\n", pair.name.c_str(), record.c_str(), verdict->c_str());
+    }
+  };
+  for (const Pair& pair : all_pairs()) {
+    for (const char* folder : {"corpus", "regress"}) {
+      for (const std::filesystem::path& path : files_in(root / folder / pair.name)) {
+        ++files;
+        report(pair, path.filename().string(), judge_safely(pair, read_file(path)));
+      }
+    }
+    for (std::uint64_t i = 0; i < random_count; ++i) {
+      Record record = random_record(seed + i);
+      // Every third one touches, the most telling place.
+      if (i % 3 == 0) {
+        snap_to_touching(pair.a, pair.b, record);
+      }
+      report(pair, "random record " + std::to_string(seed + i), judge_safely(pair, record));
+    }
+  }
+  std::printf("%zu findings in %zu records (%zu files), seed %llu\n", findings, judged, files, static_cast<unsigned long long>(seed));
+  if (files == 0) {
+    std::printf("no files below %s\n", root.c_str());
+  }
+  return findings == 0 && files > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  // SAFETY: the C runtime hands over `count` strings.
+  ABUT_UNSAFE_BEGIN
+  const std::vector<std::string> arguments(values, values + count);
+  ABUT_UNSAFE_END
+  if (arguments.size() < 2) {
+    std::fprintf(stderr, "usage: abut_fuzz_replay <folder> [random records per pair] [seed]\n");
+    return 2;
+  }
+  const auto number = [&](std::size_t place) { return arguments.size() > place ? std::stoull(arguments[place]) : 0; };
+  return replay(arguments[1], number(2), number(3));
+}
