@@ -61,8 +61,8 @@ ShapeInput sheet_input(const Numbers& numbers, bool flat, bool on_lattice) {
   for (std::uint32_t j = 0; j < rows; ++j) {
     for (std::uint32_t i = 0; i < columns; ++i) {
       const Real height = flat ? 0 : coordinate(random, on_lattice);
-      input.reals.push_back(size_or_one(numbers[0]) * (2 * Real{i} / (columns - 1) - 1));
-      input.reals.push_back(size_or_one(numbers[1]) * (2 * Real{j} / (rows - 1) - 1));
+      input.reals.push_back(size_or_one(numbers[0]) * (2 * static_cast<Real>(i) / (columns - 1) - 1));
+      input.reals.push_back(size_or_one(numbers[1]) * (2 * static_cast<Real>(j) / (rows - 1) - 1));
       input.reals.push_back(numbers[2] * height);
       if (i + 1 < columns && j + 1 < rows) {
         const std::uint32_t corner = j * columns + i;
