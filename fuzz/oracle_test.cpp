@@ -79,8 +79,8 @@ TEST(FuzzOracle, RefusesANormalThatIsNotUnit) {
 }
 
 TEST(FuzzOracle, RefusesPointsOffTheSurface) {
-  expect_refused([](Distance& found) { found.point_a.y += 3, found.point_b.y += 3; });
-  expect_refused([](Distance& found) { found.point_a.x -= 0.1, found.point_b.x -= 0.1; });
+  expect_refused([](Distance& found) { found.point_a.y += 3; found.point_b.y += 3; });
+  expect_refused([](Distance& found) { found.point_a.x -= 0.1; found.point_b.x -= 0.1; });
 }
 
 TEST(FuzzOracle, RefusesBoundsThatMissTheDistance) {
