@@ -11,11 +11,9 @@
 #include <fstream>
 #include <iterator>
 #include <set>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
-#include "core/check.hpp"
 import abut.any_shape;
 import abut.fuzz;
 
@@ -118,10 +116,8 @@ int replay(const std::filesystem::path& root, std::size_t random_count, std::uin
 }  // namespace
 
 int main(int count, char** values) {
-  // SAFETY: the C runtime hands over `count` strings.
-  ABUT_UNSAFE_BEGIN
-  const std::vector<std::string> arguments(values, values + count);
-  ABUT_UNSAFE_END
+  std::vector<std::string> arguments;
+  std::copy_n(values, count, std::back_inserter(arguments));
   if (arguments.size() < 2) {
     std::fprintf(stderr, "usage: abut_fuzz_replay <folder> [random records per pair] [seed]\n");
     return 2;
