@@ -18,14 +18,9 @@ void Record::add(const std::string& row, const std::string& where, double error,
   if (iterations > worst.iterations) worst.iterations = iterations;
 }
 
-void Record::fails(const std::string& row) { ++rows_[row].failures; }
-
-bool Record::is_known(const std::string& fact) { return ++shortfalls_[fact] <= known_shortfall(fact); }
+bool Record::fails_as_known(const std::string& row) { return ++rows_[row].failures <= known_shortfall(row); }
 
 void Record::print() const {
-  for (const auto& [fact, cases] : shortfalls_) {
-    std::printf("known shortfall: %s: %zu of at most %zu\n", fact.c_str(), cases, known_shortfall(fact));
-  }
   std::printf("%-44s %6s %6s %10s %10s %5s  %s\n", "row", "cases", "failed", "error", "gap", "steps", "worst case");
   for (const auto& [row, worst] : rows_) {
     std::printf("%-44s %6llu %6llu %10.2e %10.2e %5u  %s\n", row.c_str(), static_cast<unsigned long long>(worst.cases),

@@ -1,7 +1,6 @@
 // Worst errors per row, printed and written as CSV at the end of a program.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -22,18 +21,14 @@ class Record {
  public:
   void add(const std::string& row, const std::string& where, double error, double gap, std::uint32_t iterations);
 
-  // Counts a failure.
-  void fails(const std::string& row);
-
-  // Counts a failure of a fact over all rows; true while there are no more than the known ones.
-  [[nodiscard]] bool is_known(const std::string& fact);
+  // Counts a failure of a row; true while there are no more than the known ones.
+  [[nodiscard]] bool fails_as_known(const std::string& row);
 
   void print() const;
   void write_csv(const std::string& path) const;
 
  private:
   std::map<std::string, Worst> rows_;
-  std::map<std::string, std::size_t> shortfalls_;
 };
 
 // The record of this program.
