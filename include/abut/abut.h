@@ -344,7 +344,7 @@ ABUT_API abut_status abut_shape_cast_ray(const abut_shape *shape, const abut_pos
 typedef uint32_t abut_algorithm;
 enum abut_algorithm_value ABUT_ENUM(uint32_t) {
   ABUT_ALGORITHM_AUTO = 0,        /**< the fastest that keeps the error bound */
-  ABUT_ALGORITHM_ANALYTIC = 1,    /**< a hand-written pair */
+  ABUT_ALGORITHM_ANALYTIC = 1,    /**< closed forms of the pair, where it has any */
   ABUT_ALGORITHM_SAT = 2,         /**< separating axes */
   ABUT_ALGORITHM_GJK_EPA = 3,     /**< support points, our own */
   ABUT_ALGORITHM_LIBCCD_GJK = 4,  /**< libccd's GJK and EPA */

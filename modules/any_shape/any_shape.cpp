@@ -117,41 +117,29 @@ bool is_supported(std::size_t place_a, std::size_t place_b) {
   return pair_kernels(low, high).route != Route::unsupported;
 }
 
-Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
+                      Distance& out) {
   if (a.index() <= b.index()) {
-    return pair_kernels(a.index(), b.index()).distance(a, b, ab, settings, out);
+    return pair_kernels(a.index(), b.index()).distance(a, b, pose_a, pose_b, settings, out);
   }
-  const Outcome outcome = pair_kernels(b.index(), a.index()).distance(b, a, ab.inverse(), settings, out);
-  out = mirrored(out, ab);
+  const Outcome outcome = pair_kernels(b.index(), a.index()).distance(b, a, pose_b, pose_a, settings, out);
+  if (outcome == Outcome::ok) [[likely]] {
+    swap_sides(out);
+  }
   return outcome;
 }
 
-Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
+                      Manifold& out) {
   if (a.index() <= b.index()) {
-    return pair_kernels(a.index(), b.index()).contacts(a, b, ab, settings, out);
+    return pair_kernels(a.index(), b.index()).contacts(a, b, pose_a, pose_b, settings, out);
   }
   const std::size_t first = out.size();
-  const Outcome outcome = pair_kernels(b.index(), a.index()).contacts(b, a, ab.inverse(), settings, out);
+  const Outcome outcome = pair_kernels(b.index(), a.index()).contacts(b, a, pose_b, pose_a, settings, out);
   for (ContactPoint& contact : std::span(out).subspan(first)) {
-    mirror(contact, ab);
+    swap_sides(contact);
   }
   return outcome;
-}
-
-Distance in_world(const Distance& local, const Pose& a) {
-  Distance out = local;
-  out.point_a = a * local.point_a;
-  out.point_b = a * local.point_b;
-  out.normal = a.rotation * local.normal;
-  return out;
-}
-
-ContactPoint in_world(const ContactPoint& local, const Pose& a) {
-  ContactPoint out = local;
-  out.point_a = a * local.point_a;
-  out.point_b = a * local.point_b;
-  out.normal = a.rotation * local.normal;
-  return out;
 }
 
 }  // namespace abut

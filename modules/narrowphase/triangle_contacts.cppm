@@ -63,6 +63,7 @@ template <Convex B>
 [[nodiscard]] CoreSeparation separate_from_triangle(const Triangle& triangle, const B& b, const Pose& ab,
                                                     const QuerySettings& settings, Real limit) {
   CoreSeparation core = separate_cores(triangle, b, ab, settings, limit);
+  find_points(triangle, b, ab, core);
   if (core.overlap && triangle.is_one_sided() && triangle.has_area() && dot(core.normal, triangle.normal()) < 0) {
     turn_to_face(triangle, b, ab, core);
   }

@@ -20,7 +20,7 @@ template <Convex S>
 }
 
 template <Convex S, class Placement>
-[[nodiscard]] inline SupportPoint placed_support(const S& shape, const Placement& placement, const Vec3& direction) {
+[[nodiscard]] [[gnu::always_inline]] inline SupportPoint placed_support(const S& shape, const Placement& placement, const Vec3& direction) {
   if constexpr (Placeable<S>) {
     return placement.support(direction);
   } else {

@@ -20,6 +20,7 @@ class Box {
   static constexpr std::string_view name = "box";
   static constexpr std::array<std::string_view, 3> parameter_names{"half_x", "half_y", "half_z"};
   static constexpr bool is_symmetric = true;
+  static constexpr int core_axes = 3;
 
   [[nodiscard]] static Result<Box> make(std::span<const Real> parameters, std::span<const Real> reals,
                                         std::span<const std::uint32_t> indices) {
@@ -185,6 +186,6 @@ class Box {
 
   Vec3 half_;
 };
-static_assert(Shape<Box> && Placeable<Box> && FewFaced<Box> && Triangulated<Box>);
+static_assert(Shape<Box> && Placeable<Box> && BoxCored<Box> && FewFaced<Box> && Triangulated<Box>);
 
 }  // namespace abut
