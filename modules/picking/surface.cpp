@@ -57,15 +57,13 @@ using Corners = std::array<abut_vec3, 3>;
 
 }  // namespace
 
-Surface make_surface(const TriangleList& list) {
-  Surface surface;
-  surface.reserve(list.indices.size() / 3);
+void add_planes(const TriangleList& list, Surface& out) {
+  out.reserve(out.size() + list.indices.size() / 3);
   for (std::size_t i = 0; i < list.indices.size() / 3; ++i) {
     const Corners corners = corners_of(list, i);
     const abut_vec3 normal = unit_or_zero(area_vector(corners));
-    surface.push_back({normal, dot(normal, corners[0])});
+    out.push_back({normal, dot(normal, corners[0])});
   }
-  return surface;
 }
 
 void write_outlines(const TriangleList& list, const Space& space, std::span<float> out) {

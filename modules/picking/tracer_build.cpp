@@ -114,7 +114,7 @@ void Tracer::settle_still_space() {
     if (entry.place != nowhere) continue;
     entry.role = Role::baked;
     entry.place = static_cast<std::uint32_t>(baked_.size());
-    baked_.push_back({.id = entry.id, .entry = index, .surface = {}});
+    baked_.push_back({.id = entry.id, .entry = index, .first_plane = 0});
     still_changed_ = true;
   }
   std::erase_if(arrivals_, [&](std::uint32_t index) { return entries_[index].place != nowhere; });
@@ -123,6 +123,7 @@ void Tracer::settle_still_space() {
 abut_status Tracer::build_still() {
   still_changed_ = false;
   still_.reset();
+  still_planes_.clear();
   if (baked_.empty()) return ABUT_OK;
   still_ = embree::Scene(rtcNewScene(device_.get()));
   if (!still_) return ABUT_OUT_OF_MEMORY;
@@ -141,7 +142,8 @@ abut_status Tracer::build_still() {
       list.xyz[at + 1] = p.y;
       list.xyz[at + 2] = p.z;
     }
-    baked.surface = make_surface(list);
+    baked.first_plane = still_planes_.size();
+    add_planes(list, still_planes_);
     const embree::Geometry geometry = make_triangles(list, {{0, 0, 0}, still_space_.extent});
     if (!geometry) return ABUT_OUT_OF_MEMORY;
     rtcAttachGeometryByID(still_.get(), geometry.get(), static_cast<unsigned>(i));
@@ -180,7 +182,7 @@ abut_status Tracer::make_instanced(ShapeRecord& shape) {
   if (const abut_status status = shape.access->triangles(list); status != ABUT_OK) return status;
   auto made = std::make_unique<Instanced>();
   made->space = space_around(shape.local_box);
-  made->surface = make_surface(list);
+  add_planes(list, made->surface);
   made->scene = embree::Scene(rtcNewScene(device_.get()));
   if (!made->scene) return ABUT_OUT_OF_MEMORY;
   rtcSetSceneFlags(made->scene.get(), embree::filtered_scene);

@@ -185,7 +185,7 @@ void Tracer::collect_hit(const RTCFilterFunctionNArguments* arguments) {
   const double found = query.advance + static_cast<double>(RTCRayN_tfar(arguments->ray, 1, 0));
   abut_pick pick = nothing();
   if (query.entry == nowhere) {
-    (void)self.resolve_still(query.ray.origin, query.ray.direction, query.ray.max_distance,
+    (void)self.resolve_still(first_half(query.ray), last_half(query.ray), query.ray.max_distance,
                              RTCHitN_geomID(arguments->hit, 1, 0), triangle, found, pick);
   } else {
     const Lane lane{.ray = query.ray, .advance = 0, .exact = {}};

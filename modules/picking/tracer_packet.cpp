@@ -11,6 +11,7 @@ module;
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 module abut.picking;
@@ -36,6 +37,10 @@ template <> struct NativePacket<16> {
 
 using FourFloats = float __attribute__((ext_vector_type(4)));
 
+// Planes up to this number stay in the processor's own caches: waiting for them takes no time, while a
+// second batch would take a part of the first level.
+constexpr std::size_t planes_in_cache = 16384;
+
 template <std::size_t Width> using Doubles = std::array<Four, Width / 4>;
 
 // What a packet needs from one call of Embree to the next; kept, so that constants are written once.
@@ -45,7 +50,8 @@ template <std::size_t Width> struct alignas(64) Batch {
   alignas(64) std::array<int, Width> active;  // the rays that reach the space being traced
   Doubles<Width> ox, oy, oz, dx, dy, dz, limit, advance;
   bool coherent;
-  bool advances;  // whether some float ray does not start where its ray does
+  bool advances;   // whether some float ray does not start where its ray does
+  bool is_traced;  // in the still scene
 
   explicit Batch(bool are_neighbours) noexcept;
   void normalize() noexcept;
@@ -64,7 +70,7 @@ ABUT_UNSAFE_BEGIN
 
 template <std::size_t Width>
 Batch<Width>::Batch(bool are_neighbours) noexcept
-    : native{}, valid{}, active{}, coherent(are_neighbours), advances(false) {
+    : native{}, valid{}, active{}, coherent(are_neighbours), advances(false), is_traced(false) {
   for (std::size_t i = 0; i < Width; ++i) {
     native.ray.mask[i] = ~0U;
     native.ray.id[i] = static_cast<unsigned>(i);
@@ -112,7 +118,7 @@ template <std::size_t Width> void Batch<Width>::normalize() noexcept {
 template <std::size_t Width> bool Batch<Width>::write(const Space& space) noexcept {
   const auto put = [](auto& out, std::size_t k, const Four& values) {
     const FourFloats floats = __builtin_convertvector(values, FourFloats);
-    for (std::size_t j = 0; j < 4; ++j) out[4 * k + j] = floats[j];
+    std::memcpy(&out[4 * k], &floats, sizeof floats);
   };
   Four farthest = 0;
   for (std::size_t k = 0; k < Width / 4; ++k) {
@@ -157,14 +163,12 @@ template <std::size_t Width> void Batch<Width>::write_far(const Space& space) no
 // The hits of four rays of the still scene, computed on their planes. Lanes without a hit hold the
 // plane 0, whose distance is not a number.
 template <std::size_t Width, class Place>
-void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place) {
-  static constexpr Facet no_facet{{0, 0, 0}, 0};
+[[gnu::always_inline]] inline void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place) {
   const auto& native = batch.native;
   const auto row = [&](std::size_t j) {
     const std::uint32_t geometry = native.hit.geomID[4 * k + j];
-    const Facet& plane =
-        geometry == RTC_INVALID_GEOMETRY_ID ? no_facet : tracer.baked_[geometry].surface[native.hit.primID[4 * k + j]];
-    return Four{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
+    if (geometry == RTC_INVALID_GEOMETRY_ID) return Four(0);
+    return numbers_of(tracer.plane_of(geometry, native.hit.primID[4 * k + j]));
   };
   const FourRows rows{row(0), row(1), row(2), row(3)};
   const FourRows planes = transposed(rows);
@@ -173,16 +177,16 @@ void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch,
                                   planes.c * (batch.oz[k] - origin.z));
   const Four slope = planes.a * batch.dx[k] + planes.b * batch.dy[k] + planes.c * batch.dz[k];
   const Four exact = height / slope;
-  Four found = __builtin_convertvector((FourFloats{native.ray.tfar[4 * k], native.ray.tfar[4 * k + 1],
-                                                   native.ray.tfar[4 * k + 2], native.ray.tfar[4 * k + 3]}),
-                                       Four);
+  [[clang::uninitialized]] FourFloats far;
+  std::memcpy(&far, &native.ray.tfar[4 * k], sizeof far);
+  Four found = __builtin_convertvector(far, Four);
   if (batch.advances) found += batch.advance[k];
   const Four correction = __builtin_elementwise_abs(exact - found);
   const Four nearest = correction <= largest_correction * tracer.still_space_.extent ? exact : found;
   const Four distance = __builtin_elementwise_max(nearest, Four(0));
   const FourRows ends = transposed({distance, batch.ox[k] + distance * batch.dx[k],
                                     batch.oy[k] + distance * batch.dy[k], batch.oz[k] + distance * batch.dz[k]});
-  const auto write = [&](std::size_t j, const Four& end, const Four& plane) {
+  const auto write = [&](std::size_t j, const Four& end, const Four& plane) __attribute__((always_inline)) {
     const std::size_t i = 4 * k + j;
     if (batch.valid[i] == 0) return;
     abut_pick& out = place(i);
@@ -203,24 +207,59 @@ void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch,
   write(3, ends.d, rows.d);
 }
 
-// Traces the rays of the batch. `place(i)` is where the pick of ray i goes.
+// Rays through the still scene.
+template <std::size_t Width>
+[[gnu::always_inline]] inline void PacketTracer::shoot(const Tracer& tracer, embree::Query& query, Batch<Width>& batch) {
+  batch.is_traced = !tracer.baked_.empty() && batch.write(tracer.still_space_);
+  if (batch.is_traced) embree::intersect(tracer.still_.get(), query, batch.active.data(), batch.native);
+}
+
+// Asks for the planes of the hits, which come while the next packet is under way.
+template <std::size_t Width>
+[[gnu::always_inline]] inline void PacketTracer::prefetch(const Tracer& tracer, const Batch<Width>& batch) {
+  if (!batch.is_traced) return;
+  for (std::size_t i = 0; i < Width; ++i) {
+    const std::uint32_t geometry = batch.native.hit.geomID[i];
+    if (geometry != RTC_INVALID_GEOMETRY_ID) __builtin_prefetch(&tracer.plane_of(geometry, batch.native.hit.primID[i]));
+  }
+}
+
+// From what the still scene answered to picks. `place(i)` is where the pick of ray i goes.
 template <std::size_t Width, class Place>
-void PacketTracer::trace(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
-  if (!tracer.baked_.empty() && batch.write(tracer.still_space_)) {
-    embree::Query query(batch.coherent);
-    embree::intersect(tracer.still_.get(), query, batch.active.data(), batch.native);
+void PacketTracer::finish(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
+  if (batch.is_traced) {
     for (std::size_t k = 0; k < Width / 4; ++k) resolve_four(tracer, batch, k, place);
   } else {
     for (std::size_t i = 0; i < Width; ++i) {
       if (batch.valid[i] != 0) place(i) = nothing();
     }
   }
-  if (tracer.has_moving()) trace_moving(tracer, batch, place);
+  if (tracer.has_moving()) [[unlikely]]
+    trace_moving(tracer, batch, place);
+}
+
+// Traces packets that `fill(batch, n)` makes; `place(n, i)` is where the pick of ray i of packet n goes.
+template <std::size_t Width, class Fill, class Place>
+void PacketTracer::trace(const Tracer& tracer, bool coherent, std::size_t count, const Fill& fill, const Place& place) {
+  std::array<Batch<Width>, 2> batches{Batch<Width>(coherent), Batch<Width>(coherent)};
+  embree::Query query(coherent);
+  const bool waits = tracer.still_planes_.size() > planes_in_cache;
+  for (std::size_t n = 0; n < count; ++n) {
+    Batch<Width>& batch = batches[waits ? n % 2 : 0];
+    fill(batch, n);
+    shoot(tracer, query, batch);
+    if (waits) prefetch(tracer, batch);
+    if (waits && n == 0) continue;
+    const std::size_t done = waits ? n - 1 : n;
+    finish(tracer, batches[waits ? done % 2 : 0], [&](std::size_t i) -> abut_pick& { return place(done, i); });
+  }
+  if (!waits || count == 0) return;
+  finish(tracer, batches[(count - 1) % 2], [&](std::size_t i) -> abut_pick& { return place(count - 1, i); });
 }
 
 // Looks for something nearer than what was found in the still scene.
 template <std::size_t Width, class Place>
-void PacketTracer::trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
+[[gnu::noinline]] void PacketTracer::trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
   FirstHit<Width> query(batch.coherent);
   for (std::size_t i = 0; i < Width; ++i) {
     if (batch.valid[i] == 0) continue;
@@ -246,40 +285,41 @@ ABUT_UNSAFE_END
 
 // Rays to registers, four at a time.
 template <std::size_t Width>
-void PacketTracer::read_four(Batch<Width>& batch, std::size_t k, const abut_ray& a, const abut_ray& b,
-                             const abut_ray& c, const abut_ray& d) {
-  const auto first = [](const abut_ray& ray) {
-    return Four{ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x};
-  };
-  const auto last = [](const abut_ray& ray) {
-    return Four{ray.direction.x, ray.direction.y, ray.direction.z, ray.max_distance};
-  };
-  const FourRows from = transposed({first(a), first(b), first(c), first(d)});
-  const FourRows along = transposed({last(a), last(b), last(c), last(d)});
-  batch.ox[k] = from.a;
-  batch.oy[k] = from.b;
-  batch.oz[k] = from.c;
-  batch.dx[k] = along.a;
-  batch.dy[k] = along.b;
-  batch.dz[k] = along.c;
-  batch.limit[k] = along.d;
+[[gnu::always_inline]] inline void PacketTracer::read(Batch<Width>& batch, std::span<const abut_ray, Width> rays) {
+  for (std::size_t k = 0; k < Width / 4; ++k) {
+    const std::span<const abut_ray, 4> four = rays.subspan(4 * k).template first<4>();
+    const FourRows from =
+        transposed({first_half(four[0]), first_half(four[1]), first_half(four[2]), first_half(four[3])});
+    const FourRows along = transposed({last_half(four[0]), last_half(four[1]), last_half(four[2]), last_half(four[3])});
+    batch.ox[k] = from.a;
+    batch.oy[k] = from.b;
+    batch.oz[k] = from.c;
+    batch.dx[k] = along.a;
+    batch.dy[k] = along.b;
+    batch.dz[k] = along.c;
+    batch.limit[k] = along.d;
+  }
 }
 
 template <std::size_t Width>
 void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, bool coherent,
                                std::span<abut_pick> out) {
-  Batch<Width> batch(coherent);
-  for (std::size_t first = 0; first < rays.size(); first += Width) {
-    const std::size_t count = std::min(Width, rays.size() - first);
-    const std::span<const abut_ray> some = rays.subspan(first, count);
-    const std::span<abut_pick> picks = out.subspan(first, count);
-    // The last packet may be short: its last ray fills it up, without being traced again.
-    const auto at = [&](std::size_t i) -> const abut_ray& { return some[std::min(i, count - 1)]; };
-    for (std::size_t i = 0; i < Width; i += 4) read_four(batch, i / 4, at(i), at(i + 1), at(i + 2), at(i + 3));
-    for (std::size_t i = count; i < Width; ++i) batch.valid[i] = 0;
+  const auto fill = [&](Batch<Width>& batch, std::size_t n) {
+    const std::span<const abut_ray> left = rays.subspan(n * Width);
+    if (left.size() >= Width) [[likely]] {
+      read(batch, left.template first<Width>());
+    } else {
+      // Its last ray fills up the last packet, without being traced again.
+      std::array<abut_ray, Width> padded;
+      padded.fill(left.back());
+      std::ranges::copy(left, padded.begin());
+      read<Width>(batch, padded);
+      for (std::size_t i = left.size(); i < Width; ++i) batch.valid[i] = 0;
+    }
     batch.normalize();
-    trace(tracer, batch, [&](std::size_t i) -> abut_pick& { return picks[i]; });
-  }
+  };
+  trace<Width>(tracer, coherent, (rays.size() + Width - 1) / Width, fill,
+               [&](std::size_t n, std::size_t i) -> abut_pick& { return out[n * Width + i]; });
 }
 
 // Tiles of four by Width / 4 pixels: their rays stay together longer than those of a row.
@@ -290,31 +330,33 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::
   const View view = view_of(camera);
   const std::size_t width = camera.width;
   const std::size_t height = camera.height;
-  Batch<Width> batch(true);
-  for (std::size_t top = 0; top < height; top += down) {
-    for (std::size_t left = 0; left < width; left += across) {
-      for (std::size_t k = 0; k < down; ++k) {
-        const double y = static_cast<double>(top + k) + 0.5;
-        const Four x = Four{0.5, 1.5, 2.5, 3.5} + static_cast<double>(left);
-        const Four right = (x - view.centre_x) / view.focal;
-        const double up = (view.centre_y - y) / view.focal;
-        batch.dx[k] = view.right.x * right + (view.up.x * up) + view.forward.x;
-        batch.dy[k] = view.right.y * right + (view.up.y * up) + view.forward.y;
-        batch.dz[k] = view.right.z * right + (view.up.z * up) + view.forward.z;
-      }
-      for (std::size_t i = 0; i < Width; ++i)
-        batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
-      batch.normalize();
-      for (std::size_t k = 0; k < down; ++k) {
-        batch.ox[k] = view.eye.x + view.start * batch.dx[k];
-        batch.oy[k] = view.eye.y + view.start * batch.dy[k];
-        batch.oz[k] = view.eye.z + view.start * batch.dz[k];
-        batch.limit[k] = Four(view.limit);
-      }
-      trace(tracer, batch,
-            [&](std::size_t i) -> abut_pick& { return out[(top + i / across) * width + left + i % across]; });
+  const std::size_t columns = (width + across - 1) / across;
+  const auto fill = [&](Batch<Width>& batch, std::size_t n) {
+    const std::size_t top = n / columns * down;
+    const std::size_t left = n % columns * across;
+    for (std::size_t k = 0; k < down; ++k) {
+      const double y = static_cast<double>(top + k) + 0.5;
+      const Four x = Four{0.5, 1.5, 2.5, 3.5} + static_cast<double>(left);
+      const Four right = (x - view.centre_x) / view.focal;
+      const double up = (view.centre_y - y) / view.focal;
+      batch.dx[k] = view.right.x * right + (view.up.x * up) + view.forward.x;
+      batch.dy[k] = view.right.y * right + (view.up.y * up) + view.forward.y;
+      batch.dz[k] = view.right.z * right + (view.up.z * up) + view.forward.z;
     }
-  }
+    for (std::size_t i = 0; i < Width; ++i)
+      batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
+    batch.normalize();
+    for (std::size_t k = 0; k < down; ++k) {
+      batch.ox[k] = view.eye.x + view.start * batch.dx[k];
+      batch.oy[k] = view.eye.y + view.start * batch.dy[k];
+      batch.oz[k] = view.eye.z + view.start * batch.dz[k];
+      batch.limit[k] = Four(view.limit);
+    }
+  };
+  trace<Width>(tracer, true, columns * ((height + down - 1) / down), fill,
+               [&](std::size_t n, std::size_t i) -> abut_pick& {
+                 return out[(n / columns * down + i / across) * width + n % columns * across + i % across];
+               });
 }
 
 void Tracer::trace_neighbours(std::span<const abut_ray> rays, std::span<abut_pick> out) const {
