@@ -3,6 +3,9 @@
 // Single precision leaves cracks between neighbouring triangles; Embree's robust mode has fewer, at a
 // quarter of its speed. So the outlines that Embree sees are grown a little beyond the triangles,
 // which leaves none and costs nothing; the hit itself is computed on the plane of the true triangle.
+//
+// Grids become quads of two triangles each: half as many boxes and a smaller scene, which pays for the
+// robust mode. It is needed there, since the halves of a quad cannot be grown apart from each other.
 module;
 
 #include <abut/abut.h>
@@ -54,6 +57,14 @@ void add_planes(const TriangleList& list, Surface& out);
 /// Outlines in single precision relative to the space, nine numbers for each triangle. Those of
 /// triangles without area have none either: no ray meets them.
 void write_outlines(const TriangleList& list, const Space& space, std::span<float> out);
+
+/// Whether the triangles come in pairs that share an edge, as those of grids and height fields do,
+/// and all have an area.
+[[nodiscard]] bool is_paired(const TriangleList& list);
+
+/// As write_outlines, for quads of two triangles each: twelve numbers for each pair. The first half
+/// of a quad, its corners 0, 1 and 3, is the first triangle of the pair.
+void write_quads(const TriangleList& list, const Space& space, std::span<float> out);
 
 /// Box around the vertices.
 [[nodiscard]] abut_aabb box_of(const TriangleList& list);

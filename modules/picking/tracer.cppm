@@ -64,6 +64,7 @@ struct ShapeRecord {
   std::uint32_t users = 0;
   std::size_t triangle_count = 0;
   bool is_surface = false;
+  bool is_paired = false;                // a surface whose triangles come in pairs
   abut_aabb local_box = empty_box;       // of a surface
   std::unique_ptr<Instanced> instanced;  // made when first needed
   TriangleList few;                      // of a shape that has triangles and is asked in double
@@ -73,8 +74,16 @@ struct ShapeRecord {
 struct alignas(32) Baked {
   abut_geometry_id id{};
   std::uint32_t entry = nowhere;
+  bool has_quads = false;       // of two triangles each
   std::size_t first_plane = 0;  // in the planes of the still scene
 };
+
+/// The triangle that was hit. The coordinates on a quad are those on its first half, or 1 minus those
+/// on its second one.
+[[nodiscard]] [[gnu::always_inline]] inline std::uint32_t triangle_of(const Baked& baked, std::uint32_t primitive,
+                                                                      float u, float v) {
+  return baked.has_quads ? 2 * primitive + (u + v > 1 ? 1U : 0U) : primitive;
+}
 
 struct MovingBox {
   std::array<float, 3> lower;
@@ -162,7 +171,11 @@ class Tracer {
   [[nodiscard]] abut_status make_instanced(ShapeRecord& shape);
   [[nodiscard]] abut_status become_moving(std::uint32_t index);
   [[nodiscard]] abut_status embree_status() const;
+  template <class Write>
+  [[nodiscard]] embree::Geometry make_polygons(std::size_t count, std::size_t sides, const Write& write);
   [[nodiscard]] embree::Geometry make_triangles(const TriangleList& list, const Space& space);
+  [[nodiscard]] embree::Geometry make_quads(const TriangleList& list, const Space& space);
+  [[nodiscard]] bool prefers_quads() const;
   void settle_moving_space();
   void settle_still_space();
   void write_box(MovingBox& box) const;
@@ -181,16 +194,16 @@ class Tracer {
   void trace_from_afar(const abut_ray& ray, abut_pick& out) const;
   void trace_moving(const abut_ray& ray, abut_pick& out) const;
   void meet_endless(abut_ray& ray, abut_pick& out) const;
-  [[nodiscard]] inline const Facet& plane_of(std::uint32_t geometry, std::uint32_t triangle) const {
-    return still_planes_[std::size_t{baked_[geometry].first_plane} + triangle];
+  [[nodiscard]] inline const Facet& plane_of(const Baked& baked, std::uint32_t triangle) const {
+    return still_planes_[baked.first_plane + triangle];
   }
   /// Whether the ray reaches the plane of a triangle on which a hit was found; `from` and `along` are
   /// the halves of a ray with a unit direction, the fourth number of `along` is not looked at.
   [[gnu::always_inline]] inline bool resolve_still(const Four& from, const Four& along, double limit,
-                                                   std::uint32_t geometry, std::uint32_t triangle, double found,
-                                                   abut_pick& out) const {
-    const Baked& baked = baked_[geometry];
-    const Four plane = numbers_of(still_planes_[std::size_t{baked.first_plane} + triangle]);
+                                                   const RTCHit& hit, double found, abut_pick& out) const {
+    const Baked& baked = baked_[hit.geomID];
+    const std::uint32_t triangle = triangle_of(baked, hit.primID, hit.u, hit.v);
+    const Four plane = numbers_of(plane_of(baked, triangle));
     const double distance = distance_to(plane, from - still_space_.numbers(), along, found, still_space_.extent);
     if (distance > limit) return false;
     const Four end = from + along * distance;

@@ -145,6 +145,7 @@ abut_status Tracer::find_shape(abut_geometry_id id, std::uintptr_t key, std::uin
     if (const abut_status status = record.access->triangles(list); status != ABUT_OK) return status;
     if (record.is_surface) {
       record.local_box = box_of(list);
+      record.is_paired = is_paired(list);
     } else {
       record.few = std::move(list);
     }

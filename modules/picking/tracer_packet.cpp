@@ -11,7 +11,6 @@ module;
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 
 module abut.picking;
@@ -58,6 +57,8 @@ template <std::size_t Width> struct alignas(64) Batch {
   // False when no ray reaches the space.
   [[nodiscard]] bool write(const Space& space) noexcept;
   void write_far(const Space& space) noexcept;
+  // What ray i hit in the still scene.
+  [[nodiscard]] inline std::uint32_t triangle(const Baked& baked, std::size_t i) const noexcept;
   [[nodiscard]] abut_ray ray(std::size_t i) const noexcept {
     const std::size_t k = i / 4;
     const std::size_t j = i % 4;
@@ -81,6 +82,11 @@ Batch<Width>::Batch(bool are_neighbours) noexcept
     ox[k] = oy[k] = oz[k] = dx[k] = dy[k] = limit[k] = advance[k] = Four(0);
     dz[k] = Four(1);
   }
+}
+
+template <std::size_t Width>
+[[gnu::always_inline]] inline std::uint32_t Batch<Width>::triangle(const Baked& baked, std::size_t i) const noexcept {
+  return triangle_of(baked, native.hit.primID[i], native.hit.u[i], native.hit.v[i]);
 }
 
 template <std::size_t Width> void Batch<Width>::normalize() noexcept {
@@ -118,7 +124,7 @@ template <std::size_t Width> void Batch<Width>::normalize() noexcept {
 template <std::size_t Width> bool Batch<Width>::write(const Space& space) noexcept {
   const auto put = [](auto& out, std::size_t k, const Four& values) {
     const FourFloats floats = __builtin_convertvector(values, FourFloats);
-    std::memcpy(&out[4 * k], &floats, sizeof floats);
+    for (std::size_t j = 0; j < 4; ++j) out[4 * k + j] = floats[j];
   };
   Four farthest = 0;
   for (std::size_t k = 0; k < Width / 4; ++k) {
@@ -168,7 +174,8 @@ template <std::size_t Width, class Place>
   const auto row = [&](std::size_t j) {
     const std::uint32_t geometry = native.hit.geomID[4 * k + j];
     if (geometry == RTC_INVALID_GEOMETRY_ID) return Four(0);
-    return numbers_of(tracer.plane_of(geometry, native.hit.primID[4 * k + j]));
+    const Baked& baked = tracer.baked_[geometry];
+    return numbers_of(tracer.plane_of(baked, batch.triangle(baked, 4 * k + j)));
   };
   const FourRows rows{row(0), row(1), row(2), row(3)};
   const FourRows planes = transposed(rows);
@@ -177,9 +184,9 @@ template <std::size_t Width, class Place>
                                   planes.c * (batch.oz[k] - origin.z));
   const Four slope = planes.a * batch.dx[k] + planes.b * batch.dy[k] + planes.c * batch.dz[k];
   const Four exact = height / slope;
-  [[clang::uninitialized]] FourFloats far;
-  std::memcpy(&far, &native.ray.tfar[4 * k], sizeof far);
-  Four found = __builtin_convertvector(far, Four);
+  Four found = __builtin_convertvector((FourFloats{native.ray.tfar[4 * k], native.ray.tfar[4 * k + 1],
+                                                   native.ray.tfar[4 * k + 2], native.ray.tfar[4 * k + 3]}),
+                                       Four);
   if (batch.advances) found += batch.advance[k];
   const Four correction = __builtin_elementwise_abs(exact - found);
   const Four nearest = correction <= largest_correction * tracer.still_space_.extent ? exact : found;
@@ -195,8 +202,9 @@ template <std::size_t Width, class Place>
       out = nothing();
       return;
     }
-    out.geometry = tracer.baked_[geometry].id;
-    out.feature = {ABUT_FEATURE_FACE, native.hit.primID[i]};
+    const Baked& baked = tracer.baked_[geometry];
+    out.geometry = baked.id;
+    out.feature = {ABUT_FEATURE_FACE, batch.triangle(baked, i)};
     out.distance = end[0];
     out.point = {end[1], end[2], end[3]};
     out.normal = {plane[0], plane[1], plane[2]};
@@ -220,7 +228,9 @@ template <std::size_t Width>
   if (!batch.is_traced) return;
   for (std::size_t i = 0; i < Width; ++i) {
     const std::uint32_t geometry = batch.native.hit.geomID[i];
-    if (geometry != RTC_INVALID_GEOMETRY_ID) __builtin_prefetch(&tracer.plane_of(geometry, batch.native.hit.primID[i]));
+    if (geometry == RTC_INVALID_GEOMETRY_ID) continue;
+    const Baked& baked = tracer.baked_[geometry];
+    __builtin_prefetch(&tracer.plane_of(baked, batch.triangle(baked, i)));
   }
 }
 

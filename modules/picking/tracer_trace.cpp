@@ -39,7 +39,7 @@ void Tracer::trace(const abut_ray& ray, abut_pick& out) const {
   embree::Query query(false);
   embree::intersect(still_.get(), query, hit);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ||
-      !resolve_still(first_half(ray), last_half(ray) * unit, ray.max_distance, hit.hit.geomID, hit.hit.primID,
+      !resolve_still(first_half(ray), last_half(ray) * unit, ray.max_distance, hit.hit,
                      static_cast<double>(hit.ray.tfar), out)) {
     out = nothing();
   }
@@ -58,8 +58,7 @@ void Tracer::trace_from_afar(const abut_ray& ray, abut_pick& out) const {
     embree::intersect(still_.get(), query, hit);
     const double found = entrance.advance + static_cast<double>(hit.ray.tfar);
     is_hit = hit.hit.geomID != RTC_INVALID_GEOMETRY_ID &&
-             resolve_still(first_half(ray), last_half(ray), ray.max_distance, hit.hit.geomID, hit.hit.primID, found,
-                           out);
+             resolve_still(first_half(ray), last_half(ray), ray.max_distance, hit.hit, found, out);
   }
   if (!is_hit) out = nothing();
   if (has_moving()) trace_moving(ray, out);
