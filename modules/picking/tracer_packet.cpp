@@ -53,8 +53,9 @@ template <std::size_t Width> struct alignas(64) Batch {
   bool is_traced;  // in the still scene
 
   explicit Batch(bool are_neighbours) noexcept;
-  void normalize() noexcept;
-  // False when no ray reaches the space.
+  // Sets four directions of any length.
+  inline void point_along(std::size_t k, Four x, Four y, Four z) noexcept;
+  // Sets where the rays start in a space. False when none reaches it.
   [[nodiscard]] bool write(const Space& space) noexcept;
   void write_far(const Space& space) noexcept;
   // What ray i hit in the still scene.
@@ -68,6 +69,13 @@ template <std::size_t Width> struct alignas(64) Batch {
 
 // SAFETY: every index into the arrays of the packet, here and below, is less than Width, their size.
 ABUT_UNSAFE_BEGIN
+
+// Four numbers of a packet.
+template <std::size_t Width>
+[[gnu::always_inline]] inline void put(float (&out)[Width], std::size_t k, const Four& values) {
+  const FourFloats floats = __builtin_convertvector(values, FourFloats);
+  for (std::size_t j = 0; j < 4; ++j) out[4 * k + j] = floats[j];
+}
 
 template <std::size_t Width>
 Batch<Width>::Batch(bool are_neighbours) noexcept
@@ -89,43 +97,32 @@ template <std::size_t Width>
   return triangle_of(baked, native.hit.primID[i], native.hit.u[i], native.hit.v[i]);
 }
 
-template <std::size_t Width> void Batch<Width>::normalize() noexcept {
-  [[clang::uninitialized]] Doubles<Width> square;
-  Four worst = 0;
-  for (std::size_t k = 0; k < Width / 4; ++k) {
-    square[k] = dx[k] * dx[k] + dy[k] * dy[k] + dz[k] * dz[k];
-    worst = __builtin_elementwise_max(worst, __builtin_elementwise_abs(square[k] - 1.0));
-  }
-  // As `normalized` does, for all at once.
-  const double off = __builtin_reduce_max(worst);
-  if (off < nearly_unit) {
-    for (std::size_t k = 0; k < Width / 4; ++k) square[k] = 1.5 - 0.5 * square[k];
-  } else {
-    for (std::size_t i = 0; i < Width; ++i) {
-      const std::size_t k = i / 4;
-      const std::size_t j = i % 4;
-      if (square[k][j] > 1e-200 && square[k][j] < 1e200) [[likely]]
+// As `normalized` does, for four at once.
+template <std::size_t Width>
+[[gnu::always_inline]] inline void Batch<Width>::point_along(std::size_t k, Four x, Four y, Four z) noexcept {
+  Four square = x * x + y * y + z * z;
+  Four factor = 1.5 - 0.5 * square;
+  if (!(__builtin_reduce_max(__builtin_elementwise_abs(square - 1.0)) < nearly_unit)) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (square[j] > 1e-200 && square[j] < 1e200) [[likely]]
         continue;
-      const abut_vec3 unit = normalized({dx[k][j], dy[k][j], dz[k][j]});
-      dx[k][j] = unit.x;
-      dy[k][j] = unit.y;
-      dz[k][j] = unit.z;
-      square[k][j] = 1;
+      const abut_vec3 unit = normalized({x[j], y[j], z[j]});
+      x[j] = unit.x;
+      y[j] = unit.y;
+      z[j] = unit.z;
+      square[j] = 1;
     }
-    for (std::size_t k = 0; k < Width / 4; ++k) square[k] = 1.0 / __builtin_elementwise_sqrt(square[k]);
+    factor = 1.0 / __builtin_elementwise_sqrt(square);
   }
-  for (std::size_t k = 0; k < Width / 4; ++k) {
-    dx[k] *= square[k];
-    dy[k] *= square[k];
-    dz[k] *= square[k];
-  }
+  dx[k] = x * factor;
+  dy[k] = y * factor;
+  dz[k] = z * factor;
+  put(native.ray.dir_x, k, dx[k]);
+  put(native.ray.dir_y, k, dy[k]);
+  put(native.ray.dir_z, k, dz[k]);
 }
 
 template <std::size_t Width> bool Batch<Width>::write(const Space& space) noexcept {
-  const auto put = [](auto& out, std::size_t k, const Four& values) {
-    const FourFloats floats = __builtin_convertvector(values, FourFloats);
-    for (std::size_t j = 0; j < 4; ++j) out[4 * k + j] = floats[j];
-  };
   Four farthest = 0;
   for (std::size_t k = 0; k < Width / 4; ++k) {
     const Four x = ox[k] - space.origin.x;
@@ -137,9 +134,6 @@ template <std::size_t Width> bool Batch<Width>::write(const Space& space) noexce
     put(native.ray.org_x, k, x);
     put(native.ray.org_y, k, y);
     put(native.ray.org_z, k, z);
-    put(native.ray.dir_x, k, dx[k]);
-    put(native.ray.dir_y, k, dy[k]);
-    put(native.ray.dir_z, k, dz[k]);
     put(native.ray.tfar, k, limit[k] * (1 + 0x1p-22));
   }
   for (std::size_t i = 0; i < Width; ++i) native.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
@@ -304,10 +298,8 @@ template <std::size_t Width>
     batch.ox[k] = from.a;
     batch.oy[k] = from.b;
     batch.oz[k] = from.c;
-    batch.dx[k] = along.a;
-    batch.dy[k] = along.b;
-    batch.dz[k] = along.c;
     batch.limit[k] = along.d;
+    batch.point_along(k, along.a, along.b, along.c);
   }
 }
 
@@ -326,7 +318,6 @@ void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> r
       read<Width>(batch, padded);
       for (std::size_t i = left.size(); i < Width; ++i) batch.valid[i] = 0;
     }
-    batch.normalize();
   };
   trace<Width>(tracer, coherent, (rays.size() + Width - 1) / Width, fill,
                [&](std::size_t n, std::size_t i) -> abut_pick& { return out[n * Width + i]; });
@@ -349,19 +340,16 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::
       const Four x = Four{0.5, 1.5, 2.5, 3.5} + static_cast<double>(left);
       const Four right = (x - view.centre_x) / view.focal;
       const double up = (view.centre_y - y) / view.focal;
-      batch.dx[k] = view.right.x * right + (view.up.x * up) + view.forward.x;
-      batch.dy[k] = view.right.y * right + (view.up.y * up) + view.forward.y;
-      batch.dz[k] = view.right.z * right + (view.up.z * up) + view.forward.z;
-    }
-    for (std::size_t i = 0; i < Width; ++i)
-      batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
-    batch.normalize();
-    for (std::size_t k = 0; k < down; ++k) {
+      batch.point_along(k, view.right.x * right + (view.up.x * up) + view.forward.x,
+                        view.right.y * right + (view.up.y * up) + view.forward.y,
+                        view.right.z * right + (view.up.z * up) + view.forward.z);
       batch.ox[k] = view.eye.x + view.start * batch.dx[k];
       batch.oy[k] = view.eye.y + view.start * batch.dy[k];
       batch.oz[k] = view.eye.z + view.start * batch.dz[k];
       batch.limit[k] = Four(view.limit);
     }
+    for (std::size_t i = 0; i < Width; ++i)
+      batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
   };
   trace<Width>(tracer, true, columns * ((height + down - 1) / down), fill,
                [&](std::size_t n, std::size_t i) -> abut_pick& {
