@@ -12,6 +12,7 @@ module;
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 module abut.picking;
 import :camera;
@@ -165,11 +166,15 @@ template <std::size_t Width> void Batch<Width>::write_far(const Space& space) no
 template <std::size_t Width, class Place>
 [[gnu::always_inline]] inline void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place) {
   const auto& native = batch.native;
-  const auto row = [&](std::size_t j) {
+  std::array<abut_geometry_id, 4> geometries{};
+  std::array<std::uint32_t, 4> triangles{};
+  const auto row = [&](std::size_t j) __attribute__((always_inline)) {
     const std::uint32_t geometry = native.hit.geomID[4 * k + j];
     if (geometry == RTC_INVALID_GEOMETRY_ID) return Four(0);
     const Baked& baked = tracer.baked_[geometry];
-    return numbers_of(tracer.plane_of(baked, batch.triangle(baked, 4 * k + j)));
+    geometries[j] = baked.id;
+    triangles[j] = batch.triangle(baked, 4 * k + j);
+    return numbers_of(tracer.plane_of(baked, triangles[j]));
   };
   const FourRows rows{row(0), row(1), row(2), row(3)};
   const FourRows planes = transposed(rows);
@@ -191,14 +196,12 @@ template <std::size_t Width, class Place>
     const std::size_t i = 4 * k + j;
     if (batch.valid[i] == 0) return;
     abut_pick& out = place(i);
-    const std::uint32_t geometry = native.hit.geomID[i];
-    if (geometry == RTC_INVALID_GEOMETRY_ID || end[0] > batch.limit[k][j]) {
+    if (geometries[j].slot == 0 || end[0] > batch.limit[k][j]) {
       out = nothing();
       return;
     }
-    const Baked& baked = tracer.baked_[geometry];
-    out.geometry = baked.id;
-    out.feature = {ABUT_FEATURE_FACE, batch.triangle(baked, i)};
+    out.geometry = geometries[j];
+    out.feature = {ABUT_FEATURE_FACE, triangles[j]};
     out.distance = end[0];
     out.point = {end[1], end[2], end[3]};
     out.normal = {plane[0], plane[1], plane[2]};
@@ -242,7 +245,7 @@ void PacketTracer::finish(const Tracer& tracer, Batch<Width>& batch, const Place
     trace_moving(tracer, batch, place);
 }
 
-// Traces packets that `fill(batch, n)` makes; `place(n, i)` is where the pick of ray i of packet n goes.
+// Traces packets that `fill(batch, n)` makes; `place(n)` tells where the pick of ray i of packet n goes.
 template <std::size_t Width, class Fill, class Place>
 void PacketTracer::trace(const Tracer& tracer, bool coherent, std::size_t count, const Fill& fill, const Place& place) {
   std::array<Batch<Width>, 2> batches{Batch<Width>(coherent), Batch<Width>(coherent)};
@@ -255,10 +258,10 @@ void PacketTracer::trace(const Tracer& tracer, bool coherent, std::size_t count,
     if (waits) prefetch(tracer, batch);
     if (waits && n == 0) continue;
     const std::size_t done = waits ? n - 1 : n;
-    finish(tracer, batches[waits ? done % 2 : 0], [&](std::size_t i) -> abut_pick& { return place(done, i); });
+    finish(tracer, batches[waits ? done % 2 : 0], place(done));
   }
   if (!waits || count == 0) return;
-  finish(tracer, batches[(count - 1) % 2], [&](std::size_t i) -> abut_pick& { return place(count - 1, i); });
+  finish(tracer, batches[(count - 1) % 2], place(count - 1));
 }
 
 // Looks for something nearer than what was found in the still scene.
@@ -319,8 +322,9 @@ void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> r
       for (std::size_t i = left.size(); i < Width; ++i) batch.valid[i] = 0;
     }
   };
-  trace<Width>(tracer, coherent, (rays.size() + Width - 1) / Width, fill,
-               [&](std::size_t n, std::size_t i) -> abut_pick& { return out[n * Width + i]; });
+  trace<Width>(tracer, coherent, (rays.size() + Width - 1) / Width, fill, [&](std::size_t n) {
+    return [out, first = n * Width](std::size_t i) -> abut_pick& { return out[first + i]; };
+  });
 }
 
 // Tiles of four by Width / 4 pixels: their rays stay together longer than those of a row.
@@ -332,14 +336,20 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::
   const std::size_t width = camera.width;
   const std::size_t height = camera.height;
   const std::size_t columns = (width + across - 1) / across;
+  const std::size_t rows = (height + down - 1) / down;
+  std::vector<Four> rights(columns);
+  for (std::size_t i = 0; i < columns; ++i) {
+    const Four x = Four{0.5, 1.5, 2.5, 3.5} + static_cast<double>(i * across);
+    rights[i] = (x - view.centre_x) / view.focal;
+  }
+  std::vector<double> ups(rows * down);
+  for (std::size_t i = 0; i < ups.size(); ++i) ups[i] = (view.centre_y - (static_cast<double>(i) + 0.5)) / view.focal;
   const auto fill = [&](Batch<Width>& batch, std::size_t n) {
     const std::size_t top = n / columns * down;
     const std::size_t left = n % columns * across;
     for (std::size_t k = 0; k < down; ++k) {
-      const double y = static_cast<double>(top + k) + 0.5;
-      const Four x = Four{0.5, 1.5, 2.5, 3.5} + static_cast<double>(left);
-      const Four right = (x - view.centre_x) / view.focal;
-      const double up = (view.centre_y - y) / view.focal;
+      const Four& right = rights[n % columns];
+      const double up = ups[top + k];
       batch.point_along(k, view.right.x * right + (view.up.x * up) + view.forward.x,
                         view.right.y * right + (view.up.y * up) + view.forward.y,
                         view.right.z * right + (view.up.z * up) + view.forward.z);
@@ -351,10 +361,11 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::
     for (std::size_t i = 0; i < Width; ++i)
       batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
   };
-  trace<Width>(tracer, true, columns * ((height + down - 1) / down), fill,
-               [&](std::size_t n, std::size_t i) -> abut_pick& {
-                 return out[(n / columns * down + i / across) * width + n % columns * across + i % across];
-               });
+  trace<Width>(tracer, true, columns * rows, fill, [&](std::size_t n) {
+    return [out, width, first = n / columns * down * width + n % columns * across](std::size_t i) -> abut_pick& {
+      return out[first + i / across * width + i % across];
+    };
+  });
 }
 
 void Tracer::trace_neighbours(std::span<const abut_ray> rays, std::span<abut_pick> out) const {
