@@ -199,8 +199,8 @@ class Tracer {
   }
   /// Whether the ray reaches the plane of a triangle on which a hit was found; `from` and `along` are
   /// the halves of a ray with a unit direction, the fourth number of `along` is not looked at.
-  [[gnu::always_inline]] inline bool resolve_still(const Four& from, const Four& along, double limit,
-                                                   const RTCHit& hit, double found, abut_pick& out) const {
+  [[gnu::always_inline]] inline bool resolve_still(const Four& from, const Four& along, double limit, const RTCHit& hit,
+                                                   double found, abut_pick& out) const {
     const Baked& baked = baked_[hit.geomID];
     const std::uint32_t triangle = triangle_of(baked, hit.primID, hit.u, hit.v);
     const Four plane = numbers_of(plane_of(baked, triangle));
@@ -254,16 +254,13 @@ template <std::size_t Width> struct Batch;
 struct PacketTracer {
   template <std::size_t Width, class Fill, class Place>
   static void trace(const Tracer& tracer, bool coherent, std::size_t count, const Fill& fill, const Place& place);
-  template <std::size_t Width>
-  static void shoot(const Tracer& tracer, embree::Query& query, Batch<Width>& batch);
-  template <std::size_t Width>
-  static void prefetch(const Tracer& tracer, const Batch<Width>& batch);
+  template <std::size_t Width> static void shoot(const Tracer& tracer, embree::Query& query, Batch<Width>& batch);
+  template <std::size_t Width> static void prefetch(const Tracer& tracer, const Batch<Width>& batch);
   template <std::size_t Width, class Place>
   static void finish(const Tracer& tracer, Batch<Width>& batch, const Place& place);
   template <std::size_t Width, class Place>
   static void resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place);
-  template <std::size_t Width>
-  static void read(Batch<Width>& batch, std::span<const abut_ray, Width> rays);
+  template <std::size_t Width> static void read(Batch<Width>& batch, std::span<const abut_ray, Width> rays);
   template <std::size_t Width, class Place>
   static void trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place);
   template <std::size_t Width>

@@ -128,8 +128,7 @@ abut_status Tracer::build_still() {
   still_ = embree::Scene(rtcNewScene(device_.get()));
   if (!still_) return ABUT_OUT_OF_MEMORY;
   const bool with_quads = prefers_quads();
-  rtcSetSceneFlags(still_.get(),
-                   with_quads ? embree::filtered_scene | RTC_SCENE_FLAG_ROBUST : embree::filtered_scene);
+  rtcSetSceneFlags(still_.get(), with_quads ? embree::filtered_scene | RTC_SCENE_FLAG_ROBUST : embree::filtered_scene);
   for (std::size_t i = 0; i < baked_.size(); ++i) {
     Baked& baked = baked_[i];
     const Entry& entry = entries_[baked.entry];
@@ -178,8 +177,8 @@ embree::Geometry Tracer::make_polygons(std::size_t count, std::size_t sides, con
   void* const vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                  3 * sizeof(float), sides * count);
   void* const indices =
-      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, is_triangle ? RTC_FORMAT_UINT3 : RTC_FORMAT_UINT4,
-                              sides * sizeof(std::uint32_t), count);
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0,
+                              is_triangle ? RTC_FORMAT_UINT3 : RTC_FORMAT_UINT4, sides * sizeof(std::uint32_t), count);
   if (count != 0 && (vertices == nullptr || indices == nullptr)) return {};
   // SAFETY: Embree has just made these buffers with the sizes named in the two calls above.
   ABUT_UNSAFE_BEGIN

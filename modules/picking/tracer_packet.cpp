@@ -164,7 +164,8 @@ template <std::size_t Width> void Batch<Width>::write_far(const Space& space) no
 // The hits of four rays of the still scene, computed on their planes. Lanes without a hit hold the
 // plane 0, whose distance is not a number.
 template <std::size_t Width, class Place>
-[[gnu::always_inline]] inline void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place) {
+[[gnu::always_inline]] inline void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch,
+                                                              std::size_t k, const Place& place) {
   const auto& native = batch.native;
   std::array<abut_geometry_id, 4> geometries{};
   std::array<std::uint32_t, 4> triangles{};
@@ -214,7 +215,8 @@ template <std::size_t Width, class Place>
 
 // Rays through the still scene.
 template <std::size_t Width>
-[[gnu::always_inline]] inline void PacketTracer::shoot(const Tracer& tracer, embree::Query& query, Batch<Width>& batch) {
+[[gnu::always_inline]] inline void PacketTracer::shoot(const Tracer& tracer, embree::Query& query,
+                                                       Batch<Width>& batch) {
   batch.is_traced = !tracer.baked_.empty() && batch.write(tracer.still_space_);
   if (batch.is_traced) embree::intersect(tracer.still_.get(), query, batch.active.data(), batch.native);
 }
