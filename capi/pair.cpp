@@ -186,10 +186,8 @@ abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_s
 
 }  // namespace
 
-void abut_query_options_init(abut_query_options* options) {
-  if (options != nullptr) {
-    *options = default_options;
-  }
+void abut_query_options_init(abut_query_options* options, uint32_t struct_size) {
+  fill_defaults(default_options, struct_size, options);
 }
 
 abut_status abut_shapes_distance(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b, const abut_pose* pose_b,

@@ -16,9 +16,6 @@ namespace {
 
 // A face whose normal is further than this from the contact normal is met at an edge or a vertex.
 constexpr Real steepest_cosine = 0.05;
-// Segments closer to parallel than this share a stretch, not a crossing.
-constexpr Real parallel_sine = 1e-3;
-
 struct Flat {
   Real u, v;
 };

@@ -66,16 +66,25 @@ template <Convex A, Convex B>
   return Outcome::ok;
 }
 
+// Whether two cores cannot have more than a point in common.
+template <Convex A, Convex B>
+[[nodiscard]] inline bool meet_in_a_point(const Pose& ab) {
+  if constexpr (PointCored<A> || PointCored<B>) {
+    return true;
+  } else if constexpr (SegmentCored<A> && SegmentCored<B>) {
+    const Vec3& axis = ab.rotation.z;
+    return axis.x * axis.x + axis.y * axis.y > parallel_sine * parallel_sine;
+  } else {
+    return false;
+  }
+}
+
 // Appends the corners of the contact region under a given separation, and the closest points where the
 // region misses them, unless those are known not to count.
 template <Convex A, Convex B>
 void contacts_under(const A& a, const B& b, const Pose& ab, CoreSeparation& core, Real margin, bool closest_count, Manifold& out) {
   const Real radii = a.radius() + b.radius();
   const std::size_t first = out.size();
-  [[clang::uninitialized]] ClipPoints points;
-  [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
-  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
-  clip_faces(face_a, face_b, core.normal, points);
   Real least = infinity;
   const auto append = [&](const Vec3& point_a, const Vec3& point_b, const Feature& feature_a, const Feature& feature_b) {
     const Real distance = dot(point_b - point_a, core.normal) - radii;
@@ -85,17 +94,23 @@ void contacts_under(const A& a, const B& b, const Pose& ab, CoreSeparation& core
                      feature_b, contact_id(feature_a, feature_b)});
     }
   };
+  if (meet_in_a_point<A, B>(ab)) {
+    if (closest_count) {
+      find_points(a, b, ab, core);
+      append(core.point_a, core.point_b, supporting_feature(a, core.normal), supporting_feature(b, ab.rotation.undo(-core.normal)));
+    }
+    return;
+  }
+  [[clang::uninitialized]] ClipPoints points;
+  [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
+  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
+  clip_faces(face_a, face_b, core.normal, points);
   for (const ClipPoint& point : points.span()) {
     append(point.point_a, point.point_b, point.feature_a, point.feature_b);
   }
   // Where the region misses the closest points, as between edges that cross, they are the contact.
   const Real slack = 64 * epsilon * core_size(a, b, ab);
   if (closest_count && (out.size() == first || least > core.distance - radii + slack)) {
-    const auto feature_of = [](const Face& face) {
-      return face.vertices.size() == 1   ? Feature{FeatureKind::vertex, face.vertices[0].vertex}
-             : face.vertices.size() == 2 ? Feature{FeatureKind::edge, face.vertices[0].edge}
-                                         : Feature{FeatureKind::face, face.index};
-    };
     find_points(a, b, ab, core);
     append(core.point_a, core.point_b, feature_of(face_a), feature_of(face_b));
   }

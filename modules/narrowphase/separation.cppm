@@ -84,6 +84,13 @@ void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
     return;
   }
   core.points_open = false;
+  if constexpr (PointCored<A>) {
+    core.point_b = core.point_a + core.distance * core.normal;
+    return;
+  } else if constexpr (PointCored<B>) {
+    core.point_a = core.point_b - core.distance * core.normal;
+    return;
+  }
   [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
   [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
   if (face_a.vertices.size() == 1) {
@@ -172,6 +179,7 @@ void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real err
   const EpaResult found = epa(a, b, ab, size, error, start);
   core.algorithm = Algorithm::gjk_epa;
   core.iterations += found.iterations;
+  core.rounding = noise_of(size);  // normals of slender triangles are off by more than their corners
   core.normal = found.normal;
   core.distance = -found.depth;
   core.lower = -found.upper;

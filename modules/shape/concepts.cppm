@@ -55,6 +55,11 @@ concept BoxCored = Convex<S> && requires(const S& shape) {
   { S::core_axes } -> std::convertible_to<int>;
 };
 
+template <class S>
+concept PointCored = BoxCored<S> && S::core_axes == 0;
+template <class S>
+concept SegmentCored = BoxCored<S> && S::core_axes == 1;
+
 // Everything behind a plane of the shape's own frame: dot(normal, p) <= offset.
 template <class S>
 concept HalfSpace = Bounded<S> && requires(const S& shape) {

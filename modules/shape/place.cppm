@@ -39,6 +39,23 @@ template <Convex S>
   return face;
 }
 
+// What a supporting face is as a feature.
+[[nodiscard]] inline Feature feature_of(const Face& face) {
+  return face.vertices.size() == 1   ? Feature{FeatureKind::vertex, face.vertices[0].vertex}
+         : face.vertices.size() == 2 ? Feature{FeatureKind::edge, face.vertices[0].edge}
+                                     : Feature{FeatureKind::face, face.index};
+}
+
+// The feature alone, by the shape's own way where it has one.
+template <Convex S>
+[[nodiscard]] inline Feature supporting_feature(const S& shape, const Vec3& direction) {
+  if constexpr (requires { shape.supporting_feature(direction); }) {
+    return shape.supporting_feature(direction);
+  } else {
+    return feature_of(shape.supporting_face(direction));
+  }
+}
+
 // A core that is one point.
 struct PlacedPoint {
   Vec3 centre;

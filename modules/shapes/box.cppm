@@ -78,8 +78,7 @@ class Box {
   // Faces 0..5 are -x, +x, -y, +y, -z, +z. An edge is numbered by its direction and the octant bits
   // of the two other axes: 4 * axis + bits.
   [[nodiscard]] Face supporting_face(const Vec3& d) const {
-    const Vec3 magnitude = absolute(d);
-    const int axis = magnitude.x >= magnitude.y && magnitude.x >= magnitude.z ? 0 : magnitude.y >= magnitude.z ? 1 : 2;
+    const int axis = largest_axis(d);
     const bool positive = d[axis] >= 0;
     [[clang::uninitialized]] Face face;
     face.index = static_cast<std::uint32_t>(2 * axis + (positive ? 1 : 0));
@@ -100,6 +99,13 @@ class Box {
       return without_area(face, flat_first, flat_second);
     }
     return face;
+  }
+  [[nodiscard]] inline Feature supporting_feature(const Vec3& d) const {
+    if (half_.x > 0 && half_.y > 0 && half_.z > 0) [[likely]] {
+      const int axis = largest_axis(d);
+      return {FeatureKind::face, static_cast<std::uint32_t>(2 * axis + (d[axis] >= 0 ? 1 : 0))};
+    }
+    return feature_of(supporting_face(d));
   }
   [[nodiscard]] inline std::array<Vec3, 3> face_normals() const { return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}; }
   [[nodiscard]] inline std::array<Vec3, 3> edge_directions() const { return face_normals(); }
@@ -173,6 +179,10 @@ class Box {
     return face;
   }
 
+  [[nodiscard]] static inline int largest_axis(const Vec3& d) {
+    const Vec3 magnitude = absolute(d);
+    return magnitude.x >= magnitude.y && magnitude.x >= magnitude.z ? 0 : magnitude.y >= magnitude.z ? 1 : 2;
+  }
   [[nodiscard]] static inline std::uint32_t octant(Real x, Real y, Real z) {
     return (std::signbit(x) ? 0u : 1u) | (std::signbit(y) ? 0u : 2u) | (std::signbit(z) ? 0u : 4u);
   }

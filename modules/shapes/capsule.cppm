@@ -65,6 +65,9 @@ class Capsule {
     }
     return face;
   }
+  [[nodiscard]] inline Feature supporting_feature(const Vec3&) const {
+    return {half_height_ > 0 ? FeatureKind::edge : FeatureKind::vertex, 0};
+  }
   [[nodiscard]] inline std::array<Vec3, 0> face_normals() const { return {}; }
   [[nodiscard]] inline std::array<Vec3, 1> edge_directions() const { return {Vec3{0, 0, 1}}; }
 

@@ -50,6 +50,7 @@ class Sphere {
     face.vertices.push_back({{0, 0, 0}, 0, 0});
     return face;
   }
+  [[nodiscard]] inline Feature supporting_feature(const Vec3&) const { return {FeatureKind::vertex, 0}; }
   [[nodiscard]] inline std::array<Vec3, 0> face_normals() const { return {}; }
   [[nodiscard]] inline std::array<Vec3, 0> edge_directions() const { return {}; }
 
