@@ -83,13 +83,13 @@ inline abut_status check_poses(const abut_pose& pose_a, const abut_pose& pose_b)
   return ABUT_OK;
 }
 
-inline abut_distance from_distance(const abut::Distance& found, const abut::Pose& a) {
+inline abut_distance from_distance(const abut::Distance& found) {
   return {found.distance,
           found.lower,
           found.upper,
-          from_vec3(a * found.point_a),
-          from_vec3(a * found.point_b),
-          from_vec3(a.rotation * found.normal),
+          from_vec3(found.point_a),
+          from_vec3(found.point_b),
+          from_vec3(found.normal),
           static_cast<abut_algorithm>(found.algorithm),
           found.iterations};
 }
@@ -97,13 +97,12 @@ inline abut_distance from_distance(const abut::Distance& found, const abut::Pose
 // For poses that were checked.
 inline abut_status find_distance(const abut::AnyShape& a, const abut_pose& given_a, const abut::AnyShape& b,
                                  const abut_pose& given_b, const abut::QuerySettings& settings, abut_distance& out) {
-  const abut::Pose pose_a = to_pose(given_a);
   [[clang::uninitialized]] abut::Distance found;
-  const abut::Outcome outcome = abut::pair_distance(a, b, abut::relative(pose_a, to_pose(given_b)), settings, found);
+  const abut::Outcome outcome = abut::pair_distance(a, b, to_pose(given_a), to_pose(given_b), settings, found);
   if (outcome != abut::Outcome::ok) [[unlikely]] {
     return refuse_outcome(outcome, a, b, settings.algorithm);
   }
-  out = from_distance(found, pose_a);
+  out = from_distance(found);
   return ABUT_OK;
 }
 
@@ -169,16 +168,14 @@ abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_s
   if (const abut_status status = read_options(options, query); status != ABUT_OK) {
     return status;
   }
-  const abut::Pose pose_a = to_pose(given_a);
-  const abut::Pose ab = abut::relative(pose_a, to_pose(given_b));
   abut::Manifold found;
-  const abut::Outcome outcome = abut::pair_contacts(shape_of(a), shape_of(b), ab, query.settings, found);
+  const abut::Outcome outcome = abut::pair_contacts(shape_of(a), shape_of(b), to_pose(given_a), to_pose(given_b), query.settings, found);
   if (outcome != abut::Outcome::ok) [[unlikely]] {
     return refuse_outcome(outcome, shape_of(a), shape_of(b), query.settings.algorithm);
   }
   const std::size_t kept = abut::reduce(found, query.max_contacts);
   fill(std::span<const abut::ContactPoint>(found).first(kept), out,
-       [&](const abut::ContactPoint& contact) { return from_contact(abut::in_world(contact, pose_a)); });
+       [](const abut::ContactPoint& contact) { return from_contact(contact); });
   *count = kept;
   return ABUT_OK;
 }

@@ -138,6 +138,70 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab, cons
   return outcome;
 }
 
+namespace {
+
+std::array<Real, 3> numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+// Whether work starts from b: by kind, else by pose, else by size. Alike in all of these, the shapes are
+// mostly the same one.
+bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
+  if (a.index() != b.index()) {
+    return b.index() < a.index();
+  }
+  const auto place = [](const Pose& pose) {
+    return std::array{numbers(pose.position), numbers(pose.rotation.x), numbers(pose.rotation.y), numbers(pose.rotation.z)};
+  };
+  if (place(pose_a) != place(pose_b)) {
+    return place(pose_b) < place(pose_a);
+  }
+  const auto size = [](const AnyShape& shape) {
+    const Aabb box = aabb_of(shape, Pose::identity());
+    return std::array{numbers(box.high), numbers(box.low)};
+  };
+  return size(b) < size(a);
+}
+
+void swap_sides(Distance& d) {
+  std::swap(d.point_a, d.point_b);
+  d.normal = -d.normal;
+}
+void swap_sides(ContactPoint& contact) {
+  std::swap(contact.point_a, contact.point_b);
+  std::swap(contact.feature_a, contact.feature_b);
+  contact.normal = -contact.normal;
+}
+
+}  // namespace
+
+Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
+                      Distance& out) {
+  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
+  const Pose& base = from_b ? pose_b : pose_a;
+  const Outcome outcome = pair_distance(from_b ? b : a, from_b ? a : b, relative(base, from_b ? pose_a : pose_b), settings, out);
+  if (outcome == Outcome::ok) [[likely]] {
+    out = in_world(out, base);
+    if (from_b) {
+      swap_sides(out);
+    }
+  }
+  return outcome;
+}
+
+Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
+                      Manifold& out) {
+  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
+  const Pose& base = from_b ? pose_b : pose_a;
+  const std::size_t first = out.size();
+  const Outcome outcome = pair_contacts(from_b ? b : a, from_b ? a : b, relative(base, from_b ? pose_a : pose_b), settings, out);
+  for (ContactPoint& contact : std::span(out).subspan(first)) {
+    contact = in_world(contact, base);
+    if (from_b) {
+      swap_sides(contact);
+    }
+  }
+  return outcome;
+}
+
 Distance in_world(const Distance& local, const Pose& a) {
   Distance out = local;
   out.point_a = a * local.point_a;

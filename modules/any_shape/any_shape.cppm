@@ -47,6 +47,13 @@ struct RouteDescription {
 [[nodiscard]] Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Distance& out);
 [[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Manifold& out);
 
+// The same with both shapes placed in the world, and results there. The order of work depends on the
+// shapes and poses alone, so that swapping them changes no bit but the sides.
+[[nodiscard]] Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                                    const QuerySettings& settings, Distance& out);
+[[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                                    const QuerySettings& settings, Manifold& out);
+
 // Moves results from the frame of a to the world.
 [[nodiscard]] Distance in_world(const Distance& local, const Pose& a);
 [[nodiscard]] ContactPoint in_world(const ContactPoint& local, const Pose& a);
