@@ -40,6 +40,25 @@ struct Projection {
   }
 };
 
+// The box of a projected face. Corners are kept when they are outside of edges by rounding only, but near
+// a sharp corner, where edges are nearly parallel, even those lie well beyond it.
+class Extent {
+ public:
+  Extent(const Face& face, const Projection& projection) {
+    for (const FaceVertex& vertex : face.vertices.span()) {
+      const Flat p = projection(vertex.point);
+      low_ = {std::min(low_.u, p.u), std::min(low_.v, p.v)};
+      high_ = {std::max(high_.u, p.u), std::max(high_.v, p.v)};
+    }
+  }
+  [[nodiscard]] bool holds(const Flat& p, Real slack) const {
+    return p.u >= low_.u - slack && p.u <= high_.u + slack && p.v >= low_.v - slack && p.v <= high_.v + slack;
+  }
+
+ private:
+  Flat low_{infinity, infinity}, high_{-infinity, -infinity};
+};
+
 // Lifts projected points onto the plane of a polygon.
 struct Lift {
   Real height, slope_u, slope_v;
@@ -152,9 +171,13 @@ void clip_polygons(const Face& a, const Face& b, const Projection& projection, C
     std::swap(current, next);
   }
   const Lift lift_a(a, projection), lift_b(b, projection);
+  const Extent extent_a(a, projection), extent_b(b, projection);
   const auto corners = current.span();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Corner& corner = corners[i];
+    if (!extent_a.holds(corner.at, 4 * projection.rounding) || !extent_b.holds(corner.at, 4 * projection.rounding)) {
+      continue;
+    }
     const Flat step = corners[(i + 1) % corners.size()].at - corner.at;
     if (corners.size() > 1 && std::fabs(step.u) + std::fabs(step.v) <= 4 * projection.rounding) {
       continue;  // the same corner twice, from two edges that meet there
@@ -192,8 +215,12 @@ void clip_segment(const Face& segment, const Face& polygon, const Projection& pr
     return;
   }
   const Lift lift(polygon, projection);
+  const Extent extent(polygon, projection);
   const auto emit = [&](Real t, std::uint32_t edge, std::uint32_t end_vertex) {
     const Vec3 on_segment = start.point + t * (end.point - start.point);
+    if (!extent.holds(projection(on_segment), 4 * projection.rounding)) {
+      return;
+    }
     const Vec3 on_polygon = lift(projection(on_segment), projection);
     const Feature of_segment = edge == no_index ? Feature{FeatureKind::vertex, end_vertex} : Feature{FeatureKind::edge, start.edge};
     const Feature of_polygon = edge == no_index ? Feature{FeatureKind::face, polygon.index} : Feature{FeatureKind::edge, edge};

@@ -50,6 +50,10 @@ inline constexpr Real on_edge = 1e-7;
   for (const Vec3& corner : corners) {
     size = std::max(size, largest_magnitude(corner));
   }
+  // Beyond a sharp corner points are outside of its edges by rounding only.
+  if (!triangle.box().inflated(32 * epsilon * size).overlaps({point, point})) {
+    return false;
+  }
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 edge = corners[(i + 1) % 3] - corners[i];
     const Real slack = 32 * epsilon * size * std::sqrt(squared_norm(n) * squared_norm(edge));
