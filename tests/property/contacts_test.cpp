@@ -166,7 +166,7 @@ void check_contacts(const Case& c, double margin) {
   if (all.contacts.empty()) return;
   const double error = std::abs(all.contacts.front().distance - truth);
   property::record().add(row_of(c) + " contacts", c.a.name + " / " + c.b.name,
-                         error / (c.a.size + c.b.size + std::abs(truth)), 0,
+                         error / std::max(c.a.size + c.b.size + std::abs(truth), 1e-300), 0,
                          static_cast<std::uint32_t>(all.contacts.size()));
   if (is_surface(c.a) && truth < 0) return;
   expect(c, "deepest contact is as deep as the shapes", error <= tolerance, all.contacts.front().distance, truth,
