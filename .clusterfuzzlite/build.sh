@@ -1,13 +1,17 @@
 #!/usr/bin/env bash
-# Builds every pair's target with the project's own flags and puts it with its seeds into $OUT.
+# Builds every pair's target and puts it with its seeds into $OUT. Compiler and flags are the project's
+# own; the engine is what $LIB_FUZZING_ENGINE links.
 set -euo pipefail
 cd "$SRC/abut"
-unset CFLAGS CXXFLAGS
-cmake --preset fuzz
+unset CC CXX CFLAGS CXXFLAGS
+# Targets run on another image, which lacks the libraries that they load.
+cmake --preset fuzz -D "ABUT_FUZZ_ENGINE=${LIB_FUZZING_ENGINE:--fsanitize=fuzzer}" -D 'CMAKE_BUILD_RPATH=$ORIGIN/lib'
 cmake --build build/fuzz --target abut_fuzz_targets
+mkdir -p "$OUT/lib"
 for target in build/fuzz/fuzz/fuzz_*_*; do
   [ -f "$target" ] && [ -x "$target" ] || continue
   name=$(basename "$target") pair=${target##*/fuzz_}
   cp "$target" "$OUT/$name"
+  ldd "$target" | sed -n 's|.* => \(/.*/lib\(ccd\|qhull\).*\) (.*|\1|p' | xargs -r cp -t "$OUT/lib" --dereference
   [ ! -d "fuzz/corpus/$pair" ] || zip -qj "$OUT/${name}_seed_corpus.zip" fuzz/corpus/"$pair"/*
 done

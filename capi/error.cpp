@@ -42,8 +42,10 @@ void set_message(std::string_view message) noexcept {
       --length;
     }
   }
-  // The text may be the buffer itself: a caller that passes on the message of a call.
-  std::memmove(last_message.data(), message.data(), length);
+  // The text may be the buffer itself: a caller that passes on the message of a call. No text may be no address.
+  if (length > 0) {
+    std::memmove(last_message.data(), message.data(), length);
+  }
   last_message[length] = '\0';
 }
 

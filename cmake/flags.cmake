@@ -25,6 +25,7 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
 set(ABUT_ARCH "x86-64-v3" CACHE STRING "Target of -march; empty for the compiler's default")
 set(ABUT_SANITIZE "" CACHE STRING "address (with undefined), thread, fuzzer (address, undefined and coverage), or empty")
+set(ABUT_FUZZ_ENGINE "-fsanitize=fuzzer" CACHE STRING "Links the fuzzing engine, and with it main, to a fuzz target")
 
 add_compile_options(
   -Wall -Wextra -Wpedantic -Werror
@@ -57,6 +58,9 @@ set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
 
 set(abut_sanitize_checks
     address,undefined,float-divide-by-zero,implicit-integer-truncation,implicit-integer-sign-change,nullability,local-bounds)
+if(ABUT_SANITIZE STREQUAL "address" OR ABUT_SANITIZE STREQUAL "fuzzer")
+  add_compile_options(-fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/sanitize_ignore.txt)
+endif()
 if(ABUT_SANITIZE STREQUAL "address")
   add_compile_options(-fsanitize=${abut_sanitize_checks} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${abut_sanitize_checks})
@@ -79,7 +83,7 @@ function(abut_relax_for_tests target)
   target_compile_options(${target} PRIVATE -Wno-global-constructors -Wno-exit-time-destructors)
 endfunction()
 function(abut_link_fuzzer target)
-  target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+  target_link_options(${target} PRIVATE ${ABUT_FUZZ_ENGINE})
 endfunction()
 # What consumers of the installed modules must share with us: layout, arithmetic, and what clang
 # compares between a module and its importer. The rest of the options stays here.

@@ -43,7 +43,8 @@ struct RouteDescription {
 [[nodiscard]] RouteDescription describe_route(std::size_t place_a, std::size_t place_b);
 [[nodiscard]] bool is_supported(std::size_t place_a, std::size_t place_b);
 
-// Queries on two placed shapes. Results are in the world.
+// Queries on two placed shapes. Results are in the world. The order of work depends on the shapes and
+// poses alone, so that swapping them changes no bit but the sides.
 [[nodiscard]] Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
                                     const QuerySettings& settings, Distance& out);
 [[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,

@@ -42,7 +42,8 @@ class Bvh {
   // First crossing of a ray: `cast(item, limit)` answers the distance to an item, or infinity.
   template <class Caster>
   void visit_ray(const Vec3& origin, const Vec3& direction, Real& limit, Caster&& cast) const {
-    const Vec3 inverse{1 / direction.x, 1 / direction.y, 1 / direction.z};
+    const auto inverse_of = [](Real value) { return value == 0 ? infinity : 1 / value; };
+    const Vec3 inverse{inverse_of(direction.x), inverse_of(direction.y), inverse_of(direction.z)};
     std::uint32_t at = 0;
     while (at < nodes_.size()) {
       const Node& node = nodes_[at];

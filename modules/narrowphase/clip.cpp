@@ -9,6 +9,7 @@ module;
 module abut.narrowphase.clip;
 import abut.core;
 import abut.math;
+import abut.narrowphase.across;
 import abut.shape;
 
 namespace abut {
@@ -36,6 +37,25 @@ struct Projection {
   }
 };
 
+// The box of a projected face. Corners are kept when they are outside of edges by rounding only, but near
+// a sharp corner, where edges are nearly parallel, even those lie well beyond it.
+class Extent {
+ public:
+  Extent(const Face& face, const Projection& projection) {
+    for (const FaceVertex& vertex : face.vertices.span()) {
+      const Flat p = projection(vertex.point);
+      low_ = {std::min(low_.u, p.u), std::min(low_.v, p.v)};
+      high_ = {std::max(high_.u, p.u), std::max(high_.v, p.v)};
+    }
+  }
+  [[nodiscard]] bool holds(const Flat& p, Real slack) const {
+    return p.u >= low_.u - slack && p.u <= high_.u + slack && p.v >= low_.v - slack && p.v <= high_.v + slack;
+  }
+
+ private:
+  Flat low_{infinity, infinity}, high_{-infinity, -infinity};
+};
+
 // Lifts projected points onto the plane of a polygon.
 struct Lift {
   Real height, slope_u, slope_v;
@@ -55,6 +75,22 @@ struct Lift {
 
 [[nodiscard]] bool faces_normal(const Face& face, const Vec3& normal) {
   return std::fabs(dot(face.normal, normal)) > steepest_cosine;
+}
+
+// What a face that stands steep to the normal has furthest out along `outward`: the edge there.
+[[nodiscard]] Face outer_edge(const Face& face, const Vec3& outward) {
+  const auto vertices = face.vertices.span();
+  const std::size_t count = vertices.size();
+  const auto reach = [&](std::size_t i) { return dot(vertices[i % count].point, outward); };
+  std::size_t top = 0;
+  for (std::size_t i = 1; i < count; ++i) {
+    top = reach(i) > reach(top) ? i : top;
+  }
+  const std::size_t from = reach(top + 1) > reach(top + count - 1) ? top : (top + count - 1) % count;
+  [[clang::uninitialized]] Face edge;
+  edge.vertices.push_back(vertices[from]);
+  edge.vertices.push_back(vertices[(from + 1) % count]);
+  return edge;
 }
 
 // A corner of the region while it is cut: what it is on each side, and on which edge of which polygon
@@ -157,9 +193,13 @@ void clip_polygons(const Face& a, const Face& b, const Projection& projection, C
     }
   }
   const Lift lift_a(a, projection), lift_b(b, projection);
+  const Extent extent_a(a, projection), extent_b(b, projection);
   const auto corners = current->span();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Corner& corner = corners[i];
+    if (!extent_a.holds(corner.at, 4 * projection.rounding) || !extent_b.holds(corner.at, 4 * projection.rounding)) {
+      continue;
+    }
     const Flat step = corners[i + 1 < corners.size() ? i + 1 : 0].at - corner.at;
     if (corners.size() > 1 && std::fabs(step.u) + std::fabs(step.v) <= 4 * projection.rounding) {
       continue;  // the same corner twice, from two edges that meet there
@@ -197,8 +237,12 @@ void clip_segment(const Face& segment, const Face& polygon, const Projection& pr
     return;
   }
   const Lift lift(polygon, projection);
+  const Extent extent(polygon, projection);
   const auto emit = [&](Real t, std::uint32_t edge, std::uint32_t end_vertex) {
     const Vec3 on_segment = start.point + t * (end.point - start.point);
+    if (!extent.holds(projection(on_segment), 4 * projection.rounding)) {
+      return;
+    }
     const Vec3 on_polygon = lift(projection(on_segment), projection);
     const Feature of_segment = edge == no_index ? Feature{FeatureKind::vertex, end_vertex} : Feature{FeatureKind::edge, start.edge};
     const Feature of_polygon = edge == no_index ? Feature{FeatureKind::face, polygon.index} : Feature{FeatureKind::edge, edge};
@@ -249,11 +293,10 @@ void clip_segments(const Face& a, const Face& b, const Projection& projection, C
 
 }  // namespace
 
-void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out) {
-  const std::size_t count_a = a.vertices.size(), count_b = b.vertices.size();
-  if (count_a < 2 || count_b < 2) {
-    return;
-  }
+namespace {
+
+// Faces that both look along the normal, or are edges.
+void clip_facing(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out) {
   const Vec3& base = a.vertices[0].point;
   Real reach = 0;
   for (const FaceVertex& vertex : b.vertices.span()) {
@@ -263,15 +306,78 @@ void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& ou
     reach = std::max(reach, largest_magnitude(vertex.point - base));
   }
   const Projection projection{base, tangents_of(normal), normal, 16 * epsilon * (reach + largest_magnitude(base))};
-  if (count_a == 2 && count_b == 2) {
+  const bool edge_a = a.vertices.size() == 2, edge_b = b.vertices.size() == 2;
+  if (edge_a && edge_b) {
     clip_segments(a, b, projection, out);
-  } else if (count_a == 2 && faces_normal(b, normal)) {
+  } else if (edge_a) {
     clip_segment(a, b, projection, false, out);
-  } else if (count_b == 2 && faces_normal(a, normal)) {
+  } else if (edge_b) {
     clip_segment(b, a, projection, true, out);
-  } else if (count_a > 2 && count_b > 2 && faces_normal(a, normal) && faces_normal(b, normal)) {
+  } else {
     clip_polygons(a, b, projection, out);
   }
+}
+
+[[nodiscard]] inline Real separation(const ClipPoint& point, const Vec3& normal) { return dot(point.point_b - point.point_a, normal); }
+
+// No corner is closer than the faces are: one that is lies beside its face, which a needle lifts it off.
+void drop_too_close(const Vec3& normal, Real closest, ClipPoints& out) {
+  [[clang::uninitialized]] ClipPoints kept;
+  for (const ClipPoint& point : out.span()) {
+    if (separation(point, normal) >= closest) {
+      kept.push_back(point);
+    }
+  }
+  out = kept;
+}
+
+// A region may miss the closest points, as between edges that cross, or when a face stands steep.
+void settle_closest(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out) {
+  Real top = -infinity, bottom = infinity, least = infinity, size = 0;
+  for (const FaceVertex& vertex : a.vertices.span()) {
+    top = std::max(top, dot(vertex.point, normal));
+    size = std::max(size, largest_magnitude(vertex.point));
+  }
+  for (const FaceVertex& vertex : b.vertices.span()) {
+    bottom = std::min(bottom, dot(vertex.point, normal));
+    size = std::max(size, largest_magnitude(vertex.point));
+  }
+  const Real rounding = 64 * epsilon * size, closest = bottom - top;
+  const auto find_least = [&] {
+    least = infinity;
+    for (const ClipPoint& point : out.span()) {
+      least = std::min(least, separation(point, normal));
+    }
+  };
+  find_least();
+  if (least < closest - rounding) [[unlikely]] {
+    drop_too_close(normal, closest - rounding, out);
+    find_least();
+  }
+  if (least <= closest + rounding) {
+    return;
+  }
+  const AcrossPair pair = points_across(a, b, normal, rounding);
+  const Vec3 way = pair.point_b - pair.point_a;
+  if (largest_magnitude(way - dot(way, normal) * normal) <= rounding) {
+    out.push_back({pair.point_a, pair.point_b, feature_of(a), feature_of(b)});
+  }
+}
+
+}  // namespace
+
+void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out) {
+  const std::size_t count_a = a.vertices.size(), count_b = b.vertices.size();
+  if (count_a < 2 || count_b < 2) {
+    return;
+  }
+  const bool steep_a = count_a > 2 && !faces_normal(a, normal), steep_b = count_b > 2 && !faces_normal(b, normal);
+  if (steep_a || steep_b) {
+    clip_facing(steep_a ? outer_edge(a, normal) : a, steep_b ? outer_edge(b, -normal) : b, normal, out);
+  } else {
+    clip_facing(a, b, normal, out);
+  }
+  settle_closest(a, b, normal, out);
 }
 
 }  // namespace abut

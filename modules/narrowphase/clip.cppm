@@ -24,8 +24,9 @@ using ClipPoints = SmallVector<ClipPoint, 24>;
 inline constexpr Real parallel_sine = 1e-3;
 
 // Both faces in one frame, `normal` of length one from a to b. At least one point on each side.
-// Nothing comes out when the projections miss each other, or when a face stands so steep to the
-// normal that lifting onto it has no meaning.
+// A face that stands so steep to the normal that lifting onto it has no meaning takes part with its
+// outer edge. Closest points that the corners miss come out as well. Nothing comes out when the
+// projections miss each other.
 void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out);
 
 }  // namespace abut

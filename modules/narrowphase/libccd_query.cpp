@@ -14,15 +14,24 @@ import abut.shape;
 namespace abut {
 namespace {
 
+// libccd's expanding polytope knows no limit of its own and may go round in circles. From this many
+// support points on it is shown the origin, which adds nothing to any polytope and so ends it.
+constexpr std::uint32_t support_limit = 5000;
+
 struct Body {
   SupportFunction support;
   Vec3 centre;
+  mutable std::uint32_t supports_asked = 0;
+
+  [[nodiscard]] bool is_exhausted() const { return supports_asked > support_limit; }
 };
 
 Vec3 from_ccd(const ccd_vec3_t& v) { return {ccdVec3X(&v), ccdVec3Y(&v), ccdVec3Z(&v)}; }
 
 void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* out) {
-  const Vec3 p = static_cast<const Body*>(object)->support(from_ccd(*direction));
+  const Body& body = *static_cast<const Body*>(object);
+  ++body.supports_asked;
+  const Vec3 p = body.is_exhausted() ? Vec3{0, 0, 0} : body.support(from_ccd(*direction));
   ccdVec3Set(out, p.x, p.y, p.z);
 }
 
@@ -50,6 +59,9 @@ Outcome libccd_query(const SupportFunction& support_a, const SupportFunction& su
   // 0 is an overlap, -1 none, -2 out of memory.
   const int found = mpr ? ccdMPRPenetration(&a, &b, &ccd, &depth, &direction, &position)
                         : ccdGJKPenetration(&a, &b, &ccd, &depth, &direction, &position);
+  if (a.is_exhausted()) {
+    return Outcome::not_converged;
+  }
   if (found == 0) {
     const auto normal = UnitVec3::make(from_ccd(direction));
     const Vec3 middle = from_ccd(position);

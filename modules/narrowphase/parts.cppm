@@ -3,6 +3,7 @@ module;
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,17 +21,26 @@ export namespace abut {
   return algorithm == Algorithm::automatic || algorithm == Algorithm::gjk_epa;
 }
 
-// Distance of a composite and a convex shape: of the nearest or deepest part. Starts from a part near
-// the shape and shrinks the box that is still of interest with every better one.
+// Distance of a composite and a convex shape: of the nearest or deepest part, each as a sheet. Starts
+// from a part near the shape and shrinks the box that is still of interest with every better one.
 template <Composite A, Convex B>
 void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& best) {
   const Aabb around = b.aabb(ab);
   const auto consider = [&](const typename A::Part& part) {
-    const Distance distance = rounded(separate_from_triangle(part, b, ab, settings, infinity), 0, b.radius());
-    const std::uint32_t iterations = best.iterations + distance.iterations;
+    const CoreSeparation core = separate_from_triangle(part, b, ab, settings, best.distance + b.radius());
+    best.iterations += core.iterations;
+    if (core.beyond) {
+      return;
+    }
+    const Distance distance = rounded(core, 0, b.radius());
+    // The true distance is the least of those of the parts, and so are its bounds.
+    const Real lower = std::min(best.lower, distance.lower), upper = std::min(best.upper, distance.upper);
+    const std::uint32_t iterations = best.iterations;
     if (distance.distance < best.distance) {
       best = distance;
     }
+    best.lower = lower;
+    best.upper = upper;
     best.iterations = iterations;
   };
   consider(a.part_near(ab * b.centre()));
@@ -41,8 +51,6 @@ void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
       query = around.inflated(std::max(best.distance, Real{0}));
     }
   });
-  // The bounds of the nearest part hold for the whole only as far as other parts go.
-  best.lower = std::min(best.lower, best.distance);
 }
 
 [[nodiscard]] inline Distance no_distance() {
@@ -68,8 +76,13 @@ template <Composite A, Convex B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
+  const std::size_t first = out.size();
+  LeftToNeighbour left;
   Aabb query = b.aabb(ab).inflated(std::max(settings.margin, Real{0}));
-  a.visit_parts(query, [&](const typename A::Part& part, std::uint32_t) { triangle_contacts(part, b, ab, settings, out); });
+  a.visit_parts(query, [&](const typename A::Part& part, std::uint32_t) { triangle_contacts(part, b, 0, ab, settings, left, out); });
+  if (left.deepest) {
+    append_left(*left.deepest, b, ab, settings.margin, first, out);
+  }
   return Outcome::ok;
 }
 
@@ -95,16 +108,30 @@ template <Composite A, Composite B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
+  const std::size_t first = out.size();
+  LeftToNeighbour left;
+  std::optional<typename B::Part> part_left;
+  const auto name_part = [&](std::size_t from, std::uint32_t index) {
+    for (ContactPoint& contact : std::span(out).subspan(from)) {
+      contact.id = mixed(contact.id ^ (std::uint64_t{index} << 32));
+      contact.feature_b = {FeatureKind::face, index};
+    }
+  };
   Aabb query = a.aabb(ab.inverse()).inflated(std::max(settings.margin, Real{0}));
   b.visit_parts(query, [&](const typename B::Part& part, std::uint32_t index) {
-    const std::size_t first = out.size();
+    const std::size_t from = out.size();
     Aabb box = part.aabb(ab).inflated(std::max(settings.margin, Real{0}));
-    a.visit_parts(box, [&](const typename A::Part& other, std::uint32_t) { triangle_contacts(other, part, ab, settings, out); });
-    for (std::size_t i = first; i < out.size(); ++i) {
-      out[i].id = mixed(out[i].id ^ (std::uint64_t{index} << 32));
-      out[i].feature_b = {FeatureKind::face, index};
+    a.visit_parts(box, [&](const typename A::Part& other, std::uint32_t) { triangle_contacts(other, part, index, ab, settings, left, out); });
+    name_part(from, index);
+    if (left.deepest && left.deepest->part_of_b == index) {
+      part_left = part;
     }
   });
+  if (part_left) {
+    const std::size_t from = out.size();
+    append_left(*left.deepest, *part_left, ab, settings.margin, first, out);
+    name_part(from, left.deepest->part_of_b);
+  }
   return Outcome::ok;
 }
 

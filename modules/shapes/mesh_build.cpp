@@ -100,9 +100,12 @@ Mesh::Tree Mesh::make_tree(const Data& data) {
     const Vec3 base = corner(a.triangle, a.edge);
     const Vec3 normal = cross(corner(a.triangle, a.edge + 1u) - base, corner(a.triangle, a.edge + 2u) - base);
     const Vec3 beyond = corner(b.triangle, b.edge + 2u) - base;
+    const Vec3 inward = cross(normal, corner(a.triangle, a.edge + 1u) - base);
     const Real rise = dot(normal, beyond);
     const Real flat = 1e-9 * std::sqrt(squared_norm(normal) * squared_norm(beyond));
-    if (data.one_sided ? rise >= -flat : std::fabs(rise) <= flat) {
+    // Where the other triangle lies back on this one, as a repeated triangle does, the edge is a rim.
+    const bool goes_on = std::fabs(rise) <= flat && dot(inward, beyond) < 0;
+    if (goes_on || (data.one_sided && rise > flat)) {
       inner[a.triangle] = static_cast<std::uint8_t>(inner[a.triangle] | (1u << a.edge));
       inner[b.triangle] = static_cast<std::uint8_t>(inner[b.triangle] | (1u << b.edge));
     }

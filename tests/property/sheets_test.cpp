@@ -1,0 +1,125 @@
+// What sheets (meshes and height fields) owe to those that meet them, in scenes that once went wrong.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "manifold.hpp"
+
+namespace {
+
+using property::Manifold;
+using property::ShapePtr;
+
+abut_pose at(double x, double y, double z) { return {{x, y, z}, {1, 0, 0, 0}}; }
+
+ShapePtr mesh(const std::vector<double>& xyz, const std::vector<std::uint32_t>& triangles, abut_sides sides) {
+  abut_mesh_options options;
+  abut_mesh_options_init(&options);
+  options.sides = sides;
+  abut_shape* shape = nullptr;
+  EXPECT_EQ(abut_mesh_create(xyz.data(), xyz.size() / 3, triangles.data(), triangles.size() / 3, &options, &shape),
+            ABUT_OK);
+  return ShapePtr(shape);
+}
+
+ShapePtr square(abut_sides sides) {
+  return mesh({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, {0, 1, 2, 0, 2, 3}, sides);
+}
+
+ShapePtr box(double half) {
+  abut_shape* shape = nullptr;
+  EXPECT_EQ(abut_box_create(half, half, half, &shape), ABUT_OK);
+  return ShapePtr(shape);
+}
+
+ShapePtr sphere(double radius) {
+  abut_shape* shape = nullptr;
+  EXPECT_EQ(abut_sphere_create(radius, &shape), ABUT_OK);
+  return ShapePtr(shape);
+}
+
+std::vector<abut_contact> contacts(const ShapePtr& a, const abut_pose& pose_a, const ShapePtr& b,
+                                   const abut_pose& pose_b) {
+  abut_query_options options;
+  abut_query_options_init(&options);
+  options.max_contacts = 0;
+  std::vector<abut_contact> found(1000);
+  std::size_t count = 0;
+  EXPECT_EQ(
+      abut_shapes_contacts(a.get(), &pose_a, b.get(), &pose_b, &options, found.data(), found.size(), &count),
+      ABUT_OK);
+  found.resize(count);
+  return found;
+}
+
+double distance(const ShapePtr& a, const abut_pose& pose_a, const ShapePtr& b, const abut_pose& pose_b) {
+  abut_distance result{};
+  EXPECT_EQ(abut_shapes_distance(a.get(), &pose_a, b.get(), &pose_b, nullptr, &result), ABUT_OK);
+  return result.distance;
+}
+
+double apart(const abut_vec3& u, const abut_vec3& v) { return std::hypot(u.x - v.x, u.y - v.y, u.z - v.z); }
+
+bool is_among(const abut_contact& contact, const std::vector<abut_contact>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const abut_contact& other) {
+    return apart(contact.point_a, other.point_b) < 1e-12 && apart(contact.point_b, other.point_a) < 1e-12 &&
+           std::abs(contact.distance - other.distance) < 1e-12;
+  });
+}
+
+TEST(Sheets, DistanceDoesNotDependOnTheSides) {
+  const ShapePtr both = square(ABUT_SIDES_BOTH), front = square(ABUT_SIDES_FRONT), body = box(0.5);
+  for (const double z : {-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75}) {
+    EXPECT_EQ(distance(both, at(0, 0, 0), body, at(0.1, 0.2, z)), distance(front, at(0, 0, 0), body, at(0.1, 0.2, z)));
+    EXPECT_NEAR(distance(front, at(0, 0, 0), body, at(0.1, 0.2, z)), std::abs(z) - 0.5, 1e-12);
+  }
+}
+
+TEST(Sheets, CrossingSheetsMirrorTheirContactsWhenSwapped) {
+  const abut_pose upright{{0.3, 0.1, 0.9}, {std::sqrt(0.5), std::sqrt(0.5), 0, 0}};
+  const abut_pose tilted{{0.3, 0.1, 0.4}, {0.9, 0.3, 0.1, 0.3}};
+  for (const abut_sides sides : {ABUT_SIDES_BOTH, ABUT_SIDES_FRONT}) {
+    const ShapePtr first = square(ABUT_SIDES_BOTH), second = square(sides);
+    for (const abut_pose& pose : {upright, tilted}) {
+      const auto there = contacts(first, at(0, 0, 0), second, pose);
+      const auto back = contacts(second, pose, first, at(0, 0, 0));
+      EXPECT_FALSE(there.empty());
+      EXPECT_EQ(there.size(), back.size());
+      for (const abut_contact& contact : there) EXPECT_TRUE(is_among(contact, back));
+    }
+  }
+}
+
+TEST(Sheets, FrontOnlyPushesForward) {
+  const ShapePtr field = square(ABUT_SIDES_FRONT), body = box(0.5);
+  const auto found = contacts(field, at(0, 0, 0), body, at(0.1, 0.2, -0.1));
+  EXPECT_FALSE(found.empty());
+  for (const abut_contact& contact : found) EXPECT_GT(contact.normal.z, 0.99);
+}
+
+// The repeated triangle lies back on the first one across each of its edges, which stay rims.
+TEST(Sheets, RepeatedTriangleIsTouchedAtItsRim) {
+  const ShapePtr twice = mesh({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 0, 1, 2}, ABUT_SIDES_BOTH);
+  const auto found = contacts(twice, at(0, 0, 0), sphere(0.5), at(-0.3, 0.3, 0.3));
+  ASSERT_FALSE(found.empty());
+  EXPECT_NEAR(found.front().distance, std::hypot(0.3, 0.3) - 0.5, 1e-12);
+  EXPECT_NEAR(found.front().normal.x, -std::sqrt(0.5), 1e-12);
+}
+
+// A box edge held along the edge of a sheet: the deepest points are on both.
+TEST(Sheets, PointsLieOnTheSheetWhenABoxPushesItSideways) {
+  const ShapePtr sheet = square(ABUT_SIDES_BOTH), body = box(0.5);
+  const auto found = contacts(sheet, at(0, 0, 0), body, at(1.4, 0.2, 0.1));
+  ASSERT_FALSE(found.empty());
+  for (const abut_contact& contact : found) {
+    EXPECT_LE(std::abs(contact.point_a.x), 1 + 1e-12);
+    EXPECT_LE(std::abs(contact.point_a.y), 1 + 1e-12);
+    EXPECT_NEAR(contact.point_a.z, 0, 1e-12);
+    EXPECT_NEAR(apart(contact.point_a, contact.point_b), std::abs(contact.distance), 1e-12);
+  }
+  EXPECT_NEAR(found.front().distance, -0.1, 1e-12);
+}
+
+}  // namespace
