@@ -13,6 +13,7 @@ import abut.math;
 import abut.narrowphase.across;
 import abut.narrowphase.box_cores;
 import abut.narrowphase.box_sat;
+import abut.narrowphase.clip;
 import abut.narrowphase.epa;
 import abut.narrowphase.gjk;
 import abut.narrowphase.sat;
@@ -93,7 +94,23 @@ void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
   }
   [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
   [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
-  const AcrossPair pair = points_across(face_a, face_b, core.normal, noise_of(core_size(a, b, ab)));
+  const Real size = core_size(a, b, ab);
+  AcrossPair pair{core.point_a, core.point_b};
+  [[clang::uninitialized]] ClipPoints points;
+  clip_faces(face_a, face_b, core.normal, points);
+  // Nearly parallel faces are equally far in many points; one of their common region will do.
+  const Real deepest = core.distance + 1e-12 * size;
+  Real least = deepest;
+  for (const ClipPoint& point : points.span()) {
+    const Real distance = dot(point.point_b - point.point_a, core.normal);
+    if (distance <= least) {
+      least = distance;
+      pair = {point.point_a, point.point_b};
+    }
+  }
+  if (!(least < deepest)) {
+    pair = points_across(face_a, face_b, core.normal, noise_of(size));
+  }
   // What rounding leaves between the points and the distance is shared by both.
   const Vec3 half = (0.5 * (core.distance - dot(pair.point_b - pair.point_a, core.normal))) * core.normal;
   core.point_a = pair.point_a - half;

@@ -213,7 +213,7 @@ void triangle_contacts(const Triangle& triangle, const B& b, std::uint32_t part_
     const auto first = std::ssize(out);
     append_contacts(triangle, b, ab, *turned, settings.margin, is_over_face, out);
     // What passes the plane of the triangle beside it and reaches under it is no overlap.
-    const Real least = is_apart ? core.distance - radii - core.rounding : -infinity;
+    const Real least = is_apart ? core.distance - radii - 4 * core.rounding : -infinity;
     out.erase(std::remove_if(out.begin() + first, out.end(), [&](const ContactPoint& contact) { return contact.distance < least; }),
               out.end());
   }
@@ -223,7 +223,7 @@ void triangle_contacts(const Triangle& triangle, const B& b, std::uint32_t part_
 // It has a number of its own: the same features may have met under the normal of the face.
 template <Convex B>
 void append_left(const LeftToNeighbour::Pair& left, const B& b, const Pose& ab, Real margin, std::size_t first, Manifold& out) {
-  const Real deep = left.core.distance - b.radius() + left.core.rounding;
+  const Real deep = left.core.distance - b.radius() + 4 * left.core.rounding;
   if (std::ranges::any_of(std::span(out).subspan(first), [&](const ContactPoint& contact) { return contact.distance <= deep; })) {
     return;
   }
