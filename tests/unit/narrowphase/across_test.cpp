@@ -61,7 +61,7 @@ TEST(Across, EdgesThatShareAStretch) {
 
 // Only what is outermost counts: a face that leans over touches with one of its edges.
 TEST(Across, LeaningFaceTouchesWithItsLowestEdge) {
-  const Face leaning = face_of({{0.5, -9, 0.1}, {0.5, 9, 0.1}, {6, 9, 5}, {6, -9, 5}}, {0.6, 0, -0.8});
+  const Face leaning = face_of({{-0.5, 9, 5}, {-0.5, -9, 5}, {0.5, -9, 0.1}, {0.5, 9, 0.1}}, {-0.98, 0, -0.2});
   const abut::AcrossPair pair = abut::points_across(square, leaning, up, slack);
   expect_across(pair, 0.1);
   EXPECT_NEAR(pair.point_b.x, 0.5, 1e-12);

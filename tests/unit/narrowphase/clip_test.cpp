@@ -116,6 +116,23 @@ TEST(Clip, FacesThatMissEachOtherShareNothing) {
   EXPECT_EQ(points.size(), 0u);
 }
 
+// Faces that meet along a line share it, although rounding may have put them apart.
+TEST(Clip, FacesThatMeetAlongALine) {
+  for (const double gap : {0.0, 1e-15, -1e-15}) {
+    abut::ClipPoints points;
+    abut::clip_faces(top_square(1, {0, 0, 0}), bottom_square(1, {2 + gap, 0.5, 0}, 0), up, points);
+    ASSERT_GE(points.size(), 2u) << gap;
+    double low = 9, high = -9;
+    for (const abut::ClipPoint& point : points.span()) {
+      EXPECT_NEAR(point.point_a.x, 1, rounding);
+      low = std::fmin(low, point.point_a.y);
+      high = std::fmax(high, point.point_a.y);
+    }
+    EXPECT_NEAR(low, -0.5, rounding);
+    EXPECT_NEAR(high, 1, rounding);
+  }
+}
+
 // The area is symmetric and both ways agree with the sum over a fine grid.
 TEST(Clip, RandomSquares) {
   test::Random random(51);
