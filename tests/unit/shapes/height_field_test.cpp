@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "surfaces.hpp"
+
+import abut.core;
+import abut.math;
+import abut.shape;
+import abut.shape.height_field;
+
+namespace {
+
+using abut::Errc;
+using abut::HeightField;
+using abut::Vec3;
+
+constexpr std::uint32_t columns = 9, rows = 7;
+constexpr double spacing_x = 0.5, spacing_y = 0.75;
+
+// Heights in eighths: second differences are exact, and some of them zero.
+HeightField hills(std::uint64_t seed) {
+  test::Random random(seed);
+  std::vector<double> heights;
+  for (std::uint32_t k = 0; k < columns * rows; ++k) {
+    heights.push_back(0.125 * std::floor(random.uniform(-4, 4)));
+  }
+  return test::made<HeightField>({columns, rows, spacing_x, spacing_y}, heights);
+}
+constexpr Vec3 middle{0.5 * (columns - 1) * spacing_x, 0.5 * (rows - 1) * spacing_y, 0}, extent{middle.x, middle.y, 0.5};
+
+TEST(HeightField, BadInputIsRefusedByName) {
+  const std::vector<double> four{0, 0, 0, 0};
+  test::expect_refused<HeightField>({0, 2, 1, 1}, four, {}, Errc::empty, "columns is 0;");
+  test::expect_refused<HeightField>({1, 2, 1, 1}, four, {}, Errc::out_of_range, "columns is 1;");
+  test::expect_refused<HeightField>({2, 65536, 1, 1}, four, {}, Errc::out_of_range, "rows is 65536;");
+  test::expect_refused<HeightField>({2, 2.5, 1, 1}, four, {}, Errc::out_of_range, "rows is 2.5;");
+  test::expect_refused<HeightField>({2, 2, 0, 1}, four, {}, Errc::out_of_range, "spacing_x is 0;");
+  test::expect_refused<HeightField>({2, 2, 1, -3}, four, {}, Errc::out_of_range, "spacing_y is -3;");
+  test::expect_refused<HeightField>({2, 2, 1, std::numeric_limits<double>::infinity()}, four, {}, Errc::not_finite, "spacing_y is inf;");
+  test::expect_refused<HeightField>({2, 2, 1}, four, {}, Errc::invalid_argument, "parameter_count is 3;");
+  test::expect_refused<HeightField>({2, 3, 1, 1}, four, {}, Errc::invalid_argument, "real_count is 4;");
+  test::expect_refused<HeightField>({2, 2, 1, 1}, {}, {}, Errc::empty, "heights is empty;");
+  test::expect_refused<HeightField>({2, 2, 1, 1}, four, {1}, Errc::invalid_argument, "index_count is 1;");
+  test::expect_refused<HeightField>({2, 2, 1, 1}, {0, 0, std::fabs(std::nan("")), 0}, {}, Errc::not_finite, "heights[2] is nan;");
+}
+
+TEST(HeightField, SamplesLieOnTheGridAndCellsAreSplitFromLowToHigh) {
+  const HeightField field = test::made<HeightField>({3, 2, 2, 4}, {10, 11, 12, 13, 14, 15});
+  EXPECT_EQ(field.parameters(), (std::vector<double>{3, 2, 2, 4}));
+  const abut::Triangles surface = field.triangles();
+  EXPECT_EQ(surface.vertices, (std::vector<Vec3>{{0, 0, 10}, {2, 0, 11}, {4, 0, 12}, {0, 4, 13}, {2, 4, 14}, {4, 4, 15}}));
+  EXPECT_EQ(surface.indices, (std::vector<std::uint32_t>{0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4}));
+}
+
+TEST(HeightField, FrontIsUp) {
+  const HeightField field = hills(191);
+  for (std::uint32_t k = 0; k < 2 * (columns - 1) * (rows - 1); ++k) {
+    EXPECT_GT(field.part(k).normal().z, 0);
+    EXPECT_TRUE(field.part(k).is_one_sided());
+  }
+}
+
+TEST(HeightField, BoxHoldsTheSurface) { test::expect_boxes_hold(hills(192), 193); }
+
+TEST(HeightField, PartsAreThoseWhoseBoxesOverlap) { test::expect_parts(hills(194), middle, extent, 195); }
+
+TEST(HeightField, RaysMeetTheFirstTriangle) {
+  test::expect_first_triangle(hills(196), middle, {extent.x, extent.y, 1}, 197, 500);
+  // Nearly level rays pass many cells.
+  test::expect_first_triangle(hills(198), middle, {extent.x, extent.y, 0.3}, 199, 500);
+}
+
+TEST(HeightField, RaysAlongTheAxesMeetEverySample) {
+  const HeightField field = hills(200);
+  const abut::Triangles surface = field.triangles();
+  for (const Vec3& sample : surface.vertices) {
+    const auto hit = field.cast_ray({sample.x, sample.y, 5}, -abut::UnitVec3::axis_z(), 10);
+    ASSERT_TRUE(hit.has_value()) << sample.x << " " << sample.y;
+    EXPECT_NEAR(hit->distance, 5 - sample.z, 1e-14);
+    const auto from_below = field.cast_ray({sample.x, sample.y, -5}, abut::UnitVec3::axis_z(), 10);
+    ASSERT_TRUE(from_below.has_value()) << sample.x << " " << sample.y;
+    EXPECT_GT(from_below->normal.z, 0);
+  }
+}
+
+TEST(HeightField, InnerEdgesAreFlatOrDip) {
+  const HeightField field = hills(201);
+  const std::vector<std::uint8_t> expected = test::inner_edges_of(field.triangles(), true);
+  int inner = 0, outer = 0;
+  for (std::uint32_t k = 0; k < expected.size(); ++k) {
+    EXPECT_EQ(field.part(k).inner_edges(), expected[k]) << "triangle " << k;
+    ++(expected[k] != 0 ? inner : outer);
+  }
+  EXPECT_GT(inner, 10);
+  EXPECT_GT(outer, 10);
+}
+
+TEST(HeightField, PartNearAPointLiesInItsCell) {
+  const HeightField field = hills(202);
+  for (std::uint32_t k = 0; k < 2 * (columns - 1) * (rows - 1); ++k) {
+    EXPECT_EQ(field.part_near(field.part(k).centre()).index() / 2, k / 2);
+  }
+  EXPECT_EQ(field.part_near({-100, -100, 0}).index() / 2, 0u);
+  EXPECT_EQ(field.part_near({1e30, 1e30, 0}).index() / 2, (columns - 1) * (rows - 1) - 1);
+}
+
+}  // namespace

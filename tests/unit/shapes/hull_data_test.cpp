@@ -1,0 +1,206 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../narrowphase/random_boxes.hpp"
+
+import abut.math;
+import abut.shape;
+import abut.shape.hull_data;
+
+namespace {
+
+using abut::HullData;
+using abut::HullFace;
+using abut::Vec3;
+
+std::vector<Vec3> cloud(std::size_t count, const Vec3& size, test::Random& random) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 p = random.rotation().x;
+    points.push_back({size.x * p.x, size.y * p.y, size.z * p.z});
+  }
+  return points;
+}
+
+// A closed surface: each edge is passed once in each direction, and the surface has no holes (Euler).
+void expect_closed(const HullData& hull) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> passes;
+  std::map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> numbers;
+  std::set<std::uint32_t> used;
+  for (const HullFace& face : hull.faces) {
+    for (std::uint32_t i = 0; i < face.count; ++i) {
+      const std::uint32_t from = hull.face_vertices[face.first + i], to = hull.face_vertices[face.first + (i + 1) % face.count];
+      ++passes[{from, to}];
+      used.insert(from);
+      const auto ends = std::minmax(from, to);
+      const auto known = numbers.try_emplace(hull.face_edges[face.first + i], ends).first;
+      EXPECT_EQ(known->second, (std::pair<std::uint32_t, std::uint32_t>(ends)));
+    }
+  }
+  for (const auto& [edge, count] : passes) {
+    EXPECT_EQ(count, 1);
+    EXPECT_TRUE(passes.contains({edge.second, edge.first}));
+  }
+  EXPECT_EQ(used.size(), hull.vertices.size());
+  EXPECT_EQ(numbers.size() * 2, passes.size());
+  EXPECT_EQ(used.size() + hull.faces.size(), numbers.size() + 2);
+}
+
+void expect_around(const HullData& hull, const std::vector<Vec3>& points, double slack) {
+  for (const Vec3& vertex : hull.vertices) {
+    EXPECT_NE(std::find(points.begin(), points.end(), vertex), points.end());
+  }
+  for (const HullFace& face : hull.faces) {
+    EXPECT_NEAR(dot(face.normal, face.normal), 1, 4e-15);
+    for (const Vec3& p : points) {
+      EXPECT_LE(dot(face.normal, p), face.offset + slack);
+    }
+    for (std::uint32_t i = 0; i < face.count; ++i) {
+      EXPECT_NEAR(dot(face.normal, hull.vertices[hull.face_vertices[face.first + i]]), face.offset, slack);
+    }
+  }
+}
+
+TEST(HullData, RandomCloudsHaveClosedHulls) {
+  test::Random random(161);
+  for (const std::size_t count : {4u, 5u, 10u, 49u, 200u}) {
+    SCOPED_TRACE(std::to_string(count) + " points");
+    for (const Vec3& size : {Vec3{1, 1, 1}, Vec3{20, 1, 0.1}}) {
+      const std::vector<Vec3> points = cloud(count, size, random);
+      const HullData hull = abut::build_hull(points);
+      expect_closed(hull);
+      expect_around(hull, points, 1e-12 * size.x);
+    }
+  }
+}
+
+TEST(HullData, InnerPointsAreLeftOut) {
+  std::vector<Vec3> points = test::corners_of({1, 1, 1}, abut::Pose::identity());
+  test::Random random(162);
+  for (int i = 0; i < 100; ++i) {
+    points.push_back(random.point(0.99));
+  }
+  const HullData hull = abut::build_hull(points);
+  EXPECT_EQ(hull.vertices.size(), 8u);
+  EXPECT_EQ(hull.faces.size(), 6u);
+  expect_closed(hull);
+  expect_around(hull, points, 1e-14);
+}
+
+// Faces of many corners stay one face.
+TEST(HullData, PrismsKeepTheirPolygons) {
+  for (const std::size_t sides : {3u, 6u, 16u, 24u}) {
+    SCOPED_TRACE(std::to_string(sides) + " sides");
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < sides; ++i) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(sides);
+      points.push_back({std::cos(angle), std::sin(angle), -1});
+      points.push_back({std::cos(angle), std::sin(angle), 1});
+    }
+    const HullData hull = abut::build_hull(points);
+    EXPECT_EQ(hull.vertices.size(), 2 * sides);
+    EXPECT_EQ(hull.faces.size(), sides + 2);
+    expect_closed(hull);
+    expect_around(hull, points, 1e-14);
+  }
+}
+
+TEST(HullData, CoplanarPointsAreAPolygonWithTwoSides) {
+  test::Random random(163);
+  for (int i = 0; i < 50; ++i) {
+    const abut::Pose pose{random.rotation(), random.point(5)};
+    std::vector<Vec3> points;
+    for (const Vec3& flat : {Vec3{-1, -1, 0}, Vec3{1, -1, 0}, Vec3{1, 1, 0}, Vec3{-1, 1, 0}, Vec3{0, 0, 0}, Vec3{0.5, 0.25, 0}}) {
+      points.push_back(pose * flat);
+    }
+    const HullData hull = abut::build_hull(points);
+    ASSERT_EQ(hull.vertices.size(), 4u);
+    ASSERT_EQ(hull.faces.size(), 2u);
+    EXPECT_EQ(hull.faces[0].count, 4u);
+    EXPECT_LT(dot(hull.faces[0].normal, hull.faces[1].normal), -1 + 1e-14);
+    expect_around(hull, points, 1e-13);
+  }
+}
+
+TEST(HullData, CollinearPointsAreASegment) {
+  test::Random random(164);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 start = random.point(5), along = random.rotation().x;
+    std::vector<Vec3> points;
+    for (const double at : {0.5, 2.0, -1.0, 0.0, 1.5}) {
+      points.push_back(start + at * along);
+    }
+    const HullData hull = abut::build_hull(points);
+    ASSERT_EQ(hull.vertices.size(), 2u);
+    EXPECT_TRUE(hull.faces.empty());
+    EXPECT_NEAR(norm(hull.vertices[1] - hull.vertices[0]), 3, 1e-14);
+  }
+}
+
+TEST(HullData, CoincidentPointsAreOne) {
+  const HullData hull = abut::build_hull(std::vector<Vec3>(7, Vec3{1, -2, 3}));
+  EXPECT_EQ(hull.vertices, (std::vector<Vec3>{{1, -2, 3}}));
+  EXPECT_TRUE(hull.faces.empty());
+  EXPECT_EQ(hull.centre, (Vec3{1, -2, 3}));
+  EXPECT_EQ(hull.extent, 0);
+}
+
+TEST(HullData, FacesAroundAVertexAreThoseThatHaveIt) {
+  test::Random random(165);
+  const HullData hull = abut::build_hull(cloud(60, {1, 1, 1}, random));
+  ASSERT_EQ(hull.first_face.size(), hull.vertices.size() + 1);
+  for (std::uint32_t vertex = 0; vertex < hull.vertices.size(); ++vertex) {
+    std::set<std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < hull.faces.size(); ++i) {
+      const auto corners = std::span(hull.face_vertices).subspan(hull.faces[i].first, hull.faces[i].count);
+      if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) {
+        expected.insert(i);
+      }
+    }
+    const auto listed = std::span(hull.faces_at).subspan(hull.first_face[vertex], hull.first_face[vertex + 1] - hull.first_face[vertex]);
+    EXPECT_EQ((std::set<std::uint32_t>(listed.begin(), listed.end())), expected);
+    EXPECT_EQ(listed.size(), expected.size());
+  }
+}
+
+TEST(HullData, BoundsAreThoseOfTheVertices) {
+  const HullData hull = abut::build_hull(test::corners_of({1, 2, 3}, {abut::Rotation::identity(), {10, 20, 30}}));
+  EXPECT_EQ(hull.low, (Vec3{9, 18, 27}));
+  EXPECT_EQ(hull.high, (Vec3{11, 22, 33}));
+  EXPECT_EQ(hull.centre, (Vec3{10, 20, 30}));
+}
+
+// Ties, zero directions and directions along the borders of cells.
+TEST(HullData, SupportIsRightOnTheBordersOfCells) {
+  test::Random random(166);
+  const std::vector<Vec3> points = cloud(300, {1, 2, 0.5}, random);
+  const HullData hull = abut::build_hull(points);
+  for (int x = -8; x <= 8; ++x) {
+    for (int y = -8; y <= 8; ++y) {
+      for (int z = -8; z <= 8; ++z) {
+        const Vec3 direction{x / 8.0, y / 8.0, z / 8.0};
+        double most = -1e9;
+        for (const Vec3& p : points) {
+          most = std::fmax(most, dot(p, direction));
+        }
+        const abut::SupportPoint top = hull.support(direction);
+        ASSERT_LT(top.index, hull.vertices.size());
+        EXPECT_EQ(top.point, hull.vertices[top.index]);
+        EXPECT_NEAR(dot(top.point, direction), most, 4e-15) << x << " " << y << " " << z;
+      }
+    }
+  }
+}
+
+}  // namespace
