@@ -67,7 +67,7 @@ class UnitVec3 {
       return UnitVec3((1 / std::sqrt(square)) * a);
     }
     const Real scale = largest_magnitude(a);
-    if (!(scale > 0) || !std::isfinite(scale)) {
+    if (!(scale > 0) || !is_finite(a)) {
       return std::nullopt;
     }
     const Vec3 scaled{a.x / scale, a.y / scale, a.z / scale};

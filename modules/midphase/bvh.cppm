@@ -77,12 +77,13 @@ class Bvh {
   struct Build;
 
   [[nodiscard]] static inline bool ray_meets(const Aabb& box, const Vec3& origin, const Vec3& inverse, Real limit) {
-    // 0 * infinity on a face that the ray lies in gives NaN, which the comparisons below let pass.
     Real enter = 0, leave = limit;
     for (int axis = 0; axis < 3; ++axis) {
       const Real a = (box.low[axis] - origin[axis]) * inverse[axis];
       const Real b = (box.high[axis] - origin[axis]) * inverse[axis];
-      const Real near = std::min(a, b), far = std::max(a, b);
+      // 0 * infinity on a face that the ray lies in gives NaN: then the slab holds the whole ray.
+      const bool within = a != a || b != b;
+      const Real near = within ? -infinity : std::min(a, b), far = within ? infinity : std::max(a, b);
       enter = near > enter ? near : enter;
       leave = far < leave ? far : leave;
     }

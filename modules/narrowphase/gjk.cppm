@@ -45,7 +45,8 @@ inline constexpr Real unproven_limit = 1e4;
       return (std::copysign(Real{1}, -dot(normal, closest)) / std::sqrt(square)) * normal;
     }
   }
-  return (-1 / distance) * closest;
+  // Cores that touch in a point have none of their own.
+  return distance > 0 ? (-1 / distance) * closest : Vec3{0, 0, 1};
 }
 
 // The cores of a and b in the frame of a, b being placed by ab. `size` bounds the coordinates of both;

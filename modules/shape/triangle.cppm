@@ -63,22 +63,29 @@ class Triangle {
     return {corners_[1] - corners_[0], corners_[2] - corners_[1], corners_[0] - corners_[2]};
   }
 
-  // Möller and Trumbore, "Fast, minimum storage ray/triangle intersection", 1997; both sides count.
+  // Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013; both sides count. Seen along the
+  // ray, the side of an edge is the same number for both triangles that share it but for its sign, so
+  // that no ray slips between them.
   [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
-    const Vec3 u = corners_[1] - corners_[0], v = corners_[2] - corners_[0];
-    const Vec3 p = cross(direction, v);
-    const Real determinant = dot(u, p);
-    if (determinant == 0) {
+    const Vec3 d = direction, wide = absolute(d);
+    const int kz = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
+    const int kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
+    const Real scale = 1 / d[kz], slope_x = d[kx] * scale, slope_y = d[ky] * scale;
+    struct Seen {
+      Real x, y, depth;
+    };
+    const auto seen = [&](const Vec3& corner) {
+      const Vec3 p = corner - origin;
+      return Seen{p[kx] - slope_x * p[kz], p[ky] - slope_y * p[kz], scale * p[kz]};
+    };
+    const Seen a = seen(corners_[0]), b = seen(corners_[1]), c = seen(corners_[2]);
+    const Real at_a = c.x * b.y - c.y * b.x, at_b = a.x * c.y - a.y * c.x, at_c = b.x * a.y - b.y * a.x;
+    const Real determinant = at_a + at_b + at_c;
+    if (determinant == 0 || ((at_a < 0 || at_b < 0 || at_c < 0) && (at_a > 0 || at_b > 0 || at_c > 0))) {
       return std::nullopt;
     }
-    const Vec3 s = origin - corners_[0];
-    const Real first = dot(s, p) / determinant;
-    const Vec3 q = cross(s, u);
-    const Real second = dot(direction.vec(), q) / determinant;
-    const Real distance = dot(v, q) / determinant;
-    // Rays through a shared edge must not slip between its triangles; 4 units of rounding overlap.
-    constexpr Real slack = -4 * epsilon;
-    if (!(first >= slack && second >= slack && first + second <= 1 - slack && distance >= 0 && distance <= max_distance)) {
+    const Real distance = (at_a * a.depth + at_b * b.depth + at_c * c.depth) / determinant;
+    if (!(distance >= 0 && distance <= max_distance)) {
       return std::nullopt;
     }
     return RayHit{distance, normal_, {FeatureKind::face, index_}};

@@ -79,26 +79,9 @@ class Box {
   // of the two other axes: 4 * axis + bits.
   [[nodiscard]] Face supporting_face(const Vec3& d) const {
     const int axis = largest_axis(d);
-    const bool positive = d[axis] >= 0;
-    [[clang::uninitialized]] Face face;
-    face.index = static_cast<std::uint32_t>(2 * axis + (positive ? 1 : 0));
-    const Real sign = positive ? 1 : -1;
-    face.normal = {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
-    const std::uint32_t first = axis == 0 ? 1 : axis == 1 ? 2 : 0;   // the axes of the face, such that
-    const std::uint32_t second = axis == 0 ? 2 : axis == 1 ? 0 : 1;  // first x second = axis
-    const std::uint32_t base = positive ? 1u << axis : 0u;
-    for (std::uint32_t step = 0; step < 4; ++step) {
-      const std::uint32_t turn = positive ? step : 3 - step;
-      const std::uint32_t bits = base | (turn == 1 || turn == 2 ? 1u << first : 0u) | (turn >= 2 ? 1u << second : 0u);
-      const std::uint32_t next = positive ? (turn + 1) % 4 : (turn + 3) % 4;
-      const bool along_first = turn / 2 == next / 2 && (turn + next == 1 || turn + next == 5);
-      face.vertices.push_back({vertex(bits), bits, edge_number(along_first ? first : second, bits)});
-    }
-    const bool flat_first = half_[static_cast<int>(first)] == 0, flat_second = half_[static_cast<int>(second)] == 0;
-    if (flat_first || flat_second) [[unlikely]] {
-      return without_area(face, flat_first, flat_second);
-    }
-    return face;
+    [[clang::uninitialized]] const Face side = side_of(axis, d[axis] >= 0);
+    const bool flat_first = half_[axis == 0 ? 1 : axis == 1 ? 2 : 0] == 0, flat_second = half_[axis == 0 ? 2 : axis == 1 ? 0 : 1] == 0;
+    return flat_first || flat_second ? without_area(side, flat_first, flat_second) : side;
   }
   [[nodiscard]] inline Feature supporting_feature(const Vec3& d) const {
     if (half_.x > 0 && half_.y > 0 && half_.z > 0) [[likely]] {
@@ -155,7 +138,7 @@ class Box {
     }
     for (int axis = 0; axis < 3; ++axis) {
       for (const Real sign : {-1.0, 1.0}) {
-        const Face face = supporting_face({axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0});
+        const Face face = side_of(axis, sign > 0);
         for (const std::size_t corner : std::to_array<std::size_t>({0, 1, 2, 0, 2, 3})) {
           out.indices.push_back(face.vertices[corner].vertex);
         }
@@ -166,6 +149,25 @@ class Box {
 
  private:
   explicit Box(const Vec3& half) : half_(half) {}
+
+  // All four corners of a side, also where they coincide.
+  [[nodiscard]] inline Face side_of(int axis, bool positive) const {
+    [[clang::uninitialized]] Face face;
+    face.index = static_cast<std::uint32_t>(2 * axis + (positive ? 1 : 0));
+    const Real sign = positive ? 1 : -1;
+    face.normal = {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
+    const std::uint32_t first = axis == 0 ? 1 : axis == 1 ? 2 : 0;   // the axes of the face, such that
+    const std::uint32_t second = axis == 0 ? 2 : axis == 1 ? 0 : 1;  // first x second = axis
+    const std::uint32_t base = positive ? 1u << axis : 0u;
+    for (std::uint32_t step = 0; step < 4; ++step) {
+      const std::uint32_t turn = positive ? step : 3 - step;
+      const std::uint32_t bits = base | (turn == 1 || turn == 2 ? 1u << first : 0u) | (turn >= 2 ? 1u << second : 0u);
+      const std::uint32_t next = positive ? (turn + 1) % 4 : (turn + 3) % 4;
+      const bool along_first = turn / 2 == next / 2 && (turn + next == 1 || turn + next == 5);
+      face.vertices.push_back({vertex(bits), bits, edge_number(along_first ? first : second, bits)});
+    }
+    return face;
+  }
 
   // The side of a flat box is an edge or a vertex. Corners 0 and 2 of a side differ in both of its
   // directions; its edges run along the first direction from corner 0 and along the second from 1.

@@ -71,41 +71,40 @@ class Capsule {
   [[nodiscard]] inline std::array<Vec3, 0> face_normals() const { return {}; }
   [[nodiscard]] inline std::array<Vec3, 1> edge_directions() const { return {Vec3{0, 0, 1}}; }
 
-  // The surface is crossed where the ray enters or leaves the side or a cap; candidates are the two
-  // roots on the infinite cylinder, kept between the caps, and the outer roots on both spheres.
+  // The ray enters and leaves the endless cylinder around the axis; where it does so beyond the segment,
+  // it enters or leaves through the cap of that end instead. One of the two always has the crossing, so
+  // that rounding at the seam loses none.
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
     const Vec3 d = direction;
-    Real best = infinity;
-    const auto consider = [&](Real t, bool on_side) {
-      if (t >= 0 && t < best) {
-        const Real z = origin.z + t * d.z;
-        if (on_side ? std::fabs(z) <= half_height_ : std::fabs(z) >= half_height_) {
-          best = t;
-        }
-      }
-    };
-    const auto roots = [&](Real a, const Vec3& o, bool flat, bool on_side) {
-      const Real along = -(o.x * d.x + o.y * d.y + (flat ? 0 : o.z * d.z)) / a;
-      const Vec3 nearest = o + along * d;
-      const Real under = radius_ * radius_ - (nearest.x * nearest.x + nearest.y * nearest.y + (flat ? 0 : nearest.z * nearest.z));
-      if (under >= 0) {
-        const Real half_chord = std::sqrt(under / a);
-        consider(along - half_chord, on_side);
-        consider(along + half_chord, on_side);
-      }
-    };
     const Real across = d.x * d.x + d.y * d.y;
-    if (across > 0) {
-      roots(across, origin, true, true);
-    }
-    roots(1, {origin.x, origin.y, origin.z - half_height_}, false, false);
-    roots(1, {origin.x, origin.y, origin.z + half_height_}, false, false);
-    if (best == infinity || !(best <= max_distance)) {
+    const Real along = across > 0 ? -(origin.x * d.x + origin.y * d.y) / across : 0;
+    const Real x = origin.x + along * d.x, y = origin.y + along * d.y;
+    const Real under = radius_ * radius_ - (x * x + y * y);
+    if (under < 0) {
       return std::nullopt;
     }
-    const Vec3 point = origin + best * d;
+    const Real half_chord = across > 0 ? std::sqrt(under / across) : infinity;
+    const auto crossing = [&](Real side) -> std::optional<Real> {
+      const Real on_cylinder = along + side * half_chord;
+      const Real z = across > 0 ? origin.z + on_cylinder * d.z : side * d.z * infinity;
+      if (std::fabs(z) <= half_height_) {
+        return on_cylinder;
+      }
+      const Vec3 o = origin - Vec3{0, 0, std::copysign(half_height_, z)};
+      const Real nearest = -dot(o, d);
+      const Real below = radius_ * radius_ - squared_norm(o + nearest * d);
+      return below >= 0 ? std::optional(nearest + side * std::sqrt(below)) : std::nullopt;
+    };
+    std::optional<Real> hit = crossing(-1);
+    if (hit && *hit < 0) {
+      hit = crossing(1);
+    }
+    if (!hit || !(*hit >= 0 && *hit <= max_distance)) {
+      return std::nullopt;
+    }
+    const Vec3 point = origin + *hit * d;
     const Vec3 axis_point{0, 0, std::clamp(point.z, -half_height_, half_height_)};
-    return RayHit{best, UnitVec3::make(point - axis_point).value_or(direction), {FeatureKind::whole, 0}};
+    return RayHit{*hit, UnitVec3::make(point - axis_point).value_or(direction), {FeatureKind::whole, 0}};
   }
 
  private:

@@ -52,8 +52,8 @@ class HeightField {
     if (!box.overlaps(field.box)) {
       return;
     }
-    const std::uint32_t i0 = cell_at(box.low.x / field.spacing_x, field.columns), i1 = cell_at(box.high.x / field.spacing_x, field.columns);
-    const std::uint32_t j0 = cell_at(box.low.y / field.spacing_y, field.rows), j1 = cell_at(box.high.y / field.spacing_y, field.rows);
+    const std::uint32_t i0 = cell_before(box.low.x / field.spacing_x, field.columns), i1 = cell_at(box.high.x / field.spacing_x, field.columns);
+    const std::uint32_t j0 = cell_before(box.low.y / field.spacing_y, field.rows), j1 = cell_at(box.high.y / field.spacing_y, field.rows);
     for (std::uint32_t j = j0; j <= j1; ++j) {
       for (std::uint32_t i = i0; i <= i1; ++i) {
         const Real a = height(i, j), b = height(i + 1, j), c = height(i, j + 1), d = height(i + 1, j + 1);
@@ -98,6 +98,11 @@ class HeightField {
   [[nodiscard]] static inline std::uint32_t cell_at(Real position, std::uint32_t samples) {
     const Real last = samples - 2;
     return position > 0 ? static_cast<std::uint32_t>(std::min(position, last)) : 0;
+  }
+  // The first cell that touches a position: on a line of the grid the one before it.
+  [[nodiscard]] static inline std::uint32_t cell_before(Real position, std::uint32_t samples) {
+    const std::uint32_t cell = cell_at(position, samples);
+    return cell > 0 && static_cast<Real>(cell) >= position ? cell - 1 : cell;
   }
   // See Triangle::inner_edges. In a cell with corners a b (lower) and c d (upper), whether the surface
   // dips across an edge follows from second differences of the heights alone.

@@ -124,6 +124,10 @@ class Hull {
     if (!(enter <= leave) || face == no_index || !(distance >= 0 && distance <= max_distance)) {
       return std::nullopt;
     }
+    // The two sides of a polygon have no faces between them that would cut the ray.
+    if (hull.faces.size() == 2 && !covers(hull.faces[face], origin + distance * direction.vec())) {
+      return std::nullopt;
+    }
     return RayHit{distance, hull.faces[face].normal, {FeatureKind::face, face}};
   }
 
@@ -142,6 +146,19 @@ class Hull {
   }
 
  private:
+  // Whether a point of the plane of a face lies within it.
+  [[nodiscard]] bool covers(const HullFace& face, const Vec3& point) const {
+    const HullData& hull = *data_;
+    for (std::uint32_t i = 0; i < face.count; ++i) {
+      const Vec3& from = hull.vertices[hull.face_vertices[face.first + i]];
+      const Vec3& to = hull.vertices[hull.face_vertices[face.first + (i + 1 < face.count ? i + 1 : 0)]];
+      if (dot(face.normal, cross(to - from, point - from)) < 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   explicit Hull(HullData data) : data_(std::move(data)) {}
   Frozen<HullData> data_;
 };

@@ -146,4 +146,12 @@ TEST(Tangents, PolesAndAxesAreNoExceptions) {
   }
 }
 
+TEST(UnitVec3, IsNothingForAnyNumberThatIsNone) {
+  for (const double bad : {not_a_number, abut::infinity, -abut::infinity}) {
+    EXPECT_FALSE(abut::UnitVec3::make({bad, 1, 2}).has_value());
+    EXPECT_FALSE(abut::UnitVec3::make({1, bad, 2}).has_value());
+    EXPECT_FALSE(abut::UnitVec3::make({1, 2, bad}).has_value());
+  }
+}
+
 }  // namespace

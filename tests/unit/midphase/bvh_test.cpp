@@ -206,4 +206,17 @@ TEST(Bvh, ItemNearAPointIsClose) {
   EXPECT_GT(close, 450);
 }
 
+TEST(Bvh, RayInAFaceOfABoxMeetsIt) {
+  const std::vector<Aabb> boxes{{{0, 0, 0}, {1, 1, 1}}};
+  const Bvh tree(boxes);
+  for (const double x : {0.0, 1.0}) {
+    for (const double zero : {0.0, -0.0}) {
+      bool met = false;
+      double limit = 10;
+      tree.visit_ray({x, 0.5, 3}, {zero, zero, -1}, limit, [&](std::uint32_t) { met = true; });
+      EXPECT_TRUE(met) << x << " " << zero;
+    }
+  }
+}
+
 }  // namespace

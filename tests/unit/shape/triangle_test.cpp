@@ -137,4 +137,28 @@ TEST(Triangle, RaysInItsPlaneMissIt) {
   EXPECT_FALSE(t.cast_ray({-1, 0.25, 0}, abut::UnitVec3::from_unit_unchecked({1, 0, 0}), 10).has_value());
 }
 
+// Two triangles share an edge; a ray at a point of the edge meets one of them at least.
+TEST(Triangle, RaysDoNotSlipThroughASharedEdge) {
+  test::Random random(238);
+  int cast = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const Vec3 a = random.point(1), b = random.point(1);
+    const Vec3 side = cross(b - a, random.point(1));
+    if (norm(b - a) < 0.2 || norm(side) < 0.1) {
+      continue;
+    }
+    const Triangle left = triangle(a, b, a + side), right = triangle(b, a, b - side);
+    const double at = random.uniform(0.05, 0.95);
+    const Vec3 target = (1 - at) * a + at * b, direction = test::towards(random);
+    if (std::fabs(dot(direction, left.normal())) < 0.2) {
+      continue;
+    }
+    const Vec3 origin = target - random.uniform(1, 20) * direction;
+    const auto way = abut::UnitVec3::from_unit_unchecked(direction);
+    ASSERT_TRUE(left.cast_ray(origin, way, abut::infinity).has_value() || right.cast_ray(origin, way, abut::infinity).has_value()) << i;
+    ++cast;
+  }
+  EXPECT_GT(cast, 50000);
+}
+
 }  // namespace

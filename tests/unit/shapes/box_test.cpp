@@ -148,4 +148,13 @@ void expect_closed_surface(const Box& box, const Vec3& halves) {
 
 TEST(Box, TrianglesEncloseTheVolume) { expect_closed_surface(brick(), half); }
 
+// Two coincident sides and four without area: twelve triangles as for any box.
+TEST(Box, FlatBoxesHaveTrianglesToo) {
+  for (const Vec3& halves : {Vec3{1, 2, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 0}}) {
+    const abut::Triangles surface = made<Box>({halves.x, halves.y, halves.z}).triangles();
+    EXPECT_EQ(surface.indices.size(), 36u);
+    EXPECT_EQ(surface.vertices.size(), 8u);
+  }
+}
+
 }  // namespace

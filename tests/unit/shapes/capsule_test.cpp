@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <limits>
 #include <vector>
 
@@ -76,6 +77,27 @@ TEST(Capsule, RaysAlongTheAxisMeetTheCaps) {
   EXPECT_EQ(pill().cast_ray({0, 0, 0}, up, 10)->distance, 2);
   EXPECT_EQ(pill().cast_ray({0, 0, 0}, -up, 10)->normal, (Vec3{0, 0, -1}));
   EXPECT_FALSE(pill().cast_ray({0.6, 0, -5}, up, 10).has_value());
+}
+
+// Where the caps meet the side neither may leave the hit to the other.
+TEST(Capsule, RaysAtTheSeamMeetTheFirstCrossing) {
+  test::Random random(125);
+  int met = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double angle = random.uniform(0, 2 * std::numbers::pi);
+    const Vec3 outward{std::cos(angle), std::sin(angle), 0};
+    const Vec3 seam = radius * outward + Vec3{0, 0, i % 2 == 0 ? half_height : -half_height};
+    const Vec3 direction = test::towards(random);
+    if (dot(direction, outward) > -0.1) {
+      continue;
+    }
+    const double distance = random.uniform(0.5, 4);
+    const auto hit = pill().cast_ray(seam - distance * direction, abut::UnitVec3::from_unit_unchecked(direction), abut::infinity);
+    ASSERT_TRUE(hit.has_value()) << i;
+    ASSERT_NEAR(hit->distance, distance, 1e-13) << i;
+    ++met;
+  }
+  EXPECT_GT(met, 5000);
 }
 
 }  // namespace

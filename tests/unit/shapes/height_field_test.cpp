@@ -109,4 +109,13 @@ TEST(HeightField, PartNearAPointLiesInItsCell) {
   EXPECT_EQ(field.part_near({1e30, 1e30, 0}).index() / 2, (columns - 1) * (rows - 1) - 1);
 }
 
+// The boundaries of boxes belong to them: cells on both sides of a grid line touch it.
+TEST(HeightField, BoxOnAGridLineMeetsTheCellsOnBothSides) {
+  const HeightField field = test::made<HeightField>({4, 2, 1, 1}, std::vector<double>(8, 0.0));
+  std::vector<std::uint32_t> cells;
+  abut::Aabb box{{1, 0.25, -1}, {1.5, 0.5, 1}};
+  field.visit_parts(box, [&](const abut::Triangle&, std::uint32_t index) { cells.push_back(index / 2); });
+  EXPECT_EQ(cells, (std::vector<std::uint32_t>{0, 1, 1}));
+}
+
 }  // namespace

@@ -199,4 +199,14 @@ TEST(Hull, PointsAndSegmentsShowTheirWholeCore) {
   EXPECT_EQ(line.support({0, 0, -1}).point, (Vec3{0, 0, 0}));
 }
 
+TEST(Hull, RaysMeetFlatHullsInTheirPolygonOnly) {
+  const Hull square = hull_of({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
+  const auto down = abut::UnitVec3::from_unit_unchecked({0, 0, -1});
+  const auto hit = square.cast_ray({0.5, 0.5, 3}, down, 10);
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_EQ(hit->distance, 3);
+  EXPECT_EQ(hit->normal, (Vec3{0, 0, 1}));
+  EXPECT_FALSE(square.cast_ray({1.5, 0.5, 3}, down, 10).has_value());
+}
+
 }  // namespace

@@ -128,4 +128,14 @@ TEST(Mesh, TrianglesWithoutAreaAreKeptAndNeverHit) {
   EXPECT_FALSE(mesh.cast_ray({0.5, 0, 3}, -abut::UnitVec3::axis_z(), 10).has_value());
 }
 
+TEST(Mesh, RaysAlongAnAxisMeetTheWholeSheetWithItsBorder) {
+  const Mesh mesh = test::made<Mesh>({0}, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {0, 1, 2, 0, 2, 3});
+  for (const double x : {0.0, 0.5, 1.0}) {
+    for (const double y : {0.0, 0.25, 1.0}) {
+      EXPECT_TRUE(mesh.cast_ray({x, y, 3}, -abut::UnitVec3::axis_z(), 10).has_value()) << x << " " << y;
+      EXPECT_TRUE(mesh.cast_ray({x, y, -3}, abut::UnitVec3::axis_z(), 10).has_value()) << x << " " << y;
+    }
+  }
+}
+
 }  // namespace
