@@ -88,8 +88,7 @@ class Abut final : public Contender {
       const Job& job = jobs_[i];
       abut::Distance out;
       const abut::Outcome outcome =
-          abut::pair_distance(a_[job.a], b_[job.b], abut::relative(job.pose_a, job.pose_b), settings_, out);
-      out = abut::in_world(out, job.pose_a);
+          abut::pair_distance(a_[job.a], b_[job.b], job.pose_a, job.pose_b, settings_, out);
       answers[i] = {out.distance, outcome == abut::Outcome::ok ? 1u : 0u};
     }
   }
@@ -99,11 +98,10 @@ class Abut final : public Contender {
       const Job& job = jobs_[i];
       manifold_.clear();
       const abut::Outcome outcome =
-          abut::pair_contacts(a_[job.a], b_[job.b], abut::relative(job.pose_a, job.pose_b), settings_, manifold_);
+          abut::pair_contacts(a_[job.a], b_[job.b], job.pose_a, job.pose_b, settings_, manifold_);
       Answer found;
       if (outcome == abut::Outcome::ok) {
-        for (const abut::ContactPoint& local : manifold_) {
-          const abut::ContactPoint point = abut::in_world(local, job.pose_a);
+        for (const abut::ContactPoint& point : manifold_) {
           if (point.distance < 0) {
             found.distance = std::min(found.distance, point.distance);
             ++found.points;

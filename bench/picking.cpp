@@ -117,7 +117,7 @@ abut_camera camera_on(const Mesh& mesh) {
   const abut_vec3 eye{target.x - 0.4 * size, target.y - 0.55 * size, target.z + 0.25 * size};
   const abut_vec3 up{0, 0, 1};
   abut_camera camera;
-  abut_camera_init(&camera);
+  abut_camera_init(&camera, sizeof camera);
   camera.width = picture_width;
   camera.height = picture_height;
   check(abut_camera_look_at(&camera, &eye, &target, &up));

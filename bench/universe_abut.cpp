@@ -48,7 +48,7 @@ class AbutWorld final : public Detector {
 
   [[nodiscard]] Counts counts() const override {
     abut_step_stats stats;
-    abut_step_stats_init(&stats);
+    abut_step_stats_init(&stats, sizeof stats);
     expect_ok(abut_universe_stats(universe_.get(), &stats));
     Counts counts{stats.candidate_pairs, stats.touching_pairs, stats.contacts, 0};
     for (const Touch& touch : touches()) {
@@ -77,7 +77,7 @@ class AbutWorld final : public Detector {
  private:
   abut_part_id add(const AbutCShape& shape, const abut_pose& pose, abut_motion motion) {
     abut_part_options options;
-    abut_part_options_init(&options);
+    abut_part_options_init(&options, sizeof options);
     options.motion = motion;
     options.pose = pose;
     abut_part_id part;

@@ -148,10 +148,8 @@ abut_status poses_of(const abut_universe& its, std::span<const abut_geometry_id>
 
 }  // namespace
 
-void abut_geometry_options_init(abut_geometry_options* options) {
-  if (options != nullptr) {
-    *options = default_options;
-  }
+void abut_geometry_options_init(abut_geometry_options* options, uint32_t struct_size) {
+  fill_defaults(default_options, struct_size, options);
 }
 
 abut_status abut_geometry_create(abut_universe* universe, abut_part_id part, const abut_shape* shape,
@@ -191,10 +189,9 @@ abut_status abut_geometries_destroy(abut_universe* universe, const abut_geometry
   });
 }
 
-void abut_geometry_info_init(abut_geometry_info* info) {
-  if (info != nullptr) {
-    *info = {sizeof(abut_geometry_info), 0, {}, nullptr, {{0, 0, 0}, {1, 0, 0, 0}}, {{0, 0, 0}, {1, 0, 0, 0}}, 0, 0};
-  }
+void abut_geometry_info_init(abut_geometry_info* info, uint32_t struct_size) {
+  constexpr abut_pose unmoved{{0, 0, 0}, {1, 0, 0, 0}};
+  fill_defaults<abut_geometry_info>({sizeof(abut_geometry_info), 0, {}, nullptr, unmoved, unmoved, 0, 0}, struct_size, info);
 }
 
 abut_status abut_geometry_describe(const abut_universe* universe, abut_geometry_id geometry, abut_geometry_info* out) {

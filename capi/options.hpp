@@ -5,11 +5,9 @@
 #include "prelude.hpp"
 
 #include "border.hpp"
+#include "defaults.hpp"
 
 namespace abut::capi {
-
-// No struct will ever be larger; a number beyond is not a size.
-inline constexpr std::uint32_t largest_struct_size = 4096;
 
 // Size of the first version of a struct, which callers with the oldest header have. All structs are
 // still in their first version; a field that is added later is read only if struct_size covers all of it.

@@ -159,6 +159,9 @@ abut_status distances(const abut_shape* a, const abut_shape* b, const PoseBatch&
   return ABUT_OK;
 }
 
+// Room for the contacts of two convex shapes, made at once: growing would cost more than many a pair takes.
+constexpr std::size_t usual_points = 16;
+
 abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_shape* b, const abut_pose& given_b,
                      const abut_query_options* options, std::span<abut_contact> out, std::size_t* count) {
   if (const abut_status status = check_poses(given_a, given_b); status != ABUT_OK) {
@@ -169,6 +172,7 @@ abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_s
     return status;
   }
   abut::Manifold found;
+  found.reserve(usual_points);
   const abut::Outcome outcome = abut::pair_contacts(shape_of(a), shape_of(b), to_pose(given_a), to_pose(given_b), query.settings, found);
   if (outcome != abut::Outcome::ok) [[unlikely]] {
     return refuse_outcome(outcome, shape_of(a), shape_of(b), query.settings.algorithm);
@@ -182,10 +186,8 @@ abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_s
 
 }  // namespace
 
-void abut_query_options_init(abut_query_options* options) {
-  if (options != nullptr) {
-    *options = default_options;
-  }
+void abut_query_options_init(abut_query_options* options, uint32_t struct_size) {
+  fill_defaults(default_options, struct_size, options);
 }
 
 abut_status abut_shapes_distance(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b, const abut_pose* pose_b,

@@ -114,10 +114,8 @@ abut_status geometries_of(const abut_universe& its, const abut_part_id& part, st
 
 }  // namespace
 
-void abut_part_options_init(abut_part_options* options) {
-  if (options != nullptr) {
-    *options = default_options;
-  }
+void abut_part_options_init(abut_part_options* options, uint32_t struct_size) {
+  fill_defaults(default_options, struct_size, options);
 }
 
 abut_status abut_part_create(abut_universe* universe, const abut_part_options* options, abut_part_id* out) {

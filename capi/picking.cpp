@@ -2,6 +2,7 @@
 #include <abut/picking.h>
 
 #include "core/check.hpp"
+#include "defaults.hpp"
 #include "picking_arguments.hpp"
 #include "picking_source.hpp"
 
@@ -65,16 +66,16 @@ template <class Action> [[nodiscard]] abut_status guarded(const Action& action) 
 
 }  // namespace
 
-void abut_camera_init(abut_camera* camera) {
-  if (camera == nullptr) return;
-  *camera = {.struct_size = static_cast<std::uint32_t>(sizeof(abut_camera)),
-             .width = 640,
-             .height = 480,
-             .reserved = 0,
-             .pose = {.position = {0, 0, 0}, .orientation = {1, 0, 0, 0}},
-             .vertical_fov = 1,
-             .near_distance = 0,
-             .far_distance = std::numeric_limits<double>::infinity()};
+void abut_camera_init(abut_camera* camera, uint32_t struct_size) {
+  constexpr abut_camera usual{.struct_size = sizeof(abut_camera),
+                              .width = 640,
+                              .height = 480,
+                              .reserved = 0,
+                              .pose = {.position = {0, 0, 0}, .orientation = {1, 0, 0, 0}},
+                              .vertical_fov = 1,
+                              .near_distance = 0,
+                              .far_distance = std::numeric_limits<double>::infinity()};
+  abut::capi::fill_defaults(usual, struct_size, camera);
 }
 
 abut_status abut_camera_look_at(abut_camera* camera, const abut_vec3* eye, const abut_vec3* target,

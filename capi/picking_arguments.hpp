@@ -5,8 +5,8 @@
 
 #include <abut/picking.h>
 
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace abut::capi {
@@ -26,13 +26,18 @@ namespace abut::capi {
 [[nodiscard]] abut_status explain_ray(const abut_ray& ray) noexcept;
 
 /// Whether a ray can be traced: all finite but the limit, a direction, a limit that is not negative.
+/// In two registers, since the check stands before each single ray.
 [[nodiscard]] inline bool is_good(const abut_ray& ray) noexcept {
+  using Four = double __attribute__((ext_vector_type(4)));
+  using Flags = std::int64_t __attribute__((ext_vector_type(4)));
+  constexpr Four zero = {0, 0, 0, 0};
+  constexpr Flags of_direction = {-1, -1, -1, 0};
+  const Four from{ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x};
+  const Four along{ray.direction.x, ray.direction.y, ray.direction.z, ray.max_distance};
   // x - x is 0 for a finite x and NaN for any other.
-  const double finite = (ray.origin.x - ray.origin.x) + (ray.origin.y - ray.origin.y) + (ray.origin.z - ray.origin.z) +
-                        (ray.direction.x - ray.direction.x) + (ray.direction.y - ray.direction.y) +
-                        (ray.direction.z - ray.direction.z);
-  const double size = std::fabs(ray.direction.x) + std::fabs(ray.direction.y) + std::fabs(ray.direction.z);
-  return finite == 0 && size > 0 && ray.max_distance >= 0;
+  const Flags is_finite = (from - from == zero) & ((along - along == zero) | ~of_direction);
+  return __builtin_reduce_and(is_finite) != 0 && __builtin_reduce_or((along != zero) & of_direction) != 0 &&
+         ray.max_distance >= 0;
 }
 
 /// Checks all rays before any is traced; the message names the first bad one.

@@ -77,7 +77,7 @@ abut_status UniverseSource::geometries(std::vector<abut_geometry_id>& out) const
 
 abut_status UniverseSource::describe(abut_geometry_id id, picking::GeometryView& out) const {
   abut_geometry_info info;
-  abut_geometry_info_init(&info);
+  abut_geometry_info_init(&info, sizeof info);
   if (const abut_status status = abut_geometry_describe(universe_.get(), id, &info); status != ABUT_OK) return status;
   out = {std::bit_cast<std::uintptr_t>(info.shape), info.pose};
   return ABUT_OK;
@@ -91,7 +91,7 @@ abut_status UniverseSource::poses(std::span<const abut_geometry_id> ids, std::ve
 
 abut_status UniverseSource::shape(abut_geometry_id id, std::unique_ptr<picking::PickableShape>& out) const {
   abut_geometry_info info;
-  abut_geometry_info_init(&info);
+  abut_geometry_info_init(&info, sizeof info);
   if (const abut_status status = abut_geometry_describe(universe_.get(), id, &info); status != ABUT_OK) return status;
   out = std::make_unique<UniverseShape>(info.shape);
   return ABUT_OK;

@@ -167,10 +167,8 @@ abut_status abut_hull_create(const double* xyz, size_t point_count, abut_shape**
   });
 }
 
-void abut_mesh_options_init(abut_mesh_options* options) {
-  if (options != nullptr) {
-    *options = {sizeof(abut_mesh_options), ABUT_SIDES_BOTH};
-  }
+void abut_mesh_options_init(abut_mesh_options* options, uint32_t struct_size) {
+  fill_defaults<abut_mesh_options>({sizeof(abut_mesh_options), ABUT_SIDES_BOTH}, struct_size, options);
 }
 
 abut_status abut_mesh_create(const double* xyz, size_t vertex_count, const uint32_t* triangles, size_t triangle_count,
@@ -181,10 +179,8 @@ abut_status abut_mesh_create(const double* xyz, size_t vertex_count, const uint3
   });
 }
 
-void abut_height_field_desc_init(abut_height_field_desc* desc) {
-  if (desc != nullptr) {
-    *desc = {sizeof(abut_height_field_desc), 0, 0, 0, 1, 1, nullptr};
-  }
+void abut_height_field_desc_init(abut_height_field_desc* desc, uint32_t struct_size) {
+  fill_defaults<abut_height_field_desc>({sizeof(abut_height_field_desc), 0, 0, 0, 1, 1, nullptr}, struct_size, desc);
 }
 
 abut_status abut_height_field_create(const abut_height_field_desc* desc, abut_shape** out) {
@@ -194,10 +190,8 @@ abut_status abut_height_field_create(const abut_height_field_desc* desc, abut_sh
   });
 }
 
-void abut_shape_desc_init(abut_shape_desc* desc) {
-  if (desc != nullptr) {
-    *desc = {sizeof(abut_shape_desc), 0, nullptr, 0, nullptr, 0, nullptr, 0};
-  }
+void abut_shape_desc_init(abut_shape_desc* desc, uint32_t struct_size) {
+  fill_defaults<abut_shape_desc>({sizeof(abut_shape_desc), 0, nullptr, 0, nullptr, 0, nullptr, 0}, struct_size, desc);
 }
 
 abut_status abut_shape_create(const abut_shape_desc* desc, abut_shape** out) {

@@ -53,11 +53,8 @@ abut_status abut_universe_contacts(const abut_universe* universe, const abut_con
   });
 }
 
-void abut_step_stats_init(abut_step_stats* stats) {
-  if (stats != nullptr) {
-    *stats = {};
-    stats->struct_size = sizeof(abut_step_stats);
-  }
+void abut_step_stats_init(abut_step_stats* stats, uint32_t struct_size) {
+  fill_defaults(abut_step_stats{}, struct_size, stats);
 }
 
 abut_status abut_universe_stats(const abut_universe* universe, abut_step_stats* out) {

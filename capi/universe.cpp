@@ -62,10 +62,8 @@ abut_status write_text(const std::string& found, std::span<char> out, std::size_
 
 }  // namespace
 
-void abut_universe_options_init(abut_universe_options* options) {
-  if (options != nullptr) {
-    *options = default_options;
-  }
+void abut_universe_options_init(abut_universe_options* options, uint32_t struct_size) {
+  fill_defaults(default_options, struct_size, options);
 }
 
 abut_status abut_universe_create(const abut_universe_options* options, abut_universe** out) {

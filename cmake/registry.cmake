@@ -79,15 +79,15 @@ function(abut_write_registry out_interfaces out_implementations)
     list(APPEND implementations ${units})
     string(APPEND imports "export import abut.shape.${name};\n")
     list(APPEND entries "Entry<${class}, ${kind}>")
-    string(APPEND declarations "PairRow row_${name}();\n")
-    list(APPEND rows "row_${name}()")
+    string(APPEND declarations "extern const PairRow row_${name};\n")
+    list(APPEND rows "&row_${name}")
     set(row_file ${gen}/row_${name}.cpp)
     file(CONFIGURE OUTPUT ${row_file} @ONLY CONTENT
 "module abut.registry;
 import abut.dispatch;
 
 namespace abut {
-PairRow row_@name@() { return make_row<Shapes, @index@>(); }
+constinit const PairRow row_@name@ = make_row<Shapes, @index@>();
 }  // namespace abut
 ")
     list(APPEND row_files ${row_file})
@@ -118,24 +118,16 @@ using Shapes = Registry<@entries@>;
 using AnyShape = Shapes::Any;
 using PairRow = std::array<PairKernels<AnyShape>, Shapes::count>;
 
-// Kernels of a pair of shapes by their places in the registry, row not above column.
-[[nodiscard]] const PairKernels<AnyShape>& pair_kernels(std::size_t row, std::size_t column);
 }  // namespace abut
 
 namespace abut {
 @declarations@}  // namespace abut
-")
-  file(CONFIGURE OUTPUT ${gen}/table.cpp @ONLY CONTENT
-"module;
-#include <array>
-#include <cstddef>
-module abut.registry;
-import abut.dispatch;
 
-namespace abut {
-const PairKernels<AnyShape>& pair_kernels(std::size_t row, std::size_t column) {
-  static const std::array<PairRow, Shapes::count> table{@rows@};
-  return table[row][column];
+export namespace abut {
+// Kernels of a pair of shapes by their places in the registry.
+[[nodiscard]] inline const PairKernels<AnyShape>& pair_kernels(std::size_t row, std::size_t column) {
+  static constexpr std::array<const PairRow*, Shapes::count> table{@rows@};
+  return (*table[row])[column];
 }
 }  // namespace abut
 ")
@@ -151,7 +143,7 @@ export import abut.contact;
 export import abut.universe;
 ")
   set(${out_interfaces} ${gen}/registry.cppm ${gen}/abut.cppm PARENT_SCOPE)
-  set(${out_implementations} ${gen}/table.cpp ${row_files} PARENT_SCOPE)
+  set(${out_implementations} ${row_files} PARENT_SCOPE)
   set(abut_shape_interfaces ${interfaces} PARENT_SCOPE)
   set(abut_shape_implementations ${implementations} PARENT_SCOPE)
   set(abut_pair_interfaces ${pair_interfaces} PARENT_SCOPE)

@@ -54,7 +54,7 @@ def _structs(kind, values):
 def _options(struct, init, /, **fields):
     """An options struct with its defaults and then the given fields. An unknown field is an error."""
     options = struct()
-    init(byref(options))
+    init(byref(options), ctypes.sizeof(struct))
     for name, value in fields.items():
         if name not in (field for field, _ in struct._fields_):
             raise TypeError(f"{struct.__name__} has no field {name}")

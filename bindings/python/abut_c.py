@@ -255,12 +255,12 @@ FUNCTIONS = {
     "abut_capsule_create": (Status, [c_double, c_double, POINTER(c_void_p)]),
     "abut_plane_create": (Status, [POINTER(Vec3), c_double, POINTER(c_void_p)]),
     "abut_hull_create": (Status, [POINTER(c_double), c_size_t, POINTER(c_void_p)]),
-    "abut_mesh_options_init": (None, [POINTER(MeshOptions)]),
+    "abut_mesh_options_init": (None, [POINTER(MeshOptions), c_uint32]),
     "abut_mesh_create": (Status, [
         POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t, POINTER(MeshOptions), POINTER(c_void_p)]),
-    "abut_height_field_desc_init": (None, [POINTER(HeightFieldDesc)]),
+    "abut_height_field_desc_init": (None, [POINTER(HeightFieldDesc), c_uint32]),
     "abut_height_field_create": (Status, [POINTER(HeightFieldDesc), POINTER(c_void_p)]),
-    "abut_shape_desc_init": (None, [POINTER(ShapeDesc)]),
+    "abut_shape_desc_init": (None, [POINTER(ShapeDesc), c_uint32]),
     "abut_shape_create": (Status, [POINTER(ShapeDesc), POINTER(c_void_p)]),
     "abut_shape_retain": (None, [c_void_p]),
     "abut_shape_release": (None, [c_void_p]),
@@ -272,7 +272,7 @@ FUNCTIONS = {
         POINTER(c_size_t)]),
     "abut_shape_cast_ray": (Status, [
         c_void_p, POINTER(Pose), POINTER(Ray), POINTER(RayHit), POINTER(c_uint32)]),
-    "abut_query_options_init": (None, [POINTER(QueryOptions)]),
+    "abut_query_options_init": (None, [POINTER(QueryOptions), c_uint32]),
     "abut_shapes_distance": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Distance)]),
     "abut_shapes_distances": (Status, [
@@ -281,10 +281,10 @@ FUNCTIONS = {
     "abut_shapes_contacts": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Contact),
         c_size_t, POINTER(c_size_t)]),
-    "abut_universe_options_init": (None, [POINTER(UniverseOptions)]),
+    "abut_universe_options_init": (None, [POINTER(UniverseOptions), c_uint32]),
     "abut_universe_create": (Status, [POINTER(UniverseOptions), POINTER(c_void_p)]),
     "abut_universe_destroy": (None, [c_void_p]),
-    "abut_part_options_init": (None, [POINTER(PartOptions)]),
+    "abut_part_options_init": (None, [POINTER(PartOptions), c_uint32]),
     "abut_part_create": (Status, [c_void_p, POINTER(PartOptions), POINTER(PartId)]),
     "abut_parts_create": (Status, [c_void_p, POINTER(PartOptions), c_size_t, POINTER(PartId)]),
     "abut_part_destroy": (Status, [c_void_p, PartId]),
@@ -295,7 +295,7 @@ FUNCTIONS = {
     "abut_parts_poses": (Status, [c_void_p, POINTER(PartId), c_size_t, POINTER(Pose)]),
     "abut_part_user_data": (Status, [c_void_p, PartId, POINTER(c_uint64)]),
     "abut_part_geometries": (Status, [c_void_p, PartId, POINTER(GeometryId), c_size_t, POINTER(c_size_t)]),
-    "abut_geometry_options_init": (None, [POINTER(GeometryOptions)]),
+    "abut_geometry_options_init": (None, [POINTER(GeometryOptions), c_uint32]),
     "abut_geometry_create": (Status, [
         c_void_p, PartId, c_void_p, POINTER(GeometryOptions), POINTER(GeometryId)]),
     "abut_geometries_create": (Status, [
@@ -303,7 +303,7 @@ FUNCTIONS = {
         POINTER(GeometryId)]),
     "abut_geometry_destroy": (Status, [c_void_p, GeometryId]),
     "abut_geometries_destroy": (Status, [c_void_p, POINTER(GeometryId), c_size_t]),
-    "abut_geometry_info_init": (None, [POINTER(GeometryInfo)]),
+    "abut_geometry_info_init": (None, [POINTER(GeometryInfo), c_uint32]),
     "abut_geometry_describe": (Status, [c_void_p, GeometryId, POINTER(GeometryInfo)]),
     "abut_geometries_poses": (Status, [c_void_p, POINTER(GeometryId), c_size_t, POINTER(Pose)]),
     "abut_universe_parts": (Status, [c_void_p, POINTER(PartId), c_size_t, POINTER(c_size_t)]),
@@ -311,7 +311,7 @@ FUNCTIONS = {
     "abut_universe_revision": (Status, [c_void_p, POINTER(Revision)]),
     "abut_universe_step": (Status, [c_void_p, c_double]),
     "abut_universe_contacts": (Status, [c_void_p, POINTER(POINTER(Contact)), POINTER(c_size_t)]),
-    "abut_step_stats_init": (None, [POINTER(StepStats)]),
+    "abut_step_stats_init": (None, [POINTER(StepStats), c_uint32]),
     "abut_universe_stats": (Status, [c_void_p, POINTER(StepStats)]),
     "abut_universe_explain": (Status, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)]),
     "abut_layout_count": (c_size_t, []),
@@ -319,7 +319,7 @@ FUNCTIONS = {
 }
 
 PICKING_FUNCTIONS = {
-    "abut_camera_init": (None, [POINTER(Camera)]),
+    "abut_camera_init": (None, [POINTER(Camera), c_uint32]),
     "abut_camera_look_at": (Status, [POINTER(Camera), POINTER(Vec3), POINTER(Vec3), POINTER(Vec3)]),
     "abut_camera_ray": (Status, [POINTER(Camera), c_double, c_double, POINTER(Ray)]),
     "abut_picker_create": (Status, [c_void_p, POINTER(c_void_p)]),

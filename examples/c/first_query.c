@@ -24,7 +24,7 @@ int main(void) {
   abut_part_id floor, body;
   abut_geometry_id geometry;
   OK(abut_universe_create(NULL, &universe));
-  abut_part_options_init(&options);
+  abut_part_options_init(&options, sizeof options);
   OK(abut_part_create(universe, &options, &floor));
   options.pose = above;
   OK(abut_part_create(universe, &options, &body));

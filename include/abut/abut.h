@@ -16,8 +16,9 @@
  *  - Thread rule of each function: [any] any thread at any time; [const] together with other [const]
  *    calls on the same universe, not during an [exclusive] one; [exclusive] alone on its universe.
  *    Shapes never change after creation, so calls that only read shapes are [any].
- *  - Structs that begin with struct_size grow over time. Fill them with their _init function, then
- *    change fields. A caller compiled against an older header stays valid.
+ *  - Structs that begin with struct_size grow over time. Fill them with their _init function, which
+ *    is told sizeof of the struct as the caller knows it, then change fields. A caller compiled against
+ *    an older header stays valid.
  */
 #ifndef ABUT_ABUT_H
 #define ABUT_ABUT_H
@@ -234,7 +235,7 @@ typedef struct abut_mesh_options {
   abut_sides sides; /**< default ABUT_SIDES_BOTH */
 } abut_mesh_options;
 
-ABUT_API void abut_mesh_options_init(abut_mesh_options *options);
+ABUT_API void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct_size);
 
 /**
  * Triangle mesh: a surface without inside.
@@ -262,7 +263,7 @@ typedef struct abut_height_field_desc {
   const double *heights; /**< columns * rows numbers, X fastest, copied */
 } abut_height_field_desc;
 
-ABUT_API void abut_height_field_desc_init(abut_height_field_desc *desc);
+ABUT_API void abut_height_field_desc_init(abut_height_field_desc *desc, uint32_t struct_size);
 
 /** Terrain. Complexity O(samples). Source: grid cells found by division, SPEC VX-11. [any] */
 ABUT_API abut_status abut_height_field_create(const abut_height_field_desc *desc, abut_shape **out);
@@ -282,7 +283,7 @@ typedef struct abut_shape_desc {
   uint64_t index_count;
 } abut_shape_desc;
 
-ABUT_API void abut_shape_desc_init(abut_shape_desc *desc);
+ABUT_API void abut_shape_desc_init(abut_shape_desc *desc, uint32_t struct_size);
 
 /** Creates a shape of any kind; the named functions above are shorthands for it. [any] */
 ABUT_API abut_status abut_shape_create(const abut_shape_desc *desc, abut_shape **out);
@@ -344,7 +345,7 @@ ABUT_API abut_status abut_shape_cast_ray(const abut_shape *shape, const abut_pos
 typedef uint32_t abut_algorithm;
 enum abut_algorithm_value ABUT_ENUM(uint32_t) {
   ABUT_ALGORITHM_AUTO = 0,        /**< the fastest that keeps the error bound */
-  ABUT_ALGORITHM_ANALYTIC = 1,    /**< a hand-written pair */
+  ABUT_ALGORITHM_ANALYTIC = 1,    /**< closed forms of the pair, where it has any */
   ABUT_ALGORITHM_SAT = 2,         /**< separating axes */
   ABUT_ALGORITHM_GJK_EPA = 3,     /**< support points, our own */
   ABUT_ALGORITHM_LIBCCD_GJK = 4,  /**< libccd's GJK and EPA */
@@ -360,7 +361,7 @@ typedef struct abut_query_options {
   uint32_t reserved;        /**< zero */
 } abut_query_options;
 
-ABUT_API void abut_query_options_init(abut_query_options *options);
+ABUT_API void abut_query_options_init(abut_query_options *options, uint32_t struct_size);
 
 /** Signed distance of two shapes. */
 typedef struct abut_distance {
@@ -442,7 +443,7 @@ typedef struct abut_universe_options {
   abut_vec3 origin;                   /**< boxes of the broad phase are stored relative to it; default 0 */
 } abut_universe_options;
 
-ABUT_API void abut_universe_options_init(abut_universe_options *options);
+ABUT_API void abut_universe_options_init(abut_universe_options *options, uint32_t struct_size);
 
 /** Creates a universe; the caller frees it with abut_universe_destroy. `options` may be null. [any] */
 ABUT_API abut_status abut_universe_create(const abut_universe_options *options, abut_universe **out);
@@ -465,7 +466,7 @@ typedef struct abut_part_options {
   uint64_t user_data;  /**< yours; default 0 */
 } abut_part_options;
 
-ABUT_API void abut_part_options_init(abut_part_options *options);
+ABUT_API void abut_part_options_init(abut_part_options *options, uint32_t struct_size);
 
 /** Creates a part. `options` may be null. Geometries of one part never collide with each other. [exclusive] */
 ABUT_API abut_status abut_part_create(abut_universe *universe, const abut_part_options *options, abut_part_id *out);
@@ -506,7 +507,7 @@ typedef struct abut_geometry_options {
   uint64_t user_data;  /**< yours; default 0 */
 } abut_geometry_options;
 
-ABUT_API void abut_geometry_options_init(abut_geometry_options *options);
+ABUT_API void abut_geometry_options_init(abut_geometry_options *options, uint32_t struct_size);
 
 /** Puts a shape on a part; the universe holds a reference to the shape. `options` may be null. [exclusive] */
 ABUT_API abut_status abut_geometry_create(abut_universe *universe, abut_part_id part, const abut_shape *shape,
@@ -534,7 +535,7 @@ typedef struct abut_geometry_info {
   uint64_t user_data;
 } abut_geometry_info;
 
-ABUT_API void abut_geometry_info_init(abut_geometry_info *info);
+ABUT_API void abut_geometry_info_init(abut_geometry_info *info, uint32_t struct_size);
 
 /** Describes a geometry. [const] */
 ABUT_API abut_status abut_geometry_describe(const abut_universe *universe, abut_geometry_id geometry, abut_geometry_info *out);
@@ -585,7 +586,7 @@ typedef struct abut_step_stats {
   double contact_microseconds;     /**< reduction and ordering */
 } abut_step_stats;
 
-ABUT_API void abut_step_stats_init(abut_step_stats *stats);
+ABUT_API void abut_step_stats_init(abut_step_stats *stats, uint32_t struct_size);
 
 /** Counts and times of the last step; zeros before the first. [const] */
 ABUT_API abut_status abut_universe_stats(const abut_universe *universe, abut_step_stats *out);

@@ -45,7 +45,7 @@ typedef struct abut_camera {
 } abut_camera;
 
 /** Fills in the defaults: 640 x 480, identity pose, vertical_fov 1. */
-ABUT_API void abut_camera_init(abut_camera *camera);
+ABUT_API void abut_camera_init(abut_camera *camera, uint32_t struct_size);
 
 /**
  * Turns a camera so that it looks from `eye` to `target` with `up` upwards in the picture.

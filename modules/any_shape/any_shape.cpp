@@ -117,105 +117,59 @@ bool is_supported(std::size_t place_a, std::size_t place_b) {
   return pair_kernels(low, high).route != Route::unsupported;
 }
 
-Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
-  if (a.index() <= b.index()) {
-    return pair_kernels(a.index(), b.index()).distance(a, b, ab, settings, out);
-  }
-  const Outcome outcome = pair_kernels(b.index(), a.index()).distance(b, a, ab.inverse(), settings, out);
-  out = mirrored(out, ab);
-  return outcome;
-}
-
-Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
-  if (a.index() <= b.index()) {
-    return pair_kernels(a.index(), b.index()).contacts(a, b, ab, settings, out);
-  }
-  const std::size_t first = out.size();
-  const Outcome outcome = pair_kernels(b.index(), a.index()).contacts(b, a, ab.inverse(), settings, out);
-  for (ContactPoint& contact : std::span(out).subspan(first)) {
-    mirror(contact, ab);
-  }
-  return outcome;
-}
-
 namespace {
 
 std::array<Real, 3> numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-// Whether work starts from b: by kind, else by pose, else by size. Alike in all of these, the shapes are
-// mostly the same one.
-bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
-  if (a.index() != b.index()) {
-    return b.index() < a.index();
-  }
-  const auto place = [](const Pose& pose) {
-    return std::array{numbers(pose.position), numbers(pose.rotation.x), numbers(pose.rotation.y), numbers(pose.rotation.z)};
-  };
-  if (place(pose_a) != place(pose_b)) {
-    return place(pose_b) < place(pose_a);
-  }
+// Shapes alike in kind and pose, by size. Alike in that as well, they are mostly the same one.
+bool is_smaller(const AnyShape& a, const AnyShape& b) {
   const auto size = [](const AnyShape& shape) {
     const Aabb box = aabb_of(shape, Pose::identity());
     return std::array{numbers(box.high), numbers(box.low)};
   };
-  return size(b) < size(a);
+  return size(a) < size(b);
 }
 
-void swap_sides(Distance& d) {
-  std::swap(d.point_a, d.point_b);
-  d.normal = -d.normal;
-}
-void swap_sides(ContactPoint& contact) {
-  std::swap(contact.point_a, contact.point_b);
-  std::swap(contact.feature_a, contact.feature_b);
-  contact.normal = -contact.normal;
+// Whether work starts from b: by kind, else by pose, else by size.
+bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
+  if (a.index() != b.index()) {
+    return b.index() < a.index();
+  }
+  // Mostly the first number decides.
+  if (pose_a.position.x != pose_b.position.x) [[likely]] {
+    return pose_b.position.x < pose_a.position.x;
+  }
+  const auto place = [](const Pose& pose) {
+    return std::array{numbers(pose.position), numbers(pose.rotation.x), numbers(pose.rotation.y), numbers(pose.rotation.z)};
+  };
+  return place(pose_a) == place(pose_b) ? is_smaller(b, a) : place(pose_b) < place(pose_a);
 }
 
 }  // namespace
 
 Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
                       Distance& out) {
-  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
-  const Pose& base = from_b ? pose_b : pose_a;
-  const Outcome outcome = pair_distance(from_b ? b : a, from_b ? a : b, relative(base, from_b ? pose_a : pose_b), settings, out);
+  if (!starts_from_b(a, b, pose_a, pose_b)) {
+    return pair_kernels(a.index(), b.index()).distance(a, b, pose_a, pose_b, settings, out);
+  }
+  const Outcome outcome = pair_kernels(b.index(), a.index()).distance(b, a, pose_b, pose_a, settings, out);
   if (outcome == Outcome::ok) [[likely]] {
-    out = in_world(out, base);
-    if (from_b) {
-      swap_sides(out);
-    }
+    swap_sides(out);
   }
   return outcome;
 }
 
 Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
                       Manifold& out) {
-  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
-  const Pose& base = from_b ? pose_b : pose_a;
+  if (!starts_from_b(a, b, pose_a, pose_b)) {
+    return pair_kernels(a.index(), b.index()).contacts(a, b, pose_a, pose_b, settings, out);
+  }
   const std::size_t first = out.size();
-  const Outcome outcome = pair_contacts(from_b ? b : a, from_b ? a : b, relative(base, from_b ? pose_a : pose_b), settings, out);
+  const Outcome outcome = pair_kernels(b.index(), a.index()).contacts(b, a, pose_b, pose_a, settings, out);
   for (ContactPoint& contact : std::span(out).subspan(first)) {
-    contact = in_world(contact, base);
-    if (from_b) {
-      swap_sides(contact);
-    }
+    swap_sides(contact);
   }
   return outcome;
-}
-
-Distance in_world(const Distance& local, const Pose& a) {
-  Distance out = local;
-  out.point_a = a * local.point_a;
-  out.point_b = a * local.point_b;
-  out.normal = a.rotation * local.normal;
-  return out;
-}
-
-ContactPoint in_world(const ContactPoint& local, const Pose& a) {
-  ContactPoint out = local;
-  out.point_a = a * local.point_a;
-  out.point_b = a * local.point_b;
-  out.normal = a.rotation * local.normal;
-  return out;
 }
 
 }  // namespace abut

@@ -43,19 +43,21 @@ struct RouteDescription {
 [[nodiscard]] RouteDescription describe_route(std::size_t place_a, std::size_t place_b);
 [[nodiscard]] bool is_supported(std::size_t place_a, std::size_t place_b);
 
-// Queries on two shapes, b being placed by ab in the frame of a. Results are in the frame of a.
-[[nodiscard]] Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Distance& out);
-[[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Manifold& out);
-
-// The same with both shapes placed in the world, and results there. The order of work depends on the
-// shapes and poses alone, so that swapping them changes no bit but the sides.
+// Queries on two placed shapes. Results are in the world. The order of work depends on the shapes and
+// poses alone, so that swapping them changes no bit but the sides.
 [[nodiscard]] Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
                                     const QuerySettings& settings, Distance& out);
 [[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
                                     const QuerySettings& settings, Manifold& out);
 
-// Moves results from the frame of a to the world.
-[[nodiscard]] Distance in_world(const Distance& local, const Pose& a);
-[[nodiscard]] ContactPoint in_world(const ContactPoint& local, const Pose& a);
+// The same, b being placed by ab in the frame of a. Results are in the frame of a.
+[[nodiscard]] inline Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                                           Distance& out) {
+  return pair_distance(a, b, Pose::identity(), ab, settings, out);
+}
+[[nodiscard]] inline Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                                           Manifold& out) {
+  return pair_contacts(a, b, Pose::identity(), ab, settings, out);
+}
 
 }  // namespace abut

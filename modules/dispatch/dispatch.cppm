@@ -77,13 +77,14 @@ template <class A, class B>
 }
 
 template <class A, class B>
-[[nodiscard]] Outcome distance_by_route(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+[[nodiscard]] [[gnu::always_inline]] inline Outcome distance_by_route(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
   constexpr Route way = route<A, B>();
   if constexpr (way == Route::unsupported) {
     return Outcome::unsupported;
   } else if constexpr (is_flipped<A, B>()) {
     const Outcome outcome = distance_by_route(b, a, ab.inverse(), settings, out);
-    out = mirrored(out, ab);
+    swap_sides(out);
+    move_by(out, ab);
     return outcome;
   } else if constexpr (way == Route::hand_written) {
     return Intersector<A, B>::distance(a, b, ab, settings, out);
@@ -109,7 +110,8 @@ template <class A, class B>
     const std::size_t first = out.size();
     const Outcome outcome = contacts_by_route(b, a, ab.inverse(), settings, out);
     for (ContactPoint& contact : std::span(out).subspan(first)) {
-      mirror(contact, ab);
+      swap_sides(contact);
+      move_by(contact, ab);
     }
     return outcome;
   } else if constexpr (way == Route::hand_written) {
@@ -155,27 +157,40 @@ struct PairResult {
   Outcome outcome;
 };
 
-// The kernels of a pair of kinds. The batch is one loop over one pair of types, entered by one call.
+// The kernels of a pair of kinds. Single pairs are asked about in the world, so that what lies between
+// the poses and the answer stays in registers. The batch is one loop over one pair of types, entered by
+// one call, and answers in the frames of the first shapes: much of that is dropped before it is moved.
 template <class Any>
 struct PairKernels {
   Route route;
   bool flipped;
-  Outcome (*distance)(const Any& a, const Any& b, const Pose& ab, const QuerySettings& settings, Distance& out);
-  Outcome (*contacts)(const Any& a, const Any& b, const Pose& ab, const QuerySettings& settings, Manifold& out);
+  Outcome (*distance)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
+                      Distance& out);
+  Outcome (*contacts)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
+                      Manifold& out);
   void (*contacts_of_run)(std::span<const Frozen<Any>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
                           const QuerySettings& settings, Manifold& out, std::span<PairResult> results);
 };
 
 template <class Any, class A, class B>
-[[nodiscard]] PairKernels<Any> make_kernels() {
+[[nodiscard]] consteval PairKernels<Any> make_kernels() {
   return {
       route<A, B>(),
       is_flipped<A, B>(),
-      [](const Any& a, const Any& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
-        return distance_by_route(std::get<A>(a), std::get<B>(b), ab, settings, out);
+      [](const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings, Distance& out) {
+        const Outcome outcome = distance_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
+        if (outcome == Outcome::ok) [[likely]] {
+          move_by(out, pose_a);
+        }
+        return outcome;
       },
-      [](const Any& a, const Any& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
-        return contacts_by_route(std::get<A>(a), std::get<B>(b), ab, settings, out);
+      [](const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings, Manifold& out) {
+        const std::size_t first = out.size();
+        const Outcome outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
+        for (ContactPoint& contact : std::span(out).subspan(first)) {
+          move_by(contact, pose_a);
+        }
+        return outcome;
       },
       [](std::span<const Frozen<Any>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
          const QuerySettings& common, Manifold& out, std::span<PairResult> results) {
@@ -194,7 +209,7 @@ template <class Any, class A, class B>
 // The cells (Row, Row), (Row, Row + 1), ... of the table; those below the diagonal stay empty, since a
 // pair is always looked up in the order of the registry.
 template <class Shapes, std::size_t Row>
-[[nodiscard]] std::array<PairKernels<typename Shapes::Any>, Shapes::count> make_row() {
+[[nodiscard]] consteval std::array<PairKernels<typename Shapes::Any>, Shapes::count> make_row() {
   using Any = typename Shapes::Any;
   std::array<PairKernels<Any>, Shapes::count> row{};
   [&]<std::size_t... Offsets>(std::index_sequence<Offsets...>) {

@@ -17,9 +17,6 @@ namespace {
 
 // A face whose normal is further than this from the contact normal is met at an edge or a vertex.
 constexpr Real steepest_cosine = 0.05;
-// Segments closer to parallel than this share a stretch, not a crossing.
-constexpr Real parallel_sine = 1e-3;
-
 struct Flat {
   Real u, v;
 };
@@ -80,10 +77,6 @@ struct Lift {
   return std::fabs(dot(face.normal, normal)) > steepest_cosine;
 }
 
-[[nodiscard]] Feature feature_of(const Face& face) {
-  return face.vertices.size() == 2 ? Feature{FeatureKind::edge, face.vertices[0].edge} : Feature{FeatureKind::face, face.index};
-}
-
 // What a face that stands steep to the normal has furthest out along `outward`: the edge there.
 [[nodiscard]] Face outer_edge(const Face& face, const Vec3& outward) {
   const auto vertices = face.vertices.span();
@@ -110,47 +103,69 @@ struct Corner {
 };
 using Corners = SmallVector<Corner, 24>;
 
-// Cuts the corners by the line through `from` and `to`, an edge of polygon a; what lies left stays
-// (Sutherland and Hodgman 1974).
-void cut(const Corners& in, Corners& out, const Flat& from, const Flat& to, Real rounding, std::uint32_t edge, std::uint32_t from_vertex,
-         std::uint32_t to_vertex, std::uint32_t face_of_b) {
-  out.clear();
-  const Flat direction = to - from;
+// An edge of polygon a in the projection, and what it leads from and to.
+struct Edge {
+  Flat from, to;
+  std::uint32_t number, from_vertex, to_vertex;
+};
+
+enum class Cut : std::uint8_t { nothing, everything, some };
+
+// Cuts the corners by the line of an edge; what lies left stays (Sutherland and Hodgman 1974). `out` is
+// written only where the line crosses the region.
+[[nodiscard]] Cut cut(const Corners& in, Corners& out, const Edge& edge, Real rounding, std::uint32_t face_of_b) {
+  const Flat direction = edge.to - edge.from;
   // What touches the line within rounding stays, so that faces that meet along an edge have it in common.
   const Real slack = rounding * (std::fabs(direction.u) + std::fabs(direction.v));
-  const auto side = [&](const Flat& p) { return cross2(direction, p - from) + slack; };
   const auto corners = in.span();
+  [[clang::uninitialized]] SmallVector<Real, 24> sides;
+  Real least = infinity, largest = -infinity;
   for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Real side = cross2(direction, corners[i].at - edge.from) + slack;
+    sides.push_back(side);
+    least = side < least ? side : least;
+    largest = side > largest ? side : largest;
+  }
+  if (least >= 0) {
+    return Cut::nothing;
+  }
+  if (largest < 0) {
+    return Cut::everything;
+  }
+  out.clear();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t j = i + 1 < corners.size() ? i + 1 : 0;
     const Corner& here = corners[i];
-    const Corner& next = corners[(i + 1) % corners.size()];
-    const Real here_side = side(here.at), next_side = side(next.at);
-    if (here_side >= 0) {
+    const bool here_stays = sides[i] >= 0;
+    if (here_stays) {
       out.push_back(here);
     }
-    if ((here_side >= 0) != (next_side >= 0)) {
+    if (here_stays != (sides[j] >= 0)) {
       Corner crossing = here;
-      crossing.at = mix(here.at, next.at, here_side / (here_side - next_side));
+      crossing.at = mix(here.at, corners[j].at, sides[i] / (sides[i] - sides[j]));
       // The boundary between the two runs along an edge of b, which this edge of a crosses, or along
       // an earlier edge of a, which it meets at a vertex of a inside b.
       if (here.leaves_on_b) {
-        crossing.feature_a = {FeatureKind::edge, edge};
+        crossing.feature_a = {FeatureKind::edge, edge.number};
         crossing.feature_b = {FeatureKind::edge, here.edge};
       } else {
-        crossing.feature_a = {FeatureKind::vertex, here_side >= 0 ? from_vertex : to_vertex};
+        crossing.feature_a = {FeatureKind::vertex, here_stays ? edge.from_vertex : edge.to_vertex};
         crossing.feature_b = {FeatureKind::face, face_of_b};
       }
-      if (here_side >= 0) {
+      if (here_stays) {
         crossing.leaves_on_b = false;
-        crossing.edge = edge;
+        crossing.edge = edge.number;
       }
       out.push_back(crossing);
     }
   }
+  return Cut::some;
 }
 
 void clip_polygons(const Face& a, const Face& b, const Projection& projection, ClipPoints& out) {
-  [[clang::uninitialized]] Corners current;
-  [[clang::uninitialized]] Corners next;
+  [[clang::uninitialized]] Corners first;
+  [[clang::uninitialized]] Corners second;
+  Corners *current = &first, *spare = &second;
   const auto vertices_a = a.vertices.span();
   const auto vertices_b = b.vertices.span();
   // Seen against the normal a runs counter-clockwise when its normal agrees, b when its disagrees.
@@ -158,27 +173,34 @@ void clip_polygons(const Face& a, const Face& b, const Projection& projection, C
   const bool b_turns = dot(b.normal, projection.normal) >= 0;
   for (std::size_t i = 0; i < vertices_b.size(); ++i) {
     const std::size_t k = b_turns ? i : vertices_b.size() - 1 - i;
-    const std::size_t edge = b_turns ? k : (k + vertices_b.size() - 1) % vertices_b.size();
-    current.push_back({projection(vertices_b[k].point), {FeatureKind::face, a.index}, {FeatureKind::vertex, vertices_b[k].vertex},
-                       true, vertices_b[edge].edge});
+    const std::size_t edge = b_turns ? k : (k > 0 ? k : vertices_b.size()) - 1;
+    current->push_back({projection(vertices_b[k].point), {FeatureKind::face, a.index}, {FeatureKind::vertex, vertices_b[k].vertex},
+                        true, vertices_b[edge].edge});
   }
-  for (std::size_t i = 0; i < vertices_a.size() && !current.empty(); ++i) {
-    const std::size_t k = a_turns ? i : vertices_a.size() - 1 - i;
-    const std::size_t to = a_turns ? (k + 1) % vertices_a.size() : (k + vertices_a.size() - 1) % vertices_a.size();
-    const std::uint32_t edge = vertices_a[a_turns ? k : to].edge;
-    cut(current, next, projection(vertices_a[k].point), projection(vertices_a[to].point), projection.rounding, edge, vertices_a[k].vertex,
-        vertices_a[to].vertex, b.index);
-    std::swap(current, next);
+  const std::size_t count = vertices_a.size();
+  const auto place = [&](std::size_t i) { return a_turns ? i : count - 1 - i; };
+  Edge edge{};
+  edge.to = projection(vertices_a[place(0)].point);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t from = place(i), to = place(i + 1 < count ? i + 1 : 0);
+    edge = {edge.to, projection(vertices_a[to].point), vertices_a[a_turns ? from : to].edge, vertices_a[from].vertex, vertices_a[to].vertex};
+    const Cut found = cut(*current, *spare, edge, projection.rounding, b.index);
+    if (found == Cut::everything) {
+      return;
+    }
+    if (found == Cut::some) {
+      std::swap(current, spare);
+    }
   }
   const Lift lift_a(a, projection), lift_b(b, projection);
   const Extent extent_a(a, projection), extent_b(b, projection);
-  const auto corners = current.span();
+  const auto corners = current->span();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Corner& corner = corners[i];
     if (!extent_a.holds(corner.at, 4 * projection.rounding) || !extent_b.holds(corner.at, 4 * projection.rounding)) {
       continue;
     }
-    const Flat step = corners[(i + 1) % corners.size()].at - corner.at;
+    const Flat step = corners[i + 1 < corners.size() ? i + 1 : 0].at - corner.at;
     if (corners.size() > 1 && std::fabs(step.u) + std::fabs(step.v) <= 4 * projection.rounding) {
       continue;  // the same corner twice, from two edges that meet there
     }

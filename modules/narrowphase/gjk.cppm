@@ -49,11 +49,12 @@ inline constexpr Real unproven_limit = 1e4;
 }
 
 // The cores of a and b in the frame of a, b being placed by ab. `size` bounds the coordinates of both;
-// `error` is the gap that is allowed; `limit`: stop as soon as the distance is known to exceed it.
+// `toward` points from a to b as far as is known; `error` is the gap that is allowed; `limit`: stop as
+// soon as the distance is known to exceed it.
 template <Convex A, Convex B>
-[[nodiscard]] GjkResult gjk(const A& a, const B& b, const Pose& ab, Real size, Real error, Real limit) {
+[[nodiscard]] GjkResult gjk(const A& a, const B& b, const Pose& ab, const Vec3& toward, Real size, Real error, Real limit) {
   const auto placement = place(b, ab);
-  const auto difference_vertex = [&](const Vec3& toward_origin) {
+  const auto difference_vertex = [&](const Vec3& toward_origin) __attribute__((always_inline)) {
     const SupportPoint on_a = a.support(toward_origin);
     const SupportPoint on_b = placed_support(b, placement, -toward_origin);
     return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_a.index, on_b.index};
@@ -65,22 +66,27 @@ template <Convex A, Convex B>
   result.simplex.size = 0;
   Simplex& simplex = result.simplex;
 
-  const Vec3 first_direction = ab * b.centre() - a.centre();
-  simplex.push(difference_vertex(first_direction));
-  Vec3 v = simplex.vertices[0].w;
-  Real square = squared_norm(v);
   const Real touching = touching_distance(size);
+  // One support point of each per round, the first along `toward`.
+  Vec3 v = -toward;
+  Real square = infinity;
   // The best lower bound so far, reach / sqrt(square), kept as it is to spare the root.
   Real best_reach = 0, best_square = 1;
 
   std::uint32_t stalls = 0;
-  std::uint32_t iteration = 1;
+  std::uint32_t iteration = 0;
   for (; iteration < gjk_iteration_limit; ++iteration) {
-    if (!(square > touching * touching)) {
-      result.overlap = true;
-      break;
-    }
     const DifferenceVertex vertex = difference_vertex(-v);
+    if (simplex.size == 0) {
+      simplex.push(vertex);
+      v = vertex.w;
+      square = squared_norm(v);
+      if (!(square > touching * touching)) {
+        result.overlap = true;
+        break;
+      }
+      continue;
+    }
     const Real reach = dot(v, vertex.w);
     if (reach > 0 && reach * reach * best_square > best_reach * best_reach * square) {
       best_reach = reach;
@@ -113,6 +119,10 @@ template <Convex A, Convex B>
     keep(simplex, closest.vertices);
     v = closest.point;
     square = closest_square;
+    if (!(square > touching * touching)) {
+      result.overlap = true;
+      break;
+    }
   }
   const Real lower = best_reach / std::sqrt(best_square);
   result.iterations = iteration;

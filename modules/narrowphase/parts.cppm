@@ -12,6 +12,7 @@ import abut.core;
 import abut.math;
 import abut.narrowphase.convex;
 import abut.narrowphase.half_space;
+import abut.narrowphase.separation;
 import abut.narrowphase.triangle_contacts;
 import abut.shape;
 
@@ -19,22 +20,6 @@ export namespace abut {
 
 [[nodiscard]] inline bool parts_support(Algorithm algorithm) {
   return algorithm == Algorithm::automatic || algorithm == Algorithm::gjk_epa;
-}
-
-// The same seen from the other side.
-[[nodiscard]] inline Distance mirrored(const Distance& d, const Pose& to_other) {
-  Distance out = d;
-  out.point_a = to_other * d.point_b;
-  out.point_b = to_other * d.point_a;
-  out.normal = -(to_other.rotation * d.normal);
-  return out;
-}
-inline void mirror(ContactPoint& c, const Pose& to_other) {
-  const Vec3 point_a = to_other * c.point_b, point_b = to_other * c.point_a;
-  c.point_a = point_a;
-  c.point_b = point_b;
-  c.normal = -(to_other.rotation * c.normal);
-  std::swap(c.feature_a, c.feature_b);
 }
 
 // Distance of a composite and a convex shape: of the nearest or deepest part, each as a sheet. Starts

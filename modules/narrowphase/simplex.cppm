@@ -44,7 +44,7 @@ struct ClosestPoint {
 
 inline constexpr unsigned all_of_tetrahedron = 15;
 
-[[nodiscard]] inline ClosestPoint closest_on_segment(const Vec3& p, const Vec3& q, unsigned at_p, unsigned at_q) {
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_on_segment(const Vec3& p, const Vec3& q, unsigned at_p, unsigned at_q) {
   const Vec3 d = q - p;
   const Real along = -dot(p, d), length = squared_norm(d);
   if (!(along > 0)) {
@@ -69,7 +69,7 @@ inline void consider(ClosestPoint& best, Real& best_square, const ClosestPoint& 
 }
 
 // The edges opposite to corners whose barycentric weight is not positive may hold the closest point.
-[[nodiscard]] inline ClosestPoint closest_on_triangle(const Vec3& p, const Vec3& q, const Vec3& r, unsigned at_p, unsigned at_q,
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_on_triangle(const Vec3& p, const Vec3& q, const Vec3& r, unsigned at_p, unsigned at_q,
                                                       unsigned at_r) {
   const Vec3 normal = cross(p - r, q - r);
   const Real square = squared_norm(normal);
@@ -100,7 +100,7 @@ inline void consider(ClosestPoint& best, Real& best_square, const ClosestPoint& 
 
 // With cofactors of mixed signs the origin is outside the faces opposite to the vertices whose sign
 // differs from that of the volume.
-[[nodiscard]] inline ClosestPoint closest_on_tetrahedron(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+[[nodiscard]] [[gnu::noinline]] inline ClosestPoint closest_on_tetrahedron(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
   const Vec3 sp = p - s, sq = q - s, sr = r - s;
   const Vec3 qr = cross(sq, sr), rp = cross(sr, sp), pq = cross(sp, sq);
   const Real volume = dot(sp, qr);
@@ -129,7 +129,19 @@ inline void consider(ClosestPoint& best, Real& best_square, const ClosestPoint& 
   return best;
 }
 
-[[nodiscard]] inline ClosestPoint closest_to_origin(const Simplex& simplex) {
+// The same on the surface of a tetrahedron that holds the origin.
+[[nodiscard]] inline ClosestPoint closest_on_faces(const Simplex& simplex) {
+  const auto& v = simplex.vertices;
+  ClosestPoint best{};
+  Real best_square = infinity;
+  consider(best, best_square, closest_on_triangle(v[0].w, v[1].w, v[2].w, 1, 2, 4));
+  consider(best, best_square, closest_on_triangle(v[0].w, v[1].w, v[3].w, 1, 2, 8));
+  consider(best, best_square, closest_on_triangle(v[0].w, v[2].w, v[3].w, 1, 4, 8));
+  consider(best, best_square, closest_on_triangle(v[1].w, v[2].w, v[3].w, 2, 4, 8));
+  return best;
+}
+
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_to_origin(const Simplex& simplex) {
   const auto& v = simplex.vertices;
   switch (simplex.size) {
     case 1:

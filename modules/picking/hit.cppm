@@ -42,14 +42,21 @@ struct RayLines {
 };
 static_assert(sizeof(RayLines) == sizeof(RTCRay));
 
-inline void write_ray(RTCRayHit& hit, const abut_vec3& point, const abut_vec3& direction, double limit) {
-  const Four from{point.x, point.y, point.z, 0};
-  const Four along{direction.x, direction.y, direction.z, 0};
-  hit.ray = std::bit_cast<RTCRay>(RayLines{__builtin_convertvector(from, RayLines::Floats),
-                                           __builtin_convertvector(along, RayLines::Floats),
-                                           {std::bit_cast<std::uint32_t>(widened(limit)), ~0U, 0, 0}});
+/// A ray in two registers: where it starts, and its direction followed by its limit.
+inline void write_ray(RTCRayHit& hit, const Four& point, const Four& direction_and_limit) {
+  using Floats = RayLines::Floats;
+  const Floats from = __builtin_convertvector(point, Floats);
+  const Floats along = __builtin_convertvector((direction_and_limit * Four{1, 1, 1, 1 + 0x1p-22}), Floats);
+  constexpr Floats none = {0, 0, 0, 0};
+  hit.ray = std::bit_cast<RTCRay>(RayLines{__builtin_shufflevector(from, none, 0, 1, 2, 4),
+                                           __builtin_shufflevector(along, none, 0, 1, 2, 4),
+                                           {std::bit_cast<std::uint32_t>(static_cast<float>(along[3])), ~0U, 0, 0}});
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+}
+
+inline void write_ray(RTCRayHit& hit, const abut_vec3& point, const abut_vec3& direction, double limit) {
+  write_ray(hit, Four{point.x, point.y, point.z, 0}, Four{direction.x, direction.y, direction.z, limit});
 }
 
 /// Distance at which a line crosses a triangle, its edges included; none when they are parallel.

@@ -7,6 +7,7 @@ module;
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,47 @@ using Corners = std::array<abut_vec3, 3>;
   return largest_component(v) == 0 ? v : normalized(v);
 }
 
+// A quad of two triangles, the first with corners 0, 1 and 3, the second with 2, 3 and 1.
+struct Quad {
+  std::array<abut_vec3, 4> corners;
+  std::array<abut_vec3, 2> normals;  // of the triangles
+};
+
+// None when the triangles do not share an edge in opposite directions, or have no area.
+[[nodiscard]] std::optional<Quad> quad_of(const TriangleList& list, std::size_t pair) {
+  const auto index = [&](std::size_t half, std::size_t corner) {
+    return list.indices[3 * (2 * pair + half) + corner % 3];
+  };
+  const abut_vec3 first = area_vector(corners_of(list, 2 * pair));
+  const abut_vec3 second = area_vector(corners_of(list, 2 * pair + 1));
+  if (largest_component(first) == 0 || largest_component(second) == 0) return std::nullopt;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (index(0, i + 1) != index(1, j + 2) || index(0, i + 2) != index(1, j + 1)) continue;
+      return Quad{{vertex(list, 6 * pair + i), vertex(list, 6 * pair + (i + 1) % 3), vertex(list, 6 * pair + 3 + j),
+                   vertex(list, 6 * pair + (i + 2) % 3)},
+                  {normalized(first), normalized(second)}};
+    }
+  }
+  return std::nullopt;
+}
+
+// The corners moved outwards, so that each side moves by `distance` in the plane of its triangle.
+[[nodiscard]] std::array<abut_vec3, 4> grown(const Quad& quad, double distance) {
+  std::array<abut_vec3, 4> outwards{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const abut_vec3 side = unit_or_zero(subtract(quad.corners[(k + 1) % 4], quad.corners[k]));
+    outwards[k] = cross(side, quad.normals[k == 1 || k == 2 ? 1 : 0]);
+  }
+  std::array<abut_vec3, 4> out{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const abut_vec3& before = outwards[(k + 3) % 4];
+    const double miter = distance / std::max(1 + dot(before, outwards[k]), 2 / (longest_miter * longest_miter));
+    out[k] = add(quad.corners[k], scale(add(before, outwards[k]), miter));
+  }
+  return out;
+}
+
 // A corner moved outwards in its plane, so that both edges that meet there move by `distance`.
 [[nodiscard]] abut_vec3 grown(const abut_vec3& corner, const abut_vec3& next, const abut_vec3& previous,
                               double distance) {
@@ -57,15 +99,13 @@ using Corners = std::array<abut_vec3, 3>;
 
 }  // namespace
 
-Surface make_surface(const TriangleList& list) {
-  Surface surface;
-  surface.reserve(list.indices.size() / 3);
+void add_planes(const TriangleList& list, Surface& out) {
+  out.reserve(out.size() + list.indices.size() / 3);
   for (std::size_t i = 0; i < list.indices.size() / 3; ++i) {
     const Corners corners = corners_of(list, i);
     const abut_vec3 normal = unit_or_zero(area_vector(corners));
-    surface.push_back({normal, dot(normal, corners[0])});
+    out.push_back({normal, dot(normal, corners[0])});
   }
-  return surface;
 }
 
 void write_outlines(const TriangleList& list, const Space& space, std::span<float> out) {
@@ -78,6 +118,30 @@ void write_outlines(const TriangleList& list, const Space& space, std::span<floa
           has_area ? grown(corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3], distance) : corners[0];
       const abut_vec3 local = subtract(moved, space.origin);
       const std::size_t at = 9 * i + 3 * k;
+      out[at] = static_cast<float>(local.x);
+      out[at + 1] = static_cast<float>(local.y);
+      out[at + 2] = static_cast<float>(local.z);
+    }
+  }
+}
+
+bool is_paired(const TriangleList& list) {
+  const std::size_t count = list.indices.size() / 3;
+  if (count == 0 || count % 2 != 0) return false;
+  for (std::size_t i = 0; i < count / 2; ++i) {
+    if (!quad_of(list, i)) return false;
+  }
+  return true;
+}
+
+void write_quads(const TriangleList& list, const Space& space, std::span<float> out) {
+  const double distance = growth * 0x1p-24 * space.extent;
+  for (std::size_t i = 0; i < list.indices.size() / 6; ++i) {
+    const std::optional<Quad> quad = quad_of(list, i);
+    const std::array<abut_vec3, 4> corners = quad ? grown(*quad, distance) : std::array<abut_vec3, 4>{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const abut_vec3 local = subtract(corners[k], space.origin);
+      const std::size_t at = 12 * i + 3 * k;
       out[at] = static_cast<float>(local.x);
       out[at + 1] = static_cast<float>(local.y);
       out[at + 2] = static_cast<float>(local.z);

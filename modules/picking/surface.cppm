@@ -3,6 +3,9 @@
 // Single precision leaves cracks between neighbouring triangles; Embree's robust mode has fewer, at a
 // quarter of its speed. So the outlines that Embree sees are grown a little beyond the triangles,
 // which leaves none and costs nothing; the hit itself is computed on the plane of the true triangle.
+//
+// Grids become quads of two triangles each: half as many boxes and a smaller scene, which pays for the
+// robust mode. It is needed there, since the halves of a quad cannot be grown apart from each other.
 module;
 
 #include <abut/abut.h>
@@ -26,16 +29,21 @@ struct alignas(32) Facet {
 };
 static_assert(sizeof(Facet) == 32);
 
+/// In one register.
+[[nodiscard]] inline Four numbers_of(const Facet& facet) {
+  return {facet.normal.x, facet.normal.y, facet.normal.z, facet.offset};
+}
+
 /// Largest difference between a hit found in single precision and the one on the plane of the
 /// triangle, in parts of the extent. Beyond it the ray runs along the plane and single precision
 /// knows better.
 inline constexpr double largest_correction = 1e-3;
 
-/// Distance along a ray to a plane near which a hit was found.
-[[nodiscard]] [[gnu::always_inline]] inline double distance_to(const Facet& plane, const abut_vec3& origin,
-                                                               const abut_vec3& direction, double found,
-                                                               double extent) {
-  const double exact = (plane.offset - dot(plane.normal, origin)) / dot(plane.normal, direction);
+/// Distance along a ray to a plane near which a hit was found; of the vectors, only the first three
+/// numbers are looked at.
+[[nodiscard]] [[gnu::always_inline]] inline double distance_to(const Four& plane, const Four& origin,
+                                                               const Four& direction, double found, double extent) {
+  const double exact = (plane[3] - dot_of_three(plane, origin)) / dot_of_three(plane, direction);
   const bool is_close = std::fabs(exact - found) <= largest_correction * extent;
   return std::max(is_close ? exact : found, 0.0);
 }
@@ -43,11 +51,20 @@ inline constexpr double largest_correction = 1e-3;
 /// The plane of each triangle.
 using Surface = std::vector<Facet>;
 
-[[nodiscard]] Surface make_surface(const TriangleList& list);
+/// Adds the planes of a list.
+void add_planes(const TriangleList& list, Surface& out);
 
 /// Outlines in single precision relative to the space, nine numbers for each triangle. Those of
 /// triangles without area have none either: no ray meets them.
 void write_outlines(const TriangleList& list, const Space& space, std::span<float> out);
+
+/// Whether the triangles come in pairs that share an edge, as those of grids and height fields do,
+/// and all have an area.
+[[nodiscard]] bool is_paired(const TriangleList& list);
+
+/// As write_outlines, for quads of two triangles each: twelve numbers for each pair. The first half
+/// of a quad, its corners 0, 1 and 3, is the first triangle of the pair.
+void write_quads(const TriangleList& list, const Space& space, std::span<float> out);
 
 /// Box around the vertices.
 [[nodiscard]] abut_aabb box_of(const TriangleList& list);

@@ -64,17 +64,26 @@ struct ShapeRecord {
   std::uint32_t users = 0;
   std::size_t triangle_count = 0;
   bool is_surface = false;
+  bool is_paired = false;                // a surface whose triangles come in pairs
   abut_aabb local_box = empty_box;       // of a surface
   std::unique_ptr<Instanced> instanced;  // made when first needed
   TriangleList few;                      // of a shape that has triangles and is asked in double
 };
 
-/// A surface as it lies in the world, relative to the still space.
-struct Baked {
+/// A surface as it lies in the world. Found by a shift, since each hit asks for it.
+struct alignas(32) Baked {
   abut_geometry_id id{};
   std::uint32_t entry = nowhere;
-  Surface surface;
+  bool has_quads = false;       // of two triangles each
+  std::size_t first_plane = 0;  // in the planes of the still scene
 };
+
+/// The triangle that was hit. The coordinates on a quad are those on its first half, or 1 minus those
+/// on its second one.
+[[nodiscard]] [[gnu::always_inline]] inline std::uint32_t triangle_of(const Baked& baked, std::uint32_t primitive,
+                                                                      float u, float v) {
+  return baked.has_quads ? 2 * primitive + (u + v > 1 ? 1U : 0U) : primitive;
+}
 
 struct MovingBox {
   std::array<float, 3> lower;
@@ -121,7 +130,13 @@ class Tracer {
   explicit Tracer(std::unique_ptr<Source> source) : source_(std::move(source)) {}
 
   /// Brings the scenes up to date when the world has changed.
-  [[nodiscard]] abut_status follow();
+  [[nodiscard]] inline abut_status follow() {
+    [[clang::uninitialized]] abut_revision now;
+    if (const abut_status status = source_->revision(now); status != ABUT_OK) return status;
+    if (has_seen(now)) [[likely]]
+      return ABUT_OK;
+    return catch_up(now);
+  }
 
   void trace(const abut_ray& ray, abut_pick& out) const;
   void trace_neighbours(std::span<const abut_ray> rays, std::span<abut_pick> out) const;
@@ -132,7 +147,12 @@ class Tracer {
   [[nodiscard]] abut_status pick_near(const View& view, double x, double y, double radius, abut_pick& out) const;
 
  private:
+  [[nodiscard]] inline bool has_seen(const abut_revision& now) const noexcept {
+    return seen_geometries_.load(std::memory_order_acquire) == now.geometries &&
+           seen_poses_.load(std::memory_order_acquire) == now.poses;
+  }
   // tracer_follow.cpp
+  [[nodiscard]] abut_status catch_up(const abut_revision& now);
   [[nodiscard]] abut_status synchronize(const abut_revision& now);
   [[nodiscard]] abut_status list_geometries();
   [[nodiscard]] abut_status add_entry(abut_geometry_id id);
@@ -151,7 +171,11 @@ class Tracer {
   [[nodiscard]] abut_status make_instanced(ShapeRecord& shape);
   [[nodiscard]] abut_status become_moving(std::uint32_t index);
   [[nodiscard]] abut_status embree_status() const;
+  template <class Write>
+  [[nodiscard]] embree::Geometry make_polygons(std::size_t count, std::size_t sides, const Write& write);
   [[nodiscard]] embree::Geometry make_triangles(const TriangleList& list, const Space& space);
+  [[nodiscard]] embree::Geometry make_quads(const TriangleList& list, const Space& space);
+  [[nodiscard]] bool prefers_quads() const;
   void settle_moving_space();
   void settle_still_space();
   void write_box(MovingBox& box) const;
@@ -166,24 +190,28 @@ class Tracer {
   void cross_rounded(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
   void cross_surface(AllHits& query, std::uint32_t index, const Instanced& instanced) const;
   // tracer_trace.cpp
-  [[nodiscard]] bool has_moving() const noexcept { return !moving_.empty() || !endless_.empty(); }
-  void trace_unit(const abut_ray& ray, abut_pick& out) const;
+  [[nodiscard]] inline bool has_moving() const noexcept { return !moving_.empty() || !endless_.empty(); }
+  void trace_from_afar(const abut_ray& ray, abut_pick& out) const;
   void trace_moving(const abut_ray& ray, abut_pick& out) const;
   void meet_endless(abut_ray& ray, abut_pick& out) const;
-  /// Whether the ray reaches the plane of a triangle on which a hit was found.
-  [[gnu::always_inline]] inline bool resolve_still(const abut_vec3& origin, const abut_vec3& direction, double limit,
-                                                   std::uint32_t geometry, std::uint32_t triangle, double found,
-                                                   abut_pick& out) const {
-    const Baked& baked = baked_[geometry];
-    const Facet& plane = baked.surface[triangle];
-    const double distance =
-        distance_to(plane, subtract(origin, still_space_.origin), direction, found, still_space_.extent);
+  [[nodiscard]] inline const Facet& plane_of(const Baked& baked, std::uint32_t triangle) const {
+    return still_planes_[baked.first_plane + triangle];
+  }
+  /// Whether the ray reaches the plane of a triangle on which a hit was found; `from` and `along` are
+  /// the halves of a ray with a unit direction, the fourth number of `along` is not looked at.
+  [[gnu::always_inline]] inline bool resolve_still(const Four& from, const Four& along, double limit, const RTCHit& hit,
+                                                   double found, abut_pick& out) const {
+    const Baked& baked = baked_[hit.geomID];
+    const std::uint32_t triangle = triangle_of(baked, hit.primID, hit.u, hit.v);
+    const Four plane = numbers_of(plane_of(baked, triangle));
+    const double distance = distance_to(plane, from - still_space_.numbers(), along, found, still_space_.extent);
     if (distance > limit) return false;
-    out = {.geometry = baked.id,
-           .feature = {ABUT_FEATURE_FACE, triangle},
-           .distance = distance,
-           .point = add(origin, scale(direction, distance)),
-           .normal = plane.normal};
+    const Four end = from + along * distance;
+    out.geometry = baked.id;
+    out.feature = {ABUT_FEATURE_FACE, triangle};
+    out.distance = distance;
+    out.point = {end[0], end[1], end[2]};
+    out.normal = {plane[0], plane[1], plane[2]};
     return true;
   }
   void resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t triangle, double found,
@@ -209,6 +237,7 @@ class Tracer {
   Space still_space_;
   embree::Scene still_;
   std::vector<Baked> baked_;
+  Surface still_planes_;  // relative to the space
   bool still_changed_ = false;
   Space moving_space_;
   embree::Geometry moving_geometry_;
@@ -223,13 +252,15 @@ template <std::size_t Width> struct Batch;
 
 /// Rays in packets (tracer_packet.cpp).
 struct PacketTracer {
+  template <std::size_t Width, class Fill, class Place>
+  static void trace(const Tracer& tracer, bool coherent, std::size_t count, const Fill& fill, const Place& place);
+  template <std::size_t Width> static void shoot(const Tracer& tracer, embree::Query& query, Batch<Width>& batch);
+  template <std::size_t Width> static void prefetch(const Tracer& tracer, const Batch<Width>& batch);
   template <std::size_t Width, class Place>
-  static void trace(const Tracer& tracer, Batch<Width>& batch, const Place& place);
+  static void finish(const Tracer& tracer, Batch<Width>& batch, const Place& place);
   template <std::size_t Width, class Place>
   static void resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place);
-  template <std::size_t Width>
-  static void read_four(Batch<Width>& batch, std::size_t k, const abut_ray& a, const abut_ray& b, const abut_ray& c,
-                        const abut_ray& d);
+  template <std::size_t Width> static void read(Batch<Width>& batch, std::span<const abut_ray, Width> rays);
   template <std::size_t Width, class Place>
   static void trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place);
   template <std::size_t Width>

@@ -114,7 +114,7 @@ void Tracer::settle_still_space() {
     if (entry.place != nowhere) continue;
     entry.role = Role::baked;
     entry.place = static_cast<std::uint32_t>(baked_.size());
-    baked_.push_back({.id = entry.id, .entry = index, .surface = {}});
+    baked_.push_back({.id = entry.id, .entry = index, .has_quads = false, .first_plane = 0});
     still_changed_ = true;
   }
   std::erase_if(arrivals_, [&](std::uint32_t index) { return entries_[index].place != nowhere; });
@@ -123,10 +123,12 @@ void Tracer::settle_still_space() {
 abut_status Tracer::build_still() {
   still_changed_ = false;
   still_.reset();
+  still_planes_.clear();
   if (baked_.empty()) return ABUT_OK;
   still_ = embree::Scene(rtcNewScene(device_.get()));
   if (!still_) return ABUT_OUT_OF_MEMORY;
-  rtcSetSceneFlags(still_.get(), embree::filtered_scene);
+  const bool with_quads = prefers_quads();
+  rtcSetSceneFlags(still_.get(), with_quads ? embree::filtered_scene | RTC_SCENE_FLAG_ROBUST : embree::filtered_scene);
   for (std::size_t i = 0; i < baked_.size(); ++i) {
     Baked& baked = baked_[i];
     const Entry& entry = entries_[baked.entry];
@@ -141,8 +143,11 @@ abut_status Tracer::build_still() {
       list.xyz[at + 1] = p.y;
       list.xyz[at + 2] = p.z;
     }
-    baked.surface = make_surface(list);
-    const embree::Geometry geometry = make_triangles(list, {{0, 0, 0}, still_space_.extent});
+    baked.first_plane = still_planes_.size();
+    add_planes(list, still_planes_);
+    const Space around{{0, 0, 0}, still_space_.extent};
+    baked.has_quads = with_quads && shapes_[entry.shape].is_paired;
+    const embree::Geometry geometry = baked.has_quads ? make_quads(list, around) : make_triangles(list, around);
     if (!geometry) return ABUT_OUT_OF_MEMORY;
     rtcAttachGeometryByID(still_.get(), geometry.get(), static_cast<unsigned>(i));
   }
@@ -150,21 +155,37 @@ abut_status Tracer::build_still() {
   return embree_status();
 }
 
-embree::Geometry Tracer::make_triangles(const TriangleList& list, const Space& space) {
-  embree::Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+// Whether most triangles of the still scene come in pairs. All others pay for the robust mode.
+bool Tracer::prefers_quads() const {
+  std::size_t paired = 0;
+  std::size_t all = 0;
+  for (const Baked& baked : baked_) {
+    const ShapeRecord& shape = shapes_[entries_[baked.entry].shape];
+    paired += shape.is_paired ? shape.triangle_count : 0;
+    all += shape.triangle_count;
+  }
+  return 2 * paired > all;
+}
+
+// A geometry of `count` polygons with corners of their own, which `write` puts down.
+template <class Write>
+embree::Geometry Tracer::make_polygons(std::size_t count, std::size_t sides, const Write& write) {
+  const bool is_triangle = sides == 3;
+  embree::Geometry geometry(
+      rtcNewGeometry(device_.get(), is_triangle ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_QUAD));
   if (!geometry) return geometry;
-  const std::size_t count = list.indices.size() / 3;
   void* const vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                 3 * sizeof(float), 3 * count);
-  void* const indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                3 * sizeof(std::uint32_t), count);
+                                                 3 * sizeof(float), sides * count);
+  void* const indices =
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0,
+                              is_triangle ? RTC_FORMAT_UINT3 : RTC_FORMAT_UINT4, sides * sizeof(std::uint32_t), count);
   if (count != 0 && (vertices == nullptr || indices == nullptr)) return {};
   // SAFETY: Embree has just made these buffers with the sizes named in the two calls above.
   ABUT_UNSAFE_BEGIN
-  const std::span<float> outlines(static_cast<float*>(vertices), 9 * count);
-  const std::span<std::uint32_t> numbers(static_cast<std::uint32_t*>(indices), 3 * count);
+  const std::span<float> corners(static_cast<float*>(vertices), 3 * sides * count);
+  const std::span<std::uint32_t> numbers(static_cast<std::uint32_t*>(indices), sides * count);
   ABUT_UNSAFE_END
-  write_outlines(list, space, outlines);
+  write(corners);
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::uint32_t>(i);
   rtcSetGeometryUserData(geometry.get(), this);
 #if RTC_VERSION_MAJOR >= 4
@@ -174,13 +195,21 @@ embree::Geometry Tracer::make_triangles(const TriangleList& list, const Space& s
   return geometry;
 }
 
+embree::Geometry Tracer::make_triangles(const TriangleList& list, const Space& space) {
+  return make_polygons(list.indices.size() / 3, 3, [&](std::span<float> out) { write_outlines(list, space, out); });
+}
+
+embree::Geometry Tracer::make_quads(const TriangleList& list, const Space& space) {
+  return make_polygons(list.indices.size() / 6, 4, [&](std::span<float> out) { write_quads(list, space, out); });
+}
+
 abut_status Tracer::make_instanced(ShapeRecord& shape) {
   if (shape.instanced) return ABUT_OK;
   TriangleList list;
   if (const abut_status status = shape.access->triangles(list); status != ABUT_OK) return status;
   auto made = std::make_unique<Instanced>();
   made->space = space_around(shape.local_box);
-  made->surface = make_surface(list);
+  add_planes(list, made->surface);
   made->scene = embree::Scene(rtcNewScene(device_.get()));
   if (!made->scene) return ABUT_OUT_OF_MEMORY;
   rtcSetSceneFlags(made->scene.get(), embree::filtered_scene);

@@ -50,18 +50,10 @@ template <class Value>
 
 }  // namespace
 
-abut_status Tracer::follow() {
-  abut_revision now{};
-  if (const abut_status status = source_->revision(now); status != ABUT_OK) return status;
-  const auto is_seen = [&] {
-    return seen_geometries_.load(std::memory_order_acquire) == now.geometries &&
-           seen_poses_.load(std::memory_order_acquire) == now.poses;
-  };
-  if (is_seen()) [[likely]]
-    return ABUT_OK;
+abut_status Tracer::catch_up(const abut_revision& now) {
   // The world does not change while queries run, so no ray is under way in a scene that is stale.
   const std::scoped_lock lock(mutex_);
-  if (is_seen()) return ABUT_OK;
+  if (has_seen(now)) return ABUT_OK;
   try {
     const abut_status status = synchronize(now);
     if (status != ABUT_OK) forget_everything();
@@ -153,6 +145,7 @@ abut_status Tracer::find_shape(abut_geometry_id id, std::uintptr_t key, std::uin
     if (const abut_status status = record.access->triangles(list); status != ABUT_OK) return status;
     if (record.is_surface) {
       record.local_box = box_of(list);
+      record.is_paired = is_paired(list);
     } else {
       record.few = std::move(list);
     }
@@ -225,7 +218,7 @@ void Tracer::leave_place(Entry& entry) {
     case Role::baked:
       // The last one takes its number; the still scene is built anew.
       if (place + 1 != baked_.size()) {
-        baked_[place] = std::move(baked_.back());
+        baked_[place] = baked_.back();
         entries_[baked_[place].entry].place = place;
       }
       baked_.pop_back();
@@ -263,6 +256,7 @@ void Tracer::forget_everything() {
   moving_geometry_.reset();
   still_.reset();
   baked_.clear();
+  still_planes_.clear();
   moving_.clear();
   moved_.clear();
   endless_.clear();

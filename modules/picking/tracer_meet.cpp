@@ -181,15 +181,14 @@ void Tracer::collect_hit(const RTCFilterFunctionNArguments* arguments) {
   const auto& self = *static_cast<const Tracer*>(arguments->geometryUserPtr);
   auto& query = static_cast<AllHits&>(static_cast<Trace&>(static_cast<embree::Query&>(*arguments->context)));
   *arguments->valid = 0;
-  const std::uint32_t triangle = RTCHitN_primID(arguments->hit, 1, 0);
   const double found = query.advance + static_cast<double>(RTCRayN_tfar(arguments->ray, 1, 0));
   abut_pick pick = nothing();
   if (query.entry == nowhere) {
-    (void)self.resolve_still(query.ray.origin, query.ray.direction, query.ray.max_distance,
-                             RTCHitN_geomID(arguments->hit, 1, 0), triangle, found, pick);
+    const RTCHit hit = rtcGetHitFromHitN(arguments->hit, 1, 0);
+    (void)self.resolve_still(first_half(query.ray), last_half(query.ray), query.ray.max_distance, hit, found, pick);
   } else {
     const Lane lane{.ray = query.ray, .advance = 0, .exact = {}};
-    self.resolve_entry(lane, entry_flag | query.entry, triangle, found, pick);
+    self.resolve_entry(lane, entry_flag | query.entry, RTCHitN_primID(arguments->hit, 1, 0), found, pick);
   }
   if (pick.geometry.slot == 0) return;
   try {

@@ -12,6 +12,7 @@ module;
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 module abut.picking;
 import :camera;
@@ -36,6 +37,10 @@ template <> struct NativePacket<16> {
 
 using FourFloats = float __attribute__((ext_vector_type(4)));
 
+// Planes up to this number stay in the processor's own caches: waiting for them takes no time, while a
+// second batch would take a part of the first level.
+constexpr std::size_t planes_in_cache = 16384;
+
 template <std::size_t Width> using Doubles = std::array<Four, Width / 4>;
 
 // What a packet needs from one call of Embree to the next; kept, so that constants are written once.
@@ -45,13 +50,17 @@ template <std::size_t Width> struct alignas(64) Batch {
   alignas(64) std::array<int, Width> active;  // the rays that reach the space being traced
   Doubles<Width> ox, oy, oz, dx, dy, dz, limit, advance;
   bool coherent;
-  bool advances;  // whether some float ray does not start where its ray does
+  bool advances;   // whether some float ray does not start where its ray does
+  bool is_traced;  // in the still scene
 
   explicit Batch(bool are_neighbours) noexcept;
-  void normalize() noexcept;
-  // False when no ray reaches the space.
+  // Sets four directions of any length.
+  inline void point_along(std::size_t k, Four x, Four y, Four z) noexcept;
+  // Sets where the rays start in a space. False when none reaches it.
   [[nodiscard]] bool write(const Space& space) noexcept;
   void write_far(const Space& space) noexcept;
+  // What ray i hit in the still scene.
+  [[nodiscard]] inline std::uint32_t triangle(const Baked& baked, std::size_t i) const noexcept;
   [[nodiscard]] abut_ray ray(std::size_t i) const noexcept {
     const std::size_t k = i / 4;
     const std::size_t j = i % 4;
@@ -62,9 +71,16 @@ template <std::size_t Width> struct alignas(64) Batch {
 // SAFETY: every index into the arrays of the packet, here and below, is less than Width, their size.
 ABUT_UNSAFE_BEGIN
 
+// Four numbers of a packet.
+template <std::size_t Width>
+[[gnu::always_inline]] inline void put(float (&out)[Width], std::size_t k, const Four& values) {
+  const FourFloats floats = __builtin_convertvector(values, FourFloats);
+  for (std::size_t j = 0; j < 4; ++j) out[4 * k + j] = floats[j];
+}
+
 template <std::size_t Width>
 Batch<Width>::Batch(bool are_neighbours) noexcept
-    : native{}, valid{}, active{}, coherent(are_neighbours), advances(false) {
+    : native{}, valid{}, active{}, coherent(are_neighbours), advances(false), is_traced(false) {
   for (std::size_t i = 0; i < Width; ++i) {
     native.ray.mask[i] = ~0U;
     native.ray.id[i] = static_cast<unsigned>(i);
@@ -77,43 +93,37 @@ Batch<Width>::Batch(bool are_neighbours) noexcept
   }
 }
 
-template <std::size_t Width> void Batch<Width>::normalize() noexcept {
-  [[clang::uninitialized]] Doubles<Width> square;
-  Four worst = 0;
-  for (std::size_t k = 0; k < Width / 4; ++k) {
-    square[k] = dx[k] * dx[k] + dy[k] * dy[k] + dz[k] * dz[k];
-    worst = __builtin_elementwise_max(worst, __builtin_elementwise_abs(square[k] - 1.0));
-  }
-  // As `normalized` does, for all at once.
-  const double off = __builtin_reduce_max(worst);
-  if (off < nearly_unit) {
-    for (std::size_t k = 0; k < Width / 4; ++k) square[k] = 1.5 - 0.5 * square[k];
-  } else {
-    for (std::size_t i = 0; i < Width; ++i) {
-      const std::size_t k = i / 4;
-      const std::size_t j = i % 4;
-      if (square[k][j] > 1e-200 && square[k][j] < 1e200) [[likely]]
+template <std::size_t Width>
+[[gnu::always_inline]] inline std::uint32_t Batch<Width>::triangle(const Baked& baked, std::size_t i) const noexcept {
+  return triangle_of(baked, native.hit.primID[i], native.hit.u[i], native.hit.v[i]);
+}
+
+// As `normalized` does, for four at once.
+template <std::size_t Width>
+[[gnu::always_inline]] inline void Batch<Width>::point_along(std::size_t k, Four x, Four y, Four z) noexcept {
+  Four square = x * x + y * y + z * z;
+  Four factor = 1.5 - 0.5 * square;
+  if (!(__builtin_reduce_max(__builtin_elementwise_abs(square - 1.0)) < nearly_unit)) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (square[j] > 1e-200 && square[j] < 1e200) [[likely]]
         continue;
-      const abut_vec3 unit = normalized({dx[k][j], dy[k][j], dz[k][j]});
-      dx[k][j] = unit.x;
-      dy[k][j] = unit.y;
-      dz[k][j] = unit.z;
-      square[k][j] = 1;
+      const abut_vec3 unit = normalized({x[j], y[j], z[j]});
+      x[j] = unit.x;
+      y[j] = unit.y;
+      z[j] = unit.z;
+      square[j] = 1;
     }
-    for (std::size_t k = 0; k < Width / 4; ++k) square[k] = 1.0 / __builtin_elementwise_sqrt(square[k]);
+    factor = 1.0 / __builtin_elementwise_sqrt(square);
   }
-  for (std::size_t k = 0; k < Width / 4; ++k) {
-    dx[k] *= square[k];
-    dy[k] *= square[k];
-    dz[k] *= square[k];
-  }
+  dx[k] = x * factor;
+  dy[k] = y * factor;
+  dz[k] = z * factor;
+  put(native.ray.dir_x, k, dx[k]);
+  put(native.ray.dir_y, k, dy[k]);
+  put(native.ray.dir_z, k, dz[k]);
 }
 
 template <std::size_t Width> bool Batch<Width>::write(const Space& space) noexcept {
-  const auto put = [](auto& out, std::size_t k, const Four& values) {
-    const FourFloats floats = __builtin_convertvector(values, FourFloats);
-    for (std::size_t j = 0; j < 4; ++j) out[4 * k + j] = floats[j];
-  };
   Four farthest = 0;
   for (std::size_t k = 0; k < Width / 4; ++k) {
     const Four x = ox[k] - space.origin.x;
@@ -125,9 +135,6 @@ template <std::size_t Width> bool Batch<Width>::write(const Space& space) noexce
     put(native.ray.org_x, k, x);
     put(native.ray.org_y, k, y);
     put(native.ray.org_z, k, z);
-    put(native.ray.dir_x, k, dx[k]);
-    put(native.ray.dir_y, k, dy[k]);
-    put(native.ray.dir_z, k, dz[k]);
     put(native.ray.tfar, k, limit[k] * (1 + 0x1p-22));
   }
   for (std::size_t i = 0; i < Width; ++i) native.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
@@ -157,14 +164,18 @@ template <std::size_t Width> void Batch<Width>::write_far(const Space& space) no
 // The hits of four rays of the still scene, computed on their planes. Lanes without a hit hold the
 // plane 0, whose distance is not a number.
 template <std::size_t Width, class Place>
-void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place) {
-  static constexpr Facet no_facet{{0, 0, 0}, 0};
+[[gnu::always_inline]] inline void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch,
+                                                              std::size_t k, const Place& place) {
   const auto& native = batch.native;
-  const auto row = [&](std::size_t j) {
+  std::array<abut_geometry_id, 4> geometries{};
+  std::array<std::uint32_t, 4> triangles{};
+  const auto row = [&](std::size_t j) __attribute__((always_inline)) {
     const std::uint32_t geometry = native.hit.geomID[4 * k + j];
-    const Facet& plane =
-        geometry == RTC_INVALID_GEOMETRY_ID ? no_facet : tracer.baked_[geometry].surface[native.hit.primID[4 * k + j]];
-    return Four{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
+    if (geometry == RTC_INVALID_GEOMETRY_ID) return Four(0);
+    const Baked& baked = tracer.baked_[geometry];
+    geometries[j] = baked.id;
+    triangles[j] = batch.triangle(baked, 4 * k + j);
+    return numbers_of(tracer.plane_of(baked, triangles[j]));
   };
   const FourRows rows{row(0), row(1), row(2), row(3)};
   const FourRows planes = transposed(rows);
@@ -182,17 +193,16 @@ void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch,
   const Four distance = __builtin_elementwise_max(nearest, Four(0));
   const FourRows ends = transposed({distance, batch.ox[k] + distance * batch.dx[k],
                                     batch.oy[k] + distance * batch.dy[k], batch.oz[k] + distance * batch.dz[k]});
-  const auto write = [&](std::size_t j, const Four& end, const Four& plane) {
+  const auto write = [&](std::size_t j, const Four& end, const Four& plane) __attribute__((always_inline)) {
     const std::size_t i = 4 * k + j;
     if (batch.valid[i] == 0) return;
     abut_pick& out = place(i);
-    const std::uint32_t geometry = native.hit.geomID[i];
-    if (geometry == RTC_INVALID_GEOMETRY_ID || end[0] > batch.limit[k][j]) {
+    if (geometries[j].slot == 0 || end[0] > batch.limit[k][j]) {
       out = nothing();
       return;
     }
-    out.geometry = tracer.baked_[geometry].id;
-    out.feature = {ABUT_FEATURE_FACE, native.hit.primID[i]};
+    out.geometry = geometries[j];
+    out.feature = {ABUT_FEATURE_FACE, triangles[j]};
     out.distance = end[0];
     out.point = {end[1], end[2], end[3]};
     out.normal = {plane[0], plane[1], plane[2]};
@@ -203,24 +213,62 @@ void PacketTracer::resolve_four(const Tracer& tracer, const Batch<Width>& batch,
   write(3, ends.d, rows.d);
 }
 
-// Traces the rays of the batch. `place(i)` is where the pick of ray i goes.
+// Rays through the still scene.
+template <std::size_t Width>
+[[gnu::always_inline]] inline void PacketTracer::shoot(const Tracer& tracer, embree::Query& query,
+                                                       Batch<Width>& batch) {
+  batch.is_traced = !tracer.baked_.empty() && batch.write(tracer.still_space_);
+  if (batch.is_traced) embree::intersect(tracer.still_.get(), query, batch.active.data(), batch.native);
+}
+
+// Asks for the planes of the hits, which come while the next packet is under way.
+template <std::size_t Width>
+[[gnu::always_inline]] inline void PacketTracer::prefetch(const Tracer& tracer, const Batch<Width>& batch) {
+  if (!batch.is_traced) return;
+  for (std::size_t i = 0; i < Width; ++i) {
+    const std::uint32_t geometry = batch.native.hit.geomID[i];
+    if (geometry == RTC_INVALID_GEOMETRY_ID) continue;
+    const Baked& baked = tracer.baked_[geometry];
+    __builtin_prefetch(&tracer.plane_of(baked, batch.triangle(baked, i)));
+  }
+}
+
+// From what the still scene answered to picks. `place(i)` is where the pick of ray i goes.
 template <std::size_t Width, class Place>
-void PacketTracer::trace(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
-  if (!tracer.baked_.empty() && batch.write(tracer.still_space_)) {
-    embree::Query query(batch.coherent);
-    embree::intersect(tracer.still_.get(), query, batch.active.data(), batch.native);
+void PacketTracer::finish(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
+  if (batch.is_traced) {
     for (std::size_t k = 0; k < Width / 4; ++k) resolve_four(tracer, batch, k, place);
   } else {
     for (std::size_t i = 0; i < Width; ++i) {
       if (batch.valid[i] != 0) place(i) = nothing();
     }
   }
-  if (tracer.has_moving()) trace_moving(tracer, batch, place);
+  if (tracer.has_moving()) [[unlikely]]
+    trace_moving(tracer, batch, place);
+}
+
+// Traces packets that `fill(batch, n)` makes; `place(n)` tells where the pick of ray i of packet n goes.
+template <std::size_t Width, class Fill, class Place>
+void PacketTracer::trace(const Tracer& tracer, bool coherent, std::size_t count, const Fill& fill, const Place& place) {
+  std::array<Batch<Width>, 2> batches{Batch<Width>(coherent), Batch<Width>(coherent)};
+  embree::Query query(coherent);
+  const bool waits = tracer.still_planes_.size() > planes_in_cache;
+  for (std::size_t n = 0; n < count; ++n) {
+    Batch<Width>& batch = batches[waits ? n % 2 : 0];
+    fill(batch, n);
+    shoot(tracer, query, batch);
+    if (waits) prefetch(tracer, batch);
+    if (waits && n == 0) continue;
+    const std::size_t done = waits ? n - 1 : n;
+    finish(tracer, batches[waits ? done % 2 : 0], place(done));
+  }
+  if (!waits || count == 0) return;
+  finish(tracer, batches[(count - 1) % 2], place(count - 1));
 }
 
 // Looks for something nearer than what was found in the still scene.
 template <std::size_t Width, class Place>
-void PacketTracer::trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
+[[gnu::noinline]] void PacketTracer::trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
   FirstHit<Width> query(batch.coherent);
   for (std::size_t i = 0; i < Width; ++i) {
     if (batch.valid[i] == 0) continue;
@@ -246,40 +294,39 @@ ABUT_UNSAFE_END
 
 // Rays to registers, four at a time.
 template <std::size_t Width>
-void PacketTracer::read_four(Batch<Width>& batch, std::size_t k, const abut_ray& a, const abut_ray& b,
-                             const abut_ray& c, const abut_ray& d) {
-  const auto first = [](const abut_ray& ray) {
-    return Four{ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x};
-  };
-  const auto last = [](const abut_ray& ray) {
-    return Four{ray.direction.x, ray.direction.y, ray.direction.z, ray.max_distance};
-  };
-  const FourRows from = transposed({first(a), first(b), first(c), first(d)});
-  const FourRows along = transposed({last(a), last(b), last(c), last(d)});
-  batch.ox[k] = from.a;
-  batch.oy[k] = from.b;
-  batch.oz[k] = from.c;
-  batch.dx[k] = along.a;
-  batch.dy[k] = along.b;
-  batch.dz[k] = along.c;
-  batch.limit[k] = along.d;
+[[gnu::always_inline]] inline void PacketTracer::read(Batch<Width>& batch, std::span<const abut_ray, Width> rays) {
+  for (std::size_t k = 0; k < Width / 4; ++k) {
+    const std::span<const abut_ray, 4> four = rays.subspan(4 * k).template first<4>();
+    const FourRows from =
+        transposed({first_half(four[0]), first_half(four[1]), first_half(four[2]), first_half(four[3])});
+    const FourRows along = transposed({last_half(four[0]), last_half(four[1]), last_half(four[2]), last_half(four[3])});
+    batch.ox[k] = from.a;
+    batch.oy[k] = from.b;
+    batch.oz[k] = from.c;
+    batch.limit[k] = along.d;
+    batch.point_along(k, along.a, along.b, along.c);
+  }
 }
 
 template <std::size_t Width>
 void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, bool coherent,
                                std::span<abut_pick> out) {
-  Batch<Width> batch(coherent);
-  for (std::size_t first = 0; first < rays.size(); first += Width) {
-    const std::size_t count = std::min(Width, rays.size() - first);
-    const std::span<const abut_ray> some = rays.subspan(first, count);
-    const std::span<abut_pick> picks = out.subspan(first, count);
-    // The last packet may be short: its last ray fills it up, without being traced again.
-    const auto at = [&](std::size_t i) -> const abut_ray& { return some[std::min(i, count - 1)]; };
-    for (std::size_t i = 0; i < Width; i += 4) read_four(batch, i / 4, at(i), at(i + 1), at(i + 2), at(i + 3));
-    for (std::size_t i = count; i < Width; ++i) batch.valid[i] = 0;
-    batch.normalize();
-    trace(tracer, batch, [&](std::size_t i) -> abut_pick& { return picks[i]; });
-  }
+  const auto fill = [&](Batch<Width>& batch, std::size_t n) {
+    const std::span<const abut_ray> left = rays.subspan(n * Width);
+    if (left.size() >= Width) [[likely]] {
+      read(batch, left.template first<Width>());
+    } else {
+      // Its last ray fills up the last packet, without being traced again.
+      std::array<abut_ray, Width> padded;
+      padded.fill(left.back());
+      std::ranges::copy(left, padded.begin());
+      read<Width>(batch, padded);
+      for (std::size_t i = left.size(); i < Width; ++i) batch.valid[i] = 0;
+    }
+  };
+  trace<Width>(tracer, coherent, (rays.size() + Width - 1) / Width, fill, [&](std::size_t n) {
+    return [out, first = n * Width](std::size_t i) -> abut_pick& { return out[first + i]; };
+  });
 }
 
 // Tiles of four by Width / 4 pixels: their rays stay together longer than those of a row.
@@ -290,31 +337,37 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::
   const View view = view_of(camera);
   const std::size_t width = camera.width;
   const std::size_t height = camera.height;
-  Batch<Width> batch(true);
-  for (std::size_t top = 0; top < height; top += down) {
-    for (std::size_t left = 0; left < width; left += across) {
-      for (std::size_t k = 0; k < down; ++k) {
-        const double y = static_cast<double>(top + k) + 0.5;
-        const Four x = Four{0.5, 1.5, 2.5, 3.5} + static_cast<double>(left);
-        const Four right = (x - view.centre_x) / view.focal;
-        const double up = (view.centre_y - y) / view.focal;
-        batch.dx[k] = view.right.x * right + (view.up.x * up) + view.forward.x;
-        batch.dy[k] = view.right.y * right + (view.up.y * up) + view.forward.y;
-        batch.dz[k] = view.right.z * right + (view.up.z * up) + view.forward.z;
-      }
-      for (std::size_t i = 0; i < Width; ++i)
-        batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
-      batch.normalize();
-      for (std::size_t k = 0; k < down; ++k) {
-        batch.ox[k] = view.eye.x + view.start * batch.dx[k];
-        batch.oy[k] = view.eye.y + view.start * batch.dy[k];
-        batch.oz[k] = view.eye.z + view.start * batch.dz[k];
-        batch.limit[k] = Four(view.limit);
-      }
-      trace(tracer, batch,
-            [&](std::size_t i) -> abut_pick& { return out[(top + i / across) * width + left + i % across]; });
-    }
+  const std::size_t columns = (width + across - 1) / across;
+  const std::size_t rows = (height + down - 1) / down;
+  std::vector<Four> rights(columns);
+  for (std::size_t i = 0; i < columns; ++i) {
+    const Four x = Four{0.5, 1.5, 2.5, 3.5} + static_cast<double>(i * across);
+    rights[i] = (x - view.centre_x) / view.focal;
   }
+  std::vector<double> ups(rows * down);
+  for (std::size_t i = 0; i < ups.size(); ++i) ups[i] = (view.centre_y - (static_cast<double>(i) + 0.5)) / view.focal;
+  const auto fill = [&](Batch<Width>& batch, std::size_t n) {
+    const std::size_t top = n / columns * down;
+    const std::size_t left = n % columns * across;
+    for (std::size_t k = 0; k < down; ++k) {
+      const Four& right = rights[n % columns];
+      const double up = ups[top + k];
+      batch.point_along(k, view.right.x * right + (view.up.x * up) + view.forward.x,
+                        view.right.y * right + (view.up.y * up) + view.forward.y,
+                        view.right.z * right + (view.up.z * up) + view.forward.z);
+      batch.ox[k] = view.eye.x + view.start * batch.dx[k];
+      batch.oy[k] = view.eye.y + view.start * batch.dy[k];
+      batch.oz[k] = view.eye.z + view.start * batch.dz[k];
+      batch.limit[k] = Four(view.limit);
+    }
+    for (std::size_t i = 0; i < Width; ++i)
+      batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
+  };
+  trace<Width>(tracer, true, columns * rows, fill, [&](std::size_t n) {
+    return [out, width, first = n / columns * down * width + n % columns * across](std::size_t i) -> abut_pick& {
+      return out[first + i / across * width + i % across];
+    };
+  });
 }
 
 void Tracer::trace_neighbours(std::span<const abut_ray> rays, std::span<abut_pick> out) const {

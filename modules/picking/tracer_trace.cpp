@@ -19,31 +19,49 @@ import :vector;
 
 namespace abut::picking {
 
+// A direction that is nearly of unit length is the same in single precision, so Embree need not wait
+// for its scale. All that lies between two traversals delays the next one: the usual ray passes here
+// without a call, and everything unusual is behind one.
 void Tracer::trace(const abut_ray& ray, abut_pick& out) const {
-  if (std::fabs(dot(ray.direction, ray.direction) - 1.0) < nearly_unit) [[likely]] {
-    trace_unit(ray, out);
-  } else {
-    trace_unit({ray.origin, normalized(ray.direction), ray.max_distance}, out);
+  const double square = dot_of_three(last_half(ray), last_half(ray));
+  if (!(std::fabs(square - 1.0) < nearly_unit)) [[unlikely]] {
+    trace_from_afar({ray.origin, normalized(ray.direction), ray.max_distance}, out);
+    return;
   }
+  const double unit = 1.5 - 0.5 * square;
+  if (baked_.empty() || !(largest_of_three(first_half(ray) - still_space_.numbers()) <= 2 * still_space_.extent))
+      [[unlikely]] {
+    trace_from_afar({ray.origin, scale(ray.direction, unit), ray.max_distance}, out);
+    return;
+  }
+  [[clang::uninitialized]] RTCRayHit hit;
+  write_ray(hit, first_half(ray) - still_space_.numbers(), last_half(ray));
+  embree::Query query(false);
+  embree::intersect(still_.get(), query, hit);
+  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ||
+      !resolve_still(first_half(ray), last_half(ray) * unit, ray.max_distance, hit.hit,
+                     static_cast<double>(hit.ray.tfar), out)) {
+    out = nothing();
+  }
+  if (has_moving()) [[unlikely]]
+    trace_moving({ray.origin, scale(ray.direction, unit), ray.max_distance}, out);
 }
 
-// A direction that is nearly of unit length is the same in single precision, so Embree need not wait
-// for its scale. Vectors stay in registers here: to store their parts and load them whole stalls.
-void Tracer::trace_unit(const abut_ray& ray, abut_pick& out) const {
-  const abut_vec3 direction = scale(ray.direction, 1.5 - 0.5 * dot(ray.direction, ray.direction));
+// A ray with a unit direction that starts anywhere.
+void Tracer::trace_from_afar(const abut_ray& ray, abut_pick& out) const {
   bool is_hit = false;
   Entrance entrance{};
-  if (!baked_.empty() && enter(still_space_, ray.origin, direction, ray.max_distance, entrance)) {
+  if (!baked_.empty() && enter(still_space_, ray.origin, ray.direction, ray.max_distance, entrance)) {
     [[clang::uninitialized]] RTCRayHit hit;
     write_ray(hit, entrance.point, ray.direction, ray.max_distance - entrance.advance);
     embree::Query query(false);
     embree::intersect(still_.get(), query, hit);
     const double found = entrance.advance + static_cast<double>(hit.ray.tfar);
     is_hit = hit.hit.geomID != RTC_INVALID_GEOMETRY_ID &&
-             resolve_still(ray.origin, direction, ray.max_distance, hit.hit.geomID, hit.hit.primID, found, out);
+             resolve_still(first_half(ray), last_half(ray), ray.max_distance, hit.hit, found, out);
   }
   if (!is_hit) out = nothing();
-  if (has_moving()) trace_moving({ray.origin, direction, ray.max_distance}, out);
+  if (has_moving()) trace_moving(ray, out);
 }
 
 // Looks for something nearer than `out` holds.
@@ -85,8 +103,9 @@ void Tracer::resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32
   }
   const Instanced& instanced = *shapes_[entry.shape].instanced;
   const Facet& plane = instanced.surface[triangle];
-  const double distance = distance_to(plane, to_local(entry.frame, lane.ray.origin),
-                                      rotate_back(entry.frame, lane.ray.direction), found, instanced.space.extent);
+  const abut_ray local{to_local(entry.frame, lane.ray.origin), rotate_back(entry.frame, lane.ray.direction), 0};
+  const double distance =
+      distance_to(numbers_of(plane), first_half(local), last_half(local), found, instanced.space.extent);
   if (distance > lane.ray.max_distance) return;
   out = {.geometry = entry.id,
          .feature = {ABUT_FEATURE_FACE, triangle},

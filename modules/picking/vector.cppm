@@ -62,6 +62,21 @@ struct FourRows {
   Four a, b, c, d;
 };
 
+/// A ray as it lies in memory, in two registers that overlap by one number. Vectors that are put
+/// together from other parts cost more than all that is computed with them.
+[[nodiscard]] inline Four first_half(const abut_ray& ray) {
+  return {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x};
+}
+[[nodiscard]] inline Four last_half(const abut_ray& ray) {
+  return {ray.direction.x, ray.direction.y, ray.direction.z, ray.max_distance};
+}
+
+/// Scalar product of the first three.
+[[nodiscard]] inline double dot_of_three(const Four& a, const Four& b) {
+  const Four product = a * b;
+  return product[0] + product[1] + product[2];
+}
+
 /// Rows to columns.
 [[nodiscard]] inline FourRows transposed(const FourRows& rows) {
   const Four low_ab = __builtin_shufflevector(rows.a, rows.b, 0, 4, 2, 6);
@@ -132,7 +147,16 @@ inline void extend(abut_aabb& box, const abut_vec3& p) {
 struct Space {
   abut_vec3 origin{0, 0, 0};
   double extent = 0;
+
+  /// In one register. A member function of a named module is inline only when it says so.
+  [[nodiscard]] inline Four numbers() const { return {origin.x, origin.y, origin.z, extent}; }
 };
+
+/// Largest of the first three without their signs; no number when one of them is none.
+[[nodiscard]] inline double largest_of_three(const Four& a) {
+  const Four size = __builtin_elementwise_abs(a);
+  return std::max({size[0], size[1], size[2]});
+}
 
 /// Where a ray starts in a space, and how far that is from its own origin.
 struct Entrance {

@@ -47,6 +47,19 @@ concept FewFaced = Convex<S> && requires(const S& shape) {
   { S::is_symmetric } -> std::convertible_to<bool>;  // about its centre
 };
 
+// A core that is a box around the origin along the axes of the shape's own frame: a whole one, a segment
+// along z (core_axes == 1), or a point.
+template <class S>
+concept BoxCored = Convex<S> && requires(const S& shape) {
+  { shape.half() } -> std::convertible_to<Vec3>;  // extents from the centre
+  { S::core_axes } -> std::convertible_to<int>;
+};
+
+template <class S>
+concept PointCored = BoxCored<S> && S::core_axes == 0;
+template <class S>
+concept SegmentCored = BoxCored<S> && S::core_axes == 1;
+
 // Everything behind a plane of the shape's own frame: dot(normal, p) <= offset.
 template <class S>
 concept HalfSpace = Bounded<S> && requires(const S& shape) {

@@ -20,7 +20,7 @@ template <Convex S>
 }
 
 template <Convex S, class Placement>
-[[nodiscard]] inline SupportPoint placed_support(const S& shape, const Placement& placement, const Vec3& direction) {
+[[nodiscard]] [[gnu::always_inline]] inline SupportPoint placed_support(const S& shape, const Placement& placement, const Vec3& direction) {
   if constexpr (Placeable<S>) {
     return placement.support(direction);
   } else {
@@ -37,6 +37,23 @@ template <Convex S>
   }
   face.normal = pose.rotation * face.normal;
   return face;
+}
+
+// What a supporting face is as a feature.
+[[nodiscard]] inline Feature feature_of(const Face& face) {
+  return face.vertices.size() == 1   ? Feature{FeatureKind::vertex, face.vertices[0].vertex}
+         : face.vertices.size() == 2 ? Feature{FeatureKind::edge, face.vertices[0].edge}
+                                     : Feature{FeatureKind::face, face.index};
+}
+
+// The feature alone, by the shape's own way where it has one.
+template <Convex S>
+[[nodiscard]] inline Feature supporting_feature(const S& shape, const Vec3& direction) {
+  if constexpr (requires { shape.supporting_feature(direction); }) {
+    return shape.supporting_feature(direction);
+  } else {
+    return feature_of(shape.supporting_face(direction));
+  }
 }
 
 // A core that is one point.

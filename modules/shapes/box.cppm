@@ -20,6 +20,7 @@ class Box {
   static constexpr std::string_view name = "box";
   static constexpr std::array<std::string_view, 3> parameter_names{"half_x", "half_y", "half_z"};
   static constexpr bool is_symmetric = true;
+  static constexpr int core_axes = 3;
 
   [[nodiscard]] static Result<Box> make(std::span<const Real> parameters, std::span<const Real> reals,
                                         std::span<const std::uint32_t> indices) {
@@ -77,8 +78,7 @@ class Box {
   // Faces 0..5 are -x, +x, -y, +y, -z, +z. An edge is numbered by its direction and the octant bits
   // of the two other axes: 4 * axis + bits.
   [[nodiscard]] Face supporting_face(const Vec3& d) const {
-    const Vec3 magnitude = absolute(d);
-    const int axis = magnitude.x >= magnitude.y && magnitude.x >= magnitude.z ? 0 : magnitude.y >= magnitude.z ? 1 : 2;
+    const int axis = largest_axis(d);
     const bool positive = d[axis] >= 0;
     [[clang::uninitialized]] Face face;
     face.index = static_cast<std::uint32_t>(2 * axis + (positive ? 1 : 0));
@@ -99,6 +99,13 @@ class Box {
       return without_area(face, flat_first, flat_second);
     }
     return face;
+  }
+  [[nodiscard]] inline Feature supporting_feature(const Vec3& d) const {
+    if (half_.x > 0 && half_.y > 0 && half_.z > 0) [[likely]] {
+      const int axis = largest_axis(d);
+      return {FeatureKind::face, static_cast<std::uint32_t>(2 * axis + (d[axis] >= 0 ? 1 : 0))};
+    }
+    return feature_of(supporting_face(d));
   }
   [[nodiscard]] inline std::array<Vec3, 3> face_normals() const { return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}; }
   [[nodiscard]] inline std::array<Vec3, 3> edge_directions() const { return face_normals(); }
@@ -172,6 +179,10 @@ class Box {
     return face;
   }
 
+  [[nodiscard]] static inline int largest_axis(const Vec3& d) {
+    const Vec3 magnitude = absolute(d);
+    return magnitude.x >= magnitude.y && magnitude.x >= magnitude.z ? 0 : magnitude.y >= magnitude.z ? 1 : 2;
+  }
   [[nodiscard]] static inline std::uint32_t octant(Real x, Real y, Real z) {
     return (std::signbit(x) ? 0u : 1u) | (std::signbit(y) ? 0u : 2u) | (std::signbit(z) ? 0u : 4u);
   }
@@ -185,6 +196,6 @@ class Box {
 
   Vec3 half_;
 };
-static_assert(Shape<Box> && Placeable<Box> && FewFaced<Box> && Triangulated<Box>);
+static_assert(Shape<Box> && Placeable<Box> && BoxCored<Box> && FewFaced<Box> && Triangulated<Box>);
 
 }  // namespace abut

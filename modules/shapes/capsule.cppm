@@ -20,6 +20,7 @@ class Capsule {
   static constexpr std::string_view name = "capsule";
   static constexpr std::array<std::string_view, 2> parameter_names{"radius", "half_height"};
   static constexpr bool is_symmetric = true;
+  static constexpr int core_axes = 1;
 
   [[nodiscard]] static Result<Capsule> make(std::span<const Real> parameters, std::span<const Real> reals,
                                             std::span<const std::uint32_t> indices) {
@@ -46,6 +47,7 @@ class Capsule {
     const Vec3 r{radius_, radius_, radius_};
     return Aabb::around(pose.position, half_height_ * absolute(pose.rotation.z) + r);
   }
+  [[nodiscard]] inline Vec3 half() const { return {0, 0, half_height_}; }
   [[nodiscard]] inline Real radius() const { return radius_; }
   [[nodiscard]] inline Vec3 centre() const { return {0, 0, 0}; }
   [[nodiscard]] inline Real extent() const { return half_height_; }
@@ -62,6 +64,9 @@ class Capsule {
       face.vertices.push_back({{0, 0, half_height_}, 1, 0});
     }
     return face;
+  }
+  [[nodiscard]] inline Feature supporting_feature(const Vec3&) const {
+    return {half_height_ > 0 ? FeatureKind::edge : FeatureKind::vertex, 0};
   }
   [[nodiscard]] inline std::array<Vec3, 0> face_normals() const { return {}; }
   [[nodiscard]] inline std::array<Vec3, 1> edge_directions() const { return {Vec3{0, 0, 1}}; }
@@ -108,6 +113,6 @@ class Capsule {
   Real radius_;
   Real half_height_;
 };
-static_assert(Shape<Capsule> && Placeable<Capsule> && FewFaced<Capsule>);
+static_assert(Shape<Capsule> && Placeable<Capsule> && BoxCored<Capsule> && FewFaced<Capsule>);
 
 }  // namespace abut

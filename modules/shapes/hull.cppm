@@ -63,7 +63,7 @@ class Hull {
   [[nodiscard]] inline Real radius() const { return 0; }
   [[nodiscard]] inline Vec3 centre() const { return data_->centre; }
   [[nodiscard]] inline Real extent() const { return data_->extent; }
-  [[nodiscard]] inline SupportPoint support(const Vec3& direction) const { return data_->support(direction); }
+  [[nodiscard]] [[gnu::always_inline]] inline SupportPoint support(const Vec3& direction) const { return data_->support(direction); }
 
   [[nodiscard]] Face supporting_face(const Vec3& direction) const {
     const HullData& hull = *data_;

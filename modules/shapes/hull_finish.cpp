@@ -14,9 +14,6 @@ import abut.math;
 namespace abut {
 namespace {
 
-// Below this many vertices one pass over all of them is the faster way (measured).
-constexpr std::size_t cells_pay_from = 48;
-
 void number_edges(HullData& hull) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
   hull.face_edges.resize(hull.face_vertices.size());
@@ -129,10 +126,13 @@ void list_cells(HullData& hull) {
     list_cells_within(hull, all, side, 0, 0, HullData::cells_per_side, lists);
   }
   for (const auto& list : lists) {
-    hull.first_candidate.push_back(static_cast<std::uint32_t>(hull.cell_vertices.size()));
-    hull.cell_vertices.insert(hull.cell_vertices.end(), list.begin(), list.end());
+    hull.first_candidates.push_back(static_cast<std::uint32_t>(hull.candidates.size()));
+    for (std::size_t i = 0; i < list.size(); i += 4) {
+      const auto at = [&](std::size_t place) { return list[std::min(i + place, list.size() - 1)]; };
+      hull.candidates.push_back({at(0), at(1), at(2), at(3)});
+    }
   }
-  hull.first_candidate.push_back(static_cast<std::uint32_t>(hull.cell_vertices.size()));
+  hull.first_candidates.push_back(static_cast<std::uint32_t>(hull.candidates.size()));
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ void finish_hull(HullData& hull) {
   number_edges(hull);
   list_faces_at_vertices(hull);
   fill_blocks(hull);
-  if (hull.vertices.size() >= cells_pay_from) {
+  if (hull.vertices.size() > HullData::scan_limit) {
     list_cells(hull);
   }
 }

@@ -19,6 +19,7 @@ class Sphere {
   static constexpr std::string_view name = "sphere";
   static constexpr std::array<std::string_view, 1> parameter_names{"radius"};
   static constexpr bool is_symmetric = true;
+  static constexpr int core_axes = 0;
 
   [[nodiscard]] static Result<Sphere> make(std::span<const Real> parameters, std::span<const Real> reals,
                                            std::span<const std::uint32_t> indices) {
@@ -37,6 +38,7 @@ class Sphere {
   [[nodiscard]] static std::vector<Sphere> samples() { return {Sphere(1), Sphere(0.25), Sphere(1e-3), Sphere(50)}; }
 
   [[nodiscard]] inline Aabb aabb(const Pose& pose) const { return Aabb::around(pose.position, {radius_, radius_, radius_}); }
+  [[nodiscard]] inline Vec3 half() const { return {0, 0, 0}; }
   [[nodiscard]] inline Real radius() const { return radius_; }
   [[nodiscard]] inline Vec3 centre() const { return {0, 0, 0}; }
   [[nodiscard]] inline Real extent() const { return 0; }
@@ -48,6 +50,7 @@ class Sphere {
     face.vertices.push_back({{0, 0, 0}, 0, 0});
     return face;
   }
+  [[nodiscard]] inline Feature supporting_feature(const Vec3&) const { return {FeatureKind::vertex, 0}; }
   [[nodiscard]] inline std::array<Vec3, 0> face_normals() const { return {}; }
   [[nodiscard]] inline std::array<Vec3, 0> edge_directions() const { return {}; }
 
@@ -73,6 +76,6 @@ class Sphere {
   explicit Sphere(Real radius) : radius_(radius) {}
   Real radius_;
 };
-static_assert(Shape<Sphere> && Placeable<Sphere> && FewFaced<Sphere>);
+static_assert(Shape<Sphere> && Placeable<Sphere> && BoxCored<Sphere> && FewFaced<Sphere>);
 
 }  // namespace abut

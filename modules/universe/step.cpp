@@ -47,12 +47,6 @@ class Stopwatch {
 // separation to be below the margin.
 bool is_reported(Real distance, Real margin) { return margin == 0 ? distance <= 0 : distance < margin; }
 
-void swap_sides(ContactPoint& contact) {
-  std::swap(contact.point_a, contact.point_b);
-  std::swap(contact.feature_a, contact.feature_b);
-  contact.normal = -contact.normal;
-}
-
 }  // namespace
 
 template <class Visitor>
@@ -182,8 +176,8 @@ void Universe::collect_contacts() {
       continue;
     }
     const GeometryId low = geometries_.id_at_slot(pairs_[i].low + 1), high = geometries_.id_at_slot(pairs_[i].high + 1);
-    for (const ContactPoint& local : found.first(count)) {
-      ContactPoint contact = in_world(local, worlds_[job.a]);
+    for (ContactPoint& contact : found.first(count)) {
+      move_by(contact, worlds_[job.a]);
       if (job.a != pairs_[i].low) {
         swap_sides(contact);
       }

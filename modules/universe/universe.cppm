@@ -41,7 +41,7 @@ class Universe {
 
   [[nodiscard]] std::vector<PartId> parts() const;
   [[nodiscard]] std::vector<GeometryId> geometries() const;
-  [[nodiscard]] Revision revision() const { return revision_; }
+  [[nodiscard]] inline Revision revision() const { return revision_; }
 
   // Detects over [t, t + dt]; moves nothing. With a tolerance, an overlap has to exceed it, or a
   // separation to be below it, depending on the mode; without one, touching counts.

@@ -31,7 +31,7 @@ static abut_shape *make(abut_shape_kind kind) {
   int attempt;
   if (strcmp(abut_shape_kind_name(kind), "height_field") == 0) {
     abut_height_field_desc desc;
-    abut_height_field_desc_init(&desc);
+    abut_height_field_desc_init(&desc, sizeof desc);
     desc.columns = desc.rows = 3;
     desc.spacing_x = desc.spacing_y = 4;
     desc.heights = heights;
@@ -39,7 +39,7 @@ static abut_shape *make(abut_shape_kind kind) {
   }
   for (attempt = 0; attempt < 3; attempt++) {
     abut_shape_desc desc;
-    abut_shape_desc_init(&desc);
+    abut_shape_desc_init(&desc, sizeof desc);
     desc.kind = kind;
     desc.parameters = ones;
     desc.parameter_count = abut_shape_kind_parameter_count(kind);
@@ -74,7 +74,7 @@ static void collide(const abut_shape *added, const abut_shape *other, const char
          "overlapping", kind);
   expect(abut_shapes_contacts(added, &touching, other, &pose, NULL, NULL, 0, &count) == ABUT_OK && count > 0, "contacts", kind);
 
-  abut_part_options_init(&still);
+  abut_part_options_init(&still, sizeof still);
   still.motion = ABUT_MOTION_STATIC;
   expect(abut_universe_create(NULL, &universe) == ABUT_OK && abut_part_create(universe, NULL, &part) == ABUT_OK &&
              abut_part_create(universe, &still, &still_part) == ABUT_OK &&

@@ -37,7 +37,7 @@ static int step_a_universe(abut_shape *ball, abut_shape *box) {
   CHECK(abut_universe_create(NULL, &universe) == ABUT_OK);
   CHECK(abut_part_create(universe, NULL, &part) == ABUT_OK);
   CHECK(abut_geometry_create(universe, part, ball, NULL, &geometry) == ABUT_OK);
-  abut_part_options_init(&options);
+  abut_part_options_init(&options, sizeof options);
   options.pose.position.x = 1.5;
   CHECK(abut_part_create(universe, &options, &part) == ABUT_OK);
   CHECK(abut_geometry_create(universe, part, box, NULL, &geometry) == ABUT_OK);

@@ -52,7 +52,7 @@ TEST(BadInput, OfCreateIsRefused) {
   EXPECT_TRUE(refuses(abut_picker_create(world.universe(), nullptr), ABUT_NULL_ARGUMENT, "out"));
   EXPECT_TRUE(refuses(abut_picker_update(nullptr), ABUT_NULL_ARGUMENT, "picker"));
   abut_picker_destroy(nullptr);
-  abut_camera_init(nullptr);
+  abut_camera_init(nullptr, 0);
 }
 
 TEST(BadInput, OfCastRayIsRefused) {
@@ -120,7 +120,7 @@ std::vector<BadCamera> bad_cameras() {
   std::vector<BadCamera> cameras;
   const auto add = [&](abut_status status, const char* named, const auto& spoil) {
     BadCamera bad{{}, status, named};
-    abut_camera_init(&bad.camera);
+    abut_camera_init(&bad.camera, sizeof bad.camera);
     spoil(bad.camera);
     cameras.push_back(bad);
   };
@@ -168,7 +168,7 @@ TEST(Camera, OfALaterVersionIsAcceptedWhenItsTailIsZero) {
     abut_camera camera;
     std::uint64_t added;
   } later{};
-  abut_camera_init(&later.camera);
+  abut_camera_init(&later.camera, sizeof later.camera);
   later.camera.struct_size = sizeof later;
   abut_ray ray;
   EXPECT_EQ(abut_camera_ray(&later.camera, 1, 1, &ray), ABUT_OK);
@@ -178,7 +178,7 @@ TEST(Camera, OfALaterVersionIsAcceptedWhenItsTailIsZero) {
 
 TEST(BadInput, OfCameraRayIsRefused) {
   abut_camera camera;
-  abut_camera_init(&camera);
+  abut_camera_init(&camera, sizeof camera);
   abut_ray ray;
   EXPECT_TRUE(refuses(abut_camera_ray(nullptr, 1, 1, &ray), ABUT_NULL_ARGUMENT, "camera"));
   EXPECT_TRUE(refuses(abut_camera_ray(&camera, 1, 1, nullptr), ABUT_NULL_ARGUMENT, "out"));
@@ -188,7 +188,7 @@ TEST(BadInput, OfCameraRayIsRefused) {
 
 TEST(BadInput, OfLookAtIsRefused) {
   abut_camera camera;
-  abut_camera_init(&camera);
+  abut_camera_init(&camera, sizeof camera);
   const abut_vec3 here{1, 2, 3};
   const abut_vec3 there{4, 5, 6};
   const abut_vec3 bad{0, not_a_number, 0};
@@ -213,7 +213,7 @@ TEST(BadInput, OfLookAtIsRefused) {
 TEST(BadInput, OfPickPixelIsRefused) {
   World world;
   abut_camera camera;
-  abut_camera_init(&camera);
+  abut_camera_init(&camera, sizeof camera);
   abut_pick pick{};
   const auto pick_at = [&](double x, double y, double radius) {
     return abut_picker_pick_pixel(world.picker(), &camera, x, y, radius, &pick);
@@ -231,7 +231,7 @@ TEST(BadInput, OfPickPixelIsRefused) {
 TEST(BadInput, OfRenderIsRefused) {
   World world;
   abut_camera camera;
-  abut_camera_init(&camera);
+  abut_camera_init(&camera, sizeof camera);
   std::vector<abut_pick> picture(640 * 480);
   EXPECT_TRUE(
       refuses(abut_picker_render(nullptr, &camera, picture.data(), picture.size()), ABUT_NULL_ARGUMENT, "picker"));

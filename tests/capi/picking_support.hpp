@@ -135,7 +135,7 @@ class World {
 
   Placed add(const Shape& shape, const abut_vec3& position, const abut_quat& orientation = no_turn) {
     abut_part_options options;
-    abut_part_options_init(&options);
+    abut_part_options_init(&options, sizeof options);
     options.pose = {position, orientation};
     Placed placed{};
     EXPECT_EQ(abut_part_create(universe(), &options, &placed.part), ABUT_OK);
@@ -171,7 +171,7 @@ class World {
     abut_pick best{{0, 0}, {0, 0}, infinity, {0, 0, 0}, {0, 0, 0}};
     for (const abut_geometry_id id : ids) {
       abut_geometry_info info;
-      abut_geometry_info_init(&info);
+      abut_geometry_info_init(&info, sizeof info);
       EXPECT_EQ(abut_geometry_describe(universe_.get(), id, &info), ABUT_OK);
       abut_ray_hit hit{};
       std::uint32_t found = 0;

@@ -301,7 +301,7 @@ TEST(CastRayAll, WritesNoMoreThanTheCapacity) {
 
 abut_camera camera_at(const abut_vec3& eye, const abut_vec3& target) {
   abut_camera camera;
-  abut_camera_init(&camera);
+  abut_camera_init(&camera, sizeof camera);
   const abut_vec3 up{0, 0, 1};
   EXPECT_EQ(abut_camera_look_at(&camera, &eye, &target, &up), ABUT_OK);
   return camera;
@@ -309,7 +309,7 @@ abut_camera camera_at(const abut_vec3& eye, const abut_vec3& target) {
 
 TEST(Camera, LooksAlongMinusZByDefault) {
   abut_camera camera;
-  abut_camera_init(&camera);
+  abut_camera_init(&camera, sizeof camera);
   abut_ray ray;
   ASSERT_EQ(abut_camera_ray(&camera, 320, 240, &ray), ABUT_OK);
   EXPECT_NEAR(ray.direction.z, -1, 1e-15);
@@ -328,7 +328,7 @@ TEST(Camera, LooksAtItsTarget) {
     const abut_vec3 target = random.point(10);
     const abut_vec3 up = random.point(1);
     abut_camera camera;
-    abut_camera_init(&camera);
+    abut_camera_init(&camera, sizeof camera);
     ASSERT_EQ(abut_camera_look_at(&camera, &eye, &target, &up), ABUT_OK);
     abut_ray middle;
     ASSERT_EQ(abut_camera_ray(&camera, 320, 240, &middle), ABUT_OK);
@@ -342,7 +342,7 @@ TEST(Camera, LooksAtItsTarget) {
 
 TEST(Camera, StartsAtNearAndEndsAtFar) {
   abut_camera camera;
-  abut_camera_init(&camera);
+  abut_camera_init(&camera, sizeof camera);
   camera.near_distance = 2;
   camera.far_distance = 5;
   abut_ray ray;

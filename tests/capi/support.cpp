@@ -95,7 +95,7 @@ Shape make_terrain(std::uint32_t samples, double spacing) {
   std::vector<double> heights(std::size_t{samples} * samples, 0.0);
   heights.at((std::size_t{samples} / 2) * samples + samples / 2) = 0.25 * spacing;
   abut_height_field_desc desc;
-  abut_height_field_desc_init(&desc);
+  abut_height_field_desc_init(&desc, sizeof desc);
   desc.columns = samples;
   desc.rows = samples;
   desc.spacing_x = spacing;
@@ -122,7 +122,7 @@ Universe::Universe(const abut_universe_options* options) { require(abut_universe
 
 abut_part_id Universe::add_part(const abut_pose& pose, abut_motion motion, std::uint64_t user_data) {
   abut_part_options options;
-  abut_part_options_init(&options);
+  abut_part_options_init(&options, sizeof options);
   options.pose = pose;
   options.motion = motion;
   options.user_data = user_data;
@@ -133,7 +133,7 @@ abut_part_id Universe::add_part(const abut_pose& pose, abut_motion motion, std::
 
 abut_geometry_id Universe::add_geometry(abut_part_id part, const abut_shape* shape, double tolerance) {
   abut_geometry_options options;
-  abut_geometry_options_init(&options);
+  abut_geometry_options_init(&options, sizeof options);
   options.tolerance = tolerance;
   abut_geometry_id geometry{};
   require(abut_geometry_create(universe_, part, shape, &options, &geometry));
@@ -178,7 +178,7 @@ std::vector<unsigned char> snapshot(const abut_universe* universe) {
   require(abut_universe_geometries(universe, geometries.data(), geometries.size(), &count));
   for (const abut_geometry_id geometry : geometries) {
     abut_geometry_info info;
-    abut_geometry_info_init(&info);
+    abut_geometry_info_init(&info, sizeof info);
     require(abut_geometry_describe(universe, geometry, &info));
     append(bytes, geometry);
     append(bytes, info);
@@ -187,7 +187,7 @@ std::vector<unsigned char> snapshot(const abut_universe* universe) {
   require(abut_universe_revision(universe, &revision));
   append(bytes, revision);
   abut_step_stats stats;
-  abut_step_stats_init(&stats);
+  abut_step_stats_init(&stats, sizeof stats);
   require(abut_universe_stats(universe, &stats));
   append(bytes, stats);
   const abut_contact* contacts = nullptr;

@@ -163,7 +163,7 @@ void check_doubled(const Case& c, const abut_distance& result) {
 // The route from support points alone, which every convex pair has beside a faster one.
 void check_support_points(const Case& c) {
   abut_query_options options;
-  abut_query_options_init(&options);
+  abut_query_options_init(&options, sizeof options);
   options.algorithm = ABUT_ALGORITHM_GJK_EPA;
   abut_distance other{};
   const abut_status status =

@@ -39,7 +39,7 @@ void judge(const KnownFailure& row, abut_algorithm algorithm) {
   const abut_pose pose_a = rounded(row.pose_a);
   const abut_pose pose_b = rounded(row.pose_b);
   abut_query_options options;
-  abut_query_options_init(&options);
+  abut_query_options_init(&options, sizeof options);
   options.algorithm = algorithm;
   abut_distance result{};
   const abut_status status = abut_shapes_distance(a.shape.get(), &pose_a, b.shape.get(), &pose_b, &options, &result);

@@ -8,7 +8,7 @@ namespace property {
 Manifold contacts_of(const Subject& a, const abut_pose& pose_a, const Subject& b, const abut_pose& pose_b,
                      double margin, std::uint32_t max_contacts) {
   abut_query_options options;
-  abut_query_options_init(&options);
+  abut_query_options_init(&options, sizeof options);
   options.margin = margin;
   options.max_contacts = max_contacts;
   Manifold manifold;

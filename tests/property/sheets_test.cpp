@@ -16,7 +16,7 @@ abut_pose at(double x, double y, double z) { return {{x, y, z}, {1, 0, 0, 0}}; }
 
 ShapePtr mesh(const std::vector<double>& xyz, const std::vector<std::uint32_t>& triangles, abut_sides sides) {
   abut_mesh_options options;
-  abut_mesh_options_init(&options);
+  abut_mesh_options_init(&options, sizeof options);
   options.sides = sides;
   abut_shape* shape = nullptr;
   EXPECT_EQ(abut_mesh_create(xyz.data(), xyz.size() / 3, triangles.data(), triangles.size() / 3, &options, &shape),
@@ -43,7 +43,7 @@ ShapePtr sphere(double radius) {
 std::vector<abut_contact> contacts(const ShapePtr& a, const abut_pose& pose_a, const ShapePtr& b,
                                    const abut_pose& pose_b) {
   abut_query_options options;
-  abut_query_options_init(&options);
+  abut_query_options_init(&options, sizeof options);
   options.max_contacts = 0;
   std::vector<abut_contact> found(1000);
   std::size_t count = 0;

@@ -146,7 +146,7 @@ Subject make_height_field(const std::string& name, const Grid& grid) {
     std::vector<double> heights = grid.heights;
     for (double& height : heights) height *= scale;
     abut_height_field_desc desc;
-    abut_height_field_desc_init(&desc);
+    abut_height_field_desc_init(&desc, sizeof desc);
     desc.columns = grid.columns;
     desc.rows = grid.rows;
     desc.spacing_x = grid.spacing_x * scale;

@@ -157,7 +157,7 @@ void refine(abut_picker* picker, const Scene& scene, const abut_camera& camera, 
 
 abut_camera make_camera(const Terrain& terrain, std::uint32_t width, std::uint32_t height) {
   abut_camera camera;
-  abut_camera_init(&camera);
+  abut_camera_init(&camera, sizeof camera);
   camera.width = width;
   camera.height = height;
   camera.vertical_fov = 0.76;

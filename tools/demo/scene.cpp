@@ -19,7 +19,7 @@ Scene::Scene(const std::filesystem::path& data, std::size_t bodies, std::uint64_
 
 void Scene::add_terrain() {
   abut_part_options options;
-  abut_part_options_init(&options);
+  abut_part_options_init(&options, sizeof options);
   options.motion = ABUT_MOTION_STATIC;
   options.pose = terrain_.pose();
   abut_part_id part;
@@ -30,7 +30,7 @@ void Scene::add_terrain() {
 
 void Scene::add_body(const Slider& slider) {
   abut_part_options options;
-  abut_part_options_init(&options);
+  abut_part_options_init(&options, sizeof options);
   options.motion = ABUT_MOTION_DYNAMIC;
   options.pose = pose_of(slider, terrain_);
   const auto number = static_cast<std::uint32_t>(parts_.size() + 1);
@@ -49,7 +49,7 @@ void Scene::add_body(const Slider& slider) {
 
 void Scene::add_geometry(abut_part_id part, const abut_shape* shape, const abut_pose& pose, const Owner& owner) {
   abut_geometry_options options;
-  abut_geometry_options_init(&options);
+  abut_geometry_options_init(&options, sizeof options);
   options.pose = pose;
   options.user_data = owner.body;
   abut_geometry_id geometry;

@@ -44,7 +44,7 @@ void print_time(const char* name, const std::vector<double>& microseconds) {
 
 void Statistics::record(const abut_universe* universe, double motion_microseconds, double step_microseconds) {
   abut_step_stats stats;
-  abut_step_stats_init(&stats);
+  abut_step_stats_init(&stats, sizeof stats);
   check(abut_universe_stats(universe, &stats), "cannot read the statistics of a step");
   steps_.push_back(stats);
   motion_.push_back(motion_microseconds);

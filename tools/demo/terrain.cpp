@@ -62,7 +62,7 @@ Terrain Terrain::load(const std::filesystem::path& path) {
 
 ShapeOwner Terrain::make_shape() const {
   abut_height_field_desc desc;
-  abut_height_field_desc_init(&desc);
+  abut_height_field_desc_init(&desc, sizeof desc);
   desc.columns = columns_;
   desc.rows = rows_;
   desc.spacing_x = spacing_x;

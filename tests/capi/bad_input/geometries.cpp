@@ -7,15 +7,15 @@ using namespace abut_test;
 
 abut_geometry_options default_options() {
   abut_geometry_options options;
-  abut_geometry_options_init(&options);
+  abut_geometry_options_init(&options, sizeof options);
   return options;
 }
 
-TEST(GeometryOptionsInit, IgnoresNull) { abut_geometry_options_init(nullptr); }
+TEST(GeometryOptionsInit, IgnoresNull) { abut_geometry_options_init(nullptr, 0); }
 
 TEST(GeometryOptionsInit, FillsInTheDefaults) {
   Out<abut_geometry_options> options;
-  abut_geometry_options_init(options.address());
+  abut_geometry_options_init(options.address(), sizeof(abut_geometry_options));
   EXPECT_EQ(options.value().struct_size, sizeof(abut_geometry_options));
   EXPECT_EQ(options.value().reserved, 0U);
   EXPECT_EQ(options.value().pose.orientation.w, 1.0);
@@ -118,11 +118,11 @@ TEST(GeometryDestroy, RefusesStaleIds) {
   EXPECT_TRUE(scene.is_unchanged());
 }
 
-TEST(GeometryInfoInit, IgnoresNull) { abut_geometry_info_init(nullptr); }
+TEST(GeometryInfoInit, IgnoresNull) { abut_geometry_info_init(nullptr, 0); }
 
 TEST(GeometryInfoInit, FillsInSize) {
   Out<abut_geometry_info> info;
-  abut_geometry_info_init(info.address());
+  abut_geometry_info_init(info.address(), sizeof(abut_geometry_info));
   EXPECT_EQ(info.value().struct_size, sizeof(abut_geometry_info));
   EXPECT_EQ(info.value().kind, 0U);
   EXPECT_EQ(info.value().part.slot, 0U);
@@ -132,7 +132,7 @@ TEST(GeometryInfoInit, FillsInSize) {
 TEST(GeometryDescribe, RefusesNullPointers) {
   const Scene scene;
   abut_geometry_info good;
-  abut_geometry_info_init(&good);
+  abut_geometry_info_init(&good, sizeof good);
   Out<abut_geometry_info> out(good);
   EXPECT_TRUE(refused(abut_geometry_describe(nullptr, scene.geometry, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
   EXPECT_TRUE(refused(abut_geometry_describe(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
@@ -142,7 +142,7 @@ TEST(GeometryDescribe, RefusesNullPointers) {
 TEST(GeometryDescribe, RefusesStaleIds) {
   const Scene scene;
   abut_geometry_info good;
-  abut_geometry_info_init(&good);
+  abut_geometry_info_init(&good, sizeof good);
   Out<abut_geometry_info> out(good);
   for (const abut_geometry_id stale : scene.stale_geometries) {
     EXPECT_TRUE(refused(abut_geometry_describe(scene.universe, stale, out.address()), ABUT_STALE_ID,
@@ -155,7 +155,7 @@ TEST(GeometryDescribe, RefusesWrongStructSize) {
   const Scene scene;
   for (const std::size_t size : {std::size_t{0}, std::size_t{3}, sizeof(abut_geometry_info) - 1}) {
     abut_geometry_info wrong;
-    abut_geometry_info_init(&wrong);
+    abut_geometry_info_init(&wrong, sizeof wrong);
     wrong.struct_size = static_cast<std::uint32_t>(size);
     Out<abut_geometry_info> out(wrong);
     EXPECT_TRUE(refused(abut_geometry_describe(scene.universe, scene.geometry, out.address()), ABUT_WRONG_STRUCT_SIZE,
@@ -167,7 +167,7 @@ TEST(GeometryDescribe, RefusesWrongStructSize) {
 TEST(GeometryDescribe, AcceptsLaterStructWithZeroTail) {
   const Scene scene;
   Grown<abut_geometry_info> later{};
-  abut_geometry_info_init(&later.known);
+  abut_geometry_info_init(&later.known, sizeof later.known);
   later.known.struct_size = sizeof(later);
   EXPECT_TRUE(succeeded(abut_geometry_describe(scene.universe, scene.geometry, &later.known)));
   EXPECT_EQ(later.known.struct_size, sizeof(later));

@@ -11,7 +11,7 @@ struct Batch {
       : universe(scene.universe),
         parts{scene.part, scene.second_part, scene.part},
         shapes{scene.ball, scene.block, scene.ball} {
-    for (abut_geometry_options& each : options) abut_geometry_options_init(&each);
+    for (abut_geometry_options& each : options) abut_geometry_options_init(&each, sizeof each);
   }
   abut_status create() {
     return abut_geometries_create(universe, parts.data(), shapes.data(), options.data(), 3, out.data());
@@ -135,7 +135,7 @@ TEST(GeometriesCreate, StepsByTheStructSizeOfTheCaller) {
   ASSERT_TRUE(succeeded(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), &later[0].known, 3, batch.out.data())));
   for (std::size_t i = 0; i < later.size(); ++i) {
     abut_geometry_info info;
-    abut_geometry_info_init(&info);
+    abut_geometry_info_init(&info, sizeof info);
     ASSERT_TRUE(succeeded(abut_geometry_describe(scene.universe, batch.out[i], &info)));
     EXPECT_EQ(info.user_data, 100 + i);
   }

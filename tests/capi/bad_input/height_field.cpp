@@ -9,7 +9,7 @@ constexpr std::array<double, 6> six_heights{0, 1, 2, 3, 4, 5};
 
 abut_height_field_desc good_desc() {
   abut_height_field_desc desc;
-  abut_height_field_desc_init(&desc);
+  abut_height_field_desc_init(&desc, sizeof desc);
   desc.columns = 3;
   desc.rows = 2;
   desc.spacing_x = 1.0;
@@ -18,11 +18,11 @@ abut_height_field_desc good_desc() {
   return desc;
 }
 
-TEST(HeightFieldDescInit, IgnoresNull) { abut_height_field_desc_init(nullptr); }
+TEST(HeightFieldDescInit, IgnoresNull) { abut_height_field_desc_init(nullptr, 0); }
 
 TEST(HeightFieldDescInit, FillsInSizeAndZeroes) {
   Out<abut_height_field_desc> desc;
-  abut_height_field_desc_init(desc.address());
+  abut_height_field_desc_init(desc.address(), sizeof(abut_height_field_desc));
   EXPECT_EQ(desc.value().struct_size, sizeof(abut_height_field_desc));
   EXPECT_EQ(desc.value().reserved, 0U);
   EXPECT_EQ(desc.value().heights, nullptr);

@@ -128,7 +128,7 @@ TEST(MeshCreate, RefusesIndicesPastTheVertices) {
 TEST(MeshCreate, RefusesUnknownSides) {
   Out<abut_shape*> out;
   abut_mesh_options options;
-  abut_mesh_options_init(&options);
+  abut_mesh_options_init(&options, sizeof options);
   for (const abut_sides sides : {2U, 77U, 0xFFFFFFFFU}) {
     options.sides = sides;
     EXPECT_TRUE(refused(MeshCall{.options = &options}.into(out.address()), ABUT_UNKNOWN_VALUE,
@@ -140,7 +140,7 @@ TEST(MeshCreate, RefusesUnknownSides) {
 TEST(MeshCreate, RefusesWrongStructSize) {
   Out<abut_shape*> out;
   abut_mesh_options options;
-  abut_mesh_options_init(&options);
+  abut_mesh_options_init(&options, sizeof options);
   expect_struct_size_checked(options, [&](const abut_mesh_options* wrong) {
     return MeshCall{.options = wrong}.into(out.address());
   });
@@ -150,7 +150,7 @@ TEST(MeshCreate, RefusesWrongStructSize) {
 TEST(MeshCreate, AcceptsLaterOptionsWithZeroTail) {
   abut_shape* shape = nullptr;
   abut_mesh_options options;
-  abut_mesh_options_init(&options);
+  abut_mesh_options_init(&options, sizeof options);
   expect_zero_tail_accepted(options, [&](const abut_mesh_options* later) { return MeshCall{.options = later}.into(&shape); });
   abut_shape_release(shape);
 }
@@ -162,11 +162,11 @@ TEST(MeshCreate, AcceptsTrianglesWithoutArea) {
   abut_shape_release(shape);
 }
 
-TEST(MeshOptionsInit, IgnoresNull) { abut_mesh_options_init(nullptr); }
+TEST(MeshOptionsInit, IgnoresNull) { abut_mesh_options_init(nullptr, 0); }
 
 TEST(MeshOptionsInit, FillsInTheDefaults) {
   Out<abut_mesh_options> options;
-  abut_mesh_options_init(options.address());
+  abut_mesh_options_init(options.address(), sizeof(abut_mesh_options));
   EXPECT_EQ(options.value().struct_size, sizeof(abut_mesh_options));
   EXPECT_EQ(options.value().sides, abut_sides{ABUT_SIDES_BOTH});
 }

@@ -7,7 +7,7 @@ using namespace abut_test;
 
 abut_query_options default_options() {
   abut_query_options options;
-  abut_query_options_init(&options);
+  abut_query_options_init(&options, sizeof options);
   return options;
 }
 
@@ -104,11 +104,11 @@ void refuse_algorithms_that_the_pair_lacks(Ask ask) {
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(QueryOptionsInit, IgnoresNull) { abut_query_options_init(nullptr); }
+TEST(QueryOptionsInit, IgnoresNull) { abut_query_options_init(nullptr, 0); }
 
 TEST(QueryOptionsInit, FillsInTheDefaults) {
   Out<abut_query_options> options;
-  abut_query_options_init(options.address());
+  abut_query_options_init(options.address(), sizeof(abut_query_options));
   EXPECT_EQ(options.value().struct_size, sizeof(abut_query_options));
   EXPECT_EQ(options.value().algorithm, abut_algorithm{ABUT_ALGORITHM_AUTO});
   EXPECT_EQ(options.value().error_bound, 0.0);

@@ -7,7 +7,7 @@ using namespace abut_test;
 
 std::vector<abut_part_options> three_options() {
   std::vector<abut_part_options> options(3);
-  for (abut_part_options& each : options) abut_part_options_init(&each);
+  for (abut_part_options& each : options) abut_part_options_init(&each, sizeof each);
   return options;
 }
 
@@ -74,7 +74,7 @@ TEST(PartsCreate, StepsByTheStructSizeOfTheCaller) {
   const Universe universe;
   std::array<Grown<abut_part_options>, 3> later{};
   for (std::size_t i = 0; i < later.size(); ++i) {
-    abut_part_options_init(&later.at(i).known);
+    abut_part_options_init(&later.at(i).known, sizeof(abut_part_options));
     later.at(i).known.struct_size = sizeof(later[0]);
     later.at(i).known.user_data = 100 + i;
   }

@@ -7,15 +7,15 @@ using namespace abut_test;
 
 abut_part_options default_options() {
   abut_part_options options;
-  abut_part_options_init(&options);
+  abut_part_options_init(&options, sizeof options);
   return options;
 }
 
-TEST(PartOptionsInit, IgnoresNull) { abut_part_options_init(nullptr); }
+TEST(PartOptionsInit, IgnoresNull) { abut_part_options_init(nullptr, 0); }
 
 TEST(PartOptionsInit, FillsInTheDefaults) {
   Out<abut_part_options> options;
-  abut_part_options_init(options.address());
+  abut_part_options_init(options.address(), sizeof(abut_part_options));
   EXPECT_EQ(options.value().struct_size, sizeof(abut_part_options));
   EXPECT_EQ(options.value().motion, abut_motion{ABUT_MOTION_DYNAMIC});
   EXPECT_EQ(options.value().pose.position.x, 0.0);

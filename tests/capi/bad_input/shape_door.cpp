@@ -11,7 +11,7 @@ constexpr double one = 1.0;
 
 abut_shape_desc sphere_desc() {
   abut_shape_desc desc;
-  abut_shape_desc_init(&desc);
+  abut_shape_desc_init(&desc, sizeof desc);
   desc.kind = abut_shape_kind_by_name("sphere");
   desc.parameters = &one;
   desc.parameter_count = 1;
@@ -20,7 +20,7 @@ abut_shape_desc sphere_desc() {
 
 abut_shape_desc hull_desc() {
   abut_shape_desc desc;
-  abut_shape_desc_init(&desc);
+  abut_shape_desc_init(&desc, sizeof desc);
   desc.kind = abut_shape_kind_by_name("hull");
   desc.reals = square.data();
   desc.real_count = square.size();
@@ -40,11 +40,11 @@ abut_shape_desc mesh_desc() {
   return desc;
 }
 
-TEST(ShapeDescInit, IgnoresNull) { abut_shape_desc_init(nullptr); }
+TEST(ShapeDescInit, IgnoresNull) { abut_shape_desc_init(nullptr, 0); }
 
 TEST(ShapeDescInit, FillsInSizeAndZeroes) {
   Out<abut_shape_desc> desc;
-  abut_shape_desc_init(desc.address());
+  abut_shape_desc_init(desc.address(), sizeof(abut_shape_desc));
   EXPECT_EQ(desc.value().struct_size, sizeof(abut_shape_desc));
   EXPECT_EQ(desc.value().kind, 0U);
   EXPECT_EQ(desc.value().parameters, nullptr);

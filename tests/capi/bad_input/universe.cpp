@@ -7,15 +7,15 @@ using namespace abut_test;
 
 abut_universe_options default_options() {
   abut_universe_options options;
-  abut_universe_options_init(&options);
+  abut_universe_options_init(&options, sizeof options);
   return options;
 }
 
-TEST(UniverseOptionsInit, IgnoresNull) { abut_universe_options_init(nullptr); }
+TEST(UniverseOptionsInit, IgnoresNull) { abut_universe_options_init(nullptr, 0); }
 
 TEST(UniverseOptionsInit, FillsInTheDefaults) {
   Out<abut_universe_options> options;
-  abut_universe_options_init(options.address());
+  abut_universe_options_init(options.address(), sizeof(abut_universe_options));
   EXPECT_EQ(options.value().struct_size, sizeof(abut_universe_options));
   EXPECT_EQ(options.value().broadphase, abut_broadphase{ABUT_BROADPHASE_AUTO});
   EXPECT_EQ(options.value().tolerance_mode, abut_tolerance_mode{ABUT_TOLERANCE_DEAD_BAND});
@@ -127,11 +127,11 @@ TEST(UniverseContacts, RefusesNullPointers) {
   EXPECT_TRUE(count.is_untouched());
 }
 
-TEST(StepStatsInit, IgnoresNull) { abut_step_stats_init(nullptr); }
+TEST(StepStatsInit, IgnoresNull) { abut_step_stats_init(nullptr, 0); }
 
 TEST(StepStatsInit, FillsInSizeAndZeroes) {
   Out<abut_step_stats> stats;
-  abut_step_stats_init(stats.address());
+  abut_step_stats_init(stats.address(), sizeof(abut_step_stats));
   EXPECT_EQ(stats.value().struct_size, sizeof(abut_step_stats));
   EXPECT_EQ(stats.value().reserved, 0U);
   EXPECT_EQ(stats.value().contacts, 0U);
@@ -141,7 +141,7 @@ TEST(StepStatsInit, FillsInSizeAndZeroes) {
 TEST(UniverseStats, RefusesNullPointers) {
   const Scene scene;
   abut_step_stats good;
-  abut_step_stats_init(&good);
+  abut_step_stats_init(&good, sizeof good);
   Out<abut_step_stats> out(good);
   EXPECT_TRUE(refused(abut_universe_stats(nullptr, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
   EXPECT_TRUE(refused(abut_universe_stats(scene.universe, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
@@ -152,7 +152,7 @@ TEST(UniverseStats, RefusesWrongStructSize) {
   const Scene scene;
   for (const std::size_t size : {std::size_t{0}, std::size_t{3}, sizeof(abut_step_stats) - 1}) {
     abut_step_stats wrong;
-    abut_step_stats_init(&wrong);
+    abut_step_stats_init(&wrong, sizeof wrong);
     wrong.struct_size = static_cast<std::uint32_t>(size);
     Out<abut_step_stats> out(wrong);
     EXPECT_TRUE(refused(abut_universe_stats(scene.universe, out.address()), ABUT_WRONG_STRUCT_SIZE,
@@ -164,7 +164,7 @@ TEST(UniverseStats, RefusesWrongStructSize) {
 TEST(UniverseStats, AcceptsLaterStructWithZeroTail) {
   const Scene scene;
   Grown<abut_step_stats> later{};
-  abut_step_stats_init(&later.known);
+  abut_step_stats_init(&later.known, sizeof later.known);
   later.known.struct_size = sizeof(later);
   EXPECT_TRUE(succeeded(abut_universe_stats(scene.universe, &later.known)));
   EXPECT_EQ(later.known.geometries, 2U);

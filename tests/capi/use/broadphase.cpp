@@ -71,7 +71,7 @@ class Twins {
 
   static std::unique_ptr<Universe> make_universe(abut_broadphase broadphase) {
     abut_universe_options options;
-    abut_universe_options_init(&options);
+    abut_universe_options_init(&options, sizeof options);
     options.broadphase = broadphase;
     return std::make_unique<Universe>(&options);
   }
@@ -118,7 +118,7 @@ TEST(Broadphase, TreeFindsWhatBruteForceFinds) {
 TEST(Broadphase, PlanesMeetEverythingHoweverFar) {
   for (const auto broadphase : {ABUT_BROADPHASE_AUTO, ABUT_BROADPHASE_BRUTE, ABUT_BROADPHASE_TREE}) {
     abut_universe_options options;
-    abut_universe_options_init(&options);
+    abut_universe_options_init(&options, sizeof options);
     options.broadphase = broadphase;
     Universe universe(&options);
     const Shape floor = make_plane({0, 0, 1}, 0);
@@ -140,14 +140,14 @@ TEST(Broadphase, ASceneOfAllKindsSteps) {
   const auto shapes = make_one_of_each_kind();
   for (const auto broadphase : {ABUT_BROADPHASE_BRUTE, ABUT_BROADPHASE_TREE}) {
     abut_universe_options options;
-    abut_universe_options_init(&options);
+    abut_universe_options_init(&options, sizeof options);
     options.broadphase = broadphase;
     Universe universe(&options);
     for (const Shape& shape : shapes) universe.add(shape, at(0.1, 0.2, 0.05));
     const auto contacts = universe.step();
     EXPECT_FALSE(contacts.empty());
     abut_step_stats stats;
-    abut_step_stats_init(&stats);
+    abut_step_stats_init(&stats, sizeof stats);
     ASSERT_TRUE(succeeded(abut_universe_stats(universe, &stats)));
     EXPECT_EQ(stats.unsupported_pairs, 1U) << "the plane against the height field";
     EXPECT_EQ(stats.contacts, contacts.size());
@@ -156,7 +156,7 @@ TEST(Broadphase, ASceneOfAllKindsSteps) {
 
 TEST(Broadphase, TheOriginChangesNoContact) {
   abut_universe_options options;
-  abut_universe_options_init(&options);
+  abut_universe_options_init(&options, sizeof options);
   options.origin = {1e7, 1e7, -1e7};
   Universe far_away(&options);
   Universe near;

@@ -54,7 +54,7 @@ TEST(Contacts, OfAPairAreAtMostFourByDefault) {
   const Shape block = make_box(1, 1, 1);
   for (const auto& [maximum, expected] : {std::pair{4U, 4U}, std::pair{2U, 2U}, std::pair{1U, 1U}, std::pair{0U, 8U}}) {
     abut_universe_options options;
-    abut_universe_options_init(&options);
+    abut_universe_options_init(&options, sizeof options);
     options.max_contacts = maximum;
     Universe universe(&options);
     universe.add(block, at(0, 0, 0));

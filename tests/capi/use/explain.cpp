@@ -54,7 +54,7 @@ TEST(Explain, CutsTheTextAndTerminatesIt) {
 TEST(Explain, OfTheStepAreCounts) {
   const Scene scene;
   abut_step_stats stats;
-  abut_step_stats_init(&stats);
+  abut_step_stats_init(&stats, sizeof stats);
   ASSERT_TRUE(succeeded(abut_universe_stats(scene.universe, &stats)));
   EXPECT_EQ(stats.parts, 2U);
   EXPECT_EQ(stats.geometries, 2U);
@@ -72,7 +72,7 @@ TEST(Explain, StatisticsAreZeroBeforeTheFirstStep) {
   universe.add(ball, identity);
   universe.add(ball, identity);
   abut_step_stats stats;
-  abut_step_stats_init(&stats);
+  abut_step_stats_init(&stats, sizeof stats);
   ASSERT_TRUE(succeeded(abut_universe_stats(universe, &stats)));
   EXPECT_EQ(stats.candidate_pairs, 0U);
   EXPECT_EQ(stats.contacts, 0U);

@@ -19,7 +19,7 @@ TEST(Filtering, GeometriesOfDifferentPartsCollide) {
   for (int i = 0; i < 3; ++i) universe.add(block, at(0.1 * i, 0, 0));
   universe.step();
   abut_step_stats stats;
-  abut_step_stats_init(&stats);
+  abut_step_stats_init(&stats, sizeof stats);
   ASSERT_TRUE(succeeded(abut_universe_stats(universe, &stats)));
   EXPECT_EQ(stats.touching_pairs, 3U);
 }
@@ -31,7 +31,7 @@ TEST(Filtering, OneOfTwoPartsMustBeDynamic) {
     for (const abut_motion first : motions) {
       for (const abut_motion second : motions) {
         abut_universe_options options;
-        abut_universe_options_init(&options);
+        abut_universe_options_init(&options, sizeof options);
         options.broadphase = broadphase;
         Universe universe(&options);
         universe.add(ball, identity, first);
@@ -56,7 +56,7 @@ void check_tolerance(abut_tolerance_mode mode, const std::vector<ToleranceCase>&
   for (const auto broadphase : {ABUT_BROADPHASE_BRUTE, ABUT_BROADPHASE_TREE}) {
     for (const ToleranceCase& each : cases) {
       abut_universe_options options;
-      abut_universe_options_init(&options);
+      abut_universe_options_init(&options, sizeof options);
       options.tolerance_mode = mode;
       options.broadphase = broadphase;
       Universe universe(&options);
@@ -98,7 +98,7 @@ TEST(Tolerance, PairQueriesTakeAMargin) {
   const Shape ball = make_sphere(1.0);
   const abut_pose other = at(2.5, 0, 0);
   abut_query_options options;
-  abut_query_options_init(&options);
+  abut_query_options_init(&options, sizeof options);
   for (const auto& [margin, expected] : {std::pair{0.0, 0U}, std::pair{0.499, 0U}, std::pair{0.501, 1U}}) {
     options.margin = margin;
     std::size_t count = 9;

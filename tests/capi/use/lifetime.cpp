@@ -37,7 +37,7 @@ TEST(Lifetime, ARetainedShapeOfADestroyedGeometryLives) {
     return universe.add(ball, identity);
   }();
   abut_geometry_info info;
-  abut_geometry_info_init(&info);
+  abut_geometry_info_init(&info, sizeof info);
   ASSERT_TRUE(succeeded(abut_geometry_describe(universe, geometry, &info)));
   abut_shape_retain(info.shape);
   const Shape kept(info.shape);
@@ -87,14 +87,14 @@ TEST(Lifetime, UserDataComesBack) {
   EXPECT_EQ(user_data, 0xFFFF'FFFF'FFFF'FFFFU);
 
   abut_geometry_options options;
-  abut_geometry_options_init(&options);
+  abut_geometry_options_init(&options, sizeof options);
   options.user_data = 0x1234'5678'9ABC'DEF0U;
   options.tolerance = 0.25;
   options.pose = at(1, 2, 3);
   abut_geometry_id geometry{};
   ASSERT_TRUE(succeeded(abut_geometry_create(universe, part, ball, &options, &geometry)));
   abut_geometry_info info;
-  abut_geometry_info_init(&info);
+  abut_geometry_info_init(&info, sizeof info);
   ASSERT_TRUE(succeeded(abut_geometry_describe(universe, geometry, &info)));
   EXPECT_EQ(info.user_data, 0x1234'5678'9ABC'DEF0U);
   EXPECT_EQ(info.tolerance, 0.25);

@@ -1,0 +1,307 @@
+// How far two convex cores are apart or in each other: closed forms or GJK, and where the cores overlap
+// all separating axes or the expanding polytope.
+module;
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+export module abut.narrowphase.separation;
+import abut.core;
+import abut.math;
+import abut.narrowphase.box_cores;
+import abut.narrowphase.box_sat;
+import abut.narrowphase.clip;
+import abut.narrowphase.epa;
+import abut.narrowphase.gjk;
+import abut.narrowphase.sat;
+import abut.narrowphase.simplex;
+import abut.shape;
+
+export namespace abut {
+
+// The separation of two cores and how it was found, in the frame of a.
+struct CoreSeparation {
+  Real distance, lower, upper;
+  Real rounding;  // of the coordinates, by which the bounds may be off
+  Vec3 normal;    // unit, from a to b
+  Vec3 point_a, point_b;
+  bool points_open;  // the points are any support points so far: find_points has to look for them
+  bool beyond;   // only `lower` was found, and exceeds the limit asked for
+  bool overlap;  // the cores overlap or touch
+  Algorithm algorithm;
+  std::uint32_t iterations;
+};
+
+// Bound of the coordinates of both cores in the frame of a: rounding is relative to it.
+template <Convex A, Convex B>
+[[nodiscard]] inline Real core_size(const A& a, const B& b, const Pose& ab) {
+  return 2 * (a.extent() + b.extent()) + largest_magnitude(a.centre()) + largest_magnitude(ab * b.centre());
+}
+
+// What the coordinates of cores of this size may be off by, and with them all bounds.
+[[nodiscard]] inline Real rounding_of(Real size) { return 16 * epsilon * size; }
+// Depths along two axes that differ by less are the same.
+[[nodiscard]] inline Real noise_of(Real size) { return 64 * epsilon * size; }
+
+// Any direction across two cores that touch without an axis of their own: across the first edge that
+// there is, toward the other centre where that says something.
+template <FewFaced A, FewFaced B>
+[[nodiscard]] Vec3 direction_across(const A& a, const B& b, const Pose& ab) {
+  const Vec3 apart = ab * b.centre() - a.centre();
+  Vec3 along{0, 0, 0};
+  for (const Vec3& edge : b.edge_directions()) {
+    along = ab.rotation * edge;
+  }
+  for (const Vec3& edge : a.edge_directions()) {
+    along = edge;
+  }
+  const auto axis = UnitVec3::make(along);
+  if (!axis) {
+    return UnitVec3::make(apart).value_or(UnitVec3::axis_z());
+  }
+  const Vec3 sideways = apart - dot(apart, axis->vec()) * axis->vec();
+  const Real noise = 16 * epsilon * (largest_magnitude(apart) + a.extent() + b.extent());
+  return largest_magnitude(sideways) > noise ? UnitVec3::make(sideways)->vec() : tangents_of(*axis).first;
+}
+
+// The deepest pair of points under a normal across an edge of each: the closest points of the lines
+// along both edges through the support points.
+inline void find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core) {
+  const Vec3 across = cross(edge_a, edge_b), between = core.point_b - core.point_a;
+  const Real square = squared_norm(across);
+  core.point_a += (dot(across, cross(between, edge_b)) / square) * edge_a;
+  core.point_b += (dot(across, cross(between, edge_a)) / square) * edge_b;
+}
+
+// The deepest pair of points under the normal of a face, which whoever asks for contacts rarely needs:
+// from the common region of the supporting faces, or else the support points, which are at the right
+// distance along the normal.
+template <Convex A, Convex B>
+void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  if (!core.points_open) {
+    return;
+  }
+  core.points_open = false;
+  if constexpr (PointCored<A>) {
+    core.point_b = core.point_a + core.distance * core.normal;
+    return;
+  } else if constexpr (PointCored<B>) {
+    core.point_a = core.point_b - core.distance * core.normal;
+    return;
+  }
+  [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
+  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
+  if (face_a.vertices.size() == 1) {
+    core.point_b = core.point_a + core.distance * core.normal;
+    return;
+  }
+  if (face_b.vertices.size() == 1) {
+    core.point_a = core.point_b - core.distance * core.normal;
+    return;
+  }
+  [[clang::uninitialized]] ClipPoints points;
+  clip_faces(face_a, face_b, core.normal, points);
+  Real least = core.distance + 1e-12 * core_size(a, b, ab);
+  for (const ClipPoint& point : points.span()) {
+    const Real distance = dot(point.point_b - point.point_a, core.normal);
+    if (distance <= least) {
+      least = distance;
+      core.point_a = point.point_a;
+      core.point_b = point.point_b;
+    }
+  }
+  // What rounding leaves between the points and the distance is shared by both.
+  const Vec3 half = (0.5 * (core.distance - dot(core.point_b - core.point_a, core.normal))) * core.normal;
+  core.point_a = core.point_a - half;
+  core.point_b += half;
+}
+
+// Cores that touch have a point in common, which the search for their overlap went through: it says
+// more than their faces, where many points are equally near.
+[[nodiscard]] inline bool is_touch(const CoreSeparation& core, Real size) {
+  return core.points_open && std::fabs(core.distance) <= noise_of(size);
+}
+inline void touch_at(const Vec3& point_a, const Vec3& point_b, CoreSeparation& core) {
+  core.points_open = false;
+  const Vec3 middle = 0.5 * (point_a + point_b), half = (0.5 * core.distance) * core.normal;
+  core.point_a = middle - half;
+  core.point_b = middle + half;
+}
+inline void find_touch(const Simplex& simplex, Real size, CoreSeparation& core) {
+  if (!is_touch(core, size)) {
+    return;
+  }
+  Simplex face = simplex;
+  ClosestPoint closest = closest_to_origin(face);
+  if (closest.vertices == all_of_tetrahedron) {
+    closest = closest_on_faces(face);
+  }
+  keep(face, closest.vertices);
+  const Vec3 on_a = witness_on_a(face, closest.point);
+  touch_at(on_a, on_a - closest.point, core);
+}
+
+// Boxes have a way of their own to try all axes.
+template <class A, class B>
+concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_axes == 3;
+
+template <Convex A, Convex B>
+[[nodiscard]] CoreSeparation separate_along(const A& a, const B& b, const Pose& ab, const std::optional<SatResult>& found, Real size) {
+  CoreSeparation core{};
+  core.rounding = rounding_of(size);
+  core.overlap = true;
+  core.algorithm = Algorithm::sat;
+  core.iterations = found ? found->axes : 0;
+  core.normal = found ? found->normal : direction_across(a, b, ab);
+  core.distance = core.lower = core.upper = found ? found->separation : 0;
+  core.point_a = a.support(core.normal).point;
+  core.point_b = placed_support(b, place(b, ab), -core.normal).point;
+  core.points_open = !(found && found->of_edges);
+  if (!core.points_open) {
+    find_edge_witnesses(found->edge_a, found->edge_b, core);
+  }
+  return core;
+}
+
+template <FewFaced A, FewFaced B>
+[[nodiscard]] [[gnu::noinline]] CoreSeparation separate_by_sat(const A& a, const B& b, const Pose& ab, Real size) {
+  if constexpr (TwoBoxes<A, B>) {
+    return separate_along(a, b, ab, sat_of_boxes(a.half(), b.half(), ab, noise_of(size), infinity), size);
+  } else {
+    return separate_along(a, b, ab, sat(a, b, ab, noise_of(size)), size);
+  }
+}
+
+template <Convex A, Convex B>
+void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, CoreSeparation& core) {
+  const EpaResult found = epa(a, b, ab, size, error, start);
+  core.algorithm = Algorithm::gjk_epa;
+  core.iterations += found.iterations;
+  core.rounding = noise_of(size);  // normals of slender triangles are off by more than their corners
+  core.normal = found.normal;
+  core.distance = -found.depth;
+  core.lower = -found.upper;
+  core.upper = -found.lower;
+  core.point_a = found.point_a;
+  core.point_b = found.point_b;
+  // The polytope knows one triangle of a face, which need not hold the closest points of both faces.
+  const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
+  core.points_open = largest_magnitude(aside) > noise_of(size);
+}
+
+// Below this many sizes the line between projected points is rounding, and GJK's simplex knows it better.
+inline constexpr Real projection_limit = 1e-5;
+
+// Boxes, segments and points, without GJK. False when rounding or too slow progress leaves the answer
+// to it; `toward` is then the direction from a to b that was reached.
+template <BoxCored A, BoxCored B>
+[[nodiscard]] [[gnu::always_inline]] inline bool separate_box_cores(const A& a, const B& b, const Pose& ab, Real size, Real error,
+                                                                    Real limit, Vec3& toward, CoreSeparation& core) {
+  if constexpr (TwoBoxes<A, B>) {
+    // Whoever wants contacts mostly asks about boxes that overlap, or are known apart by an axis.
+    if (limit < infinity) {
+      const SatResult found = sat_of_boxes(a.half(), b.half(), ab, noise_of(size), limit);
+      core.lower = found.separation;
+      core.beyond = found.separation > limit;
+      if (core.beyond) {
+        return true;
+      }
+      if (found.separation <= touching_distance(size)) {
+        core = separate_along(a, b, ab, found, size);
+        if (is_touch(core, size)) {
+          const NearPoints near = near_points(a, b, ab, error);
+          touch_at(vec3_of(near.on_a), vec3_of(near.on_b), core);
+        }
+        return true;
+      }
+    }
+  }
+  const NearPoints near = near_points(a, b, ab, error);
+  if (near.square == 0) {
+    core = separate_by_sat(a, b, ab, size);
+    core.iterations += near.rounds;
+    if (is_touch(core, size)) {
+      touch_at(vec3_of(near.on_a), vec3_of(near.on_b), core);
+    }
+    return true;
+  }
+  core.iterations = near.rounds;
+  const Real least = projection_limit * size;
+  if (!(is_proven(near, error) && near.square > least * least)) {
+    toward = vec3_of(near.between);
+    return false;
+  }
+  core.algorithm = Algorithm::analytic;
+  const Real distance = std::sqrt(near.square), inverse = 1 / distance;
+  core.distance = core.upper = distance;
+  core.lower = distance - near.gap * inverse;
+  core.beyond = core.lower > limit;
+  core.normal = vec3_of(near.between * inverse);
+  core.point_a = vec3_of(near.on_a);
+  core.point_b = vec3_of(near.on_b);
+  return true;
+}
+
+// GJK for any cores, whatever they are, from the direction `toward` on, and where they overlap the best
+// way to the depth.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::noinline]] CoreSeparation separate_by_gjk(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                                               const Vec3& toward, Real size, Real error, Real limit) {
+  const GjkResult near = gjk(a, b, ab, toward, size, error, limit);
+  CoreSeparation core{};
+  core.rounding = rounding_of(size);
+  core.algorithm = Algorithm::gjk_epa;
+  core.iterations = near.iterations;
+  core.lower = near.lower;
+  core.beyond = near.beyond;
+  core.overlap = near.overlap;
+  if (near.beyond) {
+    return core;
+  }
+  if (!near.overlap) {
+    core.normal = near.normal;
+    core.point_a = witness_on_a(near.simplex, near.closest);
+    core.point_b = core.point_a - near.closest;
+    core.distance = core.upper = near.upper;
+    return core;
+  }
+  if constexpr (FewFaced<A> && FewFaced<B>) {
+    if (settings.algorithm != Algorithm::gjk_epa) {
+      core = separate_by_sat(a, b, ab, size);
+      core.iterations += near.iterations;
+      find_touch(near.simplex, size, core);
+      return core;
+    }
+  }
+  separate_by_epa(a, b, ab, size, error, near.simplex, core);
+  find_touch(near.simplex, size, core);
+  return core;
+}
+
+// `limit`: the caller only wants to know how near the cores are when they are nearer than this.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::always_inline]] inline CoreSeparation separate_cores(const A& a, const B& b, const Pose& ab,
+                                                                          const QuerySettings& settings, Real limit) {
+  const Real size = core_size(a, b, ab);
+  const Real shape_size = 2 * (a.extent() + b.extent()) + a.radius() + b.radius();
+  const Real error = settings.error_bound * shape_size + 4 * epsilon * size;
+  Vec3 toward = ab * b.centre() - a.centre();
+  if constexpr (BoxCored<A> && BoxCored<B>) {
+    CoreSeparation core{};
+    core.rounding = rounding_of(size);
+    const bool any_way = settings.algorithm == Algorithm::automatic || settings.algorithm == Algorithm::analytic;
+    if (any_way && separate_box_cores(a, b, ab, size, error, limit, toward, core)) {
+      return core;
+    }
+    const std::uint32_t iterations = core.iterations;
+    core = separate_by_gjk(a, b, ab, settings, toward, size, error, limit);
+    core.iterations += iterations;
+    return core;
+  } else {
+    return separate_by_gjk(a, b, ab, settings, toward, size, error, limit);
+  }
+}
+
+}  // namespace abut

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "random_boxes.hpp"
+
+import abut.core;
+import abut.math;
+import abut.narrowphase.gjk;
+import abut.shape;
+import abut.shape.box;
+import abut.shape.capsule;
+import abut.shape.sphere;
+
+namespace {
+
+using abut::Pose;
+using abut::Vec3;
+
+template <class S>
+S make(std::vector<double> parameters) {
+  return std::move(S::make(parameters, {}, {})).value();
+}
+
+template <class A, class B>
+abut::GjkResult between(const A& a, const B& b, const Pose& ab, double limit = abut::infinity) {
+  return abut::gjk(a, b, ab, ab.position, 10, 1e-12, limit);
+}
+
+TEST(Gjk, RandomBoxesAreProvenByTheirCorners) {
+  test::Random random(41);
+  int apart = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 half_a = abut::absolute(random.point(1)), half_b = abut::absolute(random.point(1));
+    const Pose ab{random.rotation(), random.point(3)};
+    const abut::GjkResult found =
+        between(make<abut::Box>({half_a.x, half_a.y, half_a.z}), make<abut::Box>({half_b.x, half_b.y, half_b.z}), ab);
+    EXPECT_LE(found.iterations, 12u);
+    if (found.overlap) {
+      continue;
+    }
+    ++apart;
+    const double overreach = test::corners_overreach(test::corners_of(half_a, Pose::identity()), test::corners_of(half_b, ab),
+                                                     found.normal, found.upper);
+    EXPECT_LE(std::fabs(overreach), 1e-11);
+    EXPECT_LE(found.lower, found.upper);
+    EXPECT_LE(found.upper - found.lower, 1.1e-12);
+    EXPECT_LE(abut::norm(found.closest + found.upper * found.normal), 1e-12);
+  }
+  EXPECT_GT(apart, 1500);
+}
+
+TEST(Gjk, CoresOfRoundedShapes) {
+  const auto ball = make<abut::Sphere>({1});
+  const auto rod = make<abut::Capsule>({0.5, 2});
+  const Pose aside{abut::Rotation::identity(), {3, 0, 4}};
+  EXPECT_EQ(between(ball, ball, aside).upper, 5);
+  EXPECT_NEAR(between(ball, rod, aside).upper, std::sqrt(9.0 + 4.0), 1e-15);
+  EXPECT_EQ(between(rod, rod, aside).upper, 3);
+}
+
+TEST(Gjk, StopsWhenItKnowsThatTheCoresAreFar) {
+  const auto box = make<abut::Box>({1, 1, 1});
+  const Pose far{abut::Rotation::from({0.9, 0.1, 0.3, 0.2}), {8, 1, 2}};
+  const abut::GjkResult early = between(box, box, far, 1.0), full = between(box, box, far);
+  EXPECT_TRUE(early.beyond);
+  EXPECT_GT(early.lower, 1);
+  EXPECT_LE(early.lower, full.upper);
+  EXPECT_LE(early.iterations, full.iterations);
+  EXPECT_FALSE(between(box, box, far, 100.0).beyond);
+}
+
+TEST(Gjk, OverlapAndTouch) {
+  const auto box = make<abut::Box>({1, 1, 1});
+  EXPECT_TRUE(between(box, box, Pose::identity()).overlap);
+  EXPECT_TRUE(between(box, box, {abut::Rotation::identity(), {2, 0, 0}}).overlap);
+  EXPECT_TRUE(between(box, box, {abut::Rotation::identity(), {1.9, 1.9, 1.9}}).overlap);
+  const abut::GjkResult apart = between(box, box, {abut::Rotation::identity(), {2 + 1e-9, 0, 0}});
+  EXPECT_FALSE(apart.overlap);
+  EXPECT_NEAR(apart.upper, 1e-9, 1e-15);
+}
+
+TEST(Gjk, StartsFromAnyDirection) {
+  const auto box = make<abut::Box>({1, 2, 3});
+  const Pose ab{abut::Rotation::from({0.5, 0.4, 0.3, 0.2}), {6, 1, 2}};
+  const double expected = between(box, box, ab).upper;
+  test::Random random(42);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_NEAR(abut::gjk(box, box, ab, random.point(1), 10, 1e-12, abut::infinity).upper, expected, 1e-12);
+  }
+  EXPECT_NEAR(abut::gjk(box, box, ab, {0, 0, 0}, 10, 1e-12, abut::infinity).upper, expected, 1e-12);
+}
+
+}  // namespace

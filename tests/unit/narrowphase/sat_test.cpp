@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "random_boxes.hpp"
+
+import abut.core;
+import abut.math;
+import abut.narrowphase.box_sat;
+import abut.narrowphase.sat;
+import abut.shape;
+import abut.shape.box;
+import abut.shape.capsule;
+import abut.shape.sphere;
+
+namespace {
+
+using abut::Pose;
+using abut::Vec3;
+
+template <class S>
+S make(std::vector<double> parameters) {
+  return std::move(S::make(parameters, {}, {})).value();
+}
+
+// A rod against a box is a box without width against a box.
+TEST(Sat, CapsuleCoreIsABoxWithoutWidth) {
+  test::Random random(71);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 half = abut::absolute(random.point(1)) + Vec3{0.01, 0.01, 0.01};
+    const double length = random.uniform(0.01, 2);
+    const Pose ab{random.rotation(), random.point(1.5)};
+    const auto found = abut::sat(make<abut::Box>({half.x, half.y, half.z}), make<abut::Capsule>({1, length}), ab, 0);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->axes, 6u);
+    const std::vector<Vec3> a = test::corners_of(half, Pose::identity()), b = test::corners_of({0, 0, length}, ab);
+    EXPECT_NEAR(-test::corners_overreach(a, b, found->normal, 0), found->separation, 1e-14);
+    // More axes, those of the sides that a rod does not have, can only separate further when apart.
+    const double of_boxes = abut::sat_of_boxes(half, {0, 0, length}, ab, 0, abut::infinity).separation;
+    if (of_boxes < 0) {
+      EXPECT_NEAR(found->separation, of_boxes, 1e-14);
+    } else {
+      EXPECT_LE(found->separation, of_boxes + 1e-14);
+    }
+  }
+}
+
+TEST(Sat, NothingBetweenPointsOrParallelRods) {
+  const auto ball = make<abut::Sphere>({1});
+  const auto rod = make<abut::Capsule>({1, 2});
+  EXPECT_FALSE(abut::sat(ball, ball, Pose::identity(), 0).has_value());
+  EXPECT_FALSE(abut::sat(rod, ball, Pose::identity(), 0).has_value());
+  EXPECT_FALSE(abut::sat(rod, rod, Pose::identity(), 0).has_value());
+  const abut::Rotation crossed = abut::Rotation::from({std::sqrt(0.5), std::sqrt(0.5), 0, 0});
+  const auto found = abut::sat(rod, rod, {crossed, {0, 0, 0}}, 0);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->separation, 0);
+  EXPECT_TRUE(found->of_edges);
+}
+
+}  // namespace
