@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 
 namespace abut::capi {
@@ -25,12 +24,12 @@ void fill_defaults(const Struct& defaults, std::uint32_t struct_size, Struct* ou
   Struct filled = defaults;
   filled.struct_size = struct_size;
   const std::size_t known = std::min<std::size_t>(struct_size, sizeof(Struct));
-  std::memcpy(out, &filled, known);
   // SAFETY: the size is that of the caller's struct, as the caller says.
   ABUT_UNSAFE_BEGIN
   const std::span<std::byte> bytes(static_cast<std::byte*>(static_cast<void*>(out)), struct_size);
   ABUT_UNSAFE_END
-  std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(known), bytes.end(), std::byte{0});
+  const auto rest = std::ranges::copy(std::as_bytes(std::span(&filled, 1)).first(known), bytes.begin()).out;
+  std::fill(rest, bytes.end(), std::byte{0});
 }
 
 }  // namespace abut::capi

@@ -121,53 +121,66 @@ namespace {
 
 std::array<Real, 3> numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-// Shapes alike in kind and pose, by size. Alike in that as well, they are mostly the same one.
-bool is_smaller(const AnyShape& a, const AnyShape& b) {
+// The rest of the order below, for poses that agree in their first coordinate.
+bool comes_after(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
+  const auto place = [](const Pose& pose) {
+    return std::array{numbers(pose.position), numbers(pose.rotation.x), numbers(pose.rotation.y), numbers(pose.rotation.z)};
+  };
+  if (place(pose_a) != place(pose_b)) {
+    return place(pose_b) < place(pose_a);
+  }
   const auto size = [](const AnyShape& shape) {
     const Aabb box = aabb_of(shape, Pose::identity());
     return std::array{numbers(box.high), numbers(box.low)};
   };
-  return size(a) < size(b);
+  return size(b) < size(a);
 }
 
-// Whether work starts from b: by kind, else by pose, else by size.
-bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
+// Whether work starts from b: by kind, else by pose, else by size. Alike in all of these, the shapes are
+// mostly the same one.
+inline bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
   if (a.index() != b.index()) {
     return b.index() < a.index();
   }
-  // Mostly the first number decides.
   if (pose_a.position.x != pose_b.position.x) [[likely]] {
     return pose_b.position.x < pose_a.position.x;
   }
-  const auto place = [](const Pose& pose) {
-    return std::array{numbers(pose.position), numbers(pose.rotation.x), numbers(pose.rotation.y), numbers(pose.rotation.z)};
-  };
-  return place(pose_a) == place(pose_b) ? is_smaller(b, a) : place(pose_b) < place(pose_a);
+  return comes_after(a, b, pose_a, pose_b);
+}
+
+// Without a branch: which side comes first is as good as random.
+inline void swap_sides_if(bool swapped, Distance& found) {
+  const Vec3 point_a = found.point_a, point_b = found.point_b;
+  found.point_a = swapped ? point_b : point_a;
+  found.point_b = swapped ? point_a : point_b;
+  found.normal = (swapped ? -1.0 : 1.0) * found.normal;
 }
 
 }  // namespace
 
 Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
                       Distance& out) {
-  if (!starts_from_b(a, b, pose_a, pose_b)) {
-    return pair_kernels(a.index(), b.index()).distance(a, b, pose_a, pose_b, settings, out);
-  }
-  const Outcome outcome = pair_kernels(b.index(), a.index()).distance(b, a, pose_b, pose_a, settings, out);
+  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
+  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+  const Outcome outcome = pair_kernels(first.index(), second.index())
+                              .distance(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, settings, out);
   if (outcome == Outcome::ok) [[likely]] {
-    swap_sides(out);
+    swap_sides_if(from_b, out);
   }
   return outcome;
 }
 
 Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
                       Manifold& out) {
-  if (!starts_from_b(a, b, pose_a, pose_b)) {
-    return pair_kernels(a.index(), b.index()).contacts(a, b, pose_a, pose_b, settings, out);
-  }
-  const std::size_t first = out.size();
-  const Outcome outcome = pair_kernels(b.index(), a.index()).contacts(b, a, pose_b, pose_a, settings, out);
-  for (ContactPoint& contact : std::span(out).subspan(first)) {
-    swap_sides(contact);
+  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
+  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+  const std::size_t before = out.size();
+  const Outcome outcome = pair_kernels(first.index(), second.index())
+                              .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, settings, out);
+  if (from_b) {
+    for (ContactPoint& contact : std::span(out).subspan(before)) {
+      swap_sides(contact);
+    }
   }
   return outcome;
 }

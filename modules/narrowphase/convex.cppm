@@ -82,7 +82,8 @@ template <Convex A, Convex B>
 // Appends the corners of the contact region under a given separation, and the closest points where the
 // region misses them, unless those are known not to count.
 template <Convex A, Convex B>
-void contacts_under(const A& a, const B& b, const Pose& ab, CoreSeparation& core, Real margin, bool closest_count, Manifold& out) {
+void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
+                    Manifold& out) {
   const Real radii = a.radius() + b.radius();
   const std::size_t first = out.size();
   Real least = infinity;
@@ -94,10 +95,14 @@ void contacts_under(const A& a, const B& b, const Pose& ab, CoreSeparation& core
                      feature_b, contact_id(feature_a, feature_b)});
     }
   };
+  const auto append_closest = [&](const Feature& feature_a, const Feature& feature_b) {
+    CoreSeparation closest = core;
+    find_points(a, b, ab, closest);
+    append(closest.point_a, closest.point_b, feature_a, feature_b);
+  };
   if (meet_in_a_point<A, B>(ab)) {
     if (closest_count) {
-      find_points(a, b, ab, core);
-      append(core.point_a, core.point_b, supporting_feature(a, core.normal), supporting_feature(b, ab.rotation.undo(-core.normal)));
+      append_closest(supporting_feature(a, core.normal), supporting_feature(b, ab.rotation.undo(-core.normal)));
     }
     return;
   }
@@ -111,8 +116,7 @@ void contacts_under(const A& a, const B& b, const Pose& ab, CoreSeparation& core
   // Where the region misses the closest points, as between edges that cross, they are the contact.
   const Real slack = 64 * epsilon * core_size(a, b, ab);
   if (closest_count && (out.size() == first || least > core.distance - radii + slack)) {
-    find_points(a, b, ab, core);
-    append(core.point_a, core.point_b, feature_of(face_a), feature_of(face_b));
+    append_closest(feature_of(face_a), feature_of(face_b));
   }
 }
 

@@ -12,7 +12,6 @@ import abut.core;
 import abut.math;
 import abut.narrowphase.convex;
 import abut.narrowphase.half_space;
-import abut.narrowphase.separation;
 import abut.narrowphase.triangle_contacts;
 import abut.shape;
 

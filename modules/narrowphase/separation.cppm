@@ -10,6 +10,7 @@ module;
 export module abut.narrowphase.separation;
 import abut.core;
 import abut.math;
+import abut.narrowphase.across;
 import abut.narrowphase.box_cores;
 import abut.narrowphase.box_sat;
 import abut.narrowphase.clip;
@@ -93,29 +94,27 @@ void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
   }
   [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
   [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
-  if (face_a.vertices.size() == 1) {
-    core.point_b = core.point_a + core.distance * core.normal;
-    return;
-  }
-  if (face_b.vertices.size() == 1) {
-    core.point_a = core.point_b - core.distance * core.normal;
-    return;
-  }
+  const Real size = core_size(a, b, ab);
+  AcrossPair pair{core.point_a, core.point_b};
   [[clang::uninitialized]] ClipPoints points;
   clip_faces(face_a, face_b, core.normal, points);
-  Real least = core.distance + 1e-12 * core_size(a, b, ab);
+  // Nearly parallel faces are equally far in many points; one of their common region will do.
+  const Real deepest = core.distance + 1e-12 * size;
+  Real least = deepest;
   for (const ClipPoint& point : points.span()) {
     const Real distance = dot(point.point_b - point.point_a, core.normal);
     if (distance <= least) {
       least = distance;
-      core.point_a = point.point_a;
-      core.point_b = point.point_b;
+      pair = {point.point_a, point.point_b};
     }
   }
+  if (!(least < deepest)) {
+    pair = points_across(face_a, face_b, core.normal, noise_of(size));
+  }
   // What rounding leaves between the points and the distance is shared by both.
-  const Vec3 half = (0.5 * (core.distance - dot(core.point_b - core.point_a, core.normal))) * core.normal;
-  core.point_a = core.point_a - half;
-  core.point_b += half;
+  const Vec3 half = (0.5 * (core.distance - dot(pair.point_b - pair.point_a, core.normal))) * core.normal;
+  core.point_a = pair.point_a - half;
+  core.point_b = pair.point_b + half;
 }
 
 // Cores that touch have a point in common, which the search for their overlap went through: it says

@@ -17,7 +17,6 @@ import abut.core;
 import abut.math;
 import abut.narrowphase.across;
 import abut.narrowphase.convex;
-import abut.narrowphase.separation;
 import abut.shape;
 
 export namespace abut {
@@ -71,19 +70,13 @@ template <Convex B>
 [[nodiscard]] CoreSeparation separate_from_triangle(const Triangle& triangle, const B& b, const Pose& ab,
                                                     const QuerySettings& settings, Real limit) {
   CoreSeparation core = separate_cores(triangle, b, ab, settings, limit);
-  find_points(triangle, b, ab, core);
   if (core.overlap) {
     const Real noise = noise_of(core_size(triangle, b, ab));
     const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
-    if (largest_magnitude(aside) > noise || !triangle.box().inflated(noise).overlaps({core.point_a, core.point_a}) ||
-        (triangle.has_area() && !is_over(triangle, core.point_a))) {
-      const AcrossPair pair =
-          points_across(triangle.supporting_face(core.normal), placed_face(b, ab, -core.normal), core.normal, noise);
-      // What rounding leaves between the points and the distance is shared by both.
-      const Vec3 half = (0.5 * (core.distance - dot(pair.point_b - pair.point_a, core.normal))) * core.normal;
-      core.point_a = pair.point_a - half;
-      core.point_b = pair.point_b + half;
-    }
+    core.points_open = core.points_open || largest_magnitude(aside) > noise ||
+                       !triangle.box().inflated(noise).overlaps({core.point_a, core.point_a}) ||
+                       (triangle.has_area() && !is_over(triangle, core.point_a));
+    find_points(triangle, b, ab, core);
   }
   return core;
 }
@@ -159,8 +152,7 @@ template <Convex B>
 void append_contacts(const Triangle& triangle, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
                      Manifold& out) {
   const std::size_t first = out.size();
-  CoreSeparation settled = core;
-  contacts_under(triangle, b, ab, settled, margin, closest_count, out);
+  contacts_under(triangle, b, ab, core, margin, closest_count, out);
   for (ContactPoint& contact : std::span(out).subspan(first)) {
     contact.id = mixed(contact.id + triangle.index());
     contact.feature_a = {FeatureKind::face, triangle.index()};
@@ -221,7 +213,7 @@ void triangle_contacts(const Triangle& triangle, const B& b, std::uint32_t part_
     const auto first = std::ssize(out);
     append_contacts(triangle, b, ab, *turned, settings.margin, is_over_face, out);
     // What passes the plane of the triangle beside it and reaches under it is no overlap.
-    const Real least = is_apart ? core.distance - radii - noise_of(core_size(triangle, b, ab)) : -infinity;
+    const Real least = is_apart ? core.distance - radii - 4 * core.rounding : -infinity;
     out.erase(std::remove_if(out.begin() + first, out.end(), [&](const ContactPoint& contact) { return contact.distance < least; }),
               out.end());
   }
@@ -231,7 +223,7 @@ void triangle_contacts(const Triangle& triangle, const B& b, std::uint32_t part_
 // It has a number of its own: the same features may have met under the normal of the face.
 template <Convex B>
 void append_left(const LeftToNeighbour::Pair& left, const B& b, const Pose& ab, Real margin, std::size_t first, Manifold& out) {
-  const Real deep = left.core.distance - b.radius() + noise_of(core_size(left.triangle, b, ab));
+  const Real deep = left.core.distance - b.radius() + 4 * left.core.rounding;
   if (std::ranges::any_of(std::span(out).subspan(first), [&](const ContactPoint& contact) { return contact.distance <= deep; })) {
     return;
   }

@@ -23,7 +23,6 @@ inline constexpr auto shortfalls = std::to_array<Shortfall>({
     {"box/box parallel separation along the normal falls short of the distance", 2},
     {"box/box parallel touching contact points lie across each other", 3},
     {"box/box parallel upper - lower within the error bound", 2},
-    {"box/box shallow contact points lie across each other", 1},
     {"box/capsule parallel overlapping contact points lie across each other", 3},
     {"box/capsule parallel separation along the normal falls short of the distance", 1},
     {"box/capsule parallel touching contact points lie across each other", 4},

@@ -4,6 +4,7 @@
 #include <abut/abut.h>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -16,9 +17,9 @@ struct Later {
 };
 
 Later filled_with(unsigned char byte) {
-  Later later;
-  std::memset(&later, byte, sizeof later);
-  return later;
+  std::array<unsigned char, sizeof(Later)> bytes{};
+  bytes.fill(byte);
+  return std::bit_cast<Later>(bytes);
 }
 
 TEST(Defaults, OfTheWholeStruct) {

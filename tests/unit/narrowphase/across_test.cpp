@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "random_boxes.hpp"
+
+import abut.core;
+import abut.math;
+import abut.narrowphase.across;
+import abut.shape;
+
+namespace {
+
+using abut::Face;
+using abut::Vec3;
+
+constexpr Vec3 up{0, 0, 1};
+constexpr double slack = 1e-12;
+
+Face face_of(const std::vector<Vec3>& corners, const Vec3& normal) {
+  Face face;
+  face.normal = normal;
+  for (std::uint32_t i = 0; i < corners.size(); ++i) {
+    face.vertices.push_back({corners[i], i, i});
+  }
+  return face;
+}
+
+void expect_across(const abut::AcrossPair& pair, double height) {
+  EXPECT_NEAR(pair.point_b.x, pair.point_a.x, 1e-12);
+  EXPECT_NEAR(pair.point_b.y, pair.point_a.y, 1e-12);
+  EXPECT_NEAR(pair.point_b.z - pair.point_a.z, height, 1e-12);
+}
+
+const Face square = face_of({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, up);
+
+TEST(Across, CornerOverAFace) {
+  const abut::AcrossPair pair = abut::points_across(square, face_of({{0.25, 0.5, -0.125}}, {0, 0, 0}), up, slack);
+  expect_across(pair, -0.125);
+  EXPECT_EQ(pair.point_b, (Vec3{0.25, 0.5, -0.125}));
+}
+
+TEST(Across, EdgesThatCross) {
+  const Face along_x = face_of({{-3, 0.5, 0}, {1, 0.5, 0}}, {0, 0, 0}), along_y = face_of({{-2, -1, 0.5}, {-2, 4, 0.5}}, {0, 0, 0});
+  const abut::AcrossPair pair = abut::points_across(along_x, along_y, up, slack);
+  expect_across(pair, 0.5);
+  EXPECT_NEAR(pair.point_a.x, -2, 1e-12);
+  EXPECT_NEAR(pair.point_a.y, 0.5, 1e-12);
+}
+
+TEST(Across, EdgesThatShareAStretch) {
+  const Face one = face_of({{0, 0, 0}, {4, 0, 0}}, {0, 0, 0}), other = face_of({{3, 0, 1}, {9, 0, 1}}, {0, 0, 0});
+  const abut::AcrossPair pair = abut::points_across(one, other, up, slack);
+  expect_across(pair, 1);
+  EXPECT_GE(pair.point_a.x, 3 - 1e-12);
+  EXPECT_LE(pair.point_a.x, 4 + 1e-12);
+}
+
+// Only what is outermost counts: a face that leans over touches with one of its edges.
+TEST(Across, LeaningFaceTouchesWithItsLowestEdge) {
+  const Face leaning = face_of({{0.5, -9, 0.1}, {0.5, 9, 0.1}, {6, 9, 5}, {6, -9, 5}}, {0.6, 0, -0.8});
+  const abut::AcrossPair pair = abut::points_across(square, leaning, up, slack);
+  expect_across(pair, 0.1);
+  EXPECT_NEAR(pair.point_b.x, 0.5, 1e-12);
+}
+
+TEST(Across, LeastAsideWhereNothingMeets) {
+  const abut::AcrossPair pair = abut::points_across(square, face_of({{5, 0, 2}}, {0, 0, 0}), up, slack);
+  EXPECT_NEAR(pair.point_a.x, 1, 1e-12);
+  EXPECT_NEAR(pair.point_a.y, 0, 1e-12);
+  EXPECT_EQ(pair.point_b, (Vec3{5, 0, 2}));
+}
+
+TEST(Across, RandomSquaresThatOverlap) {
+  test::Random random(81);
+  for (int i = 0; i < 1000; ++i) {
+    const double turn = random.uniform(0, 6), c = std::cos(turn), s = std::sin(turn);
+    const Vec3 centre{random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), 0.25};
+    const Face other = face_of({centre + Vec3{-c + s, -s - c, 0}, centre + Vec3{-c - s, -s + c, 0}, centre + Vec3{c - s, s + c, 0},
+                                centre + Vec3{c + s, s - c, 0}},
+                               -up);
+    const abut::AcrossPair pair = abut::points_across(square, other, up, slack);
+    // Where the circle inside the other one reaches into the square, they overlap.
+    if (std::fabs(centre.x) < 1.4 && std::fabs(centre.y) < 1.4) {
+      expect_across(pair, 0.25);
+      EXPECT_LE(std::fmax(std::fabs(pair.point_a.x), std::fabs(pair.point_a.y)), 1 + 1e-12);
+    }
+  }
+}
+
+}  // namespace
