@@ -12,6 +12,6 @@ for target in build/fuzz/fuzz/fuzz_*_*; do
   [ -f "$target" ] && [ -x "$target" ] || continue
   name=$(basename "$target") pair=${target##*/fuzz_}
   cp "$target" "$OUT/$name"
-  ldd "$target" | sed -n 's|.* => \(/.*/lib\(ccd\|qhull\).*\) (.*|\1|p' | xargs -r cp -t "$OUT/lib" --dereference
+  ldd "$target" | sed -n 's#.* => \(/.*/lib\(ccd\|qhull\).*\) (.*#\1#p' | xargs -r cp -t "$OUT/lib" --dereference
   [ ! -d "fuzz/corpus/$pair" ] || zip -qj "$OUT/${name}_seed_corpus.zip" fuzz/corpus/"$pair"/*
 done
