@@ -115,7 +115,7 @@ TEST(HeightField, BoxOnAGridLineMeetsTheCellsOnBothSides) {
   std::vector<std::uint32_t> cells;
   abut::Aabb box{{1, 0.25, -1}, {1.5, 0.5, 1}};
   field.visit_parts(box, [&](const abut::Triangle&, std::uint32_t index) { cells.push_back(index / 2); });
-  EXPECT_EQ(cells, (std::vector<std::uint32_t>{0, 1, 1}));
+  EXPECT_EQ(cells, (std::vector<std::uint32_t>{0, 0, 1, 1}));
 }
 
 }  // namespace
