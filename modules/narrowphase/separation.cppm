@@ -175,7 +175,12 @@ template <FewFaced A, FewFaced B>
 
 template <Convex A, Convex B>
 void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, CoreSeparation& core) {
-  const EpaResult found = epa(a, b, ab, size, error, start);
+  EpaResult found = epa(a, b, ab, size, error, start);
+  if (found.upper - found.lower > error + noise_of(size)) [[unlikely]] {
+    // A polytope that starts on slivers may not grow to the end; one that starts along the axes then does.
+    const EpaResult again = epa(a, b, ab, size, error, Simplex{});
+    found = again.upper < found.upper ? again : found;
+  }
   core.algorithm = Algorithm::gjk_epa;
   core.iterations += found.iterations;
   core.rounding = noise_of(size);  // normals of slender triangles are off by more than their corners
@@ -248,7 +253,12 @@ template <BoxCored A, BoxCored B>
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::noinline]] CoreSeparation separate_by_gjk(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                                                const Vec3& toward, Real size, Real error, Real limit) {
-  const GjkResult near = gjk(a, b, ab, toward, size, error, limit);
+  GjkResult near = gjk(a, b, ab, toward, size, error, limit);
+  if (!near.overlap && !near.beyond && near.upper - near.lower > error + noise_of(size)) [[unlikely]] {
+    // Rounding stopped it short of a proof; from the point that it reached another simplex may go further.
+    const GjkResult again = gjk(a, b, ab, -near.closest, size, error, limit);
+    near = again.overlap || again.beyond || again.upper - again.lower < near.upper - near.lower ? again : near;
+  }
   CoreSeparation core{};
   core.rounding = rounding_of(size);
   core.algorithm = Algorithm::gjk_epa;
