@@ -15,7 +15,6 @@ module;
 export module abut.narrowphase.triangle_contacts;
 import abut.core;
 import abut.math;
-import abut.narrowphase.across;
 import abut.narrowphase.convex;
 import abut.shape;
 

@@ -56,14 +56,13 @@ struct HullData {
     const Real main = d[axis];
     const Real u = d[axis == 0 ? 1 : 0], v = d[axis == 2 ? 1 : 2];
     const std::size_t side = static_cast<std::size_t>(2 * axis + (main >= 0 ? 1 : 0));
-    const Real scale = 1 / std::fabs(main);
+    const Real scale = main != 0 ? 1 / std::fabs(main) : 0;  // a direction to nowhere is at home in any cell
     return (side * cells_per_side + step_of(v * scale)) * cells_per_side + step_of(u * scale);
   }
 
  private:
   [[nodiscard]] static inline std::size_t step_of(Real ratio) {
     constexpr auto cells = static_cast<Real>(cells_per_side);
-    // A zero direction gives NaN, which the comparison sends to the first cell.
     const Real at = (ratio + 1) * (0.5 * cells);
     return at > 0 ? (at < cells ? static_cast<std::size_t>(at) : cells_per_side - 1) : 0;
   }

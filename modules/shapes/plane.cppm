@@ -51,8 +51,11 @@ class Plane {
   [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
     const Real approach = dot(normal_, direction);
     const Real height = dot(normal_, origin) - offset_;
+    if (approach == 0) {
+      return std::nullopt;
+    }
     const Real distance = -height / approach;
-    if (approach == 0 || !(distance >= 0 && distance <= max_distance)) {
+    if (!(distance >= 0 && distance <= max_distance)) {
       return std::nullopt;
     }
     return RayHit{distance, normal_, {FeatureKind::whole, 0}};
