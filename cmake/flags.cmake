@@ -65,6 +65,7 @@ if(ABUT_SANITIZE STREQUAL "address")
   add_compile_options(-fsanitize=${abut_sanitize_checks} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   # Programs in C need the part of the runtime that checks C++ as well: the library that they link has it.
   add_link_options(-fsanitize=${abut_sanitize_checks} -fsanitize-link-c++-runtime)
+  string(APPEND CMAKE_C_STANDARD_LIBRARIES " -lstdc++ -lm")
 elseif(ABUT_SANITIZE STREQUAL "thread")
   add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
   add_link_options(-fsanitize=thread)
