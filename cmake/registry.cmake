@@ -117,7 +117,6 @@ export namespace abut {
 using Shapes = Registry<@entries@>;
 using AnyShape = Shapes::Any;
 using PairRow = std::array<PairKernels<AnyShape>, Shapes::count>;
-
 }  // namespace abut
 
 namespace abut {

@@ -100,7 +100,7 @@ RouteDescription describe_route(std::size_t place_a, std::size_t place_b) {
     case Route::half_space_of_parts:
       return {"support point per part", "a half-space against a composite"};
     case Route::convex:
-      return {"GJK, SAT or EPA, clipping", "both convex"};
+      return {"closed form or GJK, SAT or EPA, clipping", "both convex"};
     case Route::parts:
       return {"GJK, SAT or EPA, clipping per part", "a composite against a convex shape"};
     case Route::parts_of_both:
@@ -148,14 +148,6 @@ inline bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose
   return comes_after(a, b, pose_a, pose_b);
 }
 
-// Without a branch: which side comes first is as good as random.
-inline void swap_sides_if(bool swapped, Distance& found) {
-  const Vec3 point_a = found.point_a, point_b = found.point_b;
-  found.point_a = swapped ? point_b : point_a;
-  found.point_b = swapped ? point_a : point_b;
-  found.normal = (swapped ? -1.0 : 1.0) * found.normal;
-}
-
 }  // namespace
 
 Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
@@ -165,7 +157,7 @@ Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
   const Outcome outcome = pair_kernels(first.index(), second.index())
                               .distance(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, settings, out);
   if (outcome == Outcome::ok) [[likely]] {
-    swap_sides_if(from_b, out);
+    swap_sides(out, from_b);
   }
   return outcome;
 }

@@ -77,7 +77,8 @@ template <class A, class B>
 }
 
 template <class A, class B>
-[[nodiscard]] [[gnu::always_inline]] inline Outcome distance_by_route(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+[[nodiscard]] [[gnu::always_inline]] inline Outcome distance_by_route(const A& a, const B& b, const Pose& ab,
+                                                                      const QuerySettings& settings, Distance& out) {
   constexpr Route way = route<A, B>();
   if constexpr (way == Route::unsupported) {
     return Outcome::unsupported;

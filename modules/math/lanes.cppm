@@ -28,6 +28,11 @@ using LaneNumbers = std::int64_t __attribute__((ext_vector_type(4)));
   const auto pairs = a.lo + a.hi;
   return pairs[0] + pairs[1];
 }
+// Over all four lanes.
+[[nodiscard]] inline Real largest(Lanes a) {
+  const auto pairs = a.lo > a.hi ? a.lo : a.hi;
+  return pairs[0] > pairs[1] ? pairs[0] : pairs[1];
+}
 [[nodiscard]] inline Real dot(Lanes a, Lanes b) { return sum(a * b); }
 
 // A matrix by its columns.

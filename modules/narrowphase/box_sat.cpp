@@ -10,9 +10,6 @@ namespace {
 
 constexpr std::uint32_t face_axes = 6, all_axes = 15;
 
-[[nodiscard]] inline Real largest_of(Lanes values) {
-  return std::fmax(std::fmax(values[0], values[1]), values[2]);
-}
 struct Best {
   Real value;
   int axis;
@@ -44,7 +41,7 @@ SatResult sat_of_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, R
   const Lanes of_a = offsets_a - a - wide_columns * b, of_b = offsets_b - b - wide_rows * a;
   // Of axes that are equal within the noise the one along which the centres are furthest apart, whichever
   // box it belongs to, so that the order of the boxes does not matter.
-  const Real least = largest_of(maximum(of_a, of_b)) - noise;
+  const Real least = best_of(maximum(of_a, of_b)).value - noise;
   const Best from_a = best_of(of_a >= all_lanes(least) ? offsets_a : Lanes(-infinity));
   const Best from_b = best_of(of_b >= all_lanes(least) ? offsets_b : Lanes(-infinity));
   SatResult best{0, {0, 0, 0}, face_axes, false, {0, 0, 0}, {0, 0, 0}};

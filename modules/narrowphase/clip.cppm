@@ -23,7 +23,8 @@ using ClipPoints = SmallVector<ClipPoint, 24>;
 // Segments closer to parallel than this share a stretch, not a crossing.
 inline constexpr Real parallel_sine = 1e-3;
 
-// Both faces in one frame, `normal` of length one from a to b. At least one point on each side.
+// Both faces in one frame, `normal` of length one from a to b. At least one point on each side; a vertex
+// shares no region with anything.
 // A face that stands so steep to the normal that lifting onto it has no meaning takes part with its
 // outer edge. Closest points that the corners miss come out as well. Nothing comes out when the
 // projections miss each other.

@@ -95,14 +95,12 @@ void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation
                      feature_b, contact_id(feature_a, feature_b)});
     }
   };
-  const auto append_closest = [&](const Feature& feature_a, const Feature& feature_b) {
-    CoreSeparation closest = core;
-    find_points(a, b, ab, closest);
-    append(closest.point_a, closest.point_b, feature_a, feature_b);
-  };
   if (meet_in_a_point<A, B>(ab)) {
     if (closest_count) {
-      append_closest(supporting_feature(a, core.normal), supporting_feature(b, ab.rotation.undo(-core.normal)));
+      CoreSeparation closest = core;
+      find_points(a, b, ab, closest);
+      append(closest.point_a, closest.point_b, supporting_feature(a, core.normal),
+             supporting_feature(b, ab.rotation.undo(-core.normal)));
     }
     return;
   }
@@ -114,9 +112,13 @@ void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation
     append(point.point_a, point.point_b, point.feature_a, point.feature_b);
   }
   // Where the region misses the closest points, as between edges that cross, they are the contact.
-  const Real slack = 64 * epsilon * core_size(a, b, ab);
-  if (closest_count && (out.size() == first || least > core.distance - radii + slack)) {
-    append_closest(feature_of(face_a), feature_of(face_b));
+  const Real size = core_size(a, b, ab);
+  if (closest_count && (out.size() == first || least > core.distance - radii + noise_of(size))) {
+    CoreSeparation closest = core;
+    if (closest.points_open) {
+      find_points_of_faces(face_a, face_b, points, size, closest);
+    }
+    append(closest.point_a, closest.point_b, feature_of(face_a), feature_of(face_b));
   }
 }
 

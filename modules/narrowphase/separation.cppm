@@ -76,32 +76,14 @@ inline void find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSepa
   core.point_b += (dot(across, cross(between, edge_a)) / square) * edge_b;
 }
 
-// The deepest pair of points under the normal of a face, which whoever asks for contacts rarely needs:
-// from the common region of the supporting faces, or else the support points, which are at the right
-// distance along the normal.
-template <Convex A, Convex B>
-void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
-  if (!core.points_open) {
-    return;
-  }
-  core.points_open = false;
-  if constexpr (PointCored<A>) {
-    core.point_b = core.point_a + core.distance * core.normal;
-    return;
-  } else if constexpr (PointCored<B>) {
-    core.point_a = core.point_b - core.distance * core.normal;
-    return;
-  }
-  [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
-  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
-  const Real size = core_size(a, b, ab);
+// The deepest pair of points under the normal of a face: from the common region of the supporting faces,
+// or else from what is outermost of them.
+inline void find_points_of_faces(const Face& face_a, const Face& face_b, const ClipPoints& region, Real size, CoreSeparation& core) {
   AcrossPair pair{core.point_a, core.point_b};
-  [[clang::uninitialized]] ClipPoints points;
-  clip_faces(face_a, face_b, core.normal, points);
   // Nearly parallel faces are equally far in many points; one of their common region will do.
   const Real deepest = core.distance + 1e-12 * size;
   Real least = deepest;
-  for (const ClipPoint& point : points.span()) {
+  for (const ClipPoint& point : region.span()) {
     const Real distance = dot(point.point_b - point.point_a, core.normal);
     if (distance <= least) {
       least = distance;
@@ -115,6 +97,28 @@ void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
   const Vec3 half = (0.5 * (core.distance - dot(pair.point_b - pair.point_a, core.normal))) * core.normal;
   core.point_a = pair.point_a - half;
   core.point_b = pair.point_b + half;
+  core.points_open = false;
+}
+
+// Whoever asks for contacts rarely needs the points, so they are looked for on demand.
+template <Convex A, Convex B>
+void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  if (!core.points_open) {
+    return;
+  }
+  if constexpr (PointCored<A>) {
+    core.point_b = core.point_a + core.distance * core.normal;
+    core.points_open = false;
+  } else if constexpr (PointCored<B>) {
+    core.point_a = core.point_b - core.distance * core.normal;
+    core.points_open = false;
+  } else {
+    [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
+    [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
+    [[clang::uninitialized]] ClipPoints region;
+    clip_faces(face_a, face_b, core.normal, region);
+    find_points_of_faces(face_a, face_b, region, core_size(a, b, ab), core);
+  }
 }
 
 // Cores that touch have a point in common, which the search for their overlap went through: it says

@@ -1,6 +1,4 @@
 // Results of queries on two shapes, seen from elsewhere and from the other side.
-module;
-#include <utility>
 export module abut.shape.frames;
 import abut.math;
 import abut.shape.records;
@@ -16,13 +14,19 @@ inline void move_by(Found& found, const Pose& pose) {
   found.normal = pose.rotation * found.normal;
 }
 
-// What was a becomes b.
+// What was a becomes b, where `swapped`. Without a branch on that: which side comes first is often as good
+// as random.
 template <class Found>
-inline void swap_sides(Found& found) {
-  std::swap(found.point_a, found.point_b);
-  found.normal = -found.normal;
+inline void swap_sides(Found& found, bool swapped = true) {
+  const auto exchange = [swapped](auto& a, auto& b) {
+    const auto old_a = a, old_b = b;
+    a = swapped ? old_b : old_a;
+    b = swapped ? old_a : old_b;
+  };
+  exchange(found.point_a, found.point_b);
+  found.normal = (swapped ? -1.0 : 1.0) * found.normal;
   if constexpr (requires { found.feature_a; }) {
-    std::swap(found.feature_a, found.feature_b);
+    exchange(found.feature_a, found.feature_b);
   }
 }
 

@@ -67,10 +67,6 @@ struct HullData {
     return at > 0 ? (at < cells ? static_cast<std::size_t>(at) : cells_per_side - 1) : 0;
   }
 
-  [[nodiscard]] static inline Real largest_of(Lanes values) {
-    const auto pairs = values.lo > values.hi ? values.lo : values.hi;
-    return pairs[0] > pairs[1] ? pairs[0] : pairs[1];
-  }
   // A bit per lane that holds the value.
   [[nodiscard]] static inline std::uint64_t lanes_with(Lanes values, Real value) {
     using Flags = bool __attribute__((ext_vector_type(4)));
@@ -98,10 +94,10 @@ struct HullData {
     if (next < count) {
       odd = maximum(value_of(next), odd);
     }
-    const Real largest = largest_of(maximum(even, odd));
+    const Real top = largest(maximum(even, odd));
     std::uint64_t holders = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      holders |= lanes_with(values[i], largest) << (4 * i);
+      holders |= lanes_with(values[i], top) << (4 * i);
     }
     // A direction without numbers has no holder: then the last vertex is as good as any.
     const std::size_t vertex = holders != 0 ? static_cast<std::size_t>(std::countr_zero(holders)) : vertices.size() - 1;
@@ -118,10 +114,10 @@ struct HullData {
       const Vec3 &p = vertices[four[0]], &q = vertices[four[1]], &r = vertices[four[2]], &s = vertices[four[3]];
       const Lanes x{p.x, q.x, r.x, s.x}, y{p.y, q.y, r.y, s.y}, z{p.z, q.z, r.z, s.z};
       const Lanes values = multiply_add(z, Lanes(d.z), multiply_add(y, Lanes(d.y), x * d.x));
-      const Real largest = largest_of(values);
-      if (largest > top) {
-        top = largest;
-        best = four[static_cast<std::size_t>(std::countr_zero(lanes_with(values, largest))) & 3u];
+      const Real highest = largest(values);
+      if (highest > top) {
+        top = highest;
+        best = four[static_cast<std::size_t>(std::countr_zero(lanes_with(values, highest))) & 3u];
       }
     }
     return {vertices[best], best};

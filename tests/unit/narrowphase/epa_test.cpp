@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "../made.hpp"
 #include "random_boxes.hpp"
 
 import abut.core;
@@ -22,7 +22,7 @@ using abut::Pose;
 using abut::Vec3;
 
 abut::Box box(const Vec3& half) {
-  return std::move(abut::Box::make(std::vector<double>{half.x, half.y, half.z}, {}, {})).value();
+  return test::made<abut::Box>({half.x, half.y, half.z});
 }
 
 abut::EpaResult depth_of(const Vec3& half_a, const Vec3& half_b, const Pose& ab) {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "../made.hpp"
 #include "random_boxes.hpp"
 
 import abut.core;
@@ -22,11 +22,6 @@ namespace {
 using abut::Pose;
 using abut::Vec3;
 
-template <class S>
-S make(std::vector<double> parameters) {
-  return std::move(S::make(parameters, {}, {})).value();
-}
-
 template <class A, class B>
 abut::GjkResult between(const A& a, const B& b, const Pose& ab, double limit = abut::infinity) {
   return abut::gjk(a, b, ab, ab.position, 10, 1e-12, limit);
@@ -39,7 +34,7 @@ TEST(Gjk, RandomBoxesAreProvenByTheirCorners) {
     const Vec3 half_a = abut::absolute(random.point(1)), half_b = abut::absolute(random.point(1));
     const Pose ab{random.rotation(), random.point(3)};
     const abut::GjkResult found =
-        between(make<abut::Box>({half_a.x, half_a.y, half_a.z}), make<abut::Box>({half_b.x, half_b.y, half_b.z}), ab);
+        between(test::made<abut::Box>({half_a.x, half_a.y, half_a.z}), test::made<abut::Box>({half_b.x, half_b.y, half_b.z}), ab);
     EXPECT_LE(found.iterations, 12u);
     if (found.overlap) {
       continue;
@@ -56,8 +51,8 @@ TEST(Gjk, RandomBoxesAreProvenByTheirCorners) {
 }
 
 TEST(Gjk, CoresOfRoundedShapes) {
-  const auto ball = make<abut::Sphere>({1});
-  const auto rod = make<abut::Capsule>({0.5, 2});
+  const auto ball = test::made<abut::Sphere>({1});
+  const auto rod = test::made<abut::Capsule>({0.5, 2});
   const Pose aside{abut::Rotation::identity(), {3, 0, 4}};
   EXPECT_EQ(between(ball, ball, aside).upper, 5);
   EXPECT_NEAR(between(ball, rod, aside).upper, std::sqrt(9.0 + 4.0), 1e-15);
@@ -65,7 +60,7 @@ TEST(Gjk, CoresOfRoundedShapes) {
 }
 
 TEST(Gjk, StopsWhenItKnowsThatTheCoresAreFar) {
-  const auto box = make<abut::Box>({1, 1, 1});
+  const auto box = test::made<abut::Box>({1, 1, 1});
   const Pose far{abut::Rotation::from({0.9, 0.1, 0.3, 0.2}), {8, 1, 2}};
   const abut::GjkResult early = between(box, box, far, 1.0), full = between(box, box, far);
   EXPECT_TRUE(early.beyond);
@@ -76,7 +71,7 @@ TEST(Gjk, StopsWhenItKnowsThatTheCoresAreFar) {
 }
 
 TEST(Gjk, OverlapAndTouch) {
-  const auto box = make<abut::Box>({1, 1, 1});
+  const auto box = test::made<abut::Box>({1, 1, 1});
   EXPECT_TRUE(between(box, box, Pose::identity()).overlap);
   EXPECT_TRUE(between(box, box, {abut::Rotation::identity(), {2, 0, 0}}).overlap);
   EXPECT_TRUE(between(box, box, {abut::Rotation::identity(), {1.9, 1.9, 1.9}}).overlap);
@@ -86,7 +81,7 @@ TEST(Gjk, OverlapAndTouch) {
 }
 
 TEST(Gjk, StartsFromAnyDirection) {
-  const auto box = make<abut::Box>({1, 2, 3});
+  const auto box = test::made<abut::Box>({1, 2, 3});
   const Pose ab{abut::Rotation::from({0.5, 0.4, 0.3, 0.2}), {6, 1, 2}};
   const double expected = between(box, box, ab).upper;
   test::Random random(42);

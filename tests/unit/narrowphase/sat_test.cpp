@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "../made.hpp"
 #include "random_boxes.hpp"
 
 import abut.core;
@@ -21,11 +21,6 @@ namespace {
 using abut::Pose;
 using abut::Vec3;
 
-template <class S>
-S make(std::vector<double> parameters) {
-  return std::move(S::make(parameters, {}, {})).value();
-}
-
 // A rod against a box is a box without width against a box.
 TEST(Sat, CapsuleCoreIsABoxWithoutWidth) {
   test::Random random(71);
@@ -33,7 +28,7 @@ TEST(Sat, CapsuleCoreIsABoxWithoutWidth) {
     const Vec3 half = abut::absolute(random.point(1)) + Vec3{0.01, 0.01, 0.01};
     const double length = random.uniform(0.01, 2);
     const Pose ab{random.rotation(), random.point(1.5)};
-    const auto found = abut::sat(make<abut::Box>({half.x, half.y, half.z}), make<abut::Capsule>({1, length}), ab, 0);
+    const auto found = abut::sat(test::made<abut::Box>({half.x, half.y, half.z}), test::made<abut::Capsule>({1, length}), ab, 0);
     ASSERT_TRUE(found.has_value());
     EXPECT_EQ(found->axes, 6u);
     const std::vector<Vec3> a = test::corners_of(half, Pose::identity()), b = test::corners_of({0, 0, length}, ab);
@@ -49,8 +44,8 @@ TEST(Sat, CapsuleCoreIsABoxWithoutWidth) {
 }
 
 TEST(Sat, NothingBetweenPointsOrParallelRods) {
-  const auto ball = make<abut::Sphere>({1});
-  const auto rod = make<abut::Capsule>({1, 2});
+  const auto ball = test::made<abut::Sphere>({1});
+  const auto rod = test::made<abut::Capsule>({1, 2});
   EXPECT_FALSE(abut::sat(ball, ball, Pose::identity(), 0).has_value());
   EXPECT_FALSE(abut::sat(rod, ball, Pose::identity(), 0).has_value());
   EXPECT_FALSE(abut::sat(rod, rod, Pose::identity(), 0).has_value());

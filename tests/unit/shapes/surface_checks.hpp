@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "../made.hpp"
 #include "../narrowphase/random_boxes.hpp"
 
 import abut.core;
@@ -26,11 +27,6 @@ inline abut::Vec3 axis_vector(int axis, double length) {
   return {axis == 0 ? length : 0, axis == 1 ? length : 0, axis == 2 ? length : 0};
 }
 inline abut::UnitVec3 towards(Random& random) { return abut::UnitVec3::from_unit_unchecked(random.rotation().x); }
-
-template <class S>
-S made(const std::vector<double>& parameters, const std::vector<double>& reals = {}, const std::vector<std::uint32_t>& indices = {}) {
-  return S::make(parameters, reals, indices).value();
-}
 
 // Refused with a code and a sentence that begins like this.
 template <class S>
