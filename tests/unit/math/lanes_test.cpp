@@ -36,6 +36,13 @@ TEST(Lanes, OperationsAreLaneByLane) {
   EXPECT_EQ(abut::dot(a, b), 5 + 12 - 21 - 32);
 }
 
+TEST(Lanes, LargestLooksAtEveryLane) {
+  EXPECT_EQ(abut::largest(Lanes{4, -1, 2, 3}), 4);
+  EXPECT_EQ(abut::largest(Lanes{-1, 4, 2, 3}), 4);
+  EXPECT_EQ(abut::largest(Lanes{2, -1, 4, 3}), 4);
+  EXPECT_EQ(abut::largest(Lanes{2, -1, 3, 4}), 4);
+}
+
 TEST(Lanes, ClampKeepsWithinTheLimit) {
   expect_lanes(abut::clamp(Lanes{5, -5, 0.5, -0.5}, Lanes{1, 2, 3, 0}), 1, -2, 0.5, 0);
 }

@@ -72,6 +72,17 @@ TEST(Frames, SwapExchangesTheSides) {
   EXPECT_EQ(contact.id, 99u);
 }
 
+TEST(Frames, SidesThatAreNotSwappedStay) {
+  ContactPoint contact = some_contact();
+  const ContactPoint before = contact;
+  swap_sides(contact, false);
+  EXPECT_EQ(contact.point_a, before.point_a);
+  EXPECT_EQ(contact.point_b, before.point_b);
+  EXPECT_EQ(contact.normal, before.normal);
+  EXPECT_EQ(contact.feature_a, before.feature_a);
+  EXPECT_EQ(contact.feature_b, before.feature_b);
+}
+
 TEST(Frames, MoveKeepsDistanceAndPointsTogether) {
   test::Random random(251);
   for (int i = 0; i < 300; ++i) {
