@@ -154,27 +154,16 @@ Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
                       Distance& out) {
   const bool from_b = starts_from_b(a, b, pose_a, pose_b);
   const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-  const Outcome outcome = pair_kernels(first.index(), second.index())
-                              .distance(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, settings, out);
-  if (outcome == Outcome::ok) [[likely]] {
-    swap_sides(out, from_b);
-  }
-  return outcome;
+  return pair_kernels(first.index(), second.index())
+      .distance(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
 }
 
 Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
                       Manifold& out) {
   const bool from_b = starts_from_b(a, b, pose_a, pose_b);
   const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-  const std::size_t before = out.size();
-  const Outcome outcome = pair_kernels(first.index(), second.index())
-                              .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, settings, out);
-  if (from_b) {
-    for (ContactPoint& contact : std::span(out).subspan(before)) {
-      swap_sides(contact);
-    }
-  }
-  return outcome;
+  return pair_kernels(first.index(), second.index())
+      .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
 }
 
 }  // namespace abut

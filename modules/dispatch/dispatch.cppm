@@ -84,8 +84,7 @@ template <class A, class B>
     return Outcome::unsupported;
   } else if constexpr (is_flipped<A, B>()) {
     const Outcome outcome = distance_by_route(b, a, ab.inverse(), settings, out);
-    swap_sides(out);
-    move_by(out, ab);
+    move_by(out, ab, true);
     return outcome;
   } else if constexpr (way == Route::hand_written) {
     return Intersector<A, B>::distance(a, b, ab, settings, out);
@@ -111,8 +110,7 @@ template <class A, class B>
     const std::size_t first = out.size();
     const Outcome outcome = contacts_by_route(b, a, ab.inverse(), settings, out);
     for (ContactPoint& contact : std::span(out).subspan(first)) {
-      swap_sides(contact);
-      move_by(contact, ab);
+      move_by(contact, ab, true);
     }
     return outcome;
   } else if constexpr (way == Route::hand_written) {
@@ -158,53 +156,62 @@ struct PairResult {
   Outcome outcome;
 };
 
-// The kernels of a pair of kinds. Single pairs are asked about in the world, so that what lies between
-// the poses and the answer stays in registers. The batch is one loop over one pair of types, entered by
-// one call, and answers in the frames of the first shapes: much of that is dropped before it is moved.
+// The kernels of a pair of kinds. Single pairs are asked about in the world, with the sides swapped on
+// demand, so that what lies between the poses and the answer stays in registers. The batch is one loop
+// over one pair of types, entered by one call, and answers in the frames of the first shapes: much of that
+// is dropped before it is moved.
 template <class Any>
 struct PairKernels {
   Route route;
   bool flipped;
-  Outcome (*distance)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
-                      Distance& out);
-  Outcome (*contacts)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
-                      Manifold& out);
+  Outcome (*distance)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                      const QuerySettings& settings, Distance& out);
+  Outcome (*contacts)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                      const QuerySettings& settings, Manifold& out);
   void (*contacts_of_run)(std::span<const Frozen<Any>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
                           const QuerySettings& settings, Manifold& out, std::span<PairResult> results);
 };
 
 template <class Any, class A, class B>
+[[nodiscard]] Outcome distance_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                                      const QuerySettings& settings, Distance& out) {
+  [[clang::uninitialized]] Distance found;
+  const Outcome outcome = distance_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, found);
+  if (outcome == Outcome::ok) [[likely]] {
+    move_by(found, pose_a, swapped);
+    out = found;
+  }
+  return outcome;
+}
+
+template <class Any, class A, class B>
+[[nodiscard]] Outcome contacts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                                      const QuerySettings& settings, Manifold& out) {
+  const std::size_t first = out.size();
+  const Outcome outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
+  for (ContactPoint& contact : std::span(out).subspan(first)) {
+    move_by(contact, pose_a, swapped);
+  }
+  return outcome;
+}
+
+template <class Any, class A, class B>
+void contacts_of_run_kernel(std::span<const Frozen<Any>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
+                            const QuerySettings& common, Manifold& out, std::span<PairResult> results) {
+  QuerySettings settings = common;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const PairJob& job = jobs[i];
+    settings.margin = job.margin;
+    const Outcome outcome = contacts_by_route(std::get<A>(*shapes[job.a]), std::get<B>(*shapes[job.b]),
+                                              relative(poses[job.a], poses[job.b]), settings, out);
+    results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
+  }
+}
+
+template <class Any, class A, class B>
 [[nodiscard]] consteval PairKernels<Any> make_kernels() {
-  return {
-      route<A, B>(),
-      is_flipped<A, B>(),
-      [](const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings, Distance& out) {
-        const Outcome outcome = distance_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
-        if (outcome == Outcome::ok) [[likely]] {
-          move_by(out, pose_a);
-        }
-        return outcome;
-      },
-      [](const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings, Manifold& out) {
-        const std::size_t first = out.size();
-        const Outcome outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
-        for (ContactPoint& contact : std::span(out).subspan(first)) {
-          move_by(contact, pose_a);
-        }
-        return outcome;
-      },
-      [](std::span<const Frozen<Any>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
-         const QuerySettings& common, Manifold& out, std::span<PairResult> results) {
-        QuerySettings settings = common;
-        for (std::size_t i = 0; i < jobs.size(); ++i) {
-          const PairJob& job = jobs[i];
-          settings.margin = job.margin;
-          const Outcome outcome = contacts_by_route(std::get<A>(*shapes[job.a]), std::get<B>(*shapes[job.b]),
-                                                    relative(poses[job.a], poses[job.b]), settings, out);
-          results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
-        }
-      },
-  };
+  return {route<A, B>(), is_flipped<A, B>(), distance_kernel<Any, A, B>, contacts_kernel<Any, A, B>,
+          contacts_of_run_kernel<Any, A, B>};
 }
 
 // The cells (Row, Row), (Row, Row + 1), ... of the table; those below the diagonal stay empty, since a

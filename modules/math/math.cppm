@@ -1,6 +1,7 @@
 // Numbers, vectors, poses and boxes. The folder is the only one that knows Eigen.
 export module abut.math;
 export import abut.math.aabb;
+export import abut.math.lane_matrix;
 export import abut.math.lanes;
 export import abut.math.pose;
 export import abut.math.principal_axes;

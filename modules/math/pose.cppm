@@ -65,11 +65,4 @@ struct Pose {
   }
 };
 
-// The pose of b in the frame of a: the positions are subtracted first, so that far from the origin
-// only the rounding of the given positions is left.
-[[nodiscard]] inline constexpr Pose relative(const Pose& a, const Pose& b) {
-  const Rotation back = a.rotation.inverse();
-  return {back * b.rotation, back * (b.position - a.position)};
-}
-
 }  // namespace abut

@@ -39,7 +39,9 @@ inline constexpr Vec3& operator+=(Vec3& a, const Vec3& b) { return a = a + b; }
   return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
 }
 [[nodiscard]] inline Real largest_magnitude(const Vec3& a) {
-  return std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
+  const Vec3 sizes = absolute(a);
+  const Real larger = sizes.x > sizes.y ? sizes.x : sizes.y;
+  return larger > sizes.z ? larger : sizes.z;
 }
 [[nodiscard]] inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 

@@ -29,7 +29,7 @@ struct NearPoints {
 };
 
 // Within `error` of the distance? Then the points are the answer.
-[[nodiscard]] inline bool is_proven(const NearPoints& near, Real error) {
+[[nodiscard]] [[gnu::always_inline]] inline bool is_proven(const NearPoints& near, Real error) {
   return near.gap * near.gap <= error * error * near.square;
 }
 
@@ -98,17 +98,37 @@ inline constexpr std::uint32_t projection_rounds = 3;
   }
 }
 
+// A box of half extents `half` and a point.
+[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_of_point(const Vec3& half, Lanes point) {
+  const Lanes on_box = clamp(point, lanes_of(half)), between = point - on_box;
+  return {on_box, point, between, dot(between, between), 0, 1};
+}
+
+// The nearest points of a point or a segment placed by ab and of a box of half extents `half` in its frame.
+template <BoxCored B>
+[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_in_box(const Vec3& half, const B& b, Lanes position, Lanes axis,
+                                                                          Real error) {
+  if constexpr (PointCored<B>) {
+    return near_points_of_point(half, position);
+  } else {
+    return near_points_of_segment(half, position, axis, b.half().z, error);
+  }
+}
+
 template <BoxCored A, BoxCored B>
 [[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points(const A& a, const B& b, const Pose& ab, Real error) {
-  if constexpr (A::core_axes == 3 && B::core_axes == 3) {
+  if constexpr (PointCored<A> && PointCored<B>) {
+    const Lanes between = lanes_of(ab.position);
+    return {Lanes(0), between, between, dot(between, between), 0, 1};
+  } else if constexpr (A::core_axes == 3 && B::core_axes == 3) {
     return near_points_of_boxes(a.half(), b.half(), ab, error);
   } else if constexpr (B::core_axes < 3) {
-    return near_points_of_segment(a.half(), lanes_of(ab.position), lanes_of(ab.rotation.z), b.half().z, error);
+    return near_points_in_box(a.half(), b, lanes_of(ab.position), lanes_of(ab.rotation.z), error);
   } else {
     // The same in the frame of the box, and back.
     const LaneMatrix columns = LaneMatrix::columns_of(ab.rotation), rows = LaneMatrix::rows_of(ab.rotation);
     const Lanes position = lanes_of(ab.position);
-    NearPoints near = near_points_of_segment(b.half(), -(rows * position), rows.z, a.half().z, error);
+    NearPoints near = near_points_in_box(b.half(), a, -(rows * position), rows.z, error);
     near.on_b = columns.apply(near.on_a, position);
     near.between = -(columns * near.between);
     near.on_a = near.on_b - near.between;

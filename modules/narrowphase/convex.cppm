@@ -8,6 +8,7 @@ module;
 export module abut.narrowphase.convex;
 import abut.core;
 import abut.math;
+import abut.narrowphase.box_cores;
 import abut.narrowphase.clip;
 import abut.narrowphase.libccd;
 export import abut.narrowphase.separation;
@@ -16,7 +17,7 @@ import abut.shape;
 export namespace abut {
 
 // Rounds the cores off: both surfaces move toward each other along the normal.
-[[nodiscard]] inline Distance rounded(const CoreSeparation& core, Real radius_a, Real radius_b) {
+[[nodiscard]] [[gnu::always_inline]] inline Distance rounded(const CoreSeparation& core, Real radius_a, Real radius_b) {
   const Real radii = radius_a + radius_b;
   return {core.distance - radii,
           core.lower - core.rounding - radii,
@@ -43,27 +44,45 @@ template <Convex A, Convex B>
 }
 
 template <Convex A, Convex B>
-[[nodiscard]] [[gnu::always_inline]] inline Outcome convex_distance(const A& a, const B& b, const Pose& ab,
-                                                                    const QuerySettings& settings, Distance& out) {
+[[nodiscard]] [[gnu::noinline]] Outcome convex_distance_by_search(const A& a, const B& b, const Pose& ab,
+                                                                  const QuerySettings& settings, Distance& out) {
   if (!may_answer<A, B>(settings.algorithm)) {
     return Outcome::unsupported;
   }
   if (settings.algorithm == Algorithm::libccd_gjk || settings.algorithm == Algorithm::libccd_mpr) {
     return libccd_distance(a, b, ab, settings.algorithm, out);
   }
-  const CoreSeparation core = separate_cores(a, b, ab, settings, infinity);
+  CoreSeparation core = separate_cores(a, b, ab, settings, infinity);
   if (!is_by(settings.algorithm, core)) {
     return Outcome::unsupported;
   }
-  if (core.points_open) {
-    // A copy, so that the common case stays in registers.
-    CoreSeparation open = core;
-    find_points(a, b, ab, open);
-    out = rounded(open, a.radius(), b.radius());
-    return Outcome::ok;
-  }
+  find_points(a, b, ab, core);
   out = rounded(core, a.radius(), b.radius());
   return Outcome::ok;
+}
+
+// Closed forms, where the shapes have any and they succeed, stay in registers from the pose to the answer:
+// all else gets copies of the pose and of the answer, and starts afresh.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::always_inline]] inline Outcome convex_distance(const A& a, const B& b, const Pose& ab,
+                                                                    const QuerySettings& settings, Distance& out) {
+  if constexpr (BoxCored<A> && BoxCored<B>) {
+    if (settings.algorithm == Algorithm::automatic || settings.algorithm == Algorithm::analytic) [[likely]] {
+      const Real size = core_size(a, b, ab), error = error_of(a, b, size, settings);
+      const NearPoints near = near_points(a, b, ab, error);
+      if (is_settled(near, size, error)) [[likely]] {
+        out = rounded(separation_of(near, size), a.radius(), b.radius());
+        return Outcome::ok;
+      }
+    }
+    const Pose placed = ab;
+    [[clang::uninitialized]] Distance found;
+    const Outcome outcome = convex_distance_by_search(a, b, placed, settings, found);
+    out = found;
+    return outcome;
+  } else {
+    return convex_distance_by_search(a, b, ab, settings, out);
+  }
 }
 
 // Whether two cores cannot have more than a point in common.

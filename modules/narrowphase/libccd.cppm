@@ -25,7 +25,7 @@ template <Convex A, Convex B>
   };
   return libccd_query([&](const Vec3& d) { return round_off(a.support(d).point, d, a.radius()); },
                       [&](const Vec3& d) { return round_off(placed_support(b, placement, d).point, d, b.radius()); },
-                      a.centre(), ab * b.centre(), algorithm, out);
+                      a.centre(), placed_centre(b, ab), algorithm, out);
 }
 
 }  // namespace abut

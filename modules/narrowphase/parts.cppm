@@ -43,7 +43,7 @@ void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
     best.upper = upper;
     best.iterations = iterations;
   };
-  consider(a.part_near(ab * b.centre()));
+  consider(a.part_near(placed_centre(b, ab)));
   Aabb query = best.distance < infinity ? around.inflated(std::max(best.distance, Real{0})) : Aabb::everything();
   a.visit_parts(query, [&](const typename A::Part& part, std::uint32_t) {
     consider(part);

@@ -28,7 +28,7 @@ struct SatResult {
 template <FewFaced A, FewFaced B>
 [[nodiscard]] std::optional<SatResult> sat(const A& a, const B& b, const Pose& ab, Real noise) {
   const auto placement = place(b, ab);
-  const Vec3 apart = ab * b.centre() - a.centre();
+  const Vec3 apart = placed_centre(b, ab) - a.centre();
   SatResult best{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}};
 
   // Separation along n: from the furthest point of a to the nearest of b.

@@ -37,20 +37,27 @@ struct CoreSeparation {
 
 // Bound of the coordinates of both cores in the frame of a: rounding is relative to it.
 template <Convex A, Convex B>
-[[nodiscard]] inline Real core_size(const A& a, const B& b, const Pose& ab) {
-  return 2 * (a.extent() + b.extent()) + largest_magnitude(a.centre()) + largest_magnitude(ab * b.centre());
+[[nodiscard]] [[gnu::always_inline]] inline Real core_size(const A& a, const B& b, const Pose& ab) {
+  return 2 * (a.extent() + b.extent()) + largest_magnitude(a.centre()) + largest_magnitude(placed_centre(b, ab));
+}
+
+// The bound asked for, on shapes of their own size, and no finer than coordinates are.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::always_inline]] inline Real error_of(const A& a, const B& b, Real size, const QuerySettings& settings) {
+  const Real shape_size = 2 * (a.extent() + b.extent()) + a.radius() + b.radius();
+  return settings.error_bound * shape_size + 4 * epsilon * size;
 }
 
 // What the coordinates of cores of this size may be off by, and with them all bounds.
-[[nodiscard]] inline Real rounding_of(Real size) { return 16 * epsilon * size; }
+[[nodiscard]] [[gnu::always_inline]] inline Real rounding_of(Real size) { return 16 * epsilon * size; }
 // Depths along two axes that differ by less are the same.
-[[nodiscard]] inline Real noise_of(Real size) { return 64 * epsilon * size; }
+[[nodiscard]] [[gnu::always_inline]] inline Real noise_of(Real size) { return 64 * epsilon * size; }
 
 // Any direction across two cores that touch without an axis of their own: across the first edge that
 // there is, toward the other centre where that says something.
 template <FewFaced A, FewFaced B>
 [[nodiscard]] Vec3 direction_across(const A& a, const B& b, const Pose& ab) {
-  const Vec3 apart = ab * b.centre() - a.centre();
+  const Vec3 apart = placed_centre(b, ab) - a.centre();
   Vec3 along{0, 0, 0};
   for (const Vec3& edge : b.edge_directions()) {
     along = ab.rotation * edge;
@@ -202,11 +209,30 @@ void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real err
 // Below this many sizes the line between projected points is rounding, and GJK's simplex knows it better.
 inline constexpr Real projection_limit = 1e-5;
 
+// Whether closed forms found the distance of two cores that are apart.
+[[nodiscard]] [[gnu::always_inline]] inline bool is_settled(const NearPoints& near, Real size, Real error) {
+  const Real least = projection_limit * size;
+  return is_proven(near, error) && near.square > least * least;
+}
+[[nodiscard]] [[gnu::always_inline]] inline CoreSeparation separation_of(const NearPoints& near, Real size) {
+  const Real distance = std::sqrt(near.square), inverse = 1 / distance;
+  CoreSeparation core{};
+  core.rounding = rounding_of(size);
+  core.algorithm = Algorithm::analytic;
+  core.iterations = near.rounds;
+  core.distance = core.upper = distance;
+  core.lower = distance - near.gap * inverse;
+  core.normal = vec3_of(near.between * inverse);
+  core.point_a = vec3_of(near.on_a);
+  core.point_b = vec3_of(near.on_b);
+  return core;
+}
+
 // Boxes, segments and points, without GJK. False when rounding or too slow progress leaves the answer
 // to it; `toward` is then the direction from a to b that was reached.
 template <BoxCored A, BoxCored B>
-[[nodiscard]] [[gnu::always_inline]] inline bool separate_box_cores(const A& a, const B& b, const Pose& ab, Real size, Real error,
-                                                                    Real limit, Vec3& toward, CoreSeparation& core) {
+[[nodiscard]] inline bool separate_box_cores(const A& a, const B& b, const Pose& ab, Real size, Real error, Real limit, Vec3& toward,
+                                      CoreSeparation& core) {
   if constexpr (TwoBoxes<A, B>) {
     // Whoever wants contacts mostly asks about boxes that overlap, or are known apart by an axis.
     if (limit < infinity) {
@@ -235,20 +261,13 @@ template <BoxCored A, BoxCored B>
     }
     return true;
   }
-  core.iterations = near.rounds;
-  const Real least = projection_limit * size;
-  if (!(is_proven(near, error) && near.square > least * least)) {
+  if (!is_settled(near, size, error)) {
+    core.iterations = near.rounds;
     toward = vec3_of(near.between);
     return false;
   }
-  core.algorithm = Algorithm::analytic;
-  const Real distance = std::sqrt(near.square), inverse = 1 / distance;
-  core.distance = core.upper = distance;
-  core.lower = distance - near.gap * inverse;
+  core = separation_of(near, size);
   core.beyond = core.lower > limit;
-  core.normal = vec3_of(near.between * inverse);
-  core.point_a = vec3_of(near.on_a);
-  core.point_b = vec3_of(near.on_b);
   return true;
 }
 
@@ -295,12 +314,10 @@ template <Convex A, Convex B>
 
 // `limit`: the caller only wants to know how near the cores are when they are nearer than this.
 template <Convex A, Convex B>
-[[nodiscard]] [[gnu::always_inline]] inline CoreSeparation separate_cores(const A& a, const B& b, const Pose& ab,
-                                                                          const QuerySettings& settings, Real limit) {
+[[nodiscard]] inline CoreSeparation separate_cores(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Real limit) {
   const Real size = core_size(a, b, ab);
-  const Real shape_size = 2 * (a.extent() + b.extent()) + a.radius() + b.radius();
-  const Real error = settings.error_bound * shape_size + 4 * epsilon * size;
-  Vec3 toward = ab * b.centre() - a.centre();
+  const Real error = error_of(a, b, size, settings);
+  Vec3 toward = placed_centre(b, ab) - a.centre();
   if constexpr (BoxCored<A> && BoxCored<B>) {
     CoreSeparation core{};
     core.rounding = rounding_of(size);

@@ -171,7 +171,7 @@ void triangle_contacts(const Triangle& triangle, const B& b, std::uint32_t part_
   const bool is_allowed = fronts.allows(core.normal);
   // Of a core that is beside or behind a triangle, only what its rounding has sunk in from the front counts.
   if (!is_allowed && !core.overlap &&
-      !(core.distance < radii && dot(triangle.normal(), ab * b.centre() - triangle.corners()[0]) >= 0)) {
+      !(core.distance < radii && dot(triangle.normal(), placed_centre(b, ab) - triangle.corners()[0]) >= 0)) {
     return;
   }
   // The normals of faces that may stand in for the normal that was found; the one that parts them sooner does.

@@ -5,28 +5,23 @@ import abut.shape.records;
 
 export namespace abut {
 
-// A distance or a contact, from the frame that is placed by the pose to the one that it is placed in.
-// In place: the record is larger than the work on it.
+// A distance or a contact, from the frame that is placed by the pose to the one that it is placed in; what
+// was a becomes b, where `swapped`. Which side comes first is often as good as random, hence lanes that are
+// chosen by a mask and no branch.
 template <class Found>
-inline void move_by(Found& found, const Pose& pose) {
-  found.point_a = pose * found.point_a;
-  found.point_b = pose * found.point_b;
-  found.normal = pose.rotation * found.normal;
-}
-
-// What was a becomes b, where `swapped`. Without a branch on that: which side comes first is often as good
-// as random.
-template <class Found>
-inline void swap_sides(Found& found, bool swapped = true) {
-  const auto exchange = [swapped](auto& a, auto& b) {
-    const auto old_a = a, old_b = b;
-    a = swapped ? old_b : old_a;
-    b = swapped ? old_a : old_b;
-  };
-  exchange(found.point_a, found.point_b);
-  found.normal = (swapped ? -1.0 : 1.0) * found.normal;
+[[gnu::always_inline]] inline void move_by(Found& found, const Pose& pose, bool swapped = false) {
+  const LaneMatrix columns = LaneMatrix::columns_of(pose.rotation);
+  const Lanes position = lanes_of(pose.position);
+  const Lanes point_a = columns.apply(found.point_a, position), point_b = columns.apply(found.point_b, position);
+  const Lanes normal = columns * found.normal;
+  const LaneNumbers exchange = swapped ? -1 : 0;
+  found.point_a = vec3_of(exchange ? point_b : point_a);
+  found.point_b = vec3_of(exchange ? point_a : point_b);
+  found.normal = vec3_of(exchange ? -normal : normal);
   if constexpr (requires { found.feature_a; }) {
-    exchange(found.feature_a, found.feature_b);
+    const Feature feature_a = found.feature_a, feature_b = found.feature_b;
+    found.feature_a = swapped ? feature_b : feature_a;
+    found.feature_b = swapped ? feature_a : feature_b;
   }
 }
 

@@ -30,6 +30,15 @@ template <Convex S, class Placement>
 }
 
 template <Convex S>
+[[nodiscard]] inline Vec3 placed_centre(const S& shape, const Pose& pose) {
+  if constexpr (BoxCored<S>) {
+    return pose.position;
+  } else {
+    return pose * shape.centre();
+  }
+}
+
+template <Convex S>
 [[nodiscard]] inline Face placed_face(const S& shape, const Pose& pose, const Vec3& direction) {
   Face face = shape.supporting_face(pose.rotation.undo(direction));
   for (FaceVertex& vertex : face.vertices.span()) {

@@ -177,8 +177,7 @@ void Universe::collect_contacts() {
     }
     const GeometryId low = geometries_.id_at_slot(pairs_[i].low + 1), high = geometries_.id_at_slot(pairs_[i].high + 1);
     for (ContactPoint& contact : found.first(count)) {
-      move_by(contact, worlds_[job.a]);
-      swap_sides(contact, job.a != pairs_[i].low);
+      move_by(contact, worlds_[job.a], job.a != pairs_[i].low);
       contacts_.push_back({low, high, contact});
     }
     KindTally& tally = tallies_[PairRuns::run_of(kinds_[job.a], kinds_[job.b])];

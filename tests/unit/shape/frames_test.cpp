@@ -57,30 +57,19 @@ TEST(Frames, MoveKeepsTheFeaturesOfAContact) {
 }
 
 // Swapping a and b swaps points and features and negates the normal; nothing else changes.
-TEST(Frames, SwapExchangesTheSides) {
+TEST(Frames, MoveExchangesTheSides) {
   Distance found = some_distance();
-  swap_sides(found);
-  EXPECT_EQ(found.point_a, (Vec3{3, 0, 0}));
-  EXPECT_EQ(found.point_b, (Vec3{1, 0, 0}));
-  EXPECT_EQ(found.normal, (Vec3{-1, 0, 0}));
+  move_by(found, quarter, true);
+  EXPECT_EQ(found.point_a, (Vec3{10, 23, 30}));
+  EXPECT_EQ(found.point_b, (Vec3{10, 21, 30}));
+  EXPECT_EQ(found.normal, (Vec3{0, -1, 0}));
   EXPECT_EQ(found.distance, dot(found.point_b - found.point_a, found.normal));
   ContactPoint contact = some_contact();
-  swap_sides(contact);
+  move_by(contact, quarter, true);
   EXPECT_EQ(contact.feature_a, (Feature{FeatureKind::face, 5}));
   EXPECT_EQ(contact.feature_b, (Feature{FeatureKind::vertex, 3}));
   EXPECT_EQ(contact.distance, -0.5);
   EXPECT_EQ(contact.id, 99u);
-}
-
-TEST(Frames, SidesThatAreNotSwappedStay) {
-  ContactPoint contact = some_contact();
-  const ContactPoint before = contact;
-  swap_sides(contact, false);
-  EXPECT_EQ(contact.point_a, before.point_a);
-  EXPECT_EQ(contact.point_b, before.point_b);
-  EXPECT_EQ(contact.normal, before.normal);
-  EXPECT_EQ(contact.feature_a, before.feature_a);
-  EXPECT_EQ(contact.feature_b, before.feature_b);
 }
 
 TEST(Frames, MoveKeepsDistanceAndPointsTogether) {
