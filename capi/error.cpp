@@ -32,8 +32,6 @@ static_assert(static_cast<abut_status>(Errc::internal) == ABUT_INTERNAL);
 
 }  // namespace
 
-void clear_message() noexcept { last_message[0] = '\0'; }
-
 void set_message(std::string_view message) noexcept {
   // Cut at a whole UTF-8 character: continuation bytes start with the bits 10.
   std::size_t length = std::min(message.size(), last_message.size() - 1);

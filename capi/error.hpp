@@ -8,7 +8,6 @@ import abut.core;
 
 namespace abut::capi {
 
-void clear_message() noexcept;
 void set_message(std::string_view message) noexcept;
 
 // Sets the message and gives the status back.

@@ -15,7 +15,6 @@ namespace abut::capi {
 
 template <class Body>
 [[nodiscard]] inline abut_status guard(Body&& body) noexcept {
-  clear_message();
   try {
     return std::forward<Body>(body)();
   } catch (...) {
@@ -26,7 +25,6 @@ template <class Body>
 // The same for an object that a defect makes unusable: what is left of it may break every promise.
 template <class Body>
 [[nodiscard]] inline abut_status guard(std::atomic<bool>& poisoned, Body&& body) noexcept {
-  clear_message();
   if (poisoned.load(std::memory_order_relaxed)) [[unlikely]] {
     return refuse(ABUT_INTERNAL, "a defect of abut was met earlier; the universe can only be destroyed");
   }

@@ -51,10 +51,6 @@ template <class Action> [[nodiscard]] abut_status guarded(const Action& action) 
   }
 }
 
-[[nodiscard]] abut_status succeed() noexcept {
-  return abut_set_last_error(ABUT_OK, nullptr);
-}
-
 // Whether `count` elements of `size` bytes can be in memory at all.
 [[nodiscard]] bool fits(std::size_t count, std::size_t size) noexcept {
   return count <= static_cast<std::size_t>(std::numeric_limits<std::ptrdiff_t>::max()) / size;
@@ -95,7 +91,7 @@ abut_status abut_camera_look_at(abut_camera* camera, const abut_vec3* eye, const
   if (abut::picking::are_parallel(forward, *up))
     return refuse(ABUT_ZERO_VECTOR, "up is zero or parallel to the line of sight");
   camera->pose = {.position = *eye, .orientation = abut::picking::look_along(forward, *up)};
-  return succeed();
+  return ABUT_OK;
 }
 
 abut_status abut_camera_ray(const abut_camera* camera, double x, double y, abut_ray* out) {
@@ -105,7 +101,7 @@ abut_status abut_camera_ray(const abut_camera* camera, double x, double y, abut_
   if (!std::isfinite(x)) return refuse(ABUT_NOT_FINITE, "x", x, "it must be finite");
   if (!std::isfinite(y)) return refuse(ABUT_NOT_FINITE, "y", y, "it must be finite");
   *out = abut::picking::camera_ray(*camera, x, y);
-  return succeed();
+  return ABUT_OK;
 }
 
 abut_status abut_picker_create(abut_universe* universe, abut_picker** out) {
@@ -115,7 +111,7 @@ abut_status abut_picker_create(abut_universe* universe, abut_picker** out) {
     auto picker = std::make_unique<abut_picker>(
         abut_picker{abut::picking::Picker(std::make_unique<abut::capi::UniverseSource>(universe))});
     *out = picker.release();
-    return succeed();
+    return ABUT_OK;
   });
 }
 

@@ -87,8 +87,9 @@ ABUT_API const char *abut_status_name(abut_status status);
 
 /**
  * Message of the last failing call on this thread: which argument, which value, what was expected.
- * Never null; empty after a success. Valid until the next abut call on this thread. For people:
- * programs look at the status. [any]
+ * Never null; empty before the first failure. A success leaves it as it is, so ask after a status other
+ * than ABUT_OK. Valid until the next abut call on this thread. For people: programs look at the status.
+ * [any]
  */
 ABUT_API const char *abut_last_error_message(void);
 

@@ -209,13 +209,15 @@ void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real err
 // Below this many sizes the line between projected points is rounding, and GJK's simplex knows it better.
 inline constexpr Real projection_limit = 1e-5;
 
-// Whether closed forms found the distance of two cores that are apart.
+// Whether closed forms found the distance of two cores that are apart, and no square on the way lost digits
+// by being tiny.
 [[nodiscard]] [[gnu::always_inline]] inline bool is_settled(const NearPoints& near, Real size, Real error) {
   const Real least = projection_limit * size;
-  return is_proven(near, error) && near.square > least * least;
+  return is_proven(near, error) && near.square > least * least && near.square > 1e-280;
 }
 [[nodiscard]] [[gnu::always_inline]] inline CoreSeparation separation_of(const NearPoints& near, Real size) {
-  const Real distance = std::sqrt(near.square), inverse = 1 / distance;
+  // The root and the division run side by side.
+  const Real distance = std::sqrt(near.square), inverse = distance * (1 / near.square);
   CoreSeparation core{};
   core.rounding = rounding_of(size);
   core.algorithm = Algorithm::analytic;

@@ -14,10 +14,13 @@ abut_status break_an_invariant() {
   return ABUT_OK;
 }
 
-TEST(Guard, PassesStatusAndClearsMessage) {
-  set_message("left over");
-  EXPECT_EQ(guard([]() -> abut_status { return ABUT_EMPTY; }), ABUT_EMPTY);
-  EXPECT_STREQ(abut_last_error_message(), "");
+TEST(Guard, PassesStatusAndMessage) {
+  EXPECT_EQ(guard([]() -> abut_status {
+              set_message("an empty one");
+              return ABUT_EMPTY;
+            }),
+            ABUT_EMPTY);
+  EXPECT_STREQ(abut_last_error_message(), "an empty one");
 }
 
 TEST(Guard, AnswersOutOfMemory) {

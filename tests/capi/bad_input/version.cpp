@@ -22,13 +22,16 @@ TEST(StatusName, NamesEveryStatusAndNothingElse) {
   }
 }
 
-TEST(LastErrorMessage, IsEmptyAfterASuccess) {
+TEST(LastErrorMessage, StaysUntilTheNextFailure) {
   abut_shape* shape = nullptr;
   ASSERT_NE(abut_sphere_create(-1.0, &shape), ABUT_OK);
-  EXPECT_STRNE(abut_last_error_message(), "");
-  EXPECT_STRNE(abut_last_error_message(), "") << "asking does not clear it";
+  const std::string first = abut_last_error_message();
+  EXPECT_NE(first, "");
+  EXPECT_EQ(abut_last_error_message(), first) << "asking does not clear it";
   const Shape ball = make_sphere(1.0);
-  EXPECT_STREQ(abut_last_error_message(), "");
+  EXPECT_EQ(abut_last_error_message(), first) << "nor does a success";
+  ASSERT_NE(abut_sphere_create(-2.0, &shape), ABUT_OK);
+  EXPECT_NE(abut_last_error_message(), first);
 }
 
 TEST(LastErrorMessage, IsOfItsThread) {

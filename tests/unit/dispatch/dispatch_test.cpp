@@ -140,7 +140,7 @@ TEST(ContactsOfRun, AreThoseOfEachJob) {
     settings.margin = jobs[i].margin;
     abut::Manifold alone;
     const abut::Outcome outcome = kernels.contacts(*shapes[0], *shapes[1], Pose::identity(),
-                                                   relative(poses[jobs[i].a], poses[jobs[i].b]), settings, alone);
+                                                   relative(poses[jobs[i].a], poses[jobs[i].b]), false, settings, alone);
     EXPECT_EQ(results[i].outcome, outcome);
     ASSERT_EQ(results[i].contacts_end - begin, alone.size()) << "job " << i;
     for (std::size_t k = 0; k < alone.size(); ++k) {
