@@ -56,7 +56,7 @@ run_tests() {
   local preset=$1
   shift
   stage "test $preset"
-  ctest --test-dir "$root/build/$preset" --parallel "$jobs" --output-on-failure --no-tests=error "$@" ||
+  (cd "$root" && ctest --preset "$preset" --parallel "$jobs" --no-tests=error "$@") ||
     fail "tests of preset $preset failed; the list is above."
 }
 
