@@ -27,6 +27,12 @@ abut_shape(plane        Plane       4)
 abut_shape(hull         Hull        5 FEATURE hull)
 abut_shape(mesh         Mesh        6)
 abut_shape(height_field HeightField 7)
+abut_shape(point        Point       8)
+abut_shape(segment      Segment     9)
+abut_shape(triangle     FreeTriangle 10)
+abut_shape(cylinder     Cylinder    11)
+abut_shape(cone         Cone        12)
+abut_shape(ellipsoid    Ellipsoid   13)
 
 # ---- nothing below changes when a shape is added ----
 

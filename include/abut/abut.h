@@ -356,7 +356,9 @@ enum abut_algorithm_value ABUT_ENUM(uint32_t) {
 typedef struct abut_query_options {
   uint32_t struct_size;
   abut_algorithm algorithm; /**< default ABUT_ALGORITHM_AUTO */
-  double error_bound;       /**< allowed upper - lower of a distance, relative to the size of the shapes; 0 for the default 1e-12 */
+  /** Allowed upper - lower of a distance, relative to the size of the shapes; 0 for the default: 1e-12, and
+   * 1e-9 where a cylinder, a cone or an ellipsoid takes part. */
+  double error_bound;
   double margin;            /**< contacts are reported up to this distance; default 0; may be negative */
   uint32_t max_contacts;    /**< a manifold is reduced to this many, keeping the deepest and the largest area; 0 keeps all; default 4 */
   uint32_t reserved;        /**< zero */

@@ -29,10 +29,13 @@ export namespace abut {
           core.iterations};
 }
 
+template <class A, class B>
+concept ClosedForm = PointAndField<A, B> || (BoxCored<A> && BoxCored<B>);
+
 // Whether an algorithm may answer for a pair of convex shapes at all.
 template <Convex A, Convex B>
 [[nodiscard]] inline bool may_answer(Algorithm algorithm) {
-  return !(algorithm == Algorithm::analytic && !(BoxCored<A> && BoxCored<B>)) &&
+  return !(algorithm == Algorithm::analytic && !ClosedForm<A, B>) &&
          !(algorithm == Algorithm::sat && !(FewFaced<A> && FewFaced<B>));
 }
 
@@ -61,19 +64,34 @@ template <Convex A, Convex B>
   return Outcome::ok;
 }
 
+// False where closed forms leave the pair to a search.
+template <Convex A, Convex B>
+  requires ClosedForm<A, B>
+[[nodiscard]] [[gnu::always_inline]] inline bool separate_in_closed_form(const A& a, const B& b, const Pose& ab,
+                                                                         const QuerySettings& settings, CoreSeparation& core) {
+  const Real size = core_size(a, b, ab);
+  if constexpr (PointAndField<A, B>) {
+    core = separate_point(a, b, ab, size);
+    return true;
+  } else {
+    const Real error = error_of(a, b, size, settings);
+    const NearPoints near = near_points(a, b, ab, error);
+    core = separation_of(near, size);
+    return is_settled(near, size, error);
+  }
+}
+
 // Closed forms, where the shapes have any and they succeed, stay in registers from the pose to the answer:
 // all else gets copies of the pose and of the answer, and starts afresh.
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::always_inline]] inline Outcome convex_distance(const A& a, const B& b, const Pose& ab,
                                                                     const QuerySettings& settings, Distance& out) {
-  if constexpr (BoxCored<A> && BoxCored<B>) {
-    if (settings.algorithm == Algorithm::automatic || settings.algorithm == Algorithm::analytic) [[likely]] {
-      const Real size = core_size(a, b, ab), error = error_of(a, b, size, settings);
-      const NearPoints near = near_points(a, b, ab, error);
-      if (is_settled(near, size, error)) [[likely]] {
-        out = rounded(separation_of(near, size), a.radius(), b.radius());
-        return Outcome::ok;
-      }
+  if constexpr (ClosedForm<A, B>) {
+    [[clang::uninitialized]] CoreSeparation core;
+    const bool any_way = settings.algorithm == Algorithm::automatic || settings.algorithm == Algorithm::analytic;
+    if (any_way && separate_in_closed_form(a, b, ab, settings, core)) [[likely]] {
+      out = rounded(core, a.radius(), b.radius());
+      return Outcome::ok;
     }
     const Pose placed = ab;
     [[clang::uninitialized]] Distance found;

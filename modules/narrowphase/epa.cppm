@@ -25,6 +25,10 @@ struct EpaResult {
   std::uint32_t iterations;
 };
 
+// Where so many vertices were not enough, the difference is round and many directions are as good: the
+// others are spent near one of them, so that at least this one is exact.
+inline constexpr std::uint32_t global_rounds = 5 * Polytope::vertex_limit / 8;
+
 template <Convex A, Convex B>
 [[nodiscard]] EpaResult epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start) {
   const auto placement = place(b, ab);
@@ -53,21 +57,23 @@ template <Convex A, Convex B>
     return result;
   }
 
+  std::size_t face = 0;
   for (std::uint32_t iteration = 1; iteration <= Polytope::vertex_limit; ++iteration) {
     result.iterations = iteration;
-    const std::size_t face = polytope.least_face();
+    const bool near_by = iteration > global_rounds;
+    face = near_by ? polytope.least_new_face() : polytope.least_face();
     const Vec3 normal = polytope.normal(face);
     const Real distance = polytope.distance(face);
     const DifferenceVertex vertex = vertex_toward(normal);
     const Real reach = dot(normal, vertex.w);
     // Face distances only grow; rounding must not make the bound shrink again.
-    result.lower = iteration == 1 || distance > result.lower ? distance : result.lower;
+    result.lower = iteration == 1 || (!near_by && distance > result.lower) ? distance : result.lower;
     // Among equal bounds the normal of the latest face, which lies nearest to the boundary.
     if (reach <= result.upper + noise) {
       result.upper = reach < result.upper ? reach : result.upper;
       result.normal = normal;
     }
-    if (result.upper - result.lower <= error || reach - distance <= noise || polytope.contains(vertex)) {
+    if (result.upper - result.lower <= error || reach - distance <= (near_by ? error : noise) || polytope.contains(vertex)) {
       break;
     }
     if (!polytope.expand(face, vertex, noise)) {
@@ -75,7 +81,7 @@ template <Convex A, Convex B>
     }
   }
   result.depth = result.upper;
-  const Witness witness = polytope.witness(polytope.least_face());
+  const Witness witness = polytope.witness(face);
   result.point_a = witness.a;
   result.point_b = witness.b;
   // What is left between the points and the depth, below the error bound, is shared by both.

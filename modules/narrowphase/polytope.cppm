@@ -23,7 +23,7 @@ struct Witness {
 
 class Polytope {
  public:
-  static constexpr std::size_t vertex_limit = 128;
+  static constexpr std::size_t vertex_limit = 192;
   static constexpr std::size_t face_limit = 2 * vertex_limit;  // a triangulated sphere has 2 V - 4 faces
   static constexpr std::size_t none = face_limit;
 
@@ -45,12 +45,24 @@ class Polytope {
     }
     return best;
   }
+  // The same among the faces that the last vertex brought.
+  [[nodiscard]] inline std::size_t least_new_face() const {
+    std::size_t best = none;
+    Real least = infinity;
+    for (std::size_t i = 0; i < face_count_; ++i) {
+      if (faces_[i].alive && faces_[i].corner[2] + 1u == vertex_count_ && faces_[i].distance < least) {
+        least = faces_[i].distance;
+        best = i;
+      }
+    }
+    return best;
+  }
   [[nodiscard]] inline const Vec3& normal(std::size_t face) const [[clang::lifetimebound]] { return faces_[face].normal; }
   [[nodiscard]] inline Real distance(std::size_t face) const { return faces_[face].distance; }
 
   [[nodiscard]] inline bool contains(const DifferenceVertex& vertex) const {
     for (std::size_t i = 0; i < vertex_count_; ++i) {
-      if (vertices_[i].index_a == vertex.index_a && vertices_[i].index_b == vertex.index_b) {
+      if (vertices_[i].is_same(vertex)) {
         return true;
       }
     }

@@ -41,11 +41,16 @@ template <Convex A, Convex B>
   return 2 * (a.extent() + b.extent()) + largest_magnitude(a.centre()) + largest_magnitude(placed_centre(b, ab));
 }
 
+// The usual bounds of errors, relative to the size of the shapes: searches on curved surfaces come nearer step
+// by step, those on polytopes end.
+inline constexpr Real usual_error = 1e-12, usual_error_of_curves = 1e-9;
+
 // The bound asked for, on shapes of their own size, and no finer than coordinates are.
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::always_inline]] inline Real error_of(const A& a, const B& b, Real size, const QuerySettings& settings) {
   const Real shape_size = 2 * (a.extent() + b.extent()) + a.radius() + b.radius();
-  return settings.error_bound * shape_size + 4 * epsilon * size;
+  constexpr Real usual = Curved<A> || Curved<B> ? usual_error_of_curves : usual_error;
+  return (settings.error_bound > 0 ? settings.error_bound : usual) * shape_size + 4 * epsilon * size;
 }
 
 // What the coordinates of cores of this size may be off by, and with them all bounds.
@@ -273,6 +278,35 @@ template <BoxCored A, BoxCored B>
   return true;
 }
 
+// A point against a core that knows its nearest surface point: exact, apart or not.
+template <class A, class B>
+concept PointAndField = (PointCored<A> && Field<B>) || (Field<A> && PointCored<B>);
+
+template <Convex A, Convex B>
+  requires PointAndField<A, B>
+[[nodiscard]] [[gnu::always_inline]] inline CoreSeparation separate_point(const A& a, const B& b, const Pose& ab, Real size) {
+  CoreSeparation core{};
+  core.rounding = rounding_of(size);
+  core.algorithm = Algorithm::analytic;
+  core.iterations = 1;
+  if constexpr (PointCored<A>) {
+    const SurfacePoint near = b.nearest(-ab.rotation.undo(ab.position));
+    core.distance = near.distance;
+    core.normal = -(ab.rotation * near.normal);
+    core.point_a = {0, 0, 0};
+    core.point_b = near.distance * core.normal;
+  } else {
+    const SurfacePoint near = a.nearest(ab.position);
+    core.distance = near.distance;
+    core.normal = near.normal;
+    core.point_a = near.point;
+    core.point_b = ab.position;
+  }
+  core.lower = core.upper = core.distance;
+  core.overlap = !(core.distance > 0);
+  return core;
+}
+
 // GJK for any cores, whatever they are, from the direction `toward` on, and where they overlap the best
 // way to the depth.
 template <Convex A, Convex B>
@@ -319,6 +353,13 @@ template <Convex A, Convex B>
 [[nodiscard]] inline CoreSeparation separate_cores(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Real limit) {
   const Real size = core_size(a, b, ab);
   const Real error = error_of(a, b, size, settings);
+  if constexpr (PointAndField<A, B>) {
+    if (settings.algorithm == Algorithm::automatic || settings.algorithm == Algorithm::analytic) {
+      CoreSeparation core = separate_point(a, b, ab, size);
+      core.beyond = core.lower > limit;
+      return core;
+    }
+  }
   Vec3 toward = placed_centre(b, ab) - a.centre();
   if constexpr (BoxCored<A> && BoxCored<B>) {
     CoreSeparation core{};

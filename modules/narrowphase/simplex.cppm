@@ -11,6 +11,7 @@ module;
 #include <utility>
 export module abut.narrowphase.simplex;
 import abut.math;
+import abut.shape;
 
 export namespace abut {
 
@@ -18,6 +19,11 @@ export namespace abut {
 struct DifferenceVertex {
   Vec3 w, a;
   std::uint32_t index_a, index_b;
+
+  // The same two vertices. Support points of curved surfaces have no numbers: they are compared as points.
+  [[nodiscard]] inline bool is_same(const DifferenceVertex& other) const {
+    return index_a == other.index_a && index_b == other.index_b && ((index_a != no_index && index_b != no_index) || w == other.w);
+  }
 };
 
 struct Simplex {
@@ -27,7 +33,7 @@ struct Simplex {
   inline void push(const DifferenceVertex& vertex) { vertices[size++] = vertex; }
   [[nodiscard]] inline bool contains(const DifferenceVertex& vertex) const {
     for (std::size_t i = 0; i < size; ++i) {
-      if (vertices[i].index_a == vertex.index_a && vertices[i].index_b == vertex.index_b) {
+      if (vertices[i].is_same(vertex)) {
         return true;
       }
     }

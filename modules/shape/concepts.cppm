@@ -60,6 +60,17 @@ concept PointCored = BoxCored<S> && S::core_axes == 0;
 template <class S>
 concept SegmentCored = BoxCored<S> && S::core_axes == 1;
 
+// A core with a curved surface: its support points are no finite set, so that searches end by their bounds.
+template <class S>
+concept Curved = Convex<S> && requires { requires S::is_curved; };
+
+// A core that knows the point of its surface nearest to any point, from outside and from inside, in closed
+// form or nearly so.
+template <class S>
+concept Field = Convex<S> && requires(const S& shape, const Vec3& point) {
+  { shape.nearest(point) } -> std::same_as<SurfacePoint>;
+};
+
 // Everything behind a plane of the shape's own frame: dot(normal, p) <= offset.
 template <class S>
 concept HalfSpace = Bounded<S> && requires(const S& shape) {

@@ -47,6 +47,13 @@ struct RayHit {
   Feature feature;
 };
 
+// The point of a surface that is nearest to a given one.
+struct SurfacePoint {
+  Vec3 point;
+  Vec3 normal;    // unit, out of the solid
+  Real distance;  // signed: negative where the given point lies inside
+};
+
 // A surface as triangles, counter-clockwise seen from outside.
 struct Triangles {
   std::vector<Vec3> vertices;
@@ -61,7 +68,7 @@ enum class Outcome : std::uint8_t { ok, apart, unsupported, not_converged };
 
 struct QuerySettings {
   Algorithm algorithm = Algorithm::automatic;
-  Real error_bound = 1e-12;  // of upper - lower, relative to the size of the shapes
+  Real error_bound = 0;      // of upper - lower, relative to the size of the shapes; 0: the usual one
   Real margin = 0;           // contacts are wanted up to this distance
 };
 

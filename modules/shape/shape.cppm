@@ -3,6 +3,7 @@ export module abut.shape;
 export import abut.shape.checks;
 export import abut.shape.concepts;
 export import abut.shape.frames;
+export import abut.shape.part_triangle;
 export import abut.shape.place;
 export import abut.shape.records;
-export import abut.shape.triangle;
+export import abut.shape.rim;

@@ -55,6 +55,21 @@ class Box {
             octant(d.x, d.y, d.z)};
   }
 
+  // From outside every coordinate is clamped; from inside the nearest face counts.
+  [[nodiscard]] inline SurfacePoint nearest(const Vec3& p) const {
+    const Vec3 clamped = minimum(maximum(p, -half_), half_), out = p - clamped;
+    const Real square = squared_norm(out);
+    if (square > 0) [[likely]] {
+      const Real distance = std::sqrt(square);
+      return {clamped, (1 / distance) * out, distance};
+    }
+    const Vec3 below = half_ - absolute(p);
+    const int axis = below.x <= below.y && below.x <= below.z ? 0 : below.y <= below.z ? 1 : 2;
+    const Vec3 normal{axis == 0 ? std::copysign(1.0, p.x) : 0, axis == 1 ? std::copysign(1.0, p.y) : 0,
+                      axis == 2 ? std::copysign(1.0, p.z) : 0};
+    return {p + below[axis] * normal, normal, -below[axis]};
+  }
+
   [[nodiscard]] inline Real reach(const Vec3& d) const {
     return half_.x * std::fabs(d.x) + half_.y * std::fabs(d.y) + half_.z * std::fabs(d.z);
   }
@@ -198,6 +213,6 @@ class Box {
 
   Vec3 half_;
 };
-static_assert(Shape<Box> && Placeable<Box> && BoxCored<Box> && FewFaced<Box> && Triangulated<Box>);
+static_assert(Shape<Box> && Placeable<Box> && BoxCored<Box> && Field<Box> && FewFaced<Box> && Triangulated<Box>);
 
 }  // namespace abut

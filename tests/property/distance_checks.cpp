@@ -18,12 +18,12 @@ abut_vec3 minus(const abut_vec3& u, const abut_vec3& v) { return {u.x - v.x, u.y
 
 bool is_finite(const abut_vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+}  // namespace
+
 Magnitude magnitude_of(const Subject& a, const Subject& b, const abut_pose& pose_a, const abut_pose& pose_b) {
   return {a.size, b.size, norm(minus(pose_b.position, pose_a.position)),
           std::max(norm(pose_a.position), norm(pose_b.position))};
 }
-
-}  // namespace
 
 Case make_case(const Subject& a, const Subject& b, const Placement& placement) {
   return {a, b, placement, oracle::signed_distance(a.measured, pose_of(placement.a), b.measured, pose_of(placement.b)),
@@ -46,8 +46,6 @@ void broken(const Case& c, const std::string& fact, double got, double expected,
   ADD_FAILURE() << text.str() << "\n  " << text_of(c);
 }
 
-namespace {
-
 void expect_near(const Case& c, const std::string& fact, double got, double expected, double tolerance) {
   if (!(std::abs(got - expected) <= tolerance)) broken(c, fact, got, expected, tolerance);
 }
@@ -55,6 +53,8 @@ void expect_near(const Case& c, const std::string& fact, double got, double expe
 void expect_at_most(const Case& c, const std::string& fact, double got, double limit, double tolerance) {
   if (!(got <= limit + tolerance)) broken(c, fact, got, limit, tolerance);
 }
+
+namespace {
 
 abut_status ask(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
                 abut_distance& out) {

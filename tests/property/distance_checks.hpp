@@ -18,6 +18,9 @@ struct Case {
   Magnitude magnitude;
 };
 
+[[nodiscard]] Magnitude magnitude_of(const Subject& a, const Subject& b, const abut_pose& pose_a,
+                                     const abut_pose& pose_b);
+
 [[nodiscard]] Case make_case(const Subject& a, const Subject& b, const Placement& placement);
 
 // "box/hull touching" and the same with the names of the shapes and their poses.
@@ -26,6 +29,10 @@ struct Case {
 
 // Reports a broken fact once or twice per row of the table and counts the rest.
 void broken(const Case& c, const std::string& fact, double got, double expected, double tolerance);
+
+// Reports as broken what is off by more than the tolerance, or not a number.
+void expect_near(const Case& c, const std::string& fact, double got, double expected, double tolerance);
+void expect_at_most(const Case& c, const std::string& fact, double got, double limit, double tolerance);
 
 // Everything: value against the oracle, bounds, normal, points, swap, rigid motion, scaling, parting.
 void check_distance(const Case& c);

@@ -23,9 +23,14 @@ struct Magnitude {
   return rounding(m) + 8 * std::numeric_limits<double>::epsilon() * m.far;
 }
 
-// Of a signed distance: rounding, and the default error bound of a query, relative to the diameters of the shapes.
-[[nodiscard]] inline double distance_tolerance(const Magnitude& m) {
-  return rounding(m) + 2e-12 * (m.size_a + m.size_b);
+// Default error bounds of a query, relative to the diameters of the shapes; the second where a cylinder, a cone or an
+// ellipsoid takes part.
+inline constexpr double error_bound = 1e-12;
+inline constexpr double curved_error_bound = 1e-9;
+
+// Of a signed distance: rounding, and the error bound.
+[[nodiscard]] inline double distance_tolerance(const Magnitude& m, double bound = error_bound) {
+  return rounding(m) + 2 * bound * (m.size_a + m.size_b);
 }
 
 // The length of a unit normal may be off 1 by this.

@@ -6,7 +6,7 @@ module;
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-export module abut.shape.triangle;
+export module abut.shape.part_triangle;
 import abut.math;
 import abut.shape.concepts;
 import abut.shape.records;

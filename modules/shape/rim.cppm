@@ -1,0 +1,57 @@
+// The rims of cylinders and cones for clipping: regular polygons that turn with the shape, so that their
+// corners keep their numbers while it moves.
+module;
+#include <array>
+#include <cmath>
+#include <cstdint>
+export module abut.shape.rim;
+import abut.math;
+import abut.shape.records;
+
+export namespace abut {
+
+inline constexpr std::uint32_t rim_corners = 16;
+
+// Cosine of an angle in parts of a full turn.
+[[nodiscard]] inline constexpr Real rim_cosine(std::uint32_t corner) {
+  constexpr std::array<Real, 5> quarter{1, 0.92387953251128675613, 0.70710678118654752440, 0.38268343236508977173, 0};
+  const std::uint32_t of_half = corner % rim_corners;
+  const std::uint32_t folded = of_half <= 8 ? of_half : rim_corners - of_half;
+  return folded <= 4 ? quarter[folded] : -quarter[8 - folded];
+}
+
+// The disc of a radius at a height along Z, facing up or down, as a polygon of the given number whose
+// corners and edges are numbered from `first` on.
+[[nodiscard]] inline Face rim_face(Real radius, Real height, bool up, std::uint32_t index, std::uint32_t first) {
+  [[clang::uninitialized]] Face face;
+  face.normal = {0, 0, up ? 1.0 : -1.0};
+  face.index = index;
+  for (std::uint32_t i = 0; i < rim_corners; ++i) {
+    const std::uint32_t corner = up ? i : rim_corners - 1 - i;
+    const std::uint32_t edge = up ? corner : (corner + rim_corners - 1) % rim_corners;
+    const Vec3 point{radius * rim_cosine(corner), radius * rim_cosine(corner + 12), height};
+    face.vertices.push_back({point, first + corner, first + edge});
+  }
+  return face;
+}
+
+// The part of a direction across Z, of length one; X where there is none.
+struct Sideways {
+  Real x, y, length;
+};
+[[nodiscard]] inline Sideways sideways_of(const Vec3& direction) {
+  Real length = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+  if (!(length > 1e-140)) [[unlikely]] {
+    length = std::hypot(direction.x, direction.y);  // squares of tiny numbers vanish
+    if (!(length > 0)) {
+      return {1, 0, 0};
+    }
+    const Real scale = std::fmax(std::fabs(direction.x), std::fabs(direction.y));
+    const Real x = direction.x / scale, y = direction.y / scale, unit = 1 / std::sqrt(x * x + y * y);
+    return {unit * x, unit * y, length};
+  }
+  const Real inverse = 1 / length;
+  return {inverse * direction.x, inverse * direction.y, length};
+}
+
+}  // namespace abut

@@ -1,0 +1,125 @@
+// Solid cylinder along local Z with flat ends, centred.
+module;
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+export module abut.shape.cylinder;
+import abut.core;
+import abut.math;
+import abut.shape;
+
+export namespace abut {
+
+class Cylinder {
+ public:
+  static constexpr std::string_view name = "cylinder";
+  static constexpr std::array<std::string_view, 2> parameter_names{"radius", "half_height"};
+  static constexpr bool is_curved = true;
+
+  [[nodiscard]] static Result<Cylinder> make(std::span<const Real> parameters, std::span<const Real> reals,
+                                             std::span<const std::uint32_t> indices) {
+    if (Fault fault = check_count("parameter_count", parameters.size(), parameter_names.size())) {
+      return *fault;
+    }
+    if (Fault fault = check_no_buffers(reals, indices)) {
+      return *fault;
+    }
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      if (Fault fault = check_not_negative(parameter_names[i], parameters[i])) {
+        return *fault;
+      }
+    }
+    return Cylinder(parameters[0], parameters[1]);
+  }
+  [[nodiscard]] std::vector<Real> parameters() const { return {radius_, half_height_}; }
+  [[nodiscard]] static std::vector<Cylinder> samples() {
+    return {Cylinder(0.5, 1), Cylinder(1, 0.1), Cylinder(1e-3, 10), Cylinder(20, 30), Cylinder(1, 0), Cylinder(0, 1)};
+  }
+
+  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
+    const Vec3 &x = pose.rotation.x, &y = pose.rotation.y;
+    const Vec3 across{std::hypot(x.x, y.x), std::hypot(x.y, y.y), std::hypot(x.z, y.z)};
+    return Aabb::around(pose.position, half_height_ * absolute(pose.rotation.z) + radius_ * across);
+  }
+  [[nodiscard]] inline Real radius() const { return 0; }
+  [[nodiscard]] inline Vec3 centre() const { return {0, 0, 0}; }
+  [[nodiscard]] inline Real extent() const { return std::max(radius_, half_height_); }
+  [[nodiscard]] inline SupportPoint support(const Vec3& direction) const {
+    const Sideways side = sideways_of(direction);
+    return {{radius_ * side.x, radius_ * side.y, std::copysign(half_height_, direction.z)}, no_index};
+  }
+
+  // In the half-plane through the axis and the point: a rectangle.
+  [[nodiscard]] SurfacePoint nearest(const Vec3& p) const {
+    const Sideways side = sideways_of(p);
+    const Real z = std::copysign(Real{1}, p.z), beside = side.length - radius_, above = std::fabs(p.z) - half_height_;
+    if (above > beside && beside <= 0) {
+      return {{p.x, p.y, z * half_height_}, {0, 0, z}, above};
+    }
+    if (above <= 0) {
+      return {{radius_ * side.x, radius_ * side.y, p.z}, {side.x, side.y, 0}, beside};
+    }
+    const Real distance = std::hypot(beside, above);
+    return {{radius_ * side.x, radius_ * side.y, z * half_height_},
+            {side.x * (beside / distance), side.y * (beside / distance), z * (above / distance)},
+            distance};
+  }
+
+  // Faces 0 and 1 are the top and the bottom, corners and edges below 32 their rims. Seen from the side a
+  // cylinder is the edge 32 along it.
+  [[nodiscard]] Face supporting_face(const Vec3& direction) const {
+    const Sideways side = sideways_of(direction);
+    if (radius_ > 0 && (std::fabs(direction.z) >= side.length || half_height_ == 0)) {
+      const bool up = direction.z >= 0;
+      return rim_face(radius_, up ? half_height_ : -half_height_, up, up ? 0 : 1, up ? 0 : rim_corners);
+    }
+    [[clang::uninitialized]] Face face;
+    constexpr std::uint32_t along = 2 * rim_corners;
+    face.vertices.push_back({{radius_ * side.x, radius_ * side.y, -half_height_}, along, along});
+    if (half_height_ > 0) {
+      face.vertices.push_back({{radius_ * side.x, radius_ * side.y, half_height_}, along + 1, along});
+    }
+    return face;
+  }
+
+  // The stretch of the ray between the planes of both ends and within the endless cylinder.
+  [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
+    const Vec3 d = direction;
+    const Real across = d.x * d.x + d.y * d.y;
+    const Real along = across > 0 ? -(origin.x * d.x + origin.y * d.y) / across : 0;
+    const Real x = origin.x + along * d.x, y = origin.y + along * d.y;
+    const Real under = radius_ * radius_ - (x * x + y * y);
+    if (under < 0 || (d.z == 0 && std::fabs(origin.z) > half_height_)) {
+      return std::nullopt;
+    }
+    const Real half_chord = across > 0 ? std::sqrt(under / across) : infinity;
+    const Real low = d.z != 0 ? (-half_height_ - origin.z) / d.z : -infinity;
+    const Real high = d.z != 0 ? (half_height_ - origin.z) / d.z : infinity;
+    const Real enter = std::max(std::min(low, high), along - half_chord);
+    const Real leave = std::min(std::max(low, high), along + half_chord);
+    const Real distance = enter >= 0 ? enter : leave;
+    if (!(enter <= leave) || !(distance >= 0 && distance <= max_distance)) {
+      return std::nullopt;
+    }
+    if (distance == low || distance == high) {
+      const bool top = distance == high;
+      return RayHit{distance, {0, 0, top ? 1.0 : -1.0}, {FeatureKind::face, top ? 0u : 1u}};
+    }
+    const Sideways out = sideways_of(origin + distance * d);
+    return RayHit{distance, {out.x, out.y, 0}, {FeatureKind::face, 2}};
+  }
+
+ private:
+  Cylinder(Real radius, Real half_height) : radius_(radius), half_height_(half_height) {}
+  Real radius_;
+  Real half_height_;
+};
+static_assert(Shape<Cylinder> && Curved<Cylinder> && Field<Cylinder>);
+
+}  // namespace abut
