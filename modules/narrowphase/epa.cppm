@@ -20,6 +20,7 @@ export namespace abut {
 struct EpaResult {
   Real depth;           // not negative for cores that overlap
   Real lower, upper;    // the depth lies between them
+  Real inside;          // so far from the origin along the normal is a point that surely belongs to the difference
   Vec3 normal;          // unit: moving b along it by the depth parts the cores
   Vec3 point_a, point_b;
   std::uint32_t iterations;
@@ -29,20 +30,26 @@ struct EpaResult {
 // others are spent near one of them, so that at least this one is exact.
 inline constexpr std::uint32_t global_rounds = 5 * Polytope::vertex_limit / 8;
 
+// `rounding`: core a is taken with all points that near to it, so that cores which touch or are that near
+// overlap as well as any others; the answer is about the cores so rounded off, the points are those of the cores.
 template <Convex A, Convex B>
-[[nodiscard]] EpaResult epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start) {
+[[nodiscard]] EpaResult epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, Real rounding = 0) {
   const auto placement = place(b, ab);
   const auto vertex_toward = [&](const Vec3& direction) {
     const SupportPoint on_a = a.support(direction);
     const SupportPoint on_b = placed_support(b, placement, -direction);
+    if (rounding > 0) {
+      const Vec3 out = on_a.point + (rounding / norm(direction)) * direction;
+      return DifferenceVertex{out - on_b.point, out, no_index, no_index};
+    }
     return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_a.index, on_b.index};
   };
-  const Real noise = 8 * epsilon * size;
+  const Real noise = 8 * epsilon * (size + rounding);
 
   [[clang::uninitialized]] Polytope polytope;
   polytope.reset();
   const FlatDifference flat = polytope.start(start, noise, vertex_toward);
-  EpaResult result{0, 0, infinity, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
+  EpaResult result{0, 0, infinity, 0, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
   if (flat.is_flat) {
     // Without volume the depth is zero across the flat, up to the noise that made it flat.
     const DifferenceVertex top = vertex_toward(flat.normal);
@@ -57,15 +64,20 @@ template <Convex A, Convex B>
     return result;
   }
 
+  // Rounded cores overlap by little more than the rounding, on one side only.
+  const std::uint32_t everywhere = rounding > 0 ? global_rounds / 8 : global_rounds;
   std::size_t face = 0;
+  Real reach = 0;
   for (std::uint32_t iteration = 1; iteration <= Polytope::vertex_limit; ++iteration) {
     result.iterations = iteration;
-    const bool near_by = iteration > global_rounds;
-    face = near_by ? polytope.least_new_face() : polytope.least_face();
+    const bool near_by = iteration > everywhere;
+    face = !near_by                           ? polytope.least_face()
+           : iteration == everywhere + 1    ? polytope.face_along(result.normal)
+                                            : polytope.least_new_face();
     const Vec3 normal = polytope.normal(face);
     const Real distance = polytope.distance(face);
     const DifferenceVertex vertex = vertex_toward(normal);
-    const Real reach = dot(normal, vertex.w);
+    reach = dot(normal, vertex.w);
     // Face distances only grow; rounding must not make the bound shrink again.
     result.lower = iteration == 1 || (!near_by && distance > result.lower) ? distance : result.lower;
     // Among equal bounds the normal of the latest face, which lies nearest to the boundary.
@@ -80,7 +92,13 @@ template <Convex A, Convex B>
       break;
     }
   }
+  // The points lie under the last face: its normal, where it is as good as the best within the bound.
+  if (reach <= result.upper + error) {
+    result.upper = reach;
+    result.normal = polytope.normal(face);
+  }
   result.depth = result.upper;
+  result.inside = polytope.distance(face);
   const Witness witness = polytope.witness(face);
   result.point_a = witness.a;
   result.point_b = witness.b;
@@ -89,6 +107,7 @@ template <Convex A, Convex B>
   result.point_a += half;
   result.point_b = result.point_b - half;
   result.lower = result.lower < result.upper ? result.lower : result.upper;
+  result.point_a = result.point_a - rounding * result.normal;
   return result;
 }
 

@@ -134,8 +134,10 @@ template <Convex A, Convex B>
   result.closest = v;
   result.upper = std::sqrt(square);
   result.lower = lower < result.upper ? lower : result.upper;
-  // A separation without proof, no larger than what rounding adds up to, is a touch.
-  result.overlap = result.overlap || (!(lower > 0) && result.upper <= unproven_limit * touching);
+  // A separation without proof, no larger than what rounding adds up to or than the bound, is a touch: how deep
+  // it is needs another search.
+  const Real small = unproven_limit * touching > error ? unproven_limit * touching : error;
+  result.overlap = result.overlap || (!(lower > 0) && result.upper <= small);
   result.normal = normal_of(simplex, v, result.upper);
   return result;
 }

@@ -45,7 +45,19 @@ class Polytope {
     }
     return best;
   }
-  // The same among the faces that the last vertex brought.
+  // The face whose normal is nearest to a direction.
+  [[nodiscard]] inline std::size_t face_along(const Vec3& direction) const {
+    std::size_t best = none;
+    Real most = -infinity;
+    for (std::size_t i = 0; i < face_count_; ++i) {
+      if (const Real along = dot(faces_[i].normal, direction); faces_[i].alive && along > most) {
+        most = along;
+        best = i;
+      }
+    }
+    return best;
+  }
+  // The least one among the faces that the last vertex brought.
   [[nodiscard]] inline std::size_t least_new_face() const {
     std::size_t best = none;
     Real least = infinity;

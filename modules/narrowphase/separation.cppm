@@ -43,7 +43,7 @@ template <Convex A, Convex B>
 
 // The usual bounds of errors, relative to the size of the shapes: searches on curved surfaces come nearer step
 // by step, those on polytopes end.
-inline constexpr Real usual_error = 1e-12, usual_error_of_curves = 1e-9;
+inline constexpr Real usual_error = 1e-12, usual_error_of_curves = 2e-10;
 
 // The bound asked for, on shapes of their own size, and no finer than coordinates are.
 template <Convex A, Convex B>
@@ -133,6 +133,9 @@ void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
   }
 }
 
+// By how much cores are rounded off whose distance is hard to tell from none, relative to their size.
+inline constexpr Real rounding_share = 1e-3;
+
 // Cores that touch have a point in common, which the search for their overlap went through: it says
 // more than their faces, where many points are equally near.
 [[nodiscard]] inline bool is_touch(const CoreSeparation& core, Real size) {
@@ -206,9 +209,34 @@ void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real err
   core.upper = -found.lower;
   core.point_a = found.point_a;
   core.point_b = found.point_b;
-  // The polytope knows one triangle of a face, which need not hold the closest points of both faces.
+  // The polytope knows one triangle of a face, which need not hold the closest points of both faces. Curved
+  // surfaces have no such faces.
   const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
-  core.points_open = largest_magnitude(aside) > noise_of(size);
+  core.points_open = !(Curved<A> || Curved<B>) && largest_magnitude(aside) > noise_of(size);
+  if ((Curved<A> || Curved<B>) && core.distance > 0) {
+    touch_at(core.point_a, core.point_b, core);
+  }
+}
+
+// How far cores are apart that GJK has left without a proof: how deep they overlap with a rounded off by more.
+// They touch nearly, or one is a speck beside the other.
+template <Convex A, Convex B>
+[[gnu::cold]] void separate_by_rounding(const A& a, const B& b, const Pose& ab, Real size, Real error, CoreSeparation& core) {
+  const Real rounding = 4 * core.upper + rounding_share * (a.extent() + b.extent());
+  const EpaResult found = epa(a, b, ab, size, error, Simplex{}, rounding);
+  core.iterations += found.iterations;
+  // What belongs to both bounds the distance from above, wherever it was found.
+  if (core.lower > 0 && !(found.upper - found.inside < core.upper - core.lower)) {
+    return;
+  }
+  core.rounding = noise_of(size + rounding);
+  core.overlap = found.depth >= rounding;
+  core.normal = found.normal;
+  core.distance = rounding - found.depth;
+  core.lower = rounding - found.upper;
+  core.upper = rounding - (found.inside < found.upper ? found.inside : found.upper);
+  core.point_a = found.point_a;
+  core.point_b = found.point_b;
 }
 
 // Below this many sizes the line between projected points is rounding, and GJK's simplex knows it better.
@@ -333,6 +361,9 @@ template <Convex A, Convex B>
     core.point_a = witness_on_a(near.simplex, near.closest);
     core.point_b = core.point_a - near.closest;
     core.distance = core.upper = near.upper;
+    if (!(near.lower > 0) || near.upper - near.lower > error + noise_of(size)) [[unlikely]] {
+      separate_by_rounding(a, b, ab, size, error, core);
+    }
     return core;
   }
   if constexpr (FewFaced<A> && FewFaced<B>) {
