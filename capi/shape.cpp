@@ -151,6 +151,13 @@ abut_status abut_capsule_create(double radius, double half_height, abut_shape** 
   });
 }
 
+abut_status abut_cylinder_create(double radius, double half_height, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_not_null("out", out);
+    return status != ABUT_OK ? status : create_named("cylinder", {std::array{radius, half_height}, {}, {}}, out);
+  });
+}
+
 abut_status abut_plane_create(const abut_vec3* normal, double offset, abut_shape** out) {
   return guard([&] {
     const abut_status status = check_none_null<2>({{{"normal", normal}, {"out", out}}});

@@ -1,5 +1,7 @@
-// Which kinds of shapes this build has.
+// Which kinds of shapes this build has, and what pairs of them answer.
 #include "border.hpp"
+#include "guard.hpp"
+#include "options.hpp"
 
 import abut.any_shape;
 import abut.registry;
@@ -30,4 +32,23 @@ size_t abut_shape_kind_parameter_count(abut_shape_kind kind) {
 const char* abut_shape_kind_parameter_name(abut_shape_kind kind, size_t index) {
   const auto place = abut::find_kind(kind);
   return place && index < abut::kind_parameter_count(*place) ? c_string(abut::kind_parameter_name(*place, index)) : nullptr;
+}
+
+abut_status abut_pair_support(abut_shape_kind kind_a, abut_shape_kind kind_b, abut_query query, uint32_t* out) {
+  return guard([&]() -> abut_status {
+    if (const abut_status status = check_not_null("out", out); status != ABUT_OK) {
+      return status;
+    }
+    const auto place_a = abut::find_kind(kind_a), place_b = abut::find_kind(kind_b);
+    if (!place_a || !place_b) {
+      return refuse(abut::error_about(abut::Errc::unknown_value, place_a ? "kind_b" : "kind_a",
+                                      std::uint64_t{place_a ? kind_b : kind_a}, "a kind of this build"));
+    }
+    if (query > ABUT_QUERY_CONTACTS) {
+      return refuse(abut::error_about(abut::Errc::unknown_value, "query", std::uint64_t{query}, "at most 1"));
+    }
+    // Whatever has a route answers both queries.
+    *out = abut::is_supported(*place_a, *place_b) ? 1 : 0;
+    return ABUT_OK;
+  });
 }

@@ -125,6 +125,10 @@ class Shape(_Owner):
         return cls._made_by(library.abut_capsule_create, radius, half_height)
 
     @classmethod
+    def cylinder(cls, radius, half_height):
+        return cls._made_by(library.abut_cylinder_create, radius, half_height)
+
+    @classmethod
     def plane(cls, normal, offset):
         return cls._made_by(library.abut_plane_create, byref(c.Vec3(*normal)), offset)
 

@@ -35,6 +35,7 @@ FEATURE_VERTEX = 1
 FEATURE_EDGE = 2
 FEATURE_FACE = 3
 
+QUERY_DISTANCE, QUERY_CONTACTS = 0, 1
 SIDES_BOTH = 0
 SIDES_FRONT = 1
 
@@ -250,9 +251,11 @@ FUNCTIONS = {
     "abut_shape_kind_name": (c_char_p, [c_uint32]),
     "abut_shape_kind_parameter_count": (c_size_t, [c_uint32]),
     "abut_shape_kind_parameter_name": (c_char_p, [c_uint32, c_size_t]),
+    "abut_pair_support": (Status, [c_uint32, c_uint32, c_uint32, POINTER(c_uint32)]),
     "abut_sphere_create": (Status, [c_double, POINTER(c_void_p)]),
     "abut_box_create": (Status, [c_double, c_double, c_double, POINTER(c_void_p)]),
     "abut_capsule_create": (Status, [c_double, c_double, POINTER(c_void_p)]),
+    "abut_cylinder_create": (Status, [c_double, c_double, POINTER(c_void_p)]),
     "abut_plane_create": (Status, [POINTER(Vec3), c_double, POINTER(c_void_p)]),
     "abut_hull_create": (Status, [POINTER(c_double), c_size_t, POINTER(c_void_p)]),
     "abut_mesh_options_init": (None, [POINTER(MeshOptions), c_uint32]),

@@ -185,7 +185,10 @@ ABUT_API size_t abut_shape_kind_count(void);
 /** The kind at an index below abut_shape_kind_count; 0 past the end. [any] */
 ABUT_API abut_shape_kind abut_shape_kind_at(size_t index);
 
-/** Kind of that name: "sphere", "box", "capsule", "plane", "hull", "mesh", "height_field". 0 if none. [any] */
+/**
+ * Kind of that name: "sphere", "box", "capsule", "plane", "hull", "mesh", "height_field", "point", "segment",
+ * "triangle", "cylinder", "cone", "ellipsoid". 0 if none in this build. docs/shapes.md lists what they take. [any]
+ */
 ABUT_API abut_shape_kind abut_shape_kind_by_name(const char *name);
 
 /** Name of a kind; null for a number that is none in this build. Static. [any] */
@@ -196,6 +199,19 @@ ABUT_API size_t abut_shape_kind_parameter_count(abut_shape_kind kind);
 
 /** Name of a parameter of a kind, such as "radius"; null past the end. Static. [any] */
 ABUT_API const char *abut_shape_kind_parameter_name(abut_shape_kind kind, size_t index);
+
+/** What two shapes can be asked. */
+typedef uint32_t abut_query;
+enum abut_query_value ABUT_ENUM(uint32_t) {
+  ABUT_QUERY_DISTANCE = 0, /**< abut_shapes_distance and abut_shapes_distances */
+  ABUT_QUERY_CONTACTS = 1  /**< abut_shapes_contacts, and contacts in a universe */
+};
+
+/**
+ * Whether two kinds of shape answer a query, in either order; docs/pairs.md is the table of it. `out` becomes 1
+ * or 0. ABUT_UNKNOWN_VALUE for a number that is no kind of this build, or no query. [any]
+ */
+ABUT_API abut_status abut_pair_support(abut_shape_kind kind_a, abut_shape_kind kind_b, abut_query query, uint32_t *out);
 
 /** Solid ball of a positive radius, centred. [any] */
 ABUT_API abut_status abut_sphere_create(double radius, abut_shape **out);
@@ -208,6 +224,9 @@ ABUT_API abut_status abut_box_create(double half_x, double half_y, double half_z
  * (0, 0, -half_height) to (0, 0, half_height), half_height >= 0. [any]
  */
 ABUT_API abut_status abut_capsule_create(double radius, double half_height, abut_shape **out);
+
+/** Solid cylinder along local Z with flat ends, centred; neither is negative. [any] */
+ABUT_API abut_status abut_cylinder_create(double radius, double half_height, abut_shape **out);
 
 /**
  * Half-space of the points p with dot(normal, p) <= offset. The normal points out of the solid, has

@@ -92,14 +92,19 @@ template <Convex A, Convex B>
       break;
     }
   }
-  // The points lie under the last face: its normal, where it is as good as the best within the bound.
-  if (reach <= result.upper + error) {
+  const bool is_round = rounding > 0 || Curved<A> || Curved<B>;
+  result.inside = polytope.distance(face);
+  Witness witness = polytope.witness(face);
+  if (is_round && reach <= result.upper + error && reach - result.inside <= error) {
+    // The points lie under the last face: its normal, which is as good as the best within the bound.
     result.upper = reach;
     result.normal = polytope.normal(face);
+  } else if (is_round && reach - result.inside > error) {
+    // No face lies on the surface yet; the points where both bodies end along the normal do.
+    const DifferenceVertex end = vertex_toward(result.normal);
+    witness = {end.a, end.a - end.w};
   }
   result.depth = result.upper;
-  result.inside = polytope.distance(face);
-  const Witness witness = polytope.witness(face);
   result.point_a = witness.a;
   result.point_b = witness.b;
   // What is left between the points and the depth, below the error bound, is shared by both.

@@ -24,7 +24,8 @@ template <HalfSpace A, Convex B>
   return Outcome::ok;
 }
 
-// The corners of the face of b that looks at the plane.
+// The corners of the face of b that looks at the plane, and the lowest point where it is none of them, as on a
+// rim between its corners.
 template <HalfSpace A, Convex B>
 [[nodiscard]] Outcome half_space_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
   if (settings.algorithm != Algorithm::automatic && settings.algorithm != Algorithm::analytic) {
@@ -32,17 +33,28 @@ template <HalfSpace A, Convex B>
   }
   const Vec3 n = a.normal();
   const Vec3 lowest = ab * b.support(ab.rotation.undo(-n)).point;
-  if (dot(n, lowest) - b.radius() - a.offset() > settings.margin) {
+  const Real deepest = dot(n, lowest) - b.radius() - a.offset();
+  if (deepest > settings.margin) {
     return Outcome::ok;
   }
   const Feature whole{FeatureKind::whole, 0};
+  Real least = infinity;
+  const auto append = [&](const Vec3& core_point, const Feature& feature_b) {
+    const Vec3 point_b = core_point - b.radius() * n;
+    const Real distance = dot(n, point_b) - a.offset();
+    least = distance < least ? distance : least;
+    if (distance <= settings.margin) {
+      out.push_back({point_b - distance * n, point_b, n, distance, whole, feature_b, contact_id(whole, feature_b)});
+    }
+  };
   const Face face = placed_face(b, ab, -n);
   for (const FaceVertex& vertex : face.vertices.span()) {
-    const Vec3 point_b = vertex.point - b.radius() * n;
-    const Real distance = dot(n, point_b) - a.offset();
-    if (distance <= settings.margin) {
-      const Feature feature_b{FeatureKind::vertex, vertex.vertex};
-      out.push_back({point_b - distance * n, point_b, n, distance, whole, feature_b, contact_id(whole, feature_b)});
+    append(vertex.point, {FeatureKind::vertex, vertex.vertex});
+  }
+  if constexpr (Curved<B>) {
+    const Real noise = 64 * epsilon * (b.extent() + largest_magnitude(lowest));
+    if (least > deepest + noise) {
+      append(lowest, feature_of(face));
     }
   }
   return Outcome::ok;

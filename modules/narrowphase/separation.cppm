@@ -147,10 +147,7 @@ inline void touch_at(const Vec3& point_a, const Vec3& point_b, CoreSeparation& c
   core.point_a = middle - half;
   core.point_b = middle + half;
 }
-inline void find_touch(const Simplex& simplex, Real size, CoreSeparation& core) {
-  if (!is_touch(core, size)) {
-    return;
-  }
+inline void find_touch(const Simplex& simplex, CoreSeparation& core) {
   Simplex face = simplex;
   ClosestPoint closest = closest_to_origin(face);
   if (closest.vertices == all_of_tetrahedron) {
@@ -213,9 +210,6 @@ void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real err
   // surfaces have no such faces.
   const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
   core.points_open = !(Curved<A> || Curved<B>) && largest_magnitude(aside) > noise_of(size);
-  if ((Curved<A> || Curved<B>) && core.distance > 0) {
-    touch_at(core.point_a, core.point_b, core);
-  }
 }
 
 // How far cores are apart that GJK has left without a proof: how deep they overlap with a rounded off by more.
@@ -370,12 +364,16 @@ template <Convex A, Convex B>
     if (settings.algorithm != Algorithm::gjk_epa) {
       core = separate_by_sat(a, b, ab, size);
       core.iterations += near.iterations;
-      find_touch(near.simplex, size, core);
+      if (is_touch(core, size)) {
+        find_touch(near.simplex, core);
+      }
       return core;
     }
   }
   separate_by_epa(a, b, ab, size, error, near.simplex, core);
-  find_touch(near.simplex, size, core);
+  if (Curved<A> || Curved<B> ? std::fabs(core.distance) <= error : is_touch(core, size)) {
+    find_touch(near.simplex, core);
+  }
   return core;
 }
 

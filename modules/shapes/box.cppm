@@ -59,9 +59,12 @@ class Box {
   [[nodiscard]] inline SurfacePoint nearest(const Vec3& p) const {
     const Vec3 clamped = minimum(maximum(p, -half_), half_), out = p - clamped;
     const Real square = squared_norm(out);
-    if (square > 0) [[likely]] {
+    if (square > 1e-280) [[likely]] {
       const Real distance = std::sqrt(square);
       return {clamped, (1 / distance) * out, distance};
+    }
+    if (const auto normal = UnitVec3::make(out)) {
+      return {clamped, *normal, norm(out)};
     }
     const Vec3 below = half_ - absolute(p);
     const int axis = below.x <= below.y && below.x <= below.z ? 0 : below.y <= below.z ? 1 : 2;

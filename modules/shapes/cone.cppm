@@ -66,12 +66,13 @@ class Cone {
     const auto lifted = [&](Real x, Real z, Real normal_x, Real normal_z, Real distance) {
       return SurfacePoint{{x * around.x, x * around.y, z - half_height_}, {normal_x * around.x, normal_x * around.y, normal_z}, distance};
     };
-    const auto from_corner = [&](Real x, Real z) {
+    // Away from a corner, or as its neighbour faces where rounding has left no such direction.
+    const auto from_corner = [&](Real x, Real z, bool is_outside, Real usual_x, Real usual_z) {
       const Real dx = around.length - x, dz = height - z, distance = std::hypot(dx, dz);
-      return distance > 0 ? lifted(x, z, dx / distance, dz / distance, distance) : lifted(x, z, 0, z > 0 ? 1 : -1, 0);
+      return is_outside && distance > 0 ? lifted(x, z, dx / distance, dz / distance, distance) : lifted(x, z, usual_x, usual_z, 0);
     };
     if (slant == 0) {
-      return from_corner(0, 0);
+      return from_corner(0, 0, true, 0, 1);
     }
     // Out of the side, and along it from the rim.
     const Real out_x = 2 * half_height_ / slant, out_z = radius_ / slant;
@@ -80,12 +81,12 @@ class Cone {
     if (height <= 0 && around.length <= radius_) {
       return lifted(around.length, 0, 0, -1, -height);
     }
-    if (height <= 0 || beside > 0) {
+    if (height <= 0 || beside >= 0) {
       if (along <= 0) {
-        return from_corner(radius_, 0);
+        return from_corner(radius_, 0, around.length >= radius_, out_x, out_z);
       }
       if (along >= slant) {
-        return from_corner(0, 2 * half_height_);
+        return from_corner(0, 2 * half_height_, height >= 2 * half_height_, 0, 1);
       }
     }
     if (beside > 0 || beside >= -height) {
@@ -113,49 +114,77 @@ class Cone {
     return face;
   }
 
-  // Crossings with the base and with the side, of which a convex solid has at most two.
+  // The stretch of the ray between the planes of the base and of the apex and within the endless cone. From the
+  // point of the ray nearest to the apex on, so that far rays lose no digits.
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
     const Vec3 d = direction;
-    std::optional<RayHit> best;
-    const auto consider = [&](Real distance, const Vec3& normal, std::uint32_t face) {
-      if (distance >= 0 && distance <= max_distance && (!best || distance < best->distance)) {
-        best = RayHit{distance, normal, {FeatureKind::face, face}};
-      }
-    };
-    if (d.z != 0) {
-      const Real distance = (-half_height_ - origin.z) / d.z;
-      if (std::hypot(origin.x + distance * d.x, origin.y + distance * d.y) <= radius_) {
-        consider(distance, {0, 0, -1}, 0);
-      }
-    }
     if (half_height_ == 0) {
-      return best;
+      return cast_ray_at_disc(origin, d, max_distance);
     }
-    // x^2 + y^2 = slope^2 * below^2, below being the depth under the apex.
-    const Real slope = radius_ / (2 * half_height_), steep = slope * slope;
-    const Real below = half_height_ - origin.z;
-    const Real a = d.x * d.x + d.y * d.y - steep * d.z * d.z;
-    const Real b = origin.x * d.x + origin.y * d.y + steep * below * d.z;
-    const Real c = origin.x * origin.x + origin.y * origin.y - steep * below * below;
-    const Real under = b * b - a * c;
-    if (under < 0) {
-      return best;
+    const Vec3 from_apex = origin - Vec3{0, 0, half_height_};
+    const Real start = -dot(from_apex, d);
+    const Vec3 q = from_apex + start * d;
+    if (d.z == 0 && !(q.z <= 0 && q.z >= -2 * half_height_)) {
+      return std::nullopt;
     }
-    // The root without cancellation first, the other one from the product of both.
-    const Real q = -(b + std::copysign(std::sqrt(under), b));
-    for (const Real distance : {q / a, c / q}) {
-      const Vec3 p = origin + distance * d;
-      if (std::fabs(p.z) <= half_height_) {
-        const Sideways out = sideways_of(p);
-        const Real length = std::hypot(Real{1}, slope);
-        consider(distance, {out.x / length, out.y / length, slope / length}, 1);
-      }
+    const Real base = d.z != 0 ? (-2 * half_height_ - q.z) / d.z : infinity, top = d.z != 0 ? -q.z / d.z : -infinity;
+    const Inside inside = within_endless(q, d);
+    const Real enter = std::max(std::min(base, top), inside.from), leave = std::min(std::max(base, top), inside.to);
+    const Real at = start + enter >= 0 ? enter : leave, distance = start + at;
+    if (!(enter <= leave) || !(distance >= 0 && distance <= max_distance)) {
+      return std::nullopt;
     }
-    return best;
+    if (at == base) {
+      return RayHit{distance, {0, 0, -1}, {FeatureKind::face, 0}};
+    }
+    const Sideways out = sideways_of(q + at * d);
+    const Real slant = std::hypot(2 * half_height_, radius_), up = radius_ / slant, across = 2 * half_height_ / slant;
+    return RayHit{distance, out.length > 0 ? Vec3{across * out.x, across * out.y, up} : Vec3{0, 0, 1}, {FeatureKind::face, 1}};
   }
 
  private:
   static constexpr std::uint32_t apex_number = rim_corners;
+
+  struct Inside {
+    Real from, to;
+  };
+  // Where the line q + t d, seen from the apex, is within x^2 + y^2 = slope^2 z^2 below the apex.
+  [[nodiscard]] Inside within_endless(const Vec3& q, const Vec3& d) const {
+    const Real slope = radius_ / (2 * half_height_), steep = slope * slope;
+    const Real a = d.x * d.x + d.y * d.y - steep * d.z * d.z;
+    const Real b = q.x * d.x + q.y * d.y - steep * q.z * d.z;
+    const Real c = q.x * q.x + q.y * q.y - steep * q.z * q.z;
+    const Real under = b * b - a * c;
+    if (a > 0 && under < 0) {
+      return {infinity, -infinity};
+    }
+    // The root without cancellation first, the other one from the product of both.
+    const Real sum = -(b + std::copysign(std::sqrt(std::max(under, Real{0})), b));
+    const Real one = a != 0 ? sum / a : infinity, other = sum != 0 ? c / sum : 0;
+    const Real low = std::min(one, other), high = std::max(one, other);
+    if (a > 0) {
+      return {low, high};
+    }
+    if (a == 0 && b == 0) {
+      return c <= 0 ? Inside{-infinity, infinity} : Inside{infinity, -infinity};
+    }
+    // Steeper than the side the line runs through both cones, and ends in the lower one.
+    if (a == 0) {
+      return b > 0 ? Inside{-infinity, other} : Inside{other, infinity};
+    }
+    return d.z < 0 ? Inside{high, infinity} : Inside{-infinity, low};
+  }
+
+  // Without height, both sides of the disc.
+  [[nodiscard]] std::optional<RayHit> cast_ray_at_disc(const Vec3& origin, const Vec3& d, Real max_distance) const {
+    const Real distance = -origin.z / d.z;
+    if (!(distance >= 0 && distance <= max_distance) ||
+        std::hypot(origin.x + distance * d.x, origin.y + distance * d.y) > radius_) {
+      return std::nullopt;
+    }
+    const bool from_above = d.z < 0;
+    return RayHit{distance, {0, 0, from_above ? 1.0 : -1.0}, {FeatureKind::face, from_above ? 1u : 0u}};
+  }
 
   Cone(Real radius, Real half_height) : radius_(radius), half_height_(half_height) {}
   Real radius_;

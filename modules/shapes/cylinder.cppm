@@ -108,7 +108,7 @@ class Cylinder {
       return std::nullopt;
     }
     if (distance == low || distance == high) {
-      const bool top = distance == high;
+      const bool top = enter >= 0 ? d.z < 0 : d.z > 0;
       return RayHit{distance, {0, 0, top ? 1.0 : -1.0}, {FeatureKind::face, top ? 0u : 1u}};
     }
     const Sideways out = sideways_of(origin + distance * d);

@@ -57,45 +57,45 @@ class Ellipsoid {
     return {on_ball ? scaled(*on_ball) : Vec3{0, 0, 0}, no_index};
   }
   // The point x with p - x along the normal there is r^2 p / (r^2 + t) for the root t of |r p / (r^2 + t)| = 1
-  // above -min(r)^2. Newton's method on the inverse of that length, which is nearly linear, comes from the
-  // left without overshooting (More and Sorensen, "Computing a trust region step", 1983). Inside, on the
-  // plane across the least radius, t may end at -min(r)^2 itself.
+  // above -m^2, m being the least radius. Newton's method on the inverse of that length, which is nearly
+  // linear, comes from the left without overshooting (More and Sorensen, "Computing a trust region step",
+  // 1983). It looks for t + m^2, so that next to the plane across m nothing cancels; on that plane, inside,
+  // t may end at -m^2 itself.
   [[nodiscard]] SurfacePoint nearest(const Vec3& p) const {
-    const Vec3 squares{radii_.x * radii_.x, radii_.y * radii_.y, radii_.z * radii_.z};
     const int least = radii_.x <= radii_.y && radii_.x <= radii_.z ? 0 : radii_.y <= radii_.z ? 1 : 2;
-    const Real end = -squares[least];
-    const auto share = [&](int i, Real t) { return radii_[i] * p[i] == 0 ? 0 : radii_[i] * p[i] / (squares[i] + t); };
-    const auto length = [&](Real t) { return norm({share(0, t), share(1, t), share(2, t)}); };
-    Real t = end;
+    const Real m = radii_[least];
+    const auto above = [&](int i) { return (radii_[i] - m) * (radii_[i] + m); };
+    const auto share = [&](int i, Real s) { return radii_[i] * p[i] == 0 ? 0 : radii_[i] * p[i] / (above(i) + s); };
+    const auto length = [&](Real s) { return norm({share(0, s), share(1, s), share(2, s)}); };
+    Real s = 0;
     for (int i = 0; i < 3; ++i) {
       if (radii_[i] * p[i] != 0) {
-        t = std::max(t, radii_[i] * std::fabs(p[i]) - squares[i]);
+        s = std::max(s, radii_[i] * std::fabs(p[i]) - above(i));
       }
     }
-    if (t <= end && !(length(end) > 1)) {
+    if (s <= 0 && !(length(0) > 1)) {
       return nearest_across(p, least);
     }
     for (int round = 0; round < root_rounds; ++round) {
-      const Real here = length(t);
+      const Real here = length(s);
       if (!(here > 1)) {
         break;
       }
       Real slope = 0;
       for (int i = 0; i < 3; ++i) {
-        const Real one = share(i, t);
-        slope += one == 0 ? 0 : one * one / (squares[i] + t);
+        const Real one = share(i, s);
+        slope += one == 0 ? 0 : one * one / (above(i) + s);
       }
-      const Real next = t + (here - 1) * here * here / slope;
-      if (!(next > t)) {
+      const Real next = s + (here - 1) * here * here / slope;
+      if (!(next > s)) {
         break;
       }
-      t = next;
+      s = next;
     }
-    const auto across = [&](int i) { return p[i] == 0 ? 0 : p[i] / (squares[i] + t); };
+    const auto across = [&](int i) { return p[i] == 0 ? 0 : p[i] / (above(i) + s); };
     const Vec3 outward{across(0), across(1), across(2)};
-    const Real scale = norm(outward);
-    const Vec3 normal = UnitVec3::make(outward).value_or(UnitVec3::axis_z());
-    return {{squares.x * outward.x, squares.y * outward.y, squares.z * outward.z}, normal, t * scale};
+    const Vec3 point{radii_.x * radii_.x * outward.x, radii_.y * radii_.y * outward.y, radii_.z * radii_.z * outward.z};
+    return {point, UnitVec3::make(outward).value_or(UnitVec3::axis_z()), (s - m * m) * norm(outward)};
   }
 
   [[nodiscard]] inline Face supporting_face(const Vec3& direction) const {
@@ -166,7 +166,8 @@ class Ellipsoid {
     if (squared_norm({part(0), part(1), part(2)}) > 1) {
       return std::nullopt;
     }
-    const Vec3 normal{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+    const Real side = -std::copysign(Real{1}, d[axis]);
+    const Vec3 normal{axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0};
     return RayHit{distance, normal, {FeatureKind::whole, 0}};
   }
 

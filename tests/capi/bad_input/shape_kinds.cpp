@@ -8,7 +8,8 @@ namespace {
 
 using namespace abut_test;
 
-constexpr std::array<const char*, 7> every_kind{"sphere", "box", "capsule", "plane", "hull", "mesh", "height_field"};
+constexpr std::array<const char*, 13> every_kind{"sphere",  "box",      "capsule",  "plane", "hull", "mesh",     "height_field",
+                                                 "point",   "segment",  "triangle", "cylinder", "cone", "ellipsoid"};
 constexpr std::array<abut_shape_kind, 3> no_kinds{0, 9999, 0xFFFFFFFFU};
 
 TEST(ShapeKindCount, CountsTheKinds) { EXPECT_EQ(abut_shape_kind_count(), every_kind.size()); }
@@ -64,6 +65,37 @@ TEST(ShapeKindParameterName, IsNullForNoKindAndPastTheEnd) {
 
 TEST(ShapeKindParameterName, NamesTheRadiusOfASphere) {
   EXPECT_STREQ(abut_shape_kind_parameter_name(abut_shape_kind_by_name("sphere"), 0), "radius");
+}
+
+TEST(PairSupport, IsOneButForTerrain) {
+  const auto answers = [](const char* a, const char* b, abut_query query) {
+    std::uint32_t out = 7;
+    EXPECT_TRUE(succeeded(abut_pair_support(abut_shape_kind_by_name(a), abut_shape_kind_by_name(b), query, &out)));
+    return out;
+  };
+  for (const abut_query query : {ABUT_QUERY_DISTANCE, ABUT_QUERY_CONTACTS}) {
+    EXPECT_EQ(answers("sphere", "cylinder", query), 1U);
+    EXPECT_EQ(answers("height_field", "ellipsoid", query), 1U);
+    EXPECT_EQ(answers("plane", "height_field", query), 0U);
+    EXPECT_EQ(answers("height_field", "plane", query), 0U);
+    EXPECT_EQ(answers("plane", "plane", query), 0U);
+  }
+}
+
+TEST(PairSupport, RefusesNullOut) {
+  const abut_shape_kind sphere = abut_shape_kind_by_name("sphere");
+  EXPECT_TRUE(refused(abut_pair_support(sphere, sphere, ABUT_QUERY_DISTANCE, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+}
+
+TEST(PairSupport, RefusesWhatIsNoKindAndNoQuery) {
+  Out<std::uint32_t> out;
+  const abut_shape_kind sphere = abut_shape_kind_by_name("sphere");
+  for (const abut_shape_kind none : no_kinds) {
+    EXPECT_TRUE(refused(abut_pair_support(none, sphere, ABUT_QUERY_DISTANCE, out.address()), ABUT_UNKNOWN_VALUE, {"kind_a"}));
+    EXPECT_TRUE(refused(abut_pair_support(sphere, none, ABUT_QUERY_DISTANCE, out.address()), ABUT_UNKNOWN_VALUE, {"kind_b"}));
+  }
+  EXPECT_TRUE(refused(abut_pair_support(sphere, sphere, 2, out.address()), ABUT_UNKNOWN_VALUE, {"query", "2"}));
+  EXPECT_TRUE(out.is_untouched());
 }
 
 }  // namespace

@@ -52,6 +52,24 @@ TEST(BoxCreate, AcceptsFlatBoxes) {
   const Shape point = make_box(0.0, 0.0, 0.0);
 }
 
+TEST(CylinderCreate, RefusesNullOut) {
+  EXPECT_TRUE(refused(abut_cylinder_create(1.0, 1.0, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+}
+
+TEST(CylinderCreate, RefusesNonFiniteNumbers) {
+  Out<abut_shape*> out;
+  expect_non_finite_refused("radius", [&](double bad) { return abut_cylinder_create(bad, 1.0, out.address()); });
+  expect_non_finite_refused("half_height", [&](double bad) { return abut_cylinder_create(1.0, bad, out.address()); });
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(CylinderCreate, RefusesNegativeNumbers) {
+  Out<abut_shape*> out;
+  EXPECT_TRUE(refused(abut_cylinder_create(-2.5, 1.0, out.address()), ABUT_OUT_OF_RANGE, {"radius", "-2.5"}));
+  EXPECT_TRUE(refused(abut_cylinder_create(1.0, -2.5, out.address()), ABUT_OUT_OF_RANGE, {"half_height", "-2.5"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
 TEST(CapsuleCreate, RefusesNullOut) {
   EXPECT_TRUE(refused(abut_capsule_create(1.0, 1.0, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
 }

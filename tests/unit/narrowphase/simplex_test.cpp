@@ -12,6 +12,7 @@
 #include "random_boxes.hpp"
 
 import abut.math;
+import abut.shape;
 import abut.narrowphase.simplex;
 
 namespace {
@@ -164,6 +165,30 @@ TEST(Simplex, WitnessHasTheWeightsOfTheClosestPoint) {
     // The points of a are twice those of the difference here.
     EXPECT_LE(abut::norm(abut::witness_on_a(simplex, found.point) - 2 * found.point), 1e-12);
   }
+}
+
+// Numbered vertices are told apart by their numbers; where a side has none, by their points.
+TEST(Simplex, SameVerticesHaveTheSameNumbersOrPoints) {
+  constexpr std::uint32_t none = abut::no_index;
+  const auto at = [](const Vec3& w, std::uint32_t index_a, std::uint32_t index_b) {
+    return abut::DifferenceVertex{w, {0, 0, 0}, index_a, index_b};
+  };
+  const Vec3 p{1, 2, 3}, q{1, 2, 3.0000000000000004};
+  EXPECT_TRUE(at(p, 4, 7).is_same(at(p, 4, 7)));
+  EXPECT_TRUE(at(p, 4, 7).is_same(at(q, 4, 7)));  // rounding of one point
+  EXPECT_FALSE(at(p, 4, 7).is_same(at(p, 5, 7)));
+  EXPECT_FALSE(at(p, 4, 7).is_same(at(p, 4, 8)));
+  EXPECT_FALSE(at(p, 4, 7).is_same(at(p, 7, 4)));
+  for (const auto& [a, b] : {std::pair{none, none}, std::pair{4u, none}, std::pair{none, 7u}}) {
+    EXPECT_TRUE(at(p, a, b).is_same(at(p, a, b)));
+    EXPECT_FALSE(at(p, a, b).is_same(at(q, a, b)));
+    EXPECT_FALSE(at(p, a, b).is_same(at(p, 4, 7)));
+    EXPECT_FALSE(at(p, 4, 7).is_same(at(p, a, b)));
+  }
+  abut::Simplex simplex;
+  simplex.push(at(p, none, 7));
+  EXPECT_TRUE(simplex.contains(at(p, none, 7)));
+  EXPECT_FALSE(simplex.contains(at(q, none, 7)));
 }
 
 }  // namespace
