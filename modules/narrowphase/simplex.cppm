@@ -188,8 +188,16 @@ inline void keep(Simplex& simplex, unsigned vertices) {
   }
   const Vec3 normal = cross(v[0].w - v[2].w, v[1].w - v[2].w);
   const Vec3 p = v[0].w - closest, q = v[1].w - closest, r = v[2].w - closest;
-  const Real wp = dot(normal, cross(q, r)), wq = dot(normal, cross(r, p)), wr = dot(normal, cross(p, q));
-  const Real scale = 1 / (wp + wq + wr);
+  // Of slivers rounding leaves weights below zero, which would lead out of the body.
+  const auto weight = [&](const Vec3& from, const Vec3& to) {
+    const Real area = dot(normal, cross(from, to));
+    return area > 0 ? area : 0;
+  };
+  const Real wp = weight(q, r), wq = weight(r, p), wr = weight(p, q), sum = wp + wq + wr;
+  if (!(sum > 0)) {
+    return v[0].a;
+  }
+  const Real scale = 1 / sum;
   return (scale * wp) * v[0].a + (scale * wq) * v[1].a + (scale * wr) * v[2].a;
 }
 
