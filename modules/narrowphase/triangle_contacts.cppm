@@ -69,7 +69,8 @@ template <Convex B>
 [[nodiscard]] CoreSeparation separate_from_triangle(const Triangle& triangle, const B& b, const Pose& ab,
                                                     const QuerySettings& settings, Real limit) {
   CoreSeparation core = separate_cores(triangle, b, ab, settings, limit);
-  if (core.overlap) {
+  // Curved surfaces have no features that would tell better ones than the search did.
+  if (core.overlap && !Curved<B>) {
     const Real noise = noise_of(core_size(triangle, b, ab));
     const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
     core.points_open = core.points_open || largest_magnitude(aside) > noise ||
