@@ -189,8 +189,9 @@ template <FewFaced A, FewFaced B>
   }
 }
 
+// Out of line, here and below: a polytope takes pages of the stack, each of which is touched on the way in.
 template <Convex A, Convex B>
-void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, CoreSeparation& core) {
+[[gnu::noinline]] void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, CoreSeparation& core) {
   EpaResult found = epa(a, b, ab, size, error, start);
   if (found.upper - found.lower > error + noise_of(size)) [[unlikely]] {
     // A polytope that starts on slivers may not grow to the end; one that starts along the axes then does.
@@ -215,7 +216,7 @@ void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real err
 // How far cores are apart that GJK has left without a proof: how deep they overlap with a rounded off by more.
 // They touch nearly, or one is a speck beside the other.
 template <Convex A, Convex B>
-[[gnu::cold]] void separate_by_rounding(const A& a, const B& b, const Pose& ab, Real size, Real error, CoreSeparation& core) {
+[[gnu::noinline, gnu::cold]] void separate_by_rounding(const A& a, const B& b, const Pose& ab, Real size, Real error, CoreSeparation& core) {
   const Real rounding = 4 * core.upper + rounding_share * (a.extent() + b.extent());
   const EpaResult found = epa(a, b, ab, size, error, Simplex{}, rounding);
   core.iterations += found.iterations;
