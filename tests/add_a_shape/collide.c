@@ -19,8 +19,9 @@ static abut_pose at(double x, double y, double z) {
   return pose;
 }
 
-/* A shape of a kind, without knowing what the kind takes: every parameter is 1, and the buffers are
- * what some kind could be made from. Kinds with a description of their own are made by it. */
+/* A shape of a kind, without knowing what the kind takes: every parameter is 1, or nine are the corners of a
+ * triangle, and the buffers are what some kind could be made from. Kinds with a description of their own are
+ * made by it. */
 static abut_shape *make(abut_shape_kind kind) {
   static const double corners[] = {-4, -4, 0, 4, -4, 0, 0, 4, 0, 0, 0, -4};
   static const uint32_t triangles[] = {0, 1, 2};
@@ -41,13 +42,13 @@ static abut_shape *make(abut_shape_kind kind) {
     abut_shape_desc desc;
     abut_shape_desc_init(&desc, sizeof desc);
     desc.kind = kind;
-    desc.parameters = ones;
     desc.parameter_count = abut_shape_kind_parameter_count(kind);
+    desc.parameters = desc.parameter_count == 9 ? corners : ones;
     desc.real_count = real_counts[attempt];
     desc.reals = desc.real_count > 0 ? corners : NULL;
     desc.index_count = index_counts[attempt];
     desc.indices = desc.index_count > 0 ? triangles : NULL;
-    if (desc.parameter_count <= 8 && abut_shape_create(&desc, &shape) == ABUT_OK) {
+    if (desc.parameter_count <= 9 && abut_shape_create(&desc, &shape) == ABUT_OK) {
       return shape;
     }
   }
