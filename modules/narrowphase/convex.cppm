@@ -88,8 +88,7 @@ template <Convex A, Convex B>
                                                                     const QuerySettings& settings, Distance& out) {
   if constexpr (ClosedForm<A, B>) {
     [[clang::uninitialized]] CoreSeparation core;
-    const bool any_way = settings.algorithm == Algorithm::automatic || settings.algorithm == Algorithm::analytic;
-    if (any_way && separate_in_closed_form(a, b, ab, settings, core)) [[likely]] {
+    if (takes_closed_forms(settings.algorithm) && separate_in_closed_form(a, b, ab, settings, core)) [[likely]] {
       out = rounded(core, a.radius(), b.radius());
       return Outcome::ok;
     }

@@ -13,7 +13,7 @@ export namespace abut {
 
 template <HalfSpace A, Convex B>
 [[nodiscard]] Outcome half_space_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
-  if (settings.algorithm != Algorithm::automatic && settings.algorithm != Algorithm::analytic) {
+  if (!takes_closed_forms(settings.algorithm)) {
     return Outcome::unsupported;
   }
   const Vec3 n = a.normal();
@@ -28,7 +28,7 @@ template <HalfSpace A, Convex B>
 // rim between its corners.
 template <HalfSpace A, Convex B>
 [[nodiscard]] Outcome half_space_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
-  if (settings.algorithm != Algorithm::automatic && settings.algorithm != Algorithm::analytic) {
+  if (!takes_closed_forms(settings.algorithm)) {
     return Outcome::unsupported;
   }
   const Vec3 n = a.normal();

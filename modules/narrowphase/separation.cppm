@@ -384,7 +384,7 @@ template <Convex A, Convex B>
   const Real size = core_size(a, b, ab);
   const Real error = error_of(a, b, size, settings);
   if constexpr (PointAndField<A, B>) {
-    if (settings.algorithm == Algorithm::automatic || settings.algorithm == Algorithm::analytic) {
+    if (takes_closed_forms(settings.algorithm)) {
       CoreSeparation core = separate_point(a, b, ab, size);
       core.beyond = core.lower > limit;
       return core;
@@ -394,8 +394,7 @@ template <Convex A, Convex B>
   if constexpr (BoxCored<A> && BoxCored<B>) {
     CoreSeparation core{};
     core.rounding = rounding_of(size);
-    const bool any_way = settings.algorithm == Algorithm::automatic || settings.algorithm == Algorithm::analytic;
-    if (any_way && separate_box_cores(a, b, ab, size, error, limit, toward, core)) {
+    if (takes_closed_forms(settings.algorithm) && separate_box_cores(a, b, ab, size, error, limit, toward, core)) {
       return core;
     }
     const std::uint32_t iterations = core.iterations;

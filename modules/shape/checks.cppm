@@ -72,4 +72,21 @@ inline constexpr Real largest_coordinate = 1e70;
   return check_count("index_count", indices.size(), 0);
 }
 
+// Of shapes that are made from lengths alone, each zero or positive.
+[[nodiscard]] inline Fault check_lengths(std::span<const std::string_view> names, std::span<const Real> parameters,
+                                         std::span<const Real> reals, std::span<const std::uint32_t> indices) {
+  if (Fault fault = check_count("parameter_count", parameters.size(), names.size())) {
+    return fault;
+  }
+  if (Fault fault = check_no_buffers(reals, indices)) {
+    return fault;
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (Fault fault = check_not_negative(names[i], parameters[i])) {
+      return fault;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace abut

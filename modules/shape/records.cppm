@@ -62,6 +62,11 @@ struct Triangles {
 
 enum class Algorithm : std::uint32_t { automatic, analytic, sat, gjk_epa, libccd_gjk, libccd_mpr };
 
+// Whether closed forms may answer.
+[[nodiscard]] inline constexpr bool takes_closed_forms(Algorithm algorithm) {
+  return algorithm == Algorithm::automatic || algorithm == Algorithm::analytic;
+}
+
 // Whether a query could be answered at all. `apart`: by an algorithm that can tell that shapes do not
 // overlap, but not how far apart they are.
 enum class Outcome : std::uint8_t { ok, apart, unsupported, not_converged };

@@ -2,6 +2,7 @@
 export module abut.shape;
 export import abut.shape.checks;
 export import abut.shape.concepts;
+export import abut.shape.cores;
 export import abut.shape.frames;
 export import abut.shape.part_triangle;
 export import abut.shape.place;

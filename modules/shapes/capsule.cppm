@@ -15,12 +15,10 @@ import abut.shape;
 
 export namespace abut {
 
-class Capsule {
+class Capsule : public SegmentCore {
  public:
   static constexpr std::string_view name = "capsule";
   static constexpr std::array<std::string_view, 2> parameter_names{"radius", "half_height"};
-  static constexpr bool is_symmetric = true;
-  static constexpr int core_axes = 1;
 
   [[nodiscard]] static Result<Capsule> make(std::span<const Real> parameters, std::span<const Real> reals,
                                             std::span<const std::uint32_t> indices) {
@@ -38,38 +36,16 @@ class Capsule {
     }
     return Capsule(parameters[0], parameters[1]);
   }
-  [[nodiscard]] std::vector<Real> parameters() const { return {radius_, half_height_}; }
+  [[nodiscard]] std::vector<Real> parameters() const { return {radius_, half_length()}; }
   [[nodiscard]] static std::vector<Capsule> samples() {
     return {Capsule(0.5, 1), Capsule(0.25, 0), Capsule(1e-3, 10), Capsule(20, 30)};
   }
 
   [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
     const Vec3 r{radius_, radius_, radius_};
-    return Aabb::around(pose.position, half_height_ * absolute(pose.rotation.z) + r);
+    return Aabb::around(pose.position, half_length() * absolute(pose.rotation.z) + r);
   }
-  [[nodiscard]] inline Vec3 half() const { return {0, 0, half_height_}; }
   [[nodiscard]] inline Real radius() const { return radius_; }
-  [[nodiscard]] inline Vec3 centre() const { return {0, 0, 0}; }
-  [[nodiscard]] inline Real extent() const { return half_height_; }
-  [[nodiscard]] inline SupportPoint support(const Vec3& direction) const {
-    const bool upper = direction.z >= 0;
-    return {{0, 0, upper ? half_height_ : -half_height_}, upper ? 1u : 0u};
-  }
-  [[nodiscard]] inline Real reach(const Vec3& direction) const { return half_height_ * std::fabs(direction.z); }
-  [[nodiscard]] inline PlacedSegment placed(const Pose& pose) const { return {pose.position, half_height_ * pose.rotation.z}; }
-  [[nodiscard]] inline Face supporting_face(const Vec3&) const {
-    [[clang::uninitialized]] Face face;
-    face.vertices.push_back({{0, 0, -half_height_}, 0, 0});
-    if (half_height_ > 0) {
-      face.vertices.push_back({{0, 0, half_height_}, 1, 0});
-    }
-    return face;
-  }
-  [[nodiscard]] inline Feature supporting_feature(const Vec3&) const {
-    return {half_height_ > 0 ? FeatureKind::edge : FeatureKind::vertex, 0};
-  }
-  [[nodiscard]] inline std::array<Vec3, 0> face_normals() const { return {}; }
-  [[nodiscard]] inline std::array<Vec3, 1> edge_directions() const { return {Vec3{0, 0, 1}}; }
 
   // The ray enters and leaves the endless cylinder around the axis; where it does so beyond the segment,
   // it enters or leaves through the cap of that end instead. One of the two always has the crossing, so
@@ -87,10 +63,10 @@ class Capsule {
     const auto crossing = [&](Real side) -> std::optional<Real> {
       const Real on_cylinder = along + side * half_chord;
       const Real z = across > 0 ? origin.z + on_cylinder * d.z : side * d.z * infinity;
-      if (std::fabs(z) <= half_height_) {
+      if (std::fabs(z) <= half_length()) {
         return on_cylinder;
       }
-      const Vec3 o = origin - Vec3{0, 0, std::copysign(half_height_, z)};
+      const Vec3 o = origin - Vec3{0, 0, std::copysign(half_length(), z)};
       const Real nearest = -dot(o, d);
       const Real below = radius_ * radius_ - squared_norm(o + nearest * d);
       return below >= 0 ? std::optional(nearest + side * std::sqrt(below)) : std::nullopt;
@@ -103,14 +79,13 @@ class Capsule {
       return std::nullopt;
     }
     const Vec3 point = origin + *hit * d;
-    const Vec3 axis_point{0, 0, std::clamp(point.z, -half_height_, half_height_)};
+    const Vec3 axis_point{0, 0, std::clamp(point.z, -half_length(), half_length())};
     return RayHit{*hit, UnitVec3::make(point - axis_point).value_or(direction), {FeatureKind::whole, 0}};
   }
 
  private:
-  Capsule(Real radius, Real half_height) : radius_(radius), half_height_(half_height) {}
+  Capsule(Real radius, Real half_height) : SegmentCore(half_height), radius_(radius) {}
   Real radius_;
-  Real half_height_;
 };
 static_assert(Shape<Capsule> && Placeable<Capsule> && BoxCored<Capsule> && FewFaced<Capsule>);
 

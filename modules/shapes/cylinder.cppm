@@ -24,16 +24,8 @@ class Cylinder {
 
   [[nodiscard]] static Result<Cylinder> make(std::span<const Real> parameters, std::span<const Real> reals,
                                              std::span<const std::uint32_t> indices) {
-    if (Fault fault = check_count("parameter_count", parameters.size(), parameter_names.size())) {
+    if (Fault fault = check_lengths(parameter_names, parameters, reals, indices)) {
       return *fault;
-    }
-    if (Fault fault = check_no_buffers(reals, indices)) {
-      return *fault;
-    }
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      if (Fault fault = check_not_negative(parameter_names[i], parameters[i])) {
-        return *fault;
-      }
     }
     return Cylinder(parameters[0], parameters[1]);
   }

@@ -14,12 +14,10 @@ import abut.shape;
 
 export namespace abut {
 
-class Sphere {
+class Sphere : public PointCore {
  public:
   static constexpr std::string_view name = "sphere";
   static constexpr std::array<std::string_view, 1> parameter_names{"radius"};
-  static constexpr bool is_symmetric = true;
-  static constexpr int core_axes = 0;
 
   [[nodiscard]] static Result<Sphere> make(std::span<const Real> parameters, std::span<const Real> reals,
                                            std::span<const std::uint32_t> indices) {
@@ -38,21 +36,7 @@ class Sphere {
   [[nodiscard]] static std::vector<Sphere> samples() { return {Sphere(1), Sphere(0.25), Sphere(1e-3), Sphere(50)}; }
 
   [[nodiscard]] inline Aabb aabb(const Pose& pose) const { return Aabb::around(pose.position, {radius_, radius_, radius_}); }
-  [[nodiscard]] inline Vec3 half() const { return {0, 0, 0}; }
   [[nodiscard]] inline Real radius() const { return radius_; }
-  [[nodiscard]] inline Vec3 centre() const { return {0, 0, 0}; }
-  [[nodiscard]] inline Real extent() const { return 0; }
-  [[nodiscard]] inline SupportPoint support(const Vec3&) const { return {{0, 0, 0}, 0}; }
-  [[nodiscard]] inline Real reach(const Vec3&) const { return 0; }
-  [[nodiscard]] inline PlacedPoint placed(const Pose& pose) const { return {pose.position}; }
-  [[nodiscard]] inline Face supporting_face(const Vec3&) const {
-    [[clang::uninitialized]] Face face;
-    face.vertices.push_back({{0, 0, 0}, 0, 0});
-    return face;
-  }
-  [[nodiscard]] inline Feature supporting_feature(const Vec3&) const { return {FeatureKind::vertex, 0}; }
-  [[nodiscard]] inline std::array<Vec3, 0> face_normals() const { return {}; }
-  [[nodiscard]] inline std::array<Vec3, 0> edge_directions() const { return {}; }
 
   // The two roots of |origin + t direction| = radius, in the form without cancellation
   // (Haines et al., "Precision improvements for ray/sphere intersection", 2019).
