@@ -4,8 +4,10 @@
 
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "abut_inputs.hpp"
 #include "scene.hpp"
 
 namespace bench {
@@ -27,32 +29,16 @@ inline void expect_ok(abut_status status) {
 }
 
 [[nodiscard]] inline AbutCShape abut_c_shape(const Solid& solid) {
+  const std::vector<double> parameters = abut_parameters(solid), reals = abut_reals(solid);
+  abut_shape_desc desc;
+  abut_shape_desc_init(&desc, sizeof desc);
+  desc.kind = abut_shape_kind_by_name(std::string(abut_kind_name(solid)).c_str());
+  desc.parameters = parameters.data();
+  desc.parameter_count = parameters.size();
+  desc.reals = reals.data();
+  desc.real_count = reals.size();
   abut_shape* shape = nullptr;
-  const Point& s = solid.sizes;
-  constexpr abut_vec3 up{0, 0, 1};
-  switch (solid.kind) {
-    case Kind::sphere:
-      expect_ok(abut_sphere_create(s[0], &shape));
-      break;
-    case Kind::box:
-      expect_ok(abut_box_create(s[0], s[1], s[2], &shape));
-      break;
-    case Kind::capsule:
-      expect_ok(abut_capsule_create(s[0], s[1], &shape));
-      break;
-    case Kind::plane:
-      expect_ok(abut_plane_create(&up, 0, &shape));
-      break;
-    case Kind::hull32:
-    case Kind::hull200: {
-      std::vector<double> xyz;
-      for (const Point& p : solid.points) {
-        xyz.insert(xyz.end(), p.begin(), p.end());
-      }
-      expect_ok(abut_hull_create(xyz.data(), solid.points.size(), &shape));
-      break;
-    }
-  }
+  expect_ok(abut_shape_create(&desc, &shape));
   return AbutCShape(shape);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <btBulletCollisionCommon.h>
 
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <memory>
 
 #include "scene.hpp"
@@ -21,7 +22,7 @@ namespace bench {
                      to_bullet(placement.position));
 }
 
-// A negative margin keeps Bullet's own.
+// A negative margin keeps Bullet's own. Null for an ellipsoid, which Bullet has not.
 [[nodiscard]] inline std::unique_ptr<btCollisionShape> bullet_shape(const Solid& solid, double margin) {
   const auto with_margin = [&](auto shape) {
     if (margin >= 0) {
@@ -36,10 +37,22 @@ namespace bench {
       return with_margin(std::make_unique<btBoxShape>(to_bullet(solid.sizes)));
     case Kind::capsule:
       return std::make_unique<btCapsuleShapeZ>(to_bullet(solid.sizes[0]), to_bullet(2 * solid.sizes[1]));
+    case Kind::cylinder: {
+      const auto radius = to_bullet(solid.sizes[0]);
+      return with_margin(std::make_unique<btCylinderShapeZ>(btVector3(radius, radius, to_bullet(solid.sizes[1]))));
+    }
+    case Kind::cone:
+      return with_margin(std::make_unique<btConeShapeZ>(to_bullet(solid.sizes[0]), to_bullet(2 * solid.sizes[1])));
+    case Kind::ellipsoid:
+      return nullptr;
+    case Kind::triangle:
+      return with_margin(std::make_unique<btTriangleShape>(to_bullet(solid.points[0]), to_bullet(solid.points[1]),
+                                                           to_bullet(solid.points[2])));
     case Kind::plane:
       return with_margin(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), to_bullet(0)));
     case Kind::hull32:
-    case Kind::hull200: {
+    case Kind::hull200:
+    case Kind::hull: {
       auto hull = with_margin(std::make_unique<btConvexHullShape>());
       for (const Point& p : solid.points) {
         hull->addPoint(to_bullet(p), false);

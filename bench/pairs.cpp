@@ -1,4 +1,4 @@
-// Pairs of shapes: abut beside Bullet, FCL and libccd on the same placed pairs, one thread, no caches
+// Pairs of shapes: abut beside Bullet, FCL, ODE and libccd on the same placed pairs, one thread, no caches
 // kept from call to call.
 #include "pairs.hpp"
 
@@ -6,20 +6,20 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "agreement.hpp"
 #include "ratios.hpp"
 
 namespace bench {
@@ -29,23 +29,21 @@ constexpr std::size_t case_count = 512;
 constexpr std::size_t solid_count = 8;
 // Cases nearer to touching than this are left out: the libraries may disagree on which side they lie.
 constexpr double least_gap = 0.01;
-// Answers that differ by more than this are counted: a thousandth of the size of the solids.
-constexpr double far_off = 1e-3;
-constexpr std::array kinds{Kind::sphere, Kind::capsule, Kind::box, Kind::hull32, Kind::hull200};
+// A library that is far off in more than this part of a cell answers another question there.
+constexpr double most_unlike = 0.05;
+constexpr std::array kinds{Kind::sphere, Kind::capsule,   Kind::box,    Kind::cylinder,
+                           Kind::cone,   Kind::ellipsoid, Kind::hull32, Kind::hull200};
 
-struct Maker {
-  std::string_view name;
-  std::unique_ptr<Contender> (*make)(Query query, const Cell& cell);
-};
 // The first one is what the others are compared with.
-constexpr std::array makers{
-    Maker{"abut", make_abut}, Maker{"abut-c", make_abut_c},         Maker{"bullet", make_bullet},
-    Maker{"fcl", make_fcl},   Maker{"libccd-gjk", make_libccd_gjk}, Maker{"libccd-mpr", make_libccd_mpr}};
-
-constexpr std::string_view query_name(Query query) {
-  constexpr std::array<std::string_view, 3> names{"distance", "depth", "contacts"};
-  return names[static_cast<std::size_t>(query)];
-}
+constexpr std::array makers{Maker{"abut", make_abut},
+                            Maker{"abut-c", make_abut_c},
+                            Maker{"bullet", make_bullet},
+                            Maker{"fcl", make_fcl},
+                            Maker{"ode", make_ode},
+                            Maker{"libccd-gjk", make_libccd_gjk},
+                            Maker{"libccd-mpr", make_libccd_mpr},
+                            Maker{"abut-ccd-gjk", make_abut_ccd_gjk},
+                            Maker{"abut-ccd-mpr", make_abut_ccd_mpr}};
 
 std::string full_name(Query query, const std::string& scene, const Maker& maker) {
   return std::string(query_name(query)) + "/" + scene + "/" + std::string(maker.name);
@@ -126,14 +124,6 @@ Scene make_scene(Kind kind_a, Kind kind_b) {
   return scene;
 }
 
-// How far the answers of a contender are from those of abut, over all cells of a query.
-struct Agreement {
-  double worst = 0;
-  std::string cell = "-";
-  std::size_t far_off = 0;
-  std::size_t unanswered = 0, asked = 0;
-};
-
 class Suite {
  public:
   void add(Query query, const Scene& scene) {
@@ -154,7 +144,14 @@ class Suite {
       if (expected.empty()) {
         expected = answers;
       }
-      compare({query, std::string(maker.name)}, scene.name, expected, answers);
+      if (agreements_.compare(query, maker.name, scene.name, 1, expected, answers) > most_unlike) {
+        unlike_.insert(name);
+      }
+      if (query == Query::contacts) {
+        for (const Answer& answer : answers) {
+          points_[scene.name][std::string(maker.name)] += answer.points;
+        }
+      }
       benchmark::RegisterBenchmark(name.c_str(), [&contender, count = cell.cases.size()](benchmark::State& state) {
         std::vector<Answer> timed(count);
         for ([[maybe_unused]] auto _ : state) {
@@ -167,60 +164,33 @@ class Suite {
   }
 
   void print() const {
-    std::printf("Answers beside those of abut\n%-10s %-12s %8s %10s %8s %11s  %s\n", "query", "library", "asked",
-                "no answer", "> 1e-3", "worst", "where");
-    for (const auto& [key, found] : agreements_) {
-      std::printf("%-10s %-12s %8zu %10zu %8zu %11.1e  %s\n", std::string(query_name(key.first)).c_str(),
-                  key.second.c_str(), found.asked, found.unanswered, found.far_off, found.worst, found.cell.c_str());
-    }
+    std::printf("Answers beside those of abut\n");
+    agreements_.print();
     print_points();
-    std::printf("hash of all answers: %016llx\n", static_cast<unsigned long long>(hash_));
   }
+  [[nodiscard]] const std::set<std::string>& unlike() const { return unlike_; }
 
  private:
   // "Contact" is not the same work everywhere: how many points there are for an overlapping pair.
   void print_points() const {
-    std::printf("\nContact points per overlapping pair\n%-18s", "");
+    std::printf("\nContact points per overlapping pair\n%-20s", "");
     for (const Maker& maker : makers) {
-      std::printf(" %10s", std::string(maker.name).c_str());
+      std::printf(" %12s", std::string(maker.name).c_str());
     }
     for (const auto& [cell, points] : points_) {
-      std::printf("\n%-18s", cell.c_str());
+      std::printf("\n%-20s", cell.c_str());
       for (const Maker& maker : makers) {
         const auto found = points.find(std::string(maker.name));
-        std::printf(" %10.2f", found == points.end() ? 0 : static_cast<double>(found->second) / (case_count / 2.0));
+        std::printf(" %12.2f", found == points.end() ? 0 : static_cast<double>(found->second) / (case_count / 2.0));
       }
     }
     std::printf("\n\n");
   }
 
-  void compare(const std::pair<Query, std::string>& key, const std::string& cell, std::span<const Answer> expected,
-               std::span<const Answer> answers) {
-    Agreement& agreement = agreements_[key];
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(answers[i].distance)) * 0x100000001b3;
-      if (expected[i].points == 0 && answers[i].points == 0) {
-        continue;
-      }
-      ++agreement.asked;
-      if (key.first == Query::contacts) {
-        points_[cell][key.second] += answers[i].points;
-      }
-      const double difference = std::fabs(answers[i].distance - expected[i].distance);
-      agreement.far_off += difference > far_off ? 1 : 0;
-      if (answers[i].points == 0) {
-        ++agreement.unanswered;
-      } else if (!(difference <= agreement.worst)) {
-        agreement.worst = difference;
-        agreement.cell = cell;
-      }
-    }
-  }
-
   std::vector<std::unique_ptr<Contender>> contenders_;
-  std::map<std::pair<Query, std::string>, Agreement> agreements_;
+  Agreements agreements_;
+  std::set<std::string> unlike_;
   std::map<std::string, std::map<std::string, std::size_t>> points_;
-  std::uint64_t hash_ = 0xcbf29ce484222325;
 };
 
 // Whether any query of a pair of kinds is asked for.
@@ -272,8 +242,13 @@ int run(int argument_count, char** arguments) {
     suite.add(Query::contacts, scene);
   }
   suite.print();
-  return run_and_compare(
-      {"abut", {"bullet", "fcl"}, {"libccd-gjk", "libccd-mpr", "abut-c"}, static_cast<double>(case_count), "ns", 1e-9});
+  return run_and_compare({"abut",
+                          {"bullet", "fcl", "ode"},
+                          {"libccd-gjk", "libccd-mpr", "abut-c", "abut-ccd-gjk", "abut-ccd-mpr"},
+                          static_cast<double>(case_count),
+                          "ns",
+                          1e-9,
+                          suite.unlike()});
 }
 
 }  // namespace

@@ -40,13 +40,23 @@ class Contender {
   virtual void answer(std::span<Answer> answers) = 0;
 };
 
+struct Maker {
+  std::string_view name;
+  std::unique_ptr<Contender> (*make)(Query query, const Cell& cell);
+};
+
 // Each makes what the library wants to have ready; null when it has no such query for the cell.
 [[gnu::visibility("default")]] std::unique_ptr<Contender> make_bullet(Query query, const Cell& cell);
 [[gnu::visibility("default")]] std::unique_ptr<Contender> make_fcl(Query query, const Cell& cell);
 [[gnu::visibility("default")]] std::unique_ptr<Contender> make_libccd_gjk(Query query, const Cell& cell);
 [[gnu::visibility("default")]] std::unique_ptr<Contender> make_libccd_mpr(Query query, const Cell& cell);
+// Null for everything where the benchmark was built without ODE.
+[[gnu::visibility("default")]] std::unique_ptr<Contender> make_ode(Query query, const Cell& cell);
 std::unique_ptr<Contender> make_abut(Query query, const Cell& cell);
 std::unique_ptr<Contender> make_abut_c(Query query, const Cell& cell);
+// abut's own routes through libccd.
+std::unique_ptr<Contender> make_abut_ccd_gjk(Query query, const Cell& cell);
+std::unique_ptr<Contender> make_abut_ccd_mpr(Query query, const Cell& cell);
 
 // Replaces the points of a hull by its vertices and adds its surface.
 void find_surface(Solid& hull);

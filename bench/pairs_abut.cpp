@@ -1,4 +1,5 @@
 // abut through its modules: poses in the world, the relative pose formed inside the timed part.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "abut_inputs.hpp"
 #include "pairs.hpp"
 
 import abut;
@@ -22,33 +24,11 @@ abut::Pose pose_of(const Placement& placement) {
 }
 
 abut::AnyShape shape_of(const Solid& solid) {
-  std::vector<abut::Real> parameters;
-  std::vector<abut::Real> reals;
-  switch (solid.kind) {
-    case Kind::sphere:
-      parameters = {solid.sizes[0]};
-      break;
-    case Kind::box:
-      parameters = {solid.sizes[0], solid.sizes[1], solid.sizes[2]};
-      break;
-    case Kind::capsule:
-      parameters = {solid.sizes[0], solid.sizes[1]};
-      break;
-    case Kind::plane:
-      parameters = {0, 0, 1, 0};
-      break;
-    case Kind::hull32:
-    case Kind::hull200:
-      for (const Point& p : solid.points) {
-        reals.insert(reals.end(), p.begin(), p.end());
-      }
-      break;
-  }
-  const auto place = abut::find_kind(is_hull(solid.kind) ? "hull" : kind_name(solid.kind));
+  const auto place = abut::find_kind(abut_kind_name(solid));
   if (!place) {
     throw std::runtime_error("this build of abut lacks a shape of the benchmark");
   }
-  auto shape = abut::make_shape(*place, parameters, reals, {});
+  auto shape = abut::make_shape(*place, abut_parameters(solid), abut_reals(solid), {});
   if (!shape) {
     throw std::runtime_error(std::string(shape.error().message));
   }
@@ -57,7 +37,8 @@ abut::AnyShape shape_of(const Solid& solid) {
 
 class Abut final : public Contender {
  public:
-  Abut(Query query, const Cell& cell) : query_(query) {
+  Abut(Query query, const Cell& cell, abut::Algorithm algorithm) : query_(query) {
+    settings_.algorithm = algorithm;
     for (const Solid& solid : cell.solids_a) {
       a_.push_back(shape_of(solid));
     }
@@ -119,10 +100,25 @@ class Abut final : public Contender {
   abut::Manifold manifold_;
 };
 
+// Null where libccd answers nothing: for shapes that are apart, for planes, and in builds without it.
+std::unique_ptr<Contender> make_through_libccd(Query query, const Cell& cell, abut::Algorithm algorithm) {
+  auto contender = std::make_unique<Abut>(query, cell, algorithm);
+  std::vector<Answer> answers(cell.cases.size());
+  contender->answer(answers);
+  const bool any = std::ranges::any_of(answers, [](const Answer& answer) { return answer.points > 0; });
+  return any ? std::move(contender) : nullptr;
+}
+
 }  // namespace
 
 std::unique_ptr<Contender> make_abut(Query query, const Cell& cell) {
-  return std::make_unique<Abut>(query, cell);
+  return std::make_unique<Abut>(query, cell, abut::Algorithm::automatic);
+}
+std::unique_ptr<Contender> make_abut_ccd_gjk(Query query, const Cell& cell) {
+  return make_through_libccd(query, cell, abut::Algorithm::libccd_gjk);
+}
+std::unique_ptr<Contender> make_abut_ccd_mpr(Query query, const Cell& cell) {
+  return make_through_libccd(query, cell, abut::Algorithm::libccd_mpr);
 }
 
 void find_surface(Solid& hull) {

@@ -121,11 +121,15 @@ class Contacts final : public Contender {
 }  // namespace
 
 std::unique_ptr<Contender> make_bullet(Query query, const Cell& cell) {
+  const auto has = [&cell](Kind kind) { return cell.solids_a.front().kind == kind || cell.solids_b.front().kind == kind; };
+  if (has(Kind::ellipsoid)) {
+    return nullptr;
+  }
   if (query == Query::contacts) {
     return std::make_unique<Contacts>(cell);
   }
   // The closest-point query is one of convex shapes, which Bullet's plane is not.
-  if (cell.solids_a.front().kind == Kind::plane || cell.solids_b.front().kind == Kind::plane) {
+  if (has(Kind::plane)) {
     return nullptr;
   }
   return std::make_unique<Distance>(cell);

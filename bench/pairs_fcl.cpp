@@ -29,10 +29,18 @@ Geometry geometry_of(const Solid& solid) {
       return std::make_unique<fcl::Box<double>>(2 * s[0], 2 * s[1], 2 * s[2]);
     case Kind::capsule:
       return std::make_unique<fcl::Capsule<double>>(s[0], 2 * s[1]);
+    case Kind::cylinder:
+      return std::make_unique<fcl::Cylinder<double>>(s[0], 2 * s[1]);
+    case Kind::cone:
+      return std::make_unique<fcl::Cone<double>>(s[0], 2 * s[1]);
+    case Kind::ellipsoid:
+      return std::make_unique<fcl::Ellipsoid<double>>(s[0], s[1], s[2]);
     case Kind::plane:
       return std::make_unique<fcl::Halfspace<double>>(0, 0, 1, 0);
     case Kind::hull32:
-    case Kind::hull200: {
+    case Kind::hull200:
+    case Kind::hull:
+    case Kind::triangle: {
       auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>();
       for (const Point& p : solid.points) {
         vertices->emplace_back(p[0], p[1], p[2]);
@@ -41,7 +49,11 @@ Geometry geometry_of(const Solid& solid) {
       for (const auto& triangle : solid.triangles) {
         faces->insert(faces->end(), {3, triangle[0], triangle[1], triangle[2]});
       }
-      return std::make_unique<fcl::Convex<double>>(vertices, static_cast<int>(solid.triangles.size()), faces);
+      // Its triangle has no distances; a hull of two faces, back to back, has.
+      if (solid.kind == Kind::triangle) {
+        *faces = {3, 0, 1, 2, 3, 0, 2, 1};
+      }
+      return std::make_unique<fcl::Convex<double>>(vertices, static_cast<int>(faces->size() / 4), faces);
     }
   }
   return nullptr;

@@ -46,10 +46,28 @@ Point local_support(const Solid& solid, const Point& d) {
     case Kind::box:
       return {std::copysign(solid.sizes[0], d[0]), std::copysign(solid.sizes[1], d[1]),
               std::copysign(solid.sizes[2], d[2])};
+    case Kind::cylinder:
+    case Kind::cone: {
+      const double around = std::hypot(d[0], d[1]), radius = solid.sizes[0], half = solid.sizes[1];
+      // Towards the apex: steeper than the normal of the side.
+      if (solid.kind == Kind::cone && 2 * half * d[2] >= radius * around) {
+        return {0, 0, half};
+      }
+      const double scale = around > 0 ? radius / around : 0;
+      return {scale * d[0], scale * d[1], solid.kind == Kind::cone ? -half : std::copysign(half, d[2])};
+    }
+    case Kind::ellipsoid: {
+      const Point stretched{solid.sizes[0] * d[0], solid.sizes[1] * d[1], solid.sizes[2] * d[2]};
+      const double scale = 1 / std::sqrt(dot(stretched, stretched));
+      return {scale * solid.sizes[0] * stretched[0], scale * solid.sizes[1] * stretched[1],
+              scale * solid.sizes[2] * stretched[2]};
+    }
     case Kind::plane:
       return {};
     case Kind::hull32:
-    case Kind::hull200: {
+    case Kind::hull200:
+    case Kind::hull:
+    case Kind::triangle: {
       double top = -std::numeric_limits<double>::infinity();
       Point best{};
       for (const Point& p : solid.points) {

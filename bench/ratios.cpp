@@ -24,6 +24,12 @@ double median(Times times) {
   return times.size() % 2 == 1 ? times[middle] : (times[middle - 1] + times[middle]) / 2;
 }
 
+// The least of the values that nine tenths of them do not exceed.
+double ninetieth_percentile(Times times) {
+  std::sort(times.begin(), times.end());
+  return times[(9 * times.size() + 9) / 10 - 1];
+}
+
 class Collector final : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& context) override {
@@ -48,12 +54,13 @@ class Collector final : public benchmark::BenchmarkReporter {
     std::vector<std::string> columns{comparison.ours};
     columns.insert(columns.end(), comparison.judged.begin(), comparison.judged.end());
     columns.insert(columns.end(), comparison.others.begin(), comparison.others.end());
-    std::printf("\n%s per item, median of the repetitions (spread: of ours, largest over smallest repetition)\n%-28s",
+    std::printf("\n%s per item, median of the repetitions (spread: of ours, largest over smallest repetition;"
+                " *: other answers)\n%-40s",
                 comparison.unit.c_str(), "");
     for (const std::string& column : columns) {
-      std::printf(" %12s", column.c_str());
+      std::printf(" %12s ", column.c_str());
     }
-    std::printf(" %8s %8s\n", "ratio", "spread");
+    std::printf(" %8s %8s %8s\n", "ratio", "like", "spread");
     // Cells in the order of their registration: repetitions come in any order.
     std::vector<std::pair<std::int64_t, std::string>> cells;
     for (const auto& [cell, place] : order_) {
@@ -63,32 +70,62 @@ class Collector final : public benchmark::BenchmarkReporter {
     for (const auto& [place, cell] : cells) {
       print_row(cell, columns, comparison);
     }
+    if (comparison.has_summary) {
+      print_summary(columns, comparison);
+    }
   }
 
  private:
+  void print_summary(const std::vector<std::string>& columns, const Comparison& comparison) const {
+    std::printf("\nOver the cells of each\n%-12s %8s %10s %10s %10s\n", "", "cells", "median", "90th", "90th/median");
+    for (const std::string& column : columns) {
+      Times times;
+      for (const auto& [cell, contenders] : times_) {
+        if (const auto found = contenders.find(column); found != contenders.end()) {
+          times.push_back(median(found->second) / (comparison.items * comparison.seconds));
+        }
+      }
+      if (!times.empty()) {
+        const double half = median(times), most = ninetieth_percentile(times);
+        std::printf("%-12s %8zu %10.1f %10.1f %10.2f\n", column.c_str(), times.size(), half, most, most / half);
+      }
+    }
+  }
+
   void print_row(const std::string& cell, const std::vector<std::string>& columns, const Comparison& comparison) const {
     const auto& contenders = times_.at(cell);
     const auto time_of = [&](const std::string& name) {
       const auto found = contenders.find(name);
       return found == contenders.end() ? 0 : median(found->second) / (comparison.items * comparison.seconds);
     };
-    std::printf("%-28s", cell.c_str());
+    const auto is_unlike = [&](const std::string& name) { return comparison.unlike.contains(cell + "/" + name); };
+    std::printf("%-40s", cell.c_str());
     for (const std::string& column : columns) {
       if (const double time = time_of(column); time > 0) {
-        std::printf(" %12.1f", time);
+        std::printf(" %12.1f%c", time, is_unlike(column) ? '*' : ' ');
       } else {
-        std::printf(" %12s", "-");
+        std::printf(" %12s ", "-");
       }
     }
-    double best = 0;
+    double best = 0, best_like = 0;
     for (const std::string& name : comparison.judged) {
-      const double time = time_of(name);
-      best = time > 0 && (best == 0 || time < best) ? time : best;
+      if (const double time = time_of(name); time > 0) {
+        best = best == 0 ? time : std::min(best, time);
+        if (!is_unlike(name)) {
+          best_like = best_like == 0 ? time : std::min(best_like, time);
+        }
+      }
     }
     const double ours = time_of(comparison.ours);
     if (best > 0 && ours > 0) {
       const auto [least, most] = std::ranges::minmax(contenders.at(comparison.ours));
-      std::printf(" %8.2f %8.2f", best / ours, most / least);
+      std::printf(" %8.2f", best / ours);
+      if (best_like > 0) {
+        std::printf(" %8.2f", best_like / ours);
+      } else {
+        std::printf(" %8s", "-");
+      }
+      std::printf(" %8.2f", most / least);
     }
     std::printf("\n");
   }

@@ -1,5 +1,6 @@
 // Runs the registered benchmarks with repetitions in random order and prints a table of ratios.
 #pragma once
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct Comparison {
   double items = 1;                 // the time is divided by this
   std::string unit;                 // of the time that is left, such as "ns"
   double seconds = 1e-9;            // that unit in seconds
+  std::set<std::string> unlike{};   // names with other answers than ours: starred, and not in the second ratio
+  bool has_summary = false;         // median and 90th percentile of each contender over its cells
 };
 
 // Reads the flags of Google Benchmark; without them there are five short repetitions in random order.

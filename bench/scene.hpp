@@ -13,18 +13,20 @@ namespace bench {
 
 using Point = std::array<double, 3>;
 
-enum class Kind : std::uint8_t { sphere, box, capsule, plane, hull32, hull200 };
+enum class Kind : std::uint8_t { sphere, box, capsule, plane, hull32, hull200, cylinder, cone, ellipsoid, hull, triangle };
 
 [[nodiscard]] constexpr std::string_view kind_name(Kind kind) {
-  constexpr std::array<std::string_view, 6> names{"sphere", "box", "capsule", "plane", "hull32", "hull200"};
+  constexpr std::array<std::string_view, 11> names{"sphere",   "box",  "capsule",   "plane", "hull32",  "hull200",
+                                                   "cylinder", "cone", "ellipsoid", "hull",  "triangle"};
   return names[static_cast<std::size_t>(kind)];
 }
 [[nodiscard]] constexpr bool is_hull(Kind kind) {
-  return kind == Kind::hull32 || kind == Kind::hull200;
+  return kind == Kind::hull32 || kind == Kind::hull200 || kind == Kind::hull;
 }
 
-// Sphere: radius. Box: half extents. Capsule: radius and half height, along z. Plane: the half-space
-// below z = 0. Hull: its vertices and its surface, counter-clockwise seen from outside.
+// Sphere: radius. Box: half extents. Capsule, cylinder, cone: radius and half height, along z, the apex of the
+// cone above. Ellipsoid: radii. Plane: the half-space below z = 0. Triangle: its corners. Hull: its vertices and
+// its surface, counter-clockwise seen from outside; hull32 and hull200 are made of so many points, hull of any.
 struct Solid {
   Kind kind = Kind::sphere;
   Point sizes{};
@@ -91,10 +93,17 @@ class Random {
       return std::hypot(solid.sizes[0], solid.sizes[1], solid.sizes[2]);
     case Kind::capsule:
       return solid.sizes[0] + solid.sizes[1];
+    case Kind::cylinder:
+    case Kind::cone:
+      return std::hypot(solid.sizes[0], solid.sizes[1]);
+    case Kind::ellipsoid:
+      return std::fmax(solid.sizes[0], std::fmax(solid.sizes[1], solid.sizes[2]));
     case Kind::plane:
       return 0;
     case Kind::hull32:
     case Kind::hull200:
+    case Kind::hull:
+    case Kind::triangle:
       for (const Point& p : solid.points) {
         square = std::fmax(square, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
       }

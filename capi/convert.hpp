@@ -63,6 +63,8 @@ namespace abut::capi {
           contact.id,
           from_feature(contact.feature_a),
           from_feature(contact.feature_b),
+          contact.child_a,
+          contact.child_b,
           from_vec3(contact.point_a),
           from_vec3(contact.point_b),
           from_vec3(contact.normal),

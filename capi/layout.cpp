@@ -31,7 +31,7 @@ static_assert(is_plain<abut_ray>(56));
 static_assert(is_plain<abut_ray_hit>(64));
 static_assert(is_plain<abut_query_options>(32));
 static_assert(is_plain<abut_distance>(104));
-static_assert(is_plain<abut_contact>(136));
+static_assert(is_plain<abut_contact>(144));
 static_assert(is_plain<abut_universe_options>(40));
 static_assert(is_plain<abut_part_options>(72));
 static_assert(is_plain<abut_geometry_options>(80));
@@ -121,6 +121,8 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_contact, id),
     ABUT_FIELD(abut_contact, feature_a),
     ABUT_FIELD(abut_contact, feature_b),
+    ABUT_FIELD(abut_contact, child_a),
+    ABUT_FIELD(abut_contact, child_b),
     ABUT_FIELD(abut_contact, point_a),
     ABUT_FIELD(abut_contact, point_b),
     ABUT_FIELD(abut_contact, normal),

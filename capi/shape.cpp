@@ -1,4 +1,5 @@
 // Making and owning shapes. No class of a shape is named here: kinds are found by name.
+#include "convert.hpp"
 #include "guard.hpp"
 #include "options.hpp"
 #include "shape_handle.hpp"
@@ -86,6 +87,33 @@ abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::
   const std::array one_sided{sides == ABUT_SIDES_FRONT ? 1.0 : 0.0};
   numbers.parameters = one_sided;
   return create_named("mesh", numbers, out);
+}
+
+abut_status create_composite(const abut_shape* const* children, const abut_pose* poses, std::size_t count, abut_shape** out) {
+  std::span<const abut_shape* const> given;
+  std::span<const abut_pose> given_poses;
+  abut_status status = read_span("children", children, "count", count, given);
+  status = status != ABUT_OK ? status : read_span("poses", poses, "count", count, given_poses);
+  if (status != ABUT_OK) {
+    return status;
+  }
+  std::vector<abut::PlacedShape> placed;
+  placed.reserve(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (given[i] == nullptr) {
+      return refuse(ABUT_NULL_ARGUMENT, "children[" + std::to_string(i) + "] is null");
+    }
+    if (status = check_pose({"poses", i}, given_poses[i]); status != ABUT_OK) {
+      return status;
+    }
+    placed.push_back({given[i]->handle, to_pose(given_poses[i])});
+  }
+  abut::Result<abut::AnyShape> made = abut::make_composite(placed);
+  if (!made) {
+    return refuse(made.error());
+  }
+  *out = std::make_unique<abut_shape>(abut::ShapeHandle(std::move(made).value())).release();
+  return ABUT_OK;
 }
 
 abut_status create_height_field(const abut_height_field_desc& desc, abut_shape** out) {
@@ -183,6 +211,29 @@ abut_status abut_mesh_create(const double* xyz, size_t vertex_count, const uint3
   return guard([&] {
     const abut_status status = check_not_null("out", out);
     return status != ABUT_OK ? status : create_mesh(xyz, vertex_count, triangles, triangle_count, options, out);
+  });
+}
+
+abut_status abut_particles_create(const double* xyz, size_t count, double radius, abut_shape** out) {
+  return guard([&] {
+    Numbers numbers;
+    abut_status status = check_not_null("out", out);
+    status = status != ABUT_OK ? status : read_span<3>("xyz", xyz, "count", count, numbers.reals);
+    if (status == ABUT_OK) {
+      // Radius 0 means something else to the generic door.
+      if (const abut::Fault fault = abut::check_positive("radius", radius)) {
+        return refuse(*fault);
+      }
+    }
+    numbers.parameters = std::span(&radius, 1);
+    return status != ABUT_OK ? status : create_named("particles", numbers, out);
+  });
+}
+
+abut_status abut_composite_create(const abut_shape* const* children, const abut_pose* poses, size_t count, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_not_null("out", out);
+    return status != ABUT_OK ? status : create_composite(children, poses, count, out);
   });
 }
 

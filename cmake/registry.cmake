@@ -6,9 +6,13 @@ set_property(GLOBAL PROPERTY abut_known_shapes "")
 set_property(GLOBAL PROPERTY abut_known_pairs "")
 
 # name: of the file modules/shapes/<name>.cppm and its helpers <name>_*; class: in it; kind: the number
-# in the C ABI, never reused; FEATURE: builds without this feature leave the shape out.
+# in the C ABI, never reused; FEATURE: builds without this feature leave the shape out; OF_ANY: the class is
+# a template that gets the type of a shape of any kind.
 function(abut_shape name class kind)
-  cmake_parse_arguments(PARSE_ARGV 3 arg "" "FEATURE" "")
+  cmake_parse_arguments(PARSE_ARGV 3 arg "OF_ANY" "FEATURE" "")
+  if(arg_OF_ANY)
+    string(APPEND class "<AnyShape>")
+  endif()
   set_property(GLOBAL APPEND PROPERTY abut_known_shapes ${name})
   set_property(GLOBAL PROPERTY abut_class_${name} ${class})
   set_property(GLOBAL PROPERTY abut_kind_${name} ${kind})
@@ -33,6 +37,11 @@ abut_shape(triangle     FreeTriangle 10)
 abut_shape(cylinder     Cylinder    11)
 abut_shape(cone         Cone        12)
 abut_shape(ellipsoid    Ellipsoid   13)
+abut_shape(particles    Particles   14)
+abut_shape(composite    CompositeOf 15 OF_ANY)
+abut_shape(sphere_hole  SphereHole  16)
+abut_shape(cylinder_hole CylinderHole 17)
+abut_shape(box_hole     BoxHole     18)
 
 # ---- nothing below changes when a shape is added ----
 
@@ -93,7 +102,7 @@ function(abut_write_registry out_interfaces out_implementations)
 import abut.dispatch;
 
 namespace abut {
-constinit const PairRow row_@name@ = make_row<Shapes, @index@>();
+constinit const PairRow row_@name@ = make_row<Shapes, @index@>(by_children);
 }  // namespace abut
 ")
     list(APPEND row_files ${row_file})
@@ -116,16 +125,54 @@ constinit const PairRow row_@name@ = make_row<Shapes, @index@>();
 module;
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
 export module abut.registry;
 export import abut.dispatch;
+import abut.core;
+import abut.math;
+import abut.shape;
 @imports@@pair_imports@
 export namespace abut {
-using Shapes = Registry<@entries@>;
-using AnyShape = Shapes::Any;
+struct AnyShape;
+using Shapes = Registry<AnyShape, @entries@>;
+
+// A shape of any kind of this build.
+struct AnyShape : Shapes::Variant {
+  using Variant = Shapes::Variant;
+  using Variant::Variant;
+
+  // The number of a class of shape.
+  template <class S>
+  [[nodiscard]] static constexpr std::uint32_t kind_of() {
+    return Shapes::kind_of<S>();
+  }
+  // A shape of the kind of that number, from numbers that are checked.
+  [[nodiscard]] static Result<AnyShape> make(std::uint32_t kind, std::span<const Real> parameters, std::span<const Real> reals,
+                                             std::span<const std::uint32_t> indices);
+
+  // From the shape to a point, in the frame of the shape; nothing where that has no answer.
+  [[nodiscard]] std::optional<Distance> distance_to(const Vec3& point) const;
+  [[nodiscard]] bool is_hole() const;
+  // Whether this is a hole and a point in its frame lies in it by more than `inset`.
+  [[nodiscard]] bool cavity_holds(const Vec3& point, Real inset) const;
+};
 using PairRow = std::array<PairKernels<AnyShape>, Shapes::count>;
 }  // namespace abut
 
 namespace abut {
+void carve(const AnyShape& composite, const Pose& pose, const AnyShape& other, const Pose& other_pose, const QuerySettings& settings,
+           Manifold& contacts);
+Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                          const QuerySettings& settings, Distance& out);
+Outcome children_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                          const QuerySettings& settings, Manifold& out);
+void children_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
+                              const QuerySettings& common, Manifold& out, std::span<PairResult> results);
+inline constexpr PairKernels<AnyShape> by_children{Route::children, false, children_distance, children_contacts,
+                                                   children_contacts_of_run};
 @declarations@}  // namespace abut
 
 export namespace abut {

@@ -69,7 +69,8 @@ std::span<const Vec3> sweep() {
 
 // A point in the frame of the shape must lie in it, and in what bounds it along the outward direction.
 Verdict judge_point(const AnyShape& shape, const Vec3& point, const Vec3& outward, bool must_be_outermost, Real noise, std::string_view name) {
-  if (!aabb_of(shape, Pose::identity()).inflated(noise).overlaps({point, point})) {
+  // The walls of a cavity go on beyond the box of what is cut out.
+  if (!shape.is_hole() && !aabb_of(shape, Pose::identity()).inflated(noise).overlaps({point, point})) {
     return std::string(name) + " is outside the box of its shape";
   }
   if (!is_convex(shape)) {
@@ -125,6 +126,9 @@ Verdict judge_swap(const Scene& scene, const Distance& found) {
 
 // Apart boxes mean apart shapes.
 Verdict judge_boxes(const Scene& scene, const Distance& found) {
+  if (scene.a.is_hole() || scene.b.is_hole()) {
+    return std::nullopt;
+  }
   const Aabb a = aabb_of(scene.a, Pose::identity()), b = aabb_of(scene.b, scene.ab);
   if (!a.inflated(tolerance(scene)).overlaps(b) && found.distance <= 0) {
     return fault("distance of shapes with boxes apart", found.distance, tolerance(scene));

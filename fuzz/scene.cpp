@@ -73,6 +73,30 @@ ShapeInput sheet_input(const Numbers& numbers, bool flat, bool on_lattice) {
   return input;
 }
 
+bool takes_lengths_alone(std::size_t place) {
+  if (kind_parameter_count(place) == 0) {
+    return false;
+  }
+  for (std::size_t i = 0; i < kind_parameter_count(place); ++i) {
+    const std::string_view name = kind_parameter_name(place, i);
+    if (!name.starts_with("half") && !name.starts_with("radius")) {
+      return false;
+    }
+  }
+  return kind_name(place) != "particles";
+}
+
+// As the generic door takes the children of a composite.
+void append_child(ShapeInput& input, std::uint32_t kind, const std::array<Real, 7>& pose, const ShapeInput& child) {
+  input.indices.insert(input.indices.end(), {kind, static_cast<std::uint32_t>(child.parameters.size()),
+                                             static_cast<std::uint32_t>(child.reals.size()),
+                                             static_cast<std::uint32_t>(child.indices.size())});
+  input.indices.insert(input.indices.end(), child.indices.begin(), child.indices.end());
+  input.reals.insert(input.reals.end(), pose.begin(), pose.end());
+  input.reals.insert(input.reals.end(), child.parameters.begin(), child.parameters.end());
+  input.reals.insert(input.reals.end(), child.reals.begin(), child.reals.end());
+}
+
 ShapeInput height_field_input(const Numbers& numbers, bool flat, bool on_lattice) {
   Random random = random_of(numbers);
   const std::size_t columns = 3 + random.below(4), rows = 3 + random.below(3);
@@ -83,10 +107,57 @@ ShapeInput height_field_input(const Numbers& numbers, bool flat, bool on_lattice
   return input;
 }
 
+ShapeInput particles_input(const Numbers& numbers, bool various, bool on_lattice) {
+  Random random = random_of(numbers);
+  const std::size_t count = 1 + random.below(24);
+  const Real radius = size_or_one(numbers[3]);
+  ShapeInput input{{various ? 0 : radius}, {}, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      input.reals.push_back(size_or_one(numbers[axis]) * coordinate(random, on_lattice));
+    }
+    if (various) {
+      input.reals.push_back(radius * static_cast<Real>(random.below(3)));
+    }
+  }
+  return input;
+}
+
+// Children of the kinds that take lengths alone, some of them in a composite of their own.
+ShapeInput composite_input(std::size_t place, const Numbers& numbers, bool nests, bool on_lattice) {
+  Random random = random_of(numbers);
+  ShapeInput input;
+  const std::size_t count = 1 + random.below(12);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t kind = random.below(shape_kind_count);
+    while (!takes_lengths_alone(kind) || (i == 0 && kind_name(kind).ends_with("hole"))) {
+      kind = (kind + 1) % shape_kind_count;
+    }
+    ShapeInput child;
+    for (std::size_t k = 0; k < kind_parameter_count(kind); ++k) {
+      child.parameters.push_back(size_or_one(numbers[k % 3]) * random.between(0.1, 1));
+    }
+    std::array<Real, 7> pose{0, 0, 0, 1, 0, 0, 0};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      pose[axis] = 2 * size_or_one(numbers[axis]) * coordinate(random, on_lattice);
+      pose[4 + axis] = on_lattice ? 0 : random.between(-1, 1);
+    }
+    append_child(input, Shapes::kinds[kind], pose, child);
+  }
+  if (nests) {
+    ShapeInput outer;
+    append_child(outer, Shapes::kinds[place], {0, 0, 0, 1, 0, 0, 0}, input);
+    append_child(outer, Shapes::kinds[place], {numbers[0], 0, 0, 1, 0, 1, 0}, input);
+    return outer;
+  }
+  return input;
+}
+
 // Parameters of this kind that are no lengths stay as they are.
 void scale(std::string_view kind, ShapeInput& input, Real by) {
   const std::size_t first = kind == "plane" ? 3 : kind == "height_field" ? 2 : kind == "mesh" ? 1 : 0;
-  for (std::size_t i = first; i < input.parameters.size(); ++i) {
+  const std::size_t end = kind == "cylinder_hole" ? 2 : kind == "box_hole" ? 3 : input.parameters.size();
+  for (std::size_t i = first; i < end; ++i) {
     input.parameters[i] *= by;
   }
   for (Real& value : input.reals) {
@@ -135,6 +206,12 @@ ShapeInput shape_input(std::size_t place, const std::array<Real, 8>& raw, bool f
   if (kind == "height_field") {
     return height_field_input(numbers, flat, on_lattice);
   }
+  if (kind == "particles") {
+    return particles_input(numbers, doubled, on_lattice);
+  }
+  if (kind == "composite") {
+    return composite_input(place, numbers, doubled, on_lattice);
+  }
   ShapeInput input;
   if (kind == "plane") {
     const auto normal = UnitVec3::make({numbers[0], numbers[1], numbers[2]}).value_or(UnitVec3::axis_z()).vec();
@@ -143,6 +220,12 @@ ShapeInput shape_input(std::size_t place, const std::array<Real, 8>& raw, bool f
   }
   for (std::size_t i = 0; i < kind_parameter_count(place); ++i) {
     const Real value = i < numbers.size() ? numbers[i] : 0;
+    if (kind_parameter_name(place, i).starts_with("open")) {
+      // Sums of faces along Z, which for a cylinder are its ends.
+      const Real unit = kind_parameter_name(place, i) == "open_ends" ? 1 : 16;
+      input.parameters.push_back(unit * static_cast<Real>(random_of(numbers).below(4)));
+      continue;
+    }
     // A half extent may be zero; a radius may not.
     input.parameters.push_back(kind_parameter_name(place, i).starts_with("half") ? std::fabs(value) : size_or_one(value));
   }

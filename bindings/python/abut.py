@@ -154,6 +154,20 @@ class Shape(_Owner):
         return cls._made_by(library.abut_height_field_create, byref(desc))
 
     @classmethod
+    def particles(cls, xyz, radius):
+        """Many balls of one radius: x, y, z, x, y, z, ..."""
+        points = _array(c.c_double, xyz)
+        return cls._made_by(library.abut_particles_create, points, len(points) // 3, radius)
+
+    @classmethod
+    def composite(cls, children, poses):
+        """Shapes, each at a pose of its own, as one."""
+        if len(children) != len(poses):
+            raise ValueError(f"{len(children)} children with {len(poses)} poses")
+        pointers = (c_void_p * len(children))(*(child.pointer for child in children))
+        return cls._made_by(library.abut_composite_create, pointers, _structs(c.Pose, poses), len(children))
+
+    @classmethod
     def of_kind(cls, name, parameters=(), reals=(), indices=()):
         """A shape of any kind from its parameters and buffers."""
         numbers, points, corners = _array(c.c_double, parameters), _array(c.c_double, reals), _array(c_uint32, indices)

@@ -161,8 +161,8 @@ class Distance(_Struct):
 class Contact(_Struct):
     _fields_ = [
         ("geometry_a", GeometryId), ("geometry_b", GeometryId), ("id", c_uint64), ("feature_a", Feature),
-        ("feature_b", Feature), ("point_a", Vec3), ("point_b", Vec3), ("normal", Vec3), ("distance", c_double),
-        ("toi", c_double), ("flags", c_uint32), ("reserved", c_uint32),
+        ("feature_b", Feature), ("child_a", c_uint32), ("child_b", c_uint32), ("point_a", Vec3), ("point_b", Vec3),
+        ("normal", Vec3), ("distance", c_double), ("toi", c_double), ("flags", c_uint32), ("reserved", c_uint32),
     ]
 
 
@@ -255,6 +255,7 @@ FUNCTIONS = {
     "abut_sphere_create": (Status, [c_double, POINTER(c_void_p)]),
     "abut_box_create": (Status, [c_double, c_double, c_double, POINTER(c_void_p)]),
     "abut_capsule_create": (Status, [c_double, c_double, POINTER(c_void_p)]),
+    "abut_composite_create": (Status, [POINTER(c_void_p), POINTER(Pose), c_size_t, POINTER(c_void_p)]),
     "abut_cylinder_create": (Status, [c_double, c_double, POINTER(c_void_p)]),
     "abut_plane_create": (Status, [POINTER(Vec3), c_double, POINTER(c_void_p)]),
     "abut_hull_create": (Status, [POINTER(c_double), c_size_t, POINTER(c_void_p)]),
@@ -263,6 +264,7 @@ FUNCTIONS = {
         POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t, POINTER(MeshOptions), POINTER(c_void_p)]),
     "abut_height_field_desc_init": (None, [POINTER(HeightFieldDesc), c_uint32]),
     "abut_height_field_create": (Status, [POINTER(HeightFieldDesc), POINTER(c_void_p)]),
+    "abut_particles_create": (Status, [POINTER(c_double), c_size_t, c_double, POINTER(c_void_p)]),
     "abut_shape_desc_init": (None, [POINTER(ShapeDesc), c_uint32]),
     "abut_shape_create": (Status, [POINTER(ShapeDesc), POINTER(c_void_p)]),
     "abut_shape_retain": (None, [c_void_p]),

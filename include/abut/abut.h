@@ -187,7 +187,8 @@ ABUT_API abut_shape_kind abut_shape_kind_at(size_t index);
 
 /**
  * Kind of that name: "sphere", "box", "capsule", "plane", "hull", "mesh", "height_field", "point", "segment",
- * "triangle", "cylinder", "cone", "ellipsoid". 0 if none in this build. docs/shapes.md lists what they take. [any]
+ * "triangle", "cylinder", "cone", "ellipsoid", "particles", "composite", "sphere_hole",
+ * "cylinder_hole", "box_hole". 0 if none in this build. docs/shapes.md lists what they take. [any]
  */
 ABUT_API abut_shape_kind abut_shape_kind_by_name(const char *name);
 
@@ -289,6 +290,27 @@ ABUT_API void abut_height_field_desc_init(abut_height_field_desc *desc, uint32_t
 ABUT_API abut_status abut_height_field_create(const abut_height_field_desc *desc, abut_shape **out);
 
 /**
+ * Many small balls in one shape; a hash grid of its own finds those near another shape.
+ * @param xyz     count * 3 numbers, the centres, copied
+ * @param count   at least 1
+ * @param radius  of each, positive; particles of various radii come through abut_shape_create
+ * Complexity O(n); the grid is built when a query first needs it, in O(n). [any]
+ */
+ABUT_API abut_status abut_particles_create(const double *xyz, size_t count, double radius, abut_shape **out);
+
+/**
+ * Shapes of any kind, each at a pose of its own, as one shape. They never meet each other. Composites may be
+ * children, up to 32 deep; their children count as children of this one, in order, depth first, and contacts
+ * name them by that number.
+ * @param children  count shapes; each is kept alive by the composite
+ * @param poses     count poses in the frame of the composite, copied
+ * @param count     at least 1
+ * Complexity O(n), above 8 children O(n log n) for a tree. [any]
+ */
+ABUT_API abut_status abut_composite_create(const abut_shape *const *children, const abut_pose *poses, size_t count,
+                                           abut_shape **out);
+
+/**
  * The generic door: any kind of shape from its parameters and buffers. What each kind takes is
  * listed in docs/shapes.md.
  */
@@ -379,7 +401,7 @@ typedef struct abut_query_options {
    * 1e-9 where a cylinder, a cone or an ellipsoid takes part. */
   double error_bound;
   double margin;            /**< contacts are reported up to this distance; default 0; may be negative */
-  uint32_t max_contacts;    /**< a manifold is reduced to this many, keeping the deepest and the largest area; 0 keeps all; default 4 */
+  uint32_t max_contacts;    /**< a manifold of two shapes, or of two children, is reduced to this many, keeping the deepest and the largest area; 0 keeps all; default 4 */
   uint32_t reserved;        /**< zero */
 } abut_query_options;
 
@@ -404,6 +426,8 @@ typedef struct abut_contact {
   uint64_t id;                 /**< unique within the pair; the same while the same features touch */
   abut_feature feature_a;
   abut_feature feature_b;
+  uint32_t child_a;            /**< of a composite, or the particle; 0 for all other shapes */
+  uint32_t child_b;
   abut_vec3 point_a;           /**< on the surface of a, world frame */
   abut_vec3 point_b;           /**< on the surface of b, world frame */
   abut_vec3 normal;            /**< unit, from a to b */

@@ -22,15 +22,11 @@ namespace {
 struct KindEntry {
   std::string_view name;
   std::span<const std::string_view> parameter_names;
-  Result<AnyShape> (*make)(std::span<const Real>, std::span<const Real>, std::span<const std::uint32_t>);
 };
 
 template <class S>
 constexpr KindEntry kind_entry() {
-  return {S::name, S::parameter_names,
-          [](std::span<const Real> parameters, std::span<const Real> reals, std::span<const std::uint32_t> indices) {
-            return S::make(parameters, reals, indices).transform([](S shape) { return AnyShape(std::move(shape)); });
-          }};
+  return {S::name, S::parameter_names};
 }
 
 constexpr auto kind_entries = []<std::size_t... Places>(std::index_sequence<Places...>) {
@@ -63,8 +59,31 @@ std::string_view kind_parameter_name(std::size_t place, std::size_t index) { ret
 
 Result<AnyShape> make_shape(std::size_t place, std::span<const Real> parameters, std::span<const Real> reals,
                             std::span<const std::uint32_t> indices) {
-  return kind_entries[place].make(parameters, reals, indices);
+  return AnyShape::make(Shapes::kinds[place], parameters, reals, indices);
 }
+
+namespace {
+
+template <std::size_t Place>
+Result<AnyShape> make_first_assembly(std::span<const PlacedShape> given) {
+  if constexpr (Place == Shapes::count) {
+    return Error{Errc::unsupported, "this build of abut has no composites"};
+  } else if constexpr (Assembly<Shapes::At<Place>>) {
+    using Made = Shapes::At<Place>;
+    std::vector<typename Made::Child> children;
+    children.reserve(given.size());
+    for (const PlacedShape& child : given) {
+      children.push_back({child.shape, child.pose});
+    }
+    return Made::of(children).transform([](Made made) { return AnyShape(std::move(made)); });
+  } else {
+    return make_first_assembly<Place + 1>(given);
+  }
+}
+
+}  // namespace
+
+Result<AnyShape> make_composite(std::span<const PlacedShape> children) { return make_first_assembly<0>(children); }
 
 Aabb aabb_of(const AnyShape& shape, const Pose& pose) {
   return std::visit([&](const auto& s) { return s.aabb(pose); }, shape);
@@ -98,16 +117,22 @@ RouteDescription describe_route(std::size_t place_a, std::size_t place_b) {
     case Route::half_space:
       return {"support point", "a half-space against a convex shape"};
     case Route::half_space_of_parts:
-      return {"support point per part", "a half-space against a composite"};
+      return {"support point per part", "a half-space against a surface"};
     case Route::convex:
       return {"closed form or GJK, SAT or EPA, clipping", "both convex"};
     case Route::parts:
-      return {"GJK, SAT or EPA, clipping per part", "a composite against a convex shape"};
+      return {"GJK, SAT or EPA, clipping per part", "a surface against a convex shape"};
     case Route::parts_of_both:
-      return {"GJK, SAT or EPA, clipping per pair of parts", "two composites"};
+      return {"GJK, SAT or EPA, clipping per pair of parts", "two surfaces"};
+    case Route::scattered:
+      return {"as for a ball, one by one", "many solids of one kind"};
+    case Route::hole:
+      return {"walls, one by one", "a hole against what is in it"};
+    case Route::children:
+      return {"as for the children, pair by pair", "a composite"};
     case Route::unsupported:
     case Route::none:
-      return {"unsupported", "terrain never meets terrain"};
+      return {"unsupported", "terrain never meets terrain, and holes meet solids only"};
   }
   return {};
 }

@@ -29,6 +29,13 @@ inline constexpr std::size_t shape_kind_count = Shapes::count;
 [[nodiscard]] Result<AnyShape> make_shape(std::size_t place, std::span<const Real> parameters, std::span<const Real> reals,
                                           std::span<const std::uint32_t> indices);
 
+// Shapes, each at a pose of its own, as one; an error in a build without such a kind.
+struct PlacedShape {
+  ShapeHandle shape;
+  Pose pose;
+};
+[[nodiscard]] Result<AnyShape> make_composite(std::span<const PlacedShape> children);
+
 [[nodiscard]] Aabb aabb_of(const AnyShape& shape, const Pose& pose);
 [[nodiscard]] std::vector<Real> parameters_of(const AnyShape& shape);
 [[nodiscard]] std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction, Real max_distance);

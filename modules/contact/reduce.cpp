@@ -4,9 +4,11 @@ module;
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 module abut.contact.reduce;
+import abut.core;
 import abut.math;
 import abut.shape;
 
@@ -25,132 +27,320 @@ Vec3 middle(const ContactPoint& contact) { return 0.5 * (contact.point_a + conta
 // Twice the signed area of a triangle seen against the normal.
 Real area(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) { return dot(normal, cross(b - a, c - a)); }
 
-// Moves the best of contacts[from ...] by a score to the front; ties go to the smaller id.
-template <class Score>
-Real bring_best(std::span<ContactPoint> contacts, std::size_t from, Score&& score) {
-  std::size_t best = from;
-  Real best_score = -infinity;
-  for (std::size_t i = from; i < contacts.size(); ++i) {
-    const Real value = score(middle(contacts[i]));
-    if (value > best_score || (value == best_score && contacts[i].id < contacts[best].id)) {
-      best = i;
-      best_score = value;
-    }
+// A point of a patch in the plane across its normal.
+struct Flat {
+  Real u, v;
+};
+using Flats = SmallVector<Flat, 64>;
+Flat operator-(const Flat& a, const Flat& b) { return {a.u - b.u, a.v - b.v}; }
+Real cross2(const Flat& a, const Flat& b) { return a.u * b.v - a.v * b.u; }
+
+Flats flattened(std::span<const ContactPoint> patch) {
+  const Tangents tangents = tangents_of(patch[0].normal);
+  const Vec3 base = middle(patch[0]);
+  [[clang::uninitialized]] Flats points;
+  for (const ContactPoint& contact : patch) {
+    const Vec3 d = middle(contact) - base;
+    points.push_back({dot(d, tangents.first), dot(d, tangents.second)});
   }
-  std::swap(contacts[from], contacts[best]);
-  return best_score;
+  return points;
 }
 
-// Twice the area of the quadrilateral of four points in any order: half of the largest cross product of
-// two of its lines.
-Real quadrilateral(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& normal) {
-  const auto turn = [&](const Vec3& p, const Vec3& q) { return std::fabs(dot(normal, cross(p, q))); };
-  return std::max({turn(c - a, d - b), turn(b - a, d - c), turn(d - a, c - b)});
+// Twice the area of the convex hull of four points. Of points in convex position it is the largest cross product of
+// two of their lines, which are the diagonals; else one lies in the triangle of the others.
+Real twice_hull_of_four(const Flat& a, const Flat& b, const Flat& c, const Flat& d) {
+  const Flat ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
+  const auto turn = [](const Flat& p, const Flat& q) { return std::fabs(cross2(p, q)); };
+  return std::max({turn(ac, bd), turn(ab, cd), turn(ad, bc), turn(ab, ac), turn(ab, ad), turn(ac, ad), turn(bc, bd)});
 }
 
-// Up to this many points all triples beside the deepest are tried: at most 120.
-constexpr std::size_t few_points = 11;
+using Ids = std::span<const std::uint64_t>;
 
-// Brings the three points to the front that span the largest area with the deepest, which is first.
-void bring_best_three(std::span<ContactPoint> patch) {
-  const Vec3 normal = patch[0].normal;
-  std::array<Vec3, few_points> points{};
-  for (std::size_t i = 0; i < patch.size(); ++i) {
-    points[i] = middle(patch[i]);
+bool holds(Ids ids, std::uint64_t id) { return std::ranges::find(ids, id) != ids.end(); }
+
+// How far the contacts lie from the first one.
+Real extent_of(std::span<const ContactPoint> contacts) {
+  Real square = 0;
+  for (const ContactPoint& contact : contacts) {
+    square = std::max(square, squared_norm(middle(contact) - middle(contacts[0])));
   }
-  std::array<std::size_t, 3> best{1, 2, 3};
-  Real best_area = -1;
-  for (std::size_t i = 1; i < patch.size(); ++i) {
-    for (std::size_t j = i + 1; j < patch.size(); ++j) {
-      for (std::size_t k = j + 1; k < patch.size(); ++k) {
-        const Real size = quadrilateral(points[0], points[i], points[j], points[k], normal);
-        if (size > best_area) {
-          best_area = size;
-          best = {i, j, k};
+  return std::sqrt(square);
+}
+
+// Four points of a patch by their places, and twice the area that they span.
+struct Four {
+  std::array<std::uint32_t, 4> places;
+  Real twice_area;
+};
+
+[[nodiscard]] Four spanned(std::span<const Flat> points, const std::array<std::uint32_t, 4>& places) {
+  const auto& [a, b, c, d] = places;
+  return {places, twice_hull_of_four(points[a], points[b], points[c], points[d])};
+}
+
+// Exchanges one of the last three points at a time while that gains area.
+[[nodiscard]] Four exchanged(std::span<const Flat> points, Four best, Real least_gain) {
+  for (bool is_better = true; is_better;) {
+    is_better = false;
+    for (std::size_t i = 1; i < 4; ++i) {
+      for (std::uint32_t place = 0; place < points.size(); ++place) {
+        Four other = best;
+        other.places[i] = place;
+        other = spanned(points, other.places);
+        if (other.twice_area > best.twice_area + least_gain) {
+          best = other;
+          is_better = true;
         }
       }
     }
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    std::swap(patch[i + 1], patch[best[i]]);  // best rises, so that no chosen point is moved away
-  }
+  return best;
 }
 
-// The deepest, the one furthest from it, then the ones that add most area on either side of the
-// widest line, then on any side of the polygon so far.
-std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most) {
+// Up to this many points every one is tried as the corner opposite to the first.
+constexpr std::size_t few_points = 64;
+
+// The first point, any other one as the opposite corner, and what lies furthest off their line on either side: the
+// largest four of which the first is a corner. Where a side is empty the first stands in.
+[[nodiscard]] Four best_about(std::span<const Flat> points, std::uint32_t first) {
+  Four best{{first, first, first, first}, 0};
+  for (std::uint32_t opposite = 0; opposite < points.size(); ++opposite) {
+    const Flat across = points[opposite] - points[first];
+    std::uint32_t left = first, right = first;
+    Real most_left = 0, most_right = 0;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const Real side = cross2(across, points[i] - points[first]);
+      if (side > most_left) {
+        most_left = side;
+        left = i;
+      } else if (-side > most_right) {
+        most_right = -side;
+        right = i;
+      }
+    }
+    if (most_left + most_right > best.twice_area) {
+      best = {{first, opposite, left, right}, most_left + most_right};
+    }
+  }
+  return best;
+}
+
+// A choice of points of a patch: their places, and the polygon of those that span it, counter-clockwise seen against
+// the normal. More than 64 span no more.
+class Choice {
+ public:
+  static constexpr std::size_t capacity = 64;
+  // Points no further off a line than this share of the extent are on it: what their ends hold counts, not the area.
+  static constexpr Real flatness = tied_depth;
+
+  Choice(std::span<const ContactPoint> patch, std::uint32_t first) : normal_(patch[first].normal) { add(patch, first); }
+  // A place that occurs twice counts once.
+  explicit Choice(const Four& four) : twice_area_(four.twice_area) {
+    for (const std::uint32_t place : four.places) {
+      if (!has(place)) {
+        places_[size_++] = place;
+      }
+    }
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> places() const { return std::span(places_).first(size_); }
+  [[nodiscard]] bool has(std::uint32_t place) const { return std::ranges::find(places(), place) != places().end(); }
+  [[nodiscard]] Real twice_area(std::span<const Flat> points) const {
+    return size_ == 4 ? spanned(points, four()).twice_area : twice_area_;
+  }
+  [[nodiscard]] std::array<std::uint32_t, 4> four() const { return {places_[0], places_[1], places_[2], places_[3]}; }
+
+  // Takes a point whatever it adds, unless there are as many as there may be.
+  void keep(std::uint32_t place, std::size_t most) {
+    if (!has(place) && size_ < std::min(most, capacity)) {
+      places_[size_++] = place;
+    }
+  }
+
+  // Takes the points that add most, one by one, up to `most`: the area counts, and before there is any the length of
+  // the way around, so that of points on a line the ends stay.
+  template <class Allowed>
+  void grow(std::span<const ContactPoint> patch, std::size_t most, Real extent, Allowed&& is_allowed) {
+    const auto add_best = [&](Real least, auto&& score) {
+      Best best{least, 0, false};
+      for (std::uint32_t i = 0; i < patch.size(); ++i) {
+        if (!has(i) && is_allowed(patch[i])) {
+          best.offer(score(middle(patch[i])), i);
+        }
+      }
+      if (best.is_found) {
+        add(patch, best.place);
+      }
+      return best.is_found;
+    };
+    const Real flat = flatness * extent * extent;
+    for (bool is_growing = true; is_growing && size_ < std::min(most, capacity);) {
+      is_growing = (corners_ > 1 && add_best(flat, [&](const Vec3& p) { return gain(p).area; })) ||
+                   (twice_area_ <= flat && add_best(1e-12 * extent, [&](const Vec3& p) { return detour(p); }));
+    }
+  }
+
+ private:
+  struct Best {
+    Real score;
+    std::uint32_t place;
+    bool is_found;
+    void offer(Real value, std::uint32_t i) {
+      if (value > score) {
+        *this = {value, i, true};
+      }
+    }
+  };
+  // Twice the area that a point adds beside one of the sides, and the corner that this side leaves.
+  struct Gain {
+    Real area;
+    std::size_t after;
+  };
+
+  [[nodiscard]] Gain gain(const Vec3& p) const {
+    Gain best{-infinity, 0};
+    for (std::size_t i = 0; i < corners_; ++i) {
+      const Real added = area(polygon_[i + 1 < corners_ ? i + 1 : 0], polygon_[i], p, normal_);
+      best = added > best.area ? Gain{added, i} : best;
+    }
+    return best;
+  }
+  // The length by which a visit makes the way around the corners longer.
+  [[nodiscard]] Real detour(const Vec3& p) const {
+    Real least = infinity;
+    for (std::size_t i = 0; i < corners_; ++i) {
+      const Vec3 &from = polygon_[i], &to = polygon_[i + 1 < corners_ ? i + 1 : 0];
+      least = std::min(least, norm(p - from) + norm(p - to) - norm(to - from));
+    }
+    return least;
+  }
+  void add(std::span<const ContactPoint> patch, std::uint32_t place) {
+    const Vec3 point = middle(patch[place]);
+    std::size_t corner = 0;
+    if (corners_ > 0) {
+      const Gain found = gain(point);
+      twice_area_ += std::max(found.area, Real{0});
+      corner = found.after + 1;
+    }
+    const std::span<Vec3> corners = std::span(polygon_).first(++corners_);
+    const auto at = corners.begin() + static_cast<std::ptrdiff_t>(corner);
+    std::move_backward(at, corners.end() - 1, corners.end());
+    *at = point;
+    places_[size_++] = place;
+  }
+
+  Vec3 normal_{0, 0, 0};
+  std::array<Vec3, capacity> polygon_;
+  std::array<std::uint32_t, capacity> places_;
+  std::size_t size_ = 0, corners_ = 0;
+  Real twice_area_ = 0;
+};
+
+constexpr auto any_contact = [](const ContactPoint&) { return true; };
+
+// The points that span most with a first one.
+[[nodiscard]] Choice choose(std::span<const ContactPoint> patch, std::span<const Flat> points, std::uint32_t first,
+                            std::size_t most, Real extent) {
+  const Real flat = Choice::flatness * extent * extent, least_gain = 1e-12 * extent * extent;
+  if (most == 4 && patch.size() <= few_points) {
+    const Four best = best_about(points, first);
+    if (best.twice_area > flat) {
+      return Choice(exchanged(points, spanned(points, best.places), least_gain));
+    }
+  }
+  Choice choice(patch, first);
+  choice.grow(patch, most, extent, any_contact);
+  if (most == 4 && choice.places().size() == 4 && choice.twice_area(points) > flat) {
+    return Choice(exchanged(points, spanned(points, choice.four()), least_gain));
+  }
+  return choice;
+}
+
+// The place of the deepest contact; one that was kept before wins ties.
+[[nodiscard]] std::uint32_t deepest_of(std::span<const ContactPoint> contacts, Real tie, Ids before) {
+  std::uint32_t deepest = 0;
+  std::optional<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    deepest = comes_before(contacts[i], contacts[deepest]) ? i : deepest;
+    if (holds(before, contacts[i].id) && (!kept || comes_before(contacts[i], contacts[*kept]))) {
+      kept = i;
+    }
+  }
+  return kept && contacts[*kept].distance <= contacts[deepest].distance + tie ? *kept : deepest;
+}
+
+// The points that were kept before, around the first one, and what spans most with them.
+[[nodiscard]] Choice keep_again(std::span<const ContactPoint> patch, std::uint32_t first, std::size_t most, Real extent,
+                                Ids before) {
+  const auto was_kept = [&](const ContactPoint& contact) { return holds(before, contact.id); };
+  Choice choice(patch, first);
+  choice.grow(patch, most, extent, was_kept);
+  for (std::uint32_t place = 0; place < patch.size(); ++place) {
+    if (was_kept(patch[place])) {
+      choice.keep(place, most);
+    }
+  }
+  choice.grow(patch, most, extent, any_contact);
+  return choice;
+}
+
+// Brings the chosen contacts of a patch to its front.
+std::size_t bring_to_front(std::span<ContactPoint> patch, std::span<const std::uint32_t> places) {
+  std::array<std::uint32_t, Choice::capacity> rising{};
+  const std::span<std::uint32_t> order = std::span(rising).first(places.size());
+  std::ranges::copy(places, order.begin());
+  std::ranges::sort(order);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    std::swap(patch[i], patch[order[i]]);
+  }
+  return order.size();
+}
+
+std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, Ids before) {
   if (patch.size() <= most) {
     return patch.size();
   }
-  if (most == 4 && patch.size() <= few_points) {
-    bring_best_three(patch);
-    return 4;
+  std::ranges::sort(patch, comes_before);
+  const Real extent = extent_of(patch), tie = tied_depth * extent;
+  const std::uint32_t first = deepest_of(patch, tie, before);
+  const Flats flats = flattened(patch);
+  const std::span<const Flat> points = flats.span();
+  if (std::ranges::none_of(patch, [&](const ContactPoint& contact) { return holds(before, contact.id); })) {
+    return bring_to_front(patch, choose(patch, points, first, most, extent).places());
   }
-  const Vec3 normal = patch[0].normal;
-  const Vec3 first = middle(patch[0]);
-  if (most == 1) {
-    return 1;
-  }
-  bring_best(patch, 1, [&](const Vec3& p) { return squared_norm(p - first); });
-  const Vec3 second = middle(patch[1]);
-  if (most == 2) {
-    return 2;
-  }
-  bring_best(patch, 2, [&](const Vec3& p) { return std::fabs(area(first, second, p, normal)); });
-  // A polygon in counter-clockwise order; each further point goes where it adds the most area.
-  std::array<Vec3, 64> polygon{first, second, middle(patch[2])};
-  if (area(polygon[0], polygon[1], polygon[2], normal) < 0) {
-    std::swap(polygon[1], polygon[2]);
-  }
-  std::size_t kept = 3;
-  while (kept < std::min(most, polygon.size())) {
-    const auto added = [&](const Vec3& p) {
-      std::pair<Real, std::size_t> best{-infinity, 0};
-      for (std::size_t i = 0; i < kept; ++i) {
-        const Real gain = area(polygon[(i + 1) % kept], polygon[i], p, normal);
-        if (gain > best.first) {
-          best = {gain, i};
-        }
-      }
-      return best;
-    };
-    if (!(bring_best(patch, kept, [&](const Vec3& p) { return added(p).first; }) > 0)) {
-      break;
-    }
-    const Vec3 point = middle(patch[kept]);
-    const std::size_t after = added(point).second + 1;
-    const std::span<Vec3> corners = std::span(polygon).first(kept + 1);
-    std::move_backward(corners.begin() + static_cast<std::ptrdiff_t>(after), corners.end() - 1, corners.end());
-    corners[after] = point;
-    ++kept;
-  }
-  return kept;
+  const Choice same = keep_again(patch, first, most, extent, before);
+  const Real enough = same.twice_area(points) / tied_area;
+  // Any of the points that tie in depth could have been the deepest when the others were chosen for it.
+  const bool is_as_good = std::ranges::any_of(same.places(), [&](std::uint32_t place) {
+    return patch[place].distance <= patch[0].distance + tie &&
+           choose(patch, points, place, most, extent).twice_area(points) <= enough;
+  });
+  return bring_to_front(patch, is_as_good ? same.places() : choose(patch, points, first, most, extent).places());
 }
 
 }  // namespace
 
-std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most) {
-  std::sort(contacts.begin(), contacts.end(), comes_before);
+std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, Ids before) {
   if (most == 0 || contacts.size() <= most) {
+    std::ranges::sort(contacts, comes_before);
     return contacts.size();
   }
   std::size_t kept = 0;
   std::span<ContactPoint> rest = contacts;
   while (!rest.empty()) {
-    std::iter_swap(rest.begin(), std::min_element(rest.begin(), rest.end(), comes_before));
+    std::iter_swap(rest.begin(), rest.begin() + deepest_of(rest, before.empty() ? 0 : tied_depth * extent_of(rest), before));
     const Vec3 normal = rest[0].normal;
     const auto end = std::partition(rest.begin(), rest.end(), [&](const ContactPoint& contact) {
       return dot(contact.normal, normal) >= same_patch_cosine;
     });
     const auto count = static_cast<std::size_t>(end - rest.begin());
-    std::iter_swap(rest.begin(), std::min_element(rest.begin(), end, comes_before));
-    const std::size_t kept_of_patch = reduce_patch(rest.first(count), most);
+    const std::size_t kept_of_patch = reduce_patch(rest.first(count), most, before);
     for (std::size_t i = 0; i < kept_of_patch; ++i) {
-      contacts[kept++] = rest[i];
+      std::swap(contacts[kept++], rest[i]);
     }
     rest = rest.subspan(count);
   }
-  std::sort(contacts.begin(), contacts.begin() + static_cast<std::ptrdiff_t>(kept), comes_before);
+  std::ranges::sort(contacts.first(kept), comes_before);
   return kept;
 }
 

@@ -9,9 +9,18 @@ import abut.shape;
 
 export namespace abut {
 
+// Depths that differ by less than this share of the extent of a patch are the same to points that were kept before.
+inline constexpr Real tied_depth = 1e-5;
+// Points that were kept before stay while they span this share of the area that others could.
+inline constexpr Real tied_area = 0.95;
+
 // Reorders contacts so that the ones to keep come first, deepest first, and returns how many. Points
 // whose normals agree (cosine at least 0.98) form a patch; each patch keeps at most `most` points: the
 // deepest one, and those that span the largest area with it. 0 keeps all and only sorts.
-[[nodiscard]] std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most);
+//
+// `before` holds the ids of the points that the last reduction of this pair kept. They win ties of depth and of
+// area, so that a body that hardly moves stands on the same points. Without them the answer depends on nothing
+// but the contacts.
+[[nodiscard]] std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, std::span<const std::uint64_t> before = {});
 
 }  // namespace abut

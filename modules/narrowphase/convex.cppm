@@ -8,9 +8,13 @@ module;
 export module abut.narrowphase.convex;
 import abut.core;
 import abut.math;
+import abut.narrowphase.box_contacts;
 import abut.narrowphase.box_cores;
+import abut.narrowphase.box_sat;
 import abut.narrowphase.clip;
+import abut.narrowphase.gjk;
 import abut.narrowphase.libccd;
+import abut.narrowphase.sat;
 export import abut.narrowphase.separation;
 import abut.shape;
 
@@ -27,6 +31,12 @@ export namespace abut {
           core.normal,
           core.algorithm,
           core.iterations};
+}
+
+// Number by number: copied whole, it would be read in wider pieces than it was written in, each of which waits for the stores.
+[[gnu::always_inline]] inline void append_contact(const ContactPoint& contact, Manifold& out) {
+  [[clang::always_inline]] out.emplace_back(contact.point_a, contact.point_b, contact.normal, contact.distance, contact.feature_a,
+                                            contact.feature_b, contact.id);
 }
 
 template <class A, class B>
@@ -159,7 +169,8 @@ void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation
 }
 
 template <Convex A, Convex B>
-[[nodiscard]] Outcome convex_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+[[nodiscard]] [[gnu::noinline]] Outcome convex_contacts_by_search(const A& a, const B& b, const Pose& ab,
+                                                                  const QuerySettings& settings, Manifold& out) {
   if (!may_answer<A, B>(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -189,6 +200,70 @@ template <Convex A, Convex B>
   }
   contacts_under(a, b, ab, core, settings.margin, true, out);
   return Outcome::ok;
+}
+
+// Pairs of shapes that mostly touch in one point, which a closed form finds.
+template <class A, class B>
+concept TouchInAPoint = ClosedForm<A, B> && (PointCored<A> || PointCored<B> || (SegmentCored<A> && SegmentCored<B>));
+template <class A, class B>
+concept ClosedContacts = TouchInAPoint<A, B> || TwoBoxes<A, B>;
+
+// Hands over the contacts one by one, all or none. False where closed forms leave the pair to a search.
+template <Convex A, Convex B, class Append>
+  requires TouchInAPoint<A, B>
+[[nodiscard]] [[gnu::always_inline]] inline bool contacts_in_closed_form(const A& a, const B& b, const Pose& ab,
+                                                                         const QuerySettings& settings, Append&& append) {
+  [[clang::uninitialized]] CoreSeparation core;
+  if (!takes_closed_forms(settings.algorithm) || !meet_in_a_point<A, B>(ab) ||
+      !separate_in_closed_form(a, b, ab, settings, core)) {
+    return false;
+  }
+  const Real distance = core.distance - (a.radius() + b.radius());
+  if (distance <= settings.margin) {
+    const Feature feature_a = supporting_feature(a, core.normal);
+    const Feature feature_b = supporting_feature(b, ab.rotation.undo(-core.normal));
+    append(ContactPoint{core.point_a + a.radius() * core.normal, core.point_b - b.radius() * core.normal, core.normal, distance,
+                        feature_a, feature_b, contact_id(feature_a, feature_b)});
+  }
+  return true;
+}
+
+// Of cores that overlap; those that are apart within the margin seldom face each other along one of the axes.
+template <Convex A, Convex B, class Append>
+  requires TwoBoxes<A, B>
+[[nodiscard]] [[gnu::always_inline]] inline bool contacts_in_closed_form(const A& a, const B& b, const Pose& ab,
+                                                                         const QuerySettings& settings, Append&& append) {
+  if (settings.algorithm != Algorithm::automatic) {
+    return false;
+  }
+  const Real size = core_size(a, b, ab), limit = settings.margin + (a.radius() + b.radius());
+  const SatResult found = sat_of_boxes(a.half(), b.half(), ab, noise_of(size), limit);
+  if (found.separation > limit) {
+    return true;
+  }
+  [[clang::uninitialized]] BoxRegion region;
+  if (found.separation > touching_distance(size) ||
+      !clip_boxes(a.half(), b.half(), ab, found.normal, found.separation, limit, size, region)) {
+    return false;
+  }
+  contacts_of_region(region, found.normal, a.radius(), b.radius(), append);
+  return true;
+}
+
+// As with distances, closed forms stay in registers where they succeed.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::always_inline]] inline Outcome convex_contacts(const A& a, const B& b, const Pose& ab,
+                                                                    const QuerySettings& settings, Manifold& out) {
+  if constexpr (ClosedContacts<A, B>) {
+    const auto append = [&](const ContactPoint& contact) { append_contact(contact, out); };
+    if (contacts_in_closed_form(a, b, ab, settings, append)) [[likely]] {
+      return Outcome::ok;
+    }
+    const Pose placed = ab;
+    return convex_contacts_by_search(a, b, placed, settings, out);
+  } else {
+    return convex_contacts_by_search(a, b, ab, settings, out);
+  }
 }
 
 }  // namespace abut

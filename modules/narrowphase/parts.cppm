@@ -1,4 +1,4 @@
-// Composites: a mesh or a height field against anything, triangle by triangle.
+// Surfaces: a mesh or a height field against anything, triangle by triangle.
 module;
 #include <algorithm>
 #include <cstddef>
@@ -21,9 +21,9 @@ export namespace abut {
   return algorithm == Algorithm::automatic || algorithm == Algorithm::gjk_epa;
 }
 
-// Distance of a composite and a convex shape: of the nearest or deepest part, each as a sheet. Starts
+// Distance of a surface and a convex shape: of the nearest or deepest part, each as a sheet. Starts
 // from a part near the shape and shrinks the box that is still of interest with every better one.
-template <Composite A, Convex B>
+template <Surface A, Convex B>
 void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& best) {
   const Aabb around = b.aabb(ab);
   const auto consider = [&](const typename A::Part& part) {
@@ -61,7 +61,7 @@ void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
   return none;
 }
 
-template <Composite A, Convex B>
+template <Surface A, Convex B>
 [[nodiscard]] Outcome parts_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
@@ -71,7 +71,7 @@ template <Composite A, Convex B>
   return Outcome::ok;
 }
 
-template <Composite A, Convex B>
+template <Surface A, Convex B>
 [[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
@@ -86,9 +86,9 @@ template <Composite A, Convex B>
   return Outcome::ok;
 }
 
-// Two composites: the parts of b one by one, each a convex shape to a.
-template <Composite A, Composite B>
-[[nodiscard]] Outcome composites_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+// Two surfaces: the parts of b one by one, each a convex shape to a.
+template <Surface A, Surface B>
+[[nodiscard]] Outcome surfaces_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -103,8 +103,8 @@ template <Composite A, Composite B>
   return Outcome::ok;
 }
 
-template <Composite A, Composite B>
-[[nodiscard]] Outcome composites_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+template <Surface A, Surface B>
+[[nodiscard]] Outcome surfaces_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -136,7 +136,7 @@ template <Composite A, Composite B>
 }
 
 // A half-space against every part: what lies behind the plane counts.
-template <HalfSpace A, Composite B>
+template <HalfSpace A, Surface B>
 [[nodiscard]] Outcome half_space_parts_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
   out = no_distance();
   Aabb everything = Aabb::everything();
@@ -151,7 +151,7 @@ template <HalfSpace A, Composite B>
   return outcome;
 }
 
-template <HalfSpace A, Composite B>
+template <HalfSpace A, Surface B>
 [[nodiscard]] Outcome half_space_parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
   Aabb everything = Aabb::everything();
   Outcome outcome = Outcome::ok;

@@ -47,6 +47,13 @@ concept FewFaced = Convex<S> && requires(const S& shape) {
   { S::is_symmetric } -> std::convertible_to<bool>;  // about its centre
 };
 
+// A core with corners, all of which can be asked for.
+template <class S>
+concept Cornered = Convex<S> && requires(const S& shape) {
+  { shape.corner_count() } -> std::convertible_to<std::uint32_t>;
+  { shape.corner(std::uint32_t{}) } -> std::convertible_to<Vec3>;
+};
+
 // A core that is a box around the origin along the axes of the shape's own frame: a whole one, a segment
 // along z (core_axes == 1), or a point.
 template <class S>
@@ -86,11 +93,30 @@ struct AcceptsAnyPart {
 // Made of convex parts. visit_parts hands over every part whose box overlaps the given one; the
 // visitor may shrink that box on the way. part_near gives some part close to a point.
 template <class S>
-concept Composite = Bounded<S> && Convex<typename S::Part> &&
+concept Surface = Bounded<S> && Convex<typename S::Part> &&
                     requires(const S& shape, Aabb& box, const Vec3& point, AcceptsAnyPart visitor) {
                       shape.visit_parts(box, visitor);
                       { shape.part_near(point) } -> std::same_as<typename S::Part>;
                     };
+
+struct AcceptsAnyPlace {
+  void operator()(const Vec3&, std::uint32_t) const {}
+};
+
+// Many solids of one kind, none of them turned. visit_places hands over the place of every one whose box
+// overlaps the given one, which the visitor may shrink on the way; place_near gives some place close to a point.
+template <class S>
+concept Scattered = Bounded<S> && Convex<typename S::Part> &&
+                    requires(const S& shape, Aabb& box, const Vec3& point, AcceptsAnyPlace visitor) {
+                      shape.visit_places(box, visitor);
+                      { shape.place_near(point) } -> std::convertible_to<std::uint32_t>;
+                      { shape.place(std::uint32_t{}) } -> std::convertible_to<Vec3>;
+                      { shape.part(std::uint32_t{}) } -> std::same_as<typename S::Part>;
+                    };
+
+// Made of shapes of any kind, each at a pose of its own: answered child by child, by the table of pairs.
+template <class S>
+concept Assembly = Bounded<S> && requires { requires S::is_assembly; };
 
 template <class S>
 concept RayCastable = requires(const S& shape, const Vec3& origin, const UnitVec3& direction, Real max_distance) {

@@ -2,6 +2,7 @@
 module;
 #include <array>
 #include <cmath>
+#include <cstdint>
 export module abut.shape.cores;
 import abut.math;
 import abut.shape.place;
@@ -19,6 +20,8 @@ class PointCore {
   [[nodiscard]] inline Real extent() const { return 0; }
   [[nodiscard]] inline SupportPoint support(const Vec3&) const { return {{0, 0, 0}, 0}; }
   [[nodiscard]] inline Real reach(const Vec3&) const { return 0; }
+  [[nodiscard]] inline std::uint32_t corner_count() const { return 1; }
+  [[nodiscard]] inline Vec3 corner(std::uint32_t) const { return {0, 0, 0}; }
   [[nodiscard]] inline PlacedPoint placed(const Pose& pose) const { return {pose.position}; }
   [[nodiscard]] inline Face supporting_face(const Vec3&) const {
     [[clang::uninitialized]] Face face;
@@ -43,6 +46,8 @@ class SegmentCore {
     return {{0, 0, upper ? half_length_ : -half_length_}, upper ? 1u : 0u};
   }
   [[nodiscard]] inline Real reach(const Vec3& direction) const { return half_length_ * std::fabs(direction.z); }
+  [[nodiscard]] inline std::uint32_t corner_count() const { return half_length_ > 0 ? 2 : 1; }
+  [[nodiscard]] inline Vec3 corner(std::uint32_t index) const { return {0, 0, index == 0 ? -half_length_ : half_length_}; }
   [[nodiscard]] inline PlacedSegment placed(const Pose& pose) const { return {pose.position, half_length_ * pose.rotation.z}; }
   [[nodiscard]] inline Face supporting_face(const Vec3&) const {
     [[clang::uninitialized]] Face face;

@@ -1,4 +1,6 @@
 // Results of queries on two shapes, seen from elsewhere and from the other side.
+module;
+#include <cstdint>
 export module abut.shape.frames;
 import abut.math;
 import abut.shape.records;
@@ -22,6 +24,9 @@ template <class Found>
     const Feature feature_a = found.feature_a, feature_b = found.feature_b;
     found.feature_a = swapped ? feature_b : feature_a;
     found.feature_b = swapped ? feature_a : feature_b;
+    const std::uint32_t child_a = found.child_a, child_b = found.child_b;
+    found.child_a = swapped ? child_b : child_a;
+    found.child_b = swapped ? child_a : child_b;
   }
 }
 

@@ -28,6 +28,9 @@ class Triangle {
   // Edges, by bit, across which the surface goes on flat or dips: nothing can rest on them.
   [[nodiscard]] inline std::uint8_t inner_edges() const { return inner_edges_; }
 
+  [[nodiscard]] inline std::uint32_t corner_count() const { return 3; }
+  [[nodiscard]] inline Vec3 corner(std::uint32_t index) const { return corners_[index]; }
+
   [[nodiscard]] inline Aabb box() const {
     return {minimum(minimum(corners_[0], corners_[1]), corners_[2]), maximum(maximum(corners_[0], corners_[1]), corners_[2])};
   }

@@ -94,6 +94,7 @@ struct ContactPoint {
   Real distance;
   Feature feature_a, feature_b;
   std::uint64_t id;
+  std::uint32_t child_a = 0, child_b = 0;  // of a composite, depth first, or the particle; else 0
 };
 
 // A number for a contact that depends on the features that touch and on nothing else: the finaliser
@@ -109,6 +110,11 @@ struct ContactPoint {
 }
 [[nodiscard]] inline constexpr std::uint64_t contact_id(const Feature& a, const Feature& b) {
   return mixed(mixed(feature_bits(a)) + feature_bits(b));
+}
+
+// The number of a contact with a child of a composite, or with a particle.
+[[nodiscard]] inline constexpr std::uint64_t contact_id_of_child(std::uint64_t id, std::uint32_t child) {
+  return mixed(id ^ (std::uint64_t{child} << 32));
 }
 
 using Manifold = std::vector<ContactPoint>;

@@ -65,6 +65,8 @@ class Box {
     return {p + below[axis] * normal, normal, -below[axis]};
   }
 
+  [[nodiscard]] inline std::uint32_t corner_count() const { return 8; }
+  [[nodiscard]] inline Vec3 corner(std::uint32_t index) const { return vertex(index); }
   [[nodiscard]] inline Real reach(const Vec3& d) const {
     return half_.x * std::fabs(d.x) + half_.y * std::fabs(d.y) + half_.z * std::fabs(d.z);
   }

@@ -123,6 +123,6 @@ class HeightField {
 
   Frozen<Data> data_;
 };
-static_assert(Shape<HeightField> && Composite<HeightField> && Triangulated<HeightField> && Terrain<HeightField>);
+static_assert(Shape<HeightField> && Surface<HeightField> && Triangulated<HeightField> && Terrain<HeightField>);
 
 }  // namespace abut

@@ -88,6 +88,6 @@ class Mesh {
 
   Frozen<Data> data_;
 };
-static_assert(Shape<Mesh> && Composite<Mesh> && Triangulated<Mesh>);
+static_assert(Shape<Mesh> && Surface<Mesh> && Triangulated<Mesh>);
 
 }  // namespace abut

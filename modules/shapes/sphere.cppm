@@ -1,9 +1,7 @@
 // Solid ball, centred.
 module;
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,7 +12,7 @@ import abut.shape;
 
 export namespace abut {
 
-class Sphere : public PointCore {
+class Sphere : public Ball {
  public:
   static constexpr std::string_view name = "sphere";
   static constexpr std::array<std::string_view, 1> parameter_names{"radius"};
@@ -32,33 +30,11 @@ class Sphere : public PointCore {
     }
     return Sphere(parameters[0]);
   }
-  [[nodiscard]] std::vector<Real> parameters() const { return {radius_}; }
+  [[nodiscard]] std::vector<Real> parameters() const { return {radius()}; }
   [[nodiscard]] static std::vector<Sphere> samples() { return {Sphere(1), Sphere(0.25), Sphere(1e-3), Sphere(50)}; }
 
-  [[nodiscard]] inline Aabb aabb(const Pose& pose) const { return Aabb::around(pose.position, {radius_, radius_, radius_}); }
-  [[nodiscard]] inline Real radius() const { return radius_; }
-
-  // The two roots of |origin + t direction| = radius, in the form without cancellation
-  // (Haines et al., "Precision improvements for ray/sphere intersection", 2019).
-  [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
-    const Real along = -dot(origin, direction);
-    const Vec3 nearest = origin + along * direction.vec();
-    const Real under = radius_ * radius_ - squared_norm(nearest);
-    if (under < 0) {
-      return std::nullopt;
-    }
-    const Real half_chord = std::sqrt(under);
-    const Real distance = along - half_chord >= 0 ? along - half_chord : along + half_chord;
-    if (!(distance >= 0 && distance <= max_distance)) {
-      return std::nullopt;
-    }
-    const auto normal = UnitVec3::make(origin + distance * direction.vec());
-    return RayHit{distance, normal.value_or(direction), {FeatureKind::whole, 0}};
-  }
-
  private:
-  explicit Sphere(Real radius) : radius_(radius) {}
-  Real radius_;
+  inline explicit Sphere(Real radius) : Ball(radius) {}
 };
 static_assert(Shape<Sphere> && Placeable<Sphere> && BoxCored<Sphere> && FewFaced<Sphere>);
 

@@ -13,29 +13,35 @@ endfunction()
 # Copies keep their times and the build folder stays, so that a second run compiles what changed.
 set(tree ${work}/tree)
 file(REMOVE_RECURSE ${tree})
-file(COPY ${root}/CMakeLists.txt ${root}/capi ${root}/cmake ${root}/include ${root}/modules DESTINATION ${tree})
+file(COPY ${root}/CMakeLists.txt ${root}/capi ${root}/cmake ${root}/fuzz ${root}/include ${root}/modules DESTINATION ${tree})
 
 # The file, and the line among those of its kind.
-file(COPY ${source}/octahedron.cppm DESTINATION ${tree}/modules/shapes)
+file(COPY ${source}/rounded_cone.cppm DESTINATION ${tree}/modules/shapes)
 file(READ ${tree}/cmake/registry.cmake registry)
 string(FIND "${registry}" "\nabut_shape(" last REVERSE)
 string(SUBSTRING "${registry}" 0 ${last} before)
 string(SUBSTRING "${registry}" ${last} -1 after)
-file(WRITE ${tree}/cmake/registry.cmake "${before}\nabut_shape(octahedron Octahedron 60000)${after}")
+file(WRITE ${tree}/cmake/registry.cmake "${before}\nabut_shape(rounded_cone RoundedCone 60000)${after}")
 
 set(features "")
 if(hull)
   set(features hull)
 endif()
 if(NOT shapes STREQUAL "all")
-  list(APPEND shapes octahedron)
+  list(APPEND shapes rounded_cone)
 endif()
-# A build type without optimisation and without debug information compiles fastest.
+# A build type without optimisation and without debug information compiles fastest. ABUT_FUZZ is for the replay: its
+# live targets are not built.
 run(${CMAKE_COMMAND} -G ${generator} -S ${tree} -B ${work}/build -D CMAKE_C_COMPILER=${c} -D CMAKE_CXX_COMPILER=${cxx}
     -D CMAKE_BUILD_TYPE=None "-D ABUT_SHAPES=${shapes}" -D ABUT_FEATURES=${features}
-    -D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF)
-run(${CMAKE_COMMAND} --build ${work}/build --target abut)
+    -D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF -D ABUT_FUZZ=ON)
+run(${CMAKE_COMMAND} --build ${work}/build --target abut abut_fuzz_replay)
+
 file(GLOB_RECURSE library ${work}/build/libabut.so)
 cmake_path(GET library PARENT_PATH library_dir)
-run(${c} -I ${tree}/include ${source}/collide.c -o ${work}/collide -L ${library_dir} -labut)
-run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library_dir} ${work}/collide)
+foreach(program exact collide)
+  run(${c} -I ${tree}/include ${source}/${program}.c -o ${work}/${program} -L ${library_dir} -labut -lm)
+  run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library_dir} ${work}/${program})
+endforeach()
+
+run(${work}/build/fuzz/abut_fuzz_replay ${tree}/fuzz 100 1 rounded_cone)

@@ -73,19 +73,21 @@
   FIELD(abut_distance, normal, 72, 24)                    \
   FIELD(abut_distance, algorithm, 96, 4)                  \
   FIELD(abut_distance, iterations, 100, 4)                \
-  TYPE(abut_contact, 136)                                 \
+  TYPE(abut_contact, 144)                                 \
   FIELD(abut_contact, geometry_a, 0, 8)                   \
   FIELD(abut_contact, geometry_b, 8, 8)                   \
   FIELD(abut_contact, id, 16, 8)                          \
   FIELD(abut_contact, feature_a, 24, 8)                   \
   FIELD(abut_contact, feature_b, 32, 8)                   \
-  FIELD(abut_contact, point_a, 40, 24)                    \
-  FIELD(abut_contact, point_b, 64, 24)                    \
-  FIELD(abut_contact, normal, 88, 24)                     \
-  FIELD(abut_contact, distance, 112, 8)                   \
-  FIELD(abut_contact, toi, 120, 8)                        \
-  FIELD(abut_contact, flags, 128, 4)                      \
-  FIELD(abut_contact, reserved, 132, 4)                   \
+  FIELD(abut_contact, child_a, 40, 4)                     \
+  FIELD(abut_contact, child_b, 44, 4)                     \
+  FIELD(abut_contact, point_a, 48, 24)                    \
+  FIELD(abut_contact, point_b, 72, 24)                    \
+  FIELD(abut_contact, normal, 96, 24)                     \
+  FIELD(abut_contact, distance, 120, 8)                   \
+  FIELD(abut_contact, toi, 128, 8)                        \
+  FIELD(abut_contact, flags, 136, 4)                      \
+  FIELD(abut_contact, reserved, 140, 4)                   \
   TYPE(abut_universe_options, 40)                         \
   FIELD(abut_universe_options, struct_size, 0, 4)         \
   FIELD(abut_universe_options, broadphase, 4, 4)          \

@@ -107,6 +107,28 @@ Shape make_terrain(std::uint32_t samples, double spacing) {
   return Shape(shape);
 }
 
+Shape make_of_kind(const char* kind, const std::vector<double>& parameters, const std::vector<double>& reals,
+                   const std::vector<std::uint32_t>& indices) {
+  abut_shape_desc desc;
+  abut_shape_desc_init(&desc, sizeof(desc));
+  desc.kind = abut_shape_kind_by_name(kind);
+  desc.parameters = parameters.data();
+  desc.parameter_count = parameters.size();
+  desc.reals = reals.data();
+  desc.real_count = reals.size();
+  desc.indices = indices.data();
+  desc.index_count = indices.size();
+  abut_shape* shape = nullptr;
+  EXPECT_TRUE(succeeded(abut_shape_create(&desc, &shape)));
+  return Shape(shape);
+}
+
+Shape make_composite(const std::vector<const abut_shape*>& children, const std::vector<abut_pose>& poses) {
+  abut_shape* shape = nullptr;
+  EXPECT_TRUE(succeeded(abut_composite_create(children.data(), poses.data(), children.size(), &shape)));
+  return Shape(shape);
+}
+
 std::vector<Shape> make_one_of_each_kind() {
   std::vector<Shape> shapes;
   shapes.push_back(make_sphere(1.0));

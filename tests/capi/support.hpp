@@ -97,6 +97,9 @@ Shape make_plane(abut_vec3 normal, double offset);
 Shape make_octahedron(double radius);                       // a hull of six points
 Shape make_square_mesh(double half_side);                   // two triangles at z = 0, front up
 Shape make_terrain(std::uint32_t samples, double spacing);  // flat at z = 0 but for a bump in the middle
+Shape make_of_kind(const char* kind, const std::vector<double>& parameters, const std::vector<double>& reals = {},
+                   const std::vector<std::uint32_t>& indices = {});
+Shape make_composite(const std::vector<const abut_shape*>& children, const std::vector<abut_pose>& poses);
 // One shape of every kind, all about one unit large, in the order sphere, box, capsule, plane, hull, mesh, height field.
 std::vector<Shape> make_one_of_each_kind();
 

@@ -15,23 +15,18 @@ std::vector<Point> points_of(const Json& list) {
   return points;
 }
 
-std::optional<FailureShape> read_shape(const Json& json) {
-  if (!json.is_object()) return std::nullopt;
+FailureShape read_shape(const Json& json) {
   FailureShape shape;
-  shape.type = json.value("type", "");
-  if (shape.type == "sphere") {
-    shape.parameters = {json["radius"].get<double>()};
-    shape.body = make_sphere(shape.parameters[0]);
-  } else if (shape.type == "box") {
-    for (const Json& half : json["half"]) shape.parameters.push_back(half.get<double>());
-    shape.body = make_box(shape.parameters[0], shape.parameters[1], shape.parameters[2]);
-  } else if (shape.type == "capsule") {
-    shape.parameters = {json["radius"].get<double>(), json["half_length"].get<double>()};
-    shape.body = make_capsule(shape.parameters[0], shape.parameters[1]);
-  } else if (shape.type == "convex" || shape.type == "triangle") {
-    shape.body = make_hull(points_of(json["vertices"]));
-  } else {
-    return std::nullopt;
+  shape.type = json["type"];
+  for (const char* name : {"half", "radii"}) {
+    for (const Json& length : json.value(name, Json::array())) shape.parameters.push_back(length.get<double>());
+  }
+  for (const char* name : {"radius", "half_length"}) {
+    if (json.contains(name)) shape.parameters.push_back(json[name].get<double>());
+  }
+  shape.soup.points = points_of(json.value("vertices", Json::array()));
+  for (const Json& t : json.value("triangles", Json::array())) {
+    shape.soup.triangles.push_back({t[0].get<std::uint32_t>(), t[1].get<std::uint32_t>(), t[2].get<std::uint32_t>()});
   }
   return shape;
 }
@@ -68,24 +63,91 @@ Quad parse(const std::string& text) {
   return is_negative ? -mantissa : mantissa;
 }
 
+Point point_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
+
+Point scaled(const Point& p, double factor) { return {p[0] * factor, p[1] * factor, p[2] * factor}; }
+
+void read_distance(const Json& json, KnownFailure& row) {
+  for (const char* name : {"reference", "reference_at_start_pose"}) {
+    if (json.contains(name)) row.distance = parse(json[name]["signed_distance_q"].get<std::string>());
+  }
+  const Json& expected = json["expected"];
+  if (!row.distance && expected.contains("signed_distance")) {
+    row.distance = quad(expected["signed_distance"].get<double>());
+  }
+  if (expected.contains("toi")) {
+    row.way_to_touch = scaled(point_of(expected["vel_a"]), expected["toi"].get<double>());
+  } else if (expected.contains("cast_dir") && expected.contains("distance")) {
+    row.way_to_touch = scaled(point_of(expected["cast_dir"]), expected["distance"].get<double>());
+  }
+}
+
+void read_contacts(const Json& json, KnownFailure& row) {
+  row.asks_contacts = row.query == "penetration" || row.query.ends_with("+manifold");
+  for (const char* name : {"contact_count", "upstream_test_contact_count"}) {
+    if (json["expected"].contains(name)) row.contacts = json["expected"][name].get<std::size_t>();
+  }
+}
+
+void read_motion(const Json& json, KnownFailure& row) {
+  FailureMotion motion;
+  motion.is_vertex_face = row.query == "ccd_vertex_face";
+  for (std::size_t i = 0; i < 4; ++i) {
+    motion.start[i] = point_of(json["t0"][i]);
+    motion.end[i] = point_of(json["t1"][i]);
+  }
+  row.motion = motion;
+}
+
+void read_hull(const Json& json, KnownFailure& row) {
+  const Json& expected = json["expected"];
+  FailureHull hull{points_of(json["points"]), expected["hull_vertices"].get<std::size_t>(), std::nullopt};
+  if (expected.contains("volume")) hull.volume = expected["volume"].get<double>();
+  row.hull = hull;
+}
+
+KnownFailure read_row(const Json& json) {
+  KnownFailure row;
+  row.id = json["id"];
+  row.query = json["query"];
+  if (json.contains("a")) {
+    row.a = read_shape(json["a"]);
+    row.pose_a = read_pose(json["pose_a"], json["a"]);
+  }
+  if (json.contains("b")) {
+    row.b = read_shape(json["b"]);
+    row.pose_b = read_pose(json["pose_b"], json["b"]);
+    read_distance(json, row);
+    read_contacts(json, row);
+  }
+  if (json.contains("ray_origin")) {
+    row.ray = FailureRay{point_of(json["ray_origin"]), point_of(json["ray_dir"]), json["expected"]["hits_t"]};
+  }
+  if (json.contains("points")) read_hull(json, row);
+  if (json.contains("t0")) read_motion(json, row);
+  return row;
+}
+
 }  // namespace
 
 std::vector<KnownFailure> read_known_failures(const std::string& path) {
   std::vector<KnownFailure> rows;
   std::ifstream file(path);
   std::string line;
-  while (std::getline(file, line)) {
-    const Json json = Json::parse(line);
-    const Json reference =
-        json.contains("reference") ? json["reference"] : json.value("reference_at_start_pose", Json());
-    if (!reference.is_object() || !json.contains("a") || !json.contains("b")) continue;
-    const auto a = read_shape(json["a"]);
-    const auto b = read_shape(json["b"]);
-    if (!a || !b) continue;
-    rows.push_back({json["id"], json["query"], *a, *b, read_pose(json["pose_a"], json["a"]),
-                    read_pose(json["pose_b"], json["b"]), parse(reference["signed_distance_q"].get<std::string>())});
-  }
+  while (std::getline(file, line)) rows.push_back(read_row(Json::parse(line)));
   return rows;
+}
+
+std::optional<Solid> solid_of(const FailureShape& shape) {
+  const auto& p = shape.parameters;
+  if (shape.type == "sphere") return solid_of(make_sphere(p[0]));
+  if (shape.type == "box") return solid_of(make_box(p[0], p[1], p[2]));
+  if (shape.type == "capsule") return solid_of(make_capsule(p[0], p[1]));
+  if (shape.type == "cylinder") return solid_of(Cylinder{p[0], p[1]});
+  if (shape.type == "disc") return solid_of(Cylinder{p[0], 0});
+  if (shape.type == "ellipsoid") return solid_of(Ellipsoid{{p[0], p[1], p[2]}});
+  if (shape.type == "convex" || shape.type == "triangle") return solid_of(make_hull(shape.soup.points));
+  return std::nullopt;
 }
 
 Pose pose_of(const FailurePose& pose) {

@@ -24,10 +24,11 @@ Point extents_of(const Body& body) {
 
 Solid solid_of(const Body& body) {
   Solid solid;
-  const Rounded rounded{body, measured(body)};
+  const bool has_features = body.core.size() <= most_measured_points;
+  const Rounded rounded{body, has_features ? measured(body) : Measured{}};
   solid.size = size_of(body);
   solid.extents = extents_of(body);
-  solid.is_straight = !(body.radius > 0);
+  solid.is_straight = has_features && !(body.radius > 0);
   solid.normals = {axis_x, axis_y, axis_z};
   for (const Features& piece : rounded.measured.pieces) {
     solid.normals.insert(solid.normals.end(), piece.normals.begin(), piece.normals.end());

@@ -1,6 +1,7 @@
 // Convex solids, curved ones included, described by plain numbers. Local frame, centred, along Z.
 #pragma once
 
+#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -10,10 +11,13 @@
 
 namespace oracle {
 
+// Features are looked for up to this many points; larger hulls have support points only, like curved solids.
+inline constexpr std::size_t most_measured_points = 48;
+
 // Hull of points grown by a radius: point, segment, triangle, sphere, capsule, hull.
 struct Rounded {
   Body body;
-  Measured measured;
+  Measured measured;  // without pieces where there are too many points
 };
 
 struct Box {

@@ -1,7 +1,12 @@
 #include "support.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
+
+#include "nearest.hpp"
 
 namespace oracle {
 
@@ -27,15 +32,47 @@ Real across(const Direction<Real>& n) {
 }
 
 template <typename Real>
-Real height(const Rounded& shape, const Direction<Real>& n) {
+Real height(const std::vector<Point>& points, const Direction<Real>& n) {
   Real best = 0;
   bool first = true;
-  for (const Point& p : shape.body.core) {
+  for (const Point& p : points) {
     const Real there = n.x * static_cast<Real>(p[0]) + n.y * static_cast<Real>(p[1]) + n.z * static_cast<Real>(p[2]);
     if (first || there > best) best = there;
     first = false;
   }
-  const Real radius = static_cast<Real>(shape.body.radius);
+  return best;
+}
+
+// The points that may lie furthest along n: all that double cannot tell from the furthest. What it makes of a height is
+// off by less than four roundings of the sum of the three magnitudes.
+std::vector<Point> leading(const std::vector<Point>& points, const Direction<Quad>& n) {
+  const Point rough{static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
+  std::vector<double> heights;
+  double best = -HUGE_VAL;
+  double largest = 0;
+  for (const Point& p : points) {
+    const Point parts{rough[0] * p[0], rough[1] * p[1], rough[2] * p[2]};
+    heights.push_back(parts[0] + parts[1] + parts[2]);
+    best = std::max(best, heights.back());
+    largest = std::max(largest, std::abs(parts[0]) + std::abs(parts[1]) + std::abs(parts[2]));
+  }
+  std::vector<Point> result;
+  const double limit = best - 16 * std::numeric_limits<double>::epsilon() * largest;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (heights[i] >= limit) result.push_back(points[i]);
+  }
+  return result;
+}
+
+double height(const Rounded& shape, const Direction<double>& n) {
+  const double radius = shape.body.radius;
+  const double best = height(shape.body.core, n);
+  return radius > 0 ? best + radius * root(n.x * n.x + n.y * n.y + n.z * n.z) : best;
+}
+
+Quad height(const Rounded& shape, const Direction<Quad>& n) {
+  const Quad radius = quad(shape.body.radius);
+  const Quad best = height(leading(shape.body.core, n), n);
   return radius > 0 ? best + radius * root(n.x * n.x + n.y * n.y + n.z * n.z) : best;
 }
 
@@ -97,18 +134,18 @@ Vec radial(const Vec& n, Quad slack) {
 }
 
 Vec furthest(const Rounded& shape, const Vec& n, Quad slack) {
-  const Quad radius = quad(shape.body.radius);
-  const Quad best = height(shape, Direction<Quad>{n.x, n.y, n.z}) - radius * length(n);
-  const Quad limit = best - (slack + rounding) * quad(size_of(shape.body));
+  const Direction<Quad> direction{n.x, n.y, n.z};
+  const std::vector<Point> front = leading(shape.body.core, direction);
+  const Quad limit = height(front, direction) - (slack + rounding) * quad(size_of(shape.body));
   Vec sum;
   Quad count = 0;
-  for (const Point& p : shape.body.core) {
+  for (const Point& p : slack > 0 ? shape.body.core : front) {
     const Vec v{quad(p[0]), quad(p[1]), quad(p[2])};
     if (dot(v, n) < limit) continue;
     sum = sum + v;
     count += 1;
   }
-  return sum * (1 / count) + n * radius;
+  return sum * (1 / count) + n * quad(shape.body.radius);
 }
 
 Vec furthest(const Box& box, const Vec& n, Quad slack) {
@@ -150,6 +187,12 @@ Quad beyond(Quad value, Quad limit) { return larger(0, absolute(value) - limit);
 Quad distance_to(const Rounded& shape, const Vec& point) {
   Pose there;
   there.position = point;
+  if (shape.measured.pieces.empty()) {
+    Solid solid;
+    solid.form = shape;
+    solid.size = size_of(shape.body);
+    return larger(0, nearest(solid, Pose{}, solid_of(make_sphere(0)), there).upper);
+  }
   return larger(0, signed_distance(shape.measured, Pose{}, measured(make_sphere(0)), there).distance);
 }
 

@@ -26,12 +26,12 @@ struct SolidCase {
   double way_tolerance;     // of the way between the points, which no search for the nearest ones blurs
 };
 
-SolidCase solid_case(const SolidSubject& a, const SolidSubject& b, const Placement& placement) {
+SolidCase solid_case(const SolidSubject& a, const SolidSubject& b, const Placement& placement, const std::string& row) {
   const Magnitude magnitude = magnitude_of(a.subject, b.subject, placement.a, placement.b);
   const double bound = a.is_curved || b.is_curved ? curved_error_bound : error_bound;
   return {a,
           b,
-          {a.subject, b.subject, placement, {}, magnitude},
+          {a.subject, b.subject, placement, {}, magnitude, row},
           pose_of(placement.a),
           pose_of(placement.b),
           distance_tolerance(magnitude, bound),
@@ -47,13 +47,6 @@ Quad off(const SolidSubject& subject, const Pose& pose, const abut_vec3& point) 
   return oracle::distance_to_solid(subject.solid, pose.rotate_back(vec_of(point) - pose.position));
 }
 
-void add_to_record(const SolidCase& c, const abut_distance& result, double error) {
-  const Magnitude& m = c.base.magnitude;
-  const double scale = std::max(m.size_a + m.size_b + m.apart + std::abs(result.distance), 1e-300);
-  record().add(row_of(c.base), c.a.subject.name + " / " + c.b.subject.name, error / scale,
-               (result.upper - result.lower) / scale, result.iterations);
-}
-
 void check_points(const SolidCase& c, const abut_distance& result) {
   const double off_a = static_cast<double>(off(c.a, c.pose_a, result.point_a));
   const double off_b = static_cast<double>(off(c.b, c.pose_b, result.point_b));
@@ -61,30 +54,30 @@ void check_points(const SolidCase& c, const abut_distance& result) {
   expect_at_most(c.base, "point_b lies in b", off_b, 0, c.points_tolerance);
 }
 
-void check_apart(const SolidCase& c, const abut_distance& result, const Vec& n) {
+double check_apart(const SolidCase& c, const abut_distance& result, const Vec& n) {
   const double separation = -static_cast<double>(overlap_along(c, n));
   const double between = static_cast<double>(oracle::length(vec_of(result.point_b) - vec_of(result.point_a)));
   const double distance = result.distance;
   const double rounded = rounding(c.base.magnitude);
-  add_to_record(c, result, std::abs(distance - separation));
   expect_near(c.base, "points are as far apart as the distance", between, distance, c.way_tolerance);
   expect_at_most(c.base, "distance <= separation along the normal", distance, separation, c.tolerance);
   expect_at_most(c.base, "lower <= separation along the normal", result.lower, separation, c.tolerance);
   expect_at_most(c.base, "separation along the normal <= upper", separation, result.upper, rounded);
   expect_at_most(c.base, "lower <= way between the points", result.lower, between, c.points_tolerance);
+  return std::abs(distance - separation);
 }
 
 // That the points lie in the shapes and that the way between them is the overlap along the normal leaves them no place
 // but the planes of support on either side.
-void check_overlapping(const SolidCase& c, const abut_distance& result, const Vec& n) {
+double check_overlapping(const SolidCase& c, const abut_distance& result, const Vec& n) {
   const double depth = -result.distance;
   const double overlap = static_cast<double>(overlap_along(c, n));
   const oracle::LeastOverlap least = oracle::least_overlap(c.a.solid, c.pose_a, c.b.solid, c.pose_b, n);
   const double swept = static_cast<double>(least.overlap);
-  add_to_record(c, result, std::max(std::abs(depth - overlap), depth - swept));
   expect_near(c.base, "depth is the overlap along the normal", depth, overlap, c.tolerance);
   expect_at_most(c.base, "depth <= overlap along any direction", depth, swept, c.tolerance);
   expect_at_most(c.base, "-upper <= overlap along any direction", -result.upper, swept, rounding(c.base.magnitude));
+  return std::max(std::abs(depth - overlap), depth - swept);
 }
 
 bool is_same(const abut_vec3& u, const abut_vec3& v) { return u.x == v.x && u.y == v.y && u.z == v.z; }
@@ -110,19 +103,29 @@ void check_swapped(const SolidCase& c, const abut_distance& result) {
 
 }  // namespace
 
-void check_certificate(const SolidSubject& a, const SolidSubject& b, const Placement& placement) {
-  const SolidCase c = solid_case(a, b, placement);
+std::optional<Certified> certified(const SolidSubject& a, const SolidSubject& b, const Placement& placement,
+                                   const std::string& row) {
+  const SolidCase c = solid_case(a, b, placement, row);
   abut_distance result{};
-  if (!check_consistency(c.base, result)) return;
+  if (!check_consistency(c.base, result)) return std::nullopt;
   const Vec n = oracle::unit(vec_of(result.normal));
   check_points(c, result);
-  if (result.distance > 0) {
-    check_apart(c, result, n);
-  } else {
-    check_overlapping(c, result, n);
-  }
+  const double error = result.distance > 0 ? check_apart(c, result, n) : check_overlapping(c, result, n);
   expect_at_most(c.base, "gap between the bounds", result.upper - result.lower, 0, c.tolerance);
   check_swapped(c, result);
+  return Certified{result, error, c.base};
+}
+
+void check_certificate(const SolidSubject& a, const SolidSubject& b, const Placement& placement) {
+  if (const auto answer = certified(a, b, placement, {})) keep(*answer);
+}
+
+void keep(const Certified& answer) {
+  const Magnitude& m = answer.base.magnitude;
+  const abut_distance& result = answer.result;
+  const double scale = std::max(m.size_a + m.size_b + m.apart + std::abs(result.distance), 1e-300);
+  record().add(row_of(answer.base), answer.base.a.name + " / " + answer.base.b.name, answer.error / scale,
+               (result.upper - result.lower) / scale, result.iterations);
 }
 
 }  // namespace property

@@ -6,11 +6,28 @@
 // less. Only the search can miss something; it never rejects a right answer.
 #pragma once
 
+#include <optional>
+
 #include "distance_checks.hpp"
 #include "solids.hpp"
 
 namespace property {
 
+struct Certified {
+  abut_distance result;
+  double error;  // of the distance, as far as the certificate tells
+  Case base;
+};
+
+// Reports what does not hold in the row of that name, or in one of the kinds and the scene where it is empty. Absent
+// where the library gave no answer or no finite one.
+[[nodiscard]] std::optional<Certified> certified(const SolidSubject& a, const SolidSubject& b,
+                                                 const Placement& placement, const std::string& row);
+
+// The same, kept in the record.
 void check_certificate(const SolidSubject& a, const SolidSubject& b, const Placement& placement);
+
+// Keeps the error of an answer in the record, as a part of the size of the case.
+void keep(const Certified& answer);
 
 }  // namespace property

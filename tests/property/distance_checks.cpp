@@ -27,10 +27,13 @@ Magnitude magnitude_of(const Subject& a, const Subject& b, const abut_pose& pose
 
 Case make_case(const Subject& a, const Subject& b, const Placement& placement) {
   return {a, b, placement, oracle::signed_distance(a.measured, pose_of(placement.a), b.measured, pose_of(placement.b)),
-          magnitude_of(a, b, placement.a, placement.b)};
+          magnitude_of(a, b, placement.a, placement.b),
+          {}};
 }
 
-std::string row_of(const Case& c) { return c.a.kind + "/" + c.b.kind + " " + c.placement.scene; }
+std::string row_of(const Case& c) {
+  return c.row.empty() ? c.a.kind + "/" + c.b.kind + " " + c.placement.scene : c.row;
+}
 
 std::string text_of(const Case& c) {
   return c.a.name + " " + text_of(c.placement.a) + " against " + c.b.name + " " + text_of(c.placement.b) + " (" +

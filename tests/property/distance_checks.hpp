@@ -16,6 +16,7 @@ struct Case {
   Placement placement;
   oracle::Answer truth;
   Magnitude magnitude;
+  std::string row{};  // of the table; empty for one of the kinds and the scene
 };
 
 [[nodiscard]] Magnitude magnitude_of(const Subject& a, const Subject& b, const abut_pose& pose_a,
@@ -23,7 +24,7 @@ struct Case {
 
 [[nodiscard]] Case make_case(const Subject& a, const Subject& b, const Placement& placement);
 
-// "box/hull touching" and the same with the names of the shapes and their poses.
+// "box/hull touching" where the case names no other row, and the same with the names of the shapes and their poses.
 [[nodiscard]] std::string row_of(const Case& c);
 [[nodiscard]] std::string text_of(const Case& c);
 

@@ -1,5 +1,6 @@
 #include "record.hpp"
 
+#include "extreme_shortfalls.hpp"
 #include "shortfalls.hpp"
 
 #include <cstdio>
@@ -18,7 +19,15 @@ void Record::add(const std::string& row, const std::string& where, double error,
   if (iterations > worst.iterations) worst.iterations = iterations;
 }
 
-bool Record::fails_as_known(const std::string& row) { return ++rows_[row].failures <= known_shortfall(row); }
+bool Record::fails_as_known(const std::string& row) {
+  ++failures_;
+  return ++rows_[row].failures <= known_shortfall(row) + known_extreme_shortfall(row);
+}
+
+Worst Record::worst_of(const std::string& row) const {
+  const auto found = rows_.find(row);
+  return found == rows_.end() ? Worst{} : found->second;
+}
 
 void Record::print() const {
   std::printf("%-44s %6s %6s %10s %10s %5s  %s\n", "row", "cases", "failed", "error", "gap", "steps", "worst case");

@@ -24,11 +24,21 @@ class Record {
   // Counts a failure of a row; true while there are no more than the known ones.
   [[nodiscard]] bool fails_as_known(const std::string& row);
 
+  // Of all rows so far, known ones included.
+  [[nodiscard]] std::uint64_t failures() const { return failures_; }
+
+  // Counts a case of a row in which anything failed.
+  void mark_failed(const std::string& row) { ++rows_[row].failures; }
+
+  // What was added to a row; zeros where nothing was.
+  [[nodiscard]] Worst worst_of(const std::string& row) const;
+
   void print() const;
   void write_csv(const std::string& path) const;
 
  private:
   std::map<std::string, Worst> rows_;
+  std::uint64_t failures_ = 0;
 };
 
 // The record of this program.

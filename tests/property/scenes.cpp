@@ -18,16 +18,9 @@ abut_vec3 random_direction(Random& random) {
   }
 }
 
-namespace {
-
 abut_quat about(const abut_vec3& axis, double angle) {
   const double sine = std::sin(angle / 2);
   return {std::cos(angle / 2), axis.x * sine, axis.y * sine, axis.z * sine};
-}
-
-abut_quat product(const abut_quat& p, const abut_quat& q) {
-  return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
-          p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
 }
 
 abut_vec3 rounded(const oracle::Vec& v) {
@@ -36,6 +29,13 @@ abut_vec3 rounded(const oracle::Vec& v) {
 
 abut_vec3 moved(const abut_vec3& from, const abut_vec3& along, double distance) {
   return {from.x + along.x * distance, from.y + along.y * distance, from.z + along.z * distance};
+}
+
+namespace {
+
+abut_quat product(const abut_quat& p, const abut_quat& q) {
+  return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
+          p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
 }
 
 }  // namespace

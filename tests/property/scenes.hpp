@@ -28,6 +28,12 @@ struct Placement {
 [[nodiscard]] abut_vec3 random_direction(Random& random);
 [[nodiscard]] double between(Random& random, double low, double high);
 
+[[nodiscard]] abut_vec3 rounded(const oracle::Vec& v);
+[[nodiscard]] abut_vec3 moved(const abut_vec3& from, const abut_vec3& along, double distance);
+
+// A turn by an angle about a unit axis.
+[[nodiscard]] abut_quat about(const abut_vec3& axis, double angle);
+
 // The pose that does `first`, then `second`, rounded once.
 [[nodiscard]] abut_pose composed(const abut_pose& second, const abut_pose& first);
 

@@ -16,18 +16,26 @@ using oracle::Vec;
 
 constexpr abut_quat no_turn{1, 0, 0, 0};
 
-abut_vec3 rounded(const Vec& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}  // namespace
+
+Placement facing(const std::string& scene, const SolidSubject& a, const abut_pose& pose_a, const SolidSubject& b,
+                 const abut_quat& turn_b, const Vec& n, double gap, double slack) {
+  const oracle::Pose at_a = pose_of(pose_a);
+  oracle::Pose at_b = pose_of(abut_pose{{0, 0, 0}, turn_b});
+  const Vec on_a = at_a.place(support_point(a.solid, at_a.rotate_back(n), quad(slack)));
+  const Vec on_b = at_b.place(support_point(b.solid, at_b.rotate_back(-n), quad(slack)));
+  at_b.position = on_a - on_b;
+  const Quad overlap = overlap_along(a.solid, at_a, b.solid, at_b, n);
+  return {scene, pose_a, {rounded(at_b.position + n * (overlap + quad(gap))), turn_b}};
 }
 
-abut_vec3 moved(const abut_vec3& from, const abut_vec3& along, double distance) {
-  return {from.x + along.x * distance, from.y + along.y * distance, from.z + along.z * distance};
+Vec main_direction(const SolidSubject& subject, Random& random) {
+  const std::vector<Vec>& normals = subject.solid.normals;
+  const Vec normal = normals[random() % normals.size()];
+  return random() % 2 == 0 ? normal : -normal;
 }
 
-abut_quat about(const abut_vec3& axis, double angle) {
-  const double sine = std::sin(angle / 2);
-  return {std::cos(angle / 2), axis.x * sine, axis.y * sine, axis.z * sine};
-}
+namespace {
 
 struct Maker {
   const SolidSubject& a;
@@ -41,17 +49,9 @@ struct Maker {
     return {moved({0, 0, 0}, random_direction(random), distance), random_orientation(random)};
   }
 
-  // Puts b where the middles of the faces, edges or points that lie furthest along n, to within the slack, face each
-  // other, and along n the two are `gap` apart.
   void add_facing(const std::string& scene, const abut_pose& pose_a, const abut_quat& turn_b, const Vec& n, double gap,
-                  Quad slack) {
-    const oracle::Pose at_a = pose_of(pose_a);
-    oracle::Pose at_b = pose_of(abut_pose{{0, 0, 0}, turn_b});
-    const Vec on_a = at_a.place(support_point(a.solid, at_a.rotate_back(n), slack));
-    const Vec on_b = at_b.place(support_point(b.solid, at_b.rotate_back(-n), slack));
-    at_b.position = on_a - on_b;
-    const Quad overlap = overlap_along(a.solid, at_a, b.solid, at_b, n);
-    list.push_back({scene, pose_a, {rounded(at_b.position + n * (overlap + quad(gap))), turn_b}});
+                  double slack) {
+    list.push_back(facing(scene, a, pose_a, b, turn_b, n, gap, slack));
   }
 
   // Random orientations, `gap` between the surfaces, near `centre`.
@@ -61,17 +61,10 @@ struct Maker {
     add_facing(scene, pose_a, random_orientation(random), n, gap, 0);
   }
 
-  // A normal or an axis of a, in the local frame, either way.
-  [[nodiscard]] Vec main_direction() {
-    const std::vector<Vec>& normals = a.solid.normals;
-    const Vec normal = normals[random() % normals.size()];
-    return random() % 2 == 0 ? normal : -normal;
-  }
-
   // The middle of a face or side of a against what b turns to it.
   void add_on_face(const std::string& scene, double gap) {
     const abut_pose pose_a = random_pose(small);
-    add_facing(scene, pose_a, random_orientation(random), pose_of(pose_a).rotate(main_direction()), gap, quad(1e-12));
+    add_facing(scene, pose_a, random_orientation(random), pose_of(pose_a).rotate(main_direction(a, random)), gap, 1e-12);
   }
 
   // Orientations that differ by a quarter turn or none, and by a small angle.
@@ -81,7 +74,8 @@ struct Maker {
     abut_pose local{{0, 0, 0}, about(random_direction(random), angle)};
     if (quarter) local = composed({{0, 0, 0}, about(axes.at(random() % 3), std::acos(0.0))}, local);
     const abut_quat turn_b = composed(pose_a, local).orientation;
-    add_facing(scene, pose_a, turn_b, pose_of(pose_a).rotate(main_direction()), gap, quad(2 * angle + 1e-12));
+    add_facing(scene, pose_a, turn_b, pose_of(pose_a).rotate(main_direction(a, random)), gap,
+               2 * angle + 1e-12);
   }
 
   void add_deep() {

@@ -12,4 +12,13 @@ namespace property {
 // elsewhere, and of overlaps, they are the separation along one direction, which the distance does not fall below.
 [[nodiscard]] std::vector<Placement> solid_placements(const SolidSubject& a, const SolidSubject& b, Random& random);
 
+// Puts b where the middles of the faces, edges or points that lie furthest along n, to within the slack, an angle, face
+// each other, and along n the two are `gap` apart.
+[[nodiscard]] Placement facing(const std::string& scene, const SolidSubject& a, const abut_pose& pose_a,
+                               const SolidSubject& b, const abut_quat& turn_b, const oracle::Vec& n, double gap,
+                               double slack);
+
+// A normal or an axis in the local frame, either way.
+[[nodiscard]] oracle::Vec main_direction(const SolidSubject& subject, Random& random);
+
 }  // namespace property

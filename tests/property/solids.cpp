@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <variant>
 
 namespace property {
 
@@ -58,6 +59,18 @@ oracle::Solid solid_of(const std::string& kind, const Numbers& p) {
   return oracle::solid_of(oracle::Ellipsoid{{p[0], p[1], p[2]}});
 }
 
+oracle::Measured measured_of(const oracle::Solid& solid) {
+  if (const auto* rounded = std::get_if<oracle::Rounded>(&solid.form)) {
+    oracle::Measured measured = rounded->measured;
+    measured.radius = rounded->body.radius;
+    return measured;
+  }
+  if (const auto* box = std::get_if<oracle::Box>(&solid.form)) {
+    return oracle::measured(oracle::make_box(box->half[0], box->half[1], box->half[2]));
+  }
+  return {};
+}
+
 // The smallest that is not zero of the parameters, or of the half sides where these are points.
 double small_length(const std::string& kind, const Numbers& numbers) {
   if (kind != "triangle" && kind != "hull") return smallest_positive(numbers);
@@ -71,25 +84,28 @@ double small_length(const std::string& kind, const Numbers& numbers) {
   return smallest_positive(sides);
 }
 
-struct Size {
-  std::string name;
-  Numbers numbers;
-};
+}  // namespace
 
-SolidSubject solid_subject(const std::string& kind, const Size& size) {
-  const std::string name = size.name + " " + kind;
+SolidSubject make_solid(const std::string& kind, const std::string& name, const Numbers& numbers) {
   const bool has_points = kind == "hull";
   SolidSubject result;
   result.subject.kind = kind;
   result.subject.name = name;
-  result.subject.shape =
-      shape_of(kind, name, has_points ? Numbers{} : size.numbers, has_points ? size.numbers : Numbers{});
-  result.solid = solid_of(kind, size.numbers);
+  result.subject.shape = shape_of(kind, name, has_points ? Numbers{} : numbers, has_points ? numbers : Numbers{});
+  result.solid = solid_of(kind, numbers);
+  result.subject.measured = measured_of(result.solid);
   result.subject.size = result.solid.size;
-  result.subject.small = small_length(kind, size.numbers);
+  result.subject.small = small_length(kind, numbers);
   result.is_curved = kind == "cylinder" || kind == "cone" || kind == "ellipsoid";
   return result;
 }
+
+namespace {
+
+struct Size {
+  std::string name;
+  Numbers numbers;
+};
 
 Numbers ball_of_points(std::uint64_t seed, int count, const Point& radii, const Point& centre) {
   std::mt19937_64 random(seed);
@@ -152,7 +168,7 @@ std::vector<Size> sizes_of(const std::string& kind) {
 std::vector<SolidSubject> solid_subjects(const std::string& kind) {
   std::vector<SolidSubject> list;
   if (abut_shape_kind_by_name(kind.c_str()) == 0) return list;
-  for (const Size& size : sizes_of(kind)) list.push_back(solid_subject(kind, size));
+  for (const Size& size : sizes_of(kind)) list.push_back(make_solid(kind, size.name + " " + kind, size.numbers));
   return list;
 }
 

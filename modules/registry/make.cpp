@@ -1,0 +1,33 @@
+module;
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+module abut.registry;
+import abut.core;
+import abut.math;
+import abut.shape;
+
+namespace abut {
+
+Result<AnyShape> AnyShape::make(std::uint32_t kind, std::span<const Real> parameters, std::span<const Real> reals,
+                                std::span<const std::uint32_t> indices) {
+  using Maker = Result<AnyShape> (*)(std::span<const Real>, std::span<const Real>, std::span<const std::uint32_t>);
+  static constexpr auto makers = []<std::size_t... Places>(std::index_sequence<Places...>) {
+    return std::array<Maker, Shapes::count>{
+        [](std::span<const Real> own_parameters, std::span<const Real> own_reals, std::span<const std::uint32_t> own_indices) {
+          return Shapes::At<Places>::make(own_parameters, own_reals, own_indices).transform([](Shapes::At<Places> shape) {
+            return AnyShape(std::move(shape));
+          });
+        }...};
+  }(std::make_index_sequence<Shapes::count>{});
+  for (std::size_t place = 0; place < Shapes::count; ++place) {
+    if (Shapes::kinds[place] == kind) {
+      return makers[place](parameters, reals, indices);
+    }
+  }
+  return error_about(Errc::unknown_value, "kind", std::uint64_t{kind}, "a kind of this build");
+}
+
+}  // namespace abut

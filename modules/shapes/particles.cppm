@@ -1,0 +1,78 @@
+// Many small balls in one shape.
+module;
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+export module abut.shape.particles;
+import abut.core;
+import abut.math;
+import abut.midphase.hash_grid;
+import abut.shape;
+
+export namespace abut {
+
+class Particles {
+ public:
+  using Part = Ball;
+  static constexpr std::string_view name = "particles";
+  static constexpr std::array<std::string_view, 1> parameter_names{"radius"};
+
+  // With a radius: three reals a particle. With radius 0: four, the last one its own radius.
+  [[nodiscard]] static Result<Particles> make(std::span<const Real> parameters, std::span<const Real> reals,
+                                              std::span<const std::uint32_t> indices);
+  [[nodiscard]] std::vector<Real> parameters() const { return {data_->common_radius}; }
+  [[nodiscard]] static std::vector<Particles> samples();
+
+  [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->centres, pose).inflated(data_->largest_radius); }
+  [[nodiscard]] std::size_t particle_count() const { return data_->places.size(); }
+
+  [[nodiscard]] inline Ball part(std::uint32_t index) const { return Ball(radius_of(index)); }
+  [[nodiscard]] inline Vec3 place(std::uint32_t index) const { return data_->places[index]; }
+
+  template <class Visitor>
+  void visit_places(Aabb& box, Visitor&& visit) const {
+    grid().visit_near(box.inflated(data_->largest_radius), [&](const HashGrid::Item& item) {
+      const Real radius = radius_of(item.index);
+      if (Aabb::around(item.point, {radius, radius, radius}).overlaps(box)) {
+        visit(item.point, item.index);
+      }
+    });
+  }
+  [[nodiscard]] std::uint32_t place_near(const Vec3& point) const { return grid().item_near(point); }
+
+  // Slab by slab of cells along the axis that the ray follows most.
+  [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
+
+  // Whether a query has needed the grid so far.
+  [[nodiscard]] bool has_grid() const { return data_->grid.is_made(); }
+
+ private:
+  struct Data {
+    std::vector<Vec3> places;
+    std::vector<Real> radii;  // empty where all are alike
+    Real common_radius;       // 0 where they are not
+    Real largest_radius;
+    Aabb centres;
+    Lazy<HashGrid> grid;
+  };
+
+  explicit Particles(Data data) : data_(std::move(data)) {}
+  [[nodiscard]] inline Real radius_of(std::uint32_t index) const {
+    return data_->radii.empty() ? data_->common_radius : data_->radii[index];
+  }
+  [[nodiscard]] const HashGrid& grid() const [[clang::lifetimebound]] {
+    return data_->grid.get([this] { return HashGrid(data_->places, 2 * data_->largest_radius); });
+  }
+
+  Frozen<Data> data_;
+};
+static_assert(Shape<Particles> && Scattered<Particles>);
+
+}  // namespace abut

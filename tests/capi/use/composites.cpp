@@ -1,0 +1,210 @@
+// Composites: several shapes as one.
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+
+#include "support.hpp"
+
+namespace {
+
+using namespace abut_test;
+
+abut_pose turned(double x, double y, double z, double angle) {
+  return {{x, y, z}, {std::cos(0.5 * angle), 0.6 * std::sin(0.5 * angle), 0, 0.8 * std::sin(0.5 * angle)}};
+}
+
+std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
+                                      double margin = 0) {
+  abut_query_options options;
+  abut_query_options_init(&options, sizeof(options));
+  options.max_contacts = 0;
+  options.margin = margin;
+  std::size_t count = 0;
+  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, nullptr, 0, &count)));
+  std::vector<abut_contact> found(count);
+  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, found.data(), count, &count)));
+  return found;
+}
+
+double distance_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b) {
+  abut_distance found{};
+  EXPECT_TRUE(succeeded(abut_shapes_distance(a, &pose_a, b, &pose_b, nullptr, &found)));
+  EXPECT_LE(found.lower, found.distance);
+  EXPECT_LE(found.distance, found.upper);
+  return found.distance;
+}
+
+// A row of boxes, each turned a little; more of them than are looked at without a tree.
+struct Row {
+  explicit Row(int count) {
+    for (int i = 0; i < count; ++i) {
+      boxes.push_back(make_box(0.4, 0.3 + 0.01 * i, 0.2));
+      children.push_back(boxes.back());
+      poses.push_back(turned(1.1 * i, 0.1 * (i % 3), 0.05 * i, 0.2 * i));
+    }
+    whole = make_composite(children, poses);
+  }
+  std::vector<Shape> boxes;
+  std::vector<const abut_shape*> children;
+  std::vector<abut_pose> poses;
+  Shape whole;
+};
+
+TEST(Composite, MeetsAsItsChildrenDo) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> place(-1, 1);
+  for (const int count : {1, 3, 8, 9, 20}) {
+    const Row row(count);
+    for (int i = 0; i < 200; ++i) {
+      const abut_pose pose = turned(0.55 * count * (1 + place(random)), place(random), place(random), 3 * place(random));
+      const Shape other = i % 2 == 0 ? make_sphere(0.5) : make_box(0.3, 0.8, 0.2);
+      double least = std::numeric_limits<double>::infinity();
+      std::size_t contacts = 0;
+      for (std::size_t k = 0; k < row.children.size(); ++k) {
+        least = std::min(least, distance_of(row.children[k], row.poses[k], other, pose));
+        contacts += contacts_of(row.children[k], row.poses[k], other, pose, 0.01).size();
+      }
+      EXPECT_NEAR(distance_of(row.whole, identity, other, pose), least, 1e-12);
+      EXPECT_EQ(contacts_of(row.whole, identity, other, pose, 0.01).size(), contacts);
+    }
+  }
+}
+
+TEST(Composite, NamesTheChildrenThatTouch) {
+  const Row row(12);
+  const Shape probe = make_sphere(0.3);
+  for (std::size_t k = 0; k < row.children.size(); ++k) {
+    const auto found = contacts_of(probe, at(row.poses[k].position.x, row.poses[k].position.y, row.poses[k].position.z), row.whole, identity);
+    ASSERT_FALSE(found.empty());
+    bool is_named = false;
+    for (const abut_contact& contact : found) {
+      EXPECT_EQ(contact.child_a, 0U);
+      is_named = is_named || contact.child_b == k;
+    }
+    EXPECT_TRUE(is_named) << k;
+  }
+}
+
+TEST(Composite, CountsTheChildrenOfChildrenDepthFirst) {
+  const Shape ball = make_sphere(0.1);
+  const Shape pair = make_composite({ball, ball}, {at(0, 0, 0), at(1, 0, 0)});
+  const Shape whole = make_composite({ball, pair, ball}, {at(0, 5, 0), at(10, 0, 0), at(0, 7, 0)});
+  const std::vector<abut_pose> places{at(0, 5, 0), at(10, 0, 0), at(11, 0, 0), at(0, 7, 0)};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto found = contacts_of(whole, identity, ball, places[k]);
+    ASSERT_EQ(found.size(), 1U) << k;
+    EXPECT_EQ(found[0].child_a, k);
+  }
+}
+
+TEST(Composite, IdsDifferFromChildToChild) {
+  const Row row(20);
+  const Shape plane = make_plane({0, 0, 1}, 10);
+  std::set<std::uint64_t> ids;
+  const auto found = contacts_of(row.whole, identity, plane, identity);
+  for (const abut_contact& contact : found) ids.insert(contact.id);
+  EXPECT_EQ(ids.size(), found.size());
+  EXPECT_GE(found.size(), 60U);
+}
+
+TEST(Composite, MeetsCompositesAndParticles) {
+  const Row row(9);
+  const Shape dust = make_of_kind("particles", {0.05}, {0, 0, 0, 1.1, 0.1, 0.05, 50, 0, 0});
+  const auto found = contacts_of(row.whole, identity, dust, identity);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].child_b + found[1].child_b, 1U);
+  const Row other(3);
+  EXPECT_LT(distance_of(row.whole, identity, other.whole, at(0.2, 0, 0)), 0);
+  EXPECT_NEAR(distance_of(row.whole, identity, other.whole, at(0, 0, 100)),
+              distance_of(other.whole, identity, row.whole, at(0, 0, -100)), 1e-12);
+}
+
+TEST(Composite, IsOneEntryOfTheBroadPhase) {
+  const Row row(9);
+  Universe universe;
+  universe.add(row.whole, identity);
+  const Shape probe = make_sphere(0.3);
+  universe.add(probe, at(0, 0, 0));
+  const auto contacts = universe.step();
+  abut_step_stats stats;
+  abut_step_stats_init(&stats, sizeof(stats));
+  ASSERT_TRUE(succeeded(abut_universe_stats(universe, &stats)));
+  EXPECT_EQ(stats.geometries, 2U);
+  EXPECT_EQ(stats.candidate_pairs, 1U);
+  ASSERT_FALSE(contacts.empty());
+  EXPECT_EQ(contacts[0].child_a, 0U);
+}
+
+TEST(Composite, OfTerrainAndSolidsMeetsWhatItCan) {
+  const Shape plane = make_plane({0, 0, 1}, 0);
+  const Shape ball = make_sphere(1);
+  const Shape whole = make_composite({plane, ball}, {identity, at(0, 0, 3)});
+  EXPECT_NEAR(distance_of(whole, identity, ball, at(5, 0, 2)), 1, 1e-12);
+  EXPECT_NEAR(distance_of(whole, identity, plane, at(0, 0, -5)), 7, 1e-12) << "planes do not meet planes, the ball does";
+  const Shape planes = make_composite({plane}, {identity});
+  abut_distance found{};
+  EXPECT_TRUE(refused(abut_shapes_distance(planes, &identity, plane, &identity, nullptr, &found), ABUT_UNSUPPORTED, {"composite", "plane"}));
+}
+
+TEST(Composite, IsMetByRays) {
+  const Row row(20);
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> place(-1, 1);
+  int hits = 0;
+  for (int i = 0; i < 500; ++i) {
+    const abut_ray ray{{11 + 11 * place(random), 2 * place(random), 5}, {place(random), 0.3 * place(random), -1}, 20};
+    double nearest = std::numeric_limits<double>::infinity();
+    abut_ray_hit hit{};
+    std::uint32_t found = 0;
+    for (std::size_t k = 0; k < row.children.size(); ++k) {
+      ASSERT_TRUE(succeeded(abut_shape_cast_ray(row.children[k], &row.poses[k], &ray, &hit, &found)));
+      if (found != 0) nearest = std::min(nearest, hit.distance);
+    }
+    ASSERT_TRUE(succeeded(abut_shape_cast_ray(row.whole, &identity, &ray, &hit, &found)));
+    EXPECT_EQ(found != 0, std::isfinite(nearest));
+    if (found != 0) {
+      EXPECT_NEAR(hit.distance, nearest, 1e-12);
+      ++hits;
+    }
+  }
+  EXPECT_GT(hits, 50);
+}
+
+TEST(Composite, ComesFromNumbersToo) {
+  const std::uint32_t sphere = abut_shape_kind_by_name("sphere"), box = abut_shape_kind_by_name("box");
+  const Shape whole = make_of_kind("composite", {}, {0, 0, 0, 1, 0, 0, 0, 0.5, 3, 0, 0, 2, 0, 0, 0, 1, 1, 1},
+                                   {sphere, 1, 0, 0, box, 3, 0, 0});
+  const Shape probe = make_sphere(0.25);
+  EXPECT_NEAR(distance_of(whole, identity, probe, at(-1, 0, 0)), 0.25, 1e-12);
+  EXPECT_NEAR(distance_of(whole, identity, probe, at(3, 0, 2)), 0.75, 1e-12);
+}
+
+TEST(Composite, NumbersThatDoNotAddUpAreRefusedByName) {
+  const std::uint32_t sphere = abut_shape_kind_by_name("sphere");
+  const auto refuses = [&](std::vector<double> reals, std::vector<std::uint32_t> indices, abut_status status,
+                           std::initializer_list<std::string_view> words) {
+    abut_shape_desc desc;
+    abut_shape_desc_init(&desc, sizeof(desc));
+    desc.kind = abut_shape_kind_by_name("composite");
+    desc.reals = reals.data();
+    desc.real_count = reals.size();
+    desc.indices = indices.data();
+    desc.index_count = indices.size();
+    Out<abut_shape*> out;
+    EXPECT_TRUE(refused(abut_shape_create(&desc, out.address()), status, words));
+    EXPECT_TRUE(out.is_untouched());
+  };
+  const std::vector<double> ball{0, 0, 0, 1, 0, 0, 0, 0.5};
+  refuses({}, {}, ABUT_EMPTY, {"count"});
+  refuses(ball, {sphere, 1}, ABUT_INVALID_ARGUMENT, {"child 0", "indices end"});
+  refuses(ball, {sphere, 2, 0, 0}, ABUT_INVALID_ARGUMENT, {"child 0", "reals end"});
+  refuses(ball, {sphere, 1, 0, 4}, ABUT_INVALID_ARGUMENT, {"child 0", "indices end"});
+  refuses({0, 0, 0, 1, 0, 0, 0, 0.5, 7}, {sphere, 1, 0, 0}, ABUT_INVALID_ARGUMENT, {"real_count"});
+  refuses({0, 0, 0, 0, 0, 0, 0, 0.5}, {sphere, 1, 0, 0}, ABUT_ZERO_VECTOR, {"child 0", "orientation"});
+  refuses({0, 0, 0, 1, 0, 0, 0, -0.5}, {sphere, 1, 0, 0}, ABUT_OUT_OF_RANGE, {"child 0", "radius", "-0.5"});
+  refuses(ball, {60001, 1, 0, 0}, ABUT_UNKNOWN_VALUE, {"child 0", "kind", "60001"});
+  refuses({std::numeric_limits<double>::quiet_NaN(), 0, 0, 1, 0, 0, 0, 0.5}, {sphere, 1, 0, 0}, ABUT_NOT_FINITE, {"child 0", "pose"});
+}
+
+}  // namespace
