@@ -71,6 +71,7 @@ namespace abut::capi {
           contact.distance,
           0,
           0,
+          0,
           0};
 }
 

@@ -31,7 +31,7 @@ static_assert(is_plain<abut_ray>(56));
 static_assert(is_plain<abut_ray_hit>(64));
 static_assert(is_plain<abut_query_options>(32));
 static_assert(is_plain<abut_distance>(104));
-static_assert(is_plain<abut_contact>(144));
+static_assert(is_plain<abut_contact>(152));
 static_assert(is_plain<abut_universe_options>(40));
 static_assert(is_plain<abut_part_options>(72));
 static_assert(is_plain<abut_geometry_options>(80));
@@ -129,7 +129,8 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_contact, distance),
     ABUT_FIELD(abut_contact, toi),
     ABUT_FIELD(abut_contact, flags),
-    ABUT_FIELD(abut_contact, reserved),
+    ABUT_FIELD(abut_contact, age),
+    ABUT_FIELD(abut_contact, user_data),
     ABUT_STRUCT(abut_universe_options),
     ABUT_FIELD(abut_universe_options, struct_size),
     ABUT_FIELD(abut_universe_options, broadphase),

@@ -177,7 +177,7 @@ abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_s
   if (outcome != abut::Outcome::ok) [[unlikely]] {
     return refuse_outcome(outcome, shape_of(a), shape_of(b), query.settings.algorithm);
   }
-  const std::size_t kept = abut::reduce(found, query.max_contacts);
+  const std::size_t kept = abut::reduce_children(found, query.max_contacts);
   fill(std::span<const abut::ContactPoint>(found).first(kept), out,
        [](const abut::ContactPoint& contact) { return from_contact(contact); });
   *count = kept;

@@ -20,8 +20,20 @@ abut_status step(abut_universe& its, double dt) {
     abut_contact out = from_contact(contact.point);
     out.geometry_a = from_geometry(contact.geometry_a);
     out.geometry_b = from_geometry(contact.geometry_b);
+    out.age = contact.age;
+    out.user_data = contact.user_data;
     return out;
   });
+  return ABUT_OK;
+}
+
+abut_status set_user_data(abut_universe& its, std::span<const std::uint64_t> user_data) {
+  if (const auto done = its.universe.set_contact_user_data(user_data); !done) {
+    return refuse(done.error());
+  }
+  for (std::size_t i = 0; i < user_data.size(); ++i) {
+    its.contacts[i].user_data = user_data[i];
+  }
   return ABUT_OK;
 }
 
@@ -50,6 +62,14 @@ abut_status abut_universe_contacts(const abut_universe* universe, const abut_con
       *count = its.contacts.size();
     }
     return status;
+  });
+}
+
+abut_status abut_contacts_set_user_data(abut_universe* universe, const uint64_t* user_data, size_t count) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const std::uint64_t> values;
+    const abut_status status = read_span("user_data", user_data, "count", count, values);
+    return status != ABUT_OK ? status : set_user_data(its, values);
   });
 }
 

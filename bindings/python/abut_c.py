@@ -162,7 +162,8 @@ class Contact(_Struct):
     _fields_ = [
         ("geometry_a", GeometryId), ("geometry_b", GeometryId), ("id", c_uint64), ("feature_a", Feature),
         ("feature_b", Feature), ("child_a", c_uint32), ("child_b", c_uint32), ("point_a", Vec3), ("point_b", Vec3),
-        ("normal", Vec3), ("distance", c_double), ("toi", c_double), ("flags", c_uint32), ("reserved", c_uint32),
+        ("normal", Vec3), ("distance", c_double), ("toi", c_double), ("flags", c_uint32), ("age", c_uint32),
+        ("user_data", c_uint64),
     ]
 
 
@@ -315,6 +316,7 @@ FUNCTIONS = {
     "abut_universe_geometries": (Status, [c_void_p, POINTER(GeometryId), c_size_t, POINTER(c_size_t)]),
     "abut_universe_revision": (Status, [c_void_p, POINTER(Revision)]),
     "abut_universe_step": (Status, [c_void_p, c_double]),
+    "abut_contacts_set_user_data": (Status, [c_void_p, POINTER(c_uint64), c_size_t]),
     "abut_universe_contacts": (Status, [c_void_p, POINTER(POINTER(Contact)), POINTER(c_size_t)]),
     "abut_step_stats_init": (None, [POINTER(StepStats), c_uint32]),
     "abut_universe_stats": (Status, [c_void_p, POINTER(StepStats)]),

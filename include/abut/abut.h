@@ -93,14 +93,6 @@ ABUT_API const char *abut_status_name(abut_status status);
  */
 ABUT_API const char *abut_last_error_message(void);
 
-/**
- * Sets this thread's message and returns `status`, for libraries that extend this one. With ABUT_OK
- * the message becomes empty.
- * @param message  copied, cut where it is too long; null for an empty one
- * [any]
- */
-ABUT_API abut_status abut_set_last_error(abut_status status, const char *message);
-
 /** Version of the library that was loaded, such as "0.1.0". Static. [any] */
 ABUT_API const char *abut_version_string(void);
 
@@ -434,7 +426,8 @@ typedef struct abut_contact {
   double distance;             /**< dot(point_b - point_a, normal); negative: overlapping */
   double toi;                  /**< fraction of the step at first touch, in [0, 1]; 0 for discrete contacts */
   uint32_t flags;              /**< zero */
-  uint32_t reserved;           /**< zero */
+  uint32_t age;                /**< steps in a row before this one that reported it; 0 when it is new, and in pair queries */
+  uint64_t user_data;          /**< as abut_contacts_set_user_data left it, while the contact stays; 0 when it is new */
 } abut_contact;
 
 /**
@@ -613,6 +606,14 @@ ABUT_API abut_status abut_universe_step(abut_universe *universe, double dt);
 
 /** Contacts of the last step, ordered by the slots of the two geometries, then deepest first. Borrowed until the next [exclusive] call. [const] */
 ABUT_API abut_status abut_universe_contacts(const abut_universe *universe, const abut_contact **contacts, size_t *count);
+
+/**
+ * Puts a value of yours on each contact of the last step, in their order. A contact that the next step reports as well,
+ * of the same geometries and with the same id, keeps it.
+ * @param count  the number of contacts
+ * [exclusive]
+ */
+ABUT_API abut_status abut_contacts_set_user_data(abut_universe *universe, const uint64_t *user_data, size_t count);
 
 /** What the last step did. */
 typedef struct abut_step_stats {

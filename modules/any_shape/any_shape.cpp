@@ -187,8 +187,18 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
                       Manifold& out) {
   const bool from_b = starts_from_b(a, b, pose_a, pose_b);
   const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-  return pair_kernels(first.index(), second.index())
-      .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
+  const std::size_t found = out.size();
+  const Outcome outcome = pair_kernels(first.index(), second.index())
+                              .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
+  // Of two shapes of one kind, which one comes first may change as they move: their numbers are in the order given.
+  if (from_b && a.index() == b.index()) {
+    for (ContactPoint& contact : std::span(out).subspan(found)) {
+      if (contact.id == contact_id(contact.feature_b, contact.feature_a)) {
+        contact.id = contact_id(contact.feature_a, contact.feature_b);
+      }
+    }
+  }
+  return outcome;
 }
 
 }  // namespace abut

@@ -12,6 +12,7 @@ export module abut.dispatch;
 import abut.core;
 export import abut.dispatch.routes;
 import abut.math;
+import abut.narrowphase.convex;
 import abut.shape;
 
 export namespace abut {
@@ -82,6 +83,15 @@ template <class Any, class A, class B>
 template <class Any, class A, class B>
 [[nodiscard]] Outcome contacts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                                       const QuerySettings& settings, Manifold& out) {
+  if constexpr (route<A, B>() == Route::convex && ClosedContacts<A, B>) {
+    const auto append = [&](ContactPoint contact) {
+      move_by(contact, pose_a, swapped);
+      append_contact(contact, out);
+    };
+    if (contacts_in_closed_form(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, append)) [[likely]] {
+      return Outcome::ok;
+    }
+  }
   const std::size_t first = out.size();
   const Outcome outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
   for (ContactPoint& contact : std::span(out).subspan(first)) {

@@ -61,7 +61,9 @@ struct Revision {
 
 struct Contact {
   GeometryId geometry_a, geometry_b;
-  ContactPoint point;  // in the world frame
+  ContactPoint point;           // in the world frame
+  std::uint32_t age = 0;        // steps in a row before this one that reported it
+  std::uint64_t user_data = 0;  // stays while the contact does
 };
 
 struct StepStats {

@@ -6,6 +6,7 @@ module;
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -46,6 +47,24 @@ class Stopwatch {
 // Without a tolerance touching counts; otherwise an overlap has to exceed the dead band, or a
 // separation to be below the margin.
 bool is_reported(Real distance, Real margin) { return margin == 0 ? distance <= 0 : distance < margin; }
+
+// The contacts of a pair in the step before. They are in the order of the pairs, in which they are asked for, so that
+// what is left of them shrinks from pair to pair. None for geometries that have taken the slots of others.
+std::span<const Contact> take_contacts_of(const GeometryId& a, const GeometryId& b, std::span<const Contact>& left) {
+  const auto is_before = [&](const Contact& contact) {
+    return std::pair(contact.geometry_a.slot, contact.geometry_b.slot) < std::pair(a.slot, b.slot);
+  };
+  const auto is_of_pair = [&](const Contact& contact) { return contact.geometry_a == a && contact.geometry_b == b; };
+  std::size_t passed = 0, found = 0;
+  while (passed < left.size() && is_before(left[passed])) {
+    ++passed;
+  }
+  left = left.subspan(passed);
+  while (found < left.size() && is_of_pair(left[found])) {
+    ++found;
+  }
+  return left.first(found);
+}
 
 }  // namespace
 
@@ -152,7 +171,9 @@ void Universe::find_manifolds() {
 
 // Manifolds to contacts, in the world frame and in the order of the pairs.
 void Universe::collect_contacts() {
+  contacts_before_.swap(contacts_);
   contacts_.clear();
+  std::span<const Contact> left = contacts_before_;
   stats_.touching_pairs = 0;
   for (std::size_t run = 0; run < PairRuns::run_count; ++run) {
     tallies_[run] = {.candidates = runs_.candidates_of_run(run)};
@@ -171,20 +192,36 @@ void Universe::collect_contacts() {
     const auto kept = static_cast<std::size_t>(
         std::partition(found.begin(), found.end(), [&](const ContactPoint& c) { return is_reported(c.distance, job.margin); }) -
         found.begin());
-    const std::size_t count = reduce(found.first(kept), options_.max_contacts);
+    const GeometryId low = geometries_.id_at_slot(pairs_[i].low + 1), high = geometries_.id_at_slot(pairs_[i].high + 1);
+    const std::span<const Contact> before = take_contacts_of(low, high, left);
+    const auto id_of = [](const Contact& contact) { return contact.point.id; };
+    ids_before_.resize(before.size());
+    std::ranges::transform(before, ids_before_.begin(), id_of);
+    const std::size_t count = reduce_children(found.first(kept), options_.max_contacts, ids_before_);
     if (count == 0) {
       continue;
     }
-    const GeometryId low = geometries_.id_at_slot(pairs_[i].low + 1), high = geometries_.id_at_slot(pairs_[i].high + 1);
     for (ContactPoint& contact : found.first(count)) {
       move_by(contact, worlds_[job.a], job.a != pairs_[i].low);
-      contacts_.push_back({low, high, contact});
+      const auto same = std::ranges::find(before, contact.id, id_of);
+      contacts_.push_back(same == before.end() ? Contact{low, high, contact} : Contact{low, high, contact, same->age + 1, same->user_data});
     }
     KindTally& tally = tallies_[PairRuns::run_of(kinds_[job.a], kinds_[job.b])];
     ++tally.touching;
     tally.contacts += count;
     ++stats_.touching_pairs;
   }
+}
+
+Result<void> Universe::set_contact_user_data(std::span<const std::uint64_t> user_data) {
+  if (user_data.size() != contacts_.size()) {
+    return error_about(Errc::invalid_argument, "count", static_cast<std::uint64_t>(user_data.size()),
+                       std::to_string(contacts_.size()) + ", one for each contact");
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    contacts_[i].user_data = user_data[i];
+  }
+  return {};
 }
 
 Result<void> Universe::step(Real dt) {

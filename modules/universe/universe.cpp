@@ -279,7 +279,8 @@ std::size_t Universe::bytes() const {
   const std::size_t changes = moved_parts_.capacity() * sizeof(PartId) + new_geometries_.capacity() * sizeof(GeometryId) +
                               fresh_.capacity() * sizeof(std::uint32_t);
   const std::size_t results = pairs_.capacity() * sizeof(ProxyPair) + runs_.bytes() + results_.capacity() * sizeof(PairResult) +
-                              manifold_.capacity() * sizeof(ContactPoint) + contacts_.capacity() * sizeof(Contact);
+                              manifold_.capacity() * sizeof(ContactPoint) + (contacts_.capacity() + contacts_before_.capacity()) * sizeof(Contact) +
+                              ids_before_.capacity() * sizeof(std::uint64_t);
   const std::size_t broadphase = std::visit([](const auto& its) { return its.bytes(); }, broadphase_);
   return sizeof(Universe) + parts_.bytes() + geometries_.bytes() + list_bytes_ + per_geometry + changes + results + broadphase;
 }

@@ -48,6 +48,8 @@ class Universe {
   [[nodiscard]] Result<void> step(Real dt);
   // Ordered by the slots of the two geometries, of which a has the lower one, then deepest first.
   [[nodiscard]] std::span<const Contact> contacts() const [[clang::lifetimebound]] { return contacts_; }
+  // One value per contact of the last step, in their order.
+  [[nodiscard]] Result<void> set_contact_user_data(std::span<const std::uint64_t> user_data);
   [[nodiscard]] const StepStats& stats() const [[clang::lifetimebound]] { return stats_; }
   [[nodiscard]] std::string explain() const;
 
@@ -106,6 +108,8 @@ class Universe {
   std::vector<PairResult> results_;
   Manifold manifold_;
   std::vector<Contact> contacts_;
+  std::vector<Contact> contacts_before_;  // of the step before
+  std::vector<std::uint64_t> ids_before_;  // of one pair of it
   std::array<KindTally, PairRuns::run_count> tallies_{};
   StepStats stats_;
 };

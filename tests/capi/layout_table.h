@@ -73,7 +73,7 @@
   FIELD(abut_distance, normal, 72, 24)                    \
   FIELD(abut_distance, algorithm, 96, 4)                  \
   FIELD(abut_distance, iterations, 100, 4)                \
-  TYPE(abut_contact, 144)                                 \
+  TYPE(abut_contact, 152)                                 \
   FIELD(abut_contact, geometry_a, 0, 8)                   \
   FIELD(abut_contact, geometry_b, 8, 8)                   \
   FIELD(abut_contact, id, 16, 8)                          \
@@ -87,7 +87,8 @@
   FIELD(abut_contact, distance, 120, 8)                   \
   FIELD(abut_contact, toi, 128, 8)                        \
   FIELD(abut_contact, flags, 136, 4)                      \
-  FIELD(abut_contact, reserved, 140, 4)                   \
+  FIELD(abut_contact, age, 140, 4)                        \
+  FIELD(abut_contact, user_data, 144, 8)                  \
   TYPE(abut_universe_options, 40)                         \
   FIELD(abut_universe_options, struct_size, 0, 4)         \
   FIELD(abut_universe_options, broadphase, 4, 4)          \

@@ -127,6 +127,26 @@ TEST(UniverseContacts, RefusesNullPointers) {
   EXPECT_TRUE(count.is_untouched());
 }
 
+TEST(ContactsSetUserData, RefusesNullPointers) {
+  const Scene scene;
+  const std::uint64_t value = 7;
+  EXPECT_TRUE(refused(abut_contacts_set_user_data(nullptr, &value, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_contacts_set_user_data(scene.universe, nullptr, 1), ABUT_NULL_ARGUMENT, {"user_data", "null"}));
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(ContactsSetUserData, RefusesCountsThatOverflowOrAreNotThatOfTheContacts) {
+  const Scene scene;
+  const std::vector<std::uint64_t> values(scene.universe.contacts().size() + 1, 7);
+  for (const std::size_t count : overflowing_counts(sizeof(std::uint64_t))) {
+    EXPECT_TRUE(refused(abut_contacts_set_user_data(scene.universe, values.data(), count), ABUT_SIZE_OVERFLOW,
+                        {"count", std::to_string(count)}));
+  }
+  EXPECT_TRUE(refused(abut_contacts_set_user_data(scene.universe, values.data(), values.size()), ABUT_INVALID_ARGUMENT,
+                      {"count", std::to_string(values.size()), std::to_string(values.size() - 1)}));
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
 TEST(StepStatsInit, IgnoresNull) { abut_step_stats_init(nullptr, 0); }
 
 TEST(StepStatsInit, FillsInSizeAndZeroes) {

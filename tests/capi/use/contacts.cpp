@@ -45,7 +45,8 @@ TEST(Contacts, KeepTheRecordsPromises) {
     EXPECT_LT(contact.distance, 0.0);
     EXPECT_EQ(contact.toi, 0.0);
     EXPECT_EQ(contact.flags, 0U);
-    EXPECT_EQ(contact.reserved, 0U);
+    EXPECT_EQ(contact.age, 0U);
+    EXPECT_EQ(contact.user_data, 0U);
     EXPECT_TRUE(ids.insert({contact.geometry_a.slot, contact.geometry_b.slot, contact.id}).second) << "ids differ within a pair";
   }
 }

@@ -1,0 +1,15 @@
+// Reduces contacts of composites and particles: each pair of children is a manifold of its own.
+module;
+#include <cstddef>
+#include <cstdint>
+#include <span>
+export module abut.contact.reduce_children;
+import abut.math;
+import abut.shape;
+
+export namespace abut {
+
+// As reduce, for each pair of children by itself. What is kept comes first, deepest first of all.
+[[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most, std::span<const std::uint64_t> before = {});
+
+}  // namespace abut
