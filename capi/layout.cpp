@@ -24,6 +24,7 @@ static_assert(is_plain<abut_aabb>(48));
 static_assert(is_plain<abut_part_id>(8));
 static_assert(is_plain<abut_geometry_id>(8));
 static_assert(is_plain<abut_feature>(8));
+static_assert(is_plain<abut_hull_report>(48));
 static_assert(is_plain<abut_mesh_options>(8));
 static_assert(is_plain<abut_height_field_desc>(40));
 static_assert(is_plain<abut_shape_desc>(56));
@@ -70,6 +71,14 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_STRUCT(abut_feature),
     ABUT_FIELD(abut_feature, kind),
     ABUT_FIELD(abut_feature, index),
+    ABUT_STRUCT(abut_hull_report),
+    ABUT_FIELD(abut_hull_report, struct_size),
+    ABUT_FIELD(abut_hull_report, dimension),
+    ABUT_FIELD(abut_hull_report, point_count),
+    ABUT_FIELD(abut_hull_report, vertex_count),
+    ABUT_FIELD(abut_hull_report, edge_count),
+    ABUT_FIELD(abut_hull_report, face_count),
+    ABUT_FIELD(abut_hull_report, error),
     ABUT_STRUCT(abut_mesh_options),
     ABUT_FIELD(abut_mesh_options, struct_size),
     ABUT_FIELD(abut_mesh_options, sides),

@@ -159,8 +159,10 @@ abut_status distances(const abut_shape* a, const abut_shape* b, const PoseBatch&
   return ABUT_OK;
 }
 
-// Room for the contacts of two convex shapes, made at once: growing would cost more than many a pair takes.
-constexpr std::size_t usual_points = 16;
+// Room for the contacts of most pairs, made at once: growing would cost more than many a pair takes. Allocators keep blocks of
+// up to a kilobyte at hand for each thread; larger ones take as long as a pair of balls.
+constexpr std::size_t usual_points = 8;
+static_assert(usual_points * sizeof(abut::ContactPoint) <= 1024);
 
 abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_shape* b, const abut_pose& given_b,
                      const abut_query_options* options, std::span<abut_contact> out, std::size_t* count) {
@@ -177,7 +179,8 @@ abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_s
   if (outcome != abut::Outcome::ok) [[unlikely]] {
     return refuse_outcome(outcome, shape_of(a), shape_of(b), query.settings.algorithm);
   }
-  const std::size_t kept = abut::reduce_children(found, query.max_contacts);
+  // Most pairs have nothing to choose from.
+  const std::size_t kept = found.size() < 2 ? found.size() : abut::reduce_children(found, query.max_contacts);
   fill(std::span<const abut::ContactPoint>(found).first(kept), out,
        [](const abut::ContactPoint& contact) { return from_contact(contact); });
   *count = kept;

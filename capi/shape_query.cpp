@@ -1,6 +1,7 @@
 // Questions about one shape.
 #include "convert.hpp"
 #include "guard.hpp"
+#include "options.hpp"
 #include "shape_handle.hpp"
 
 import abut.any_shape;
@@ -67,6 +68,21 @@ abut_status write_triangles(const abut_shape* shape, const TriangleBuffers& buff
   std::copy_n(found->indices.begin(), std::min(found->indices.size(), triangles.size()), triangles.begin());
   *buffers.vertex_count = found->vertices.size();
   *buffers.triangle_count = found->indices.size() / 3;
+  return ABUT_OK;
+}
+
+abut_status write_report(const abut_shape* shape, abut_hull_report* out) {
+  if (const abut_status status = check_struct_size({"out"}, *out); status != ABUT_OK) {
+    return status;
+  }
+  const std::optional<abut::BuildReport> report = abut::build_report_of(shape_of(shape));
+  if (!report) {
+    return refuse(ABUT_UNSUPPORTED, "a " + std::string(abut::kind_name(shape_of(shape).index())) +
+                                        " keeps what it is given; only a hull reports what it left out");
+  }
+  write_struct({sizeof(abut_hull_report), report->dimension, report->point_count, report->vertex_count, report->edge_count,
+                report->face_count, report->error},
+               out);
   return ABUT_OK;
 }
 
@@ -143,6 +159,17 @@ abut_status abut_shape_triangles(const abut_shape* shape, double* xyz, size_t ve
     return status != ABUT_OK
                ? status
                : write_triangles(shape, {xyz, vertex_capacity, vertex_count, triangles, triangle_capacity, triangle_count});
+  });
+}
+
+void abut_hull_report_init(abut_hull_report* report, uint32_t struct_size) {
+  fill_defaults(abut_hull_report{}, struct_size, report);
+}
+
+abut_status abut_hull_describe(const abut_shape* shape, abut_hull_report* out) {
+  return guard([&] {
+    const abut_status status = check_none_null<2>({{{"shape", shape}, {"out", out}}});
+    return status != ABUT_OK ? status : write_report(shape, out);
   });
 }
 

@@ -187,6 +187,12 @@ class Shape(_Owner):
         values = _count_then_fill(c.c_double, lambda *rest: library.abut_shape_parameters(self.pointer, *rest))
         return {library.abut_shape_kind_parameter_name(kind, i).decode(): value for i, value in enumerate(values)}
 
+    def hull_report(self):
+        """What a hull has left of its points, and the error of that."""
+        out = _options(c.HullReport, library.abut_hull_report_init)
+        library.abut_hull_describe(self.pointer, byref(out))
+        return out
+
     def aabb(self, at):
         out = c.Aabb()
         library.abut_shape_aabb(self.pointer, byref(at), byref(out))
@@ -314,6 +320,11 @@ class Universe(_Owner):
         out = (c.Contact * count.value)()
         ctypes.memmove(out, first, ctypes.sizeof(out))
         return out
+
+    def set_contact_user_data(self, values):
+        """A number for each contact of the last step, which stays with it from step to step."""
+        numbers = _array(c.c_uint64, values)
+        library.abut_contacts_set_user_data(self.pointer, numbers, len(numbers))
 
     def stats(self):
         out = _options(c.StepStats, library.abut_step_stats_init)

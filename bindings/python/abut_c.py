@@ -111,6 +111,13 @@ class Feature(_Struct):
     ]
 
 
+class HullReport(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("dimension", c_uint32), ("point_count", c_uint64), ("vertex_count", c_uint64),
+        ("edge_count", c_uint64), ("face_count", c_uint64), ("error", c_double),
+    ]
+
+
 class MeshOptions(_Struct):
     _fields_ = [
         ("struct_size", c_uint32), ("sides", c_uint32),
@@ -260,6 +267,8 @@ FUNCTIONS = {
     "abut_cylinder_create": (Status, [c_double, c_double, POINTER(c_void_p)]),
     "abut_plane_create": (Status, [POINTER(Vec3), c_double, POINTER(c_void_p)]),
     "abut_hull_create": (Status, [POINTER(c_double), c_size_t, POINTER(c_void_p)]),
+    "abut_hull_report_init": (None, [POINTER(HullReport), c_uint32]),
+    "abut_hull_describe": (Status, [c_void_p, POINTER(HullReport)]),
     "abut_mesh_options_init": (None, [POINTER(MeshOptions), c_uint32]),
     "abut_mesh_create": (Status, [
         POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t, POINTER(MeshOptions), POINTER(c_void_p)]),

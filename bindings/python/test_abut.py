@@ -79,6 +79,7 @@ class Queries(unittest.TestCase):
         self.assertAlmostEqual(hit.distance, 2.0)
         self.assertIsNone(mesh.cast_ray(abut.pose(), abut.ray((5, 0, 2), (0, 0, -1))))
         self.assertEqual(abut.Shape.hull(points).kind, "hull")
+        self.assertEqual(abut.Shape.hull(points).hull_report().vertex_count, 4)
         self.assertEqual(abut.Shape.plane((0, 0, 2), 1).kind, "plane")
         self.assertEqual(abut.Shape.height_field(2, 2, [0, 0, 0, 1]).kind, "height_field")
         self.assertEqual(abut.Shape.of_kind("sphere", [2.0]).parameters, {"radius": 2.0})

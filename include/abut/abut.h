@@ -236,6 +236,22 @@ ABUT_API abut_status abut_plane_create(const abut_vec3 *normal, double offset, a
  */
 ABUT_API abut_status abut_hull_create(const double *xyz, size_t point_count, abut_shape **out);
 
+/** What a hull has left of its points. Set struct_size, or use the _init function, before asking. */
+typedef struct abut_hull_report {
+  uint32_t struct_size;
+  uint32_t dimension;    /**< 0 a point, 1 a segment, 2 a polygon, 3 a solid */
+  uint64_t point_count;  /**< as given */
+  uint64_t vertex_count;
+  uint64_t edge_count;
+  uint64_t face_count;   /**< a polygon has two, one to either side */
+  double error;          /**< the largest distance of a given point from the hull; 0 when it is below rounding */
+} abut_hull_report;
+
+ABUT_API void abut_hull_report_init(abut_hull_report *report, uint32_t struct_size);
+
+/** How a hull was simplified and the error of that, found when it was made. ABUT_UNSUPPORTED for other kinds. [any] */
+ABUT_API abut_status abut_hull_describe(const abut_shape *shape, abut_hull_report *out);
+
 /** How a triangle mesh is read. */
 typedef uint32_t abut_sides;
 enum abut_sides_value ABUT_ENUM(uint32_t) {

@@ -109,6 +109,19 @@ std::optional<Triangles> triangles_of(const AnyShape& shape) {
       shape);
 }
 
+std::optional<BuildReport> build_report_of(const AnyShape& shape) {
+  return std::visit(
+      [](const auto& s) -> std::optional<BuildReport> {
+        if constexpr (requires { s.report(); }) {
+          const auto& its = s.report();
+          return BuildReport{its.dimension, its.point_count, its.vertex_count, its.edge_count, its.face_count, its.error};
+        } else {
+          return std::nullopt;
+        }
+      },
+      shape);
+}
+
 RouteDescription describe_route(std::size_t place_a, std::size_t place_b) {
   const auto [low, high] = std::minmax(place_a, place_b);
   switch (pair_kernels(low, high).route) {

@@ -42,6 +42,15 @@ struct PlacedShape {
 // Nothing for shapes without a surface of plane triangles.
 [[nodiscard]] std::optional<Triangles> triangles_of(const AnyShape& shape);
 
+// What making a shape of points left of them, and how far a given point is from the shape at most. Nothing for kinds that
+// keep what they are given.
+struct BuildReport {
+  std::uint32_t dimension;
+  std::size_t point_count, vertex_count, edge_count, face_count;
+  Real error;
+};
+[[nodiscard]] std::optional<BuildReport> build_report_of(const AnyShape& shape);
+
 // Why the pair of kinds at two places is answered the way it is, in words.
 struct RouteDescription {
   std::string_view algorithm;

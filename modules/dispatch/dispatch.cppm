@@ -13,6 +13,7 @@ import abut.core;
 export import abut.dispatch.routes;
 import abut.math;
 import abut.narrowphase.convex;
+import abut.narrowphase.half_space;
 import abut.shape;
 
 export namespace abut {
@@ -80,24 +81,48 @@ template <class Any, class A, class B>
   return outcome;
 }
 
+// What was a becomes b, where `swapped`.
+[[gnu::always_inline]] inline void exchange_sides(ContactPoint& contact, bool swapped) {
+  const LaneNumbers exchange = swapped ? -1 : 0;
+  const Lanes a = lanes_of(contact.point_a), b = lanes_of(contact.point_b), normal = lanes_of(contact.normal);
+  const Feature feature_a = contact.feature_a, feature_b = contact.feature_b;
+  contact.point_a = vec3_of(exchange ? b : a);
+  contact.point_b = vec3_of(exchange ? a : b);
+  contact.normal = vec3_of(exchange ? -normal : normal);
+  contact.feature_a = swapped ? feature_b : feature_a;
+  contact.feature_b = swapped ? feature_a : feature_b;
+}
+
 template <class Any, class A, class B>
 [[nodiscard]] Outcome contacts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                                       const QuerySettings& settings, Manifold& out) {
-  if constexpr (route<A, B>() == Route::convex && ClosedContacts<A, B>) {
+  if constexpr (route<A, B>() == Route::half_space) {
     const auto append = [&](ContactPoint contact) {
-      move_by(contact, pose_a, swapped);
+      exchange_sides(contact, swapped != is_flipped<A, B>());
       append_contact(contact, out);
     };
-    if (contacts_in_closed_form(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, append)) [[likely]] {
-      return Outcome::ok;
+    if constexpr (is_flipped<A, B>()) {
+      return half_space_contacts(std::get<B>(b), std::get<A>(a), pose_b, pose_a, settings, append);
+    } else {
+      return half_space_contacts(std::get<A>(a), std::get<B>(b), pose_a, pose_b, settings, append);
     }
+  } else {
+    if constexpr (route<A, B>() == Route::convex && ClosedContacts<A, B>) {
+      const auto append = [&](ContactPoint contact) {
+        move_by(contact, pose_a, swapped);
+        append_contact(contact, out);
+      };
+      if (contacts_in_closed_form(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, append)) [[likely]] {
+        return Outcome::ok;
+      }
+    }
+    const std::size_t first = out.size();
+    const Outcome outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
+    for (ContactPoint& contact : std::span(out).subspan(first)) {
+      move_by(contact, pose_a, swapped);
+    }
+    return outcome;
   }
-  const std::size_t first = out.size();
-  const Outcome outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
-  for (ContactPoint& contact : std::span(out).subspan(first)) {
-    move_by(contact, pose_a, swapped);
-  }
-  return outcome;
 }
 
 template <class Any, class A, class B>

@@ -4,102 +4,119 @@ module;
 #include <cstdint>
 module abut.narrowphase.polytope;
 import abut.math;
+import abut.narrowphase.columns;
 import abut.narrowphase.simplex;
 
 namespace abut {
 
-std::size_t Polytope::free_face(std::size_t& from) const {
-  while (from < face_count_ && faces_[from].alive) {
-    ++from;
+void Polytope::set_faces(const Triangles& triangles, std::size_t count) {
+  const auto corners = [&](const std::array<std::uint16_t, 4>& of) {
+    return Columns::of(points_[of[0]], points_[of[1]], points_[of[2]], points_[of[3]]);
+  };
+  const Columns p = corners(triangles.p), r = corners(triangles.r);
+  const Columns u = p - r, v = corners(triangles.q) - r;
+  const Columns n = cross(u, v);
+  const Lanes square = dot(n, n);
+  // A face without area bounds nothing: never the least one, and seen by any vertex.
+  const LaneNumbers has_area = square > all_lanes(0);
+  const Lanes inverse = has_area ? 1 / __builtin_elementwise_sqrt(square) : all_lanes(0);
+  const Columns normal = inverse * n;
+  const Lanes distance = dot(normal, p);
+  const Lanes beyond = has_area ? distance : all_lanes(-infinity);
+  const Lanes least = has_area ? distance : all_lanes(infinity);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t face = triangles.faces[i];
+    planes_[face] = Lanes{normal.x[i], normal.y[i], normal.z[i], beyond[i]};
+    distances_[face / 4][face % 4] = least[i];
+    corners_[face] = {triangles.p[i], triangles.q[i], triangles.r[i], 0};
+    visible_[face] = 0;
   }
-  return from;
 }
 
 bool Polytope::expand(std::size_t seed, const DifferenceVertex& vertex, Real noise) {
   if (vertex_count_ == vertex_limit) {
     return false;
   }
-  // Faces that see the vertex, found by walking over neighbours from the seed, so that they are
-  // connected; their open edges are the horizon.
+  Lanes from = lanes_of(vertex.w);
+  from[3] = -1;
+  // A vertex in the plane of a face counts as seeing it: that merges coplanar faces and keeps triangles
+  // without area out.
+  const auto sees = [&](std::size_t face) { return dot(planes_[face], from) > -noise; };
+
+  // The faces that see the vertex, walked over from the seed, so that they are connected, and from each on
+  // over its edges counter-clockwise: that meets the edges of the horizon in the order of their loop.
   [[clang::uninitialized]] std::array<std::uint16_t, face_limit> visible;
-  std::size_t visible_count = 0;
-  const auto mark = [&](std::size_t face) {
-    faces_[face].visible = true;
-    visible[visible_count++] = static_cast<std::uint16_t>(face);
-  };
-  mark(seed);
-  [[clang::uninitialized]] std::array<HorizonEdge, face_limit> horizon;
-  std::size_t horizon_count = 0;
-  for (std::size_t at = 0; at < visible_count; ++at) {
-    const Face& face = faces_[visible[at]];
-    for (std::size_t e = 0; e < 3; ++e) {
-      const std::size_t beyond = face.neighbour[e];
-      if (!faces_[beyond].visible && sees(faces_[beyond], vertex.w, noise)) {
-        mark(beyond);
+  [[clang::uninitialized]] std::array<Edge, face_limit> horizon;  // as edges of the faces that stay
+  [[clang::uninitialized]] std::array<Edge, 3 * face_limit> open;
+  std::size_t visible_count = 1, horizon_count = 0, open_count = 3;
+  visible[0] = static_cast<std::uint16_t>(seed);
+  visible_[seed] = 1;
+  open[0] = edge_of(seed, 2);
+  open[1] = edge_of(seed, 1);
+  open[2] = edge_of(seed, 0);
+  while (open_count > 0) {
+    const Edge beyond = across(open[--open_count]);
+    const std::size_t face = face_of(beyond);
+    if (visible_[face] != 0) {
+      continue;
+    }
+    if (sees(face)) {
+      visible_[face] = 1;
+      visible[visible_count++] = static_cast<std::uint16_t>(face);
+      open[open_count++] = after(after(beyond));
+      open[open_count++] = after(beyond);
+    } else {
+      if (horizon_count == face_limit) {
+        return false;
       }
+      horizon[horizon_count++] = beyond;
     }
   }
-  for (std::size_t at = 0; at < visible_count; ++at) {
-    const Face& face = faces_[visible[at]];
-    for (std::size_t e = 0; e < 3; ++e) {
-      const std::uint16_t beyond = face.neighbour[e];
-      if (!faces_[beyond].visible) {
-        if (horizon_count == face_limit) {
-          return false;
-        }
-        horizon[horizon_count++] = {face.corner[e], face.corner[(e + 1) % 3], beyond};
-      }
-    }
-  }
-  // One closed loop, put in order by joining ends to starts.
-  for (std::size_t i = 1; i < horizon_count; ++i) {
-    std::size_t next = i;
-    while (next < horizon_count && horizon[next].from != horizon[i - 1].to) {
-      ++next;
-    }
-    if (next == horizon_count) {
-      return false;
-    }
-    const HorizonEdge joined = horizon[next];
-    horizon[next] = horizon[i];
-    horizon[i] = joined;
-  }
-  if (horizon_count < 3 || horizon[horizon_count - 1].to != horizon[0].from) {
+  if (horizon_count < 3) {
     return false;
   }
-
-  for (std::size_t i = 0; i < visible_count; ++i) {
-    faces_[visible[i]].alive = false;
-  }
-  const auto apex = static_cast<std::uint16_t>(vertex_count_);
-  vertices_[vertex_count_++] = vertex;
-  std::size_t from = 0;
-  std::size_t first = none, previous = none;
+  // Seen from the faces that stay the loop runs the other way: an edge ends where the one before it starts.
   for (std::size_t i = 0; i < horizon_count; ++i) {
-    const std::size_t index = free_face(from);
-    if (index == face_limit) {
+    if (start_of(after(horizon[i])) != start_of(horizon[i > 0 ? i - 1 : horizon_count - 1])) {
       return false;
     }
-    face_count_ = index == face_count_ ? face_count_ + 1 : face_count_;
-    const HorizonEdge& edge = horizon[i];
-    set_face(index, edge.from, edge.to, apex);
-    faces_[index].neighbour[0] = edge.outside;
-    Face& outside = faces_[edge.outside];
-    for (std::size_t e = 0; e < 3; ++e) {
-      if (outside.corner[e] == edge.to && outside.corner[(e + 1) % 3] == edge.from) {
-        outside.neighbour[e] = static_cast<std::uint16_t>(index);
-      }
-    }
-    if (previous != none) {
-      faces_[previous].neighbour[1] = static_cast<std::uint16_t>(index);
-      faces_[index].neighbour[2] = static_cast<std::uint16_t>(previous);
-    } else {
-      first = index;
-    }
-    previous = index;
   }
-  faces_[previous].neighbour[1] = static_cast<std::uint16_t>(first);
-  faces_[first].neighbour[2] = static_cast<std::uint16_t>(previous);
+
+  const auto apex = static_cast<std::uint16_t>(vertex_count_);
+  add(vertex);
+  // The cone takes the places of the faces that go, and gives back those that it does not need.
+  std::size_t count = visible_count;
+  for (; count < horizon_count; ++count) {
+    const std::size_t face = new_face();
+    if (face == none) {
+      return false;
+    }
+    visible[count] = static_cast<std::uint16_t>(face);
+  }
+  while (count > horizon_count) {
+    const std::size_t face = visible[--count];
+    distances_[face / 4][face % 4] = infinity;
+    free_[free_count_++] = static_cast<std::uint16_t>(face);
+  }
+  for (std::size_t first = 0; first < horizon_count; first += 4) {
+    const std::size_t in_group = horizon_count - first < 4 ? horizon_count - first : 4;
+    [[clang::uninitialized]] Triangles group;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t at = first + (i < in_group ? i : 0);
+      group.faces[i] = visible[at];
+      group.p[i] = start_of(after(horizon[at]));
+      group.q[i] = start_of(horizon[at]);
+      group.r[i] = apex;
+    }
+    set_faces(group, in_group);
+  }
+  std::size_t previous = visible[horizon_count - 1];
+  for (std::size_t i = 0; i < horizon_count; ++i) {
+    const std::size_t face = visible[i];
+    join(edge_of(face, 0), horizon[i]);
+    join(edge_of(face, 2), edge_of(previous, 1));
+    previous = face;
+  }
   return true;
 }
 

@@ -27,20 +27,30 @@ class Polytope {
   static constexpr std::size_t face_limit = 2 * vertex_limit;  // a triangulated sphere has 2 V - 4 faces
   static constexpr std::size_t none = face_limit;
 
-  inline void reset() { vertex_count_ = face_count_ = 0; }
+  inline void reset() { vertex_count_ = face_count_ = free_count_ = 0; }
 
   // Builds a tetrahedron with volume, from the vertices of a simplex where they do, else from support
   // points in the directions that are still missing.
   template <class VertexToward>
   [[nodiscard]] FlatDifference start(const Simplex& simplex, Real noise, VertexToward&& vertex_toward);
 
+  // The first one among equals.
   [[nodiscard]] inline std::size_t least_face() const {
+    Lanes least = infinity;
+    LaneNumbers groups{0, 0, 0, 0};
+    for (std::size_t i = 0; 4 * i < face_count_; ++i) {
+      const Lanes& distances = distances_[i];
+      const LaneNumbers closer = distances < least;
+      least = closer ? distances : least;
+      groups = closer ? LaneNumbers(static_cast<std::int64_t>(i)) : groups;
+    }
     std::size_t best = none;
-    Real least = infinity;
-    for (std::size_t i = 0; i < face_count_; ++i) {
-      if (faces_[i].alive && faces_[i].distance < least) {
-        least = faces_[i].distance;
-        best = i;
+    Real top = infinity;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const std::size_t face = 4 * static_cast<std::size_t>(groups[lane]) + lane;
+      if (least[lane] < top || (least[lane] == top && face < best)) {
+        top = least[lane];
+        best = face;
       }
     }
     return best;
@@ -50,7 +60,7 @@ class Polytope {
     std::size_t best = none;
     Real most = -infinity;
     for (std::size_t i = 0; i < face_count_; ++i) {
-      if (const Real along = dot(faces_[i].normal, direction); faces_[i].alive && along > most) {
+      if (const Real along = dot(normal(i), direction); distance(i) < infinity && along > most) {
         most = along;
         best = i;
       }
@@ -62,15 +72,15 @@ class Polytope {
     std::size_t best = none;
     Real least = infinity;
     for (std::size_t i = 0; i < face_count_; ++i) {
-      if (faces_[i].alive && faces_[i].corner[2] + 1u == vertex_count_ && faces_[i].distance < least) {
-        least = faces_[i].distance;
+      if (corners_[i][2] + 1u == vertex_count_ && distance(i) < least) {
+        least = distance(i);
         best = i;
       }
     }
     return best;
   }
-  [[nodiscard]] inline const Vec3& normal(std::size_t face) const [[clang::lifetimebound]] { return faces_[face].normal; }
-  [[nodiscard]] inline Real distance(std::size_t face) const { return faces_[face].distance; }
+  [[nodiscard]] inline Vec3 normal(std::size_t face) const { return vec3_of(planes_[face]); }
+  [[nodiscard]] inline Real distance(std::size_t face) const { return distances_[face / 4][face % 4]; }
 
   [[nodiscard]] inline bool contains(const DifferenceVertex& vertex) const {
     for (std::size_t i = 0; i < vertex_count_; ++i) {
@@ -84,8 +94,9 @@ class Polytope {
   // The points of both bodies under the point of a face that is closest to the origin.
   [[nodiscard]] Witness witness(std::size_t face) const {
     [[clang::uninitialized]] Simplex corners;
-    for (const std::uint16_t corner : faces_[face].corner) {
-      corners.push(vertices_[corner]);
+    corners.size = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners.push(vertices_[corners_[face][i]]);
     }
     const ClosestPoint closest = closest_to_origin(corners);
     keep(corners, closest.vertices);
@@ -94,57 +105,57 @@ class Polytope {
   }
 
   // Replaces all faces that see the vertex by the cone from their horizon. False when the storage is
-  // full or rounding has left no closed horizon; the polytope is then unchanged or no longer of use.
+  // full or rounding has left no closed horizon; the polytope is then no longer of use.
   [[nodiscard]] bool expand(std::size_t seed, const DifferenceVertex& vertex, Real noise);
 
  private:
-  struct Face {
-    std::array<std::uint16_t, 3> corner;     // counter-clockwise from outside
-    std::array<std::uint16_t, 3> neighbour;  // across the edge from corner i to corner i + 1
-    bool alive;
-    bool visible;
-    Vec3 normal;
-    Real distance;
-  };
-  struct HorizonEdge {
-    std::uint16_t from, to;
-    std::uint16_t outside;  // the face beyond, which stays
-  };
+  // Edge i of a face leads from its corner i to the next one; as a number it is 4 face + i.
+  using Edge = std::uint16_t;
+  [[nodiscard]] static constexpr std::size_t face_of(Edge edge) { return edge / 4u; }
+  [[nodiscard]] static constexpr Edge edge_of(std::size_t face, std::size_t i) { return static_cast<Edge>(4 * face + i); }
+  [[nodiscard]] static constexpr Edge after(Edge edge) { return static_cast<Edge>(edge % 4 == 2 ? edge - 2 : edge + 1); }
+  [[nodiscard]] inline std::uint16_t start_of(Edge edge) const { return corners_[edge / 4u][edge % 4u]; }
+  [[nodiscard]] inline Edge across(Edge edge) const { return neighbours_[edge / 4u][edge % 4u]; }
+  inline void join(Edge edge, Edge other) {
+    neighbours_[edge / 4u][edge % 4u] = other;
+    neighbours_[other / 4u][other % 4u] = edge;
+  }
 
-  inline void set_face(std::size_t index, std::uint16_t a, std::uint16_t b, std::uint16_t c) {
-    Face& face = faces_[index];
-    face.corner = {a, b, c};
-    face.alive = true;
-    face.visible = false;
-    const Vec3 &p = vertices_[a].w, &q = vertices_[b].w, &r = vertices_[c].w;
-    const Vec3 n = cross(q - p, r - p);
-    const Real square = squared_norm(n);
-    if (square > 0) {
-      face.normal = (1 / std::sqrt(square)) * n;
-      // The offset of the corner with the least coordinates has the least rounding.
-      face.distance = dot(face.normal, p);
-    } else {
-      // A face without area bounds nothing: never the least one, and seen by any vertex.
-      face.normal = {0, 0, 0};
-      face.distance = infinity;
+  // Up to four triangles at a time.
+  struct Triangles {
+    std::array<std::uint16_t, 4> faces;
+    std::array<std::uint16_t, 4> p, q, r;  // corners, counter-clockwise from outside
+  };
+  void set_faces(const Triangles& triangles, std::size_t count);
+  [[nodiscard]] inline std::size_t new_face() {
+    if (free_count_ > 0) {
+      return free_[--free_count_];
     }
+    if (face_count_ < face_limit && face_count_ % 4 == 0) {
+      distances_[face_count_ / 4] = infinity;
+    }
+    return face_count_ < face_limit ? face_count_++ : none;
   }
-  [[nodiscard]] inline bool sees(const Face& face, const Vec3& p, Real noise) const {
-    // A vertex in the plane of a face counts as seeing it: that merges coplanar faces and keeps
-    // triangles without area out.
-    return face.distance == infinity || dot(face.normal, p) - face.distance > -noise;
+  inline void add(const DifferenceVertex& vertex) {
+    points_[vertex_count_] = lanes_of(vertex.w);
+    vertices_[vertex_count_++] = vertex;
   }
-  [[nodiscard]] std::size_t free_face(std::size_t& from) const;
 
   std::array<DifferenceVertex, vertex_limit> vertices_;
-  std::array<Face, face_limit> faces_;
+  std::array<Lanes, vertex_limit> points_;            // their w
+  std::array<Lanes, face_limit> planes_;              // normal and distance; of a face that any point sees: 0, -infinity
+  std::array<Lanes, face_limit / 4> distances_;       // infinity where there is no face, or none with area
+  std::array<std::array<std::uint16_t, 4>, face_limit> corners_;  // the fourth is not used, here and below
+  std::array<std::array<Edge, 4>, face_limit> neighbours_;        // the same edge as edge of the face beyond
+  std::array<std::uint8_t, face_limit> visible_;
+  std::array<std::uint16_t, face_limit> free_;        // faces below face_count_ that are not in use
   std::size_t vertex_count_ = 0;
   std::size_t face_count_ = 0;
+  std::size_t free_count_ = 0;
 };
 
 template <class VertexToward>
 FlatDifference Polytope::start(const Simplex& simplex, Real noise, VertexToward&& vertex_toward) {
-  const auto add = [&](const DifferenceVertex& vertex) { vertices_[vertex_count_++] = vertex; };
   add(simplex.size > 0 ? simplex.vertices[0] : vertex_toward(Vec3{1, 0, 0}));
 
   // A vertex of the simplex that reaches far enough saves the search along the given directions.
@@ -190,24 +201,19 @@ FlatDifference Polytope::start(const Simplex& simplex, Real noise, VertexToward&
     return {true, normal};
   }
   const bool above = dot(normal, vertices_[3].w - origin) > 0;
-  // Four faces, each counter-clockwise from outside.
-  const std::array<std::array<std::uint16_t, 3>, 4> loops =
-      above ? std::array<std::array<std::uint16_t, 3>, 4>{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}
-            : std::array<std::array<std::uint16_t, 3>, 4>{{{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}};
+  const std::uint16_t one = above ? 1 : 2, two = above ? 2 : 1;
   for (std::size_t i = 0; i < 4; ++i) {
-    set_face(i, loops[i][0], loops[i][1], loops[i][2]);
+    [[maybe_unused]] const std::size_t face = new_face();
   }
-  face_count_ = 4;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t e = 0; e < 3; ++e) {
-      for (std::size_t j = 0; j < 4; ++j) {
-        for (std::size_t f = 0; f < 3; ++f) {
-          if (loops[j][f] == loops[i][(e + 1) % 3] && loops[j][(f + 1) % 3] == loops[i][e]) {
-            faces_[i].neighbour[e] = static_cast<std::uint16_t>(j);
-          }
-        }
-      }
-    }
+  set_faces({{0, 1, 2, 3}, {0, 0, one, two}, {two, one, two, 0}, {one, 3, 3, 3}}, 4);
+  constexpr std::array<std::array<Edge, 2>, 6> joints{{{edge_of(0, 0), edge_of(3, 0)},
+                                                       {edge_of(0, 1), edge_of(2, 0)},
+                                                       {edge_of(0, 2), edge_of(1, 0)},
+                                                       {edge_of(1, 1), edge_of(2, 2)},
+                                                       {edge_of(1, 2), edge_of(3, 1)},
+                                                       {edge_of(2, 1), edge_of(3, 2)}}};
+  for (const auto& [edge, other] : joints) {
+    join(edge, other);
   }
   return {false, normal};
 }

@@ -16,6 +16,7 @@ import abut.narrowphase.box_sat;
 import abut.narrowphase.clip;
 import abut.narrowphase.epa;
 import abut.narrowphase.gjk;
+import abut.narrowphase.hull_sat;
 import abut.narrowphase.sat;
 import abut.narrowphase.simplex;
 import abut.shape;
@@ -112,6 +113,23 @@ inline void find_points_of_faces(const Face& face_a, const Face& face_b, const C
   core.points_open = false;
 }
 
+// Mostly a vertex lies under the inside of a face. False where neither support point does.
+template <Convex A, Convex B>
+  requires HullAndSeen<A, B>
+[[nodiscard]] inline bool find_vertex_witness(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  const Real slack = rounding_of(core_size(a, b, ab));
+  const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
+  if (holds(a, on_a, slack)) {
+    core.point_a = on_a;
+  } else if (holds(b, ab.undo(on_b), slack)) {
+    core.point_b = on_b;
+  } else {
+    return false;
+  }
+  core.points_open = false;
+  return true;
+}
+
 // Whoever asks for contacts rarely needs the points, so they are looked for on demand.
 template <Convex A, Convex B>
 void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
@@ -125,6 +143,11 @@ void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
     core.point_a = core.point_b - core.distance * core.normal;
     core.points_open = false;
   } else {
+    if constexpr (HullAndSeen<A, B>) {
+      if (core.overlap && find_vertex_witness(a, b, ab, core)) {
+        return;
+      }
+    }
     [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
     [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
     [[clang::uninitialized]] ClipPoints region;
@@ -162,22 +185,26 @@ inline void find_touch(const Simplex& simplex, CoreSeparation& core) {
 template <class A, class B>
 concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_axes == 3;
 
-template <Convex A, Convex B>
-[[nodiscard]] CoreSeparation separate_along(const A& a, const B& b, const Pose& ab, const std::optional<SatResult>& found, Real size) {
+// Under the normal found, with the support points along it.
+[[nodiscard]] inline CoreSeparation separation_under(const SatResult& found, const Vec3& point_a, const Vec3& point_b, Real size) {
   CoreSeparation core{};
   core.rounding = rounding_of(size);
   core.overlap = true;
   core.algorithm = Algorithm::sat;
-  core.iterations = found ? found->axes : 0;
-  core.normal = found ? found->normal : direction_across(a, b, ab);
-  core.distance = core.lower = core.upper = found ? found->separation : 0;
-  core.point_a = a.support(core.normal).point;
-  core.point_b = placed_support(b, place(b, ab), -core.normal).point;
-  core.points_open = !(found && found->of_edges);
-  if (!core.points_open) {
-    find_edge_witnesses(found->edge_a, found->edge_b, core);
+  core.iterations = found.axes;
+  core.normal = found.normal;
+  core.distance = core.lower = core.upper = found.separation;
+  core.point_a = point_a;
+  core.point_b = point_b;
+  core.points_open = !found.of_edges;
+  if (found.of_edges) {
+    find_edge_witnesses(found.edge_a, found.edge_b, core);
   }
   return core;
+}
+template <Convex A, Convex B>
+[[nodiscard]] CoreSeparation separate_along(const A& a, const B& b, const Pose& ab, const SatResult& found, Real size) {
+  return separation_under(found, a.support(found.normal).point, placed_support(b, place(b, ab), -found.normal).point, size);
 }
 
 template <FewFaced A, FewFaced B>
@@ -185,8 +212,35 @@ template <FewFaced A, FewFaced B>
   if constexpr (TwoBoxes<A, B>) {
     return separate_along(a, b, ab, sat_of_boxes(a.half(), b.half(), ab, noise_of(size), infinity), size);
   } else {
-    return separate_along(a, b, ab, sat(a, b, ab, noise_of(size)), size);
+    const std::optional<SatResult> found = sat(a, b, ab, noise_of(size));
+    // Without any axis the cores only touch.
+    const Vec3 none{0, 0, 0};
+    return separate_along(a, b, ab, found ? *found : SatResult{0, direction_across(a, b, ab), 0, false, none, none}, size);
   }
+}
+
+// False where there are too many axes, or rounding leaves the answer in doubt.
+template <Convex A, Convex B>
+  requires HullAndSeen<A, B>
+[[nodiscard]] [[gnu::noinline]] bool separate_by_hull_sat(const A& a, const B& b, const Pose& ab, Real size, CoreSeparation& core) {
+  std::optional<SatResult> found = hull_sat(a, b, ab, noise_of(size));
+  if (!found) {
+    return false;
+  }
+  const Vec3 point_a = a.support(found->normal).point;
+  const Vec3 point_b = placed_support(b, place(b, ab), -found->normal).point;
+  const Real separation = dot(found->normal, point_b - point_a);
+  // An edge that rounding has taken for the end of its core promises too much.
+  if (!(std::fabs(separation - found->separation) <= noise_of(size))) [[unlikely]] {
+    return false;
+  }
+  found->separation = separation;
+  const std::uint32_t iterations = core.iterations;
+  core = separation_under(*found, point_a, point_b, size);
+  core.iterations += iterations;
+  core.upper += flatness_of(a) + flatness_of(b);
+  core.rounding = noise_of(size);  // normals of slender faces are off by more than their corners
+  return true;
 }
 
 // Out of line, here and below: a polytope takes pages of the stack, each of which is touched on the way in.
@@ -365,6 +419,14 @@ template <Convex A, Convex B>
     if (settings.algorithm != Algorithm::gjk_epa) {
       core = separate_by_sat(a, b, ab, size);
       core.iterations += near.iterations;
+      if (is_touch(core, size)) {
+        find_touch(near.simplex, core);
+      }
+      return core;
+    }
+  }
+  if constexpr (HullAndSeen<A, B>) {
+    if (settings.algorithm != Algorithm::gjk_epa && separate_by_hull_sat(a, b, ab, size, core)) {
       if (is_touch(core, size)) {
         find_touch(near.simplex, core);
       }

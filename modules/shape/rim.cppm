@@ -20,17 +20,23 @@ inline constexpr std::uint32_t rim_corners = 16;
   return folded <= 4 ? quarter[folded] : -quarter[8 - folded];
 }
 
-// The disc of a radius at a height along Z, facing up or down, as a polygon of the given number whose
-// corners and edges are numbered from `first` on.
-[[nodiscard]] inline Face rim_face(Real radius, Real height, bool up, std::uint32_t index, std::uint32_t first) {
+// The disc of a radius at a height along Z, facing up or down, as a face of the given number. Its corners and edges are
+// numbered from `first` on.
+struct Rim {
+  Real radius, height;
+  bool is_up;
+  std::uint32_t index, first;
+};
+// As a polygon.
+[[nodiscard]] inline Face rim_face(const Rim& rim) {
   [[clang::uninitialized]] Face face;
-  face.normal = {0, 0, up ? 1.0 : -1.0};
-  face.index = index;
+  face.normal = {0, 0, rim.is_up ? 1.0 : -1.0};
+  face.index = rim.index;
   for (std::uint32_t i = 0; i < rim_corners; ++i) {
-    const std::uint32_t corner = up ? i : rim_corners - 1 - i;
-    const std::uint32_t edge = up ? corner : (corner + rim_corners - 1) % rim_corners;
-    const Vec3 point{radius * rim_cosine(corner), radius * rim_cosine(corner + 12), height};
-    face.vertices.push_back({point, first + corner, first + edge});
+    const std::uint32_t corner = rim.is_up ? i : rim_corners - 1 - i;
+    const std::uint32_t edge = rim.is_up ? corner : (corner + rim_corners - 1) % rim_corners;
+    const Vec3 point{rim.radius * rim_cosine(corner), rim.radius * rim_cosine(corner + 12), rim.height};
+    face.vertices.push_back({point, rim.first + corner, rim.first + edge});
   }
   return face;
 }

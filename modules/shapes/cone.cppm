@@ -54,13 +54,13 @@ class Cone {
   // In the half-plane through the axis and the point: a triangle with a base along x and a side up to the apex.
   [[nodiscard]] SurfacePoint nearest(const Vec3& p) const {
     const Sideways around = sideways_of(p);
-    const Real height = p.z + half_height_, slant = std::hypot(2 * half_height_, radius_);
+    const Real height = p.z + half_height_, slant = norm({2 * half_height_, radius_, 0});
     const auto lifted = [&](Real x, Real z, Real normal_x, Real normal_z, Real distance) {
       return SurfacePoint{{x * around.x, x * around.y, z - half_height_}, {normal_x * around.x, normal_x * around.y, normal_z}, distance};
     };
     // Away from a corner, or as its neighbour faces where rounding has left no such direction.
     const auto from_corner = [&](Real x, Real z, bool is_outside, Real usual_x, Real usual_z) {
-      const Real dx = around.length - x, dz = height - z, distance = std::hypot(dx, dz);
+      const Real dx = around.length - x, dz = height - z, distance = norm({dx, dz, 0});
       return is_outside && distance > 0 ? lifted(x, z, dx / distance, dz / distance, distance) : lifted(x, z, usual_x, usual_z, 0);
     };
     if (slant == 0) {
@@ -89,21 +89,33 @@ class Cone {
 
   // Face 0 is the base and face 1 its back where there is no height; corners and edges below 16 are the rim,
   // vertex 16 the apex, edge 16 the side.
-  [[nodiscard]] Face supporting_face(const Vec3& direction) const {
-    const Sideways side = sideways_of(direction);
+  [[nodiscard]] inline std::optional<Rim> supporting_rim(const Vec3& direction) const {
     if (half_height_ == 0 && radius_ > 0) {
-      return rim_face(radius_, 0, direction.z >= 0, direction.z >= 0 ? 1 : 0, 0);
+      const bool is_up = direction.z >= 0;
+      return Rim{radius_, 0, is_up, is_up ? 1u : 0u, 0};
     }
-    const Real toward_side = (2 * half_height_ * side.length + radius_ * direction.z) / std::hypot(2 * half_height_, radius_);
-    if (radius_ > 0 && -direction.z >= toward_side) {
-      return rim_face(radius_, -half_height_, false, 0, 0);
+    if (radius_ > 0 && -direction.z >= toward_side(direction)) {
+      return Rim{radius_, -half_height_, false, 0, 0};
     }
+    return std::nullopt;
+  }
+  [[nodiscard]] Face supporting_face(const Vec3& direction) const {
+    if (const std::optional<Rim> rim = supporting_rim(direction)) {
+      return rim_face(*rim);
+    }
+    const Sideways side = sideways_of(direction);
     [[clang::uninitialized]] Face face;
     face.vertices.push_back({{0, 0, half_height_}, apex_number, apex_number});
-    if (half_height_ > 0 && !(radius_ > 0 && direction.z > toward_side)) {
+    if (supports_side(direction)) {
       face.vertices.push_back({{radius_ * side.x, radius_ * side.y, -half_height_}, apex_number + 1, apex_number});
     }
     return face;
+  }
+  [[nodiscard]] inline Feature supporting_feature(const Vec3& direction) const {
+    if (const std::optional<Rim> rim = supporting_rim(direction)) {
+      return {FeatureKind::face, rim->index};
+    }
+    return {supports_side(direction) ? FeatureKind::edge : FeatureKind::vertex, apex_number};
   }
 
   // The stretch of the ray between the planes of the base and of the apex and within the endless cone. From the
@@ -136,6 +148,15 @@ class Cone {
 
  private:
   static constexpr std::uint32_t apex_number = rim_corners;
+
+  // Along the normal of the side.
+  [[nodiscard]] inline Real toward_side(const Vec3& direction) const {
+    return (2 * half_height_ * sideways_of(direction).length + radius_ * direction.z) / norm({2 * half_height_, radius_, 0});
+  }
+  // Of a direction in which the base is no support: whether the whole side is, and not the apex alone.
+  [[nodiscard]] inline bool supports_side(const Vec3& direction) const {
+    return half_height_ > 0 && !(radius_ > 0 && direction.z > toward_side(direction));
+  }
 
   struct Inside {
     Real from, to;

@@ -57,7 +57,7 @@ class Cylinder {
     if (above <= 0) {
       return {{radius_ * side.x, radius_ * side.y, p.z}, {side.x, side.y, 0}, beside};
     }
-    const Real distance = std::hypot(beside, above);
+    const Real distance = norm({beside, above, 0});
     return {{radius_ * side.x, radius_ * side.y, z * half_height_},
             {side.x * (beside / distance), side.y * (beside / distance), z * (above / distance)},
             distance};
@@ -65,19 +65,30 @@ class Cylinder {
 
   // Faces 0 and 1 are the top and the bottom, corners and edges below 32 their rims. Seen from the side a
   // cylinder is the edge 32 along it.
-  [[nodiscard]] Face supporting_face(const Vec3& direction) const {
-    const Sideways side = sideways_of(direction);
-    if (radius_ > 0 && (std::fabs(direction.z) >= side.length || half_height_ == 0)) {
-      const bool up = direction.z >= 0;
-      return rim_face(radius_, up ? half_height_ : -half_height_, up, up ? 0 : 1, up ? 0 : rim_corners);
+  [[nodiscard]] inline std::optional<Rim> supporting_rim(const Vec3& direction) const {
+    if (!(radius_ > 0 && (std::fabs(direction.z) >= sideways_of(direction).length || half_height_ == 0))) {
+      return std::nullopt;
     }
+    const bool is_up = direction.z >= 0;
+    return Rim{radius_, is_up ? half_height_ : -half_height_, is_up, is_up ? 0u : 1u, is_up ? 0u : rim_corners};
+  }
+  [[nodiscard]] Face supporting_face(const Vec3& direction) const {
+    if (const std::optional<Rim> rim = supporting_rim(direction)) {
+      return rim_face(*rim);
+    }
+    const Sideways side = sideways_of(direction);
     [[clang::uninitialized]] Face face;
-    constexpr std::uint32_t along = 2 * rim_corners;
-    face.vertices.push_back({{radius_ * side.x, radius_ * side.y, -half_height_}, along, along});
+    face.vertices.push_back({{radius_ * side.x, radius_ * side.y, -half_height_}, side_number, side_number});
     if (half_height_ > 0) {
-      face.vertices.push_back({{radius_ * side.x, radius_ * side.y, half_height_}, along + 1, along});
+      face.vertices.push_back({{radius_ * side.x, radius_ * side.y, half_height_}, side_number + 1, side_number});
     }
     return face;
+  }
+  [[nodiscard]] inline Feature supporting_feature(const Vec3& direction) const {
+    if (const std::optional<Rim> rim = supporting_rim(direction)) {
+      return {FeatureKind::face, rim->index};
+    }
+    return {half_height_ > 0 ? FeatureKind::edge : FeatureKind::vertex, side_number};
   }
 
   // The stretch of the ray between the planes of both ends and within the endless cylinder.
@@ -108,6 +119,8 @@ class Cylinder {
   }
 
  private:
+  static constexpr std::uint32_t side_number = 2 * rim_corners;
+
   Cylinder(Real radius, Real half_height) : radius_(radius), half_height_(half_height) {}
   Real radius_;
   Real half_height_;

@@ -49,6 +49,9 @@ class Hull {
   [[nodiscard]] static std::vector<Hull> samples();
 
   [[nodiscard]] inline const HullData& data() const [[clang::lifetimebound]] { return *data_; }
+  [[nodiscard]] inline const HullReport& report() const [[clang::lifetimebound]] { return data_->report; }
+  [[nodiscard]] inline const HullFacets& facets() const [[clang::lifetimebound]] { return data_->facets; }
+  [[nodiscard]] inline std::span<const HullData::Block> vertex_blocks() const [[clang::lifetimebound]] { return data_->blocks; }
 
   [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
     // Exact rather than the box of the local box: six support points.
@@ -64,6 +67,9 @@ class Hull {
   [[nodiscard]] inline Vec3 centre() const { return data_->centre; }
   [[nodiscard]] inline Real extent() const { return data_->extent; }
   [[nodiscard]] [[gnu::always_inline]] inline SupportPoint support(const Vec3& direction) const { return data_->support(direction); }
+
+  [[nodiscard]] inline std::uint32_t corner_count() const { return static_cast<std::uint32_t>(data_->vertices.size()); }
+  [[nodiscard]] inline Vec3 corner(std::uint32_t index) const { return data_->vertices[index]; }
 
   [[nodiscard]] Face supporting_face(const Vec3& direction) const {
     const HullData& hull = *data_;

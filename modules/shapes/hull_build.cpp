@@ -194,6 +194,7 @@ HullData build_hull(std::span<const Vec3> points) {
     hull = flat_hull(points, frame);
   }
   finish_hull(hull);
+  hull.report = report_on(hull, points, noise);
   return hull;
 }
 

@@ -20,6 +20,45 @@ struct HullFace {
   std::uint32_t count;
 };
 
+// Faces and edges for trying separating axes, four at a time.
+struct HullFacets {
+  // Unit normals out of four faces that look alike, and how far the vertices reach along each; the last four are
+  // filled up with copies of the last face.
+  struct Planes {
+    Lanes x, y, z, reach;
+  };
+  // Normals of the faces to the left of four edges, seen from outside along them, and to the right, and a vertex.
+  struct Arcs {
+    Lanes left_x, left_y, left_z, right_x, right_y, right_z, from_x, from_y, from_z;
+  };
+  struct Line {
+    Lanes from, along;  // a vertex, and the way to the next one
+  };
+  // Where among the planes the faces to the left and to the right of an edge are.
+  struct Sides {
+    std::uint32_t left, right;
+  };
+  std::vector<Lanes> points;  // the vertices, the first ones far from each other
+  std::vector<Planes> planes;
+  std::vector<Sides> sides;  // of each edge
+  std::vector<Arcs> arcs;   // filled up with copies of the left side, which are arcs without length
+  std::vector<Line> lines;  // of each edge
+  Vec3 middle{};             // the centre of a ball inside
+  Real inner = 0;            // and its radius
+  Real flatness = 0;         // no vertex of a face is further than this behind its plane
+  bool is_closed = false;    // whether every edge has a face on either side
+};
+
+// What building a hull left of the points.
+struct HullReport {
+  std::uint32_t dimension = 0;  // 0 a point, 1 a segment, 2 a polygon, 3 a solid
+  std::size_t point_count = 0;  // given, duplicates included
+  std::size_t vertex_count = 0;
+  std::size_t edge_count = 0;
+  std::size_t face_count = 0;  // a polygon has two, one to either side
+  Real error = 0;              // the largest distance of a given point from the hull; 0 below rounding
+};
+
 struct HullData {
   // Vertices in blocks of four, x, y and z apart, for one pass over all of them. The last block is
   // filled up with copies of the last vertex.
@@ -38,8 +77,10 @@ struct HullData {
   std::vector<std::uint32_t> first_face;    // one more than vertices
   std::vector<Four> candidates;             // of a direction cell: candidates[first_candidates[cell] ...]
   std::vector<std::uint32_t> first_candidates;
+  HullFacets facets;
   Vec3 low{}, high{}, centre{};
   Real extent = 0;
+  HullReport report;
 
   [[nodiscard]] [[gnu::always_inline]] inline SupportPoint support(const Vec3& direction) const {
     return first_candidates.empty() ? scan(direction) : look_up(direction);
@@ -127,7 +168,10 @@ struct HullData {
 // The hull of at least one finite point; coplanar, collinear and coincident points are welcome.
 [[nodiscard]] HullData build_hull(std::span<const Vec3> points);
 
-// Fills in what follows from vertices and faces: blocks, faces around vertices, edges, cells, bounds.
+// Fills in what follows from vertices and faces: blocks, faces around vertices, edges, cells, facets, bounds.
 void finish_hull(HullData& hull);
+
+// What became of the points that a finished hull is to be the hull of. `noise`: what counts as rounding.
+[[nodiscard]] HullReport report_on(const HullData& hull, std::span<const Vec3> points, Real noise);
 
 }  // namespace abut

@@ -135,6 +135,110 @@ void list_cells(HullData& hull) {
   hull.first_candidates.push_back(static_cast<std::uint32_t>(hull.candidates.size()));
 }
 
+// Each vertex the one that is furthest from all before it.
+void list_points(HullData& hull) {
+  std::vector<Lanes>& points = hull.facets.points;
+  for (const Vec3& p : hull.vertices) {
+    points.push_back(lanes_of(p));
+  }
+  constexpr std::size_t limit = 256;
+  std::vector<Real> gaps(points.size(), infinity);
+  for (std::size_t i = 1; points.size() <= limit && i < points.size(); ++i) {
+    for (std::size_t j = i; j < points.size(); ++j) {
+      const Lanes gap = points[j] - points[i - 1];
+      gaps[j] = std::min(gaps[j], dot(gap, gap));
+    }
+    const auto rest = gaps.begin() + static_cast<std::ptrdiff_t>(i);
+    const std::size_t furthest = i + static_cast<std::size_t>(std::max_element(rest, gaps.end()) - rest);
+    std::swap(points[i], points[furthest]);
+    std::swap(gaps[i], gaps[furthest]);
+  }
+}
+
+// Faces in an order in which each four look nearly the same way, and so can be passed over together. Polytopes with
+// more faces than a few hundred are not tried axis by axis.
+std::vector<std::uint32_t> faces_by_direction(const HullData& hull) {
+  std::vector<std::uint32_t> order(hull.faces.size());
+  std::iota(order.begin(), order.end(), 0u);
+  constexpr std::size_t limit = 2048;
+  for (std::size_t i = 0; order.size() <= limit && i < order.size(); ++i) {
+    if (i % 4 != 0) {
+      const Vec3& first = hull.faces[order[i - i % 4]].normal;
+      const auto begin = order.begin() + static_cast<std::ptrdiff_t>(i);
+      std::iter_swap(begin, std::max_element(begin, order.end(), [&](std::uint32_t a, std::uint32_t b) {
+                       return dot(hull.faces[a].normal, first) < dot(hull.faces[b].normal, first);
+                     }));
+    }
+  }
+  return order;
+}
+
+void list_planes(HullData& hull, std::span<const std::uint32_t> order) {
+  HullFacets& facets = hull.facets;
+  for (const Vec3& p : hull.vertices) {
+    facets.middle += (1 / static_cast<Real>(hull.vertices.size())) * p;
+  }
+  facets.inner = order.empty() ? 0 : infinity;
+  facets.planes.resize((order.size() + 3) / 4);
+  for (std::size_t i = 0; i < 4 * facets.planes.size(); ++i) {
+    const HullFace& face = hull.faces[order[std::min(i, order.size() - 1)]];
+    HullFacets::Planes& planes = facets.planes[i / 4];
+    planes.x[i % 4] = face.normal.x;
+    planes.y[i % 4] = face.normal.y;
+    planes.z[i % 4] = face.normal.z;
+    // Rounding, or faces that were merged, may leave another vertex outside of the plane.
+    const Real reach = std::max(face.offset, dot(face.normal, hull.support(face.normal).point));
+    planes.reach[i % 4] = reach;
+    facets.inner = std::max(Real{0}, std::min(facets.inner, reach - dot(face.normal, facets.middle)));
+    for (const std::uint32_t vertex : std::span(hull.face_vertices).subspan(face.first, face.count)) {
+      facets.flatness = std::max(facets.flatness, reach - dot(face.normal, hull.vertices[vertex]));
+    }
+  }
+}
+
+void list_lines(HullData& hull, std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> places(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    places[order[i]] = i;
+  }
+  HullFacets& facets = hull.facets;
+  std::vector<HullFacets::Sides>& sides = facets.sides;
+  for (std::uint32_t index = 0; index < hull.faces.size(); ++index) {
+    const HullFace& face = hull.faces[index];
+    for (std::uint32_t i = 0; i < face.count; ++i) {
+      // Edges were numbered in the order in which they come here.
+      const std::size_t edge = hull.face_edges[face.first + i];
+      if (edge == sides.size()) {
+        const Vec3& from = hull.vertices[hull.face_vertices[face.first + i]];
+        const Vec3& to = hull.vertices[hull.face_vertices[face.first + (i + 1 < face.count ? i + 1 : 0)]];
+        facets.lines.push_back({lanes_of(from), lanes_of(to - from)});
+        sides.push_back({places[index], no_index});
+      } else {
+        sides[edge].right = places[index];
+      }
+    }
+  }
+  // Faces without area were left out, and their edges have a side too few.
+  facets.is_closed = !sides.empty() && std::none_of(sides.begin(), sides.end(), [](const auto& at) { return at.right == no_index; });
+  facets.arcs.resize(facets.is_closed ? (sides.size() + 3) / 4 : 0);
+  for (std::size_t i = 0; i < 4 * facets.arcs.size(); ++i) {
+    const HullFacets::Sides& at = sides[std::min(i, sides.size() - 1)];
+    const Vec3& left = hull.faces[order[at.left]].normal;
+    const Vec3& right = i < sides.size() ? hull.faces[order[at.right]].normal : left;
+    HullFacets::Arcs& arcs = facets.arcs[i / 4];
+    arcs.left_x[i % 4] = left.x;
+    arcs.left_y[i % 4] = left.y;
+    arcs.left_z[i % 4] = left.z;
+    arcs.right_x[i % 4] = right.x;
+    arcs.right_y[i % 4] = right.y;
+    arcs.right_z[i % 4] = right.z;
+    const Lanes& from = facets.lines[std::min(i, sides.size() - 1)].from;
+    arcs.from_x[i % 4] = from.x;
+    arcs.from_y[i % 4] = from.y;
+    arcs.from_z[i % 4] = from.z;
+  }
+}
+
 }  // namespace
 
 void finish_hull(HullData& hull) {
@@ -152,6 +256,10 @@ void finish_hull(HullData& hull) {
   if (hull.vertices.size() > HullData::scan_limit) {
     list_cells(hull);
   }
+  list_points(hull);
+  const std::vector<std::uint32_t> order = faces_by_direction(hull);
+  list_planes(hull, order);
+  list_lines(hull, order);
 }
 
 }  // namespace abut

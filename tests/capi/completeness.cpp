@@ -79,7 +79,7 @@ std::vector<std::string_view> obligations(const Declaration& declaration) {
                        "abut_geometry_id geometry)", "const abut_geometry_id *"})) {
     words.emplace_back("Stale");
   }
-  if (has(parameters, {"_options *", "_desc *", "_info *", "_stats *"})) words.emplace_back("StructSize");
+  if (has(parameters, {"_options *", "_desc *", "_info *", "_stats *", "_report *"})) words.emplace_back("StructSize");
   if (has(parameters, {"size_t count", "size_t point_count", "size_t vertex_count"})) words.emplace_back("Overflow");
   return words;
 }

@@ -28,6 +28,14 @@
   TYPE(abut_feature, 8)                                   \
   FIELD(abut_feature, kind, 0, 4)                         \
   FIELD(abut_feature, index, 4, 4)                        \
+  TYPE(abut_hull_report, 48)                              \
+  FIELD(abut_hull_report, struct_size, 0, 4)              \
+  FIELD(abut_hull_report, dimension, 4, 4)                \
+  FIELD(abut_hull_report, point_count, 8, 8)              \
+  FIELD(abut_hull_report, vertex_count, 16, 8)            \
+  FIELD(abut_hull_report, edge_count, 24, 8)              \
+  FIELD(abut_hull_report, face_count, 32, 8)              \
+  FIELD(abut_hull_report, error, 40, 8)                   \
   TYPE(abut_mesh_options, 8)                              \
   FIELD(abut_mesh_options, struct_size, 0, 4)             \
   FIELD(abut_mesh_options, sides, 4, 4)                   \

@@ -42,7 +42,7 @@ struct Extreme {
   int rounds = 3;   // how often all is drawn anew
 };
 
-constexpr std::uint32_t straight_iterations = 32;
+constexpr std::uint32_t straight_iterations = 128;  // axes that were tried count as steps
 constexpr std::uint32_t curved_iterations = 256;  // two searches of 120 vertices, and what led to them
 
 template <int exponent>

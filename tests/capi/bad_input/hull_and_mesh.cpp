@@ -54,6 +54,74 @@ TEST(HullCreate, AcceptsDegeneratePoints) {
   }
 }
 
+TEST(HullReportInit, IgnoresNull) { abut_hull_report_init(nullptr, 0); }
+
+TEST(HullReportInit, FillsInSizeAndZeroes) {
+  Out<abut_hull_report> report;
+  abut_hull_report_init(report.address(), sizeof(abut_hull_report));
+  EXPECT_EQ(report.value().struct_size, sizeof(abut_hull_report));
+  EXPECT_EQ(report.value().dimension, 0U);
+  EXPECT_EQ(report.value().point_count, 0U);
+  EXPECT_EQ(report.value().error, 0.0);
+}
+
+abut_hull_report empty_report() {
+  abut_hull_report report;
+  abut_hull_report_init(&report, sizeof report);
+  return report;
+}
+
+TEST(HullDescribe, TellsWhatIsLeft) {
+  const Shape hull = make_octahedron(1.0);
+  abut_hull_report report = empty_report();
+  ASSERT_TRUE(succeeded(abut_hull_describe(hull, &report)));
+  EXPECT_EQ(report.struct_size, sizeof report);
+  EXPECT_EQ(report.dimension, 3U);
+  EXPECT_EQ(report.point_count, 6U);
+  EXPECT_EQ(report.vertex_count, 6U);
+  EXPECT_EQ(report.edge_count, 12U);
+  EXPECT_EQ(report.face_count, 8U);
+  EXPECT_EQ(report.error, 0.0);
+}
+
+TEST(HullDescribe, RefusesNullPointers) {
+  const Shape hull = make_octahedron(1.0);
+  Out<abut_hull_report> out(empty_report());
+  EXPECT_TRUE(refused(abut_hull_describe(nullptr, out.address()), ABUT_NULL_ARGUMENT, {"shape", "null"}));
+  EXPECT_TRUE(refused(abut_hull_describe(hull, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(HullDescribe, RefusesWrongStructSize) {
+  const Shape hull = make_octahedron(1.0);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, sizeof(abut_hull_report) - 1}) {
+    abut_hull_report wrong = empty_report();
+    wrong.struct_size = static_cast<std::uint32_t>(size);
+    Out<abut_hull_report> out(wrong);
+    EXPECT_TRUE(refused(abut_hull_describe(hull, out.address()), ABUT_WRONG_STRUCT_SIZE, {"struct_size", std::to_string(size)}));
+    EXPECT_TRUE(out.is_untouched());
+  }
+}
+
+TEST(HullDescribe, AcceptsLaterStructWithZeroTail) {
+  const Shape hull = make_octahedron(1.0);
+  Grown<abut_hull_report> later{empty_report(), {}};
+  later.known.struct_size = sizeof(later);
+  EXPECT_TRUE(succeeded(abut_hull_describe(hull, &later.known)));
+  EXPECT_EQ(later.known.vertex_count, 6U);
+  EXPECT_EQ(later.known.struct_size, sizeof(later));
+}
+
+TEST(HullDescribe, RefusesOtherKindsByName) {
+  for (const Shape& shape : make_one_of_each_kind()) {
+    const std::string kind = abut_shape_kind_name(abut_shape_kind_of(shape));
+    if (kind == "hull") continue;
+    Out<abut_hull_report> out(empty_report());
+    EXPECT_TRUE(refused(abut_hull_describe(shape, out.address()), ABUT_UNSUPPORTED, {kind}));
+    EXPECT_TRUE(out.is_untouched());
+  }
+}
+
 // A mesh of the two triangles, with one argument of the call changed.
 struct MeshCall {
   const double* xyz = square.data();

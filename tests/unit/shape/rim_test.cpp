@@ -28,7 +28,7 @@ TEST(Rim, CosinesAreThoseOfSixteenthsOfATurn) {
 // Corner k lies k sixteenths of a turn from X towards Y and edge k leads from it to corner k + 1, whichever
 // way the disc looks.
 void expect_rim(bool up, std::uint32_t first) {
-  const abut::Face face = abut::rim_face(2.5, -0.75, up, 7, first);
+  const abut::Face face = abut::rim_face({2.5, -0.75, up, 7, first});
   ASSERT_EQ(face.vertices.size(), 16u);
   EXPECT_EQ(face.index, 7u);
   EXPECT_EQ(face.normal, (Vec3{0, 0, up ? 1.0 : -1.0}));

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -179,6 +180,64 @@ TEST(HullData, BoundsAreThoseOfTheVertices) {
   EXPECT_EQ(hull.low, (Vec3{9, 18, 27}));
   EXPECT_EQ(hull.high, (Vec3{11, 22, 33}));
   EXPECT_EQ(hull.centre, (Vec3{10, 20, 30}));
+}
+
+// What separating axes need: planes that hold all vertices, arcs between the faces of an edge, a ball inside.
+TEST(HullData, FacetsAreThoseOfTheFaces) {
+  test::Random random(167);
+  for (const std::size_t count : {4u, 7u, 32u, 60u}) {
+    SCOPED_TRACE(std::to_string(count) + " points");
+    const HullData hull = abut::build_hull(cloud(count, {2, 1, 0.5}, random));
+    const abut::HullFacets& facets = hull.facets;
+    ASSERT_TRUE(facets.is_closed);
+    ASSERT_EQ(facets.planes.size(), (hull.faces.size() + 3) / 4);
+    ASSERT_EQ(facets.points.size(), hull.vertices.size());
+    EXPECT_EQ(hull.vertices.size() + hull.faces.size(), facets.lines.size() + 2);
+    EXPECT_LE(facets.flatness, 1e-14);
+    EXPECT_GT(facets.inner, 0);
+    std::set<std::array<double, 3>> listed, points;
+    for (const HullFace& face : hull.faces) {
+      listed.insert({face.normal.x, face.normal.y, face.normal.z});
+      EXPECT_LE(dot(face.normal, facets.middle) + facets.inner, face.offset + 1e-14);
+    }
+    const auto normal_at = [&](std::size_t face) {
+      const abut::HullFacets::Planes& planes = facets.planes[face / 4];
+      return Vec3{planes.x[face % 4], planes.y[face % 4], planes.z[face % 4]};
+    };
+    std::set<std::array<double, 3>> found;
+    for (std::size_t face = 0; face < 4 * facets.planes.size(); ++face) {
+      const Vec3 normal = normal_at(face);
+      found.insert({normal.x, normal.y, normal.z});
+      double most = -1e9;
+      for (const Vec3& p : hull.vertices) {
+        most = std::fmax(most, dot(normal, p));
+      }
+      EXPECT_NEAR(facets.planes[face / 4].reach[face % 4], most, 1e-15);
+    }
+    EXPECT_EQ(found, listed);
+    for (std::size_t edge = 0; edge < facets.lines.size(); ++edge) {
+      const Vec3 from = abut::vec3_of(facets.lines[edge].from), along = abut::vec3_of(facets.lines[edge].along);
+      const Vec3 left = normal_at(facets.sides[edge].left), right = normal_at(facets.sides[edge].right);
+      const abut::HullFacets::Arcs& arcs = facets.arcs[edge / 4];
+      EXPECT_EQ(left, (Vec3{arcs.left_x[edge % 4], arcs.left_y[edge % 4], arcs.left_z[edge % 4]}));
+      EXPECT_EQ(right, (Vec3{arcs.right_x[edge % 4], arcs.right_y[edge % 4], arcs.right_z[edge % 4]}));
+      EXPECT_EQ(from, (Vec3{arcs.from_x[edge % 4], arcs.from_y[edge % 4], arcs.from_z[edge % 4]}));
+      EXPECT_NEAR(dot(left, along), 0, 1e-15);
+      EXPECT_NEAR(dot(right, along), 0, 1e-15);
+      // Seen from outside along the edge, the left face lies to the left.
+      EXPECT_GT(dot(along, cross(left, right)), 0);
+    }
+    for (const abut::Lanes& p : facets.points) {
+      points.insert({p[0], p[1], p[2]});
+    }
+    EXPECT_EQ(points.size(), hull.vertices.size());
+  }
+}
+
+TEST(HullData, OnlySolidsAndPolygonsHaveFacets) {
+  EXPECT_TRUE(abut::build_hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).facets.is_closed);
+  EXPECT_FALSE(abut::build_hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}}).facets.is_closed);
+  EXPECT_FALSE(abut::build_hull(std::vector<Vec3>{{0, 0, 0}}).facets.is_closed);
 }
 
 // Ties, zero directions and directions along the borders of cells.

@@ -1,0 +1,61 @@
+// Least overlap of two cores of which one is a polytope that lists its faces and edges, by separating axes.
+module;
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+export module abut.narrowphase.hull_sat;
+import abut.math;
+import abut.narrowphase.columns;
+export import abut.narrowphase.hull_sat_facets;
+import abut.narrowphase.hull_sat_few;
+import abut.narrowphase.hull_sat_two;
+import abut.narrowphase.sat;
+import abut.shape;
+
+export namespace abut {
+
+template <class A, class B>
+concept HullAndSeen = (Faceted<A> && Seen<B>) || (Seen<A> && Faceted<B>) || (Faceted<A> && Faceted<B>);
+
+// The same from a to b, in the frame of a. Nothing where there are too many axes. The separation is that of the
+// features found: no more than the cores have along the normal.
+template <Convex A, Convex B>
+  requires HullAndSeen<A, B>
+[[nodiscard]] std::optional<SatResult> hull_sat(const A& a, const B& b, const Pose& ab, Real noise) {
+  if constexpr (Faceted<A> && Faceted<B>) {
+    const bool few = has_few_vertices(a) && has_few_vertices(b) && has_facets(a, noise) && has_facets(b, noise);
+    return few ? sat_of_hulls(a, b, ab, noise) : std::nullopt;
+  } else if constexpr (Faceted<A>) {
+    return has_facets(a, noise) ? std::optional(sat_of_hull(a, seen_from(b, ab), noise)) : std::nullopt;
+  } else {
+    if (!has_facets(b, noise)) {
+      return std::nullopt;
+    }
+    const SatResult found = sat_of_hull(b, seen_from(a, ab.inverse()), noise);
+    const Rotation& r = ab.rotation;
+    return SatResult{found.separation, -(r * found.normal), found.axes, found.of_edges, r * found.edge_b, r * found.edge_a};
+  }
+}
+
+// Whether a point of its own frame surely lies in a core, up to some slack. Hulls without volume have no faces on
+// their sides that could tell.
+template <Convex S>
+  requires Faceted<S> || Seen<S>
+[[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {
+  if constexpr (Faceted<S>) {
+    Lanes room = infinity;
+    for (const auto& planes : shape.facets().planes) {
+      room = minimum(room, planes.reach - dot({planes.x, planes.y, planes.z}, Columns::all(point)));
+    }
+    return shape.facets().is_closed && shape.facets().inner > 0 && -largest(-room) >= -slack;
+  } else if constexpr (BoxCored<S>) {
+    const Vec3 out = absolute(point) - shape.half();
+    return out.x <= slack && out.y <= slack && out.z <= slack;
+  } else {
+    return false;
+  }
+}
+
+}  // namespace abut
