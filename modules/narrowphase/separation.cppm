@@ -170,11 +170,15 @@ inline void touch_at(const Vec3& point_a, const Vec3& point_b, CoreSeparation& c
   core.point_a = middle - half;
   core.point_b = middle + half;
 }
-inline void find_touch(const Simplex& simplex, CoreSeparation& core) {
+// Unless the search came no nearer to it than `slack`.
+inline void find_touch(const Simplex& simplex, Real slack, CoreSeparation& core) {
   Simplex face = simplex;
   ClosestPoint closest = closest_to_origin(face);
   if (closest.vertices == all_of_tetrahedron) {
     closest = closest_on_faces(face);
+  }
+  if (norm(closest.point) > slack) {
+    return;
   }
   keep(face, closest.vertices);
   const Vec3 on_a = witness_on_a(face, closest.point);
@@ -329,8 +333,11 @@ template <BoxCored A, BoxCored B>
       if (found.separation <= touching_distance(size)) {
         core = separate_along(a, b, ab, found, size);
         if (is_touch(core, size)) {
+          // Where the steps end short of the common point the faces have it.
           const NearPoints near = near_points(a, b, ab, error);
-          touch_at(vec3_of(near.on_a), vec3_of(near.on_b), core);
+          if (near.square <= noise_of(size) * noise_of(size)) {
+            touch_at(vec3_of(near.on_a), vec3_of(near.on_b), core);
+          }
         }
         return true;
       }
@@ -420,7 +427,7 @@ template <Convex A, Convex B>
       core = separate_by_sat(a, b, ab, size);
       core.iterations += near.iterations;
       if (is_touch(core, size)) {
-        find_touch(near.simplex, core);
+        find_touch(near.simplex, error, core);
       }
       return core;
     }
@@ -428,14 +435,14 @@ template <Convex A, Convex B>
   if constexpr (HullAndSeen<A, B>) {
     if (settings.algorithm != Algorithm::gjk_epa && separate_by_hull_sat(a, b, ab, size, core)) {
       if (is_touch(core, size)) {
-        find_touch(near.simplex, core);
+        find_touch(near.simplex, error, core);
       }
       return core;
     }
   }
   separate_by_epa(a, b, ab, size, error, near.simplex, core);
   if (Curved<A> || Curved<B> ? std::fabs(core.distance) <= error : is_touch(core, size)) {
-    find_touch(near.simplex, core);
+    find_touch(near.simplex, error, core);
   }
   return core;
 }

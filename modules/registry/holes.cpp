@@ -135,13 +135,7 @@ class Carver {
     if (whole.distance > 0) {
       std::erase_if(solids, is_of_hole);
     }
-    Real deepest_solid = infinity, deepest_wall = infinity;
-    for (const ContactPoint& contact : solids) {
-      if (is_of_hole(contact) && !is_cut_away(contact)) {
-        deepest_solid = std::min(deepest_solid, contact.distance);
-      }
-    }
-    const std::size_t first = walls.size();
+    Manifold reached;
     for (ContactPoint& contact : found) {
       if (!reaches_from_inside(contact)) {
         continue;
@@ -149,17 +143,32 @@ class Carver {
       if (material_at(hole, contact.point_a)) {
         contact.child_a = hole.child;
         contact.id = contact_id_of_child(contact.id, hole.child);
-        deepest_wall = std::min(deepest_wall, contact.distance);
-        walls.push_back(contact);
+        reached.push_back(contact);
       } else if (contact.distance < 0) {
         add_seeds(hole, contact.point_b);
       }
     }
-    if (deepest_solid < 0 && deepest_wall < 0) {
-      if (deepest_wall < deepest_solid) {
-        walls.resize(first, ContactPoint{});
-      } else {
-        std::erase_if(solids, [&](const ContactPoint& contact) { return is_of_hole(contact) && contact.distance < 0; });
+    // Particles are judged one by one: they are the children of the other shape.
+    for (const ContactPoint& wall : reached) {
+      const auto is_of_child = [&](const ContactPoint& contact) { return contact.child_b == wall.child_b; };
+      Real deepest_solid = infinity, deepest_wall = infinity;
+      for (const ContactPoint& contact : reached) {
+        deepest_wall = is_of_child(contact) ? std::min(deepest_wall, contact.distance) : deepest_wall;
+      }
+      for (const ContactPoint& contact : solids) {
+        if (is_of_child(contact) && is_of_hole(contact) && !is_cut_away(contact)) {
+          deepest_solid = std::min(deepest_solid, contact.distance);
+        }
+      }
+      const bool overlap_both = deepest_solid < 0 && deepest_wall < 0;
+      if (overlap_both && deepest_wall < deepest_solid) {
+        continue;
+      }
+      walls.push_back(wall);
+      if (overlap_both) {
+        std::erase_if(solids, [&](const ContactPoint& contact) {
+          return is_of_child(contact) && is_of_hole(contact) && contact.distance < 0;
+        });
       }
     }
   }
@@ -172,8 +181,22 @@ class Carver {
             const Vec3 inward = contact.normal;
             const Vec3 innermost = other_pose_ * shape.support(other_pose_.rotation.undo(inward)).point;
             return dot(inward, innermost - contact.point_a) + shape.radius() > noise_;
+          } else if constexpr (Scattered<S>) {
+            return contact.distance + 2 * shape.part(contact.child_b).radius() > noise_;
           } else {
             return true;
+          }
+        },
+        other_);
+  }
+
+  [[nodiscard]] Vec3 centre_of(const ContactPoint& contact) const {
+    return std::visit(
+        [&]<class S>(const S& shape) {
+          if constexpr (Scattered<S>) {
+            return contact.point_b + shape.part(contact.child_b).radius() * contact.normal;
+          } else {
+            return centre_;
           }
         },
         other_);
@@ -189,7 +212,7 @@ class Carver {
         add_seeds(hole, contact.point_b);
         return true;
       }
-      if (holds(hole.child, contact.point_b, noise_) && holds(hole.child, centre_, noise_)) {
+      if (holds(hole.child, contact.point_b, noise_) && holds(hole.child, centre_of(contact), noise_)) {
         return true;
       }
     }

@@ -181,6 +181,20 @@ TEST(Holes, CarryEveryConvexShape) {
   EXPECT_NEAR(deepest(contacts_of(body, identity, make_of_kind("particles", {0.1}, {0, 0, 0, 0.95, 0, 0}), identity)), -0.05, 1e-12);
 }
 
+// One outside, one on the outer face, one floating and one at the wall: each is judged by itself.
+TEST(Holes, HoldParticlesOneByOne) {
+  const Shape body = hollow(sphere_hole(1));
+  const Shape dust = make_of_kind("particles", {0.1}, {3, 0, 0, 2.05, 0, 0, 0.2, 0, 0, 0, 0.92, 0});
+  const auto found = contacts_of(body, identity, dust, identity);
+  ASSERT_EQ(found.size(), 2U);
+  for (const abut_contact& contact : found) {
+    const bool is_at_wall = contact.child_b == 3;
+    EXPECT_TRUE(is_at_wall || contact.child_b == 1);
+    EXPECT_EQ(contact.child_a, is_at_wall ? 1U : 0U);
+    EXPECT_NEAR(contact.distance, is_at_wall ? -0.02 : -0.05, 1e-12);
+  }
+}
+
 TEST(Holes, AreSeenByRays) {
   const Shape body = hollow(sphere_hole(1));
   const auto cast = [&](const abut_shape* shape, const abut_ray& ray, abut_ray_hit& hit) {
