@@ -224,9 +224,8 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
     Manifold contacts;
     outcome = append_contacts_of_children(a, b, ab, however_far, contacts);
     if (outcome == Outcome::ok && contacts.empty()) {
-      outcome = Outcome::unsupported;  // nothing is left of the solids
-    }
-    if (outcome == Outcome::ok) {
+      best.upper = infinity;  // nothing of the solids is left that could be met
+    } else if (outcome == Outcome::ok) {
       const ContactPoint& least = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
       best = {least.distance, std::min(best.lower, least.distance), least.distance, least.point_a, least.point_b, least.normal,
               best.algorithm, best.iterations};

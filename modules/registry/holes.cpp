@@ -173,18 +173,18 @@ class Carver {
     }
   }
 
-  // The other shape lies on the cavity's side of the wall in part at least.
+  // What pokes through a wall holds the point of it that it went through; else it lies somewhere outside of the cavity.
   [[nodiscard]] bool reaches_from_inside(const ContactPoint& contact) const {
+    if (contact.distance >= 0) {
+      return true;
+    }
     return std::visit(
         [&]<class S>(const S& shape) {
-          if constexpr (Convex<S>) {
-            const Vec3 inward = contact.normal;
-            const Vec3 innermost = other_pose_ * shape.support(other_pose_.rotation.undo(inward)).point;
-            return dot(inward, innermost - contact.point_a) + shape.radius() > noise_;
-          } else if constexpr (Scattered<S>) {
+          if constexpr (Scattered<S>) {
             return contact.distance + 2 * shape.part(contact.child_b).radius() > noise_;
           } else {
-            return true;
+            const auto found = other_.distance_to(other_pose_.undo(contact.point_a));
+            return found && found->distance <= noise_;
           }
         },
         other_);
