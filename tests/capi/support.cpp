@@ -107,8 +107,10 @@ Shape make_terrain(std::uint32_t samples, double spacing) {
   return Shape(shape);
 }
 
-Shape make_of_kind(const char* kind, const std::vector<double>& parameters, const std::vector<double>& reals,
-                   const std::vector<std::uint32_t>& indices) {
+namespace {
+
+abut_shape_desc describe(const char* kind, const std::vector<double>& parameters, const std::vector<double>& reals,
+                         const std::vector<std::uint32_t>& indices) {
   abut_shape_desc desc;
   abut_shape_desc_init(&desc, sizeof(desc));
   desc.kind = abut_shape_kind_by_name(kind);
@@ -118,9 +120,46 @@ Shape make_of_kind(const char* kind, const std::vector<double>& parameters, cons
   desc.real_count = reals.size();
   desc.indices = indices.data();
   desc.index_count = indices.size();
+  return desc;
+}
+
+}  // namespace
+
+Shape make_of_kind(const char* kind, const std::vector<double>& parameters, const std::vector<double>& reals,
+                   const std::vector<std::uint32_t>& indices) {
+  const abut_shape_desc desc = describe(kind, parameters, reals, indices);
   abut_shape* shape = nullptr;
   EXPECT_TRUE(succeeded(abut_shape_create(&desc, &shape)));
   return Shape(shape);
+}
+
+void expect_kind_refused(const char* kind, const std::vector<double>& parameters, const std::vector<double>& reals,
+                         const std::vector<std::uint32_t>& indices, abut_status status, std::initializer_list<std::string_view> words) {
+  const abut_shape_desc desc = describe(kind, parameters, reals, indices);
+  Out<abut_shape*> out;
+  EXPECT_TRUE(refused(abut_shape_create(&desc, out.address()), status, words));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
+                                      double margin) {
+  abut_query_options options;
+  abut_query_options_init(&options, sizeof(options));
+  options.max_contacts = 0;
+  options.margin = margin;
+  std::size_t count = 0;
+  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, nullptr, 0, &count)));
+  std::vector<abut_contact> found(count);
+  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, found.data(), count, &count)));
+  return found;
+}
+
+double distance_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b) {
+  abut_distance found{};
+  EXPECT_TRUE(succeeded(abut_shapes_distance(a, &pose_a, b, &pose_b, nullptr, &found)));
+  EXPECT_LE(found.lower, found.distance);
+  EXPECT_LE(found.distance, found.upper);
+  return found.distance;
 }
 
 Shape make_composite(const std::vector<const abut_shape*>& children, const std::vector<abut_pose>& poses) {

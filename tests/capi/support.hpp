@@ -100,6 +100,14 @@ Shape make_terrain(std::uint32_t samples, double spacing);  // flat at z = 0 but
 Shape make_of_kind(const char* kind, const std::vector<double>& parameters, const std::vector<double>& reals = {},
                    const std::vector<std::uint32_t>& indices = {});
 Shape make_composite(const std::vector<const abut_shape*>& children, const std::vector<abut_pose>& poses);
+// All contacts of a pair, not reduced.
+std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
+                                      double margin = 0);
+// The signed distance of a pair, which has to lie within its bounds.
+double distance_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b);
+// That the generic door refuses these numbers and leaves its out-parameter alone.
+void expect_kind_refused(const char* kind, const std::vector<double>& parameters, const std::vector<double>& reals,
+                         const std::vector<std::uint32_t>& indices, abut_status status, std::initializer_list<std::string_view> words);
 // One shape of every kind, all about one unit large, in the order sphere, box, capsule, plane, hull, mesh, height field.
 std::vector<Shape> make_one_of_each_kind();
 

@@ -14,27 +14,6 @@ abut_pose turned(double x, double y, double z, double angle) {
   return {{x, y, z}, {std::cos(0.5 * angle), 0.6 * std::sin(0.5 * angle), 0, 0.8 * std::sin(0.5 * angle)}};
 }
 
-std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
-                                      double margin = 0) {
-  abut_query_options options;
-  abut_query_options_init(&options, sizeof(options));
-  options.max_contacts = 0;
-  options.margin = margin;
-  std::size_t count = 0;
-  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, nullptr, 0, &count)));
-  std::vector<abut_contact> found(count);
-  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, found.data(), count, &count)));
-  return found;
-}
-
-double distance_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b) {
-  abut_distance found{};
-  EXPECT_TRUE(succeeded(abut_shapes_distance(a, &pose_a, b, &pose_b, nullptr, &found)));
-  EXPECT_LE(found.lower, found.distance);
-  EXPECT_LE(found.distance, found.upper);
-  return found.distance;
-}
-
 // A row of boxes, each turned a little; more of them than are looked at without a tree.
 struct Row {
   explicit Row(int count) {
@@ -182,18 +161,9 @@ TEST(Composite, ComesFromNumbersToo) {
 
 TEST(Composite, NumbersThatDoNotAddUpAreRefusedByName) {
   const std::uint32_t sphere = abut_shape_kind_by_name("sphere");
-  const auto refuses = [&](std::vector<double> reals, std::vector<std::uint32_t> indices, abut_status status,
-                           std::initializer_list<std::string_view> words) {
-    abut_shape_desc desc;
-    abut_shape_desc_init(&desc, sizeof(desc));
-    desc.kind = abut_shape_kind_by_name("composite");
-    desc.reals = reals.data();
-    desc.real_count = reals.size();
-    desc.indices = indices.data();
-    desc.index_count = indices.size();
-    Out<abut_shape*> out;
-    EXPECT_TRUE(refused(abut_shape_create(&desc, out.address()), status, words));
-    EXPECT_TRUE(out.is_untouched());
+  const auto refuses = [](const std::vector<double>& reals, const std::vector<std::uint32_t>& indices, abut_status status,
+                          std::initializer_list<std::string_view> words) {
+    expect_kind_refused("composite", {}, reals, indices, status, words);
   };
   const std::vector<double> ball{0, 0, 0, 1, 0, 0, 0, 0.5};
   refuses({}, {}, ABUT_EMPTY, {"count"});

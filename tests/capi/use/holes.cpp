@@ -10,19 +10,6 @@ using namespace abut_test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
-                                      double margin = 0) {
-  abut_query_options options;
-  abut_query_options_init(&options, sizeof(options));
-  options.max_contacts = 0;
-  options.margin = margin;
-  std::size_t count = 0;
-  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, nullptr, 0, &count)));
-  std::vector<abut_contact> found(count);
-  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, found.data(), count, &count)));
-  return found;
-}
-
 double deepest(const std::vector<abut_contact>& contacts) {
   double least = infinity;
   for (const abut_contact& contact : contacts) least = std::min(least, contact.distance);
@@ -234,15 +221,9 @@ TEST(Holes, SaySoWhereTheyMeetNothing) {
 }
 
 TEST(Holes, ParametersThatMakeNoSenseAreRefusedByName) {
-  const auto refuses = [&](const char* kind, std::vector<double> parameters, abut_status status, std::initializer_list<std::string_view> words) {
-    abut_shape_desc desc;
-    abut_shape_desc_init(&desc, sizeof(desc));
-    desc.kind = abut_shape_kind_by_name(kind);
-    desc.parameters = parameters.data();
-    desc.parameter_count = parameters.size();
-    Out<abut_shape*> out;
-    EXPECT_TRUE(refused(abut_shape_create(&desc, out.address()), status, words));
-    EXPECT_TRUE(out.is_untouched());
+  const auto refuses = [](const char* kind, const std::vector<double>& parameters, abut_status status,
+                          std::initializer_list<std::string_view> words) {
+    expect_kind_refused(kind, parameters, {}, {}, status, words);
   };
   refuses("sphere_hole", {-1}, ABUT_OUT_OF_RANGE, {"radius", "-1"});
   refuses("cylinder_hole", {1, 1, 4}, ABUT_UNKNOWN_VALUE, {"open_ends", "4"});

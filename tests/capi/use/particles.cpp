@@ -9,23 +9,6 @@ namespace {
 
 using namespace abut_test;
 
-std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b) {
-  abut_query_options options;
-  abut_query_options_init(&options, sizeof(options));
-  options.max_contacts = 0;
-  std::size_t count = 0;
-  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, nullptr, 0, &count)));
-  std::vector<abut_contact> found(count);
-  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, found.data(), count, &count)));
-  return found;
-}
-
-double distance_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b) {
-  abut_distance found{};
-  EXPECT_TRUE(succeeded(abut_shapes_distance(a, &pose_a, b, &pose_b, nullptr, &found)));
-  return found.distance;
-}
-
 std::vector<double> cloud(std::size_t count, std::uint64_t seed, double thickness = 1) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> place(-1, 1);
@@ -150,18 +133,9 @@ TEST(Particles, AreMetByRays) {
 }
 
 TEST(Particles, NumbersThatMakeNoSenseAreRefusedByName) {
-  const auto refuses = [&](std::vector<double> parameters, std::vector<double> reals, abut_status status,
-                           std::initializer_list<std::string_view> words) {
-    abut_shape_desc desc;
-    abut_shape_desc_init(&desc, sizeof(desc));
-    desc.kind = abut_shape_kind_by_name("particles");
-    desc.parameters = parameters.data();
-    desc.parameter_count = parameters.size();
-    desc.reals = reals.data();
-    desc.real_count = reals.size();
-    Out<abut_shape*> out;
-    EXPECT_TRUE(refused(abut_shape_create(&desc, out.address()), status, words));
-    EXPECT_TRUE(out.is_untouched());
+  const auto refuses = [](const std::vector<double>& parameters, const std::vector<double>& reals, abut_status status,
+                          std::initializer_list<std::string_view> words) {
+    expect_kind_refused("particles", parameters, reals, {}, status, words);
   };
   refuses({0.5}, {}, ABUT_EMPTY, {"count", "0"});
   refuses({0.5}, {0, 0, 0, 1}, ABUT_INVALID_ARGUMENT, {"real_count", "4", "multiple of 3"});
