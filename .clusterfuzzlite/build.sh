@@ -8,10 +8,10 @@ unset CC CXX CFLAGS CXXFLAGS
 cmake --preset fuzz -D "ABUT_FUZZ_ENGINE=${LIB_FUZZING_ENGINE:--fsanitize=fuzzer}" -D 'CMAKE_BUILD_RPATH=$ORIGIN/lib'
 cmake --build build/fuzz --target abut_fuzz_targets
 mkdir -p "$OUT/lib"
-for target in build/fuzz/fuzz/fuzz_*_*; do
+for target in build/fuzz/fuzz/fuzz_*; do
   [ -f "$target" ] && [ -x "$target" ] || continue
   name=$(basename "$target") pair=${target##*/fuzz_}
   cp "$target" "$OUT/$name"
-  ldd "$target" | sed -n 's#.* => \(/.*/lib\(ccd\|qhull\).*\) (.*#\1#p' | xargs -r cp -t "$OUT/lib" --dereference
+  ldd "$target" | sed -n 's#.* => \(/.*/lib\(abut\|ccd\|qhull\|tbb\).*\) (.*#\1#p' | xargs -r cp -t "$OUT/lib" --dereference
   [ ! -d "fuzz/corpus/$pair" ] || zip -qj "$OUT/${name}_seed_corpus.zip" fuzz/corpus/"$pair"/*
 done

@@ -3,110 +3,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <type_traits>
 #include <vector>
 
+#include "ode_shapes.hpp"
 #include "pairs.hpp"
 
 namespace bench {
 namespace {
 
-struct DestroyGeom {
-  void operator()(dGeomID geom) const { dGeomDestroy(geom); }
-};
-using Geom = std::unique_ptr<std::remove_pointer_t<dGeomID>, DestroyGeom>;
-
-// A hull as ODE reads it, which keeps pointers into these arrays.
-struct Convex {
-  std::vector<dReal> planes;           // of each triangle: unit normal, offset
-  std::vector<dReal> points;           // x, y, z
-  std::vector<unsigned int> polygons;  // of each triangle: 3, and its corners
-};
-
-Convex convex_of(const Solid& solid) {
-  Convex convex;
-  for (const Point& p : solid.points) {
-    convex.points.insert(convex.points.end(), p.begin(), p.end());
-  }
-  for (const auto& triangle : solid.triangles) {
-    std::array<std::size_t, 3> corners{};
-    std::ranges::transform(triangle, corners.begin(), [](int corner) { return static_cast<std::size_t>(corner); });
-    const Point &a = solid.points[corners[0]], &b = solid.points[corners[1]], &c = solid.points[corners[2]];
-    const Point u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-    const Point n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const double length = std::hypot(n[0], n[1], n[2]);
-    convex.planes.insert(convex.planes.end(), {n[0] / length, n[1] / length, n[2] / length,
-                                               (n[0] * a[0] + n[1] * a[1] + n[2] * a[2]) / length});
-    convex.polygons.push_back(3);
-    for (const int corner : triangle) {
-      convex.polygons.push_back(static_cast<unsigned int>(corner));
-    }
-  }
-  return convex;
-}
-
-std::vector<Convex> convexes_of(std::span<const Solid> solids) {
-  std::vector<Convex> convexes;
-  for (const Solid& solid : solids) {
-    convexes.push_back(convex_of(solid));
-  }
-  return convexes;
-}
-
-// A plane of ODE knows no pose: the half-space below z = 0 is moved by hand.
-dGeomID placed_plane(const Placement& placement) {
-  const auto& [w, x, y, z] = placement.orientation;
-  const Point &p = placement.position, up{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
-  return dCreatePlane(nullptr, up[0], up[1], up[2], up[0] * p[0] + up[1] * p[1] + up[2] * p[2]);
-}
-
-dGeomID unplaced(const Solid& solid, const Convex& convex) {
-  const Point& s = solid.sizes;
-  switch (solid.kind) {
-    case Kind::sphere:
-      return dCreateSphere(nullptr, s[0]);
-    case Kind::box:
-      return dCreateBox(nullptr, 2 * s[0], 2 * s[1], 2 * s[2]);
-    case Kind::capsule:
-      return dCreateCapsule(nullptr, s[0], 2 * s[1]);
-    case Kind::cylinder:
-      return dCreateCylinder(nullptr, s[0], 2 * s[1]);
-    case Kind::hull32:
-    case Kind::hull200:
-    case Kind::hull:
-      return dCreateConvex(nullptr, convex.planes.data(), static_cast<unsigned int>(convex.planes.size() / 4),
-                           convex.points.data(), static_cast<unsigned int>(convex.points.size() / 3),
-                           convex.polygons.data());
-    case Kind::plane:
-    case Kind::cone:
-    case Kind::ellipsoid:
-    case Kind::triangle:
-      return nullptr;
-  }
-  return nullptr;
-}
-
-Geom geom_of(const Solid& solid, const Convex& convex, const Placement& placement) {
-  if (solid.kind == Kind::plane) {
-    return Geom(placed_plane(placement));
-  }
-  Geom geom(unplaced(solid, convex));
-  const Point& p = placement.position;
-  dGeomSetPosition(geom.get(), p[0], p[1], p[2]);
-  dGeomSetQuaternion(geom.get(), placement.orientation.data());
-  return geom;
-}
-
 class Ode final : public Contender {
  public:
-  explicit Ode(const Cell& cell) : convexes_a_(convexes_of(cell.solids_a)), convexes_b_(convexes_of(cell.solids_b)) {
+  explicit Ode(const Cell& cell) : convexes_a_(ode_convexes(cell.solids_a)), convexes_b_(ode_convexes(cell.solids_b)) {
     for (const Case& one : cell.cases) {
-      jobs_.push_back({geom_of(cell.solids_a[one.a], convexes_a_[one.a], one.pose_a),
-                       geom_of(cell.solids_b[one.b], convexes_b_[one.b], one.pose_b)});
+      jobs_.push_back({ode_geom(cell.solids_a[one.a], convexes_a_[one.a], one.pose_a),
+                       ode_geom(cell.solids_b[one.b], convexes_b_[one.b], one.pose_b)});
     }
   }
 
@@ -127,10 +40,10 @@ class Ode final : public Contender {
 
  private:
   struct Job {
-    Geom a, b;
+    OdeGeom a, b;
   };
 
-  std::vector<Convex> convexes_a_, convexes_b_;
+  std::vector<OdeConvex> convexes_a_, convexes_b_;
   std::vector<Job> jobs_;
 };
 
@@ -144,10 +57,7 @@ std::unique_ptr<Contender> make_ode(Query query, const Cell& cell) {
   if (query != Query::contacts || !is_known(cell.solids_a.front().kind) || !is_known(cell.solids_b.front().kind)) {
     return nullptr;
   }
-  // Once, and until the program ends.
-  constexpr auto all_data = static_cast<unsigned int>(dAllocateMaskAll);
-  static const bool is_ready = dInitODE2(0) != 0 && dAllocateODEDataForThread(all_data) != 0;
-  return is_ready ? std::make_unique<Ode>(cell) : nullptr;
+  return start_ode() ? std::make_unique<Ode>(cell) : nullptr;
 }
 
 }  // namespace bench

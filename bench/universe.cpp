@@ -1,4 +1,4 @@
-// A step of a universe with 5,000 moving bodies: abut beside Bullet's collision world, one thread.
+// A step of a universe with 5,000 moving bodies: abut on one thread and on two, beside Bullet, FCL and ODE on one.
 #include "universe.hpp"
 
 #include <benchmark/benchmark.h>
@@ -14,6 +14,7 @@
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ratios.hpp"
@@ -34,6 +35,7 @@ World make_block(double spacing, double jitter, std::uint64_t seed) {
   constexpr std::array kinds{Kind::sphere, Kind::box, Kind::capsule, Kind::hull32};
   for (std::size_t i = 0; i < solid_count; ++i) {
     world.solids.push_back(random_solid(kinds[i % kinds.size()], random));
+    give_surface(world.solids.back());
   }
   const auto side = static_cast<std::size_t>(std::ceil(std::cbrt(static_cast<double>(body_count))));
   world.ground.kind = Kind::box;
@@ -150,13 +152,18 @@ int run(int argument_count, char** arguments) {
   std::printf("per step   library         pairs   touching     points    overlap\n");
   std::vector<std::unique_ptr<Detector>> detectors;
   const auto compare = [&](const std::string& name, const World& world) {
-    add(name, "abut", *detectors.emplace_back(make_abut_world(world)));
+    add(name, "abut", *detectors.emplace_back(make_abut_world(world, 1)));
+    add(name, "abut-2", *detectors.emplace_back(make_abut_world(world, 2)));
     add(name, "bullet", *detectors.emplace_back(make_bullet_world(world, -1)));
     add(name, "bullet-0", *detectors.emplace_back(make_bullet_world(world, 0)));
+    add(name, "fcl", *detectors.emplace_back(make_fcl_world(world)));
+    if (std::unique_ptr<Detector> ode = make_ode_world(world)) {
+      add(name, "ode", *detectors.emplace_back(std::move(ode)));
+    }
   };
   compare("pile", pile);
   compare("sparse", sparse);
-  return run_and_compare({"abut", {"bullet", "bullet-0"}, {}, 1, "us", 1e-6});
+  return run_and_compare({"abut", {"bullet", "bullet-0", "fcl", "ode"}, {"abut-2"}, 1, "us", 1e-6});
 }
 
 }  // namespace

@@ -43,9 +43,15 @@ class Detector {
   [[nodiscard]] virtual Counts counts() const = 0;
 };
 
+// Gives a hull its vertices and its surface, which FCL and ODE want from outside.
+void give_surface(Solid& solid);
+
 // With Bullet's own margins when `margin` is negative.
 [[gnu::visibility("default")]] std::unique_ptr<Detector> make_bullet_world(const World& world, double margin);
-std::unique_ptr<Detector> make_abut_world(const World& world);
+[[gnu::visibility("default")]] std::unique_ptr<Detector> make_fcl_world(const World& world);
+// Null where ODE is not installed.
+[[gnu::visibility("default")]] std::unique_ptr<Detector> make_ode_world(const World& world);
+std::unique_ptr<Detector> make_abut_world(const World& world, unsigned threads);
 
 // All overlaps of bodies at placements, by abut.
 std::vector<Touch> touches(const World& world, std::span<const Placement> placements);

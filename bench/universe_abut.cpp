@@ -20,9 +20,12 @@ struct DestroyUniverse {
 
 class AbutWorld final : public Detector {
  public:
-  AbutWorld(const World& world, std::span<const std::vector<Placement>> frames) {
+  AbutWorld(const World& world, std::span<const std::vector<Placement>> frames, unsigned threads) {
     abut_universe* universe = nullptr;
-    expect_ok(abut_universe_create(nullptr, &universe));
+    abut_universe_options options;
+    abut_universe_options_init(&options, sizeof options);
+    options.threads = threads;
+    expect_ok(abut_universe_create(&options, &universe));
     universe_.reset(universe);
     for (const auto& frame : frames) {
       std::vector<abut_pose>& poses = frames_.emplace_back();
@@ -95,13 +98,33 @@ class AbutWorld final : public Detector {
 
 }  // namespace
 
-std::unique_ptr<Detector> make_abut_world(const World& world) {
-  return std::make_unique<AbutWorld>(world, world.frames);
+void give_surface(Solid& solid) {
+  if (!is_hull(solid.kind)) {
+    return;
+  }
+  const AbutCShape shape = abut_c_shape(solid);
+  std::size_t vertex_count = 0, triangle_count = 0;
+  expect_ok(abut_shape_triangles(shape.get(), nullptr, 0, &vertex_count, nullptr, 0, &triangle_count));
+  std::vector<double> xyz(3 * vertex_count);
+  std::vector<std::uint32_t> corners(3 * triangle_count);
+  expect_ok(abut_shape_triangles(shape.get(), xyz.data(), vertex_count, &vertex_count, corners.data(), triangle_count, &triangle_count));
+  solid.points.clear();
+  for (std::size_t i = 0; i < xyz.size(); i += 3) {
+    solid.points.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
+  }
+  solid.triangles.clear();
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    solid.triangles.push_back({static_cast<int>(corners[i]), static_cast<int>(corners[i + 1]), static_cast<int>(corners[i + 2])});
+  }
+}
+
+std::unique_ptr<Detector> make_abut_world(const World& world, unsigned threads) {
+  return std::make_unique<AbutWorld>(world, world.frames, threads);
 }
 
 std::vector<Touch> touches(const World& world, std::span<const Placement> placements) {
   const std::vector<std::vector<Placement>> frames{{placements.begin(), placements.end()}};
-  AbutWorld detector(world, frames);
+  AbutWorld detector(world, frames, 1);
   detector.detect();
   return detector.touches();
 }

@@ -72,6 +72,8 @@ namespace abut::capi {
           0,
           0,
           0,
+          0,
+          0,
           0};
 }
 

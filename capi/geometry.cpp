@@ -1,6 +1,7 @@
 // Geometries: shapes on parts.
-#include "universe_handle.hpp"
+#include "geometry_arguments.hpp"
 #include "options.hpp"
+#include "universe_handle.hpp"
 
 import abut.any_shape;
 import abut.core;
@@ -13,28 +14,8 @@ using namespace abut::capi;
 
 namespace {
 
-constexpr abut_geometry_options default_options{sizeof(abut_geometry_options), 0, {{0, 0, 0}, {1, 0, 0, 0}}, 0, 0};
-
-abut_status check_options(const Where& where, const abut_geometry_options& options) {
-  abut_status status = check_reserved(where, options.reserved);
-  status = status != ABUT_OK ? status : check_pose({where.name, where.index, ".pose"}, options.pose);
-  if (status != ABUT_OK || (options.tolerance >= 0 && options.tolerance <= abut::largest_coordinate)) {
-    return status;
-  }
-  return to_status(abut::check_not_negative(where.with(".tolerance"), options.tolerance));
-}
-
-abut::GeometryOptions to_options(const abut_geometry_options& options) {
-  return {to_placement(options.pose), options.tolerance, options.user_data};
-}
-
-// One more owner of a shape of the caller. Only the count changes, of which a shape that is const to the
-// caller may have many.
-ShapeOwner share(const abut_shape* shape) {
-  auto* counted = const_cast<abut_shape*>(shape);
-  abut_shape_retain(counted);
-  return ShapeOwner(counted);
-}
+constexpr abut_geometry_options default_options{
+    sizeof(abut_geometry_options), 0, {{0, 0, 0}, {1, 0, 0, 0}}, 0, 0, 1, ~std::uint64_t{0}, 0, 0, 0, 0, ABUT_PARKING_NONE};
 
 struct Batch {
   std::span<const abut_part_id> parts;
@@ -45,19 +26,12 @@ struct Batch {
 // Creates geometries and keeps their shapes for lending. After the universe has created them nothing
 // can fail any more.
 abut_status create(abut_universe& its, const Batch& batch, std::span<abut_geometry_id> out) {
-  std::vector<ShapeOwner> owners;
-  std::vector<abut::ShapeHandle> handles;
-  owners.reserve(batch.shapes.size());
-  handles.reserve(batch.shapes.size());
-  for (const abut_shape* shape : batch.shapes) {
-    owners.push_back(share(shape));
-    handles.push_back(shape->handle);
-  }
+  SharedShapes shared(batch.shapes);
   const std::size_t most = its.shapes.size() + batch.parts.size();
   if (most > its.shapes.capacity()) {
     its.shapes.reserve(std::max(most, 2 * its.shapes.capacity()));
   }
-  const auto created = its.universe.create_geometries(to_parts(batch.parts), handles, batch.options);
+  const auto created = its.universe.create_geometries(to_parts(batch.parts), shared.handles, batch.options);
   if (!created) {
     return refuse_batch(its.universe, "parts", batch.parts, created.error());
   }
@@ -66,7 +40,7 @@ abut_status create(abut_universe& its, const Batch& batch, std::span<abut_geomet
     if (id.slot > its.shapes.size()) {
       its.shapes.resize(id.slot);
     }
-    its.shapes[id.slot - 1] = std::move(owners[i]);
+    its.shapes[id.slot - 1] = std::move(shared.owners[i]);
     out[i] = from_geometry(id);
   }
   return ABUT_OK;
@@ -92,20 +66,10 @@ abut_status create_one(abut_universe& its, const abut_part_id& part, const abut_
 
 abut_status create_all(abut_universe& its, std::span<const abut_part_id> parts, std::span<const abut_shape* const> shapes,
                        std::span<const abut_geometry_options> given, std::span<abut_geometry_id> out) {
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (shapes[i] == nullptr) {
-      return refuse(ABUT_NULL_ARGUMENT, Where{"shapes", i}.with(" is null"));
-    }
-  }
   std::vector<abut::GeometryOptions> options;
-  options.reserve(given.size());
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    if (const abut_status status = check_options({"options", i}, given[i]); status != ABUT_OK) {
-      return status;
-    }
-    options.push_back(to_options(given[i]));
-  }
-  return create(its, {parts, shapes, options}, out);
+  abut_status status = check_shapes(shapes);
+  status = status != ABUT_OK ? status : read_options(given, options);
+  return status != ABUT_OK ? status : create(its, {parts, shapes, options}, out);
 }
 
 abut_status destroy(abut_universe& its, std::span<const abut_geometry_id> ids) {
@@ -127,9 +91,11 @@ abut_status describe(const abut_universe& its, const abut_geometry_id& geometry,
     return refuse_stale({"geometry"}, geometry);
   }
   const abut::GeometryInfo& info = found.value();
+  const abut::GeometryOptions& options = info.options;
   write_struct({sizeof(abut_geometry_info), abut::Shapes::kinds[(*info.shape).index()], from_part(info.part),
-                its.shapes[geometry.slot - 1].get(), from_placement(info.world), from_placement(info.local), info.tolerance,
-                info.user_data},
+                its.shapes[geometry.slot - 1].get(), from_placement(info.world), from_placement(options.local),
+                options.tolerance, options.user_data, options.layers, options.mask, options.exclusion, options.label,
+                options.tag, options.material, static_cast<abut_parking>(options.parking), flags_of(options), 0},
                out);
   return ABUT_OK;
 }
@@ -191,7 +157,11 @@ abut_status abut_geometries_destroy(abut_universe* universe, const abut_geometry
 
 void abut_geometry_info_init(abut_geometry_info* info, uint32_t struct_size) {
   constexpr abut_pose unmoved{{0, 0, 0}, {1, 0, 0, 0}};
-  fill_defaults<abut_geometry_info>({sizeof(abut_geometry_info), 0, {}, nullptr, unmoved, unmoved, 0, 0}, struct_size, info);
+  abut_geometry_info blank{};
+  blank.struct_size = sizeof(abut_geometry_info);
+  blank.pose = unmoved;
+  blank.local = unmoved;
+  fill_defaults(blank, struct_size, info);
 }
 
 abut_status abut_geometry_describe(const abut_universe* universe, abut_geometry_id geometry, abut_geometry_info* out) {

@@ -51,6 +51,24 @@ template <class Struct>
   return ABUT_OK;
 }
 
+// Tags of geometries, to which policies apply.
+[[nodiscard]] inline abut_status check_tag(const Where& where, std::string_view field, std::uint32_t tag) {
+  constexpr std::uint32_t tag_count = 64;
+  if (tag >= tag_count) [[unlikely]] {
+    return refuse(error_about(Errc::out_of_range, where.with(field), std::uint64_t{tag}, "below " + std::to_string(tag_count)));
+  }
+  return ABUT_OK;
+}
+
+// Sets of flags.
+[[nodiscard]] inline abut_status check_bits(const Where& where, std::string_view field, std::uint32_t bits, std::uint32_t known) {
+  if ((bits & ~known) != 0) [[unlikely]] {
+    return refuse(error_about(Errc::unknown_value, where.with(field), std::uint64_t{bits},
+                              "made of the bits of " + std::to_string(known)));
+  }
+  return ABUT_OK;
+}
+
 // An array of structs as a caller with another header lays it out: one struct_size after the other.
 template <class Struct>
 class StructArray {

@@ -90,6 +90,19 @@ abut_status set_poses(abut_universe& its, std::span<const abut_part_id> ids, std
   return done ? static_cast<abut_status>(ABUT_OK) : refuse_batch(its.universe, "parts", ids, done.error());
 }
 
+abut_status set_motions(abut_universe& its, std::span<const abut_part_id> ids, std::span<const abut_motion> given) {
+  std::vector<abut::MotionKind> motions;
+  motions.reserve(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (const abut_status status = check_value({"motions", i}, "", given[i], ABUT_MOTION_STATIC); status != ABUT_OK) {
+      return status;
+    }
+    motions.push_back(static_cast<abut::MotionKind>(given[i]));
+  }
+  const auto done = its.universe.set_motions(to_parts(ids), motions);
+  return done ? static_cast<abut_status>(ABUT_OK) : refuse_batch(its.universe, "parts", ids, done.error());
+}
+
 abut_status poses_of(const abut_universe& its, std::span<const abut_part_id> ids, std::span<abut_pose> out) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (!exists(its.universe, ids[i])) {
@@ -196,6 +209,40 @@ abut_status abut_parts_poses(const abut_universe* universe, const abut_part_id* 
     abut_status status = read_span("parts", parts, "count", count, ids);
     status = status != ABUT_OK ? status : read_span("out", out, "count", count, poses);
     return status != ABUT_OK ? status : poses_of(its, ids, poses);
+  });
+}
+
+abut_status abut_part_set_motion(abut_universe* universe, abut_part_id part, abut_motion motion) {
+  return guard(universe, [&](abut_universe& its) {
+    if (!exists(its.universe, part)) {
+      return refuse_stale({"part"}, part);
+    }
+    const abut_status status = check_value({"motion"}, "", motion, ABUT_MOTION_STATIC);
+    return status != ABUT_OK ? status : set_motions(its, std::array{part}, std::array{motion});
+  });
+}
+
+abut_status abut_parts_set_motions(abut_universe* universe, const abut_part_id* parts, const abut_motion* motions, size_t count) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const abut_part_id> ids;
+    std::span<const abut_motion> given;
+    abut_status status = read_span("parts", parts, "count", count, ids);
+    status = status != ABUT_OK ? status : read_span("motions", motions, "count", count, given);
+    return status != ABUT_OK ? status : set_motions(its, ids, given);
+  });
+}
+
+abut_status abut_part_motion(const abut_universe* universe, abut_part_id part, abut_motion* out) {
+  return guard(universe, [&](const abut_universe& its) {
+    if (const abut_status status = check_not_null("out", out); status != ABUT_OK) {
+      return status;
+    }
+    const auto found = its.universe.motion(to_part(part));
+    if (!found) {
+      return refuse_stale({"part"}, part);
+    }
+    *out = static_cast<abut_motion>(found.value());
+    return abut_status{ABUT_OK};
   });
 }
 

@@ -14,6 +14,7 @@
 #include <memory>
 #include <new>
 #include <span>
+#include <utility>
 #include <vector>
 
 import abut.picking;
@@ -26,10 +27,9 @@ namespace {
 
 using abut::capi::check_camera;
 using abut::capi::check_finite;
+using abut::capi::check_ray;
 using abut::capi::check_rays;
 using abut::capi::check_size;
-using abut::capi::explain_ray;
-using abut::capi::is_good;
 using abut::capi::refuse;
 using abut::capi::refuse_null;
 
@@ -108,8 +108,11 @@ abut_status abut_picker_create(abut_universe* universe, abut_picker** out) {
   if (universe == nullptr) return refuse_null("universe");
   if (out == nullptr) return refuse_null("out");
   return guarded([&]() -> abut_status {
-    auto picker = std::make_unique<abut_picker>(
-        abut_picker{abut::picking::Picker(std::make_unique<abut::capi::UniverseSource>(universe))});
+    abut::picking::Counters counters;
+    if (const abut_status status = abut::capi::borrow_counters(universe, counters); status != ABUT_OK) return status;
+    auto source = std::make_unique<abut::capi::UniverseSource>(universe);
+    auto picker =
+        std::make_unique<abut_picker>(abut_picker{abut::picking::Picker(std::move(source), std::move(counters))});
     *out = picker.release();
     return ABUT_OK;
   });
@@ -128,7 +131,10 @@ abut_status abut_picker_cast_ray(abut_picker* picker, const abut_ray* ray, abut_
   if (picker == nullptr) return refuse_null("picker");
   if (ray == nullptr) return refuse_null("ray");
   if (out == nullptr) return refuse_null("out");
-  if (!is_good(*ray)) return explain_ray(*ray);
+  // Before the check: a ray that is refused is not usual.
+  if (picker->picker.cast_usual_ray(*ray, *out)) [[likely]]
+    return ABUT_OK;
+  if (const abut_status status = check_ray(*ray); status != ABUT_OK) return status;
   return answer(picker->picker.cast_ray(*ray, *out));
 }
 
@@ -163,7 +169,7 @@ abut_status abut_picker_cast_ray_all(abut_picker* picker, const abut_ray* ray, a
     return refuse(ABUT_SIZE_OVERFLOW, "capacity", static_cast<double>(capacity),
                   "that many elements do not fit into memory");
   }
-  if (!is_good(*ray)) return explain_ray(*ray);
+  if (const abut_status status = check_ray(*ray); status != ABUT_OK) return status;
   return guarded([&]() -> abut_status {
     std::vector<abut_pick> all;
     if (const abut_status status = picker->picker.cast_ray_all(*ray, all); status != ABUT_OK) return status;

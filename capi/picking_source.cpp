@@ -63,8 +63,13 @@ std::optional<picking::RoundedSegment> UniverseShape::rounded() const {
   return picking::RoundedSegment{parameters[0], parameters.size() > 1 ? parameters[1] : 0};
 }
 
-abut_status UniverseSource::revision(abut_revision& out) const noexcept {
-  return abut_universe_revision(universe_.get(), &out);
+abut_status borrow_counters(const abut_universe* universe, picking::Counters& out) noexcept {
+  const std::uint64_t* geometries = nullptr;
+  const std::uint64_t* poses = nullptr;
+  const abut_status status = abut_universe_counters(universe, &geometries, &poses);
+  out.geometries.reset(geometries);
+  out.poses.reset(poses);
+  return status;
 }
 
 abut_status UniverseSource::geometries(std::vector<abut_geometry_id>& out) const {

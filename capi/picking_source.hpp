@@ -35,23 +35,20 @@ class UniverseShape final : public picking::PickableShape {
   std::unique_ptr<abut_shape, ShapeRelease> shape_;
 };
 
-/// A borrowed universe: it outlives its pickers, and is not freed with them.
-struct Borrowed {
-  void operator()(const abut_universe* /*universe*/) const noexcept {}
-};
+/// The change counters of a universe.
+[[nodiscard]] abut_status borrow_counters(const abut_universe* universe, picking::Counters& out) noexcept;
 
 class UniverseSource final : public picking::Source {
  public:
   explicit UniverseSource(const abut_universe* universe) noexcept : universe_(universe) {}
 
-  [[nodiscard]] abut_status revision(abut_revision& out) const noexcept override;
   [[nodiscard]] abut_status geometries(std::vector<abut_geometry_id>& out) const override;
   [[nodiscard]] abut_status describe(abut_geometry_id id, picking::GeometryView& out) const override;
   [[nodiscard]] abut_status poses(std::span<const abut_geometry_id> ids, std::vector<abut_pose>& out) const override;
   [[nodiscard]] abut_status shape(abut_geometry_id id, std::unique_ptr<picking::PickableShape>& out) const override;
 
  private:
-  std::unique_ptr<const abut_universe, Borrowed> universe_;
+  std::unique_ptr<const abut_universe, picking::Borrowed> universe_;
 };
 
 }  // namespace abut::capi

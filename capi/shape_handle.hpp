@@ -22,6 +22,14 @@ struct ReleaseShape {
 };
 using ShapeOwner = std::unique_ptr<abut_shape, ReleaseShape>;
 
+// One more owner of a shape of the caller. Only the count changes, of which a shape that is const to the
+// caller may have many.
+[[nodiscard]] inline ShapeOwner share(const abut_shape* shape) {
+  auto* counted = const_cast<abut_shape*>(shape);
+  abut_shape_retain(counted);
+  return ShapeOwner(counted);
+}
+
 // The shape of an argument that is known not to be null.
 [[nodiscard]] inline const AnyShape& shape_of(const abut_shape* shape) { return *shape->handle; }
 

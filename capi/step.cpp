@@ -1,49 +1,101 @@
-// Steps of a universe and what they found.
-#include "universe_handle.hpp"
+// Steps of a universe, and how they went.
 #include "options.hpp"
+#include "universe_handle.hpp"
 
 import abut.core;
-import abut.shape;
+import abut.math;
 import abut.universe;
 
 using namespace abut::capi;
 
 namespace {
 
-abut_status step(abut_universe& its, double dt) {
-  if (const auto done = its.universe.step(dt); !done) {
-    return refuse(done.error());
-  }
-  const std::span<const abut::Contact> found = its.universe.contacts();
-  its.contacts.resize(found.size());
-  fill(found, std::span(its.contacts), [](const abut::Contact& contact) {
-    abut_contact out = from_contact(contact.point);
-    out.geometry_a = from_geometry(contact.geometry_a);
-    out.geometry_b = from_geometry(contact.geometry_b);
-    out.age = contact.age;
-    out.user_data = contact.user_data;
-    return out;
-  });
+// What was lent out is that of the step before once a detection has found something else. A filter may have asked for it on
+// the way.
+abut_status forget_lent(abut_universe& its) {
+  its.contacts.forget();
+  its.events.forget();
   return ABUT_OK;
 }
 
-abut_status set_user_data(abut_universe& its, std::span<const std::uint64_t> user_data) {
-  if (const auto done = its.universe.set_contact_user_data(user_data); !done) {
-    return refuse(done.error());
-  }
-  for (std::size_t i = 0; i < user_data.size(); ++i) {
-    its.contacts[i].user_data = user_data[i];
+abut_status step(abut_universe& its, double dt) {
+  const auto done = its.universe.step(dt);
+  return done ? forget_lent(its) : refuse(done.error());
+}
+
+abut_status check_ids(const abut::Universe& universe, std::string_view name, std::span<const abut_geometry_id> ids) {
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (!exists(universe, ids[i])) {
+      return refuse_stale({name, i}, ids[i]);
+    }
   }
   return ABUT_OK;
+}
+
+abut_status detect_pairs(abut_universe& its, std::span<const abut_geometry_id> a, std::span<const abut_geometry_id> b) {
+  abut_status status = check_ids(its.universe, "a", a);
+  status = status != ABUT_OK ? status : check_ids(its.universe, "b", b);
+  if (status != ABUT_OK) {
+    return status;
+  }
+  std::vector<std::pair<abut::GeometryId, abut::GeometryId>> pairs;
+  pairs.reserve(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    pairs.emplace_back(to_geometry(a[i]), to_geometry(b[i]));
+  }
+  const auto done = its.universe.detect_pairs(pairs);
+  return done ? forget_lent(its) : refuse(done.error());
+}
+
+// Sides may be infinite: half of the world is a region.
+abut_status check_side(std::string_view axis, double minimum, double maximum) {
+  for (const auto& [name, value] : {std::pair{".minimum", minimum}, std::pair{".maximum", maximum}}) {
+    if (std::isnan(value)) {
+      return refuse(error_about(abut::Errc::not_finite, "region" + std::string(name) + std::string(axis), value, "a number or infinite"));
+    }
+  }
+  if (minimum > maximum) {
+    return refuse(error_about(abut::Errc::invalid_argument, "region.minimum" + std::string(axis), minimum,
+                              "at most region.maximum" + std::string(axis) + ", which is " + abut::to_text(maximum)));
+  }
+  return ABUT_OK;
+}
+
+abut_status detect_region(abut_universe& its, const abut_aabb& region) {
+  abut_status status = check_side(".x", region.minimum.x, region.maximum.x);
+  status = status != ABUT_OK ? status : check_side(".y", region.minimum.y, region.maximum.y);
+  status = status != ABUT_OK ? status : check_side(".z", region.minimum.z, region.maximum.z);
+  if (status != ABUT_OK) {
+    return status;
+  }
+  const auto done = its.universe.detect_region({to_vec3(region.minimum), to_vec3(region.maximum)});
+  return done ? forget_lent(its) : refuse(done.error());
 }
 
 abut_status write_stats(const abut::StepStats& stats, abut_step_stats* out) {
   if (const abut_status status = check_struct_size({"out"}, *out); status != ABUT_OK) {
     return status;
   }
-  write_struct({sizeof(abut_step_stats), 0, stats.parts, stats.geometries, stats.moved, stats.candidate_pairs,
-                stats.touching_pairs, stats.contacts, stats.unsupported_pairs, stats.bytes, stats.refresh_microseconds,
-                stats.broadphase_microseconds, stats.narrowphase_microseconds, stats.contact_microseconds},
+  write_struct({sizeof(abut_step_stats),
+                0,
+                stats.parts,
+                stats.geometries,
+                stats.parked,
+                stats.moved,
+                stats.candidate_pairs,
+                stats.filtered_pairs,
+                stats.examined_pairs,
+                stats.kept_pairs,
+                stats.touching_pairs,
+                stats.contacts,
+                stats.unsupported_pairs,
+                stats.events,
+                stats.bytes,
+                stats.refresh_microseconds,
+                stats.broadphase_microseconds,
+                stats.pair_microseconds,
+                stats.narrowphase_microseconds,
+                stats.contact_microseconds},
                out);
   return ABUT_OK;
 }
@@ -54,22 +106,50 @@ abut_status abut_universe_step(abut_universe* universe, double dt) {
   return guard(universe, [&](abut_universe& its) { return step(its, dt); });
 }
 
-abut_status abut_universe_contacts(const abut_universe* universe, const abut_contact** contacts, size_t* count) {
-  return guard(universe, [&](const abut_universe& its) {
-    const abut_status status = check_none_null<2>({{{"contacts", contacts}, {"count", count}}});
-    if (status == ABUT_OK) {
-      *contacts = its.contacts.data();
-      *count = its.contacts.size();
-    }
-    return status;
+abut_status abut_universe_detect_all(abut_universe* universe) {
+  return guard(universe, [](abut_universe& its) {
+    its.universe.detect_all();
+    return forget_lent(its);
   });
 }
 
-abut_status abut_contacts_set_user_data(abut_universe* universe, const uint64_t* user_data, size_t count) {
+abut_status abut_universe_detect_changed(abut_universe* universe) {
+  return guard(universe, [](abut_universe& its) {
+    its.universe.detect_changed();
+    return forget_lent(its);
+  });
+}
+
+abut_status abut_universe_detect_pairs(abut_universe* universe, const abut_geometry_id* a, const abut_geometry_id* b, size_t count) {
   return guard(universe, [&](abut_universe& its) {
-    std::span<const std::uint64_t> values;
-    const abut_status status = read_span("user_data", user_data, "count", count, values);
-    return status != ABUT_OK ? status : set_user_data(its, values);
+    std::span<const abut_geometry_id> first, second;
+    abut_status status = read_span("a", a, "count", count, first);
+    status = status != ABUT_OK ? status : read_span("b", b, "count", count, second);
+    return status != ABUT_OK ? status : detect_pairs(its, first, second);
+  });
+}
+
+abut_status abut_universe_detect_region(abut_universe* universe, const abut_aabb* region) {
+  return guard(universe, [&](abut_universe& its) {
+    const abut_status status = check_not_null("region", region);
+    return status != ABUT_OK ? status : detect_region(its, *region);
+  });
+}
+
+abut_status abut_universe_refresh(abut_universe* universe) {
+  return guard(universe, [](abut_universe& its) {
+    its.universe.refresh();
+    return abut_status{ABUT_OK};
+  });
+}
+
+abut_status abut_universe_hash(const abut_universe* universe, uint64_t* out) {
+  return guard(universe, [&](const abut_universe& its) {
+    const abut_status status = check_not_null("out", out);
+    if (status == ABUT_OK) {
+      *out = its.universe.hash();
+    }
+    return status;
   });
 }
 

@@ -7,11 +7,16 @@ import abut.universe;
 
 using namespace abut::capi;
 
-static_assert(static_cast<abut_broadphase>(abut::Broadphase::automatic) == ABUT_BROADPHASE_AUTO);
-static_assert(static_cast<abut_broadphase>(abut::Broadphase::brute) == ABUT_BROADPHASE_BRUTE);
-static_assert(static_cast<abut_broadphase>(abut::Broadphase::tree) == ABUT_BROADPHASE_TREE);
+static_assert(static_cast<abut_broadphase>(abut::BroadphaseKind::automatic) == ABUT_BROADPHASE_AUTO);
+static_assert(static_cast<abut_broadphase>(abut::BroadphaseKind::brute) == ABUT_BROADPHASE_BRUTE);
+static_assert(static_cast<abut_broadphase>(abut::BroadphaseKind::tree) == ABUT_BROADPHASE_TREE);
+static_assert(static_cast<abut_broadphase>(abut::BroadphaseKind::sweep_and_prune) == ABUT_BROADPHASE_SWEEP_AND_PRUNE);
+static_assert(static_cast<abut_broadphase>(abut::BroadphaseKind::hash_grid) == ABUT_BROADPHASE_HASH_GRID);
 static_assert(static_cast<abut_tolerance_mode>(abut::ToleranceMode::dead_band) == ABUT_TOLERANCE_DEAD_BAND);
 static_assert(static_cast<abut_tolerance_mode>(abut::ToleranceMode::margin) == ABUT_TOLERANCE_MARGIN);
+static_assert(static_cast<abut_event_bits>(abut::event_pairs) == ABUT_EVENTS_PAIRS);
+static_assert(static_cast<abut_event_bits>(abut::event_persist) == ABUT_EVENTS_PERSIST);
+static_assert(static_cast<abut_event_bits>(abut::event_contacts) == ABUT_EVENTS_CONTACTS);
 
 namespace {
 
@@ -19,14 +24,30 @@ namespace {
 constinit std::atomic<std::uint32_t> next_number{1};
 
 constexpr abut_universe_options default_options{
-    sizeof(abut_universe_options), ABUT_BROADPHASE_AUTO, ABUT_TOLERANCE_DEAD_BAND, 4, {0, 0, 0}};
+    sizeof(abut_universe_options), ABUT_BROADPHASE_AUTO, ABUT_TOLERANCE_DEAD_BAND, 4, {0, 0, 0}, 1,
+    ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST};
+
+// No machine runs more at once; a number beyond is a mistake.
+constexpr std::uint32_t most_threads = 1024;
+
+abut_status check_threads(std::uint32_t threads) {
+  if (threads > most_threads) {
+    return refuse(error_about(abut::Errc::out_of_range, "options.threads", std::uint64_t{threads},
+                              "at most " + std::to_string(most_threads)));
+  }
+  return ABUT_OK;
+}
 
 abut_status check_options(const abut_universe_options& options) {
   const Where where{"options"};
   abut_status status = check_struct_size(where, options);
-  status = status != ABUT_OK ? status : check_value(where, ".broadphase", options.broadphase, ABUT_BROADPHASE_TREE);
+  status = status != ABUT_OK ? status : check_value(where, ".broadphase", options.broadphase, ABUT_BROADPHASE_HASH_GRID);
   status = status != ABUT_OK ? status : check_value(where, ".tolerance_mode", options.tolerance_mode, ABUT_TOLERANCE_MARGIN);
-  return status != ABUT_OK ? status : check_position(where, ".origin", options.origin);
+  status = status != ABUT_OK ? status : check_position(where, ".origin", options.origin);
+  status = status != ABUT_OK ? status : check_threads(options.threads);
+  return status != ABUT_OK ? status
+                           : check_bits(where, ".events", options.events,
+                                        ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS);
 }
 
 abut_status create(const abut_universe_options& options, abut_universe** out) {
@@ -34,10 +55,12 @@ abut_status create(const abut_universe_options& options, abut_universe** out) {
     return status;
   }
   abut::UniverseOptions wanted;
-  wanted.broadphase = static_cast<abut::Broadphase>(options.broadphase);
+  wanted.broadphase = static_cast<abut::BroadphaseKind>(options.broadphase);
   wanted.tolerance_mode = static_cast<abut::ToleranceMode>(options.tolerance_mode);
   wanted.max_contacts = options.max_contacts;
   wanted.origin = to_vec3(options.origin);
+  wanted.threads = options.threads;
+  wanted.events = options.events;
   *out = std::make_unique<abut_universe>(wanted, next_number.fetch_add(1, std::memory_order_relaxed)).release();
   return ABUT_OK;
 }
@@ -50,14 +73,26 @@ abut_status write_ids(const std::vector<Id>& found, std::span<CId> out, std::siz
   return ABUT_OK;
 }
 
-abut_status write_text(const std::string& found, std::span<char> out, std::size_t* needed) {
+void write_text(const std::string& found, std::span<char> out, std::size_t* needed) {
   if (!out.empty()) {
     const std::size_t length = std::min(found.size(), out.size() - 1);
     std::copy_n(found.begin(), length, out.begin());
     out[length] = '\0';
   }
   *needed = found.size() + 1;
-  return ABUT_OK;
+}
+
+abut_status explain(const abut_universe* universe, std::string (abut::Universe::*words)() const, char* text, std::size_t capacity,
+                    std::size_t* needed) {
+  return guard(universe, [&](const abut_universe& its) {
+    std::span<char> out;
+    abut_status status = check_not_null("needed", needed);
+    status = status != ABUT_OK ? status : read_span("text", text, "capacity", capacity, out);
+    if (status == ABUT_OK) {
+      write_text((its.universe.*words)(), out, needed);
+    }
+    return status;
+  });
 }
 
 }  // namespace
@@ -73,7 +108,12 @@ abut_status abut_universe_create(const abut_universe_options* options, abut_univ
   });
 }
 
-void abut_universe_destroy(abut_universe* universe) { const std::unique_ptr<abut_universe> last(universe); }
+void abut_universe_destroy(abut_universe* universe) {
+  const bool is_in_use = universe != nullptr && universe->universe.is_stepping();
+  if (!is_in_use) {
+    const std::unique_ptr<abut_universe> last(universe);
+  }
+}
 
 abut_status abut_universe_parts(const abut_universe* universe, abut_part_id* parts, size_t capacity, size_t* count) {
   return guard(universe, [&](const abut_universe& its) {
@@ -104,11 +144,23 @@ abut_status abut_universe_revision(const abut_universe* universe, abut_revision*
   });
 }
 
-abut_status abut_universe_explain(const abut_universe* universe, char* text, size_t capacity, size_t* needed) {
+abut_status abut_universe_counters(const abut_universe* universe, const uint64_t** geometries, const uint64_t** poses) {
   return guard(universe, [&](const abut_universe& its) {
-    std::span<char> out;
-    abut_status status = check_not_null("needed", needed);
-    status = status != ABUT_OK ? status : read_span("text", text, "capacity", capacity, out);
-    return status != ABUT_OK ? status : write_text(its.universe.explain(), out, needed);
+    abut_status status = check_not_null("geometries", geometries);
+    status = status != ABUT_OK ? status : check_not_null("poses", poses);
+    if (status == ABUT_OK) {
+      const abut::Revision& revision = its.universe.revision();
+      *geometries = &revision.geometries;
+      *poses = &revision.poses;
+    }
+    return status;
   });
+}
+
+abut_status abut_universe_explain(const abut_universe* universe, char* text, size_t capacity, size_t* needed) {
+  return explain(universe, &abut::Universe::explain, text, capacity, needed);
+}
+
+abut_status abut_universe_explain_json(const abut_universe* universe, char* text, size_t capacity, size_t* needed) {
+  return explain(universe, &abut::Universe::explain_json, text, capacity, needed);
 }

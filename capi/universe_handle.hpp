@@ -12,6 +12,37 @@ import abut.core;
 import abut.math;
 import abut.universe;
 
+namespace abut::capi {
+
+// What a step found, in the words of the C interface: converted when it is first asked for, by one of the threads that
+// ask, into memory that stays from step to step.
+template <class Value>
+class Lent {
+ public:
+  // For [exclusive] calls, after what was converted has changed.
+  void forget() { is_current_.store(false, std::memory_order_relaxed); }
+
+  template <class Found, class Convert>
+  [[nodiscard]] std::span<const Value> get(std::span<const Found> found, Convert&& convert) const {
+    if (!is_current_.load(std::memory_order_acquire)) {
+      const std::scoped_lock lock(mutex_);
+      if (!is_current_.load(std::memory_order_relaxed)) {
+        values_.resize(found.size());
+        std::transform(found.begin(), found.end(), values_.begin(), convert);
+        is_current_.store(true, std::memory_order_release);
+      }
+    }
+    return values_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::atomic<bool> is_current_{false};
+  mutable std::vector<Value> values_;
+};
+
+}  // namespace abut::capi
+
 struct abut_universe {
   abut_universe(const abut::UniverseOptions& options, std::uint32_t number) : universe(options, number) {}
 
@@ -20,19 +51,37 @@ struct abut_universe {
   // By slot of the geometry, less one: what abut_geometry_describe lends out.
   std::vector<abut::capi::ShapeOwner> shapes;
   // Of the last step.
-  std::vector<abut_contact> contacts;
+  abut::capi::Lent<abut_contact> contacts;
+  abut::capi::Lent<abut_event> events;
 };
 
 namespace abut::capi {
 
-// Every call on a universe, except the one that destroys it, goes through here.
+// Every call on a universe, except the one that destroys it, goes through one of these three. This one is for [const]
+// calls and for those that a callback may make.
 template <class Handle, class Body>
   requires std::is_same_v<std::remove_const_t<Handle>, abut_universe>
-[[nodiscard]] inline abut_status guard(Handle* universe, Body&& body) noexcept {
+[[nodiscard]] inline abut_status guard_callable_in_step(Handle* universe, Body&& body) noexcept {
   if (universe == nullptr) [[unlikely]] {
     return refuse(ABUT_NULL_ARGUMENT, "universe is null");
   }
   return guard(universe->poisoned, [&] { return std::forward<Body>(body)(*universe); });
+}
+
+template <class Body>
+[[nodiscard]] inline abut_status guard(const abut_universe* universe, Body&& body) noexcept {
+  return guard_callable_in_step(universe, std::forward<Body>(body));
+}
+
+// [exclusive] calls. From a callback they would change what the step is walking over.
+template <class Body>
+[[nodiscard]] inline abut_status guard(abut_universe* universe, Body&& body) noexcept {
+  return guard_callable_in_step(universe, [&](abut_universe& its) -> abut_status {
+    if (its.universe.is_stepping()) [[unlikely]] {
+      return refuse(ABUT_BUSY, "the universe is in a step; functions that are [exclusive] cannot be called from its callbacks");
+    }
+    return std::forward<Body>(body)(its);
+  });
 }
 
 [[nodiscard]] inline PartId to_part(const abut_part_id& id) { return {id.slot, id.generation}; }

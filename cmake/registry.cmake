@@ -169,10 +169,13 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
                           const QuerySettings& settings, Distance& out);
 Outcome children_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                           const QuerySettings& settings, Manifold& out);
+Outcome children_contacts_with_memory(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                                      const QuerySettings& settings, PairMemory& memory, Manifold& out);
 void children_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
-                              const QuerySettings& common, Manifold& out, std::span<PairResult> results);
+                              const QuerySettings& common, std::span<PairMemory> memories, Manifold& out,
+                              std::span<PairResult> results);
 inline constexpr PairKernels<AnyShape> by_children{Route::children, false, children_distance, children_contacts,
-                                                   children_contacts_of_run};
+                                                   children_contacts_with_memory, children_contacts_of_run};
 @declarations@}  // namespace abut
 
 export namespace abut {

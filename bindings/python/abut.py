@@ -9,15 +9,16 @@ in. Results are ctypes structs and arrays, which NumPy can view.
 """
 
 import ctypes
+import json
 from ctypes import byref, c_size_t, c_uint32, c_uint64, c_void_p
 
 import abut_c as c
 from abut_c import *  # noqa: F401,F403 - the constants and structs are part of this module
 from abut_c import Error, library, picking
 
-_INNER = ("FUNCTIONS", "PICKING_FUNCTIONS", "POINTER")
+_INNER = ("FUNCTIONS", "Filter", "PICKING_FUNCTIONS", "POINTER")
 __all__ = [name for name in dir(c) if name[0].isupper() and name not in _INNER] + [
-    "Picker", "Shape", "Universe", "camera", "contacts", "distance", "distances", "pose", "ray", "version"]
+    "Picker", "Shape", "Universe", "camera", "cast", "contacts", "distance", "distances", "pose", "ray", "version"]
 
 
 def version():
@@ -71,6 +72,27 @@ def _count_then_fill(kind, ask):
         ask(values, len(values), byref(count))
         if count.value <= len(values):
             return values
+
+
+def _text(ask):
+    """The whole answer of a function that fills a text of unknown length."""
+    needed = c_size_t()
+    ask(None, 0, byref(needed))
+    text = ctypes.create_string_buffer(needed.value)
+    ask(text, needed, byref(needed))
+    return text.value.decode()
+
+
+def _collidable(what):
+    """What a rule speaks of: a GeometryId, a PartId, a label as a number, or None for anything."""
+    if what is None:
+        return c.Collidable(c.COLLIDABLE_ANY)
+    if isinstance(what, int):
+        return c.Collidable(c.COLLIDABLE_LABEL, what)
+    kinds = {c.GeometryId: c.COLLIDABLE_GEOMETRY, c.PartId: c.COLLIDABLE_PART}
+    if type(what) not in kinds:
+        raise TypeError(f"a rule speaks of a GeometryId, a PartId, a label or None, not of a {type(what).__name__}")
+    return c.Collidable(kinds[type(what)], what.slot, what.generation)
 
 
 class _Owner:
@@ -240,6 +262,31 @@ def contacts(a, pose_a, b, pose_b, **options):
         a.pointer, byref(pose_a), b.pointer, byref(pose_b), _query(options), *rest))
 
 
+def cast(a, pose_a, displacement_a, b, pose_b, displacement_b=(0.0, 0.0, 0.0), **options):
+    """When two shapes that move by their displacements first touch, or None."""
+    hit, found = c.CastHit(), c_uint32()
+    library.abut_shapes_cast(a.pointer, byref(pose_a), byref(c.Vec3(*displacement_a)), b.pointer, byref(pose_b),
+                             byref(c.Vec3(*displacement_b)), _query(options), byref(hit), byref(found))
+    return hit if found.value else None
+
+
+def _filter(fields):
+    return byref(_options(c.QueryFilter, library.abut_query_filter_init, **fields))
+
+
+def _pointers(shapes, poses):
+    if len(shapes) != len(poses):
+        raise ValueError("as many poses as shapes")
+    return (c_void_p * len(shapes))(*(shape.pointer for shape in shapes)), _structs(c.Pose, poses)
+
+
+def _each_then_fill(query_count, ask):
+    """A list of geometries for each query of a batch."""
+    offsets = (c_uint64 * (query_count + 1))()
+    found = _count_then_fill(c.GeometryId, lambda *rest: ask(offsets, *rest))
+    return [found[first:last] for first, last in zip(offsets, offsets[1:])]
+
+
 class Universe(_Owner):
     """A space in which parts meet; the options are the fields of UniverseOptions."""
 
@@ -250,6 +297,8 @@ class Universe(_Owner):
         library.abut_universe_create(
             byref(_options(c.UniverseOptions, library.abut_universe_options_init, **options)), byref(out))
         super().__init__(out)
+        self._filter = None
+        self._failure = None
 
     def add_part(self, **options):
         """A new part; the options are the fields of PartOptions."""
@@ -281,6 +330,16 @@ class Universe(_Owner):
         library.abut_parts_poses(self.pointer, _structs(c.PartId, parts), len(parts), out)
         return out
 
+    def set_motions(self, parts, motions):
+        if len(parts) != len(motions):
+            raise ValueError("as many motions as parts")
+        library.abut_parts_set_motions(self.pointer, _structs(c.PartId, parts), _array(c_uint32, motions), len(parts))
+
+    def motion(self, part):
+        out = c_uint32()
+        library.abut_part_motion(self.pointer, part, byref(out))
+        return out.value
+
     def user_data(self, part):
         out = c_uint64()
         library.abut_part_user_data(self.pointer, part, byref(out))
@@ -300,6 +359,92 @@ class Universe(_Owner):
         library.abut_geometry_describe(self.pointer, geometry, byref(out))
         return out
 
+    def options_of(self, geometry):
+        """The options of a geometry as they are, for set_options."""
+        info = self.describe(geometry)
+        fields = {name: getattr(info, name) for name, _ in c.GeometryOptions._fields_ if name not in ("struct_size", "pose")}
+        return _options(c.GeometryOptions, library.abut_geometry_options_init, pose=info.local, **fields)
+
+    def set_options(self, geometries, options):
+        """Replaces the options of geometries, all of them."""
+        if len(geometries) != len(options):
+            raise ValueError("as many options as geometries")
+        library.abut_geometries_set_options(self.pointer, _structs(c.GeometryId, geometries),
+                                            _structs(c.GeometryOptions, options), len(geometries))
+
+    def change(self, geometry, **fields):
+        """Changes some fields of the GeometryOptions of a geometry."""
+        options = self.options_of(geometry)
+        for name, value in fields.items():
+            if not hasattr(options, name):
+                raise TypeError(f"GeometryOptions has no field {name}")
+            setattr(options, name, value)
+        self.set_options([geometry], [options])
+
+    def set_shapes(self, geometries, shapes):
+        if len(geometries) != len(shapes):
+            raise ValueError("as many shapes as geometries")
+        pointers = (c_void_p * len(shapes))(*(shape.pointer for shape in shapes))
+        library.abut_geometries_set_shapes(self.pointer, _structs(c.GeometryId, geometries), pointers, len(geometries))
+
+    def park(self, geometries, parking=c.PARKING_SHORT_TERM):
+        """Parks geometries, or brings them back with PARKING_NONE. A filter may do that, too."""
+        library.abut_geometries_park(self.pointer, _structs(c.GeometryId, geometries), len(geometries), parking)
+
+    def set_rule(self, a, b, rule):
+        """Whether two collidables meet, each a GeometryId, a PartId, a label as a number, or None for anything."""
+        library.abut_rule_set(self.pointer, byref(_collidable(a)), byref(_collidable(b)), rule)
+
+    def clear_rules(self):
+        library.abut_rules_clear(self.pointer)
+
+    def set_filter(self, keeps):
+        """keeps(a, b) says whether two geometries that come near meet; None for no filter.
+
+        It may read the universe and park. What it raises leaves the pair in, and comes out of the detection.
+        """
+        def ask(_context, _universe, a, b):
+            try:
+                return 1 if keeps(a, b) else 0
+            except BaseException as failure:  # pylint: disable=broad-except - nothing may pass through C
+                self._failure = self._failure or failure
+                return 1
+
+        filter_ = c.Filter() if keeps is None else c.Filter(ask)
+        library.abut_universe_set_filter(self.pointer, filter_, None)
+        self._filter = filter_
+
+    def refilter(self):
+        library.abut_universe_refilter(self.pointer)
+
+    def set_policy(self, tag_a, tag_b, **fields):
+        """How geometries of two tags meet; the fields are those of Policy, and without any the default is back."""
+        policy = _options(c.Policy, library.abut_policy_init, **fields)
+        library.abut_policy_set(self.pointer, tag_a, tag_b, byref(policy))
+
+    def policy(self, tag_a, tag_b):
+        out = _options(c.Policy, library.abut_policy_init)
+        library.abut_policy_get(self.pointer, tag_a, tag_b, byref(out))
+        return out
+
+    def set_material(self, material_a, material_b, **fields):
+        """What contacts of two materials are like; the fields are those of ContactMaterial."""
+        row = _options(c.ContactMaterial, library.abut_contact_material_init, **fields)
+        library.abut_material_pair_set(self.pointer, material_a, material_b, byref(row))
+
+    def material(self, material_a, material_b):
+        out = _options(c.ContactMaterial, library.abut_contact_material_init)
+        library.abut_material_pair_get(self.pointer, material_a, material_b, byref(out))
+        return out
+
+    def validate(self):
+        """What is odd about the scene: pairs of a code and a sentence."""
+        count = c_size_t()
+        library.abut_universe_validate(self.pointer, None, 0, byref(count))
+        findings = (c.Finding * count.value)()
+        library.abut_universe_validate(self.pointer, findings, count.value, byref(count))
+        return [(finding.code, finding.message.decode()) for finding in findings]
+
     def geometry_poses(self, geometries):
         out = (c.Pose * len(geometries))()
         library.abut_geometries_poses(self.pointer, _structs(c.GeometryId, geometries), len(geometries), out)
@@ -310,16 +455,56 @@ class Universe(_Owner):
         library.abut_universe_revision(self.pointer, byref(out))
         return out
 
+    def _detect(self, detection, *arguments):
+        self._failure = None
+        detection(self.pointer, *arguments)
+        failure, self._failure = self._failure, None
+        if failure is not None:
+            raise failure
+
     def step(self, dt=0.0):
-        library.abut_universe_step(self.pointer, dt)
+        self._detect(library.abut_universe_step, dt)
+
+    def detect_all(self):
+        """A step that finds every pair anew."""
+        self._detect(library.abut_universe_detect_all)
+
+    def detect_changed(self):
+        self._detect(library.abut_universe_detect_changed)
+
+    def detect_pairs(self, pairs):
+        """A step that looks at pairs of geometries only."""
+        first, second = _structs(c.GeometryId, [a for a, _ in pairs]), _structs(c.GeometryId, [b for _, b in pairs])
+        self._detect(library.abut_universe_detect_pairs, first, second, len(pairs))
+
+    def detect_region(self, minimum, maximum):
+        """A step that looks at what meets a box of the world only."""
+        self._detect(library.abut_universe_detect_region, byref(c.Aabb(c.Vec3(*minimum), c.Vec3(*maximum))))
+
+    def refresh(self):
+        """Brings the boxes up to date with the poses, for queries."""
+        library.abut_universe_refresh(self.pointer)
+
+    def _copy(self, kind, lend):
+        first, count = ctypes.POINTER(kind)(), c_size_t()
+        lend(self.pointer, byref(first), byref(count))
+        out = (kind * count.value)()
+        ctypes.memmove(out, first, ctypes.sizeof(out))
+        return out
 
     def contacts(self):
         """A copy of the contacts of the last step."""
-        first, count = ctypes.POINTER(c.Contact)(), c_size_t()
-        library.abut_universe_contacts(self.pointer, byref(first), byref(count))
-        out = (c.Contact * count.value)()
-        ctypes.memmove(out, first, ctypes.sizeof(out))
-        return out
+        return self._copy(c.Contact, library.abut_universe_contacts)
+
+    def events(self):
+        """A copy of the events of the last step."""
+        return self._copy(c.Event, library.abut_universe_events)
+
+    def hash(self):
+        """A number of every bit of the contacts and events of the last step."""
+        out = c_uint64()
+        library.abut_universe_hash(self.pointer, byref(out))
+        return out.value
 
     def set_contact_user_data(self, values):
         """A number for each contact of the last step, which stays with it from step to step."""
@@ -332,11 +517,70 @@ class Universe(_Owner):
         return out
 
     def explain(self):
-        needed = c_size_t()
-        library.abut_universe_explain(self.pointer, None, 0, byref(needed))
-        text = ctypes.create_string_buffer(needed.value)
-        library.abut_universe_explain(self.pointer, text, needed, byref(needed))
-        return text.value.decode()
+        return _text(lambda *rest: library.abut_universe_explain(self.pointer, *rest))
+
+    def explain_json(self):
+        """The same as a dictionary."""
+        return json.loads(_text(lambda *rest: library.abut_universe_explain_json(self.pointer, *rest)))
+
+    def cast_ray(self, along, mode=c.HIT_NEAREST, **filter):
+        """Hits of a ray, in order; the filter is the fields of QueryFilter, here and below."""
+        return _count_then_fill(c.QueryHit, lambda *rest: library.abut_universe_cast_ray(
+            self.pointer, byref(along), _filter(filter), mode, *rest))
+
+    def cast_rays(self, rays, **filter):
+        """The nearest hit of each ray; its geometry is null where there is none."""
+        out = (c.QueryHit * len(rays))()
+        library.abut_universe_cast_rays(self.pointer, _structs(c.Ray, rays), len(rays), _filter(filter), out)
+        return out
+
+    def cast_shape(self, shape, at, displacement, mode=c.HIT_NEAREST, **filter):
+        """Hits of a shape that moves, in order."""
+        return _count_then_fill(c.CastHit, lambda *rest: library.abut_universe_cast_shape(
+            self.pointer, shape.pointer, byref(at), byref(c.Vec3(*displacement)), _filter(filter), mode, *rest))
+
+    def cast_shapes(self, shapes, poses, displacements, **filter):
+        """The nearest hit of each shape; its geometry is null where there is none."""
+        pointers, placed = _pointers(shapes, poses)
+        if len(displacements) != len(shapes):
+            raise ValueError("as many displacements as shapes")
+        ways = _structs(c.Vec3, [c.Vec3(*way) for way in displacements])
+        out = (c.CastHit * len(shapes))()
+        library.abut_universe_cast_shapes(self.pointer, pointers, placed, ways, len(out), _filter(filter), out)
+        return out
+
+    def overlaps(self, shape, at, margin=0.0, **filter):
+        """Geometries with which a shape has contacts up to a distance."""
+        return _count_then_fill(c.GeometryId, lambda *rest: library.abut_universe_overlaps(
+            self.pointer, shape.pointer, byref(at), _filter(filter), margin, *rest))
+
+    def overlaps_of_each(self, shapes, poses, margin=0.0, **filter):
+        pointers, placed = _pointers(shapes, poses)
+        return _each_then_fill(len(shapes), lambda *rest: library.abut_universe_overlaps_of_each(
+            self.pointer, pointers, placed, len(shapes), _filter(filter), margin, *rest))
+
+    def at_point(self, point, **filter):
+        """Geometries that hold a point."""
+        return _count_then_fill(c.GeometryId, lambda *rest: library.abut_universe_at_point(
+            self.pointer, byref(c.Vec3(*point)), _filter(filter), *rest))
+
+    def at_points(self, points, **filter):
+        places = _structs(c.Vec3, [c.Vec3(*point) for point in points])
+        return _each_then_fill(len(points), lambda *rest: library.abut_universe_at_points(
+            self.pointer, places, len(points), _filter(filter), *rest))
+
+    def closest(self, shape, at, max_distance=float("inf"), **filter):
+        """The closest geometry and its distance, or None."""
+        out, found = c.Closest(), c_uint32()
+        library.abut_universe_closest(self.pointer, shape.pointer, byref(at), max_distance, _filter(filter), byref(out), byref(found))
+        return out if found.value else None
+
+    def closest_to_each(self, shapes, poses, max_distance=float("inf"), **filter):
+        """The same for each shape; the geometry is null where nothing is near."""
+        pointers, placed = _pointers(shapes, poses)
+        out = (c.Closest * len(shapes))()
+        library.abut_universe_closest_to_each(self.pointer, pointers, placed, len(out), max_distance, _filter(filter), out)
+        return out
 
 
 def camera(eye=None, target=None, up=(0.0, 0.0, 1.0), **fields):

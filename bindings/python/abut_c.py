@@ -9,7 +9,7 @@ The libraries are found by the loader, or by the environment variables ABUT_LIBR
 
 import ctypes
 import os
-from ctypes import POINTER, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, c_char, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 
 Status = c_int32
 OK = 0
@@ -29,6 +29,7 @@ UNSUPPORTED = 13
 NOT_CONVERGED = 14
 OUT_OF_MEMORY = 15
 INTERNAL = 16
+BUSY = 17
 
 FEATURE_WHOLE = 0
 FEATURE_VERTEX = 1
@@ -49,13 +50,52 @@ ALGORITHM_LIBCCD_MPR = 5
 BROADPHASE_AUTO = 0
 BROADPHASE_BRUTE = 1
 BROADPHASE_TREE = 2
+BROADPHASE_SWEEP_AND_PRUNE = 3
+BROADPHASE_HASH_GRID = 4
 
 TOLERANCE_DEAD_BAND = 0
 TOLERANCE_MARGIN = 1
 
+EVENTS_PAIRS = 1
+EVENTS_PERSIST = 2
+EVENTS_CONTACTS = 4
+
+EVENT_BEGIN = 0
+EVENT_PERSIST = 1
+EVENT_END = 2
+EVENT_SENSOR = 1
+EVENT_CONTACT = 2
+
+CONTACT_SENSOR = 1
+GEOMETRY_SENSOR = 1
+
 MOTION_DYNAMIC = 0
 MOTION_ANIMATED = 1
 MOTION_STATIC = 2
+
+PARKING_NONE = 0
+PARKING_SHORT_TERM = 1
+PARKING_LONG_TERM = 2
+
+COLLIDABLE_GEOMETRY = 0
+COLLIDABLE_PART = 1
+COLLIDABLE_LABEL = 2
+COLLIDABLE_ANY = 3
+
+RULE_NONE = 0
+RULE_ENABLE = 1
+RULE_DISABLE = 2
+
+DETAIL_MANIFOLD = 0
+DETAIL_POINT = 1
+DETAIL_BOX = 2
+QUERY_FILTER_SKIP_SENSORS = 1
+RAY_START_FAR_SIDE = 0
+RAY_START_SOLID = 1
+RAY_START_SKIP = 2
+HIT_NEAREST = 0
+HIT_ANY = 1
+HIT_ALL = 2
 
 COHERENCE_NONE = 0
 COHERENCE_NEIGHBOURS = 1
@@ -170,14 +210,14 @@ class Contact(_Struct):
         ("geometry_a", GeometryId), ("geometry_b", GeometryId), ("id", c_uint64), ("feature_a", Feature),
         ("feature_b", Feature), ("child_a", c_uint32), ("child_b", c_uint32), ("point_a", Vec3), ("point_b", Vec3),
         ("normal", Vec3), ("distance", c_double), ("toi", c_double), ("flags", c_uint32), ("age", c_uint32),
-        ("user_data", c_uint64),
+        ("user_data", c_uint64), ("material_a", c_uint32), ("material_b", c_uint32),
     ]
 
 
 class UniverseOptions(_Struct):
     _fields_ = [
         ("struct_size", c_uint32), ("broadphase", c_uint32), ("tolerance_mode", c_uint32),
-        ("max_contacts", c_uint32), ("origin", Vec3),
+        ("max_contacts", c_uint32), ("origin", Vec3), ("threads", c_uint32), ("events", c_uint32),
     ]
 
 
@@ -189,15 +229,18 @@ class PartOptions(_Struct):
 
 class GeometryOptions(_Struct):
     _fields_ = [
-        ("struct_size", c_uint32), ("reserved", c_uint32), ("pose", Pose), ("tolerance", c_double),
-        ("user_data", c_uint64),
+        ("struct_size", c_uint32), ("flags", c_uint32), ("pose", Pose), ("tolerance", c_double),
+        ("user_data", c_uint64), ("layers", c_uint64), ("mask", c_uint64), ("exclusion", c_uint64),
+        ("label", c_uint32), ("tag", c_uint32), ("material", c_uint32), ("parking", c_uint32),
     ]
 
 
 class GeometryInfo(_Struct):
     _fields_ = [
         ("struct_size", c_uint32), ("kind", c_uint32), ("part", PartId), ("shape", c_void_p), ("pose", Pose),
-        ("local", Pose), ("tolerance", c_double), ("user_data", c_uint64),
+        ("local", Pose), ("tolerance", c_double), ("user_data", c_uint64), ("layers", c_uint64),
+        ("mask", c_uint64), ("exclusion", c_uint64), ("label", c_uint32), ("tag", c_uint32),
+        ("material", c_uint32), ("parking", c_uint32), ("flags", c_uint32), ("reserved", c_uint32),
     ]
 
 
@@ -207,13 +250,78 @@ class Revision(_Struct):
     ]
 
 
+class Collidable(_Struct):
+    _fields_ = [
+        ("kind", c_uint32), ("slot", c_uint32), ("generation", c_uint32),
+    ]
+
+
+class Policy(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("algorithm", c_uint32), ("detail", c_uint32), ("period", c_uint32),
+        ("tolerance", c_double), ("error_bound", c_double),
+    ]
+
+
+class ContactMaterial(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("reserved", c_uint32), ("friction_primary", c_double),
+        ("friction_secondary", c_double), ("friction_spin", c_double), ("friction_roll", c_double),
+        ("static_scale", c_double), ("slip", c_double), ("compliance", c_double), ("damping", c_double),
+        ("restitution", c_double), ("restitution_threshold", c_double), ("adhesive_force", c_double),
+    ]
+
+
+class Finding(_Struct):
+    _fields_ = [
+        ("code", c_uint32), ("reserved", c_uint32), ("geometry", GeometryId), ("other", GeometryId),
+        ("message", c_char * 168),
+    ]
+
+
+class Event(_Struct):
+    _fields_ = [
+        ("kind", c_uint32), ("flags", c_uint32), ("geometry_a", GeometryId), ("geometry_b", GeometryId),
+        ("contact_id", c_uint64), ("first_contact", c_uint32), ("contact_count", c_uint32),
+    ]
+
+
 class StepStats(_Struct):
     _fields_ = [
         ("struct_size", c_uint32), ("reserved", c_uint32), ("parts", c_uint64), ("geometries", c_uint64),
-        ("moved", c_uint64), ("candidate_pairs", c_uint64), ("touching_pairs", c_uint64), ("contacts", c_uint64),
-        ("unsupported_pairs", c_uint64), ("bytes", c_uint64), ("refresh_microseconds", c_double),
-        ("broadphase_microseconds", c_double), ("narrowphase_microseconds", c_double),
+        ("parked", c_uint64), ("moved", c_uint64), ("candidate_pairs", c_uint64), ("filtered_pairs", c_uint64),
+        ("examined_pairs", c_uint64), ("kept_pairs", c_uint64), ("touching_pairs", c_uint64),
+        ("contacts", c_uint64), ("unsupported_pairs", c_uint64), ("events", c_uint64), ("bytes", c_uint64),
+        ("refresh_microseconds", c_double), ("broadphase_microseconds", c_double),
+        ("pair_microseconds", c_double), ("narrowphase_microseconds", c_double),
         ("contact_microseconds", c_double),
+    ]
+
+
+class QueryFilter(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("flags", c_uint32), ("layers", c_uint64), ("mask", c_uint64), ("ignore_part", PartId),
+        ("ignore_geometry", GeometryId), ("ray_start", c_uint32), ("reserved", c_uint32),
+    ]
+
+
+class QueryHit(_Struct):
+    _fields_ = [
+        ("geometry", GeometryId), ("feature", Feature), ("child", c_uint32), ("reserved", c_uint32),
+        ("distance", c_double), ("point", Vec3), ("normal", Vec3),
+    ]
+
+
+class CastHit(_Struct):
+    _fields_ = [
+        ("geometry", GeometryId), ("fraction", c_double), ("contact", Distance), ("feature_a", Feature),
+        ("feature_b", Feature), ("child_a", c_uint32), ("child_b", c_uint32),
+    ]
+
+
+class Closest(_Struct):
+    _fields_ = [
+        ("geometry", GeometryId), ("distance", Distance),
     ]
 
 
@@ -245,6 +353,9 @@ class Error(Exception):
         self.name = name
         self.message = message
 
+
+# A filter of pairs: context, universe and two geometries to a number, of which 0 leaves the pair out.
+Filter = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_void_p, GeometryId, GeometryId)
 
 FUNCTIONS = {
     "abut_set_last_error": (Status, [Status, c_char_p]),
@@ -308,6 +419,9 @@ FUNCTIONS = {
     "abut_parts_set_poses": (Status, [c_void_p, POINTER(PartId), POINTER(Pose), c_size_t]),
     "abut_part_pose": (Status, [c_void_p, PartId, POINTER(Pose)]),
     "abut_parts_poses": (Status, [c_void_p, POINTER(PartId), c_size_t, POINTER(Pose)]),
+    "abut_part_set_motion": (Status, [c_void_p, PartId, c_uint32]),
+    "abut_parts_set_motions": (Status, [c_void_p, POINTER(PartId), POINTER(c_uint32), c_size_t]),
+    "abut_part_motion": (Status, [c_void_p, PartId, POINTER(c_uint32)]),
     "abut_part_user_data": (Status, [c_void_p, PartId, POINTER(c_uint64)]),
     "abut_part_geometries": (Status, [c_void_p, PartId, POINTER(GeometryId), c_size_t, POINTER(c_size_t)]),
     "abut_geometry_options_init": (None, [POINTER(GeometryOptions), c_uint32]),
@@ -318,18 +432,73 @@ FUNCTIONS = {
         POINTER(GeometryId)]),
     "abut_geometry_destroy": (Status, [c_void_p, GeometryId]),
     "abut_geometries_destroy": (Status, [c_void_p, POINTER(GeometryId), c_size_t]),
+    "abut_geometry_set_options": (Status, [c_void_p, GeometryId, POINTER(GeometryOptions)]),
+    "abut_geometries_set_options": (Status, [
+        c_void_p, POINTER(GeometryId), POINTER(GeometryOptions), c_size_t]),
+    "abut_geometry_set_shape": (Status, [c_void_p, GeometryId, c_void_p]),
+    "abut_geometries_set_shapes": (Status, [c_void_p, POINTER(GeometryId), POINTER(c_void_p), c_size_t]),
+    "abut_geometry_park": (Status, [c_void_p, GeometryId, c_uint32]),
+    "abut_geometries_park": (Status, [c_void_p, POINTER(GeometryId), c_size_t, c_uint32]),
     "abut_geometry_info_init": (None, [POINTER(GeometryInfo), c_uint32]),
     "abut_geometry_describe": (Status, [c_void_p, GeometryId, POINTER(GeometryInfo)]),
     "abut_geometries_poses": (Status, [c_void_p, POINTER(GeometryId), c_size_t, POINTER(Pose)]),
     "abut_universe_parts": (Status, [c_void_p, POINTER(PartId), c_size_t, POINTER(c_size_t)]),
     "abut_universe_geometries": (Status, [c_void_p, POINTER(GeometryId), c_size_t, POINTER(c_size_t)]),
     "abut_universe_revision": (Status, [c_void_p, POINTER(Revision)]),
+    "abut_universe_counters": (Status, [c_void_p, POINTER(POINTER(c_uint64)), POINTER(POINTER(c_uint64))]),
+    "abut_universe_validate": (Status, [c_void_p, POINTER(Finding), c_size_t, POINTER(c_size_t)]),
+    "abut_contact_material_init": (None, [POINTER(ContactMaterial), c_uint32]),
+    "abut_material_pair_set": (Status, [c_void_p, c_uint32, c_uint32, POINTER(ContactMaterial)]),
+    "abut_material_pair_get": (Status, [c_void_p, c_uint32, c_uint32, POINTER(ContactMaterial)]),
+    "abut_rule_set": (Status, [c_void_p, POINTER(Collidable), POINTER(Collidable), c_uint32]),
+    "abut_rules_clear": (Status, [c_void_p]),
+    "abut_universe_set_filter": (Status, [c_void_p, Filter, c_void_p]),
+    "abut_universe_refilter": (Status, [c_void_p]),
+    "abut_policy_init": (None, [POINTER(Policy), c_uint32]),
+    "abut_policy_set": (Status, [c_void_p, c_uint32, c_uint32, POINTER(Policy)]),
+    "abut_policy_get": (Status, [c_void_p, c_uint32, c_uint32, POINTER(Policy)]),
     "abut_universe_step": (Status, [c_void_p, c_double]),
+    "abut_universe_detect_all": (Status, [c_void_p]),
+    "abut_universe_detect_changed": (Status, [c_void_p]),
+    "abut_universe_detect_pairs": (Status, [c_void_p, POINTER(GeometryId), POINTER(GeometryId), c_size_t]),
+    "abut_universe_detect_region": (Status, [c_void_p, POINTER(Aabb)]),
+    "abut_universe_refresh": (Status, [c_void_p]),
+    "abut_universe_events": (Status, [c_void_p, POINTER(POINTER(Event)), POINTER(c_size_t)]),
+    "abut_universe_hash": (Status, [c_void_p, POINTER(c_uint64)]),
     "abut_contacts_set_user_data": (Status, [c_void_p, POINTER(c_uint64), c_size_t]),
     "abut_universe_contacts": (Status, [c_void_p, POINTER(POINTER(Contact)), POINTER(c_size_t)]),
     "abut_step_stats_init": (None, [POINTER(StepStats), c_uint32]),
     "abut_universe_stats": (Status, [c_void_p, POINTER(StepStats)]),
     "abut_universe_explain": (Status, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "abut_universe_explain_json": (Status, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "abut_query_filter_init": (None, [POINTER(QueryFilter), c_uint32]),
+    "abut_universe_cast_ray": (Status, [
+        c_void_p, POINTER(Ray), POINTER(QueryFilter), c_uint32, POINTER(QueryHit), c_size_t, POINTER(c_size_t)]),
+    "abut_universe_cast_rays": (Status, [
+        c_void_p, POINTER(Ray), c_size_t, POINTER(QueryFilter), POINTER(QueryHit)]),
+    "abut_universe_cast_shape": (Status, [
+        c_void_p, c_void_p, POINTER(Pose), POINTER(Vec3), POINTER(QueryFilter), c_uint32, POINTER(CastHit), c_size_t,
+        POINTER(c_size_t)]),
+    "abut_universe_cast_shapes": (Status, [
+        c_void_p, POINTER(c_void_p), POINTER(Pose), POINTER(Vec3), c_size_t, POINTER(QueryFilter), POINTER(CastHit)]),
+    "abut_universe_overlaps": (Status, [
+        c_void_p, c_void_p, POINTER(Pose), POINTER(QueryFilter), c_double, POINTER(GeometryId), c_size_t,
+        POINTER(c_size_t)]),
+    "abut_universe_overlaps_of_each": (Status, [
+        c_void_p, POINTER(c_void_p), POINTER(Pose), c_size_t, POINTER(QueryFilter), c_double, POINTER(c_uint64),
+        POINTER(GeometryId), c_size_t, POINTER(c_size_t)]),
+    "abut_universe_at_point": (Status, [
+        c_void_p, POINTER(Vec3), POINTER(QueryFilter), POINTER(GeometryId), c_size_t, POINTER(c_size_t)]),
+    "abut_universe_at_points": (Status, [
+        c_void_p, POINTER(Vec3), c_size_t, POINTER(QueryFilter), POINTER(c_uint64), POINTER(GeometryId), c_size_t,
+        POINTER(c_size_t)]),
+    "abut_universe_closest": (Status, [
+        c_void_p, c_void_p, POINTER(Pose), c_double, POINTER(QueryFilter), POINTER(Closest), POINTER(c_uint32)]),
+    "abut_universe_closest_to_each": (Status, [
+        c_void_p, POINTER(c_void_p), POINTER(Pose), c_size_t, c_double, POINTER(QueryFilter), POINTER(Closest)]),
+    "abut_shapes_cast": (Status, [
+        c_void_p, POINTER(Pose), POINTER(Vec3), c_void_p, POINTER(Pose), POINTER(Vec3), POINTER(QueryOptions),
+        POINTER(CastHit), POINTER(c_uint32)]),
     "abut_layout_count": (c_size_t, []),
     "abut_layout_at": (Status, [c_size_t, POINTER(LayoutEntry)]),
 }

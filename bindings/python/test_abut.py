@@ -124,6 +124,112 @@ class Universes(unittest.TestCase):
                 universe.poses(parts)
             self.assertEqual(caught.exception.status, abut.STALE_ID)
 
+    def setUp(self):
+        self.universe, self.ball = abut.Universe(events=abut.EVENTS_PAIRS | abut.EVENTS_PERSIST), abut.Shape.sphere(1)
+        self.parts = [self.universe.add_part(pose=abut.pose(x=1.5 * i)) for i in range(3)]
+        self.geometries = [self.universe.add_geometry(part, self.ball, label=i, tag=i) for i, part in enumerate(self.parts)]
+        self.addCleanup(self.ball.close)
+        self.addCleanup(self.universe.close)
+
+    def events_of_a_step(self):
+        self.universe.step()
+        slots = [each.slot for each in self.geometries]
+        return [(each.kind, slots.index(each.geometry_a.slot), slots.index(each.geometry_b.slot))
+                for each in self.universe.events()]
+
+    def test_events(self):
+        self.assertEqual(self.events_of_a_step(), [(abut.EVENT_BEGIN, 0, 1), (abut.EVENT_BEGIN, 1, 2)])
+        first = self.universe.hash()
+        self.universe.park(self.geometries[2:])
+        self.assertEqual(self.events_of_a_step(), [(abut.EVENT_PERSIST, 0, 1), (abut.EVENT_END, 1, 2)])
+        self.assertNotEqual(self.universe.hash(), first)
+        self.assertEqual(self.universe.describe(self.geometries[2]).parking, abut.PARKING_SHORT_TERM)
+        self.universe.park(self.geometries[2:], abut.PARKING_NONE)
+        self.assertEqual(self.events_of_a_step(), [(abut.EVENT_PERSIST, 0, 1), (abut.EVENT_BEGIN, 1, 2)])
+
+    def test_rules(self):
+        for a, b in ((self.geometries[0], self.geometries[1]), (self.parts[0], self.parts[1]), (0, 1), (0, None)):
+            self.universe.set_rule(a, b, abut.RULE_DISABLE)
+            self.universe.step()
+            self.assertEqual(len(self.universe.contacts()), 1)
+            self.universe.set_rule(b, a, abut.RULE_NONE)
+            self.universe.step()
+            self.assertEqual(len(self.universe.contacts()), 2)
+        self.universe.set_rule(None, None, abut.RULE_DISABLE)
+        self.universe.clear_rules()
+        self.universe.step()
+        self.assertEqual(len(self.universe.contacts()), 2)
+        with self.assertRaises(TypeError):
+            self.universe.set_rule("ball", None, abut.RULE_DISABLE)
+
+    def test_filter(self):
+        asked = []
+
+        def keeps(a, b):
+            asked.append((a.slot, b.slot))
+            if len(asked) == 1:
+                self.universe.park(self.geometries[2:])
+            with self.assertRaises(abut.Error) as caught:
+                self.universe.refilter()
+            self.assertEqual(caught.exception.status, abut.BUSY)
+            return len(asked) != 1
+
+        self.universe.set_filter(keeps)
+        self.assertEqual(self.events_of_a_step(), [(abut.EVENT_BEGIN, 1, 2)])
+        slots = [each.slot for each in self.geometries]
+        self.assertEqual(asked, [(slots[0], slots[1]), (slots[1], slots[2])])
+        self.assertEqual(self.events_of_a_step(), [(abut.EVENT_END, 1, 2)])
+        self.universe.set_filter(None)
+        self.assertEqual(self.events_of_a_step(), [(abut.EVENT_BEGIN, 0, 1)])
+
+    def test_what_a_filter_raises_comes_out_of_the_step(self):
+        def fails(a, b):
+            raise KeyError("no such pair")
+
+        self.universe.set_filter(fails)
+        with self.assertRaises(KeyError):
+            self.universe.step()
+        self.assertEqual(len(self.universe.contacts()), 2)
+        self.universe.set_filter(None)
+        self.universe.step()
+
+    def test_policies(self):
+        self.universe.set_policy(0, 1, detail=abut.DETAIL_BOX, period=3)
+        self.assertEqual(self.universe.policy(1, 0).period, 3)
+        self.assertEqual(self.events_of_a_step(), [(abut.EVENT_BEGIN, 0, 1), (abut.EVENT_BEGIN, 1, 2)])
+        self.assertEqual(len(self.universe.contacts()), 1)
+        self.universe.set_policy(0, 1)
+        self.universe.step()
+        self.assertEqual(len(self.universe.contacts()), 2)
+
+    def test_changes(self):
+        self.universe.change(self.geometries[0], flags=abut.GEOMETRY_SENSOR, material=7, user_data=3)
+        self.assertEqual(self.universe.options_of(self.geometries[0]).material, 7)
+        self.universe.step()
+        contact = self.universe.contacts()[0]
+        self.assertEqual((contact.flags, contact.material_a, contact.material_b), (abut.CONTACT_SENSOR, 7, 0))
+        with abut.Shape.box(0.1, 0.1, 0.1) as crumb:
+            self.universe.set_shapes(self.geometries[1:2], [crumb])
+        self.assertEqual(self.events_of_a_step(), [(abut.EVENT_END, 0, 1), (abut.EVENT_END, 1, 2)])
+        self.assertEqual(self.universe.motion(self.parts[0]), abut.MOTION_DYNAMIC)
+        self.universe.set_motions(self.parts, [abut.MOTION_STATIC] * 3)
+        self.assertEqual(self.universe.motion(self.parts[2]), abut.MOTION_STATIC)
+        with self.assertRaises(TypeError):
+            self.universe.change(self.geometries[0], colour=1)
+
+    def test_detections(self):
+        self.universe.detect_pairs([(self.geometries[1], self.geometries[0])])
+        self.assertEqual(len(self.universe.contacts()), 1)
+        self.universe.detect_region((2, -1, -1), (float("inf"), 1, 1))
+        self.assertEqual(len(self.universe.contacts()), 2)
+        self.universe.set_poses(self.parts[:1], [abut.pose(x=-9)])
+        self.universe.refresh()
+        self.universe.detect_changed()
+        self.assertEqual(len(self.universe.contacts()), 1)
+        self.universe.detect_all()
+        self.assertEqual(self.universe.stats().examined_pairs, 1)
+        self.assertIsInstance(self.universe.explain_json(), dict)
+
 
 @unittest.skipIf(abut.picking is None, "libabut_picking is not installed")
 class Picking(unittest.TestCase):

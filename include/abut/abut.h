@@ -13,8 +13,10 @@
  *  - Arrays of unknown length are filled by count-then-fill: `capacity` elements fit into the array,
  *    `count` receives how many there are; nothing past `capacity` is written. A null array with
  *    capacity 0 asks for the count only.
+ *  - Batches that set something take an id more than once: the last one counts.
  *  - Thread rule of each function: [any] any thread at any time; [const] together with other [const]
- *    calls on the same universe, not during an [exclusive] one; [exclusive] alone on its universe.
+ *    calls on the same universe, not during an [exclusive] one; [exclusive] alone on its universe, and
+ *    ABUT_BUSY from a callback of it.
  *    Shapes never change after creation, so calls that only read shapes are [any].
  *  - Structs that begin with struct_size grow over time. Fill them with their _init function, which
  *    is told sizeof of the struct as the caller knows it, then change fields. A caller compiled against
@@ -72,7 +74,8 @@ enum abut_status_value ABUT_ENUM(int32_t) {
   ABUT_UNSUPPORTED = 13,          /**< a shape, feature, pair or algorithm that is not available */
   ABUT_NOT_CONVERGED = 14,        /**< an algorithm of another library gave up or returned nonsense */
   ABUT_OUT_OF_MEMORY = 15,
-  ABUT_INTERNAL = 16              /**< a defect of abut; the universe answers only this from now on */
+  ABUT_INTERNAL = 16,             /**< a defect of abut; the universe answers only this from now on */
+  ABUT_BUSY = 17                  /**< an [exclusive] call from a callback of the same universe */
 };
 
 /**
@@ -427,6 +430,12 @@ typedef struct abut_distance {
   uint32_t iterations;      /**< steps that it took */
 } abut_distance;
 
+/** Bits of the flags of a contact. */
+typedef uint32_t abut_contact_flags;
+enum abut_contact_flags_value ABUT_ENUM(uint32_t) {
+  ABUT_CONTACT_SENSOR = 1 /**< a geometry of the pair is a sensor: report it, do not respond to it */
+};
+
 /** One contact point. Swapping a and b swaps points and features and negates the normal. */
 typedef struct abut_contact {
   abut_geometry_id geometry_a; /**< null in pair queries */
@@ -441,9 +450,11 @@ typedef struct abut_contact {
   abut_vec3 normal;            /**< unit, from a to b */
   double distance;             /**< dot(point_b - point_a, normal); negative: overlapping */
   double toi;                  /**< fraction of the step at first touch, in [0, 1]; 0 for discrete contacts */
-  uint32_t flags;              /**< zero */
+  uint32_t flags;              /**< bits of abut_contact_flags */
   uint32_t age;                /**< steps in a row before this one that reported it; 0 when it is new, and in pair queries */
   uint64_t user_data;          /**< as abut_contacts_set_user_data left it, while the contact stays; 0 when it is new */
+  uint32_t material_a;         /**< of the geometries; 0 in pair queries. See abut_material_pair */
+  uint32_t material_b;
 } abut_contact;
 
 /**
@@ -480,8 +491,10 @@ typedef struct abut_universe abut_universe;
 typedef uint32_t abut_broadphase;
 enum abut_broadphase_value ABUT_ENUM(uint32_t) {
   ABUT_BROADPHASE_AUTO = 0,
-  ABUT_BROADPHASE_BRUTE = 1, /**< every pair of boxes; for a few dozen geometries */
-  ABUT_BROADPHASE_TREE = 2   /**< dynamic box tree */
+  ABUT_BROADPHASE_BRUTE = 1,           /**< every pair of boxes; for a few dozen geometries */
+  ABUT_BROADPHASE_TREE = 2,            /**< dynamic box trees, one of what moves and one of what does not */
+  ABUT_BROADPHASE_SWEEP_AND_PRUNE = 3, /**< sorted ends on three axes, kept from step to step */
+  ABUT_BROADPHASE_HASH_GRID = 4        /**< cells of one size; for many boxes of about that size */
 };
 
 typedef uint32_t abut_tolerance_mode;
@@ -490,12 +503,22 @@ enum abut_tolerance_mode_value ABUT_ENUM(uint32_t) {
   ABUT_TOLERANCE_MARGIN = 1     /**< a separation is reported when it is below the tolerance */
 };
 
+/** Which events a step writes down. */
+typedef uint32_t abut_event_bits;
+enum abut_event_bits_value ABUT_ENUM(uint32_t) {
+  ABUT_EVENTS_PAIRS = 1,   /**< pairs that begin and end to touch */
+  ABUT_EVENTS_PERSIST = 2, /**< also those that still touch */
+  ABUT_EVENTS_CONTACTS = 4 /**< the same of each contact */
+};
+
 typedef struct abut_universe_options {
   uint32_t struct_size;
   abut_broadphase broadphase;         /**< default ABUT_BROADPHASE_AUTO */
   abut_tolerance_mode tolerance_mode; /**< default ABUT_TOLERANCE_DEAD_BAND */
   uint32_t max_contacts;              /**< per pair of convex shapes or triangle patch; 0 keeps all; default 4 */
   abut_vec3 origin;                   /**< boxes of the broad phase are stored relative to it; default 0 */
+  uint32_t threads;                   /**< of a step; 0: as many as the machine runs at once; default 1. Results are the same bits for any number */
+  abut_event_bits events;             /**< which events steps write down; default ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST */
 } abut_universe_options;
 
 ABUT_API void abut_universe_options_init(abut_universe_options *options, uint32_t struct_size);
@@ -503,7 +526,7 @@ ABUT_API void abut_universe_options_init(abut_universe_options *options, uint32_
 /** Creates a universe; the caller frees it with abut_universe_destroy. `options` may be null. [any] */
 ABUT_API abut_status abut_universe_create(const abut_universe_options *options, abut_universe **out);
 
-/** Destroys a universe and everything in it. Null is allowed. [exclusive] */
+/** Destroys a universe and everything in it. Null is allowed. From a callback of the universe it does nothing. [exclusive] */
 ABUT_API void abut_universe_destroy(abut_universe *universe);
 
 /** How a part moves. Pairs of parts of which neither is dynamic are never examined. */
@@ -547,6 +570,15 @@ ABUT_API abut_status abut_part_pose(const abut_universe *universe, abut_part_id 
 /** Poses of `count` parts. [const] */
 ABUT_API abut_status abut_parts_poses(const abut_universe *universe, const abut_part_id *parts, size_t count, abut_pose *out);
 
+/** How a part moves, for a part that exists; takes effect at the next step. [exclusive] */
+ABUT_API abut_status abut_part_set_motion(abut_universe *universe, abut_part_id part, abut_motion motion);
+
+/** The same for `count` parts, all or none. [exclusive] */
+ABUT_API abut_status abut_parts_set_motions(abut_universe *universe, const abut_part_id *parts, const abut_motion *motions, size_t count);
+
+/** How a part moves. [const] */
+ABUT_API abut_status abut_part_motion(const abut_universe *universe, abut_part_id part, abut_motion *out);
+
 /** Your value on a part. [const] */
 ABUT_API abut_status abut_part_user_data(const abut_universe *universe, abut_part_id part, uint64_t *out);
 
@@ -554,12 +586,41 @@ ABUT_API abut_status abut_part_user_data(const abut_universe *universe, abut_par
 ABUT_API abut_status abut_part_geometries(const abut_universe *universe, abut_part_id part, abut_geometry_id *geometries,
                                           size_t capacity, size_t *count);
 
+/**
+ * Whether a geometry takes part. A parked one is in no contact, event or query; it can be moved, reshaped and
+ * destroyed. Its contacts end with the next step, and coming back into an overlap is a new begin.
+ */
+typedef uint32_t abut_parking;
+enum abut_parking_value ABUT_ENUM(uint32_t) {
+  ABUT_PARKING_NONE = 0,
+  ABUT_PARKING_SHORT_TERM = 1, /**< keeps its place in the broad phase: parking and coming back are quick */
+  ABUT_PARKING_LONG_TERM = 2   /**< leaves the broad phase: a step costs nothing for it, coming back costs an insertion */
+};
+
+/** Bits of the flags of a geometry. */
+typedef uint32_t abut_geometry_flags;
+enum abut_geometry_flags_value ABUT_ENUM(uint32_t) {
+  ABUT_GEOMETRY_SENSOR = 1 /**< its contacts carry ABUT_CONTACT_SENSOR */
+};
+
+/**
+ * Two geometries are examined when all of this holds, in this order: they are on different parts, of which one is
+ * dynamic; neither is parked; they have no exclusion bit in common; each one's layers meet the other one's mask; the most
+ * specific rule does not disable the pair (abut_rule_set); the filter keeps it (abut_universe_set_filter).
+ */
 typedef struct abut_geometry_options {
   uint32_t struct_size;
-  uint32_t reserved;   /**< zero */
-  abut_pose pose;      /**< in the frame of the part; default identity */
-  double tolerance;    /**< not negative; the tolerance of a pair is the sum of both; default 0 */
-  uint64_t user_data;  /**< yours; default 0 */
+  abut_geometry_flags flags; /**< default 0 */
+  abut_pose pose;            /**< in the frame of the part; default identity */
+  double tolerance;          /**< not negative; the tolerance of a pair is the sum of both; default 0 */
+  uint64_t user_data;        /**< yours; default 0 */
+  uint64_t layers;           /**< what it is, as bits of your meaning; default 1 */
+  uint64_t mask;             /**< the layers that it meets; default all */
+  uint64_t exclusion;        /**< geometries that have a bit in common never meet; default 0 */
+  uint32_t label;            /**< for rules; default 0 */
+  uint32_t tag;              /**< for policies, below 64; default 0 */
+  uint32_t material;         /**< carried to its contacts; default 0 */
+  abut_parking parking;      /**< default ABUT_PARKING_NONE */
 } abut_geometry_options;
 
 ABUT_API void abut_geometry_options_init(abut_geometry_options *options, uint32_t struct_size);
@@ -578,6 +639,33 @@ ABUT_API abut_status abut_geometry_destroy(abut_universe *universe, abut_geometr
 /** Takes `count` geometries away, all or none; an id that occurs twice is stale the second time. [exclusive] */
 ABUT_API abut_status abut_geometries_destroy(abut_universe *universe, const abut_geometry_id *geometries, size_t count);
 
+/** Replaces the options of a geometry, all of them; describe it first to change one. [exclusive] */
+ABUT_API abut_status abut_geometry_set_options(abut_universe *universe, abut_geometry_id geometry, const abut_geometry_options *options);
+
+/** The same for `count` geometries, all or none; `options` is an array of `count`. [exclusive] */
+ABUT_API abut_status abut_geometries_set_options(abut_universe *universe, const abut_geometry_id *geometries,
+                                                 const abut_geometry_options *options, size_t count);
+
+/**
+ * Gives a geometry another shape. Its contacts of the step before end, since features of another shape are other
+ * features. The shape that abut_geometry_describe lent out is let go. [exclusive]
+ */
+ABUT_API abut_status abut_geometry_set_shape(abut_universe *universe, abut_geometry_id geometry, const abut_shape *shape);
+
+/** The same for `count` geometries, all or none. [exclusive] */
+ABUT_API abut_status abut_geometries_set_shapes(abut_universe *universe, const abut_geometry_id *geometries,
+                                                const abut_shape *const *shapes, size_t count);
+
+/**
+ * Parks a geometry, or brings it back. Parking twice changes nothing; changing between short and long term is allowed. The
+ * one [exclusive] call that a filter may make: it takes effect when the step is over.
+ * Complexity O(1); O(log n) for long term. Source: SPEC VX-07. [exclusive]
+ */
+ABUT_API abut_status abut_geometry_park(abut_universe *universe, abut_geometry_id geometry, abut_parking parking);
+
+/** The same for `count` geometries, all or none. [exclusive] */
+ABUT_API abut_status abut_geometries_park(abut_universe *universe, const abut_geometry_id *geometries, size_t count, abut_parking parking);
+
 /** What a geometry is and where. Set struct_size, or use the _init function, before asking. */
 typedef struct abut_geometry_info {
   uint32_t struct_size;
@@ -588,6 +676,15 @@ typedef struct abut_geometry_info {
   abut_pose local;    /**< in the frame of the part */
   double tolerance;
   uint64_t user_data;
+  uint64_t layers;
+  uint64_t mask;
+  uint64_t exclusion;
+  uint32_t label;
+  uint32_t tag;
+  uint32_t material;
+  abut_parking parking;
+  abut_geometry_flags flags;
+  uint32_t reserved;  /**< zero */
 } abut_geometry_info;
 
 ABUT_API void abut_geometry_info_init(abut_geometry_info *info, uint32_t struct_size);
@@ -606,7 +703,7 @@ ABUT_API abut_status abut_universe_geometries(const abut_universe *universe, abu
 
 /** Counters that tell tools what changed since they last looked. */
 typedef struct abut_revision {
-  uint64_t geometries; /**< grows when a geometry is created or destroyed */
+  uint64_t geometries; /**< grows when a geometry is created, destroyed, parked or reshaped */
   uint64_t poses;      /**< grows when a pose is set */
 } abut_revision;
 
@@ -614,11 +711,194 @@ typedef struct abut_revision {
 ABUT_API abut_status abut_universe_revision(const abut_universe *universe, abut_revision *out);
 
 /**
- * Detects over [t, t + dt]; moves nothing. Discrete: contacts are those of the present poses.
+ * The change counters themselves, for tools that look often: pointers to the numbers of
+ * abut_universe_revision, good for as long as the universe is there. Reading them counts as a [const]
+ * call. [const]
+ */
+ABUT_API abut_status abut_universe_counters(const abut_universe *universe, const uint64_t **geometries, const uint64_t **poses);
+
+/** What a rule speaks of. */
+typedef uint32_t abut_collidable_kind;
+enum abut_collidable_kind_value ABUT_ENUM(uint32_t) {
+  ABUT_COLLIDABLE_GEOMETRY = 0,
+  ABUT_COLLIDABLE_PART = 1,  /**< all geometries of a part */
+  ABUT_COLLIDABLE_LABEL = 2, /**< all geometries with a label */
+  ABUT_COLLIDABLE_ANY = 3
+};
+
+typedef struct abut_collidable {
+  abut_collidable_kind kind;
+  uint32_t slot;       /**< of the geometry or the part; the label; 0 for any */
+  uint32_t generation; /**< of the geometry or the part; else 0 */
+} abut_collidable;
+
+typedef uint32_t abut_rule;
+enum abut_rule_value ABUT_ENUM(uint32_t) {
+  ABUT_RULE_NONE = 0, /**< takes the rule away */
+  ABUT_RULE_ENABLE = 1,
+  ABUT_RULE_DISABLE = 2
+};
+
+/**
+ * Says whether two collidables meet. The most specific rule that fits a pair counts: first by its more specific side,
+ * then by the other; a geometry before a part, that before a label, that before any. Of two that are equally specific the
+ * one that disables wins. Rules end with the geometry or the part that they name. Takes effect at the next step, where
+ * pairs that no longer meet end.
+ * Complexity O(log rules), and the next step looks at every pair once. Source: SPEC VX-04. [exclusive]
+ */
+ABUT_API abut_status abut_rule_set(abut_universe *universe, const abut_collidable *a, const abut_collidable *b, abut_rule rule);
+
+/** Takes all rules away. [exclusive] */
+ABUT_API abut_status abut_rules_clear(abut_universe *universe);
+
+/**
+ * Decides about a pair: 0 leaves it out. Called in a step, by the thread that steps, once for each pair that
+ * comes near and is not left out before, ordered by slots. It may make [const] calls, and park; contacts and events are
+ * those of the step before then. It must not throw: what gets out of it makes the step answer ABUT_INTERNAL.
+ */
+typedef uint32_t (*abut_filter)(void *context, const abut_universe *universe, abut_geometry_id geometry_a, abut_geometry_id geometry_b);
+
+/** Sets the filter; null for none. `context` is kept and handed to it. All pairs are asked about at the next step. [exclusive] */
+ABUT_API abut_status abut_universe_set_filter(abut_universe *universe, abut_filter filter, void *context);
+
+/** Asks the filter about all pairs again at the next step. [exclusive] */
+ABUT_API abut_status abut_universe_refilter(abut_universe *universe);
+
+/** How much of a pair is found. */
+typedef uint32_t abut_detail;
+enum abut_detail_value ABUT_ENUM(uint32_t) {
+  ABUT_DETAIL_MANIFOLD = 0, /**< all contacts */
+  ABUT_DETAIL_POINT = 1,    /**< the deepest one */
+  ABUT_DETAIL_BOX = 2       /**< whether the boxes overlap: events without contacts */
+};
+
+/** How the pairs of two tags are treated: their algorithm, precision and rate. */
+typedef struct abut_policy {
+  uint32_t struct_size;
+  abut_algorithm algorithm; /**< default ABUT_ALGORITHM_AUTO, which also takes pairs that do not have the one asked for, or where it gives up */
+  abut_detail detail;       /**< default ABUT_DETAIL_MANIFOLD */
+  uint32_t period;          /**< at least 1: found anew once in so many steps, kept in between; new pairs at once; default 1 */
+  double tolerance;         /**< of a pair; negative: the sum of both geometries; default -1 */
+  double error_bound;       /**< as in abut_query_options; default 0 */
+} abut_policy;
+
+ABUT_API void abut_policy_init(abut_policy *policy, uint32_t struct_size);
+
+/**
+ * Sets how geometries of two tags (below 64) meet, in either order; null goes back to the default. One broad phase
+ * serves all policies. Source: SPEC PL-02. [exclusive]
+ */
+ABUT_API abut_status abut_policy_set(abut_universe *universe, uint32_t tag_a, uint32_t tag_b, const abut_policy *policy);
+
+/** How geometries of two tags meet. Set struct_size, or use the _init function, before asking. [const] */
+ABUT_API abut_status abut_policy_get(const abut_universe *universe, uint32_t tag_a, uint32_t tag_b, abut_policy *out);
+
+/** What the contacts of two materials are like: plain numbers that abut stores and hands out, and applies none of. */
+typedef struct abut_contact_material {
+  uint32_t struct_size;
+  uint32_t reserved;            /**< zero */
+  double friction_primary;      /**< coefficients along the two axes of the contact plane; default 0 */
+  double friction_secondary;
+  double friction_spin;         /**< about the normal; default 0 */
+  double friction_roll;         /**< about axes of the contact plane; default 0 */
+  double static_scale;          /**< of the coefficients while nothing slides; default 1 */
+  double slip;                  /**< default 0 */
+  double compliance;            /**< default 0 */
+  double damping;               /**< default 0 */
+  double restitution;           /**< default 0 */
+  double restitution_threshold; /**< below that speed nothing bounces; default 0.001 */
+  double adhesive_force;        /**< default 0 */
+} abut_contact_material;
+
+ABUT_API void abut_contact_material_init(abut_contact_material *material, uint32_t struct_size);
+
+/**
+ * Sets the row of two materials, in either order; null takes it away. Numbers are finite and not negative.
+ * Complexity O(log rows). Source: SPEC VX-21. [exclusive]
+ */
+ABUT_API abut_status abut_material_pair_set(abut_universe *universe, uint32_t material_a, uint32_t material_b,
+                                            const abut_contact_material *row);
+
+/**
+ * What contacts of two materials are like. Without a row of their own they are combined from the rows of each material with
+ * itself, where one that has none counts as the default: geometric mean of frictions and static scales, sum of slips,
+ * compliances and adhesive forces, the greater of damping, restitution and threshold. Set struct_size, or use the _init
+ * function, before asking. [const]
+ */
+ABUT_API abut_status abut_material_pair_get(const abut_universe *universe, uint32_t material_a, uint32_t material_b,
+                                            abut_contact_material *out);
+
+/**
+ * Detects over [t, t + dt]; moves nothing. Discrete: contacts are those of the present poses. Pairs of which nothing
+ * has changed keep their contacts.
  * @param dt  not negative
  * Complexity O(n log n + pairs) for n moved geometries. [exclusive]
  */
 ABUT_API abut_status abut_universe_step(abut_universe *universe, double dt);
+
+/**
+ * A step that finds every pair anew. Where max_contacts is 0, contacts are the same bits as those of any other way to get there;
+ * else points that are as good as each other win when the detection before has kept them. [exclusive]
+ */
+ABUT_API abut_status abut_universe_detect_all(abut_universe *universe);
+
+/** A step without time. [exclusive] */
+ABUT_API abut_status abut_universe_detect_changed(abut_universe *universe);
+
+/**
+ * A step that looks, of the pairs that have changed, at the given ones only. All others keep the contacts that they
+ * have, as old as they are and without an event, until a detection covers them; pairs that are not near each other any
+ * more end all the same.
+ * @param a      count geometries
+ * @param b      count geometries; pair i is a[i] with b[i], in either order; those that cannot meet are passed over
+ * Complexity as a step for the given pairs, O(pairs) for the others. Source: SPEC CI-3. [exclusive]
+ */
+ABUT_API abut_status abut_universe_detect_pairs(abut_universe *universe, const abut_geometry_id *a, const abut_geometry_id *b, size_t count);
+
+/** The same for the pairs whose boxes both meet a region, and so for every contact in it. Its sides may be infinite. [exclusive] */
+ABUT_API abut_status abut_universe_detect_region(abut_universe *universe, const abut_aabb *region);
+
+/**
+ * Brings the boxes up to date with the poses without detecting anything: queries see poses as of the last step or
+ * refresh. [exclusive]
+ */
+ABUT_API abut_status abut_universe_refresh(abut_universe *universe);
+
+typedef uint32_t abut_event_kind;
+enum abut_event_kind_value ABUT_ENUM(uint32_t) {
+  ABUT_EVENT_BEGIN = 0,
+  ABUT_EVENT_PERSIST = 1,
+  ABUT_EVENT_END = 2
+};
+
+typedef uint32_t abut_event_flags;
+enum abut_event_flags_value ABUT_ENUM(uint32_t) {
+  ABUT_EVENT_SENSOR = 1, /**< a geometry of the pair is a sensor */
+  ABUT_EVENT_CONTACT = 2 /**< about one contact, not about the pair */
+};
+
+/**
+ * A pair, or one of its contacts, that began to touch, still touches or ended. Every touch is one begin, then a
+ * persist in each step, then one end, also when it ends by parking, filtering, reshaping or destruction.
+ */
+typedef struct abut_event {
+  abut_event_kind kind;
+  abut_event_flags flags;
+  abut_geometry_id geometry_a; /**< may be destroyed at an end */
+  abut_geometry_id geometry_b;
+  uint64_t contact_id;         /**< of the contact; 0 for a pair */
+  uint32_t first_contact;      /**< index of the first contact of the pair, or of the contact; 0 at an end */
+  uint32_t contact_count;      /**< of the pair; 1 for a contact; 0 at an end, and for pairs that are treated as boxes */
+} abut_event;
+
+/**
+ * Events of the last step, ordered by the slots of the two geometries; of one pair, ends of those that had the slots
+ * before come first, and the pair before its contacts. Borrowed until the next [exclusive] call. Source: SPEC VX-22. [const]
+ */
+ABUT_API abut_status abut_universe_events(const abut_universe *universe, const abut_event **events, size_t *count);
+
+/** Hash of every bit of the contacts and events of the last step, but of times: equal runs have equal hashes. [const] */
+ABUT_API abut_status abut_universe_hash(const abut_universe *universe, uint64_t *out);
 
 /** Contacts of the last step, ordered by the slots of the two geometries, then deepest first. Borrowed until the next [exclusive] call. [const] */
 ABUT_API abut_status abut_universe_contacts(const abut_universe *universe, const abut_contact **contacts, size_t *count);
@@ -637,16 +917,22 @@ typedef struct abut_step_stats {
   uint32_t reserved;
   uint64_t parts;
   uint64_t geometries;
+  uint64_t parked;                 /**< geometries that are parked */
   uint64_t moved;                  /**< geometries whose box was refreshed */
-  uint64_t candidate_pairs;        /**< pairs of overlapping boxes handed to the narrow phase */
-  uint64_t touching_pairs;         /**< pairs with at least one contact */
+  uint64_t candidate_pairs;        /**< pairs of overlapping boxes that the filters admit and that have an algorithm */
+  uint64_t filtered_pairs;         /**< pairs of overlapping boxes that the filters left out */
+  uint64_t examined_pairs;         /**< candidates handed to the narrow phase */
+  uint64_t kept_pairs;             /**< candidates that kept what they had */
+  uint64_t touching_pairs;         /**< pairs with at least one contact, or treated as boxes */
   uint64_t contacts;
-  uint64_t unsupported_pairs;      /**< candidates that have no algorithm by declaration */
+  uint64_t unsupported_pairs;      /**< admitted pairs that have no algorithm, by declaration */
+  uint64_t events;
   uint64_t bytes;                  /**< memory held by the universe, without shapes */
   double refresh_microseconds;     /**< poses to boxes */
   double broadphase_microseconds;  /**< boxes to pairs */
-  double narrowphase_microseconds; /**< pairs to manifolds */
-  double contact_microseconds;     /**< reduction and ordering */
+  double pair_microseconds;        /**< filters, and what pairs keep from step to step */
+  double narrowphase_microseconds; /**< pairs to manifolds, reduced */
+  double contact_microseconds;     /**< contacts and events in order */
 } abut_step_stats;
 
 ABUT_API void abut_step_stats_init(abut_step_stats *stats, uint32_t struct_size);
@@ -662,6 +948,195 @@ ABUT_API abut_status abut_universe_stats(const abut_universe *universe, abut_ste
  * [const]
  */
 ABUT_API abut_status abut_universe_explain(const abut_universe *universe, char *text, size_t capacity, size_t *needed);
+
+/** The same as JSON; docs/universe.md lists the fields. [const] */
+ABUT_API abut_status abut_universe_explain_json(const abut_universe *universe, char *text, size_t capacity, size_t *needed);
+
+/** What will surprise whoever built a scene. */
+typedef uint32_t abut_finding_code;
+enum abut_finding_code_value ABUT_ENUM(uint32_t) {
+  ABUT_FINDING_NOTHING_MOVES = 0,       /**< no part is dynamic: no pair is ever examined */
+  ABUT_FINDING_MEETS_NOTHING = 1,       /**< the layers or the mask of a geometry are empty */
+  ABUT_FINDING_KINDS_UNSUPPORTED = 2,   /**< two geometries that could meet are of kinds without an algorithm */
+  ABUT_FINDING_TOLERANCE_TOO_LARGE = 3, /**< a tolerance above the smallest side of the shape */
+  ABUT_FINDING_FAR_FROM_ORIGIN = 4,     /**< boxes of the broad phase are coarser there than a hundredth of the shape */
+  ABUT_FINDING_EXCLUDED_FROM_ALL = 5    /**< no geometry has a layer that it meets, or none meets its own */
+};
+
+typedef struct abut_finding {
+  abut_finding_code code;
+  uint32_t reserved;         /**< zero */
+  abut_geometry_id geometry; /**< null where none is meant */
+  abut_geometry_id other;    /**< null where no second one is meant */
+  char message[168];         /**< for people; terminated, cut to what fits */
+} abut_finding;
+
+/**
+ * Looks for what is odd about a scene, by count-then-fill; ordered by code, then by slots. An empty answer means that nothing
+ * was found. Complexity O(geometries + kinds squared). Source: SPEC PL-04. [const]
+ */
+ABUT_API abut_status abut_universe_validate(const abut_universe *universe, abut_finding *findings, size_t capacity, size_t *count);
+
+/* ------------------------------------------------------------------------------------------------
+ * Queries on a universe
+ *
+ * They see poses as of the last step or abut_universe_refresh, never a parked geometry, and change nothing: all are
+ * [const] and may run on many threads at once. Pairs of kinds that have no answer (abut_pair_support) are passed over.
+ * --------------------------------------------------------------------------------------------- */
+
+typedef uint32_t abut_query_filter_flags;
+enum abut_query_filter_flags_value ABUT_ENUM(uint32_t) {
+  ABUT_QUERY_FILTER_SKIP_SENSORS = 1 /**< leaves sensors out */
+};
+
+/** What a ray meets that starts inside a solid. */
+typedef uint32_t abut_ray_start;
+enum abut_ray_start_value ABUT_ENUM(uint32_t) {
+  ABUT_RAY_START_FAR_SIDE = 0, /**< its far side, as abut_shape_cast_ray does */
+  ABUT_RAY_START_SOLID = 1,    /**< the solid, at distance 0 and with a normal of zeros, since there is none */
+  ABUT_RAY_START_SKIP = 2      /**< nothing of that geometry */
+};
+
+/**
+ * Which geometries a query looks at: those that it does not ignore, whose layers meet its mask and whose mask meets its
+ * layers. Null, where a filter may be, is the default one.
+ */
+typedef struct abut_query_filter {
+  uint32_t struct_size;
+  abut_query_filter_flags flags;           /**< default 0 */
+  uint64_t layers;                  /**< default all */
+  uint64_t mask;                    /**< default all */
+  abut_part_id ignore_part;         /**< with all its geometries; default null for none */
+  abut_geometry_id ignore_geometry; /**< default null for none */
+  abut_ray_start ray_start;         /**< of rays only; default ABUT_RAY_START_FAR_SIDE */
+  uint32_t reserved;                /**< zero */
+} abut_query_filter;
+
+ABUT_API void abut_query_filter_init(abut_query_filter *filter, uint32_t struct_size);
+
+/** How many of the geometries that are met are reported. */
+typedef uint32_t abut_hit_mode;
+enum abut_hit_mode_value ABUT_ENUM(uint32_t) {
+  ABUT_HIT_NEAREST = 0, /**< the one that is met first; of several at once that of the lowest slot */
+  ABUT_HIT_ANY = 1,     /**< one, whichever is found first: the quickest way to know whether there is any */
+  ABUT_HIT_ALL = 2      /**< each geometry once, in the order in which they are met, then by slot */
+};
+
+/** Where a ray meets a geometry. */
+typedef struct abut_query_hit {
+  abut_geometry_id geometry; /**< null in a batch: the ray meets nothing */
+  abut_feature feature;      /**< what of the shape is met */
+  uint32_t child;            /**< of a composite; 0 for all other shapes */
+  uint32_t reserved;         /**< zero */
+  double distance;           /**< from the origin, along the unit direction; not above max_distance */
+  abut_vec3 point;           /**< world frame */
+  abut_vec3 normal;          /**< unit, out of the solid; zeros where the ray starts inside it (abut_ray_start) */
+} abut_query_hit;
+
+/**
+ * Geometries that a ray meets, by count-then-fill; each with its first crossing. A ray that just reaches a surface meets
+ * it.
+ * @param filter  may be null
+ * Complexity O(log n) for each geometry near the ray. Source: SPEC RQ-01. [const]
+ */
+ABUT_API abut_status abut_universe_cast_ray(const abut_universe *universe, const abut_ray *ray, const abut_query_filter *filter,
+                                            abut_hit_mode mode, abut_query_hit *hits, size_t capacity, size_t *count);
+
+/** The nearest hit of each of `count` rays; its geometry is null where there is none. [const] */
+ABUT_API abut_status abut_universe_cast_rays(const abut_universe *universe, const abut_ray *rays, size_t count,
+                                             const abut_query_filter *filter, abut_query_hit *hits);
+
+/**
+ * Where a moving shape (a) first touches another (b). It does not touch before `fraction`, and there it is no further away
+ * than contact.upper. Shapes that touch at the start have fraction 0 and the deepest contact. Meshes with
+ * ABUT_SIDES_FRONT and height fields let through what comes from behind.
+ */
+typedef struct abut_cast_hit {
+  abut_geometry_id geometry; /**< what is met (b); null for two shapes alone, and in a batch where nothing is met */
+  double fraction;           /**< of the displacement, in [0, 1] */
+  abut_distance contact;     /**< at that time, in the world */
+  abut_feature feature_a;    /**< the triangle of a mesh or a height field; of others ABUT_FEATURE_WHOLE, or what touches at the start */
+  abut_feature feature_b;
+  uint32_t child_a;          /**< of a composite, or the particle; 0 for all other shapes */
+  uint32_t child_b;
+} abut_cast_hit;
+
+/**
+ * Geometries that a shape meets while it moves by a displacement without turning, by count-then-fill.
+ * @param filter  may be null
+ * Complexity O(log n) for each geometry near its way, and some distances each. Source: conservative advancement along
+ * separating planes (van den Bergen 2004). [const]
+ */
+ABUT_API abut_status abut_universe_cast_shape(const abut_universe *universe, const abut_shape *shape, const abut_pose *pose,
+                                              const abut_vec3 *displacement, const abut_query_filter *filter, abut_hit_mode mode,
+                                              abut_cast_hit *hits, size_t capacity, size_t *count);
+
+/** The nearest hit of each of `count` shapes, each with a pose and a displacement of its own. [const] */
+ABUT_API abut_status abut_universe_cast_shapes(const abut_universe *universe, const abut_shape *const *shapes, const abut_pose *poses,
+                                               const abut_vec3 *displacements, size_t count, const abut_query_filter *filter,
+                                               abut_cast_hit *hits);
+
+/**
+ * Geometries with which a shape has contacts up to a distance, by count-then-fill, ordered by slot.
+ * @param filter  may be null
+ * @param margin  as in abut_query_options; 0 for what touches, may be negative
+ * [const]
+ */
+ABUT_API abut_status abut_universe_overlaps(const abut_universe *universe, const abut_shape *shape, const abut_pose *pose,
+                                            const abut_query_filter *filter, double margin, abut_geometry_id *geometries,
+                                            size_t capacity, size_t *count);
+
+/**
+ * The same for each of `query_count` shapes. Those of query i are geometries[offsets[i]] up to geometries[offsets[i + 1]].
+ * @param offsets     query_count + 1 numbers, always all written
+ * @param count       the last of them; `geometries` is filled as far as `capacity`
+ * [const]
+ */
+ABUT_API abut_status abut_universe_overlaps_of_each(const abut_universe *universe, const abut_shape *const *shapes, const abut_pose *poses,
+                                                    size_t query_count, const abut_query_filter *filter, double margin, uint64_t *offsets,
+                                                    abut_geometry_id *geometries, size_t capacity, size_t *count);
+
+/** Solids that hold a point, and surfaces that it lies on, by count-then-fill, ordered by slot. [const] */
+ABUT_API abut_status abut_universe_at_point(const abut_universe *universe, const abut_vec3 *position, const abut_query_filter *filter,
+                                            abut_geometry_id *geometries, size_t capacity, size_t *count);
+
+/** The same for each of `query_count` points, answered as by abut_universe_overlaps_of_each. [const] */
+ABUT_API abut_status abut_universe_at_points(const abut_universe *universe, const abut_vec3 *positions, size_t query_count,
+                                             const abut_query_filter *filter, uint64_t *offsets, abut_geometry_id *geometries,
+                                             size_t capacity, size_t *count);
+
+/** What is closest to a shape. */
+typedef struct abut_closest {
+  abut_geometry_id geometry; /**< null in a batch: nothing is near */
+  abut_distance distance;    /**< from the shape (a) to the geometry (b); negative where they overlap */
+} abut_closest;
+
+/**
+ * The geometry of the least signed distance; of several the one of the lowest slot.
+ * @param max_distance  not negative, may be infinite; what is further away does not count
+ * @param filter        may be null
+ * @param out           written when *found is 1
+ * @param found         receives 1 or 0
+ * [const]
+ */
+ABUT_API abut_status abut_universe_closest(const abut_universe *universe, const abut_shape *shape, const abut_pose *pose,
+                                           double max_distance, const abut_query_filter *filter, abut_closest *out, uint32_t *found);
+
+/** The same for each of `count` shapes; the geometry is null where nothing is near. [const] */
+ABUT_API abut_status abut_universe_closest_to_each(const abut_universe *universe, const abut_shape *const *shapes, const abut_pose *poses,
+                                                   size_t count, double max_distance, const abut_query_filter *filter, abut_closest *out);
+
+/**
+ * When two shapes that both move without turning first touch, or come as near as options->margin.
+ * ABUT_UNSUPPORTED for pairs that have no distance, and for algorithms other than ABUT_ALGORITHM_AUTO.
+ * @param options  may be null; the margin is not negative
+ * @param hit      written when *found is 1
+ * @param found    receives 1 or 0
+ * Source: as abut_universe_cast_shape. [any]
+ */
+ABUT_API abut_status abut_shapes_cast(const abut_shape *a, const abut_pose *pose_a, const abut_vec3 *displacement_a,
+                                      const abut_shape *b, const abut_pose *pose_b, const abut_vec3 *displacement_b,
+                                      const abut_query_options *options, abut_cast_hit *hit, uint32_t *found);
 
 /* ------------------------------------------------------------------------------------------------
  * Layout report, for bindings that want to check their own structs

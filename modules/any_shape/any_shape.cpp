@@ -196,6 +196,19 @@ Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
       .distance(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
 }
 
+namespace {
+
+// Of two shapes of one kind, which one comes first may change as they move: their numbers are in the order given.
+void number_in_order_given(std::span<ContactPoint> contacts) {
+  for (ContactPoint& contact : contacts) {
+    if (contact.id == contact_id(contact.feature_b, contact.feature_a)) {
+      contact.id = contact_id(contact.feature_a, contact.feature_b);
+    }
+  }
+}
+
+}  // namespace
+
 Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
                       Manifold& out) {
   const bool from_b = starts_from_b(a, b, pose_a, pose_b);
@@ -203,13 +216,27 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
   const std::size_t found = out.size();
   const Outcome outcome = pair_kernels(first.index(), second.index())
                               .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
-  // Of two shapes of one kind, which one comes first may change as they move: their numbers are in the order given.
   if (from_b && a.index() == b.index()) {
-    for (ContactPoint& contact : std::span(out).subspan(found)) {
-      if (contact.id == contact_id(contact.feature_b, contact.feature_a)) {
-        contact.id = contact_id(contact.feature_a, contact.feature_b);
-      }
-    }
+    number_in_order_given(std::span(out).subspan(found));
+  }
+  return outcome;
+}
+
+Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
+                      PairMemory& memory, Manifold& out) {
+  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
+  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+  if (memory.is_from_b != from_b) {
+    memory = {};
+    memory.is_from_b = from_b;
+  }
+  const std::size_t found = out.size();
+  const Outcome outcome =
+      pair_kernels(first.index(), second.index())
+          .contacts_with_memory(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, memory, out);
+  memory.is_from_b = from_b;
+  if (from_b && a.index() == b.index()) {
+    number_in_order_given(std::span(out).subspan(found));
   }
   return outcome;
 }

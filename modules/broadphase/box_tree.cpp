@@ -3,186 +3,316 @@ module;
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 module abut.broadphase.box_tree;
+import abut.broadphase.eight_boxes;
 import abut.math;
 
 namespace abut {
+namespace {
 
-BoxTree::Sides BoxTree::sides_of(const CompactAabb& box) {
-  return {box.low[0], box.low[1], box.low[2], -box.high[0], -box.high[1], -box.high[2]};
-}
+// Children of a node that is made, so that the first ones that come do not split it.
+constexpr std::size_t usual_fill = 6;
 
-inline BoxTree::Sides BoxTree::merged(const Sides& a, const Sides& b) {
-  Sides both;
-  for (std::size_t i = 0; i < both.size(); ++i) {
-    both[i] = a[i] < b[i] ? a[i] : b[i];
-  }
-  return both;
-}
+// Nodes of leaves with fewer are given up, their leaves put elsewhere.
+constexpr std::size_t least_fill = 3;
 
-// What the chance of being visited is proportional to.
-inline float BoxTree::half_surface(const Sides& box) {
+// The tree is made anew after this many changes per leaf, and never for fewer.
+constexpr std::size_t most_changes_of_each = 3;
+constexpr std::size_t least_changes = 64;
+
+}  // namespace
+
+// What the chance of being visited is proportional to (Goldsmith and Salmon, "Automatic creation of object hierarchies
+// for ray tracing", 1987).
+inline float BoxTree::half_surface(const BoxSides& box) {
   // Minus the lengths of the edges; the signs cancel in the products.
   const float x = box[0] + box[3], y = box[1] + box[4], z = box[2] + box[5];
   return x * y + y * z + z * x;
 }
 
-inline BoxTree::Sides BoxTree::box_of(std::uint32_t node, std::size_t side) const {
-  Sides box;
-  const std::span<const float> stored = std::span(nodes_[node].sides).subspan(6 * side, 6);
-  std::copy(stored.begin(), stored.end(), box.begin());
-  return box;
+void BoxTree::set_lane(std::uint32_t node, std::size_t lane, const Entry& entry) {
+  nodes_[node].set_sides(lane, entry.sides);
+  nodes_[node].numbers[lane] = entry.child;
+  if (is_leaf(entry.child)) {
+    places_[entry.child & ~leaf_bit] = node * width + static_cast<std::uint32_t>(lane);
+  } else if (entry.child != none) {
+    links_[entry.child].parent = node;
+    links_[entry.child].lane = static_cast<std::uint8_t>(lane);
+  }
 }
 
-inline void BoxTree::set_box(std::uint32_t node, std::size_t side, const Sides& box) {
-  const std::span<float> stored = std::span(nodes_[node].sides).subspan(6 * side, 6);
-  std::copy(box.begin(), box.end(), stored.begin());
-}
-
-void BoxTree::set_child(std::uint32_t node, std::size_t side, std::uint32_t child, const Sides& box) {
-  nodes_[node].children[side] = child;
-  set_box(node, side, box);
-  if (is_leaf(child)) {
-    parents_of_leaves_[child & ~leaf_bit] = node;
+std::uint32_t BoxTree::make_node(std::uint8_t level) {
+  std::uint32_t node = free_;
+  if (node != none) {
+    free_ = links_[node].parent;
+    nodes_[node] = {};
   } else {
-    parents_[child] = node;
+    node = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.emplace_back();
+    links_.emplace_back();
+  }
+  links_[node] = {none, 0, 0, level};
+  return node;
+}
+
+void BoxTree::free_node(std::uint32_t node) {
+  links_[node].parent = free_;
+  free_ = node;
+}
+
+// The child whose surface grows least; of several the smallest.
+std::size_t BoxTree::cheapest_lane(const EightBoxes& node, std::size_t count, const BoxSides& sides) const {
+  std::array<EightBoxes::Floats, 3> present, whole;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const EightBoxes::Floats low = node.sides[axis], high = node.sides[axis + 3];
+    present[axis] = low + high;
+    whole[axis] = (low < sides[axis] ? low : EightBoxes::Floats(sides[axis])) + (high < sides[axis + 3] ? high : EightBoxes::Floats(sides[axis + 3]));
+  }
+  const EightBoxes::Floats before = present[0] * present[1] + present[1] * present[2] + present[2] * present[0];
+  const EightBoxes::Floats growth = whole[0] * whole[1] + whole[1] * whole[2] + whole[2] * whole[0] - before;
+  std::size_t best = 0;
+  for (std::size_t lane = 1; lane < count; ++lane) {
+    if (growth[lane] < growth[best] || (growth[lane] == growth[best] && before[lane] < before[best])) {
+      best = lane;
+    }
+  }
+  return best;
+}
+
+void BoxTree::insert(std::uint32_t leaf, const CompactAabb& box) {
+  if (leaf >= places_.size()) {
+    places_.resize(std::size_t{leaf} + 1, 0);
+  }
+  const BoxSides sides = sides_of(box);
+  std::uint32_t node = root_;
+  while (links_[node].level > 0) {
+    const std::size_t lane = cheapest_lane(nodes_[node], links_[node].count, sides);
+    nodes_[node].set_sides(lane, merged(nodes_[node].sides_of_lane(lane), sides));
+    node = nodes_[node].numbers[lane];
+  }
+  ++size_;
+  ++changes_;
+  add(node, {sides, leaf | leaf_bit});
+}
+
+// The boxes above the node are around the entry already.
+void BoxTree::add(std::uint32_t node, const Entry& entry) {
+  Link& link = links_[node];
+  if (link.count < width) {
+    set_lane(node, link.count++, entry);
+  } else {
+    split(node, entry);
   }
 }
 
-std::uint32_t BoxTree::new_node() {
-  if (free_ != none) {
-    const std::uint32_t node = free_;
-    free_ = parents_[node];
-    return node;
+// Both halves have at least three children. Of all cuts along the axes it takes the one with the least surfaces, counted
+// once for each child.
+void BoxTree::split(std::uint32_t node, const Entry& entry) {
+  std::array<Entry, width + 1> best{}, sorted{};
+  for (std::size_t lane = 0; lane < width; ++lane) {
+    sorted[lane] = {nodes_[node].sides_of_lane(lane), nodes_[node].numbers[lane]};
   }
-  nodes_.push_back({{}, {none, none}});
-  parents_.push_back(none);
-  return static_cast<std::uint32_t>(nodes_.size() - 1);
-}
-
-// Goes down where the surfaces of the boxes on the way grow least. Stops where a new node above the
-// present child costs less than the least that going on can cost. (Surface area heuristic: Goldsmith
-// and Salmon, "Automatic creation of object hierarchies for ray tracing", 1987.)
-void BoxTree::insert(std::uint32_t leaf, const CompactAabb& compact_box) {
-  if (leaf >= parents_of_leaves_.size()) {
-    parents_of_leaves_.resize(std::size_t{leaf} + 1, none);
-  }
-  const std::uint32_t added = leaf | leaf_bit;
-  const Sides box = sides_of(compact_box);
-  if (nodes_[0].children[0] == none) {
-    set_child(0, 0, added, box);
-    return;
-  }
-  const std::uint32_t node = new_node();
-  std::uint32_t above = 0;
-  std::size_t side = 0;
-  for (;;) {
-    const std::uint32_t child = nodes_[above].children[side];
-    if (is_leaf(child)) {
-      break;
+  sorted[width] = entry;
+  std::size_t best_cut = 0;
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::sort(sorted.begin(), sorted.end(), [&](const Entry& a, const Entry& b) {
+      return a.sides[axis] - a.sides[axis + 3] < b.sides[axis] - b.sides[axis + 3];
+    });
+    std::array<float, width + 2> costs_of_first{};
+    BoxSides around = sorted.front().sides;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      around = merged(around, sorted[i].sides);
+      costs_of_first[i + 1] = half_surface(around) * static_cast<float>(i + 1);
     }
-    const Sides present = box_of(above, side);
-    const Sides whole = merged(present, box);
-    const float stop = half_surface(whole);
-    const float grown = stop - half_surface(present);
-    std::array<float, 2> go_on{};
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Sides inner = box_of(child, i);
-      const float inside = is_leaf(nodes_[child].children[i]) ? 0.0f : half_surface(inner);
-      go_on[i] = grown + half_surface(merged(inner, box)) - inside;
-    }
-    if (stop < go_on[0] && stop < go_on[1]) {
-      break;
-    }
-    set_box(above, side, whole);
-    above = child;
-    side = go_on[0] <= go_on[1] ? 0 : 1;
-  }
-  const Sides sibling_box = box_of(above, side);
-  set_child(node, 0, nodes_[above].children[side], sibling_box);
-  set_child(node, 1, added, box);
-  set_child(above, side, node, merged(sibling_box, box));
-  for (std::uint32_t at = above; at != 0; at = parents_[at]) {
-    rotate(at);
-  }
-}
-
-// Exchanges a child with a child of the other one if that makes the box of the latter smaller.
-// (Kensler, "Tree rotations for improving bounding volume hierarchies", 2008.)
-void BoxTree::rotate(std::uint32_t node) {
-  float best = 0;
-  std::size_t best_side = 0, best_inner = 0;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const std::uint32_t child = nodes_[node].children[side];
-    if (is_leaf(child)) {
-      continue;
-    }
-    const float now = half_surface(box_of(node, side));
-    const Sides other = box_of(node, 1 - side);
-    for (std::size_t inner = 0; inner < 2; ++inner) {
-      const float gain = now - half_surface(merged(other, box_of(child, 1 - inner)));
-      if (gain > best) {
-        best = gain;
-        best_side = side;
-        best_inner = inner;
+    around = sorted.back().sides;
+    for (std::size_t cut = sorted.size() - 1; cut >= least_fill; --cut) {
+      around = merged(around, sorted[cut].sides);
+      const std::size_t rest = sorted.size() - cut;
+      const float cost = costs_of_first[cut] + half_surface(around) * static_cast<float>(rest);
+      if (rest >= least_fill && (best_cut == 0 || cost < least)) {
+        least = cost;
+        best_cut = cut;
+        best = sorted;
       }
     }
   }
-  if (!(best > 0)) {
-    return;
+  const std::uint8_t level = links_[node].level;
+  const std::uint32_t other = make_node(level);
+  const std::uint32_t parent = links_[node].parent;
+  const std::uint8_t lane_in_parent = links_[node].lane;
+  nodes_[node] = {};
+  const auto fill = [&](std::uint32_t to, std::span<const Entry> entries) {
+    for (std::size_t lane = 0; lane < entries.size(); ++lane) {
+      set_lane(to, lane, entries[lane]);
+    }
+    links_[to].count = static_cast<std::uint8_t>(entries.size());
+  };
+  fill(node, std::span<const Entry>(best).first(best_cut));
+  fill(other, std::span<const Entry>(best).subspan(best_cut));
+  const Entry first{nodes_[node].sides_around(), node}, second{nodes_[other].sides_around(), other};
+  if (parent == none) {
+    root_ = make_node(static_cast<std::uint8_t>(level + 1));
+    fill(root_, std::array{first, second});
+  } else {
+    set_lane(parent, lane_in_parent, first);
+    add(parent, second);
   }
-  const std::uint32_t lower = nodes_[node].children[best_side];
-  const std::uint32_t going_down = nodes_[node].children[1 - best_side], coming_up = nodes_[lower].children[best_inner];
-  const Sides down_box = box_of(node, 1 - best_side), up_box = box_of(lower, best_inner);
-  set_child(node, 1 - best_side, coming_up, up_box);
-  set_child(lower, best_inner, going_down, down_box);
-  set_box(node, best_side, merged(box_of(lower, 0), box_of(lower, 1)));
 }
 
 // Fits the boxes above a node whose children have changed.
 void BoxTree::fit_from(std::uint32_t node) {
-  while (node != 0) {
-    const std::uint32_t above = parents_[node];
-    const std::size_t side = side_of(node, above);
-    const Sides box = merged(box_of(node, 0), box_of(node, 1));
-    if (box == box_of(above, side)) {
+  for (std::uint32_t parent = links_[node].parent; parent != none; parent = links_[node].parent) {
+    const std::size_t lane = links_[node].lane;
+    const BoxSides sides = nodes_[node].sides_around();
+    if (sides == nodes_[parent].sides_of_lane(lane)) {
       return;
     }
-    set_box(above, side, box);
-    node = above;
+    nodes_[parent].set_sides(lane, sides);
+    node = parent;
   }
+}
+
+// The last child takes the place of the one that goes.
+void BoxTree::take_out(std::uint32_t node, std::size_t lane) {
+  const std::size_t last = --links_[node].count;
+  if (lane != last) {
+    set_lane(node, lane, {nodes_[node].sides_of_lane(last), nodes_[node].numbers[last]});
+  }
+  set_lane(node, last, {no_sides, none});
 }
 
 void BoxTree::erase(std::uint32_t leaf) {
-  const std::uint32_t gone = leaf | leaf_bit;
-  const std::uint32_t node = parents_of_leaves_[leaf];
-  if (node == 0) {
-    nodes_[0].children[0] = none;
-    set_box(0, 0, nowhere);
+  std::uint32_t node = places_[leaf] / width;
+  take_out(node, places_[leaf] % width);
+  --size_;
+  ++changes_;
+  if (links_[node].count >= least_fill || node == root_) {
+    fit_from(node);
     return;
   }
-  // The sibling takes the place of the node.
-  const std::size_t other = 1 - side_of(gone, node);
-  const std::uint32_t above = parents_[node];
-  set_child(above, side_of(node, above), nodes_[node].children[other], box_of(node, other));
-  parents_[node] = free_;
-  free_ = node;
-  fit_from(above);
+  // The rest of the node goes elsewhere, and what is empty above goes with it.
+  std::array<Entry, least_fill> rest{};
+  const std::size_t count = links_[node].count;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    rest[lane] = {nodes_[node].sides_of_lane(lane), nodes_[node].numbers[lane]};
+  }
+  links_[node].count = 0;
+  while (links_[node].count == 0 && node != root_) {
+    const std::uint32_t parent = links_[node].parent;
+    take_out(parent, links_[node].lane);
+    free_node(node);
+    node = parent;
+  }
+  fit_from(node);
+  if (links_[node].count == 0) {
+    links_[node].level = 0;
+  }
+  while (links_[root_].level > 0 && links_[root_].count == 1) {
+    const std::uint32_t child = nodes_[root_].numbers[0];
+    free_node(root_);
+    root_ = child;
+    links_[root_].parent = none;
+  }
+  for (const Entry& entry : std::span(rest).first(count)) {
+    const BoxSides& s = entry.sides;
+    --size_;
+    insert(entry.child & ~leaf_bit, {{s[0], s[1], s[2]}, {-s[3], -s[4], -s[5]}});
+  }
 }
 
-void BoxTree::move(std::uint32_t leaf, const CompactAabb& compact_box) {
-  const Sides box = sides_of(compact_box);
-  const std::uint32_t node = parents_of_leaves_[leaf];
-  const std::uint32_t above = parents_[node];
-  const Sides around = box_of(above, node == 0 ? 0 : side_of(node, above));
-  if (node != 0 && merged(around, box) == around) {
-    set_box(node, side_of(leaf | leaf_bit, node), box);
-    fit_from(node);
-  } else {
-    erase(leaf);
-    insert(leaf, compact_box);
+bool BoxTree::moved_in_place(std::uint32_t leaf, const CompactAabb& box) {
+  const BoxSides sides = sides_of(box);
+  const std::uint32_t node = places_[leaf] / width;
+  const Link link = links_[node];
+  if (link.parent != none) {
+    const BoxSides around = nodes_[link.parent].sides_of_lane(link.lane);
+    if (merged(around, sides) != around) {
+      return false;
+    }
+  }
+  nodes_[node].set_sides(places_[leaf] % width, sides);
+  return true;
+}
+
+// Halves along the longest axis of the centres until what is left fills a node. Cuts lie at whole nodes of the highest
+// level that both sides have.
+void BoxTree::put_in_order_of_space(std::span<Entry> entries) {
+  while (entries.size() > usual_fill) {
+    BoxSides around = no_sides;
+    const auto centre = [](const Entry& entry, std::size_t axis) { return entry.sides[axis] - entry.sides[axis + 3]; };
+    for (const Entry& entry : entries) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        around[axis] = std::min(around[axis], centre(entry, axis));
+        around[axis + 3] = std::min(around[axis + 3], -centre(entry, axis));
+      }
+    }
+    std::size_t longest = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis) {
+      longest = around[axis] + around[axis + 3] < around[longest] + around[longest + 3] ? axis : longest;
+    }
+    std::size_t unit = usual_fill;
+    while (unit * usual_fill < entries.size()) {
+      unit *= usual_fill;
+    }
+    const std::size_t units = (entries.size() + unit - 1) / unit;
+    const std::size_t cut = units / 2 * unit;
+    std::nth_element(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(cut), entries.end(),
+                     [&](const Entry& a, const Entry& b) {
+                       const float at_a = centre(a, longest), at_b = centre(b, longest);
+                       return at_a < at_b || (at_a == at_b && a.child < b.child);
+                     });
+    put_in_order_of_space(entries.first(cut));
+    entries = entries.subspan(cut);
+  }
+}
+
+void BoxTree::tidy() {
+  if (changes_ < least_changes + most_changes_of_each * size_ && links_[root_].level < most_levels / 2) {
+    return;
+  }
+  changes_ = 0;
+  entries_.clear();
+  std::array<std::uint32_t, most_waiting> waiting;
+  waiting[0] = root_;
+  std::size_t count_waiting = 1;
+  while (count_waiting > 0) {
+    const std::uint32_t node = waiting[--count_waiting];
+    for (std::size_t lane = 0; lane < links_[node].count; ++lane) {
+      const std::uint32_t child = nodes_[node].numbers[lane];
+      if (is_leaf(child)) {
+        entries_.push_back({nodes_[node].sides_of_lane(lane), child});
+      } else {
+        waiting[count_waiting++] = child;
+      }
+    }
+  }
+  put_in_order_of_space(entries_);
+  nodes_.clear();
+  links_.clear();
+  free_ = none;
+  // Level by level; each becomes the entries of the next.
+  for (std::uint8_t level = 0;; ++level) {
+    std::size_t above = 0;
+    for (std::size_t begin = 0; begin < entries_.size() || begin == 0; begin += usual_fill) {
+      const std::size_t count = std::min(usual_fill, entries_.size() - begin);
+      const std::uint32_t node = make_node(level);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        set_lane(node, lane, entries_[begin + lane]);
+      }
+      links_[node].count = static_cast<std::uint8_t>(count);
+      root_ = node;
+      if (count > 0) {
+        entries_[above++] = {nodes_[node].sides_around(), node};
+      }
+    }
+    entries_.resize(above);
+    if (above <= 1) {
+      return;
+    }
   }
 }
 

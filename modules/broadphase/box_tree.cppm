@@ -1,102 +1,149 @@
-// A binary tree of boxes whose leaves come and go.
+// A tree of boxes, eight to a node, whose leaves come, go and move.
 module;
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <span>
 #include <vector>
 export module abut.broadphase.box_tree;
-import abut.core.raw;
+import abut.broadphase.box_sweep;
+import abut.broadphase.eight_boxes;
 import abut.math;
 
 export namespace abut {
 
-// A node holds the boxes of both of its children, which makes one cache line: a visit reads no more
-// than the nodes that it enters. Leaves are numbers of the caller and need no node.
+// All leaves have the same depth, nodes are split when a ninth child comes (Guttman, "R-trees", 1984), and the boxes of
+// all children of a node are compared at once. Leaves are numbers of the caller.
 class BoxTree {
  public:
   // Boxes are finite and small enough for their surface to be (|coordinate| below 1e18).
   void insert(std::uint32_t leaf, const CompactAabb& box);
   void erase(std::uint32_t leaf);
-  // Gives a leaf another box. It stays where it is if that does not make any box larger.
-  void move(std::uint32_t leaf, const CompactAabb& box);
+  // Gives a leaf another box. It stays where it is if that makes no box above it larger.
+  void move(std::uint32_t leaf, const CompactAabb& box) {
+    if (!moved_in_place(leaf, box)) {
+      erase(leaf);
+      insert(leaf, box);
+    }
+  }
+  // The first half of that, which may run at once for different leaves: false when the leaf has to go elsewhere.
+  [[nodiscard]] bool moved_in_place(std::uint32_t leaf, const CompactAabb& box);
 
-  // Calls visit_leaf(leaf) for every leaf whose box overlaps. `stack` is scratch.
+  // Calls visit_leaf(leaf) for every leaf whose box overlaps.
   template <class Visitor>
-  void visit(const CompactAabb& box, std::vector<std::uint32_t>& stack, Visitor&& visit_leaf) const {
-    // Lanes past the six sides are compared with infinity and never lie beyond it.
-    constexpr float far = std::numeric_limits<float>::infinity();
-    const Lanes limits{box.high[0], box.high[1], box.high[2], -box.low[0], -box.low[1], -box.low[2], far, far};
-    stack.clear();
-    std::uint32_t at = 0;
+  void visit(const CompactAabb& box, Visitor&& visit_leaf) const {
+    const BoxSides limits = limits_of(box);
+    std::array<std::uint32_t, most_waiting> waiting;
+    std::size_t count = 0;
+    std::uint32_t at = root_;
     for (;;) {
-      const Node& node = nodes_[at];
-      const std::array<bool, 2> overlaps{!is_any_beyond(lanes(node, 0), limits), !is_any_beyond(lanes(node, 1), limits)};
-      for (std::size_t side = 0; side < 2; ++side) {
-        if (overlaps[side]) {
-          const std::uint32_t child = node.children[side];
-          if (is_leaf(child)) {
-            visit_leaf(child & ~leaf_bit);
-          } else {
-            stack.push_back(child);
-          }
+      const EightBoxes& node = nodes_[at];
+      std::uint32_t overlapping = node.overlapping(limits);
+      while (overlapping != 0) {
+        const std::uint32_t child = node.numbers[static_cast<std::size_t>(std::countr_zero(overlapping))];
+        overlapping &= overlapping - 1;
+        if (is_leaf(child)) {
+          visit_leaf(child & ~leaf_bit);
+        } else {
+          waiting[count++] = child;
         }
       }
-      if (stack.empty()) {
+      if (count == 0) {
         return;
       }
-      at = stack.back();
-      stack.pop_back();
+      at = waiting[--count];
     }
   }
 
+  // Calls visit_leaf(leaf, entry) for the leaves whose boxes are met at some t up to `most`, nearer nodes first; it
+  // returns up to which t it wants more.
+  template <class Visitor>
+  void sweep(const BoxSweep& sweep, Real most, Visitor&& visit_leaf) const {
+    struct Waiting {
+      Real entry;
+      std::uint32_t child;
+    };
+    std::array<Waiting, most_waiting> waiting;
+    waiting[0] = {0, root_};
+    std::size_t count = 1;
+    while (count > 0) {
+      const Waiting nearest = waiting[--count];
+      if (nearest.entry > most) {
+        continue;
+      }
+      if (is_leaf(nearest.child)) {
+        most = visit_leaf(nearest.child & ~leaf_bit, nearest.entry);
+        continue;
+      }
+      const EightBoxes& node = nodes_[nearest.child];
+      const std::array<Real, EightBoxes::width> entries = node.entries(sweep, most);
+      const std::size_t begin = count;
+      for (std::size_t i = 0; i < links_[nearest.child].count; ++i) {
+        if (entries[i] < infinity) {
+          // The nearest one comes last, and next off the stack.
+          std::size_t place = count++;
+          for (; place > begin && waiting[place - 1].entry < entries[i]; --place) {
+            waiting[place] = waiting[place - 1];
+          }
+          waiting[place] = {entries[i], node.numbers[i]};
+        }
+      }
+    }
+  }
+
+  // Numbers that are near each other belong to leaves that are, mostly.
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t leaf) const { return places_[leaf]; }
+
+  // Makes the tree anew, well packed and in the order of space, when many leaves have come, gone or gone elsewhere.
+  void tidy();
+
   [[nodiscard]] std::size_t bytes() const {
-    return nodes_.capacity() * sizeof(Node) + (parents_.capacity() + parents_of_leaves_.capacity()) * sizeof(std::uint32_t);
+    return nodes_.capacity() * sizeof(EightBoxes) + links_.capacity() * sizeof(Link) + places_.capacity() * sizeof(std::uint32_t) +
+           entries_.capacity() * sizeof(Entry);
   }
 
  private:
+  static constexpr std::size_t width = EightBoxes::width;
+  static constexpr std::size_t most_levels = 24;
+  static constexpr std::size_t most_waiting = most_levels * width;
+
   // A child is the index of a node or, with this bit, the number of a leaf.
   static constexpr std::uint32_t leaf_bit = 0x80000000;
   [[nodiscard]] static constexpr bool is_leaf(std::uint32_t child) { return (child & leaf_bit) != 0; }
-  static constexpr std::uint32_t none = 0;
+  static constexpr std::uint32_t none = 0x7fffffff;
 
-  // The low sides and the negated high sides of a box. That way a box around two others has the lesser
-  // of each side, and two boxes overlap when no side of one is beyond the opposite side of the other.
-  using Sides = std::array<float, 6>;
-  static constexpr Sides nowhere{1e30f, 1e30f, 1e30f, 1e30f, 1e30f, 1e30f};
-
-  using Lanes = float __attribute__((vector_size(32)));
-  [[nodiscard]] static inline bool is_any_beyond(const Lanes& sides, const Lanes& limits) {
-    return __builtin_reduce_or(sides > limits) != 0;
-  }
-
-  struct alignas(64) Node {
-    std::array<float, 14> sides;  // of both children, and two that fill the last lanes
-    std::array<std::uint32_t, 2> children;
+  struct Link {
+    std::uint32_t parent = none;  // for a node that is not in use, the next such node
+    std::uint8_t lane = 0;        // in its parent
+    std::uint8_t count = 0;       // of children
+    std::uint8_t level = 0;       // 0 for nodes of leaves
   };
-  static_assert(sizeof(Node) == 64);
-  [[nodiscard]] static inline Lanes lanes(const Node& node, std::size_t side) {
-    return loaded<Lanes>(node.sides, 6 * side);
-  }
+  struct Entry {
+    BoxSides sides;
+    std::uint32_t child;
+  };
 
-  [[nodiscard]] static Sides sides_of(const CompactAabb& box);
-  [[nodiscard]] static Sides merged(const Sides& a, const Sides& b);
-  [[nodiscard]] static float half_surface(const Sides& box);
-  [[nodiscard]] Sides box_of(std::uint32_t node, std::size_t side) const;
-  void set_child(std::uint32_t node, std::size_t side, std::uint32_t child, const Sides& box);
-  void set_box(std::uint32_t node, std::size_t side, const Sides& box);
-  [[nodiscard]] std::size_t side_of(std::uint32_t child, std::uint32_t parent) const {
-    return nodes_[parent].children[0] == child ? 0 : 1;
-  }
-  [[nodiscard]] std::uint32_t new_node();
+  [[nodiscard]] static float half_surface(const BoxSides& box);
+  void set_lane(std::uint32_t node, std::size_t lane, const Entry& entry);
+  [[nodiscard]] std::uint32_t make_node(std::uint8_t level);
+  void free_node(std::uint32_t node);
+  [[nodiscard]] std::size_t cheapest_lane(const EightBoxes& node, std::size_t count, const BoxSides& sides) const;
+  void add(std::uint32_t node, const Entry& entry);
+  void split(std::uint32_t node, const Entry& entry);
+  void take_out(std::uint32_t node, std::size_t lane);
   void fit_from(std::uint32_t node);
-  void rotate(std::uint32_t node);
+  void put_in_order_of_space(std::span<Entry> entries);
 
-  // Node 0 stands above the root, which is its first child, so that the root is like any other child.
-  std::vector<Node> nodes_{{{1e30f, 1e30f, 1e30f, 1e30f, 1e30f, 1e30f, 1e30f, 1e30f, 1e30f, 1e30f, 1e30f, 1e30f, 0, 0}, {none, none}}};
-  std::vector<std::uint32_t> parents_{none};
-  std::vector<std::uint32_t> parents_of_leaves_;
-  std::uint32_t free_ = none;  // nodes that are not in use, linked by their parents
+  std::vector<EightBoxes> nodes_{EightBoxes{}};  // numbered by their children
+  std::vector<Link> links_{Link{}};
+  std::vector<std::uint32_t> places_;  // of leaves: node times eight plus lane
+  std::uint32_t root_ = 0;
+  std::uint32_t free_ = none;
+  std::size_t size_ = 0;
+  std::size_t changes_ = 0;  // since the tree was made
+  std::vector<Entry> entries_;  // scratch of tidy
 };
 
 }  // namespace abut

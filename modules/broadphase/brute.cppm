@@ -1,36 +1,84 @@
 // Every box against every box: for a few dozen of them nothing is faster.
 module;
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 export module abut.broadphase.brute;
+import abut.broadphase.box_record;
+import abut.broadphase.box_sweep;
+import abut.broadphase.eight_boxes;
 import abut.broadphase.proxy;
+import abut.core.workers;
 import abut.math;
 
 export namespace abut {
 
-// Numbers of boxes are the caller's and small. Boxes of the same group never pair.
+// The boxes are kept in the order of their numbers, so that pairs are found in order. O(n^2), eight at once.
 class Brute {
  public:
   void insert(std::uint32_t proxy, const CompactAabb& box, Mobility mobility, std::uint32_t group);
   void erase(std::uint32_t proxy);
   void update(std::uint32_t proxy, const CompactAabb& box);
+  void update_all(const Workers& workers, std::span<const std::uint32_t> proxies, std::span<const CompactAabb> boxes_by_proxy);
+  void hide(std::uint32_t proxy);
+  void show(std::uint32_t proxy, const CompactAabb& box);
 
-  // All pairs of overlapping boxes, touching included, in order. O(n^2).
   void find_pairs(std::vector<ProxyPair>& out);
+  void find_pairs(const Workers& workers, std::vector<ProxyPair>& out);
 
+  template <class Visitor>
+  void visit(const CompactAabb& box, Visitor&& visit_proxy) const {
+    const BoxSides limits = limits_of(box);
+    for (const Block& block : blocks_) {
+      for (std::uint32_t met = block.boxes.overlapping(limits); met != 0; met &= met - 1) {
+        visit_proxy(block.boxes.numbers[static_cast<std::size_t>(std::countr_zero(met))]);
+      }
+    }
+  }
+
+  template <class Visitor>
+  void sweep(const Vec3& centre, const Vec3& half, const Vec3& displacement, Real most, Visitor&& visit_proxy) const {
+    const BoxSweep sweep(centre, half, displacement);
+    for (const Block& block : blocks_) {
+      const std::array<Real, EightBoxes::width> entries = block.boxes.entries(sweep, most);
+      for (std::uint32_t shown = block.shown; shown != 0; shown &= shown - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(shown));
+        if (entries[lane] < infinity && entries[lane] <= most) {
+          most = visit_proxy(block.boxes.numbers[lane], entries[lane]);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t hidden() const { return hidden_; }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  static constexpr std::size_t width = EightBoxes::width;
+  struct Block {
+    EightBoxes boxes;
+    EightBoxes::Numbers groups{};
+    std::uint32_t moving = 0, shown = 0;  // a bit for each box
+  };
   struct Entry {
-    CompactAabb box;
-    std::uint32_t proxy;
-    std::uint32_t group;
-    std::uint32_t is_moving;
+    BoxSides sides;
+    std::uint32_t proxy, group;
+    bool is_moving, is_shown;
   };
   [[nodiscard]] std::size_t place_of(std::uint32_t proxy) const;
+  [[nodiscard]] std::uint32_t proxy_at(std::size_t place) const { return blocks_[place / width].boxes.numbers[place % width]; }
+  [[nodiscard]] Entry entry_at(std::size_t place) const;
+  void set_entry(std::size_t place, const Entry& entry);
+  void set_shown(std::size_t place, bool is_shown, const BoxSides& sides);
+  void find_pairs_of(std::size_t first_block, std::vector<ProxyPair>& out) const;
 
-  std::vector<Entry> entries_;  // in order of their numbers
+  std::vector<Block> blocks_;
+  std::size_t size_ = 0, hidden_ = 0;
+  std::vector<std::vector<ProxyPair>> parts_;  // of each task, when there are several
 };
 
 }  // namespace abut

@@ -8,3 +8,4 @@ export import abut.core.lazy;
 export import abut.core.result;
 export import abut.core.slot_map;
 export import abut.core.small_vector;
+export import abut.core.workers;

@@ -27,6 +27,7 @@ enum class Errc : std::int32_t {
   not_converged = 14,
   out_of_memory = 15,
   internal = 16,
+  busy = 17,
 };
 
 struct Error {

@@ -13,7 +13,9 @@ import abut.core;
 export import abut.dispatch.routes;
 import abut.math;
 import abut.narrowphase.convex;
+import abut.narrowphase.convex_memory;
 import abut.narrowphase.half_space;
+export import abut.narrowphase.pair_memory;
 import abut.shape;
 
 export namespace abut {
@@ -45,6 +47,7 @@ struct Registry {
 struct PairJob {
   std::uint32_t a, b;  // places in the arrays of shapes and poses
   Real margin;
+  std::uint32_t memory = no_memory;  // place in the array of memories
 };
 
 // What a run of pairs left behind: where the contacts of each job end, and how it went.
@@ -56,7 +59,7 @@ struct PairResult {
 // The kernels of a pair of kinds. Single pairs are asked about in the world, with the sides swapped on
 // demand, so that what lies between the poses and the answer stays in registers. The batch is one loop
 // over one pair of types, entered by one call, and answers in the frames of the first shapes: much of that
-// is dropped before it is moved.
+// is dropped before it is moved. Kinds that gain nothing from a memory leave it as it is.
 template <class Any>
 struct PairKernels {
   Route route;
@@ -65,8 +68,13 @@ struct PairKernels {
                       const QuerySettings& settings, Distance& out);
   Outcome (*contacts)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                       const QuerySettings& settings, Manifold& out);
+  // The same with what is known of the pair in this order, which changes no bit of the answer.
+  Outcome (*contacts_with_memory)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                                  const QuerySettings& settings, PairMemory& memory, Manifold& out);
   void (*contacts_of_run)(std::span<const Frozen<Any>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
-                          const QuerySettings& settings, Manifold& out, std::span<PairResult> results);
+                          const QuerySettings& settings, std::span<PairMemory> memories, Manifold& out,
+                          std::span<PairResult> results);
+  bool gains_from_memory = false;
 };
 
 template <class Any, class A, class B>
@@ -125,15 +133,53 @@ template <class Any, class A, class B>
   }
 }
 
+template <class A, class B>
+[[nodiscard]] consteval bool gains_from_memory() {
+  if constexpr (route<A, B>() == Route::convex) {
+    return Remembered<A, B>;
+  } else {
+    return false;
+  }
+}
+
+template <class Any, class A, class B>
+[[nodiscard]] Outcome contacts_with_memory_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b,
+                                                  bool swapped, const QuerySettings& settings,
+                                                  [[maybe_unused]] PairMemory& memory, Manifold& out) {
+  if constexpr (gains_from_memory<A, B>()) {
+    const std::size_t first = out.size();
+    const Outcome outcome = convex_contacts(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, memory, out);
+    for (ContactPoint& contact : std::span(out).subspan(first)) {
+      move_by(contact, pose_a, swapped);
+    }
+    return outcome;
+  } else {
+    return contacts_kernel<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, out);
+  }
+}
+
+template <class A, class B>
+[[nodiscard]] [[gnu::always_inline]] inline Outcome contacts_of_job(const A& a, const B& b, const Pose& ab,
+                                                                    const QuerySettings& settings, std::uint32_t place,
+                                                                    std::span<PairMemory> memories, Manifold& out) {
+  if constexpr (gains_from_memory<A, B>()) {
+    if (place != no_memory) {
+      return convex_contacts(a, b, ab, settings, memories[place], out);
+    }
+  }
+  return contacts_by_route(a, b, ab, settings, out);
+}
+
 template <class Any, class A, class B>
 void contacts_of_run_kernel(std::span<const Frozen<Any>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
-                            const QuerySettings& common, Manifold& out, std::span<PairResult> results) {
+                            const QuerySettings& common, std::span<PairMemory> memories, Manifold& out,
+                            std::span<PairResult> results) {
   QuerySettings settings = common;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const PairJob& job = jobs[i];
     settings.margin = job.margin;
-    const Outcome outcome = contacts_by_route(std::get<A>(*shapes[job.a]), std::get<B>(*shapes[job.b]),
-                                              relative(poses[job.a], poses[job.b]), settings, out);
+    const Outcome outcome = contacts_of_job(std::get<A>(*shapes[job.a]), std::get<B>(*shapes[job.b]),
+                                            relative(poses[job.a], poses[job.b]), settings, job.memory, memories, out);
     results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
   }
 }
@@ -146,7 +192,7 @@ template <class Any, class A, class B>
     return by_children;
   } else {
     return {route<A, B>(), is_flipped<A, B>(), distance_kernel<Any, A, B>, contacts_kernel<Any, A, B>,
-            contacts_of_run_kernel<Any, A, B>};
+            contacts_with_memory_kernel<Any, A, B>, contacts_of_run_kernel<Any, A, B>, gains_from_memory<A, B>()};
   }
 }
 

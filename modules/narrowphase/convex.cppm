@@ -14,6 +14,7 @@ import abut.narrowphase.box_sat;
 import abut.narrowphase.clip;
 import abut.narrowphase.gjk;
 import abut.narrowphase.libccd;
+import abut.narrowphase.pair_proof;
 import abut.narrowphase.sat;
 export import abut.narrowphase.separation;
 import abut.shape;
@@ -125,11 +126,12 @@ template <Convex A, Convex B>
   }
 }
 
-// Appends the corners of the contact region under a given separation, and the closest points where the
-// region misses them, unless those are known not to count.
+// Appends the corners of the region that two supporting faces share under a given separation, and the closest points where
+// the region misses them, unless those are known not to count.
 template <Convex A, Convex B>
-void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
-                    Manifold& out) {
+[[gnu::always_inline]] inline void contacts_between(const A& a, const B& b, const Pose& ab, const Face& face_a,
+                                                    const Face& face_b, const CoreSeparation& core, Real margin,
+                                                    bool closest_count, Manifold& out) {
   const Real radii = a.radius() + b.radius();
   const std::size_t first = out.size();
   Real least = infinity;
@@ -141,18 +143,7 @@ void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation
                      feature_b, contact_id(feature_a, feature_b)});
     }
   };
-  if (meet_in_a_point<A, B>(ab)) {
-    if (closest_count) {
-      CoreSeparation closest = core;
-      find_points(a, b, ab, closest);
-      append(closest.point_a, closest.point_b, supporting_feature(a, core.normal),
-             supporting_feature(b, ab.rotation.undo(-core.normal)));
-    }
-    return;
-  }
   [[clang::uninitialized]] ClipPoints points;
-  [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
-  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
   clip_faces(face_a, face_b, core.normal, points);
   for (const ClipPoint& point : points.span()) {
     append(point.point_a, point.point_b, point.feature_a, point.feature_b);
@@ -166,6 +157,40 @@ void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation
     }
     append(closest.point_a, closest.point_b, feature_of(face_a), feature_of(face_b));
   }
+}
+
+// The same for what faces the normal of a separation.
+template <Convex A, Convex B>
+void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
+                    Manifold& out) {
+  if (!meet_in_a_point<A, B>(ab)) {
+    [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
+    [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
+    contacts_between(a, b, ab, face_a, face_b, core, margin, closest_count, out);
+  } else if (closest_count) {
+    CoreSeparation closest = core;
+    find_points(a, b, ab, closest);
+    const Real distance = dot(closest.point_b - closest.point_a, core.normal) - (a.radius() + b.radius());
+    if (distance <= margin) {
+      const Feature feature_a = supporting_feature(a, core.normal);
+      const Feature feature_b = supporting_feature(b, ab.rotation.undo(-core.normal));
+      out.push_back({closest.point_a + a.radius() * core.normal, closest.point_b - b.radius() * core.normal, core.normal,
+                     distance, feature_a, feature_b, contact_id(feature_a, feature_b)});
+    }
+  }
+}
+
+// The separation that contacts are made from.
+template <Convex A, Convex B>
+[[nodiscard]] inline CoreSeparation separate_for_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings) {
+  CoreSeparation core = separate_cores(a, b, ab, settings, settings.margin + (a.radius() + b.radius()));
+  if constexpr (Featured<A, B>) {
+    if (settings.algorithm == Algorithm::automatic && core.overlap && core.algorithm == Algorithm::gjk_epa) {
+      const Real size = core_size(a, b, ab);
+      settle_on_features(a, b, ab, size, error_of(a, b, size, settings), core);
+    }
+  }
+  return core;
 }
 
 template <Convex A, Convex B>
@@ -190,7 +215,7 @@ template <Convex A, Convex B>
     core.point_a = found.point_a - a.radius() * found.normal;
     core.point_b = found.point_b + b.radius() * found.normal;
   } else {
-    core = separate_cores(a, b, ab, settings, settings.margin + radii);
+    core = separate_for_contacts(a, b, ab, settings);
     if (core.beyond || core.distance - radii > settings.margin) {
       return Outcome::ok;
     }

@@ -32,8 +32,11 @@ inline constexpr std::uint32_t global_rounds = 5 * Polytope::vertex_limit / 8;
 
 // `rounding`: core a is taken with all points that near to it, so that cores which touch or are that near
 // overlap as well as any others; the answer is about the cores so rounded off, the points are those of the cores.
+// Out of line: a polytope takes pages of the stack.
+// `rounds`: after so many vertices the answer is what it is.
 template <Convex A, Convex B>
-[[nodiscard]] EpaResult epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, Real rounding = 0) {
+[[nodiscard]] [[gnu::noinline]] EpaResult epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, Real rounding = 0,
+                            std::uint32_t rounds = Polytope::vertex_limit) {
   const auto placement = place(b, ab);
   const auto vertex_toward = [&](const Vec3& direction) {
     const SupportPoint on_a = a.support(direction);
@@ -68,7 +71,7 @@ template <Convex A, Convex B>
   const std::uint32_t everywhere = rounding > 0 ? global_rounds / 8 : global_rounds;
   std::size_t face = 0;
   Real reach = 0;
-  for (std::uint32_t iteration = 1; iteration <= Polytope::vertex_limit; ++iteration) {
+  for (std::uint32_t iteration = 1; iteration <= rounds; ++iteration) {
     result.iterations = iteration;
     const bool near_by = iteration > everywhere;
     face = !near_by                           ? polytope.least_face()

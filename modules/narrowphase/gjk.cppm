@@ -19,7 +19,7 @@ struct GjkResult {
   bool overlap;         // the cores overlap or touch within rounding; the rest is then undefined but the simplex
   bool beyond;          // stopped early: the distance is at least `lower`, which exceeds the limit asked for
   Real lower, upper;    // the distance of the cores lies between them
-  Vec3 closest;         // the closest point of the difference: from b to a
+  Vec3 closest;         // the closest point of the difference: from b to a; where it stopped early, along what bounds it
   Vec3 normal;          // unit, from a to b
   Simplex simplex;
   std::uint32_t iterations;
@@ -127,11 +127,11 @@ template <Convex A, Convex B>
   }
   const Real lower = best_reach / std::sqrt(best_square);
   result.iterations = iteration;
+  result.closest = v;
   if (result.beyond) {
     result.lower = lower;
     return result;
   }
-  result.closest = v;
   result.upper = std::sqrt(square);
   result.lower = lower < result.upper ? lower : result.upper;
   // A separation without proof, no larger than what rounding adds up to or than the bound, is a touch: how deep

@@ -91,6 +91,9 @@ class Polytope {
     return false;
   }
 
+  // Leaves a face out of the search for the least one.
+  inline void hide(std::size_t face) { distances_[face / 4][face % 4] = infinity; }
+
   // The points of both bodies under the point of a face that is closest to the origin.
   [[nodiscard]] Witness witness(std::size_t face) const {
     [[clang::uninitialized]] Simplex corners;

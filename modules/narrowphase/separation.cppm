@@ -13,6 +13,7 @@ import abut.math;
 import abut.narrowphase.across;
 import abut.narrowphase.box_cores;
 import abut.narrowphase.box_sat;
+import abut.narrowphase.capped_epa;
 import abut.narrowphase.clip;
 import abut.narrowphase.epa;
 import abut.narrowphase.gjk;
@@ -250,7 +251,12 @@ template <Convex A, Convex B>
 // Out of line, here and below: a polytope takes pages of the stack, each of which is touched on the way in.
 template <Convex A, Convex B>
 [[gnu::noinline]] void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, CoreSeparation& core) {
-  EpaResult found = epa(a, b, ab, size, error, start);
+  EpaResult found;
+  if constexpr (Curved<A> || Curved<B>) {
+    found = capped_epa(a, b, ab, size, error, start);
+  } else {
+    found = epa(a, b, ab, size, error, start);
+  }
   if (found.upper - found.lower > error + noise_of(size)) [[unlikely]] {
     // A polytope that starts on slivers may not grow to the end; one that starts along the axes then does.
     const EpaResult again = epa(a, b, ab, size, error, Simplex{});

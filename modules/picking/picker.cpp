@@ -37,10 +37,15 @@ void TracerDeleter::operator()(Tracer* tracer) const noexcept {
   std::default_delete<Tracer>()(tracer);
 }
 
-Picker::Picker(std::unique_ptr<Source> source) : tracer_(std::make_unique<Tracer>(std::move(source)).release()) {}
+Picker::Picker(std::unique_ptr<Source> source, Counters counters)
+    : tracer_(std::make_unique<Tracer>(std::move(source), std::move(counters)).release()) {}
 
 abut_status Picker::update() noexcept {
   return guarded([&] { return tracer_->follow(); });
+}
+
+bool Picker::cast_usual_ray(const abut_ray& ray, abut_pick& out) const noexcept {
+  return tracer_->trace_usual(ray, out);
 }
 
 abut_status Picker::cast_ray(const abut_ray& ray, abut_pick& out) noexcept {

@@ -26,15 +26,19 @@ export namespace abut::picking {
 /// How similar the rays of a batch are; changes only the speed.
 enum class Coherence : unsigned char { none, neighbours };
 
-/// Rays against one world. Follows its source by itself: each query first compares the revision
-/// with the one it has seen. Queries may run together. Arguments are trusted: finite, directions
+/// Rays against one world. Follows its source by itself: each query first compares the counters
+/// with those that it has seen. Queries may run together. Arguments are trusted: finite, directions
 /// not zero, distances not negative.
 class Picker {
  public:
-  explicit Picker(std::unique_ptr<Source> source);
+  /// The counters are there for as long as the picker is.
+  Picker(std::unique_ptr<Source> source, Counters counters);
 
   /// Follows the source now.
   [[nodiscard]] abut_status update() noexcept;
+  /// As cast_ray, for the usual ray only, which is then finite, with a direction and a limit that is not
+  /// negative. False, and nothing is written, for any other.
+  [[nodiscard]] bool cast_usual_ray(const abut_ray& ray, abut_pick& out) const noexcept;
   /// First thing that a ray meets; a null geometry when there is none.
   [[nodiscard]] abut_status cast_ray(const abut_ray& ray, abut_pick& out) noexcept;
   /// First things that rays meet; `out` is as long as `rays`.

@@ -19,7 +19,6 @@ export using ::abut_pick;
 export using ::abut_pose;
 export using ::abut_ray;
 export using ::abut_ray_hit;
-export using ::abut_revision;
 export using ::abut_status;
 export using ::abut_vec3;
 
@@ -63,6 +62,18 @@ struct GeometryView {
   abut_pose pose;
 };
 
+/// Lent, and not freed with what borrows it.
+struct Borrowed {
+  template <class Lent> void operator()(const Lent* /*lent*/) const noexcept {}
+};
+
+/// Numbers that grow with each change of the world: when a geometry comes or goes, and when a pose is set.
+/// Read where they are, since each query looks at them.
+struct Counters {
+  std::unique_ptr<const std::uint64_t, Borrowed> geometries;
+  std::unique_ptr<const std::uint64_t, Borrowed> poses;
+};
+
 /// The world.
 class Source {
  public:
@@ -71,8 +82,6 @@ class Source {
   Source& operator=(const Source&) = delete;
   virtual ~Source() = default;
 
-  /// Counters that change with the world.
-  [[nodiscard]] virtual abut_status revision(abut_revision& out) const noexcept = 0;
   /// All geometries, ordered by slot.
   [[nodiscard]] virtual abut_status geometries(std::vector<abut_geometry_id>& out) const = 0;
   [[nodiscard]] virtual abut_status describe(abut_geometry_id id, GeometryView& out) const = 0;

@@ -127,17 +127,14 @@ struct AllHits : Trace {
 
 class Tracer {
  public:
-  explicit Tracer(std::unique_ptr<Source> source) : source_(std::move(source)) {}
+  Tracer(std::unique_ptr<Source> source, Counters counters)
+      : source_(std::move(source)), counters_(std::move(counters)) {}
 
   /// Brings the scenes up to date when the world has changed.
-  [[nodiscard]] inline abut_status follow() {
-    [[clang::uninitialized]] abut_revision now;
-    if (const abut_status status = source_->revision(now); status != ABUT_OK) return status;
-    if (has_seen(now)) [[likely]]
-      return ABUT_OK;
-    return catch_up(now);
-  }
+  [[nodiscard]] inline abut_status follow() { return is_current() ? ABUT_OK : catch_up(); }
 
+  /// As trace, for the usual ray only; false for any other, and when the scenes are not up to date.
+  [[nodiscard]] bool trace_usual(const abut_ray& ray, abut_pick& out) const noexcept;
   void trace(const abut_ray& ray, abut_pick& out) const;
   void trace_neighbours(std::span<const abut_ray> rays, std::span<abut_pick> out) const;
   void trace_unrelated(std::span<const abut_ray> rays, std::span<abut_pick> out) const;
@@ -147,13 +144,13 @@ class Tracer {
   [[nodiscard]] abut_status pick_near(const View& view, double x, double y, double radius, abut_pick& out) const;
 
  private:
-  [[nodiscard]] inline bool has_seen(const abut_revision& now) const noexcept {
-    return seen_geometries_.load(std::memory_order_acquire) == now.geometries &&
-           seen_poses_.load(std::memory_order_acquire) == now.poses;
+  [[nodiscard]] inline bool is_current() const noexcept {
+    return seen_geometries_.load(std::memory_order_acquire) == *counters_.geometries &&
+           seen_poses_.load(std::memory_order_acquire) == *counters_.poses;
   }
   // tracer_follow.cpp
-  [[nodiscard]] abut_status catch_up(const abut_revision& now);
-  [[nodiscard]] abut_status synchronize(const abut_revision& now);
+  [[nodiscard]] abut_status catch_up();
+  [[nodiscard]] abut_status synchronize();
   [[nodiscard]] abut_status list_geometries();
   [[nodiscard]] abut_status add_entry(abut_geometry_id id);
   [[nodiscard]] abut_status find_shape(abut_geometry_id id, std::uintptr_t key, std::uint32_t& out);
@@ -163,21 +160,25 @@ class Tracer {
   void leave_place(Entry& entry);
   void release_shape(std::uint32_t index);
   void forget_everything();
-  // tracer_build.cpp
+  // tracer_build.cpp, tracer_build_moving.cpp
   [[nodiscard]] abut_status build();
   [[nodiscard]] abut_status make_device();
   [[nodiscard]] abut_status build_still();
+  [[nodiscard]] embree::Scene make_still(RTCDevice device, bool with_quads);
+  [[nodiscard]] bool attach(RTCDevice device, RTCScene scene, std::size_t place, const TriangleList& list);
   [[nodiscard]] abut_status build_moving();
   [[nodiscard]] abut_status make_instanced(ShapeRecord& shape);
   [[nodiscard]] abut_status become_moving(std::uint32_t index);
   [[nodiscard]] abut_status embree_status() const;
   template <class Write>
-  [[nodiscard]] embree::Geometry make_polygons(std::size_t count, std::size_t sides, const Write& write);
-  [[nodiscard]] embree::Geometry make_triangles(const TriangleList& list, const Space& space);
-  [[nodiscard]] embree::Geometry make_quads(const TriangleList& list, const Space& space);
+  [[nodiscard]] embree::Geometry make_polygons(RTCDevice device, std::size_t count, std::size_t sides,
+                                               const Write& write);
+  [[nodiscard]] embree::Geometry make_triangles(RTCDevice device, const TriangleList& list, const Space& space);
+  [[nodiscard]] embree::Geometry make_quads(RTCDevice device, const TriangleList& list, const Space& space);
   [[nodiscard]] bool prefers_quads() const;
   void settle_moving_space();
   void settle_still_space();
+  void settle_usual_rays();
   void write_box(MovingBox& box) const;
   static void report_bounds(const RTCBoundsFunctionArguments* arguments);
   // tracer_meet.cpp
@@ -191,7 +192,6 @@ class Tracer {
   void cross_surface(AllHits& query, std::uint32_t index, const Instanced& instanced) const;
   // tracer_trace.cpp
   [[nodiscard]] inline bool has_moving() const noexcept { return !moving_.empty() || !endless_.empty(); }
-  void trace_from_afar(const abut_ray& ray, abut_pick& out) const;
   void trace_moving(const abut_ray& ray, abut_pick& out) const;
   void meet_endless(abut_ray& ray, abut_pick& out) const;
   [[nodiscard]] inline const Facet& plane_of(const Baked& baked, std::uint32_t triangle) const {
@@ -219,6 +219,7 @@ class Tracer {
   friend struct PacketTracer;
 
   std::unique_ptr<Source> source_;
+  Counters counters_;
   std::mutex mutex_;
   std::atomic<std::uint64_t> seen_geometries_{~std::uint64_t{0}};
   std::atomic<std::uint64_t> seen_poses_{~std::uint64_t{0}};
@@ -233,11 +234,14 @@ class Tracer {
   std::vector<std::uint32_t> arrivals_;                             // surfaces without a place yet
 
   embree::Device device_;
+  embree::Device single_device_;  // for rays one by one; none where the other serves them as well
   std::size_t widest_ = 4;  // rays in the largest packet that the processor holds in registers
   Space still_space_;
   embree::Scene still_;
+  embree::Scene single_still_;  // the same, for rays one by one
   std::vector<Baked> baked_;
-  Surface still_planes_;  // relative to the space
+  Surface still_planes_;   // relative to the space
+  Four usual_reach_ = -1;  // of the coordinates of a usual ray in the space; none when negative
   bool still_changed_ = false;
   Space moving_space_;
   embree::Geometry moving_geometry_;
@@ -252,10 +256,13 @@ template <std::size_t Width> struct Batch;
 
 /// Rays in packets (tracer_packet.cpp).
 struct PacketTracer {
-  template <std::size_t Width, class Fill, class Place>
-  static void trace(const Tracer& tracer, bool coherent, std::size_t count, const Fill& fill, const Place& place);
+  template <std::size_t Width, class Expect, class Fill, class Place>
+  static void trace(const Tracer& tracer, bool coherent, std::size_t count, const Expect& expect, const Fill& fill,
+                    const Place& place);
   template <std::size_t Width> static void shoot(const Tracer& tracer, embree::Query& query, Batch<Width>& batch);
-  template <std::size_t Width> static void prefetch(const Tracer& tracer, const Batch<Width>& batch);
+  template <std::size_t Width, class Place>
+  static void prefetch_picks(const Batch<Width>& batch, const Place& place);
+  template <std::size_t Width> static void prefetch_planes(const Tracer& tracer, const Batch<Width>& batch);
   template <std::size_t Width, class Place>
   static void finish(const Tracer& tracer, Batch<Width>& batch, const Place& place);
   template <std::size_t Width, class Place>

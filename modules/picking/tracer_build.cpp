@@ -1,4 +1,4 @@
-// Building what Embree traverses.
+// Building what Embree traverses: surfaces as they lie, and those in the frames of their shapes.
 module;
 
 #include <abut/picking.h>
@@ -7,10 +7,8 @@ module;
 #include "embree.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
@@ -30,35 +28,26 @@ namespace {
 // outlines, which is in proportion to the space, then stays below 2^-16 of the diagonal.
 constexpr double farthest_baked = 16;
 
-// Boxes of the moving scene are widened by this part of the extent: rays start within 3 * sqrt(3)
-// extents, and the rounding of their points, 2^-24 each, and of the slab test stay below it.
-constexpr double widening = 0x1p-20;
-
-[[nodiscard]] float rounded_down(double value) {
-  const float nearest = static_cast<float>(value);
-  return static_cast<double>(nearest) <= value ? nearest
-                                               : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
-}
-
-[[nodiscard]] float rounded_up(double value) {
-  return -rounded_down(-value);
-}
-
 }  // namespace
 
+// Embree follows single rays faster with registers of 256 bits than of 512, by a twentieth, and packets the other
+// way round: where there are both, each kind of query has a scene of its own.
 abut_status Tracer::make_device() {
-  if (device_) return ABUT_OK;
+  if (device_ && (single_device_ || widest_ < 16)) return ABUT_OK;
   device_ = embree::Device(rtcNewDevice(nullptr));
   if (!device_) return ABUT_OUT_OF_MEMORY;
   const auto is_native = [&](RTCDeviceProperty property) { return rtcGetDeviceProperty(device_.get(), property) != 0; };
   widest_ = is_native(RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)  ? 16
             : is_native(RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8
                                                                    : 4;
-  return ABUT_OK;
+  if (widest_ < 16) return ABUT_OK;
+  single_device_ = embree::Device(rtcNewDevice("max_isa=avx2"));
+  return single_device_ ? ABUT_OK : ABUT_OUT_OF_MEMORY;
 }
 
 abut_status Tracer::embree_status() const {
-  const RTCError error = rtcGetDeviceError(device_.get());
+  RTCError error = rtcGetDeviceError(device_.get());
+  if (error == RTC_ERROR_NONE && single_device_) error = rtcGetDeviceError(single_device_.get());
   if (error == RTC_ERROR_NONE) return ABUT_OK;
   return error == RTC_ERROR_OUT_OF_MEMORY ? ABUT_OUT_OF_MEMORY : ABUT_INTERNAL;
 }
@@ -75,7 +64,13 @@ abut_status Tracer::build() {
   if (moving_changed_) {
     if (const abut_status status = build_moving(); status != ABUT_OK) return status;
   }
+  settle_usual_rays();
   return embree_status();
+}
+
+void Tracer::settle_usual_rays() {
+  const double reach = 2 * still_space_.extent;
+  usual_reach_ = baked_.empty() || has_moving() ? Four(-1) : Four{reach, reach, reach, infinity};
 }
 
 // Decides which of the surfaces that arrived are baked; the others stay in arrivals_. Baking builds
@@ -123,12 +118,14 @@ void Tracer::settle_still_space() {
 abut_status Tracer::build_still() {
   still_changed_ = false;
   still_.reset();
+  single_still_.reset();
   still_planes_.clear();
   if (baked_.empty()) return ABUT_OK;
-  still_ = embree::Scene(rtcNewScene(device_.get()));
-  if (!still_) return ABUT_OUT_OF_MEMORY;
   const bool with_quads = prefers_quads();
-  rtcSetSceneFlags(still_.get(), with_quads ? embree::filtered_scene | RTC_SCENE_FLAG_ROBUST : embree::filtered_scene);
+  still_ = make_still(device_.get(), with_quads);
+  single_still_ = single_device_ ? make_still(single_device_.get(), with_quads) : embree::Scene(still_.get());
+  if (!still_ || !single_still_) return ABUT_OUT_OF_MEMORY;
+  if (!single_device_) rtcRetainScene(still_.get());
   for (std::size_t i = 0; i < baked_.size(); ++i) {
     Baked& baked = baked_[i];
     const Entry& entry = entries_[baked.entry];
@@ -143,16 +140,30 @@ abut_status Tracer::build_still() {
       list.xyz[at + 1] = p.y;
       list.xyz[at + 2] = p.z;
     }
+    baked.has_quads = with_quads && shapes_[entry.shape].is_paired;
     baked.first_plane = still_planes_.size();
     add_planes(list, still_planes_);
-    const Space around{{0, 0, 0}, still_space_.extent};
-    baked.has_quads = with_quads && shapes_[entry.shape].is_paired;
-    const embree::Geometry geometry = baked.has_quads ? make_quads(list, around) : make_triangles(list, around);
-    if (!geometry) return ABUT_OUT_OF_MEMORY;
-    rtcAttachGeometryByID(still_.get(), geometry.get(), static_cast<unsigned>(i));
+    if (!attach(device_.get(), still_.get(), i, list)) return ABUT_OUT_OF_MEMORY;
+    if (single_device_ && !attach(single_device_.get(), single_still_.get(), i, list)) return ABUT_OUT_OF_MEMORY;
   }
   rtcCommitScene(still_.get());
+  if (single_device_) rtcCommitScene(single_still_.get());
   return embree_status();
+}
+
+embree::Scene Tracer::make_still(RTCDevice device, bool with_quads) {
+  embree::Scene scene(rtcNewScene(device));
+  if (scene)
+    rtcSetSceneFlags(scene.get(), with_quads ? embree::filtered_scene | RTC_SCENE_FLAG_ROBUST : embree::filtered_scene);
+  return scene;
+}
+
+bool Tracer::attach(RTCDevice device, RTCScene scene, std::size_t place, const TriangleList& list) {
+  const Space around{{0, 0, 0}, still_space_.extent};
+  const embree::Geometry geometry =
+      baked_[place].has_quads ? make_quads(device, list, around) : make_triangles(device, list, around);
+  if (geometry) rtcAttachGeometryByID(scene, geometry.get(), static_cast<unsigned>(place));
+  return geometry != nullptr;
 }
 
 // Whether most triangles of the still scene come in pairs. All others pay for the robust mode.
@@ -169,10 +180,10 @@ bool Tracer::prefers_quads() const {
 
 // A geometry of `count` polygons with corners of their own, which `write` puts down.
 template <class Write>
-embree::Geometry Tracer::make_polygons(std::size_t count, std::size_t sides, const Write& write) {
+embree::Geometry Tracer::make_polygons(RTCDevice device, std::size_t count, std::size_t sides, const Write& write) {
   const bool is_triangle = sides == 3;
   embree::Geometry geometry(
-      rtcNewGeometry(device_.get(), is_triangle ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_QUAD));
+      rtcNewGeometry(device, is_triangle ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_QUAD));
   if (!geometry) return geometry;
   void* const vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                  3 * sizeof(float), sides * count);
@@ -195,12 +206,14 @@ embree::Geometry Tracer::make_polygons(std::size_t count, std::size_t sides, con
   return geometry;
 }
 
-embree::Geometry Tracer::make_triangles(const TriangleList& list, const Space& space) {
-  return make_polygons(list.indices.size() / 3, 3, [&](std::span<float> out) { write_outlines(list, space, out); });
+embree::Geometry Tracer::make_triangles(RTCDevice device, const TriangleList& list, const Space& space) {
+  return make_polygons(device, list.indices.size() / 3, 3,
+                       [&](std::span<float> out) { write_outlines(list, space, out); });
 }
 
-embree::Geometry Tracer::make_quads(const TriangleList& list, const Space& space) {
-  return make_polygons(list.indices.size() / 6, 4, [&](std::span<float> out) { write_quads(list, space, out); });
+embree::Geometry Tracer::make_quads(RTCDevice device, const TriangleList& list, const Space& space) {
+  return make_polygons(device, list.indices.size() / 6, 4,
+                       [&](std::span<float> out) { write_quads(list, space, out); });
 }
 
 abut_status Tracer::make_instanced(ShapeRecord& shape) {
@@ -213,86 +226,12 @@ abut_status Tracer::make_instanced(ShapeRecord& shape) {
   made->scene = embree::Scene(rtcNewScene(device_.get()));
   if (!made->scene) return ABUT_OUT_OF_MEMORY;
   rtcSetSceneFlags(made->scene.get(), embree::filtered_scene);
-  const embree::Geometry geometry = make_triangles(list, made->space);
+  const embree::Geometry geometry = make_triangles(device_.get(), list, made->space);
   if (!geometry) return ABUT_OUT_OF_MEMORY;
   rtcAttachGeometryByID(made->scene.get(), geometry.get(), 0);
   rtcCommitScene(made->scene.get());
   shape.instanced = std::move(made);
   return embree_status();
-}
-
-abut_status Tracer::become_moving(std::uint32_t index) {
-  Entry& entry = entries_[index];
-  if (entry.role == Role::instance) {
-    if (const abut_status status = make_instanced(shapes_[entry.shape]); status != ABUT_OK) return status;
-  }
-  entry.place = static_cast<std::uint32_t>(moving_.size());
-  moving_.push_back({.lower = {}, .upper = {}, .entry = index});
-  moved_.push_back(index);
-  moving_changed_ = true;
-  return ABUT_OK;
-}
-
-// Keeps the space of the moving scene while it fits; otherwise centres it anew, with room to move.
-void Tracer::settle_moving_space() {
-  abut_aabb box = empty_box;
-  for (const MovingBox& moving : moving_) {
-    extend(box, entries_[moving.entry].box.minimum);
-    extend(box, entries_[moving.entry].box.maximum);
-  }
-  const double reach = reach_of(box, moving_space_.origin);
-  const Space tight = space_around(box);
-  if (reach <= moving_space_.extent && 8 * tight.extent >= moving_space_.extent) return;
-  moving_space_ = {tight.origin, 2 * tight.extent};
-  moved_.clear();
-  for (const MovingBox& moving : moving_) moved_.push_back(moving.entry);
-}
-
-void Tracer::write_box(MovingBox& moving) const {
-  const abut_aabb& box = entries_[moving.entry].box;
-  const double margin = widening * moving_space_.extent;
-  const abut_vec3 low = subtract(box.minimum, moving_space_.origin);
-  const abut_vec3 high = subtract(box.maximum, moving_space_.origin);
-  moving.lower = {rounded_down(low.x - margin), rounded_down(low.y - margin), rounded_down(low.z - margin)};
-  moving.upper = {rounded_up(high.x + margin), rounded_up(high.y + margin), rounded_up(high.z + margin)};
-}
-
-abut_status Tracer::build_moving() {
-  moving_changed_ = false;
-  if (moving_.empty()) {
-    moved_.clear();
-    return ABUT_OK;
-  }
-  settle_moving_space();
-  for (const std::uint32_t index : std::exchange(moved_, {})) {
-    const std::uint32_t place = entries_[index].place;
-    if (place < moving_.size() && moving_[place].entry == index) write_box(moving_[place]);
-  }
-  if (!moving_scene_) {
-    moving_geometry_ = embree::Geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
-    moving_scene_ = embree::Scene(rtcNewScene(device_.get()));
-    if (!moving_geometry_ || !moving_scene_) return ABUT_OUT_OF_MEMORY;
-    rtcSetGeometryUserData(moving_geometry_.get(), this);
-    rtcSetGeometryBoundsFunction(moving_geometry_.get(), report_bounds, this);
-    rtcSetGeometryIntersectFunction(moving_geometry_.get(), report_hits);
-    rtcAttachGeometryByID(moving_scene_.get(), moving_geometry_.get(), 0);
-  }
-  rtcSetGeometryUserPrimitiveCount(moving_geometry_.get(), static_cast<unsigned>(moving_.size()));
-  rtcCommitGeometry(moving_geometry_.get());
-  rtcCommitScene(moving_scene_.get());
-  return embree_status();
-}
-
-void Tracer::report_bounds(const RTCBoundsFunctionArguments* arguments) {
-  const auto& self = *static_cast<const Tracer*>(arguments->geometryUserPtr);
-  const MovingBox& box = self.moving_[arguments->primID];
-  RTCBounds& out = *arguments->bounds_o;
-  out.lower_x = box.lower[0];
-  out.lower_y = box.lower[1];
-  out.lower_z = box.lower[2];
-  out.upper_x = box.upper[0];
-  out.upper_y = box.upper[1];
-  out.upper_z = box.upper[2];
 }
 
 }  // namespace abut::picking

@@ -50,12 +50,12 @@ template <class Value>
 
 }  // namespace
 
-abut_status Tracer::catch_up(const abut_revision& now) {
+abut_status Tracer::catch_up() {
   // The world does not change while queries run, so no ray is under way in a scene that is stale.
   const std::scoped_lock lock(mutex_);
-  if (has_seen(now)) return ABUT_OK;
+  if (is_current()) return ABUT_OK;
   try {
-    const abut_status status = synchronize(now);
+    const abut_status status = synchronize();
     if (status != ABUT_OK) forget_everything();
     return status;
   } catch (...) {
@@ -64,17 +64,17 @@ abut_status Tracer::catch_up(const abut_revision& now) {
   }
 }
 
-abut_status Tracer::synchronize(const abut_revision& now) {
+abut_status Tracer::synchronize() {
   if (const abut_status status = make_device(); status != ABUT_OK) return status;
-  if (seen_geometries_.load(std::memory_order_relaxed) != now.geometries) {
+  if (seen_geometries_.load(std::memory_order_relaxed) != *counters_.geometries) {
     if (const abut_status status = list_geometries(); status != ABUT_OK) return status;
   }
-  if (seen_poses_.load(std::memory_order_relaxed) != now.poses) {
+  if (seen_poses_.load(std::memory_order_relaxed) != *counters_.poses) {
     if (const abut_status status = follow_poses(); status != ABUT_OK) return status;
   }
   if (const abut_status status = build(); status != ABUT_OK) return status;
-  seen_geometries_.store(now.geometries, std::memory_order_release);
-  seen_poses_.store(now.poses, std::memory_order_release);
+  seen_geometries_.store(*counters_.geometries, std::memory_order_release);
+  seen_poses_.store(*counters_.poses, std::memory_order_release);
   return ABUT_OK;
 }
 
@@ -255,6 +255,7 @@ void Tracer::forget_everything() {
   moving_scene_.reset();
   moving_geometry_.reset();
   still_.reset();
+  single_still_.reset();
   baked_.clear();
   still_planes_.clear();
   moving_.clear();
@@ -268,6 +269,7 @@ void Tracer::forget_everything() {
   shapes_.clear();
   free_shapes_.clear();
   still_space_ = {};
+  usual_reach_ = -1;
   moving_space_ = {};
   still_changed_ = false;
   moving_changed_ = false;

@@ -221,9 +221,17 @@ template <std::size_t Width>
   if (batch.is_traced) embree::intersect(tracer.still_.get(), query, batch.active.data(), batch.native);
 }
 
+// Asks for the memory of the picks, which comes while the packet is under way.
+template <std::size_t Width, class Place>
+[[gnu::always_inline]] inline void PacketTracer::prefetch_picks(const Batch<Width>& batch, const Place& place) {
+  for (std::size_t i = 0; i < Width; ++i) {
+    if (batch.valid[i] != 0) __builtin_prefetch(&place(i), 1);
+  }
+}
+
 // Asks for the planes of the hits, which come while the next packet is under way.
 template <std::size_t Width>
-[[gnu::always_inline]] inline void PacketTracer::prefetch(const Tracer& tracer, const Batch<Width>& batch) {
+[[gnu::always_inline]] inline void PacketTracer::prefetch_planes(const Tracer& tracer, const Batch<Width>& batch) {
   if (!batch.is_traced) return;
   for (std::size_t i = 0; i < Width; ++i) {
     const std::uint32_t geometry = batch.native.hit.geomID[i];
@@ -247,17 +255,21 @@ void PacketTracer::finish(const Tracer& tracer, Batch<Width>& batch, const Place
     trace_moving(tracer, batch, place);
 }
 
-// Traces packets that `fill(batch, n)` makes; `place(n)` tells where the pick of ray i of packet n goes.
-template <std::size_t Width, class Fill, class Place>
-void PacketTracer::trace(const Tracer& tracer, bool coherent, std::size_t count, const Fill& fill, const Place& place) {
+// Traces packets that `fill(batch, n)` makes from what `expect(n)` asked for; `place(n)` tells where the
+// pick of ray i of packet n goes. Memory is read and written while Embree computes.
+template <std::size_t Width, class Expect, class Fill, class Place>
+void PacketTracer::trace(const Tracer& tracer, bool coherent, std::size_t count, const Expect& expect,
+                         const Fill& fill, const Place& place) {
   std::array<Batch<Width>, 2> batches{Batch<Width>(coherent), Batch<Width>(coherent)};
   embree::Query query(coherent);
   const bool waits = tracer.still_planes_.size() > planes_in_cache;
   for (std::size_t n = 0; n < count; ++n) {
     Batch<Width>& batch = batches[waits ? n % 2 : 0];
     fill(batch, n);
+    if (n + 1 < count) expect(n + 1);
+    prefetch_picks(batch, place(n));
     shoot(tracer, query, batch);
-    if (waits) prefetch(tracer, batch);
+    if (waits) prefetch_planes(tracer, batch);
     if (waits && n == 0) continue;
     const std::size_t done = waits ? n - 1 : n;
     finish(tracer, batches[waits ? done % 2 : 0], place(done));
@@ -324,7 +336,11 @@ void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> r
       for (std::size_t i = left.size(); i < Width; ++i) batch.valid[i] = 0;
     }
   };
-  trace<Width>(tracer, coherent, (rays.size() + Width - 1) / Width, fill, [&](std::size_t n) {
+  const auto expect = [&](std::size_t n) {
+    for (const abut_ray& ray : rays.subspan(n * Width, std::min(Width, rays.size() - n * Width)))
+      __builtin_prefetch(&ray);
+  };
+  trace<Width>(tracer, coherent, (rays.size() + Width - 1) / Width, expect, fill, [&](std::size_t n) {
     return [out, first = n * Width](std::size_t i) -> abut_pick& { return out[first + i]; };
   });
 }
@@ -363,7 +379,8 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::
     for (std::size_t i = 0; i < Width; ++i)
       batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
   };
-  trace<Width>(tracer, true, columns * rows, fill, [&](std::size_t n) {
+  const auto expect = [](std::size_t /*n*/) {};
+  trace<Width>(tracer, true, columns * rows, expect, fill, [&](std::size_t n) {
     return [out, width, first = n / columns * down * width + n % columns * across](std::size_t i) -> abut_pick& {
       return out[first + i / across * width + i % across];
     };

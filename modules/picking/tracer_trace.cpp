@@ -19,43 +19,39 @@ import :vector;
 
 namespace abut::picking {
 
-// A direction that is nearly of unit length is the same in single precision, so Embree need not wait
-// for its scale. All that lies between two traversals delays the next one: the usual ray passes here
-// without a call, and everything unusual is behind one.
-void Tracer::trace(const abut_ray& ray, abut_pick& out) const {
+// All that lies between two traversals delays the next one, so the usual ray passes here at once: its
+// direction is nearly of unit length, which is the same in single precision, so that Embree need not wait
+// for its scale, it starts near the surfaces, and nothing but surfaces is there. No ray that a caller has
+// to refuse is one of these: each comparison fails for what is not a number.
+bool Tracer::trace_usual(const abut_ray& ray, abut_pick& out) const noexcept {
   const double square = dot_of_three(last_half(ray), last_half(ray));
-  if (!(std::fabs(square - 1.0) < nearly_unit)) [[unlikely]] {
-    trace_from_afar({ray.origin, normalized(ray.direction), ray.max_distance}, out);
-    return;
-  }
-  const double unit = 1.5 - 0.5 * square;
-  if (baked_.empty() || !(largest_of_three(first_half(ray) - still_space_.numbers()) <= 2 * still_space_.extent))
-      [[unlikely]] {
-    trace_from_afar({ray.origin, scale(ray.direction, unit), ray.max_distance}, out);
-    return;
-  }
+  const Four start = first_half(ray) - still_space_.numbers();
+  const bool is_usual = std::fabs(square - 1.0) < nearly_unit && are_within(start, usual_reach_) &&
+                        ray.max_distance >= 0 && is_current();
+  if (!is_usual) [[unlikely]]
+    return false;
   [[clang::uninitialized]] RTCRayHit hit;
-  write_ray(hit, first_half(ray) - still_space_.numbers(), last_half(ray));
+  write_ray(hit, start, last_half(ray));
   embree::Query query(false);
-  embree::intersect(still_.get(), query, hit);
+  embree::intersect(single_still_.get(), query, hit);
+  const double unit = 1.5 - 0.5 * square;
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ||
       !resolve_still(first_half(ray), last_half(ray) * unit, ray.max_distance, hit.hit,
                      static_cast<double>(hit.ray.tfar), out)) {
     out = nothing();
   }
-  if (has_moving()) [[unlikely]]
-    trace_moving({ray.origin, scale(ray.direction, unit), ray.max_distance}, out);
+  return true;
 }
 
-// A ray with a unit direction that starts anywhere.
-void Tracer::trace_from_afar(const abut_ray& ray, abut_pick& out) const {
+void Tracer::trace(const abut_ray& any_ray, abut_pick& out) const {
+  const abut_ray ray{any_ray.origin, normalized(any_ray.direction), any_ray.max_distance};
   bool is_hit = false;
   Entrance entrance{};
   if (!baked_.empty() && enter(still_space_, ray.origin, ray.direction, ray.max_distance, entrance)) {
     [[clang::uninitialized]] RTCRayHit hit;
     write_ray(hit, entrance.point, ray.direction, ray.max_distance - entrance.advance);
     embree::Query query(false);
-    embree::intersect(still_.get(), query, hit);
+    embree::intersect(single_still_.get(), query, hit);
     const double found = entrance.advance + static_cast<double>(hit.ray.tfar);
     is_hit = hit.hit.geomID != RTC_INVALID_GEOMETRY_ID &&
              resolve_still(first_half(ray), last_half(ray), ray.max_distance, hit.hit, found, out);

@@ -152,10 +152,9 @@ struct Space {
   [[nodiscard]] inline Four numbers() const { return {origin.x, origin.y, origin.z, extent}; }
 };
 
-/// Largest of the first three without their signs; no number when one of them is none.
-[[nodiscard]] inline double largest_of_three(const Four& a) {
-  const Four size = __builtin_elementwise_abs(a);
-  return std::max({size[0], size[1], size[2]});
+/// Whether all four are at most as large as the bounds, whatever their signs. Not when one is no number.
+[[nodiscard]] inline bool are_within(const Four& a, const Four& bounds) {
+  return __builtin_reduce_and(__builtin_elementwise_abs(a) <= bounds) != 0;
 }
 
 /// Where a ray starts in a space, and how far that is from its own origin.

@@ -248,8 +248,13 @@ Outcome children_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose
   return outcome;
 }
 
+Outcome children_contacts_with_memory(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                                      const QuerySettings& settings, PairMemory&, Manifold& out) {
+  return children_contacts(a, b, pose_a, pose_b, swapped, settings, out);
+}
+
 void children_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
-                              const QuerySettings& common, Manifold& out, std::span<PairResult> results) {
+                              const QuerySettings& common, std::span<PairMemory>, Manifold& out, std::span<PairResult> results) {
   QuerySettings settings = common;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const PairJob& job = jobs[i];

@@ -13,6 +13,7 @@ export module abut.shape.cone;
 import abut.core;
 import abut.math;
 import abut.shape;
+import abut.shape.germ;
 
 export namespace abut {
 
@@ -49,6 +50,44 @@ class Cone {
       return {{0, 0, half_height_}, apex_number};
     }
     return {{radius_ * side.x, radius_ * side.y, -half_height_}, no_index};
+  }
+
+  // The apex alone, or the base with a step to the apex.
+  [[nodiscard]] inline Germ germ(const GermFrame& frame) const {
+    const Sideways side = sideways_of(frame.n);
+    const Vec3 apex{0, 0, half_height_};
+    if (side.length < flat_sine) {
+      Germ germ = germ_of_point(in_frame(frame, frame.n.z > 0 ? apex : -apex));
+      germ.disc = frame.n.z > 0 && half_height_ > 0 ? 0 : radius_;
+      return germ;
+    }
+    const Vec3 rim{radius_ * side.x, radius_ * side.y, -half_height_};
+    const InFrame step = in_frame(frame, apex - rim);
+    if (step.n > apex_lead * half_height_) {
+      return germ_of_point(in_frame(frame, apex));
+    }
+    Germ germ = germ_of_point(in_frame(frame, rim));
+    bend_by_disc(frame, {side.x, side.y, side.length}, radius_, germ);
+    if (half_height_ > 0) {
+      germ.steps[0] = step;
+      germ.step_count = 1;
+      germ.is_sum = false;
+    }
+    return germ;
+  }
+
+  [[nodiscard]] inline OutlineNormals outline_normals() const {
+    if (half_height_ == 0) {
+      return {{{0, 1}, {0, -1}, {radius_ > 0 ? 0.0 : 1.0, 0}}};
+    }
+    const Real slant = norm({2 * half_height_, radius_, 0});
+    return {{{2 * half_height_ / slant, radius_ / slant}, {0, -1}, {0, 0}}};
+  }
+  // The circle inside the triangle that a plane through the axis cuts out.
+  [[nodiscard]] inline InnerBalls inner_balls() const {
+    const Real sides = radius_ + norm({2 * half_height_, radius_, 0});
+    const Real ball = sides > 0 ? 2 * radius_ * half_height_ / sides : 0;
+    return {{0, 0, ball - half_height_}, {0, 0, 0}, ball};
   }
 
   // In the half-plane through the axis and the point: a triangle with a base along x and a side up to the apex.
@@ -148,6 +187,7 @@ class Cone {
 
  private:
   static constexpr std::uint32_t apex_number = rim_corners;
+  static constexpr Real apex_lead = 0.5;  // so much further, in half heights, the base is out of sight of the apex
 
   // Along the normal of the side.
   [[nodiscard]] inline Real toward_side(const Vec3& direction) const {

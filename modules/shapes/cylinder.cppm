@@ -13,6 +13,7 @@ export module abut.shape.cylinder;
 import abut.core;
 import abut.math;
 import abut.shape;
+import abut.shape.germ;
 
 export namespace abut {
 
@@ -45,6 +46,30 @@ class Cylinder {
   [[nodiscard]] inline SupportPoint support(const Vec3& direction) const {
     const Sideways side = sideways_of(direction);
     return {{radius_ * side.x, radius_ * side.y, std::copysign(half_height_, direction.z)}, no_index};
+  }
+
+  // A disc and a segment, added up.
+  [[nodiscard]] inline Germ germ(const GermFrame& frame) const {
+    const Sideways side = sideways_of(frame.n);
+    const Real z = std::copysign(half_height_, frame.n.z);
+    const bool is_flat = side.length < flat_sine;
+    Germ germ = germ_of_point(in_frame(frame, is_flat ? Vec3{0, 0, z} : Vec3{radius_ * side.x, radius_ * side.y, z}));
+    if (is_flat) {
+      germ.disc = radius_;
+      return germ;
+    }
+    bend_by_disc(frame, {side.x, side.y, side.length}, radius_, germ);
+    if (half_height_ > 0) {
+      germ.steps[0] = in_frame(frame, {0, 0, -2 * z});
+      germ.step_count = 1;
+    }
+    return germ;
+  }
+
+  [[nodiscard]] inline OutlineNormals outline_normals() const { return {{{1, 0}, {0, 1}, {0, -1}}}; }
+  [[nodiscard]] inline InnerBalls inner_balls() const {
+    const Real ball = radius_ < half_height_ ? radius_ : half_height_;
+    return {{0, 0, 0}, {0, 0, half_height_ - ball}, ball};
   }
 
   // In the half-plane through the axis and the point: a rectangle.

@@ -13,6 +13,7 @@ export module abut.shape.ellipsoid;
 import abut.core;
 import abut.math;
 import abut.shape;
+import abut.shape.germ;
 
 export namespace abut {
 
@@ -48,6 +49,35 @@ class Ellipsoid {
     const auto on_ball = UnitVec3::make(scaled(direction));
     return {on_ball ? scaled(*on_ball) : Vec3{0, 0, 0}, no_index};
   }
+  // The support function is |E v| with the radii in E.
+  [[nodiscard]] inline Germ germ(const GermFrame& frame) const {
+    const Vec3 on_ball = scaled(frame.n);
+    const Real length = norm(on_ball), largest = extent();
+    if (!(length > flat_sine * largest)) {
+      return germ_of_point({0, 0, 0});
+    }
+    const Real inverse = 1 / length;
+    const InFrame point = in_frame(frame, scaled(inverse * on_ball));
+    Germ germ = germ_of_point(point);
+    const Vec3 x = scaled(frame.x), y = scaled(frame.y);
+    germ.xx = (squared_norm(x) - point.x * point.x) * inverse;
+    germ.xy = (dot(x, y) - point.x * point.y) * inverse;
+    germ.yy = (squared_norm(y) - point.y * point.y) * inverse;
+    germ.share = length / largest;
+    germ.slope = std::sqrt(point.x * point.x + point.y * point.y) / largest;
+    // Along the least radius, the ball of that radius inside is a better bound than the greatest curvature.
+    if (const Real least = std::min({radii_.x, radii_.y, radii_.z}); length <= least * (1 + 4 * epsilon)) {
+      germ.xx = germ.yy = least;
+      germ.xy = germ.slope = 0;
+      germ.share = 1;
+    }
+    return germ;
+  }
+
+  [[nodiscard]] inline InnerBalls inner_balls() const {
+    return {{0, 0, 0}, {0, 0, 0}, std::min({radii_.x, radii_.y, radii_.z})};
+  }
+
   // The point x with p - x along the normal there is r^2 p / (r^2 + t) for the root t of |r p / (r^2 + t)| = 1
   // above -m^2, m being the least radius. Newton's method on the inverse of that length, which is nearly
   // linear, comes from the left without overshooting (More and Sorensen, "Computing a trust region step",

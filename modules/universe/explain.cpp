@@ -1,16 +1,20 @@
 module;
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 module abut.universe;
 import abut.any_shape;
 import abut.broadphase;
 import abut.core;
 import abut.math;
+import abut.universe.jobs;
 import abut.universe.pairs;
+import abut.universe.plan;
+import abut.universe.policies;
+import abut.universe.rules;
 
 namespace abut {
 namespace {
@@ -19,70 +23,83 @@ std::string count_of(std::uint64_t count, std::string_view noun) {
   return to_text(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
-std::string microseconds(double value) { return to_text(std::round(10 * value) / 10) + " us"; }
-
-std::string stage(std::string_view name, double time, const std::string& what) {
-  std::string line = "  " + std::string(name);
-  line.resize(16, ' ');
-  std::string spent = microseconds(time);
-  spent.insert(0, spent.size() < 12 ? 12 - spent.size() : 0, ' ');
-  return line + spent + "  " + what + "\n";
-}
-
-std::string names_of(std::size_t row, std::size_t column) {
-  return std::string(kind_name(row)) + " - " + std::string(kind_name(column));
+std::vector<Plan::Stage> stages_of(const StepStats& stats, std::uint32_t max_contacts) {
+  const std::string kept = max_contacts == 0 ? "all kept" : "at most " + to_text(std::uint64_t{max_contacts}) + " per patch";
+  return {
+      {"refresh", stats.refresh_microseconds, "poses to boxes: " + to_text(stats.moved) + " moved"},
+      {"broad phase", stats.broadphase_microseconds,
+       "boxes to pairs: " + count_of(stats.candidate_pairs + stats.filtered_pairs + stats.unsupported_pairs, "pair")},
+      {"pairs", stats.pair_microseconds,
+       count_of(stats.candidate_pairs, "candidate pair") + ", " + to_text(stats.kept_pairs) + " kept, " +
+           to_text(stats.filtered_pairs) + " filtered"},
+      {"narrow phase", stats.narrowphase_microseconds, "pairs to manifolds: " + to_text(stats.examined_pairs) + " examined, " + kept},
+      {"contacts", stats.contact_microseconds,
+       count_of(stats.touching_pairs, "touching pair") + ", " + count_of(stats.contacts, "contact") + ", " +
+           count_of(stats.events, "event")},
+  };
 }
 
 }  // namespace
 
-std::string Universe::explain() const {
-  const bool has_tree = std::holds_alternative<Tree>(broadphase_);
-  const std::string geometries = to_text(static_cast<std::uint64_t>(geometries_.size()));
-  const std::string count = geometries_.size() == 1 ? "1 geometry" : geometries + " geometries";
-  std::string text = "universe: " + count_of(parts_.size(), "part") + ", " + count + ", " + count_of(stats_.bytes, "byte") + "\n";
-
-  text += "stages of the last step\n";
-  text += stage("refresh", stats_.refresh_microseconds, "poses to boxes: " + to_text(stats_.moved) + " moved");
-  text += stage("broad phase", stats_.broadphase_microseconds,
-                std::string(has_tree ? "box trees" : "every pair of boxes") + ": " +
-                    count_of(stats_.candidate_pairs, "candidate pair"));
-  text += stage("narrow phase", stats_.narrowphase_microseconds,
-                "pairs to manifolds: " + count_of(stats_.touching_pairs, "touching pair"));
-  text += stage("contacts", stats_.contact_microseconds,
-                count_of(stats_.contacts, "contact") + ", " +
-                    (options_.max_contacts == 0 ? "all kept" : "at most " + to_text(std::uint64_t{options_.max_contacts}) + " per patch"));
-
-  text += "broad phase: ";
-  text += has_tree ? "tree" : "brute force";
-  text += options_.broadphase == Broadphase::automatic ? " by the number of geometries, " + geometries : ", as asked for";
-  text += "\ntolerance: ";
-  text += options_.tolerance_mode == ToleranceMode::margin ? "margin, a separation below the sum of both is reported"
-                                                           : "dead band, an overlap beyond the sum of both is reported";
-  text += "\npairs of kinds\n";
+Plan Universe::plan() const {
+  Plan plan{.stats = stats_,
+            .broadphase = name_of(broadphase_kind_),
+            .broadphase_reason = broadphase_reason_,
+            .is_margin = options_.tolerance_mode == ToleranceMode::margin,
+            .max_contacts = options_.max_contacts,
+            .threads = workers_.threads(),
+            .rules = rules_.size(),
+            .policies = policies_.size() - 1,
+            .stages = stages_of(stats_, options_.max_contacts),
+            .kinds = {},
+            .left_out = {}};
   std::uint64_t never_met = 0;
   for (std::size_t row = 0; row < shape_kind_count; ++row) {
     for (std::size_t column = row; column < shape_kind_count; ++column) {
-      const KindTally& tally = tallies_[PairRuns::run_of(row, column)];
+      const KindTally& tally = tallies_[run_of(row, column)];
       if (tally.candidates == 0) {
         ++never_met;
         continue;
       }
       const RouteDescription route = describe_route(row, column);
-      text += "  " + names_of(row, column) + ": " + count_of(tally.candidates, "candidate") + ", " + to_text(tally.touching) +
-              " touching, " + count_of(tally.contacts, "contact") + "; " + std::string(route.algorithm) + " (" +
-              std::string(route.reason) + ")\n";
+      plan.kinds.push_back({kind_name(row), kind_name(column), tally.candidates, tally.examined, tally.touching, tally.contacts,
+                            route.algorithm, route.reason});
     }
   }
-  text += "left out\n";
-  text += has_tree ? "  brute force: " + count + "\n" : "  trees: " + count + ", brute force\n";
+  const auto leave_out = [&](std::string name, std::string why) { plan.left_out.push_back({std::move(name), std::move(why)}); };
+  for (const BroadphaseKind kind :
+       {BroadphaseKind::brute, BroadphaseKind::tree, BroadphaseKind::sweep_and_prune, BroadphaseKind::hash_grid}) {
+    if (kind != broadphase_kind_) {
+      leave_out(std::string(name_of(kind)), "another broad phase runs");
+    }
+  }
   if (never_met > 0) {
-    text += "  " + count_of(never_met, "pair") + " of kinds that never met\n";
+    leave_out(count_of(never_met, "pair") + " of kinds", "never met");
   }
   if (stats_.unsupported_pairs > 0) {
-    text += "  " + count_of(stats_.unsupported_pairs, "candidate") + " without an algorithm by declaration\n";
+    leave_out(count_of(stats_.unsupported_pairs, "unsupported pair"), "no algorithm, by declaration");
   }
-  text += "  continuous pass: none\n  picking: not loaded\n";
-  return text;
+  if (stats_.parked > 0) {
+    leave_out(stats_.parked == 1 ? "1 geometry" : to_text(stats_.parked) + " geometries", "parked");
+  }
+  if (rules_.is_empty()) {
+    leave_out("rules", "none set");
+  }
+  if (!filter_) {
+    leave_out("filter", "none set");
+  }
+  if (policies_.size() == 1) {
+    leave_out("policies", "none set");
+  }
+  if (workers_.threads() == 1) {
+    leave_out("threads", "one asked for");
+  }
+  leave_out("continuous pass", "none");
+  leave_out("picking", "not loaded");
+  return plan;
 }
+
+std::string Universe::explain() const { return to_text(plan()); }
+std::string Universe::explain_json() const { return to_json(plan()); }
 
 }  // namespace abut

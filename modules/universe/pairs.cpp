@@ -1,65 +1,71 @@
 module;
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 module abut.universe.pairs;
-import abut.any_shape;
 import abut.broadphase;
 import abut.dispatch;
-import abut.math;
 import abut.universe.options;
 
 namespace abut {
+namespace {
 
-PairRuns::PairRuns() {
-  for (std::size_t row = 0; row < shape_kind_count; ++row) {
-    for (std::size_t column = row; column < shape_kind_count; ++column) {
-      supported_[run_of(row, column)] = is_supported(row, column);
+bool is_before(const Pair& a, const ProxyPair& b) { return a.low < b.low || (a.low == b.low && a.high < b.high); }
+
+}  // namespace
+
+void PairStore::merge(std::span<const ProxyPair> near, std::span<const PlaceInfo> infos) {
+  pairs_.swap(before_);
+  pairs_.clear();
+  pairs_.reserve(near.size());
+  std::size_t at = 0;
+  const auto lose = [&](const Pair& pair) {
+    if (pair.is_touching) {
+      lost_.push_back(pair);
     }
-  }
-}
-
-// A counting sort by run. The kernels expect the kind that comes first in the registry first.
-void PairRuns::arrange(std::span<const ProxyPair> pairs, std::span<const std::uint8_t> kinds, std::span<const Real> tolerances,
-                       ToleranceMode mode) {
-  const auto run_of_pair = [&](const ProxyPair& pair) {
-    const std::size_t low = kinds[pair.low], high = kinds[pair.high];
-    return low <= high ? run_of(low, high) : run_of(high, low);
+    if (pair.memory != no_memory) {
+      free_memories_.push_back(pair.memory);
+    }
   };
-  candidates_.fill(0);
-  for (const ProxyPair& pair : pairs) {
-    ++candidates_[run_of_pair(pair)];
-  }
-  unsupported_ = 0;
-  std::array<std::size_t, run_count> next{};
-  std::size_t job_count = 0;
-  for (std::size_t run = 0; run < run_count; ++run) {
-    starts_[run] = next[run] = job_count;
-    (supported_[run] ? job_count : unsupported_) += candidates_[run];
-  }
-  starts_[run_count] = job_count;
-
-  const Real sign = mode == ToleranceMode::margin ? 1 : -1;
-  jobs_.resize(job_count);
-  job_of_pair_.resize(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto [low, high] = pairs[i];
-    const std::size_t run = run_of_pair(pairs[i]);
-    if (!supported_[run]) {
-      job_of_pair_[i] = no_job;
-      continue;
+  for (const ProxyPair& pair : near) {
+    while (at < before_.size() && is_before(before_[at], pair)) {
+      lose(before_[at++]);
     }
-    const Real margin = sign * (tolerances[low] + tolerances[high]);
-    jobs_[next[run]] = kinds[low] <= kinds[high] ? PairJob{low, high, margin} : PairJob{high, low, margin};
-    job_of_pair_[i] = static_cast<std::uint32_t>(next[run]++);
+    const std::uint32_t low = infos[pair.low].generation, high = infos[pair.high].generation;
+    if (at < before_.size() && before_[at].low == pair.low && before_[at].high == pair.high) {
+      const Pair& known = before_[at++];
+      if (known.generation_low == low && known.generation_high == high) {
+        pairs_.push_back(known);
+        continue;
+      }
+      lose(known);
+    }
+    pairs_.push_back({.low = pair.low, .high = pair.high, .generation_low = low, .generation_high = high});
+  }
+  while (at < before_.size()) {
+    lose(before_[at++]);
   }
 }
 
-std::size_t PairRuns::bytes() const {
-  return jobs_.capacity() * sizeof(PairJob) + job_of_pair_.capacity() * sizeof(std::uint32_t);
+void PairStore::give_memory(Pair& pair) {
+  if (pair.memory != no_memory) {
+    return;
+  }
+  if (free_memories_.empty()) {
+    pair.memory = static_cast<std::uint32_t>(memories_.size());
+    memories_.push_back({});
+    return;
+  }
+  pair.memory = free_memories_.back();
+  free_memories_.pop_back();
+  memories_[pair.memory] = {};
+}
+
+void PairStore::sort_lost() {
+  std::ranges::sort(lost_, {}, [](const Pair& pair) { return std::pair(pair.low, pair.high); });
 }
 
 }  // namespace abut

@@ -1,12 +1,11 @@
-// Candidate pairs as runs of equal kinds, which is how the narrow phase takes them.
+// What is kept of a pair of geometries while their boxes overlap.
 module;
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 export module abut.universe.pairs;
-import abut.any_shape;
 import abut.broadphase;
 import abut.dispatch;
 import abut.math;
@@ -14,47 +13,70 @@ import abut.universe.options;
 
 export namespace abut {
 
-// What happened to the pairs of two kinds in the last step.
-struct KindTally {
-  std::uint64_t candidates = 0, touching = 0, contacts = 0;
+// What pairs ask about a geometry, by its place: one cache line.
+struct PlaceInfo {
+  std::uint64_t layers = 0, mask = 0, exclusion = 0;
+  Real tolerance = 0;
+  std::uint32_t generation = 0, part = 0;  // slot of the part
+  std::uint32_t tag = 0, material = 0;
+  std::uint8_t kind = 0;             // place in the registry
+  bool is_sensor = false;
+  bool is_fresh = false;             // moved, new or changed since the last detection
+  bool is_refiltered = false;        // what filters ask about has changed
+  bool is_reshaped = false;          // contacts of the step before are of another shape
+  bool is_box_stale = false;         // moved or changed while it was parked
+  bool is_queued = false;            // waits for its box
+  bool is_moving = false;            // in the broad phase as a moving one
 };
 
-class PairRuns {
+struct Pair {
+  std::uint32_t low, high;                              // places; low is less
+  std::uint32_t generation_low, generation_high;        // of the ids that live there
+  std::uint32_t first_contact = 0, contact_count = 0;   // in the list of contacts
+  std::uint32_t first_before = 0, count_before = 0;     // in that of the detection before
+  std::uint32_t job = 0;                                // of this detection, or no_job
+  std::uint32_t memory = no_memory;                     // place in the memories of the store
+  std::uint16_t policy = 0;
+  bool is_unasked : 1 = true;     // the filters have not been asked
+  bool is_admitted : 1 = false;   // by the filters
+  bool is_supported : 1 = false;  // the two kinds have an algorithm
+  bool is_stale : 1 = true;       // what it has is not of the present poses
+  bool is_new : 1 = true;         // was never examined
+  bool is_covered : 1 = false;    // by this detection
+  bool is_touching : 1 = false;
+  bool was_touching : 1 = false;  // before this detection
+  bool is_sensor : 1 = false;
+};
+inline constexpr std::uint32_t no_job = 0xffffffff;
+
+// The kept pairs, in order of their places. A detection merges them with the pairs that the broad phase finds.
+class PairStore {
  public:
-  static constexpr std::size_t run_count = shape_kind_count * shape_kind_count;
-  static constexpr std::uint32_t no_job = 0xffffffff;
+  [[nodiscard]] inline std::span<Pair> all() [[clang::lifetimebound]] { return pairs_; }
+  [[nodiscard]] inline std::span<const Pair> all() const [[clang::lifetimebound]] { return pairs_; }
+  // Those that touched and are no longer near, or whose slots others live in, in order: of this detection.
+  [[nodiscard]] inline std::span<const Pair> lost() const [[clang::lifetimebound]] { return lost_; }
+  inline void forget_lost() { lost_.clear(); }
+  // For a pair that ends though it stays near. Lost pairs are in order again after sort_lost.
+  inline void lose(const Pair& pair) { lost_.push_back(pair); }
+  void sort_lost();
 
-  PairRuns();
+  // What the narrow phase keeps of pairs; a place is given to a pair that has none yet, and ends with the pair.
+  [[nodiscard]] inline std::span<PairMemory> memories() [[clang::lifetimebound]] { return memories_; }
+  void give_memory(Pair& pair);
 
-  // A run for each pair of kinds that occurs and has an algorithm. `kinds` and `tolerances` are by
-  // number of box. Keeps the order of the pairs within a run.
-  void arrange(std::span<const ProxyPair> pairs, std::span<const std::uint8_t> kinds, std::span<const Real> tolerances,
-               ToleranceMode mode);
+  // Takes what the broad phase found. New pairs are as a Pair starts. O(pairs).
+  void merge(std::span<const ProxyPair> near, std::span<const PlaceInfo> infos);
 
-  // The run of two kinds, by their places in the registry, row not above column.
-  [[nodiscard]] static constexpr std::size_t run_of(std::size_t row, std::size_t column) {
-    return row * shape_kind_count + column;
+  [[nodiscard]] inline std::size_t bytes() const {
+    return (pairs_.capacity() + before_.capacity() + lost_.capacity()) * sizeof(Pair) + memories_.capacity() * sizeof(PairMemory) +
+           free_memories_.capacity() * sizeof(std::uint32_t);
   }
-  [[nodiscard]] std::span<const PairJob> jobs() const [[clang::lifetimebound]] { return jobs_; }
-  [[nodiscard]] std::span<const PairJob> jobs_of_run(std::size_t run) const [[clang::lifetimebound]] {
-    return std::span(jobs_).subspan(starts_[run], starts_[run + 1] - starts_[run]);
-  }
-  [[nodiscard]] std::size_t start_of_run(std::size_t run) const { return starts_[run]; }
-  // Of a pair in the order in which `arrange` got them; no_job for two kinds without an algorithm.
-  [[nodiscard]] inline std::uint32_t job_of(std::size_t pair) const { return job_of_pair_[pair]; }
-  [[nodiscard]] std::uint64_t unsupported() const { return unsupported_; }
-  // Candidates of a run, with those that have no algorithm.
-  [[nodiscard]] std::uint64_t candidates_of_run(std::size_t run) const { return candidates_[run]; }
-
-  [[nodiscard]] std::size_t bytes() const;
 
  private:
-  std::array<bool, run_count> supported_{};
-  std::array<std::uint64_t, run_count> candidates_{};
-  std::array<std::size_t, run_count + 1> starts_{};
-  std::uint64_t unsupported_ = 0;
-  std::vector<PairJob> jobs_;
-  std::vector<std::uint32_t> job_of_pair_;
+  std::vector<Pair> pairs_, before_, lost_;
+  std::vector<PairMemory> memories_;
+  std::vector<std::uint32_t> free_memories_;
 };
 
 }  // namespace abut

@@ -3,8 +3,12 @@ module;
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 export module abut.universe;
@@ -13,9 +17,15 @@ import abut.broadphase;
 import abut.core;
 import abut.dispatch;
 import abut.math;
+import abut.registry;
 import abut.shape;
-import abut.universe.pairs;
+export import abut.universe.materials;
 export import abut.universe.options;
+import abut.universe.jobs;
+import abut.universe.pairs;
+import abut.universe.plan;
+import abut.universe.policies;
+import abut.universe.rules;
 
 export namespace abut {
 
@@ -28,7 +38,9 @@ class Universe {
   [[nodiscard]] Result<std::vector<PartId>> create_parts(std::span<const PartOptions> options);
   [[nodiscard]] Result<void> destroy_parts(std::span<const PartId> parts);
   [[nodiscard]] Result<void> set_poses(std::span<const PartId> parts, std::span<const Placement> poses);
+  [[nodiscard]] Result<void> set_motions(std::span<const PartId> parts, std::span<const MotionKind> motions);
   [[nodiscard]] Result<Placement> pose(PartId part) const;
+  [[nodiscard]] Result<MotionKind> motion(PartId part) const;
   [[nodiscard]] Result<std::uint64_t> user_data(PartId part) const;
   [[nodiscard]] Result<std::vector<GeometryId>> geometries_of(PartId part) const;
 
@@ -36,22 +48,87 @@ class Universe {
   [[nodiscard]] Result<std::vector<GeometryId>> create_geometries(std::span<const PartId> parts, std::span<const ShapeHandle> shapes,
                                                                   std::span<const GeometryOptions> options);
   [[nodiscard]] Result<void> destroy_geometries(std::span<const GeometryId> geometries);
+  // Contacts with the shape before do not live on: features of another shape are other features.
+  [[nodiscard]] Result<void> set_shapes(std::span<const GeometryId> geometries, std::span<const ShapeHandle> shapes);
+  [[nodiscard]] Result<void> set_options(std::span<const GeometryId> geometries, std::span<const GeometryOptions> options);
+  // From a filter callback it takes effect after the step.
+  [[nodiscard]] Result<void> park(std::span<const GeometryId> geometries, Parking parking);
   [[nodiscard]] Result<GeometryInfo> describe(GeometryId geometry) const;
   [[nodiscard]] Result<Placement> world_pose(GeometryId geometry) const;
 
   [[nodiscard]] std::vector<PartId> parts() const;
   [[nodiscard]] std::vector<GeometryId> geometries() const;
-  [[nodiscard]] inline Revision revision() const { return revision_; }
+  [[nodiscard]] inline const Revision& revision() const [[clang::lifetimebound]] { return revision_; }
+
+  // Who meets whom. In this order: geometries of one part never, two parts of which none is dynamic never, parked
+  // ones never, common exclusion bits never, layers and masks both ways, rules, the filter. Answers are kept per pair until
+  // something that they depend on changes.
+  [[nodiscard]] Result<void> set_rule(const Collidable& a, const Collidable& b, Rule rule);
+  void clear_rules();
+  // Asked last, once for each pair that comes near, in order. It may ask the universe but not change it.
+  using Filter = std::function<bool(GeometryId, GeometryId)>;
+  void set_filter(Filter filter);
+  // Asks everything again at the next step.
+  void refilter();
+  // How the pairs of two tags are treated, in either order.
+  [[nodiscard]] Result<void> set_policy(std::uint32_t tag_a, std::uint32_t tag_b, const Policy& policy);
+  [[nodiscard]] Result<Policy> policy(std::uint32_t tag_a, std::uint32_t tag_b) const;
+
+  // What contacts of two materials are like, in either order: stored and handed out. Nothing takes a row away.
+  [[nodiscard]] Result<void> set_material(std::uint32_t a, std::uint32_t b, const std::optional<ContactMaterial>& row);
+  [[nodiscard]] ContactMaterial material(std::uint32_t a, std::uint32_t b) const { return materials_.of(a, b); }
 
   // Detects over [t, t + dt]; moves nothing. With a tolerance, an overlap has to exceed it, or a
-  // separation to be below it, depending on the mode; without one, touching counts.
+  // separation to be below it, depending on the mode; without one, touching counts. Pairs of which nothing
+  // has changed keep their contacts.
   [[nodiscard]] Result<void> step(Real dt);
+  // The same without time. All: every pair anew. Changed: as a step does. Pairs and region: of what has changed only the
+  // given pairs, or those that meet a box of the world; all others keep the contacts that they have, as old as they are,
+  // and catch up whenever a detection covers them. Pairs that are given but not near each other are passed over.
+  void detect_all();
+  void detect_changed();
+  [[nodiscard]] Result<void> detect_pairs(std::span<const std::pair<GeometryId, GeometryId>> pairs);
+  [[nodiscard]] Result<void> detect_region(const Aabb& region);
+
   // Ordered by the slots of the two geometries, of which a has the lower one, then deepest first.
   [[nodiscard]] std::span<const Contact> contacts() const [[clang::lifetimebound]] { return contacts_; }
   // One value per contact of the last step, in their order.
   [[nodiscard]] Result<void> set_contact_user_data(std::span<const std::uint64_t> user_data);
+  // Of the last step: by the slots of the geometries; of one pair what ends comes before what begins, and the pair
+  // before its contacts.
+  [[nodiscard]] std::span<const Event> events() const [[clang::lifetimebound]] { return events_; }
+  // Of the contacts and events of the last step: every bit of them counts, in their order.
+  [[nodiscard]] std::uint64_t hash() const;
   [[nodiscard]] const StepStats& stats() const [[clang::lifetimebound]] { return stats_; }
   [[nodiscard]] std::string explain() const;
+  [[nodiscard]] std::string explain_json() const;
+  // What will surprise whoever built the scene, ordered by code, then by slots. O(geometries + kinds squared).
+  [[nodiscard]] std::vector<Finding> validate() const;
+  [[nodiscard]] bool is_stepping() const { return is_stepping_; }
+
+  // Brings boxes up to date with poses, as a step does first. Queries see boxes and poses as of the last step or refresh.
+  void refresh();
+  // For queries: calls visit(place) for geometries that are not parked and whose boxes overlap, or
+  // visit(place, entry) for those that a box meets while it moves by t * displacement, t up to `most`; the visitor answers
+  // with the new limit of t. Safe from many threads at once.
+  template <class Visitor>
+  void visit(const Aabb& box, Visitor&& visit_place) const {
+    std::visit([&](const auto& broadphase) { broadphase.visit(compact(box, options_.origin), visit_place); }, broadphase_);
+  }
+  template <class Visitor>
+  void sweep(const Aabb& box, const Vec3& displacement, Real most, Visitor&& visit_place) const {
+    std::visit(
+        [&](const auto& broadphase) {
+          broadphase.sweep(box.centre() - options_.origin, 0.5 * (box.high - box.low), displacement, most, visit_place);
+        },
+        broadphase_);
+  }
+  [[nodiscard]] inline const AnyShape& shape_at(std::uint32_t place) const [[clang::lifetimebound]] { return *shapes_[place]; }
+  [[nodiscard]] inline const Pose& world_at(std::uint32_t place) const [[clang::lifetimebound]] { return worlds_[place]; }
+  [[nodiscard]] inline GeometryId id_at(std::uint32_t place) const { return geometries_.id_at_slot(place + 1); }
+  [[nodiscard]] inline const GeometryOptions& options_at(std::uint32_t place) const [[clang::lifetimebound]] {
+    return geometries_.at(id_at(place)).options;
+  }
 
  private:
   struct Part {
@@ -65,52 +142,96 @@ class Universe {
   };
   struct Geometry {
     PartId part;
-    Placement local;
     Pose local_pose;
-    std::uint64_t user_data;
+    GeometryOptions options;
+    bool is_changed = false;  // in the list of changed ones
     bool is_marked = false;
+  };
+  // Whether a geometry is in the broad phase.
+  enum class Presence : std::uint8_t { absent, hidden, shown };
+  // What a detection covers of the pairs that have changed.
+  enum class Coverage : std::uint8_t { changed, everything, pairs, region };
+  struct Scope {
+    Coverage coverage = Coverage::changed;
+    std::span<const ProxyPair> pairs = {};  // in order
+    CompactAabb region = {};
   };
 
   void forget_geometry(GeometryId geometry);
+  void change(GeometryId geometry);
+  void apply_options(GeometryId geometry);
+  void settle_parking(GeometryId geometry, Parking parking);
+  void leave_broadphase(std::uint32_t place);
   void choose_broadphase();
-  template <class Visitor>
-  void for_each_moved_geometry(Visitor&& visit) const;
-  void refresh();
+  void join_broadphase(std::uint32_t at);
+  void gather_changes();
+  void place(std::uint32_t at);
   void update_broadphase();
-  void find_manifolds();
+  void detect(const Scope& scope);
+  void run_stages(const Scope& scope);
+  void update_pairs(const Scope& scope);
+  void update_pair(Pair& pair, const Scope& scope);
+  [[nodiscard]] bool is_admitted(const Pair& pair) const;
+  [[nodiscard]] bool is_covered(const Pair& pair, const Scope& scope) const;
+  void find_contacts();
+  void find_contacts_of_chunk(std::size_t chunk);
+  void finish_job(std::size_t job, std::uint32_t chunk, std::size_t first, std::size_t count);
   void collect_contacts();
+  void write_contacts_of(const Pair& pair);
+  void collect_events();
+  void write_event(EventKind kind, const Pair& pair);
+  void write_contact_events(const Pair& pair);
+  void finish_detection();
+  void count_everything();
   [[nodiscard]] Placement world_of(const Geometry& geometry) const;
   [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] Plan plan() const;
 
   UniverseOptions options_;
   SlotMap<Part, PartTag> parts_;
   SlotMap<Geometry, GeometryTag> geometries_;
   Revision revision_;
   std::size_t list_bytes_ = 0;  // of the lists of geometries of the parts
+  std::size_t parked_count_ = 0;
+  std::size_t moving_count_ = 0;  // of those in the broad phase
+  std::uint64_t step_ = 0;
 
   // By slot of the geometry, less one: what the stages of a step read and write.
   ShapeHandle vacant_;  // stands where there is no geometry
   std::vector<ShapeHandle> shapes_;
   std::vector<Pose> worlds_;
   std::vector<CompactAabb> boxes_;
-  std::vector<Real> tolerances_;
-  std::vector<std::uint8_t> kinds_;
+  std::vector<PlaceInfo> infos_;
+  std::vector<Presence> presence_;
 
-  // What changed since the last step.
+  // What changed since the last detection.
   std::vector<PartId> moved_parts_;
-  std::vector<GeometryId> new_geometries_;
-  std::vector<std::uint32_t> fresh_;  // numbers of the boxes that were refreshed
+  std::vector<GeometryId> changed_geometries_;
+  std::vector<std::uint32_t> fresh_;  // places whose box was refreshed
+  std::vector<std::uint32_t> queue_;  // places whose box is asked for
+  std::vector<std::uint32_t> updates_;  // those of them that the broad phase knows
+  bool is_broadphase_changed_ = false;
+  bool must_refilter_ = false;
+  bool must_examine_all_ = false;
 
-  std::variant<Brute, Tree> broadphase_;
-  std::vector<std::uint8_t> in_broadphase_;
-  std::vector<ProxyPair> pairs_;
-  PairRuns runs_;
-  std::vector<PairResult> results_;
-  Manifold manifold_;
+  Workers workers_;
+  AnyBroadPhase broadphase_;
+  BroadphaseKind broadphase_kind_ = BroadphaseKind::brute;
+  std::string_view broadphase_reason_ = "nothing to look at yet";
+  std::vector<ProxyPair> near_;
+  PairStore pairs_;
+  JobList jobs_;
+  Rules rules_;
+  Filter filter_;
+  PolicyTable policies_;
+  MaterialTable materials_;
+  bool is_stepping_ = false;
+  std::vector<std::pair<GeometryId, Parking>> deferred_parking_;
+
   std::vector<Contact> contacts_;
-  std::vector<Contact> contacts_before_;  // of the step before
-  std::vector<std::uint64_t> ids_before_;  // of one pair of it
-  std::array<KindTally, PairRuns::run_count> tallies_{};
+  std::vector<Contact> contacts_before_;  // of the detection before
+  std::vector<Event> events_;
+  std::array<KindTally, run_count> tallies_{};
   StepStats stats_;
 };
 

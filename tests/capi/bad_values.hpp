@@ -59,6 +59,26 @@ void expect_non_finite_refused(std::string_view argument, Call call) {
   }
 }
 
+// Feeds flags, tags and states that do not exist to `call`, a callable from const abut_geometry_options& to abut_status.
+template <class Call>
+void expect_unknown_geometry_values_refused(Call call) {
+  for (const std::uint32_t value : {2U, 3U, 77U, 0x80000000U, 0xFFFFFFFFU}) {
+    abut_geometry_options options = default_geometry_options();
+    options.flags = value;
+    EXPECT_TRUE(refused(call(options), ABUT_UNKNOWN_VALUE, {"options", "flags", std::to_string(value)}));
+  }
+  for (const std::uint32_t value : {64U, 77U, 0xFFFFFFFFU}) {
+    abut_geometry_options options = default_geometry_options();
+    options.tag = value;
+    EXPECT_TRUE(refused(call(options), ABUT_OUT_OF_RANGE, {"options", "tag", std::to_string(value)}));
+  }
+  for (const std::uint32_t value : {3U, 77U, 0xFFFFFFFFU}) {
+    abut_geometry_options options = default_geometry_options();
+    options.parking = value;
+    EXPECT_TRUE(refused(call(options), ABUT_UNKNOWN_VALUE, {"options", "parking", std::to_string(value)}));
+  }
+}
+
 // A struct of a later version of the header: the known fields, and what came after.
 template <class Struct>
 struct Grown {

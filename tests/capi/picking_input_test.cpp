@@ -69,6 +69,51 @@ TEST(BadInput, OfCastRayIsRefused) {
   EXPECT_DOUBLE_EQ(pick.distance, -7);
 }
 
+// A picker that is up to date and shows a surface has a way of its own for the usual ray.
+TEST(BadInput, OfCastRayIsRefusedNearASurface) {
+  World world;
+  world.add(ball_mesh(1, 10), {0, 0, 0});
+  ASSERT_NE(world.pick(along_x).geometry.slot, 0U);
+  std::vector<BadRay> bad = bad_rays();
+  for (const double value : {not_a_number, infinity, -infinity}) {
+    bad.push_back({{{value, 0, 0}, {1, 0, 0}, 1}, ABUT_NOT_FINITE, "origin"});
+    bad.push_back({{{0, value, 0}, {1, 0, 0}, 1}, ABUT_NOT_FINITE, "origin"});
+    bad.push_back({{{0, 0, value}, {1, 0, 0}, 1}, ABUT_NOT_FINITE, "origin"});
+    bad.push_back({{{0, 0, 0}, {value, 0, 0}, 1}, ABUT_NOT_FINITE, "direction"});
+    bad.push_back({{{0, 0, 0}, {1, value, 0}, 1}, ABUT_NOT_FINITE, "direction"});
+    bad.push_back({{{0, 0, 0}, {1, 0, value}, 1}, ABUT_NOT_FINITE, "direction"});
+  }
+  abut_pick pick{};
+  pick.distance = -7;
+  for (const BadRay& ray : bad)
+    EXPECT_TRUE(refuses(abut_picker_cast_ray(world.picker(), &ray.ray, &pick), ray.status, ray.named));
+  EXPECT_DOUBLE_EQ(pick.distance, -7);
+}
+
+// Rays are checked four at a time, and the rest one by one.
+TEST(BadInput, OfCastRaysIsNamedWhereverItIs) {
+  World world;
+  world.add(ball_mesh(1, 10), {0, 0, 0});
+  for (const BadRay& bad : bad_rays()) {
+    for (std::size_t i = 0; i < 10; ++i) {
+      std::array<abut_ray, 10> rays{};
+      rays.fill(along_x);
+      rays[i] = bad.ray;
+      std::array<abut_pick, 10> picks{};
+      picks[0].distance = -7;
+      const auto cast = [&] {
+        return abut_picker_cast_rays(world.picker(), rays.data(), rays.size(), ABUT_COHERENCE_NONE, picks.data());
+      };
+      EXPECT_TRUE(refuses(cast(), bad.status, "rays[" + std::to_string(i) + "]"));
+      EXPECT_DOUBLE_EQ(picks[0].distance, -7);
+      // Of an unusual length, yet good.
+      rays[i] = {{-10, 0, 0}, {1e-300, 0, 0}, infinity};
+      EXPECT_EQ(cast(), ABUT_OK);
+      EXPECT_NEAR(picks[i].distance, 9, 1e-9);
+    }
+  }
+}
+
 TEST(BadInput, OfCastRaysIsRefused) {
   World world;
   std::array<abut_ray, 3> rays{along_x, along_x, along_x};

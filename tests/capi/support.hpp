@@ -111,6 +111,10 @@ void expect_kind_refused(const char* kind, const std::vector<double>& parameters
 // One shape of every kind, all about one unit large, in the order sphere, box, capsule, plane, hull, mesh, height field.
 std::vector<Shape> make_one_of_each_kind();
 
+abut_geometry_options default_geometry_options();
+abut_universe_options default_universe_options();
+abut_policy default_policy();
+
 // Owns a universe.
 class Universe {
  public:
@@ -124,9 +128,16 @@ class Universe {
 
   abut_part_id add_part(const abut_pose& pose, abut_motion motion = ABUT_MOTION_DYNAMIC, std::uint64_t user_data = 0);
   abut_geometry_id add_geometry(abut_part_id part, const abut_shape* shape, double tolerance = 0.0);
+  abut_geometry_id add_geometry(abut_part_id part, const abut_shape* shape, const abut_geometry_options& options);
   abut_geometry_id add(const abut_shape* shape, const abut_pose& pose, abut_motion motion = ABUT_MOTION_DYNAMIC,
                        double tolerance = 0.0);
+  void move(abut_part_id part, const abut_pose& pose);
+  void park(abut_geometry_id geometry, abut_parking parking);
+  abut_geometry_info describe(abut_geometry_id geometry) const;
   std::vector<abut_contact> contacts() const;
+  std::vector<abut_event> events() const;
+  abut_step_stats stats() const;
+  std::uint64_t hash() const;
   std::vector<abut_contact> step();  // one step of no length, then its contacts
 
  private:
@@ -137,7 +148,7 @@ inline constexpr abut_quat no_rotation{1.0, 0.0, 0.0, 0.0};
 inline constexpr abut_pose identity{{0.0, 0.0, 0.0}, no_rotation};
 constexpr abut_pose at(double x, double y, double z) { return {{x, y, z}, no_rotation}; }
 
-// Everything that a universe tells about itself, as bytes: parts, geometries, poses, counters, contacts, statistics.
+// Everything that a universe tells about itself, as bytes: parts, geometries, poses, counters, contacts, events, statistics.
 std::vector<unsigned char> snapshot(const abut_universe* universe);
 
 // A small stepped universe with contacts, and the ids that a caller could get wrong.

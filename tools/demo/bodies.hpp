@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bunny.hpp"
+#include "common/random.hpp"
 #include "owned.hpp"
-#include "random.hpp"
 
 namespace demo {
 

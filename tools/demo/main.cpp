@@ -12,7 +12,7 @@
 #include "annotate.hpp"
 #include "csv.hpp"
 #include "options.hpp"
-#include "progress.hpp"
+#include "common/progress.hpp"
 #include "render.hpp"
 #include "scene.hpp"
 #include "statistics.hpp"

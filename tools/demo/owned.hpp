@@ -1,47 +1,24 @@
-// Owners of the objects of the C interface, and the one way in which the demo fails.
+// What the demo shares with other tools, and owners of the objects of the picking interface.
 #pragma once
 
 #include <memory>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
-#include "abut/abut.h"
 #include "abut/picking.h"
+#include "common/owners.hpp"
+#include "common/vector.hpp"
 
 namespace demo {
 
-/// Ends the demo with one sentence for the user.
-class Failure : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using namespace tools;
+// Operators on colours would hide those on vectors otherwise.
+using tools::operator+;
+using tools::operator-;
+using tools::operator*;
 
-/// Throws a Failure that says what was attempted when a call did not succeed.
-inline void check(abut_status status, const char* what) {
-  if (status != ABUT_OK) {
-    throw Failure(std::string(what) + ": " + abut_status_name(status) + " (" + abut_last_error_message() + ")");
-  }
-}
-
-struct ReleaseShape {
-  void operator()(abut_shape* shape) const { abut_shape_release(shape); }
-};
-struct DestroyUniverse {
-  void operator()(abut_universe* universe) const { abut_universe_destroy(universe); }
-};
 struct DestroyPicker {
   void operator()(abut_picker* picker) const { abut_picker_destroy(picker); }
 };
 
-using ShapeOwner = std::unique_ptr<abut_shape, ReleaseShape>;
-using UniverseOwner = std::unique_ptr<abut_universe, DestroyUniverse>;
 using PickerOwner = std::unique_ptr<abut_picker, DestroyPicker>;
-
-/// A copy of the contacts of the last step.
-[[nodiscard]] std::vector<abut_contact> contacts_of(const abut_universe* universe);
-
-/// The plan of a universe in words.
-[[nodiscard]] std::string plan_of(const abut_universe* universe);
 
 }  // namespace demo

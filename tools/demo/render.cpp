@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "light.hpp"
-#include "progress.hpp"
+#include "common/progress.hpp"
 
 namespace demo {
 namespace {

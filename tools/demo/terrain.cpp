@@ -1,24 +1,11 @@
 #include "terrain.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <limits>
-#include <string>
+#include <utility>
+
+#include "common/height_map.hpp"
 
 namespace demo {
-namespace {
-
-// The next number of a PGM header; comments run from '#' to the end of the line.
-std::uint32_t header_number(std::istream& in) {
-  while ((in >> std::ws) && in.peek() == '#') {
-    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  }
-  std::uint32_t number = 0;
-  in >> number;
-  return number;
-}
-
-}  // namespace
 
 Terrain::Terrain(std::uint32_t columns, std::uint32_t rows, std::vector<double> heights)
     : columns_(columns),
@@ -28,36 +15,11 @@ Terrain::Terrain(std::uint32_t columns, std::uint32_t rows, std::vector<double> 
       highest_(*std::max_element(heights_.begin(), heights_.end())) {}
 
 Terrain Terrain::load(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    throw Failure("cannot open the elevation grid " + path.string());
+  HeightMap map = read_height_map(path);
+  for (double& height : map.heights) {
+    height *= exaggeration;
   }
-  std::string magic;
-  in >> magic;
-  const std::uint32_t columns = header_number(in);
-  const std::uint32_t rows = header_number(in);
-  const std::uint32_t maximum = header_number(in);
-  in.get();  // the single white space that ends the header
-  constexpr std::uint32_t most = 20'000;
-  if (!in || magic != "P5" || columns < 2 || rows < 2 || columns > most || rows > most || maximum < 256 ||
-      maximum > 65535) {
-    throw Failure(path.string() + " is not a 16-bit binary PGM");
-  }
-  const std::size_t count = std::size_t{columns} * rows;
-  std::vector<char> bytes(2 * count);
-  if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
-    throw Failure(path.string() + " ends too early");
-  }
-  std::vector<double> heights(count);
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t column = 0; column < columns; ++column) {
-      const std::size_t from = 2 * (row * columns + column);
-      const auto high = static_cast<unsigned char>(bytes[from]);
-      const auto low = static_cast<unsigned char>(bytes[from + 1]);
-      heights[(rows - 1 - row) * columns + column] = exaggeration * (256.0 * high + low);
-    }
-  }
-  return {columns, rows, std::move(heights)};
+  return {map.columns, map.rows, std::move(map.heights)};
 }
 
 ShapeOwner Terrain::make_shape() const {

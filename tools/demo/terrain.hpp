@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "owned.hpp"
-#include "vector.hpp"
 
 namespace demo {
 

@@ -5,12 +5,6 @@ namespace {
 
 using namespace abut_test;
 
-abut_universe_options default_options() {
-  abut_universe_options options;
-  abut_universe_options_init(&options, sizeof options);
-  return options;
-}
-
 TEST(UniverseOptionsInit, IgnoresNull) { abut_universe_options_init(nullptr, 0); }
 
 TEST(UniverseOptionsInit, FillsInTheDefaults) {
@@ -23,6 +17,8 @@ TEST(UniverseOptionsInit, FillsInTheDefaults) {
   EXPECT_EQ(options.value().origin.x, 0.0);
   EXPECT_EQ(options.value().origin.y, 0.0);
   EXPECT_EQ(options.value().origin.z, 0.0);
+  EXPECT_EQ(options.value().threads, 1U);
+  EXPECT_EQ(options.value().events, abut_event_bits{ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST});
 }
 
 TEST(UniverseCreate, RefusesNullOut) {
@@ -32,13 +28,28 @@ TEST(UniverseCreate, RefusesNullOut) {
 TEST(UniverseCreate, RefusesUnknownValues) {
   Out<abut_universe*> out;
   for (const std::uint32_t value : {77U, 0xFFFFFFFFU}) {
-    abut_universe_options options = default_options();
+    abut_universe_options options = default_universe_options();
     options.broadphase = value;
     EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_UNKNOWN_VALUE, {"broadphase", std::to_string(value)}));
-    options = default_options();
+    options = default_universe_options();
     options.tolerance_mode = value;
     EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_UNKNOWN_VALUE,
                         {"tolerance_mode", std::to_string(value)}));
+    options = default_universe_options();
+    options.events = value & ~7U;
+    EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_UNKNOWN_VALUE,
+                        {"events", std::to_string(value & ~7U)}));
+  }
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(UniverseCreate, RefusesMoreThreadsThanAnyMachineHas) {
+  Out<abut_universe*> out;
+  for (const std::uint32_t value : {1025U, 0xFFFFFFFFU}) {
+    abut_universe_options options = default_universe_options();
+    options.threads = value;
+    EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_OUT_OF_RANGE,
+                        {"options.threads", std::to_string(value), "1024"}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
@@ -46,7 +57,7 @@ TEST(UniverseCreate, RefusesUnknownValues) {
 TEST(UniverseCreate, RefusesNonFiniteOrigin) {
   Out<abut_universe*> out;
   for (const BadVector& bad : non_finite_vectors()) {
-    abut_universe_options options = default_options();
+    abut_universe_options options = default_universe_options();
     options.origin = bad.vector;
     EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_NOT_FINITE, {"origin", bad.word}));
   }
@@ -55,7 +66,7 @@ TEST(UniverseCreate, RefusesNonFiniteOrigin) {
 
 TEST(UniverseCreate, RefusesWrongStructSize) {
   Out<abut_universe*> out;
-  expect_struct_size_checked(default_options(), [&](const abut_universe_options* wrong) {
+  expect_struct_size_checked(default_universe_options(), [&](const abut_universe_options* wrong) {
     return abut_universe_create(wrong, out.address());
   });
   EXPECT_TRUE(out.is_untouched());
@@ -63,7 +74,7 @@ TEST(UniverseCreate, RefusesWrongStructSize) {
 
 TEST(UniverseCreate, AcceptsLaterOptionsWithZeroTail) {
   abut_universe* universe = nullptr;
-  expect_zero_tail_accepted(default_options(),
+  expect_zero_tail_accepted(default_universe_options(),
                             [&](const abut_universe_options* later) { return abut_universe_create(later, &universe); });
   abut_universe_destroy(universe);
 }
@@ -114,6 +125,17 @@ TEST(UniverseRevision, RefusesNullPointers) {
   EXPECT_TRUE(refused(abut_universe_revision(nullptr, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
   EXPECT_TRUE(refused(abut_universe_revision(scene.universe, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(UniverseCounters, RefusesNullPointers) {
+  const Scene scene;
+  Out<const std::uint64_t*> geometries;
+  Out<const std::uint64_t*> poses;
+  EXPECT_TRUE(refused(abut_universe_counters(nullptr, geometries.address(), poses.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_universe_counters(scene.universe, nullptr, poses.address()), ABUT_NULL_ARGUMENT, {"geometries", "null"}));
+  EXPECT_TRUE(refused(abut_universe_counters(scene.universe, geometries.address(), nullptr), ABUT_NULL_ARGUMENT, {"poses", "null"}));
+  EXPECT_TRUE(geometries.is_untouched());
+  EXPECT_TRUE(poses.is_untouched());
 }
 
 TEST(UniverseContacts, RefusesNullPointers) {
@@ -198,6 +220,17 @@ TEST(UniverseExplain, RefusesNullPointers) {
   EXPECT_TRUE(refused(abut_universe_explain(nullptr, text.data(), 64, needed.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
   EXPECT_TRUE(refused(abut_universe_explain(scene.universe, nullptr, 64, needed.address()), ABUT_NULL_ARGUMENT, {"text", "null"}));
   EXPECT_TRUE(refused(abut_universe_explain(scene.universe, text.data(), 64, nullptr), ABUT_NULL_ARGUMENT, {"needed", "null"}));
+  EXPECT_TRUE(text.is_untouched());
+  EXPECT_TRUE(needed.is_untouched());
+}
+
+TEST(UniverseExplainJson, RefusesNullPointers) {
+  const Scene scene;
+  OutArray<char> text(64);
+  Out<std::size_t> needed;
+  EXPECT_TRUE(refused(abut_universe_explain_json(nullptr, text.data(), 64, needed.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_universe_explain_json(scene.universe, nullptr, 64, needed.address()), ABUT_NULL_ARGUMENT, {"text", "null"}));
+  EXPECT_TRUE(refused(abut_universe_explain_json(scene.universe, text.data(), 64, nullptr), ABUT_NULL_ARGUMENT, {"needed", "null"}));
   EXPECT_TRUE(text.is_untouched());
   EXPECT_TRUE(needed.is_untouched());
 }

@@ -131,4 +131,26 @@ TEST(Lifetime, RevisionGrowsWithChangesOnly) {
   EXPECT_GT(after.geometries, before.geometries);
 }
 
+TEST(Lifetime, CountersAreThoseOfTheRevision) {
+  Universe universe;
+  const Shape ball = make_sphere(1.0);
+  const std::uint64_t* geometries = nullptr;
+  const std::uint64_t* poses = nullptr;
+  ASSERT_TRUE(succeeded(abut_universe_counters(universe, &geometries, &poses)));
+  const auto agree = [&] {
+    abut_revision revision{};
+    EXPECT_TRUE(succeeded(abut_universe_revision(universe, &revision)));
+    return *geometries == revision.geometries && *poses == revision.poses;
+  };
+  EXPECT_TRUE(agree());
+  const auto part = universe.add_part(identity);
+  const auto geometry = universe.add_geometry(part, ball);
+  EXPECT_TRUE(agree());
+  const abut_pose pose = at(1, 0, 0);
+  ASSERT_TRUE(succeeded(abut_part_set_pose(universe, part, &pose)));
+  EXPECT_TRUE(agree());
+  ASSERT_TRUE(succeeded(abut_geometry_destroy(universe, geometry)));
+  EXPECT_TRUE(agree());
+}
+
 }  // namespace

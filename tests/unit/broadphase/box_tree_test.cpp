@@ -21,8 +21,8 @@ CompactAabb box_at(float x, float y, float z, float half) {
 }
 
 std::vector<std::uint32_t> visited(const BoxTree& tree, const CompactAabb& box) {
-  std::vector<std::uint32_t> leaves, stack{7, 7, 7};  // scratch may hold anything
-  tree.visit(box, stack, [&](std::uint32_t leaf) { leaves.push_back(leaf); });
+  std::vector<std::uint32_t> leaves;
+  tree.visit(box, [&](std::uint32_t leaf) { leaves.push_back(leaf); });
   std::sort(leaves.begin(), leaves.end());
   return leaves;
 }

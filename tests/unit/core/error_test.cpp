@@ -70,6 +70,7 @@ TEST(ErrorCode, NumbersAreThoseOfTheInterface) {
   EXPECT_EQ(static_cast<std::int32_t>(Errc::empty), 9);
   EXPECT_EQ(static_cast<std::int32_t>(Errc::unknown_value), 12);
   EXPECT_EQ(static_cast<std::int32_t>(Errc::internal), 16);
+  EXPECT_EQ(static_cast<std::int32_t>(Errc::busy), 17);
 }
 
 }  // namespace

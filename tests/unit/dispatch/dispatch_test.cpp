@@ -133,7 +133,7 @@ TEST(ContactsOfRun, AreThoseOfEachJob) {
   const auto& kernels = abut::pair_kernels(shapes[0]->index(), shapes[1]->index());
   abut::Manifold all;
   std::vector<abut::PairResult> results(jobs.size());
-  kernels.contacts_of_run(placed, poses, jobs, {}, all, results);
+  kernels.contacts_of_run(placed, poses, jobs, {}, {}, all, results);
   std::size_t begin = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     abut::QuerySettings settings;
@@ -152,6 +152,37 @@ TEST(ContactsOfRun, AreThoseOfEachJob) {
   }
   EXPECT_EQ(begin, all.size());
   EXPECT_GT(all.size(), 10u);
+}
+
+// What is remembered of pairs changes no contact, lies where the job says, and is left alone where it says none.
+TEST(ContactsOfRun, RememberPairsWhereTheJobsSay) {
+  const Box box = Box::make(std::vector{0.5, 0.6, 0.7}, {}, {}).value();
+  const std::vector<double> corners{-1, -1, -1, 1, -1, -1, 0, 1, -1, 0, 0, 1};
+  const abut::Hull hull = abut::Hull::make({}, corners, {}).value();
+  const std::vector<abut::Frozen<abut::AnyShape>> shapes{abut::Frozen<abut::AnyShape>(box), abut::Frozen<abut::AnyShape>(hull)};
+  const auto kernel = abut::contacts_of_run_kernel<abut::AnyShape, Box, abut::Hull>;
+  std::vector<abut::PairMemory> memories(3);
+  for (int step = 0; step < 3; ++step) {
+    const std::vector<Pose> poses{Pose::identity(), {abut::Rotation::identity(), {0.1, 0.2, 1.6 + 0.01 * step}}};
+    std::vector<abut::PairJob> jobs{{0, 1, 0, 2}, {0, 1, 0}, {0, 1, 0, 0}};
+    abut::Manifold with, without;
+    std::vector<abut::PairResult> results(jobs.size()), expected(jobs.size());
+    kernel(shapes, poses, jobs, {}, memories, with, results);
+    for (abut::PairJob& job : jobs) {
+      job.memory = abut::no_memory;
+    }
+    kernel(shapes, poses, jobs, {}, {}, without, expected);
+    ASSERT_EQ(with.size(), without.size());
+    ASSERT_GT(with.size(), 2u);
+    for (std::size_t i = 0; i < with.size(); ++i) {
+      EXPECT_EQ(with[i].id, without[i].id);
+      EXPECT_EQ(with[i].distance, without[i].distance);
+      EXPECT_EQ(with[i].point_a, without[i].point_a);
+    }
+    EXPECT_NE(memories[0].state, abut::PairMemory::State::nothing);
+    EXPECT_EQ(memories[1].state, abut::PairMemory::State::nothing);
+    EXPECT_NE(memories[2].state, abut::PairMemory::State::nothing);
+  }
 }
 
 }  // namespace

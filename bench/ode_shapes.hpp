@@ -1,0 +1,112 @@
+// Solids and placements as ODE wants them.
+#pragma once
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "scene.hpp"
+
+namespace bench {
+
+struct DestroyGeom {
+  void operator()(dGeomID geom) const { dGeomDestroy(geom); }
+};
+using OdeGeom = std::unique_ptr<std::remove_pointer_t<dGeomID>, DestroyGeom>;
+
+// A hull as ODE reads it, which keeps pointers into these arrays.
+struct OdeConvex {
+  std::vector<dReal> planes;           // of each triangle: unit normal, offset
+  std::vector<dReal> points;           // x, y, z
+  std::vector<unsigned int> polygons;  // of each triangle: 3, and its corners
+};
+
+[[nodiscard]] inline OdeConvex ode_convex(const Solid& solid) {
+  OdeConvex convex;
+  for (const Point& p : solid.points) {
+    convex.points.insert(convex.points.end(), p.begin(), p.end());
+  }
+  for (const auto& triangle : solid.triangles) {
+    std::array<std::size_t, 3> corners{};
+    std::ranges::transform(triangle, corners.begin(), [](int corner) { return static_cast<std::size_t>(corner); });
+    const Point &a = solid.points[corners[0]], &b = solid.points[corners[1]], &c = solid.points[corners[2]];
+    const Point u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const Point n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double length = std::hypot(n[0], n[1], n[2]);
+    convex.planes.insert(convex.planes.end(), {n[0] / length, n[1] / length, n[2] / length,
+                                               (n[0] * a[0] + n[1] * a[1] + n[2] * a[2]) / length});
+    convex.polygons.push_back(3);
+    for (const int corner : triangle) {
+      convex.polygons.push_back(static_cast<unsigned int>(corner));
+    }
+  }
+  return convex;
+}
+
+[[nodiscard]] inline std::vector<OdeConvex> ode_convexes(std::span<const Solid> solids) {
+  std::vector<OdeConvex> convexes;
+  for (const Solid& solid : solids) {
+    convexes.push_back(ode_convex(solid));
+  }
+  return convexes;
+}
+
+// A plane of ODE knows no pose: the half-space below z = 0 is moved by hand.
+[[nodiscard]] inline dGeomID placed_ode_plane(const Placement& placement) {
+  const auto& [w, x, y, z] = placement.orientation;
+  const Point &p = placement.position, up{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
+  return dCreatePlane(nullptr, up[0], up[1], up[2], up[0] * p[0] + up[1] * p[1] + up[2] * p[2]);
+}
+
+[[nodiscard]] inline dGeomID unplaced_ode_geom(const Solid& solid, const OdeConvex& convex) {
+  const Point& s = solid.sizes;
+  switch (solid.kind) {
+    case Kind::sphere:
+      return dCreateSphere(nullptr, s[0]);
+    case Kind::box:
+      return dCreateBox(nullptr, 2 * s[0], 2 * s[1], 2 * s[2]);
+    case Kind::capsule:
+      return dCreateCapsule(nullptr, s[0], 2 * s[1]);
+    case Kind::cylinder:
+      return dCreateCylinder(nullptr, s[0], 2 * s[1]);
+    case Kind::hull32:
+    case Kind::hull200:
+    case Kind::hull:
+      return dCreateConvex(nullptr, convex.planes.data(), static_cast<unsigned int>(convex.planes.size() / 4),
+                           convex.points.data(), static_cast<unsigned int>(convex.points.size() / 3),
+                           convex.polygons.data());
+    case Kind::plane:
+    case Kind::cone:
+    case Kind::ellipsoid:
+    case Kind::triangle:
+      return nullptr;
+  }
+  return nullptr;
+}
+
+// The convex has to outlive the geom.
+[[nodiscard]] inline OdeGeom ode_geom(const Solid& solid, const OdeConvex& convex, const Placement& placement) {
+  if (solid.kind == Kind::plane) {
+    return OdeGeom(placed_ode_plane(placement));
+  }
+  OdeGeom geom(unplaced_ode_geom(solid, convex));
+  const Point& p = placement.position;
+  dGeomSetPosition(geom.get(), p[0], p[1], p[2]);
+  dGeomSetQuaternion(geom.get(), placement.orientation.data());
+  return geom;
+}
+
+// Once, and until the program ends. False where ODE does not start.
+[[nodiscard]] inline bool start_ode() {
+  constexpr auto all_data = static_cast<unsigned int>(dAllocateMaskAll);
+  static const bool is_ready = dInitODE2(0) != 0 && dAllocateODEDataForThread(all_data) != 0;
+  return is_ready;
+}
+
+}  // namespace bench

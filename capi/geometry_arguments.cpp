@@ -1,0 +1,69 @@
+#include "geometry_arguments.hpp"
+#include "options.hpp"
+#include "universe_handle.hpp"
+
+import abut.any_shape;
+import abut.core;
+import abut.shape;
+import abut.universe;
+
+namespace abut::capi {
+
+static_assert(static_cast<abut_parking>(Parking::none) == ABUT_PARKING_NONE);
+static_assert(static_cast<abut_parking>(Parking::short_term) == ABUT_PARKING_SHORT_TERM);
+static_assert(static_cast<abut_parking>(Parking::long_term) == ABUT_PARKING_LONG_TERM);
+
+abut_status check_options(const Where& where, const abut_geometry_options& options) {
+  abut_status status = check_bits(where, ".flags", options.flags, ABUT_GEOMETRY_SENSOR);
+  status = status != ABUT_OK ? status : check_pose({where.name, where.index, ".pose"}, options.pose);
+  if (status == ABUT_OK && !(options.tolerance >= 0 && options.tolerance <= largest_coordinate)) {
+    return to_status(check_not_negative(where.with(".tolerance"), options.tolerance));
+  }
+  status = status != ABUT_OK ? status : check_tag(where, ".tag", options.tag);
+  return status != ABUT_OK ? status : check_value(where, ".parking", options.parking, ABUT_PARKING_LONG_TERM);
+}
+
+GeometryOptions to_options(const abut_geometry_options& options) {
+  return {to_placement(options.pose),
+          options.tolerance,
+          options.user_data,
+          (options.flags & ABUT_GEOMETRY_SENSOR) != 0,
+          static_cast<Parking>(options.parking),
+          options.layers,
+          options.mask,
+          options.exclusion,
+          options.label,
+          options.tag,
+          options.material};
+}
+
+abut_status read_options(std::span<const abut_geometry_options> given, std::vector<GeometryOptions>& out) {
+  out.reserve(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (const abut_status status = check_options({"options", i}, given[i]); status != ABUT_OK) {
+      return status;
+    }
+    out.push_back(to_options(given[i]));
+  }
+  return ABUT_OK;
+}
+
+abut_status check_shapes(std::span<const abut_shape* const> shapes) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i] == nullptr) {
+      return refuse(ABUT_NULL_ARGUMENT, Where{"shapes", i}.with(" is null"));
+    }
+  }
+  return ABUT_OK;
+}
+
+SharedShapes::SharedShapes(std::span<const abut_shape* const> shapes) {
+  owners.reserve(shapes.size());
+  handles.reserve(shapes.size());
+  for (const abut_shape* shape : shapes) {
+    owners.push_back(share(shape));
+    handles.push_back(shape->handle);
+  }
+}
+
+}  // namespace abut::capi

@@ -1,0 +1,81 @@
+// How the pairs of two tags are treated.
+#include "options.hpp"
+#include "universe_handle.hpp"
+
+import abut.core;
+import abut.shape;
+import abut.universe;
+
+using namespace abut::capi;
+
+static_assert(static_cast<abut_detail>(abut::Detail::manifold) == ABUT_DETAIL_MANIFOLD);
+static_assert(static_cast<abut_detail>(abut::Detail::point) == ABUT_DETAIL_POINT);
+static_assert(static_cast<abut_detail>(abut::Detail::box) == ABUT_DETAIL_BOX);
+
+namespace {
+
+constexpr abut_policy default_policy{sizeof(abut_policy), ABUT_ALGORITHM_AUTO, ABUT_DETAIL_MANIFOLD, 1, -1, 0};
+
+abut_status check_tags(std::uint32_t tag_a, std::uint32_t tag_b) {
+  const abut_status status = check_tag({"tag_a"}, "", tag_a);
+  return status != ABUT_OK ? status : check_tag({"tag_b"}, "", tag_b);
+}
+
+abut_status check_policy(const abut_policy& policy) {
+  const Where where{"policy"};
+  abut_status status = check_struct_size(where, policy);
+  status = status != ABUT_OK ? status : check_value(where, ".algorithm", policy.algorithm, ABUT_ALGORITHM_LIBCCD_MPR);
+  status = status != ABUT_OK ? status : check_value(where, ".detail", policy.detail, ABUT_DETAIL_BOX);
+  if (status == ABUT_OK && policy.period == 0) {
+    return refuse(ABUT_OUT_OF_RANGE, "policy.period is 0; it must be at least 1");
+  }
+  status = status != ABUT_OK ? status : to_status(abut::check_finite("policy.tolerance", policy.tolerance));
+  return status != ABUT_OK ? status : to_status(abut::check_not_negative("policy.error_bound", policy.error_bound));
+}
+
+abut::Policy to_policy(const abut_policy& policy) {
+  return {static_cast<abut::Algorithm>(policy.algorithm), static_cast<abut::Detail>(policy.detail), policy.period,
+          policy.tolerance, policy.error_bound};
+}
+
+abut_status set(abut_universe& its, std::uint32_t tag_a, std::uint32_t tag_b, const abut_policy& policy) {
+  abut_status status = check_policy(policy);
+  status = status != ABUT_OK ? status : check_tags(tag_a, tag_b);
+  if (status != ABUT_OK) {
+    return status;
+  }
+  const auto done = its.universe.set_policy(tag_a, tag_b, to_policy(policy));
+  return done ? static_cast<abut_status>(ABUT_OK) : refuse(done.error());
+}
+
+abut_status get(const abut_universe& its, std::uint32_t tag_a, std::uint32_t tag_b, abut_policy* out) {
+  abut_status status = check_struct_size({"out"}, *out);
+  status = status != ABUT_OK ? status : check_tags(tag_a, tag_b);
+  if (status != ABUT_OK) {
+    return status;
+  }
+  const auto found = its.universe.policy(tag_a, tag_b);
+  if (!found) {
+    return refuse(found.error());
+  }
+  const abut::Policy& policy = found.value();
+  write_struct({sizeof(abut_policy), static_cast<abut_algorithm>(policy.algorithm), static_cast<abut_detail>(policy.detail),
+                policy.period, policy.tolerance, policy.error_bound},
+               out);
+  return ABUT_OK;
+}
+
+}  // namespace
+
+void abut_policy_init(abut_policy* policy, uint32_t struct_size) { fill_defaults(default_policy, struct_size, policy); }
+
+abut_status abut_policy_set(abut_universe* universe, uint32_t tag_a, uint32_t tag_b, const abut_policy* policy) {
+  return guard(universe, [&](abut_universe& its) { return set(its, tag_a, tag_b, policy == nullptr ? default_policy : *policy); });
+}
+
+abut_status abut_policy_get(const abut_universe* universe, uint32_t tag_a, uint32_t tag_b, abut_policy* out) {
+  return guard(universe, [&](const abut_universe& its) {
+    const abut_status status = check_not_null("out", out);
+    return status != ABUT_OK ? status : get(its, tag_a, tag_b, out);
+  });
+}

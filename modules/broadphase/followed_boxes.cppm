@@ -1,0 +1,328 @@
+// What the broad phases that keep pairs from call to call have in common, whatever finds neighbours for them.
+module;
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+#include "../core/check.hpp"
+export module abut.broadphase.followed_boxes;
+import abut.broadphase.box_record;
+import abut.broadphase.box_sweep;
+import abut.broadphase.kept_pairs;
+import abut.broadphase.larger_box;
+import abut.broadphase.pair_order;
+import abut.broadphase.proxy;
+import abut.core;
+import abut.core.workers;
+import abut.math;
+
+export namespace abut {
+
+// The index holds boxes that are a little larger than the given ones, so that most motion leaves it as it is, and the
+// pairs of those larger boxes are kept from call to call. Only what has left its larger box is moved in the index and
+// asks for its neighbours anew. Still boxes have an index of their own, which only moving ones ask. Boxes without
+// bounds are in none; they are tried with all.
+template <class Index>
+class FollowedBoxes {
+ public:
+  FollowedBoxes() = default;
+
+  void insert(std::uint32_t proxy, const CompactAabb& box, Mobility mobility, std::uint32_t group) {
+    if (proxy >= records_.size()) {
+      records_.resize(std::size_t{proxy} + 1, {});
+      larger_.resize(std::size_t{proxy} + 1, {});
+    }
+    BoxRecord& record = records_[proxy];
+    ABUT_CHECK(!record.is(BoxRecord::present));
+    record.set_box(box);
+    record.group = group;
+    record.state = (record.state & BoxRecord::touched) | BoxRecord::present | (mobility == Mobility::moving ? BoxRecord::moving : 0);
+    ++size_;
+    put(proxy, enlarged(box, box));
+  }
+
+  void erase(std::uint32_t proxy) {
+    BoxRecord& record = records_[proxy];
+    ABUT_CHECK(record.is(BoxRecord::present));
+    take_out(proxy);
+    --size_;
+    hidden_ -= record.is(BoxRecord::hidden) ? 1 : 0;
+    record.state &= BoxRecord::touched;
+  }
+
+  void update(std::uint32_t proxy, const CompactAabb& box) {
+    BoxRecord& record = records_[proxy];
+    ABUT_CHECK((record.state & (BoxRecord::present | BoxRecord::hidden)) == BoxRecord::present);
+    if (!larger_[proxy].contains(box)) {
+      follow(proxy, box, record.box());
+    }
+    record.set_box(box);
+  }
+
+  // All of these boxes, which are in the order of their numbers. Each number comes once.
+  void update_all(const Workers& workers, std::span<const std::uint32_t> proxies, std::span<const CompactAabb> boxes_by_proxy) {
+    constexpr std::size_t least_of_task = 2048;
+    const std::size_t tasks = workers.threads() == 1 ? 1 : proxies.size() / least_of_task;
+    if (tasks < 2) {
+      for (const std::uint32_t proxy : proxies) {
+        update(proxy, boxes_by_proxy[proxy]);
+      }
+      return;
+    }
+    make_parts(tasks);
+    workers.for_each(tasks, [&](std::size_t task) {
+      Part& part = parts_[task];
+      part.touched.clear();
+      part.leaving.clear();
+      const std::size_t begin = task * proxies.size() / tasks, end = (task + 1) * proxies.size() / tasks;
+      for (const std::uint32_t proxy : proxies.subspan(begin, end - begin)) {
+        update_one(proxy, boxes_by_proxy[proxy], part);
+      }
+    });
+    for (Part& part : std::span(parts_).first(tasks)) {
+      touched_.insert(touched_.end(), part.touched.begin(), part.touched.end());
+      for (const auto& [proxy, larger] : part.leaving) {
+        take_out(proxy);
+        put(proxy, larger);
+      }
+    }
+  }
+
+  // A hidden box keeps its place and its pairs but overlaps nothing.
+  void hide(std::uint32_t proxy) {
+    BoxRecord& record = records_[proxy];
+    ABUT_CHECK((record.state & (BoxRecord::present | BoxRecord::hidden)) == BoxRecord::present);
+    record.state |= BoxRecord::hidden;
+    record.set_box(nowhere);
+    ++hidden_;
+  }
+  void show(std::uint32_t proxy, const CompactAabb& box) {
+    BoxRecord& record = records_[proxy];
+    ABUT_CHECK(record.is(BoxRecord::present | BoxRecord::hidden));
+    record.state &= ~BoxRecord::hidden;
+    if (!larger_[proxy].contains(box)) {
+      follow(proxy, box, box);
+    }
+    record.set_box(box);
+    --hidden_;
+  }
+
+  void find_pairs(std::vector<ProxyPair>& out) { find_pairs(one_thread_, out); }
+  void find_pairs(const Workers& workers, std::vector<ProxyPair>& out) {
+    moving_.tidy();
+    still_.tidy();
+    found_.clear();
+    order_.clear();
+    if (!touched_.empty()) {
+      find_neighbours(workers);
+    }
+    kept_.renew(workers, records_, Keeping::unless_touched, found_, out);
+    release_excess(found_);
+    release_excess(order_);
+    for (const std::uint32_t proxy : touched_) {
+      records_[proxy].state &= ~BoxRecord::touched;
+    }
+    touched_.clear();
+  }
+
+  template <class Visitor>
+  void visit(const CompactAabb& box, Visitor&& visit_proxy) const {
+    BoxRecord given{};
+    given.set_box(box);
+    const auto meet = [&](std::uint32_t proxy) {
+      if (overlap(records_[proxy], given)) {
+        visit_proxy(proxy);
+      }
+    };
+    moving_.visit(box, meet);
+    still_.visit(box, meet);
+    for (const std::uint32_t proxy : unbounded_) {
+      meet(proxy);
+    }
+  }
+
+  template <class Visitor>
+  void sweep(const Vec3& centre, const Vec3& half, const Vec3& displacement, Real most, Visitor&& visit_proxy) const {
+    const BoxSweep sweep(centre, half, displacement);
+    const auto meet = [&](std::uint32_t proxy, Real) {
+      const BoxRecord& record = records_[proxy];
+      const Real entry = record.is(BoxRecord::hidden) ? infinity : sweep.entry(record.box(), most);
+      if (entry < infinity) {
+        most = visit_proxy(proxy, entry);
+      }
+      return most;
+    };
+    for (const std::uint32_t proxy : unbounded_) {
+      meet(proxy, 0);
+    }
+    moving_.sweep(sweep, most, meet);
+    still_.sweep(sweep, most, meet);
+  }
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t hidden() const { return hidden_; }
+  [[nodiscard]] std::size_t bytes() const {
+    std::size_t sum = records_.capacity() * sizeof(BoxRecord) + larger_.capacity() * sizeof(CompactAabb) + moving_.bytes() +
+                      still_.bytes() + kept_.bytes() + (unbounded_.capacity() + touched_.capacity()) * sizeof(std::uint32_t) +
+                      (found_.capacity() + order_.capacity() + scratch_.capacity()) * sizeof(ProxyPair);
+    for (const Part& part : parts_) {
+      sum += sizeof(Part) + part.found.capacity() * sizeof(ProxyPair) + part.touched.capacity() * sizeof(std::uint32_t) +
+             part.leaving.capacity() * sizeof(part.leaving.front());
+    }
+    return sum;
+  }
+
+ private:
+  // What one task finds.
+  struct Part {
+    std::vector<ProxyPair> found;
+    std::vector<std::uint32_t> touched;
+    std::vector<std::pair<std::uint32_t, CompactAabb>> leaving;
+  };
+  void make_parts(std::size_t count) {
+    if (parts_.size() < count) {
+      parts_.resize(count);
+    }
+  }
+
+  [[nodiscard]] Index& index_of(const BoxRecord& record) [[clang::lifetimebound]] {
+    return record.is(BoxRecord::moving) ? moving_ : still_;
+  }
+
+  void touch(std::uint32_t proxy) {
+    if (!records_[proxy].is(BoxRecord::touched)) {
+      records_[proxy].state |= BoxRecord::touched;
+      touched_.push_back(proxy);
+    }
+  }
+
+  void put(std::uint32_t proxy, const CompactAabb& larger) {
+    larger_[proxy] = larger;
+    if (is_bounded(larger)) {
+      index_of(records_[proxy]).insert(proxy, larger);
+    } else {
+      records_[proxy].state |= BoxRecord::unbounded;
+      unbounded_.push_back(proxy);
+    }
+    touch(proxy);
+  }
+
+  void take_out(std::uint32_t proxy) {
+    BoxRecord& record = records_[proxy];
+    if (record.is(BoxRecord::unbounded)) {
+      std::erase(unbounded_, proxy);
+      record.state &= ~BoxRecord::unbounded;
+    } else {
+      index_of(record).erase(proxy);
+    }
+    touch(proxy);
+  }
+
+  // The box has left its larger one.
+  void follow(std::uint32_t proxy, const CompactAabb& box, const CompactAabb& before) {
+    const BoxRecord& record = records_[proxy];
+    const CompactAabb larger = enlarged(box, before);
+    const bool was_bounded = !record.is(BoxRecord::unbounded);
+    if (was_bounded != is_bounded(larger)) {
+      take_out(proxy);
+      put(proxy, larger);
+      return;
+    }
+    larger_[proxy] = larger;
+    if (was_bounded) {
+      index_of(record).move(proxy, larger);
+    }
+    touch(proxy);
+  }
+
+  // Does what may be done for several boxes at once and leaves the rest.
+  void update_one(std::uint32_t proxy, const CompactAabb& box, Part& part) {
+    BoxRecord& record = records_[proxy];
+    ABUT_CHECK((record.state & (BoxRecord::present | BoxRecord::hidden)) == BoxRecord::present);
+    if (!larger_[proxy].contains(box)) {
+      const CompactAabb larger = enlarged(box, record.box());
+      const bool is_in_index = !record.is(BoxRecord::unbounded) && is_bounded(larger);
+      if (is_in_index && index_of(record).moved_in_place(proxy, larger)) {
+        larger_[proxy] = larger;
+        if (!record.is(BoxRecord::touched)) {
+          record.state |= BoxRecord::touched;
+          part.touched.push_back(proxy);
+        }
+      } else {
+        part.leaving.emplace_back(proxy, larger);
+      }
+    }
+    record.set_box(box);
+  }
+
+  void find_neighbours(const Workers& workers) {
+    // One after the other they look at much the same part of the index.
+    constexpr std::size_t least_to_arrange = 2048, least_of_task = 256;
+    for (const std::uint32_t proxy : touched_) {
+      const BoxRecord& record = records_[proxy];
+      if (record.is(BoxRecord::present)) {
+        order_.push_back({record.is(BoxRecord::unbounded) ? 0 : index_of(record).place_of(proxy), proxy});
+      }
+    }
+    if (order_.size() >= least_to_arrange) {
+      put_in_order(order_, scratch_);
+    }
+    constexpr std::size_t most_tasks = 64;
+    const std::size_t tasks = workers.threads() == 1 ? 1 : std::clamp<std::size_t>(order_.size() / least_of_task, 1, most_tasks);
+    if (tasks == 1) {
+      for (const ProxyPair& asking : order_) {
+        ask_for_neighbours(asking.high, found_);
+      }
+      return;
+    }
+    make_parts(tasks);
+    workers.for_each(tasks, [&](std::size_t task) {
+      parts_[task].found.clear();
+      for (std::size_t i = task * order_.size() / tasks; i < (task + 1) * order_.size() / tasks; ++i) {
+        ask_for_neighbours(order_[i].high, parts_[task].found);
+      }
+    });
+    for (const Part& part : std::span(parts_).first(tasks)) {
+      found_.insert(found_.end(), part.found.begin(), part.found.end());
+    }
+  }
+
+  // Two that both ask find their pair twice.
+  void ask_for_neighbours(std::uint32_t proxy, std::vector<ProxyPair>& found) const {
+    const CompactAabb& larger = larger_[proxy];
+    const bool is_moving = records_[proxy].is(BoxRecord::moving);
+    const auto meet = [&](std::uint32_t other) {
+      if (other != proxy) {
+        found.push_back({std::min(proxy, other), std::max(proxy, other)});
+      }
+    };
+    moving_.visit(larger, meet);
+    if (is_moving) {
+      still_.visit(larger, meet);
+    }
+    for (const std::uint32_t other : unbounded_) {
+      if ((is_moving || records_[other].is(BoxRecord::moving)) && larger_[other].overlaps(larger)) {
+        meet(other);
+      }
+    }
+  }
+
+  // By number of box.
+  std::vector<BoxRecord> records_;
+  std::vector<CompactAabb> larger_;
+
+  Index moving_, still_;
+  std::vector<std::uint32_t> unbounded_;
+  std::vector<std::uint32_t> touched_;  // their kept pairs are out of date
+  KeptPairs kept_;                      // of larger boxes
+  std::size_t size_ = 0, hidden_ = 0;
+  Workers one_thread_{1};
+
+  // Scratch that keeps its memory from call to call.
+  std::vector<ProxyPair> found_, order_, scratch_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace abut

@@ -1,0 +1,11 @@
+// Pairs of boxes from grids of cells.
+export module abut.broadphase.hash_grid;
+import abut.broadphase.box_grid;
+import abut.broadphase.followed_boxes;
+
+export namespace abut {
+
+// For many boxes of much the same size. A call costs O(m + pairs) for m boxes that have left their larger ones.
+class Grid : public FollowedBoxes<BoxGrid> {};
+
+}  // namespace abut

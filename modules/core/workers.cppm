@@ -1,0 +1,45 @@
+// Threads that share the work of one call.
+module;
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+export module abut.core.workers;
+
+export namespace abut {
+
+// With one thread nothing is started and everything runs in the caller. The threads belong to the process and
+// are lent to a call while it runs.
+class Workers {
+ public:
+  // 0: as many as the machine runs at once.
+  explicit Workers(std::uint32_t threads);
+  Workers(Workers&&) noexcept;
+  Workers& operator=(Workers&&) noexcept;
+  ~Workers();
+
+  [[nodiscard]] inline std::uint32_t threads() const noexcept { return threads_; }
+
+  // Calls task(i) once for each i below count, in any order and on any of the threads, and returns when all are
+  // done. What a task writes has to depend on i alone: that is what makes results independent of the threads.
+  template <class Task>
+  void for_each(std::size_t count, Task&& task) const {
+    if (threads_ == 1 || count < 2) {
+      for (std::size_t i = 0; i < count; ++i) {
+        task(i);
+      }
+      return;
+    }
+    using Given = std::remove_reference_t<Task>;
+    run(count, [](void* given, std::size_t i) { (*static_cast<Given*>(given))(i); }, &task);
+  }
+
+ private:
+  struct Arena;
+  void run(std::size_t count, void (*call)(void* task, std::size_t i), void* task) const;
+
+  std::uint32_t threads_;
+  std::unique_ptr<Arena> arena_;  // none for one thread
+};
+
+}  // namespace abut

@@ -1,0 +1,196 @@
+// Depth of overlap of cores of which one is curved: the expanding polytope algorithm, in which whole caps of directions
+// are proven at once.
+//
+// A polytope alone comes nearer to a round surface by a constant factor per vertex, and proves nothing where many
+// directions are as good. Here Newton's method finds a least depth d among nearby directions and a cap of them in which
+// nothing is less. A direction v outside all caps with less than d has d v outside the polytope, beyond one of its faces:
+// within the angle of cosine distance / d from the normal of that face. Faces all of whose such directions lie in a cap
+// need no vertex. When none is left, d is the depth.
+module;
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+export module abut.narrowphase.capped_epa;
+import abut.core;
+import abut.math;
+import abut.narrowphase.coaxial_depth;
+import abut.narrowphase.depth_minimum;
+import abut.narrowphase.direction_cover;
+import abut.narrowphase.epa;
+import abut.narrowphase.polytope;
+import abut.narrowphase.simplex;
+import abut.shape;
+
+export namespace abut {
+
+inline constexpr std::size_t cap_limit = 12;
+// After so many vertices caps are also looked for from where the depth is larger by up to this factor: where many directions
+// are as good, a polytope alone proves none of them.
+inline constexpr std::uint32_t patience = 30;
+inline constexpr Real near_least = 1.25;
+// The search ends by itself where a polyhedron has few of its faces near the origin.
+inline constexpr std::uint32_t plain_rounds = 40;
+template <class S>
+concept Polyhedral = Convex<S> && !Curved<S> && !PointCored<S> && !SegmentCored<S>;
+using Caps = SmallVector<DepthMinimum, cap_limit>;
+
+template <class S>
+concept WithDisc = Curved<S> && requires(const S& shape, const Vec3& direction) { shape.supporting_rim(direction); };
+
+// Minima along the axes of discs: calls with each of their directions, out of D.
+template <Convex A, Convex B, class Visit>
+inline void visit_discs(const A& a, const B& b, const Pose& ab, Visit&& visit) {
+  for (const Real side : {1.0, -1.0}) {
+    if constexpr (WithDisc<A>) {
+      if (a.supporting_rim({0, 0, side})) {
+        visit(Vec3{0, 0, side});
+      }
+    }
+    if constexpr (WithDisc<B>) {
+      if (b.supporting_rim({0, 0, side})) {
+        visit(-side * ab.rotation.z);
+      }
+    }
+  }
+}
+
+template <Convex A, Convex B>
+[[nodiscard]] EpaResult capped_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start) {
+  const auto placement = place(b, ab);
+  const auto vertex_toward = [&](const Vec3& direction) {
+    const SupportPoint on_a = a.support(direction);
+    const SupportPoint on_b = placed_support(b, placement, -direction);
+    return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_a.index, on_b.index};
+  };
+  const Real noise = 8 * epsilon * size;
+  if constexpr (Outlined<A> && Outlined<B>) {
+    if (const auto found = coaxial_minimum(a, b, ab, error, noise)) {
+      return {found->depth, found->depth, found->upper, found->depth, found->normal, found->point_a, found->point_b, 1};
+    }
+  }
+  if constexpr ((Polyhedral<A> && WithDisc<B>) || (WithDisc<A> && Polyhedral<B>)) {
+    EpaResult plain = epa(a, b, ab, size, error, start, 0, plain_rounds);
+    if (plain.upper - plain.lower <= error) {
+      // The points under one triangle need not lie across each other; those of the minimum do.
+      const std::optional<DepthMinimum> found = points_under(a, b, ab, plain.normal, error, noise);
+      if (found && std::fabs(found->depth - plain.depth) <= error) {
+        plain.point_a = found->point_a;
+        plain.point_b = found->point_a - plain.depth * plain.normal;
+      }
+      return plain;
+    }
+  }
+  EpaResult result{0, -infinity, infinity, 0, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
+
+  [[clang::uninitialized]] Caps caps;
+  [[clang::uninitialized]] DirectionCover cover;
+  add_inner_balls(a, b, ab, noise, cover);
+  std::size_t best = cap_limit;
+  const auto keep = [&](const std::optional<DepthMinimum>& found) {
+    if (!found) {
+      return false;
+    }
+    for (const DepthMinimum& cap : caps.span()) {
+      if (dot(cap.normal, found->normal) > 1 - 1e-9 && cap.cosine <= found->cosine) {
+        return false;
+      }
+    }
+    if (found->upper < result.upper) {
+      result.upper = found->upper;
+      best = caps.size();
+      cover.set_depth(found->upper);
+    }
+    caps.push_back(*found);
+    cover.add(found->normal, found->cosine);
+    return true;
+  };
+  const auto descend = [&](const Vec3& from) { return keep(minimum_near(a, b, ab, from, error, noise)); };
+
+  visit_discs(a, b, ab, [&](const Vec3& axis) {
+    if (dot(axis, vertex_toward(axis).w) < result.upper) {
+      keep(minimum_on_disc(a, b, ab, axis, error, noise));
+    }
+  });
+  // From where the search for a common point has ended.
+  if (start.size == 4) {
+    const auto toward = UnitVec3::make(closest_on_faces(start).point);
+    if (toward && dot(toward->vec(), vertex_toward(*toward).w) < result.upper) {
+      descend(*toward);
+    }
+  }
+
+  const auto answer = [&](Real lower) {
+    const DepthMinimum& least = caps[best];
+    result.lower = lower;
+    for (const DepthMinimum& cap : caps.span()) {
+      result.lower = cap.lower < result.lower ? cap.lower : result.lower;
+    }
+    result.normal = least.normal;
+    result.depth = least.depth;
+    result.point_a = least.point_a;
+    result.point_b = least.point_b;
+    result.inside = result.lower = result.lower < result.depth ? result.lower : result.depth;
+    return result;
+  };
+  if (cover.is_whole()) {
+    return answer(infinity);
+  }
+
+  // Out of line, as all that has a polytope. The lower bound where all directions are proven.
+  const auto search_outside = [&]() __attribute__((noinline)) -> std::optional<Real> {
+    [[clang::uninitialized]] Polytope polytope;
+    polytope.reset();
+    Simplex first = start;
+    if (best < caps.size()) {
+      // The foot of the minimum, and what reaches furthest around the other side.
+      const DepthMinimum& top = caps[best];
+      const Tangents across = tangents_of(top.normal);
+      first.size = 0;
+      first.push({top.depth * top.normal, top.point_a, no_index, no_index});
+      constexpr std::array<std::array<Real, 2>, 3> around{{{1, 0}, {-0.5, 0.866}, {-0.5, -0.866}}};
+      for (const auto& [x, y] : around) {
+        first.push(vertex_toward(x * across.first + y * across.second - 0.4 * top.normal));
+      }
+    }
+    const FlatDifference flat = polytope.start(first, noise, vertex_toward);
+    if (flat.is_flat) {
+      return std::nullopt;
+    }
+    for (std::uint32_t iteration = 1; iteration <= Polytope::vertex_limit; ++iteration) {
+      result.iterations = iteration;
+      std::size_t face = polytope.least_face();
+      while (polytope.distance(face) < result.upper - error &&
+             cover.holds(polytope.normal(face), (polytope.distance(face) - noise) / result.upper)) {
+        polytope.hide(face);
+        face = polytope.least_face();
+      }
+      if (polytope.distance(face) >= result.upper - error) {
+        return best < caps.size() ? std::optional(polytope.distance(face)) : std::nullopt;
+      }
+      const Vec3 normal = polytope.normal(face);
+      const DifferenceVertex vertex = vertex_toward(normal);
+      const Real reach = dot(normal, vertex.w);
+      const bool may_be_least = reach < result.upper + error || (iteration > patience && reach < near_least * result.upper);
+      if (caps.size() < cap_limit && may_be_least && descend(normal)) {
+        // The foot of the minimum, where it is in sight, is worth more than the end of the body.
+        const DepthMinimum& top = caps[caps.size() - 1];
+        const Vec3 foot = top.depth * top.normal;
+        const bool is_seen = dot(normal, foot) > polytope.distance(face) + noise;
+        if (!polytope.expand(face, is_seen ? DifferenceVertex{foot, top.point_a, no_index, no_index} : vertex, noise)) {
+          break;
+        }
+        continue;
+      }
+      if (reach - polytope.distance(face) <= noise || polytope.contains(vertex) || !polytope.expand(face, vertex, noise)) {
+        break;
+      }
+    }
+    return std::nullopt;
+  };
+  const std::optional<Real> lower = search_outside();
+  return lower ? answer(*lower) : epa(a, b, ab, size, error, start);
+}
+
+}  // namespace abut

@@ -1,0 +1,147 @@
+// What began, persists and ended in a detection.
+module;
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+module abut.universe;
+import abut.core;
+import abut.math;
+import abut.shape;
+import abut.universe.pairs;
+
+namespace abut {
+namespace {
+
+bool has(std::span<const Contact> contacts, std::uint64_t id) {
+  return std::ranges::find(contacts, id, [](const Contact& contact) { return contact.point.id; }) != contacts.end();
+}
+
+// A chain of words, each of which changes all bits that follow.
+class Hash {
+ public:
+  void add(std::uint64_t word) { state_ = mixed(state_ ^ word); }
+  void add(std::uint32_t low, std::uint32_t high) { add((std::uint64_t{high} << 32) | low); }
+  void add(Real value) { add(std::bit_cast<std::uint64_t>(value)); }
+  void add(const Vec3& v) {
+    add(v.x);
+    add(v.y);
+    add(v.z);
+  }
+  // Slots say which geometries they are; generations differ from universe to universe.
+  void add(const GeometryId& a, const GeometryId& b) { add(a.slot, b.slot); }
+  void add(const Feature& feature) { add(static_cast<std::uint32_t>(feature.kind), feature.index); }
+  [[nodiscard]] std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+}  // namespace
+
+void Universe::write_event(EventKind kind, const Pair& pair) {
+  const bool is_end = kind == EventKind::end;
+  events_.push_back({.kind = kind,
+                     .flags = pair.is_sensor ? std::uint32_t{event_of_sensor} : 0,
+                     .geometry_a = {pair.low + 1, pair.generation_low},
+                     .geometry_b = {pair.high + 1, pair.generation_high},
+                     .contact_id = 0,
+                     .first_contact = is_end ? 0 : pair.first_contact,
+                     .contact_count = is_end ? 0 : pair.contact_count});
+}
+
+// First those that are there, in their order, then those that are gone, in theirs.
+void Universe::write_contact_events(const Pair& pair) {
+  const std::span<const Contact> before = std::span(contacts_before_).subspan(pair.first_before, pair.count_before);
+  const std::span<const Contact> present = std::span(contacts_).subspan(pair.first_contact, pair.contact_count);
+  const std::uint32_t flags = std::uint32_t{event_of_contact} | (pair.is_sensor ? std::uint32_t{event_of_sensor} : 0);
+  const auto write = [&](EventKind kind, std::uint64_t id, std::uint32_t place) {
+    const bool is_end = kind == EventKind::end;
+    events_.push_back({.kind = kind,
+                       .flags = flags,
+                       .geometry_a = {pair.low + 1, pair.generation_low},
+                       .geometry_b = {pair.high + 1, pair.generation_high},
+                       .contact_id = id,
+                       .first_contact = is_end ? 0 : place,
+                       .contact_count = is_end ? 0u : 1u});
+  };
+  for (std::uint32_t i = 0; i < present.size(); ++i) {
+    const std::uint64_t id = present[i].point.id;
+    const bool is_new = pair.job != no_job && !has(before, id);
+    if (is_new || (options_.events & event_persist) != 0) {
+      write(is_new ? EventKind::begin : EventKind::persist, id, pair.first_contact + i);
+    }
+  }
+  for (const Contact& contact : before) {
+    if (!has(present, contact.point.id)) {
+      write(EventKind::end, contact.point.id, 0);
+    }
+  }
+}
+
+void Universe::collect_events() {
+  events_.clear();
+  const bool with_contacts = (options_.events & event_contacts) != 0, with_persist = (options_.events & event_persist) != 0;
+  const bool with_pairs = (options_.events & event_pairs) != 0;
+  std::span<const Pair> lost = pairs_.lost();
+  const auto end = [&](const Pair& pair) {
+    if (with_pairs) {
+      write_event(EventKind::end, pair);
+    }
+    if (with_contacts) {
+      Pair gone = pair;
+      gone.first_before = std::exchange(gone.first_contact, 0);
+      gone.count_before = std::exchange(gone.contact_count, 0);
+      write_contact_events(gone);
+    }
+  };
+  for (const Pair& pair : pairs_.all()) {
+    while (!lost.empty() && std::pair(lost.front().low, lost.front().high) <= std::pair(pair.low, pair.high)) {
+      end(lost.front());
+      lost = lost.subspan(1);
+    }
+    if (!pair.is_covered || !(pair.is_touching || pair.was_touching)) {
+      continue;
+    }
+    const EventKind kind = !pair.is_touching ? EventKind::end : !pair.was_touching ? EventKind::begin : EventKind::persist;
+    if (with_pairs && (kind != EventKind::persist || with_persist)) {
+      write_event(kind, pair);
+    }
+    if (with_contacts) {
+      write_contact_events(pair);
+    }
+  }
+  std::ranges::for_each(lost, end);
+}
+
+std::uint64_t Universe::hash() const {
+  Hash hash;
+  hash.add(std::uint64_t{contacts_.size()});
+  for (const Contact& contact : contacts_) {
+    hash.add(contact.geometry_a, contact.geometry_b);
+    hash.add(contact.point.point_a);
+    hash.add(contact.point.point_b);
+    hash.add(contact.point.normal);
+    hash.add(contact.point.distance);
+    hash.add(contact.point.feature_a);
+    hash.add(contact.point.feature_b);
+    hash.add(contact.point.id);
+    hash.add(contact.point.child_a, contact.point.child_b);
+    hash.add(contact.flags, contact.age);
+    hash.add(contact.user_data);
+    hash.add(contact.material_a, contact.material_b);
+  }
+  hash.add(std::uint64_t{events_.size()});
+  for (const Event& event : events_) {
+    hash.add(static_cast<std::uint32_t>(event.kind), event.flags);
+    hash.add(event.geometry_a, event.geometry_b);
+    hash.add(event.contact_id);
+    hash.add(event.first_contact, event.contact_count);
+  }
+  return hash.value();
+}
+
+}  // namespace abut

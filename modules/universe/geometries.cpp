@@ -1,0 +1,244 @@
+module;
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+#include "../core/check.hpp"
+module abut.universe;
+import abut.any_shape;
+import abut.broadphase;
+import abut.core;
+import abut.math;
+import abut.registry;
+import abut.shape;
+import abut.universe.checks;
+import abut.universe.pairs;
+
+namespace abut {
+namespace {
+
+Quat product(const Quat& a, const Quat& b) {
+  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+}
+
+}  // namespace
+
+// Puts a geometry on the list of those that the next detection looks at.
+void Universe::change(GeometryId geometry) {
+  Geometry& its = geometries_.at(geometry);
+  if (!its.is_changed) {
+    its.is_changed = true;
+    changed_geometries_.push_back(geometry);
+  }
+}
+
+void Universe::leave_broadphase(std::uint32_t place) {
+  if (presence_[place] != Presence::absent) {
+    std::visit([&](auto& broadphase) { broadphase.erase(place); }, broadphase_);
+    presence_[place] = Presence::absent;
+    moving_count_ -= infos_[place].is_moving ? 1 : 0;
+    is_broadphase_changed_ = true;
+  }
+}
+
+// Short term it is hidden in the broad phase, long term it leaves it. Coming back waits for the next detection.
+void Universe::settle_parking(GeometryId geometry, Parking parking) {
+  Geometry& its = geometries_.at(geometry);
+  const std::uint32_t place = geometry.slot - 1;
+  const Parking before = std::exchange(its.options.parking, parking);
+  if (parking == before) {
+    return;
+  }
+  parked_count_ += (parking != Parking::none ? 1 : 0);
+  parked_count_ -= (before != Parking::none ? 1 : 0);
+  ++revision_.geometries;
+  if (parking == Parking::none) {
+    change(geometry);
+  } else if (parking == Parking::long_term) {
+    leave_broadphase(place);
+  } else if (presence_[place] == Presence::shown) {
+    std::visit([&](auto& broadphase) { broadphase.hide(place); }, broadphase_);
+    presence_[place] = Presence::hidden;
+    is_broadphase_changed_ = true;
+  }
+}
+
+// What pairs ask about a geometry, after its options have changed.
+void Universe::apply_options(GeometryId geometry) {
+  Geometry& its = geometries_.at(geometry);
+  const GeometryOptions& options = its.options;
+  PlaceInfo& info = infos_[geometry.slot - 1];
+  its.local_pose = options.local.pose();
+  info.layers = options.layers;
+  info.mask = options.mask;
+  info.exclusion = options.exclusion;
+  info.tolerance = options.tolerance;
+  info.generation = geometry.generation;
+  info.part = its.part.slot;
+  info.tag = options.tag;
+  info.material = options.material;
+  info.is_sensor = options.is_sensor;
+  info.is_refiltered = true;
+  info.is_box_stale = true;
+}
+
+Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const PartId> parts, std::span<const ShapeHandle> shapes,
+                                                            std::span<const GeometryOptions> options) {
+  ABUT_CHECK(parts.size() == shapes.size() && (options.empty() || options.size() == parts.size()));
+  if (std::optional<Error> error = check_ids(parts_, parts, "parts")) {
+    return *error;
+  }
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    if (Fault fault = check_options(options[i], i)) {
+      return *fault;
+    }
+  }
+  std::vector<GeometryId> created;
+  created.reserve(parts.size());
+  try {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const GeometryId id =
+          geometries_.insert({.part = parts[i], .local_pose = {}, .options = options.empty() ? GeometryOptions{} : options[i]});
+      created.push_back(id);
+      shapes_.resize(std::max<std::size_t>(shapes_.size(), id.slot), vacant_);
+      worlds_.resize(shapes_.size(), Pose::identity());
+      boxes_.resize(shapes_.size());
+      infos_.resize(shapes_.size());
+      presence_.resize(shapes_.size());
+      std::vector<GeometryId>& list = parts_.at(parts[i]).geometries;
+      list_bytes_ -= list.capacity() * sizeof(GeometryId);
+      list.push_back(id);
+      list_bytes_ += list.capacity() * sizeof(GeometryId);
+      shapes_[id.slot - 1] = shapes[i];
+      infos_[id.slot - 1] = {};
+      infos_[id.slot - 1].kind = static_cast<std::uint8_t>((*shapes[i]).index());
+      apply_options(id);
+      parked_count_ += geometries_.at(id).options.parking != Parking::none ? 1 : 0;
+      change(id);
+    }
+  } catch (...) {
+    for (const GeometryId geometry : created) {
+      std::erase(parts_.at(geometries_.at(geometry).part).geometries, geometry);
+      forget_geometry(geometry);
+    }
+    throw;
+  }
+  revision_.geometries += parts.empty() ? 0 : 1;
+  return created;
+}
+
+// Takes a geometry out of everything but the list of its part.
+void Universe::forget_geometry(GeometryId geometry) {
+  const std::uint32_t place = geometry.slot - 1;
+  if (place < presence_.size()) {
+    leave_broadphase(place);
+  }
+  if (place < shapes_.size()) {
+    shapes_[place] = vacant_;
+  }
+  if (!rules_.is_empty()) {
+    rules_.forget({CollidableKind::geometry, geometry.slot, geometry.generation});
+  }
+  parked_count_ -= geometries_.at(geometry).options.parking != Parking::none ? 1 : 0;
+  geometries_.erase(geometry);
+  ++revision_.geometries;
+}
+
+Result<void> Universe::destroy_geometries(std::span<const GeometryId> geometries) {
+  if (std::optional<Error> error = mark_all(geometries_, geometries, "geometries")) {
+    return *error;
+  }
+  for (const GeometryId geometry : geometries) {
+    std::erase(parts_.at(geometries_.at(geometry).part).geometries, geometry);
+    forget_geometry(geometry);
+  }
+  return {};
+}
+
+Result<void> Universe::set_shapes(std::span<const GeometryId> geometries, std::span<const ShapeHandle> shapes) {
+  ABUT_CHECK(geometries.size() == shapes.size());
+  if (std::optional<Error> error = check_ids(geometries_, geometries, "geometries")) {
+    return *error;
+  }
+  changed_geometries_.reserve(changed_geometries_.size() + geometries.size());
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    const std::uint32_t place = geometries[i].slot - 1;
+    shapes_[place] = shapes[i];
+    infos_[place].kind = static_cast<std::uint8_t>((*shapes[i]).index());
+    infos_[place].is_reshaped = true;
+    infos_[place].is_box_stale = true;
+    change(geometries[i]);
+  }
+  revision_.geometries += geometries.empty() ? 0 : 1;
+  return {};
+}
+
+Result<void> Universe::set_options(std::span<const GeometryId> geometries, std::span<const GeometryOptions> options) {
+  ABUT_CHECK(geometries.size() == options.size());
+  if (std::optional<Error> error = check_ids(geometries_, geometries, "geometries")) {
+    return *error;
+  }
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    if (Fault fault = check_options(options[i], i)) {
+      return *fault;
+    }
+  }
+  changed_geometries_.reserve(changed_geometries_.size() + geometries.size());
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    settle_parking(geometries[i], options[i].parking);
+    geometries_.at(geometries[i]).options = options[i];
+    apply_options(geometries[i]);
+    change(geometries[i]);
+  }
+  revision_.poses += geometries.empty() ? 0 : 1;
+  return {};
+}
+
+Result<void> Universe::park(std::span<const GeometryId> geometries, Parking parking) {
+  if (std::optional<Error> error = check_ids(geometries_, geometries, "geometries")) {
+    return *error;
+  }
+  for (const GeometryId geometry : geometries) {
+    if (is_stepping_) {
+      deferred_parking_.emplace_back(geometry, parking);
+    } else {
+      settle_parking(geometry, parking);
+    }
+  }
+  return {};
+}
+
+Placement Universe::world_of(const Geometry& geometry) const {
+  const Part& part = parts_.at(geometry.part);
+  const Placement& local = geometry.options.local;
+  return {part.pose * local.position, product(part.placement.orientation, local.orientation)};
+}
+
+Result<GeometryInfo> Universe::describe(GeometryId geometry) const {
+  if (!geometries_.contains(geometry)) {
+    return stale("geometry");
+  }
+  const Geometry& its = geometries_.at(geometry);
+  return GeometryInfo{its.part, shapes_[geometry.slot - 1], world_of(its), its.options};
+}
+
+Result<Placement> Universe::world_pose(GeometryId geometry) const {
+  if (!geometries_.contains(geometry)) {
+    return stale("geometry");
+  }
+  return world_of(geometries_.at(geometry));
+}
+
+std::vector<GeometryId> Universe::geometries() const {
+  std::vector<GeometryId> all;
+  all.reserve(geometries_.size());
+  geometries_.for_each([&](GeometryId id, const Geometry&) { all.push_back(id); });
+  return all;
+}
+
+}  // namespace abut

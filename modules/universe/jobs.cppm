@@ -1,0 +1,81 @@
+// Pairs to examine as runs of equal kinds, which is how the narrow phase takes them, cut into chunks that
+// threads take.
+module;
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+export module abut.universe.jobs;
+import abut.any_shape;
+import abut.dispatch;
+import abut.math;
+import abut.shape;
+import abut.universe.options;
+import abut.universe.pairs;
+import abut.universe.policies;
+
+export namespace abut {
+
+// What happened to the pairs of two kinds in the last detection.
+struct KindTally {
+  std::uint64_t candidates = 0, examined = 0, touching = 0, contacts = 0;
+};
+
+// The run of two kinds, by their places in the registry, row not above column.
+inline constexpr std::size_t run_count = shape_kind_count * shape_kind_count;
+[[nodiscard]] inline constexpr std::size_t run_of(std::size_t row, std::size_t column) { return row * shape_kind_count + column; }
+[[nodiscard]] inline constexpr std::size_t run_of_kinds(std::size_t a, std::size_t b) { return a <= b ? run_of(a, b) : run_of(b, a); }
+
+// Where the contacts of a job lie in the points of its chunk, after reduction and in the world.
+struct JobResult {
+  std::uint32_t chunk = 0, first = 0, count = 0;
+};
+
+// Jobs next to each other of one run and one policy, and the contacts that they found.
+struct Chunk {
+  std::uint32_t run = 0, policy = 0;
+  std::uint32_t begin = 0, end = 0;  // jobs
+};
+// Memory of a chunk that stays from detection to detection.
+struct ChunkScratch {
+  Manifold points;
+  std::vector<PairResult> results;
+  std::vector<std::uint64_t> ids;
+};
+
+class JobList {
+ public:
+  // More jobs in a chunk cost threads their balance, fewer cost everyone overhead.
+  static constexpr std::size_t chunk_size = 64;
+
+  JobList();
+
+  [[nodiscard]] inline bool is_supported(std::size_t run) const { return supported_[run]; }
+  [[nodiscard]] inline bool gains_from_memory(std::size_t run) const { return gains_from_memory_[run]; }
+
+  // Takes the pairs whose job is not no_job and writes the number of the job there. Keeps the order of the pairs
+  // within a run. O(pairs + runs).
+  void arrange(std::span<Pair> pairs, std::span<const PlaceInfo> infos, const PolicyTable& policies, ToleranceMode mode);
+
+  [[nodiscard]] inline std::span<const PairJob> jobs() const [[clang::lifetimebound]] { return jobs_; }
+  // The pair of a job, by its place in the list that `arrange` got.
+  [[nodiscard]] inline std::uint32_t pair_of(std::size_t job) const { return pair_of_job_[job]; }
+  [[nodiscard]] inline std::span<const Chunk> chunks() const [[clang::lifetimebound]] { return chunks_; }
+  [[nodiscard]] inline ChunkScratch& scratch(std::size_t chunk) [[clang::lifetimebound]] { return scratch_[chunk]; }
+  [[nodiscard]] inline const ChunkScratch& scratch(std::size_t chunk) const [[clang::lifetimebound]] { return scratch_[chunk]; }
+  [[nodiscard]] inline JobResult& result(std::size_t job) [[clang::lifetimebound]] { return results_[job]; }
+  [[nodiscard]] inline const JobResult& result(std::size_t job) const [[clang::lifetimebound]] { return results_[job]; }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  std::array<bool, run_count> supported_{}, gains_from_memory_{};
+  std::vector<std::uint32_t> starts_;  // of runs, policy by policy
+  std::vector<PairJob> jobs_;
+  std::vector<std::uint32_t> pair_of_job_;
+  std::vector<Chunk> chunks_;
+  std::vector<ChunkScratch> scratch_;
+  std::vector<JobResult> results_;
+};
+
+}  // namespace abut

@@ -1,0 +1,140 @@
+module;
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+#include "../core/check.hpp"
+module abut.universe;
+import abut.broadphase;
+import abut.core;
+import abut.math;
+import abut.shape;
+import abut.universe.checks;
+
+namespace abut {
+
+Result<std::vector<PartId>> Universe::create_parts(std::span<const PartOptions> options) {
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    if (Fault fault = check_placement(options[i].placement, "options", i)) {
+      return *fault;
+    }
+  }
+  std::vector<PartId> created;
+  created.reserve(options.size());
+  try {
+    for (const PartOptions& part : options) {
+      created.push_back(parts_.insert({.placement = part.placement,
+                                       .pose = part.placement.pose(),
+                                       .user_data = part.user_data,
+                                       .motion = part.motion,
+                                       .geometries = {}}));
+    }
+  } catch (...) {
+    for (const PartId part : created) {
+      parts_.erase(part);
+    }
+    throw;
+  }
+  return created;
+}
+
+Result<void> Universe::destroy_parts(std::span<const PartId> parts) {
+  if (std::optional<Error> error = mark_all(parts_, parts, "parts")) {
+    return *error;
+  }
+  for (const PartId part : parts) {
+    for (const GeometryId geometry : parts_.at(part).geometries) {
+      forget_geometry(geometry);
+    }
+    if (!rules_.is_empty()) {
+      rules_.forget({CollidableKind::part, part.slot, part.generation});
+    }
+    list_bytes_ -= parts_.at(part).geometries.capacity() * sizeof(GeometryId);
+    parts_.erase(part);
+  }
+  return {};
+}
+
+Result<void> Universe::set_poses(std::span<const PartId> parts, std::span<const Placement> poses) {
+  ABUT_CHECK(parts.size() == poses.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts_.contains(parts[i])) {
+      return stale(name_at("parts", i));
+    }
+    if (Fault fault = check_placement(poses[i], "poses", i)) {
+      return *fault;
+    }
+  }
+  moved_parts_.reserve(moved_parts_.size() + parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Part& part = parts_.at(parts[i]);
+    part.placement = poses[i];
+    part.pose = poses[i].pose();
+    if (!part.is_moved) {
+      part.is_moved = true;
+      moved_parts_.push_back(parts[i]);
+    }
+  }
+  revision_.poses += parts.empty() ? 0 : 1;
+  return {};
+}
+
+// The broad phase keeps what moves and what does not apart, so geometries leave it and come back.
+Result<void> Universe::set_motions(std::span<const PartId> parts, std::span<const MotionKind> motions) {
+  ABUT_CHECK(parts.size() == motions.size());
+  if (std::optional<Error> error = check_ids(parts_, parts, "parts")) {
+    return *error;
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Part& part = parts_.at(parts[i]);
+    if (part.motion == motions[i]) {
+      continue;
+    }
+    part.motion = motions[i];
+    for (const GeometryId geometry : part.geometries) {
+      leave_broadphase(geometry.slot - 1);
+      change(geometry);
+    }
+  }
+  return {};
+}
+
+Result<Placement> Universe::pose(PartId part) const {
+  if (!parts_.contains(part)) {
+    return stale("part");
+  }
+  return parts_.at(part).placement;
+}
+
+Result<MotionKind> Universe::motion(PartId part) const {
+  if (!parts_.contains(part)) {
+    return stale("part");
+  }
+  return parts_.at(part).motion;
+}
+
+Result<std::uint64_t> Universe::user_data(PartId part) const {
+  if (!parts_.contains(part)) {
+    return stale("part");
+  }
+  return parts_.at(part).user_data;
+}
+
+Result<std::vector<GeometryId>> Universe::geometries_of(PartId part) const {
+  if (!parts_.contains(part)) {
+    return stale("part");
+  }
+  return parts_.at(part).geometries;
+}
+
+std::vector<PartId> Universe::parts() const {
+  std::vector<PartId> all;
+  all.reserve(parts_.size());
+  parts_.for_each([&](PartId id, const Part&) { all.push_back(id); });
+  return all;
+}
+
+}  // namespace abut

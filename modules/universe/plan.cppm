@@ -1,0 +1,40 @@
+// What a step did and why, for people and for programs.
+module;
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+export module abut.universe.plan;
+import abut.universe.options;
+
+export namespace abut {
+
+struct Plan {
+  struct Stage {
+    std::string_view name;
+    double microseconds;
+    std::string what;
+  };
+  struct KindPair {
+    std::string_view kind_a, kind_b;
+    std::uint64_t candidates, examined, touching, contacts;
+    std::string_view algorithm, reason;
+  };
+  struct LeftOut {
+    std::string name, why;
+  };
+
+  StepStats stats;
+  std::string_view broadphase, broadphase_reason;
+  bool is_margin;
+  std::uint32_t max_contacts, threads;
+  std::uint64_t rules, policies;
+  std::vector<Stage> stages;
+  std::vector<KindPair> kinds;
+  std::vector<LeftOut> left_out;
+};
+
+[[nodiscard]] std::string to_text(const Plan& plan);
+[[nodiscard]] std::string to_json(const Plan& plan);
+
+}  // namespace abut

@@ -1,0 +1,79 @@
+// What queries have in common: whom they look at, and how they keep what they find.
+module;
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+export module abut.universe.query_filter;
+import abut.core;
+import abut.math;
+import abut.universe;
+import abut.universe.queries;
+
+export namespace abut {
+
+// A filter, made ready for one universe.
+class Admission {
+ public:
+  Admission(const Universe& universe, const QueryFilter& filter) : filter_(filter) {
+    if (const auto ignored = universe.geometries_of(filter.ignored_part)) {
+      ignored_ = ignored.value();
+    }
+    ignored_.push_back(filter.ignored_geometry);
+  }
+
+  [[nodiscard]] bool admits(const Universe& universe, std::uint32_t place) const {
+    const GeometryOptions& options = universe.options_at(place);
+    return (options.layers & filter_.mask) != 0 && (options.mask & filter_.layers) != 0 &&
+           !(filter_.skips_sensors && options.is_sensor) && std::ranges::find(ignored_, universe.id_at(place)) == ignored_.end();
+  }
+
+ private:
+  QueryFilter filter_;
+  std::vector<GeometryId> ignored_;
+};
+
+// Hits by the way at which they are met. Visitors of a sweep answer with limit(), below which all else is left out.
+template <class Hit>
+class Hits {
+ public:
+  Hits(HitMode mode, Real most) : mode_(mode), limit_(most) {}
+
+  [[nodiscard]] Real limit() const { return limit_; }
+
+  void add(const Hit& hit, Real way) {
+    if (mode_ == HitMode::all) {
+      found_.push_back({way, hit});
+      return;
+    }
+    if (found_.empty() || is_before({way, hit}, found_.front())) {
+      found_.assign(1, {way, hit});
+    }
+    limit_ = mode_ == HitMode::any ? -1 : std::min(limit_, way);
+  }
+
+  [[nodiscard]] std::vector<Hit> in_order() {
+    std::ranges::sort(found_, is_before);
+    std::vector<Hit> hits;
+    hits.reserve(found_.size());
+    for (const Entry& entry : found_) {
+      hits.push_back(entry.hit);
+    }
+    return hits;
+  }
+
+ private:
+  struct Entry {
+    Real way;
+    Hit hit;
+  };
+  [[nodiscard]] static bool is_before(const Entry& a, const Entry& b) {
+    return std::tuple(a.way, a.hit.geometry.slot) < std::tuple(b.way, b.hit.geometry.slot);
+  }
+
+  HitMode mode_;
+  Real limit_;
+  std::vector<Entry> found_;
+};
+
+}  // namespace abut

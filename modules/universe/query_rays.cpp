@@ -1,0 +1,134 @@
+// Rays and points against a universe.
+module;
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+module abut.universe.queries;
+import abut.any_shape;
+import abut.core;
+import abut.math;
+import abut.registry;
+import abut.shape;
+import abut.universe;
+import abut.universe.query_filter;
+
+namespace abut {
+namespace {
+
+Real touching_at(const AnyShape& shape, const Vec3& point) {
+  const Aabb box = aabb_of(shape, Pose::identity());
+  const Real size = box.is_bounded() ? std::max(largest_magnitude(box.low), largest_magnitude(box.high)) : 0;
+  return 4 * epsilon * (size + largest_magnitude(point));
+}
+
+// Whether a shape holds a point of its own frame, or comes within `reach` of it.
+bool holds(const AnyShape& shape, const Vec3& point, Real reach) {
+  return std::visit(
+      [&]<class S>(const S& s) {
+        if constexpr (Assembly<S>) {
+          const auto children = s.children();
+          const auto is_cut = [&](std::uint32_t solid) {
+            return std::ranges::any_of(s.holes(), [&](const auto& hole) {
+              const auto& cavity = children[hole.child];
+              return hole.begin <= solid && solid < hole.end &&
+                     cavity.shape->cavity_holds(cavity.pose.undo(point), std::max(reach, Real{0}));
+            });
+          };
+          bool is_held = false;
+          s.visit_children(Aabb{point, point}.inflated(std::max(reach, Real{0})), [&](std::uint32_t child) {
+            is_held = is_held || (holds(*children[child].shape, children[child].pose.undo(point), reach) && !is_cut(child));
+          });
+          return is_held;
+        } else if constexpr (Hole<S>) {
+          return false;
+        } else {
+          const auto found = shape.distance_to(point);
+          return found && found->distance <= reach;
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
+}
+
+// The child of a composite whose surface a ray meets at a way: the one that it meets within rounding of there.
+std::uint32_t child_at(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction, Real way) {
+  return std::visit(
+      [&]<class S>(const S& s) -> std::uint32_t {
+        if constexpr (Assembly<S>) {
+          std::uint32_t nearest = 0;
+          Real least = infinity;
+          const Real slack = 256 * epsilon * (largest_magnitude(origin) + way);
+          const Real start = std::max(way - slack, Real{0});
+          for (std::uint32_t number = 0; number < s.children().size(); ++number) {
+            const auto& child = s.children()[number];
+            const UnitVec3 turned = UnitVec3::make(child.pose.rotation.undo(direction)).value_or(direction);
+            const auto hit = cast_ray(*child.shape, child.pose.undo(origin + start * direction.vec()), turned, 2 * slack);
+            if (hit && std::fabs(start + hit->distance - way) < least) {
+              least = std::fabs(start + hit->distance - way);
+              nearest = number;
+            }
+          }
+          return nearest;
+        } else {
+          return 0;
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
+}
+
+std::optional<RayContact> cast_at(const Universe& universe, std::uint32_t place, const Ray& ray, Real limit, RayStart start) {
+  const AnyShape& shape = universe.shape_at(place);
+  const Pose& pose = universe.world_at(place);
+  const Vec3 origin = pose.undo(ray.origin);
+  if (start != RayStart::far_side && holds(shape, origin, -touching_at(shape, origin))) {
+    return start == RayStart::skip
+               ? std::nullopt
+               : std::optional(RayContact{universe.id_at(place), 0, ray.origin, {0, 0, 0}, {FeatureKind::whole, 0}, 0});
+  }
+  const auto direction = UnitVec3::from_unit_unchecked(pose.rotation.undo(ray.direction));
+  const std::optional<RayHit> hit = cast_ray(shape, origin, direction, limit);
+  if (!hit) {
+    return std::nullopt;
+  }
+  const Real distance = std::min(hit->distance, ray.max_distance);
+  return RayContact{universe.id_at(place),       distance,     ray.origin + distance * ray.direction.vec(),
+                    pose.rotation * hit->normal, hit->feature, child_at(shape, origin, direction, hit->distance)};
+}
+
+}  // namespace
+
+std::vector<RayContact> cast_ray(const Universe& universe, const Ray& ray, const QueryFilter& filter, HitMode mode,
+                                 RayStart start) {
+  const Admission admission(universe, filter);
+  // What ends on a surface must not miss it by rounding.
+  const bool is_endless = std::isinf(ray.max_distance);
+  const Real slack = is_endless ? 0 : 16 * epsilon * (largest_magnitude(ray.origin) + ray.max_distance);
+  Hits<RayContact> hits(mode, ray.max_distance + slack);
+  universe.sweep({ray.origin, ray.origin}, ray.direction, hits.limit(), [&](std::uint32_t place, Real) {
+    if (hits.limit() >= 0 && admission.admits(universe, place)) {
+      if (const auto hit = cast_at(universe, place, ray, hits.limit(), start)) {
+        hits.add(*hit, hit->distance);
+      }
+    }
+    return hits.limit();
+  });
+  return hits.in_order();
+}
+
+std::vector<GeometryId> find_at_point(const Universe& universe, const Vec3& point, const QueryFilter& filter) {
+  const Admission admission(universe, filter);
+  std::vector<GeometryId> found;
+  universe.visit({point, point}, [&](std::uint32_t place) {
+    const AnyShape& shape = universe.shape_at(place);
+    const Vec3 local = universe.world_at(place).undo(point);
+    if (admission.admits(universe, place) && holds(shape, local, touching_at(shape, local))) {
+      found.push_back(universe.id_at(place));
+    }
+  });
+  std::ranges::sort(found, {}, &GeometryId::slot);
+  return found;
+}
+
+}  // namespace abut

@@ -1,0 +1,115 @@
+// Two shapes that move, under bad input.
+#include "bad_values.hpp"
+
+namespace {
+
+using namespace abut_test;
+
+// Two shapes, each with a pose and a displacement.
+struct CastCall {
+  Shape a = make_sphere(1.0);
+  Shape b = make_box(1.0, 1.0, 1.0);
+  abut_pose pose_a = identity;
+  abut_pose pose_b = at(5.0, 0.0, 0.0);
+  abut_vec3 displacement_a{1, 0, 0};
+  abut_vec3 displacement_b{-9, 0, 0};
+  Out<abut_cast_hit> hit;
+  Out<std::uint32_t> found;
+
+  abut_status ask(const abut_query_options* options) {
+    return abut_shapes_cast(a, &pose_a, &displacement_a, b, &pose_b, &displacement_b, options, hit.address(), found.address());
+  }
+  bool is_untouched() const { return hit.is_untouched() && found.is_untouched(); }
+};
+
+TEST(ShapesCast, RefusesNull) {
+  CastCall call;
+  const auto refuses = [](abut_status status, std::string_view name) {
+    EXPECT_TRUE(refused(status, ABUT_NULL_ARGUMENT, {name, "null"}));
+  };
+  abut_cast_hit* hit = call.hit.address();
+  std::uint32_t* found = call.found.address();
+  const abut_pose* pose = &call.pose_a;
+  const abut_vec3* way = &call.displacement_a;
+  refuses(abut_shapes_cast(nullptr, pose, way, call.b, pose, way, nullptr, hit, found), "a");
+  refuses(abut_shapes_cast(call.a, nullptr, way, call.b, pose, way, nullptr, hit, found), "pose_a");
+  refuses(abut_shapes_cast(call.a, pose, nullptr, call.b, pose, way, nullptr, hit, found), "displacement_a");
+  refuses(abut_shapes_cast(call.a, pose, way, nullptr, pose, way, nullptr, hit, found), "b");
+  refuses(abut_shapes_cast(call.a, pose, way, call.b, nullptr, way, nullptr, hit, found), "pose_b");
+  refuses(abut_shapes_cast(call.a, pose, way, call.b, pose, nullptr, nullptr, hit, found), "displacement_b");
+  refuses(abut_shapes_cast(call.a, pose, way, call.b, pose, way, nullptr, nullptr, found), "hit");
+  refuses(abut_shapes_cast(call.a, pose, way, call.b, pose, way, nullptr, hit, nullptr), "found");
+  EXPECT_TRUE(call.is_untouched());
+}
+
+TEST(ShapesCast, RefusesNonFiniteDisplacementsAndOptions) {
+  for (const bool is_first : {true, false}) {
+    CastCall call;
+    for (const BadVector& bad : non_finite_vectors()) {
+      (is_first ? call.displacement_a : call.displacement_b) = bad.vector;
+      EXPECT_TRUE(refused(call.ask(nullptr), ABUT_NOT_FINITE, {is_first ? "displacement_a" : "displacement_b", bad.word}));
+    }
+    EXPECT_TRUE(call.is_untouched());
+  }
+  CastCall call;
+  abut_query_options options;
+  for (const bool is_margin : {true, false}) {
+    abut_query_options_init(&options, sizeof options);
+    expect_non_finite_refused(is_margin ? "margin" : "error_bound", [&](double bad) {
+      (is_margin ? options.margin : options.error_bound) = bad;
+      return call.ask(&options);
+    });
+  }
+  EXPECT_TRUE(call.is_untouched());
+}
+
+TEST(ShapesCast, RefusesBadPoses) {
+  for (const bool is_first : {true, false}) {
+    CastCall call;
+    expect_pose_field_checked([&](const abut_pose& bad) {
+      (is_first ? call.pose_a : call.pose_b) = bad;
+      return call.ask(nullptr);
+    });
+    EXPECT_TRUE(call.is_untouched());
+  }
+}
+
+TEST(ShapesCast, RefusesWrongStructSize) {
+  CastCall call;
+  abut_query_options options;
+  abut_query_options_init(&options, sizeof options);
+  expect_struct_size_checked(options, [&](const abut_query_options* wrong) { return call.ask(wrong); });
+  EXPECT_TRUE(call.is_untouched());
+  expect_zero_tail_accepted(options, [&](const abut_query_options* later) { return call.ask(later); });
+}
+
+TEST(ShapesCast, RefusesBadOptions) {
+  CastCall call;
+  abut_query_options good;
+  abut_query_options_init(&good, sizeof good);
+  abut_query_options options = good;
+  options.margin = -0.5;
+  EXPECT_TRUE(refused(call.ask(&options), ABUT_OUT_OF_RANGE, {"margin", "-0.5"}));
+  options = good;
+  options.error_bound = -2.5;
+  EXPECT_TRUE(refused(call.ask(&options), ABUT_OUT_OF_RANGE, {"error_bound", "-2.5"}));
+  options = good;
+  options.reserved = 31;
+  EXPECT_TRUE(refused(call.ask(&options), ABUT_INVALID_ARGUMENT, {"reserved", "31"}));
+  options = good;
+  options.algorithm = 77;
+  EXPECT_TRUE(refused(call.ask(&options), ABUT_UNKNOWN_VALUE, {"algorithm", "77"}));
+  options.algorithm = ABUT_ALGORITHM_SAT;
+  EXPECT_TRUE(refused(call.ask(&options), ABUT_UNSUPPORTED, {"algorithm"}));
+  EXPECT_TRUE(call.is_untouched());
+}
+
+TEST(ShapesCast, RefusesTerrainAgainstTerrain) {
+  CastCall call;
+  call.a = make_plane({0.0, 0.0, 1.0}, 0.0);
+  call.b = make_terrain(3, 1.0);
+  EXPECT_TRUE(refused(call.ask(nullptr), ABUT_UNSUPPORTED, {"plane", "height_field"}));
+  EXPECT_TRUE(call.is_untouched());
+}
+
+}  // namespace

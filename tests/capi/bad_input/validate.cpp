@@ -1,0 +1,49 @@
+// Findings about a scene, under bad input.
+#include "bad_values.hpp"
+
+namespace {
+
+using namespace abut_test;
+
+TEST(UniverseValidate, RefusesNullArguments) {
+  const Scene scene;
+  std::size_t count = 7;
+  abut_finding finding{};
+  EXPECT_TRUE(refused(abut_universe_validate(nullptr, &finding, 1, &count), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_universe_validate(scene.universe, &finding, 1, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(refused(abut_universe_validate(scene.universe, nullptr, 1, &count), ABUT_NULL_ARGUMENT, {"findings", "null"}));
+  EXPECT_EQ(count, 7U);
+}
+
+TEST(UniverseValidate, RefusesCountsThatOverflow) {
+  const Scene scene;
+  std::size_t count = 7;
+  abut_finding finding{};
+  EXPECT_TRUE(refused(abut_universe_validate(scene.universe, &finding, std::numeric_limits<std::size_t>::max(), &count),
+                      ABUT_SIZE_OVERFLOW, {"capacity"}));
+  EXPECT_EQ(count, 7U);
+}
+
+TEST(UniverseValidate, CountsThenFills) {
+  Universe universe;
+  const Shape ball = make_sphere(1);
+  abut_part_options options;
+  abut_part_options_init(&options, sizeof options);
+  options.motion = ABUT_MOTION_STATIC;
+  for (int i = 0; i < 2; ++i) {
+    abut_part_id part;
+    abut_geometry_id geometry;
+    ASSERT_TRUE(succeeded(abut_part_create(universe, &options, &part)));
+    ASSERT_TRUE(succeeded(abut_geometry_create(universe, part, ball, nullptr, &geometry)));
+  }
+  std::size_t count = 0;
+  ASSERT_TRUE(succeeded(abut_universe_validate(universe, nullptr, 0, &count)));
+  ASSERT_EQ(count, 1U);
+  abut_finding finding{};
+  ASSERT_TRUE(succeeded(abut_universe_validate(universe, &finding, 1, &count)));
+  EXPECT_EQ(finding.code, abut_finding_code{ABUT_FINDING_NOTHING_MOVES});
+  EXPECT_EQ(finding.geometry.slot, 0U);
+  EXPECT_NE(std::string_view(finding.message).find("dynamic"), std::string_view::npos);
+}
+
+}  // namespace

@@ -1,0 +1,197 @@
+"""What the command line program writes: contacts and events, the same in every form and in every run.
+
+usage: check_output.py ABUT DIRECT SCENES
+"""
+
+import csv
+import io
+import json
+import os
+import subprocess
+import unittest
+
+import program
+from program import run
+
+FIELDS = ("id", "feature_index_a", "feature_index_b", "point_a", "point_b", "normal", "distance", "age")
+
+
+def rows_of(text):
+    return [{name: program.number_or_text(value) for name, value in row.items()} for row in csv.DictReader(io.StringIO(text))]
+
+
+def flat(record):
+    """A record of JSON as a row of a CSV has it."""
+    row = {}
+    for name, value in record.items():
+        if isinstance(value, list):
+            row.update({f"{name}_{axis}": number for axis, number in zip("xyz", value)})
+        elif isinstance(value, bool):
+            row[name] = int(value)
+        else:
+            row[name] = program.number_or_text(value) if isinstance(value, str) else value
+    return row
+
+
+class Output(program.Case):
+    def test_csv_and_json_hold_the_same(self):
+        for scene in sorted(program.SCENES.glob("*.json")):
+            with self.subTest(scene=scene.name):
+                for what in ("contacts", "events"):
+                    table, records = self.folder / f"{what}.csv", self.folder / f"{what}.json"
+                    self.succeed("run", scene, "--quiet", f"--{what}", table)
+                    self.succeed("run", scene, "--quiet", f"--{what}", records)
+                    rows = rows_of(table.read_text())
+                    self.assertEqual(rows, [flat(r) for r in json.loads(records.read_text())])
+                    self.assertGreater(len(rows), 0)
+
+    def test_contacts_are_those_of_the_c_interface(self):
+        direct = subprocess.run([program.DIRECT], capture_output=True, text=True, check=True).stdout.splitlines()
+        expected = [[program.number_or_text(word) for word in line.split()] for line in direct[:-1]]
+        scene = program.SCENES / "stack.json"
+        found = []
+        for contact in self.contacts(scene, "--steps", 2):
+            row = []
+            for field in FIELDS:
+                row += contact[field] if isinstance(contact[field], list) else [contact[field]]
+            found.append(row)
+        self.assertEqual(len(expected), 24)
+        self.assertEqual(found, expected)
+        summary = json.loads(self.succeed("run", scene, "--steps", 2, "--json").stdout)
+        self.assertEqual(summary["hash"], direct[-1])
+
+    def test_runs_and_threads_give_the_same_bytes(self):
+        scene = program.SCENES / "scatter.json"
+        files = []
+        for threads in (1, 1, 3):
+            contacts, events = self.folder / "contacts.csv", self.folder / "events.csv"
+            self.succeed("run", scene, "--threads", threads, "--contacts", contacts, "--events", events)
+            files.append((contacts.read_bytes(), events.read_bytes()))
+        self.assertTrue(files[0] == files[1] == files[2])
+        self.assertGreater(files[0][0].count(b"\n"), 1000)
+
+    def test_names_with_separators_are_quoted(self):
+        name = 'a "ball", round\u00e9'
+        document = {"version": 1, "parts": [
+            {"name": name, "geometries": [{"shape": {"kind": "sphere", "radius": 1}, "name": "x,y"}]},
+            {"geometries": [{"shape": {"kind": "sphere", "radius": 1}}]}]}
+        out = self.folder / "contacts.csv"
+        self.succeed("run", self.scene(document), "--quiet", "--contacts", out)
+        row, = rows_of(out.read_text(encoding="utf-8"))
+        self.assertEqual((row["part_a"], row["geometry_a"], row["part_b"], row["geometry_b"]), (name, "x,y", "parts[1]", 0))
+        self.assertEqual(self.contacts(self.scene(document))[0]["part_a"], name)
+
+    def test_without_contacts_there_is_a_header_or_an_empty_list(self):
+        scene = self.scene({"version": 1, "parts": []})
+        out = self.folder / "none.csv"
+        self.succeed("run", scene, "--contacts", out)
+        self.assertEqual(out.read_text().count("\n"), 1)
+        self.assertTrue(out.read_text().startswith("step,part_a,"))
+        self.assertEqual(self.contacts(scene), [])
+
+    def test_the_standard_output_can_take_contacts(self):
+        scene = program.SCENES / "stack.json"
+        result = self.succeed("run", scene, "--contacts", "-")
+        self.assertEqual(len(rows_of(result.stdout)), 12)
+        self.assertIn("hash of the last step", result.stderr)
+        result = self.succeed("run", scene, "--contacts", "-", "--json", "--quiet")
+        self.assertEqual(len(json.loads(result.stdout)), 12)
+        self.assertEqual(result.stderr, "")
+
+    def test_the_table_and_its_json(self):
+        scene = program.SCENES / "grid.json"
+        result = self.succeed("run", scene)
+        self.assertEqual(result.stderr, "", "progress is for terminals")
+        for word in ("401 parts", "1 steps", "candidate pairs", "touching pairs", "narrow phase", "hash of the last step"):
+            self.assertIn(word, result.stdout)
+        summary = json.loads(self.succeed("run", scene, "--json", "--steps", 3, "--dt", 0.5).stdout)
+        self.assertEqual(summary["counts"]["contacts"], {"min": 1160, "mean": 1160, "max": 1160, "last": 1160, "total": 3480})
+        self.assertEqual((summary["steps"], summary["dt"], summary["parts"]), (3, 0.5, 401))
+        self.assertEqual(summary["counts"]["examined_pairs"]["last"], 0, "what stands still is not examined again")
+        self.assertEqual(self.succeed("run", scene, "--quiet").stdout, "")
+
+    def test_a_terminal_sees_a_bar(self):
+        try:
+            ours, theirs = os.openpty()
+        except OSError as error:
+            raise unittest.SkipTest(f"there are no terminals here: {error}")
+        with subprocess.Popen([program.ABUT, "run", program.SCENES / "stack.json"], stdout=subprocess.DEVNULL,
+                              stderr=theirs) as process:
+            os.close(theirs)
+            shown = b""
+            try:
+                while part := os.read(ours, 4096):
+                    shown += part
+            except OSError:
+                pass  # the end, as Linux reports it
+        os.close(ours)
+        self.assertIn(b"100%", shown)
+        self.assertIn(b"[####", shown)
+
+    def test_explain_prints_the_plan(self):
+        scene = program.SCENES / "stack.json"
+        text = self.succeed("explain", scene).stdout
+        for word in ("broad phase", "box - plane", "12 contacts", "left out"):
+            self.assertIn(word, text)
+        plan = json.loads(self.succeed("explain", scene, "--json").stdout)
+        self.assertEqual(plan["counts"]["contacts"], 12)
+        self.assertEqual(json.loads(self.succeed("explain", scene, "--json", "--steps", 2).stdout)["counts"]["kept_pairs"],
+                         plan["counts"]["candidate_pairs"])
+
+    def test_shapes_lists_all_kinds(self):
+        text = self.succeed("shapes").stdout
+        kinds = json.loads(self.succeed("shapes", "--json").stdout)
+        self.assertEqual([line.split()[0] for line in text.splitlines()], list(kinds))
+        self.assertEqual([p["name"] for p in kinds["capsule"]["parameters"]], ["radius", "half_height"])
+        self.assertIn("triangles", kinds["mesh"]["arrays"])
+
+    def test_help_and_version(self):
+        self.assertIn("usage: abut run", self.succeed("--help").stdout)
+        self.assertIn("usage: abut run", self.succeed("run", "--help").stdout)
+        self.assertRegex(self.succeed("--version").stdout, r"^abut \d+\.\d+\.\d+\n$")
+
+
+class Failing(program.Case):
+    def test_a_folder_that_is_missing_is_named(self):
+        for option in ("--contacts", "--events"):
+            result = run("run", program.SCENES / "stack.json", option, self.folder / "none" / "out.csv")
+            self.assertEqual(result.returncode, 3)
+            self.assertIn(str(self.folder / "none" / "out.csv"), result.stderr)
+            self.assertIn("No such file or directory", result.stderr)
+            self.assertEqual(result.stdout, "")
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs a device that is always full")
+    def test_a_full_device_is_reported(self):
+        for scene in ("stack.json", "grid.json"):
+            result = run("run", program.SCENES / scene, "--contacts", "/dev/full")
+            self.assertEqual(result.returncode, 3)
+            self.assertIn("cannot write all of /dev/full: No space left on device", result.stderr)
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            for arguments in (("shapes",), ("explain", program.SCENES / "stack.json"), ("--help",)):
+                result = subprocess.run([program.ABUT, *arguments], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+                self.assertEqual(result.returncode, 3, arguments)
+                self.assertIn("cannot write all of the standard output", result.stderr)
+
+    def test_what_failed_leaves_the_file_as_it_was(self):
+        out = self.folder / "contacts.csv"
+        out.write_text("before")
+        # The scripts of this scene leave what a number can hold.
+        scene = self.scene({"version": 1, "dt": 1e300, "steps": 5, "parts": [
+            {"name": "runaway", "script": {"velocity": [1e10, 0, 0]},
+             "geometries": [{"shape": {"kind": "sphere", "radius": 1}}]}]})
+        result = run("run", scene, "--contacts", out)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("the scripts at step 2", result.stderr)
+        self.assertEqual(out.read_text(), "before")
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["contacts.csv", "scene.json"])
+
+    def test_a_file_is_replaced_as_a_whole(self):
+        out = self.folder / "contacts.csv"
+        out.write_text("before")
+        self.succeed("run", program.SCENES / "stack.json", "--contacts", out)
+        self.assertTrue(out.read_text().startswith("step,"))
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["contacts.csv"])
+
+
+if __name__ == "__main__":
+    program.main()

@@ -1,0 +1,210 @@
+"""The scenes of examples/scenes, each with counts that follow from what it says.
+
+usage: check_scenes.py ABUT DIRECT SCENES
+"""
+
+import collections
+import json
+import math
+
+import program
+
+MASK = (1 << 64) - 1
+
+
+def splitmix(seed):
+    """Numbers in [0, 1) by SplitMix64 (Steele, Lea and Flood 2014)."""
+    while True:
+        seed = (seed + 0x9E3779B97F4A7C15) & MASK
+        z = seed
+        z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & MASK
+        z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & MASK
+        yield ((z ^ (z >> 31)) >> 11) * 2.0**-53
+
+
+def pairs(contacts):
+    return collections.Counter((c["part_a"], c["part_b"]) for c in contacts)
+
+
+class Scenes(program.Case):
+    def test_there_is_a_test_for_each_scene(self):
+        names = {path.stem for path in program.SCENES.glob("*.json")}
+        tested = {name.removeprefix("test_scene_") for name in dir(self) if name.startswith("test_scene_")}
+        self.assertEqual(names, tested)
+
+    def test_scene_stack(self):
+        # A box stands on four corners, three times.
+        contacts = self.contacts(program.SCENES / "stack.json")
+        self.assertEqual(pairs(contacts), {("ground", "crate[0][0][0]"): 4,
+                                           ("crate[0][0][0]", "crate[0][0][1]"): 4,
+                                           ("crate[0][0][1]", "crate[0][0][2]"): 4})
+        for contact in contacts:
+            self.assertAlmostEqual(contact["distance"], -1e-4, delta=1e-12)
+            self.assertEqual(contact["normal"], [0, 0, 1])
+
+    def test_scene_grid(self):
+        # Each ball touches the ground; 20 rows and 20 columns have 19 neighbours each. Diagonals are 1.4 apart.
+        contacts = self.contacts(program.SCENES / "grid.json")
+        on_ground = [c for c in contacts if c["part_a"] == "ground"]
+        self.assertEqual(len(on_ground), 400)
+        self.assertEqual(len(contacts) - len(on_ground), 2 * 20 * 19)
+        self.assertTrue(all(math.isclose(c["distance"], -0.01, rel_tol=1e-9) for c in contacts))
+        places = sorted((c["point_a"][0], c["point_a"][1]) for c in on_ground)
+        self.assertAlmostEqual(places[0][0], -0.99 * 9.5)
+        self.assertAlmostEqual(places[-1][1], 0.99 * 9.5)
+
+    def test_scene_filters(self):
+        contacts = self.contacts(program.SCENES / "filters.json")
+        self.assertEqual(pairs(contacts), {("ground", "marble"): 1, ("ground", "wheel[0][0][0]"): 1,
+                                           ("ground", "wheel[1][0][0]"): 1, ("ground", "coarse"): 1,
+                                           ("door", "visitor"): 1})
+        self.assertEqual([c["part_b"] for c in contacts if c["sensor"]], ["visitor"])
+        marble = next(c for c in contacts if c["part_b"] == "marble")
+        self.assertEqual((marble["material_a"], marble["material_b"]), ("stone", "glass"))
+
+    def test_filters_without_what_keeps_pairs_apart(self):
+        document = json.loads((program.SCENES / "filters.json").read_text())
+        del document["rules"], document["policies"]
+        for part in document["parts"]:
+            for geometry in part["geometries"]:
+                for field in ("mask", "exclusion", "parking"):
+                    geometry.pop(field, None)
+        self.assertEqual(pairs(self.contacts(self.scene(document))),
+                         {("ground", "marble"): 1, ("ground", "ghost"): 1, ("twins[0][0][0]", "twins[1][0][0]"): 1,
+                          ("cart", "trailer"): 4, ("ground", "wheel[0][0][0]"): 1, ("ground", "wheel[1][0][0]"): 1,
+                          ("wheel[0][0][0]", "wheel[1][0][0]"): 1, ("door", "visitor"): 1, ("ground", "parked"): 1,
+                          ("ground", "coarse"): 4})
+
+    def test_scene_motion(self):
+        # The ball is at x = (step - 1) / 10 and touches the gate while 1.25 < x < 2.75. The paddle stands within
+        # asin(0.3 / 1.5) = 11.5 degrees of the post at 0.9 s, 1.0 s and 1.1 s, and two seconds later again.
+        events = self.events(program.SCENES / "motion.json")
+        self.assertEqual([(e["step"], e["event"], e["part_a"], e["sensor"]) for e in events],
+                         [(10, "begin", "paddle", False), (13, "end", "paddle", False),
+                          (14, "begin", "gate", True), (29, "end", "gate", True),
+                          (30, "begin", "paddle", False), (33, "end", "paddle", False)])
+        contacts = self.contacts(program.SCENES / "motion.json")
+        self.assertEqual(pairs(contacts), {("gate", "ball"): 15, ("paddle", "post"): 6})
+        for contact in contacts:
+            if contact["part_a"] == "paddle":
+                time = (contact["step"] - 1) / 10 % 2
+                weight = time if time <= 1 else 2 - time
+                half = math.pi / 4  # of the quarter turn, which is blended along its chord
+                turned = 2 * math.atan2(weight * math.sin(half), 1 - weight + weight * math.cos(half))
+                self.assertAlmostEqual(contact["distance"], 1.5 * math.cos(turned) - 0.3, delta=1e-9)
+
+    def test_scene_terrain(self):
+        # The slopes are at 45 degrees: the middle of the ball is 0.7 / sqrt(2) from each.
+        contacts = self.contacts(program.SCENES / "terrain.json")
+        self.assertEqual(pairs(contacts), {("valley", "ball"): 2, ("mesh", "probe"): 1})
+        for contact in contacts:
+            expected = 0.7 / math.sqrt(2) - 0.5 if contact["part_a"] == "valley" else 0.4 - 0.5
+            self.assertAlmostEqual(contact["distance"], expected, delta=1e-12)
+
+    def test_scene_peg(self):
+        # The peg in the hole has 0.05 around it. The other one stands 0.01 deep on four points.
+        contacts = self.contacts(program.SCENES / "peg.json")
+        self.assertEqual(pairs(contacts), {("plate", "standing"): 4})
+        self.assertTrue(all(math.isclose(c["distance"], -0.01, rel_tol=1e-9) for c in contacts))
+
+    def test_scene_scatter(self):
+        # Where the balls are, by the same generator written again; those nearer than two radii touch.
+        numbers = splitmix(1)
+        balls = [tuple(30 * next(numbers) for _ in range(3)) for _ in range(600)]
+        near = {(f"ball[{i}]", f"ball[{j}]") for i in range(600) for j in range(i) if math.dist(balls[i], balls[j]) < 0.8}
+        contacts = self.contacts(program.SCENES / "scatter.json", "--steps", 1)
+        found = {pair for pair in pairs(contacts) if all(part.startswith("ball") for part in pair)}
+        self.assertEqual({frozenset(pair) for pair in found}, {frozenset(pair) for pair in near})
+        self.assertGreater(len(near), 5)
+        for contact in contacts:
+            for side in ("a", "b"):
+                name = contact[f"part_{side}"]
+                if name.startswith("ball"):
+                    ball = balls[int(name[len("ball["):-1])]
+                    self.assertGreater(math.dist(contact[f"point_{side}"], ball), 0.4 - 1e-9)
+                    self.assertLess(math.dist(contact[f"point_{side}"], ball), 0.4 + 1e-9)
+
+    def test_every_broad_phase_finds_the_same(self):
+        document = json.loads((program.SCENES / "scatter.json").read_text())
+        found = []
+        for broadphase in ("auto", "brute", "tree", "sweep_and_prune", "hash_grid"):
+            document["universe"]["broadphase"] = broadphase
+            found.append(self.contacts(self.scene(document)))
+        self.assertTrue(all(contacts == found[0] for contacts in found))
+
+
+class Helpers(program.Case):
+    """Details of the format, each against plain arithmetic."""
+
+    def document(self, **fields):
+        return {"version": 1, "parts": [{"name": "floor", "motion": "static", "geometries": [
+            {"shape": {"kind": "plane", "normal": [0, 0, 1]}}]}], **fields}
+
+    def lowest(self, shape, pose, local=None):
+        """How deep a shape reaches below the plane z = 0."""
+        document = self.document()
+        document["parts"].append({"name": "body", "pose": pose, "geometries": [{"shape": shape, "pose": local or {}}]})
+        contacts = self.contacts(self.scene(document))
+        return min(c["distance"] for c in contacts) if contacts else None
+
+    def test_an_axis_and_degrees_turn_counter_clockwise(self):
+        box = {"kind": "box", "half": [1, 2, 3]}
+        for axis, degrees, depth in (([1, 0, 0], 90, 2), ([0, 5, 0], 90, 1), ([1, 1, 0], 180, 3), ([0, 0, 1], 33, 3)):
+            turned = self.lowest(box, {"axis": axis, "degrees": degrees})
+            self.assertAlmostEqual(turned, -depth, delta=1e-15, msg=f"{axis} {degrees}")
+        hull = {"kind": "hull", "points": [[1, 0, 0], [0, 0, 0], [0, 1, 0]]}
+        # x goes to -z about +y, so the first corner goes down.
+        for degrees in (1, 10, 29.5, 44.9, 45.1, 60, 89, 135):
+            self.assertAlmostEqual(self.lowest(hull, {"axis": [0, 1, 0], "degrees": degrees}),
+                                   -math.sin(math.radians(degrees)), delta=4e-16)
+            # The other way round it goes up, and so does as much as 360 degrees less.
+            self.assertAlmostEqual(self.lowest(hull, {"axis": [0, 1, 0], "degrees": degrees - 720}),
+                                   -math.sin(math.radians(degrees)), delta=4e-15)
+
+    def test_a_quaternion_is_w_x_y_z(self):
+        s = math.sqrt(0.5)
+        self.assertAlmostEqual(self.lowest({"kind": "box", "half": [1, 2, 3]}, {"quaternion": [s, s, 0, 0]}), -2, delta=1e-12)
+
+    def test_the_pose_of_a_geometry_is_in_the_frame_of_its_part(self):
+        depth = self.lowest({"kind": "sphere", "radius": 1}, {"position": [0, 0, 4], "axis": [0, 1, 0], "degrees": 90},
+                            {"position": [3.5, 0, 0]})
+        self.assertAlmostEqual(depth, -0.5, delta=1e-12)
+
+    def test_tolerances_and_modes(self):
+        shape = {"kind": "sphere", "radius": 1}
+        document = self.document(universe={"tolerance_mode": "margin"})
+        document["parts"].append({"name": "ball", "pose": {"position": [0, 0, 1.05]},
+                                  "geometries": [{"shape": shape, "tolerance": 0.1}]})
+        self.assertEqual(len(self.contacts(self.scene(document))), 1)
+        document["universe"]["tolerance_mode"] = "dead_band"
+        self.assertEqual(len(self.contacts(self.scene(document))), 0)
+
+    def test_arrays_of_shapes(self):
+        (self.folder / "points.txt").write_text("0 0 -1, 1 0 0\n-1 0 0 0 1 0")
+        (self.folder / "grey.pgm").write_bytes(b"P5\n# two by three\n2 3\n255\n" + bytes([9, 9, 1, 1, 1, 1]))
+        points = {"kind": "hull", "file": "points.txt", "scale": 2}
+        self.assertAlmostEqual(self.lowest(points, {}), -2, delta=1e-12)
+        particles = {"kind": "particles", "centres": [[0, 0, 0, 0.5], [0, 0, -1, 0.25]]}
+        self.assertAlmostEqual(self.lowest(particles, {}), -1.25, delta=1e-12)
+        field = {"kind": "height_field", "file": "grey.pgm", "spacing_x": 1, "spacing_y": 1}
+        document = {"version": 1, "shapes": {"ball": {"kind": "sphere", "radius": 1}}, "parts": [
+            {"name": "land", "motion": "static", "geometries": [{"shape": field}]},
+            {"name": "low", "pose": {"position": [0.5, 0.05, 1.9]}, "geometries": [{"shape": "ball"}]}]}
+        # The last row of the picture, which is dark, is at y = 0.
+        self.assertAlmostEqual(min(c["distance"] for c in self.contacts(self.scene(document))), -0.1, delta=1e-12)
+
+    def test_a_rule_names_all_copies_or_one(self):
+        document = self.document()
+        document["parts"].append({"name": "ball", "pose": {"position": [0, 0, 0.4]},
+                                  "grid": {"count": [3, 1, 1], "spacing": [10, 0, 0]},
+                                  "geometries": [{"shape": {"kind": "sphere", "radius": 0.5}}]})
+        for name, count in (("ball", 0), ("ball[1][0][0]", 2)):
+            document["rules"] = [{"a": {"part": "floor"}, "b": {"part": name}, "rule": "disable"}]
+            self.assertEqual(len(self.contacts(self.scene(document))), count)
+        document["rules"] = [{"a": "any", "b": "any", "rule": "disable"},
+                             {"a": {"part": "floor", "geometry": "0"}, "b": {"part": "ball[2][0][0]"}, "rule": "enable"}]
+        self.assertEqual([c["part_b"] for c in self.contacts(self.scene(document))], ["ball[2][0][0]"])
+
+
+if __name__ == "__main__":
+    program.main()

@@ -1,0 +1,68 @@
+// The plan as text and as JSON.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+
+import abut.universe.options;
+import abut.universe.plan;
+
+namespace {
+
+using namespace abut;
+
+Plan some_plan() {
+  StepStats stats;
+  stats.parts = 3;
+  stats.geometries = 1;
+  stats.bytes = 12345;
+  return {.stats = stats,
+          .broadphase = "tree",
+          .broadphase_reason = "because of \"many\" \\ boxes",
+          .is_margin = true,
+          .max_contacts = 4,
+          .threads = 2,
+          .rules = 5,
+          .policies = 6,
+          .stages = {{"refresh", 1.25, "one"}, {"a name longer than its column", 0.5, "two"}},
+          .kinds = {{"box", "sphere", 10, 9, 8, 7, "closed form", "it has one"}},
+          .left_out = {{"picking", "not loaded"}}};
+}
+
+TEST(Plan, AsJsonIsWhatItWas) {
+  const nlohmann::json json = nlohmann::json::parse(to_json(some_plan()));
+  EXPECT_EQ(json["counts"]["parts"], 3);
+  EXPECT_EQ(json["counts"]["bytes"], 12345);
+  EXPECT_EQ(json["broadphase"]["algorithm"], "tree");
+  EXPECT_EQ(json["broadphase"]["reason"], "because of \"many\" \\ boxes");
+  EXPECT_EQ(json["tolerance_mode"], "margin");
+  EXPECT_EQ(json["stages"].size(), 2U);
+  EXPECT_EQ(json["stages"][0]["microseconds"], 1.25);
+  EXPECT_EQ(json["pairs_of_kinds"][0]["touching"], 8);
+  EXPECT_EQ(json["left_out"][0]["why"], "not loaded");
+  EXPECT_EQ(json["rules"], 5);
+}
+
+TEST(Plan, AsJsonCanBeEmpty) {
+  Plan plan = some_plan();
+  plan.stages.clear();
+  plan.kinds.clear();
+  plan.left_out.clear();
+  const nlohmann::json json = nlohmann::json::parse(to_json(plan));
+  EXPECT_TRUE(json["stages"].empty());
+  EXPECT_TRUE(json["pairs_of_kinds"].empty());
+}
+
+TEST(Plan, AsTextHasALineForEverything) {
+  const std::string text = to_text(some_plan());
+  for (const char* line : {"universe: 3 parts, 1 geometry, 12345 bytes\n", "  refresh             1.3 us  one\n",
+                           "broad phase: tree, because of", "threads: 2\n", "tolerance: margin",
+                           "  box - sphere: 10 candidates, 9 examined, 8 touching, 7 contacts; closed form (it has one)\n",
+                           "  picking: not loaded\n"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+  }
+}
+
+}  // namespace

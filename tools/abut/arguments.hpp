@@ -1,0 +1,30 @@
+// The command line.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace cli {
+
+enum class Command { help, version, shapes, run, explain };
+
+struct Arguments {
+  Command command = Command::help;
+  std::string scene;
+  std::optional<std::uint64_t> steps;
+  std::optional<double> dt;
+  std::optional<std::uint32_t> threads;
+  std::string contacts;  // empty: none
+  std::string events;    // empty: none
+  bool quiet = false;
+  bool json = false;
+};
+
+/// Throws BadInput with one sentence about the first argument that makes no sense.
+[[nodiscard]] Arguments parse_arguments(std::span<const std::string> words);
+
+[[nodiscard]] const char* usage();
+
+}  // namespace cli

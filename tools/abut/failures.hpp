@@ -1,0 +1,33 @@
+// Why the program ends, and its exit status for each.
+#pragma once
+
+#include "common/owners.hpp"
+
+namespace cli {
+
+using namespace tools;
+
+/// What the program answers to its caller.
+enum class Status : int {
+  done = 0,
+  bad_input = 1,       ///< the arguments or the scene
+  library_failed = 2,  ///< a call of abut failed on a scene that it had taken, or memory ran out
+  bad_output = 3       ///< a file could not be written
+};
+
+class BadInput : public Failure {
+ public:
+  using Failure::Failure;
+};
+
+class BadOutput : public Failure {
+ public:
+  using Failure::Failure;
+};
+
+/// Whether a failing call speaks of what it was given, and not of memory or of a defect.
+[[nodiscard]] constexpr bool blames_input(abut_status status) {
+  return status != ABUT_OUT_OF_MEMORY && status != ABUT_INTERNAL && status != ABUT_NOT_CONVERGED;
+}
+
+}  // namespace cli

@@ -1,0 +1,59 @@
+#include "part_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "geometry_reader.hpp"
+#include "pose_reader.hpp"
+#include "repetition.hpp"
+
+namespace cli {
+namespace {
+
+constexpr std::array<Choice, 3> motions{
+    {{"dynamic", ABUT_MOTION_DYNAMIC}, {"animated", ABUT_MOTION_ANIMATED}, {"static", ABUT_MOTION_STATIC}}};
+
+void read_part(const Node& node, Scene& scene, PartRanges& ranges) {
+  Fields fields(node);
+  const std::size_t first = scene.parts.size();
+  Part part;
+  const auto name = fields.find("name");
+  part.name = name ? name->name() : node.path();
+  if (const auto motion = fields.find("motion")) {
+    part.motion = motion->choice(motions);
+  }
+  const abut_pose pose = read_pose(fields.find("pose"));
+  if (const auto script = fields.find("script")) {
+    if (part.motion == ABUT_MOTION_STATIC) {
+      script->refuse("no script on a static part; \"animated\" and \"dynamic\" ones may have one");
+    }
+    part.script = scene.scripts.size();
+    scene.scripts.push_back(read_script(*script));
+  }
+  const std::vector<Geometry> geometries = read_geometries(fields.need("geometries"), scene);
+  for (Copy& copy : read_copies(fields, pose)) {
+    Part& made = scene.parts.emplace_back(part);
+    made.name += copy.suffix;
+    made.pose = copy.pose;
+    for (const Geometry& geometry : geometries) {
+      scene.geometries.push_back(geometry);
+      scene.geometries.back().part = scene.parts.size() - 1;
+    }
+  }
+  fields.done();
+  if (name && !ranges.try_emplace(name->text(), first, scene.parts.size()).second) {
+    name->refuse("a name that no other part has");
+  }
+}
+
+}  // namespace
+
+PartRanges read_parts(const Node& node, Scene& scene) {
+  PartRanges ranges;
+  for (const Node& part : node.list("parts")) {
+    read_part(part, scene, ranges);
+  }
+  return ranges;
+}
+
+}  // namespace cli

@@ -1,0 +1,77 @@
+// A scene as it was read: plain data, and the shapes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "abut/abut.h"
+#include "names.hpp"
+#include "script.hpp"
+#include "shapes.hpp"
+
+namespace cli {
+
+struct Part {
+  static constexpr std::size_t no_script = std::numeric_limits<std::size_t>::max();
+
+  std::string name;
+  abut_motion motion = ABUT_MOTION_DYNAMIC;
+  abut_pose pose{};
+  std::size_t script = no_script;
+};
+
+struct Geometry {
+  std::size_t part;
+  std::string name;  // within its part
+  const abut_shape* shape;
+  abut_geometry_options options;
+};
+
+/// What a rule speaks of: of a geometry or a part its index in the scene, of a label its number.
+struct Collidable {
+  abut_collidable_kind kind;
+  std::size_t index;
+};
+
+struct Rule {
+  std::string path;
+  Collidable a;
+  Collidable b;
+  abut_rule rule;
+};
+
+struct Policy {
+  std::string path;
+  std::uint32_t tag_a;
+  std::uint32_t tag_b;
+  abut_policy policy;
+};
+
+struct Scene {
+  explicit Scene(std::filesystem::path folder) : shapes(std::move(folder)) {}
+
+  std::string length_unit = "m";
+  std::string time_unit = "s";
+  abut_universe_options universe{};
+  std::uint64_t steps = 1;
+  double dt = 0.01;
+  Shapes shapes;
+  Names layers{"layer", 63};
+  Names exclusions{"exclusion", 63};
+  Names labels{"label", UINT32_MAX};
+  Names tags{"tag", 63};
+  Names materials{"material", UINT32_MAX};
+  std::vector<Part> parts;
+  std::vector<Geometry> geometries;
+  std::vector<Script> scripts;
+  std::vector<Rule> rules;
+  std::vector<Policy> policies;
+};
+
+/// Reads and checks a scene; files that it names lie beside it. Throws BadInput.
+[[nodiscard]] Scene read_scene(const std::filesystem::path& path);
+
+}  // namespace cli

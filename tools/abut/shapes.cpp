@@ -1,0 +1,100 @@
+#include "shapes.hpp"
+
+#include "parameters.hpp"
+#include "pose_reader.hpp"
+#include "shape_arrays.hpp"
+
+namespace cli {
+namespace {
+
+std::string listed_kinds() {
+  std::string text;
+  for (std::size_t i = 0; i < abut_shape_kind_count(); ++i) {
+    text += (i > 0 ? ", " : "") + std::string(abut_shape_kind_name(abut_shape_kind_at(i)));
+  }
+  return text;
+}
+
+}  // namespace
+
+void Shapes::read(const std::optional<Node>& node) {
+  if (!node) {
+    return;
+  }
+  declarations_ = node;
+  for (const auto& [name, shape] : node->entries("shapes by name")) {
+    static_cast<void>(named(shape, name));
+  }
+}
+
+const abut_shape* Shapes::resolve(const Node& node) {
+  if (node.is_object()) {
+    unnamed_.push_back(make(node));
+    return unnamed_.back().get();
+  }
+  const bool exists = node.is_text() && declarations_ && declarations_->json().contains(node.text());
+  if (!exists) {
+    node.refuse("the name of a shape of the scene, or a shape, {\"kind\": ...}");
+  }
+  if (in_progress_.contains(node.text())) {
+    node.refuse("a shape that is not made of itself");
+  }
+  return named(declarations_->field(node.text()), node.text());
+}
+
+const abut_shape* Shapes::named(const Node& declared, const std::string& name) {
+  if (const auto found = named_.find(name); found != named_.end()) {
+    return found->second.get();
+  }
+  in_progress_.insert(name);
+  ShapeOwner shape = make(declared);
+  in_progress_.erase(name);
+  return named_.emplace(name, std::move(shape)).first->second.get();
+}
+
+ShapeOwner Shapes::make(const Node& node) {
+  Fields fields(node);
+  const Node kind = fields.need("kind");
+  if (abut_shape_kind_by_name(kind.text().c_str()) == 0) {
+    kind.refuse("a kind of shape of this build: " + listed_kinds());
+  }
+  ShapeOwner shape = kind.text() == "composite" ? make_composite(fields) : make_simple(fields, kind.text());
+  fields.done();
+  return shape;
+}
+
+ShapeOwner Shapes::make_composite(Fields& fields) {
+  std::vector<const abut_shape*> children;
+  std::vector<abut_pose> poses;
+  const Node list = fields.need("children");
+  for (const Node& element : list.list("children, each with a shape and a pose")) {
+    Fields child(element);
+    children.push_back(resolve(child.need("shape")));
+    poses.push_back(read_pose(child.find("pose")));
+    child.done();
+  }
+  abut_shape* made = nullptr;
+  list.check(abut_composite_create(children.data(), poses.data(), children.size(), &made));
+  return ShapeOwner(made);
+}
+
+ShapeOwner Shapes::make_simple(Fields& fields, const std::string& kind) {
+  const ShapeArrays arrays = read_arrays(fields, kind, folder_);
+  const std::vector<double> parameters = read_parameters(fields, kind, arrays);
+  // A field that is misspelt is named before the library says what is missing.
+  fields.done();
+  abut_shape_desc desc;
+  abut_shape_desc_init(&desc, sizeof desc);
+  desc.kind = abut_shape_kind_by_name(kind.c_str());
+  desc.parameters = parameters.data();
+  desc.parameter_count = parameters.size();
+  desc.reals = arrays.reals.empty() ? nullptr : arrays.reals.data();
+  desc.real_count = arrays.reals.size();
+  desc.indices = arrays.indices.empty() ? nullptr : arrays.indices.data();
+  desc.index_count = arrays.indices.size();
+  abut_shape* made = nullptr;
+  fields.node().check(abut_shape_create(&desc, &made));
+  return ShapeOwner(made);
+}
+
+}  // namespace cli

@@ -1,0 +1,42 @@
+// The shapes of a scene, by name, and those that are written where they are used.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "node.hpp"
+
+namespace cli {
+
+class Shapes {
+ public:
+  explicit Shapes(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Makes all shapes of {"name": {"kind": ..., ...}, ...}.
+  void read(const std::optional<Node>& node);
+
+  /// The shape that a node means: the name of one, or one written out. Owned by this object.
+  [[nodiscard]] const abut_shape* resolve(const Node& node);
+
+  /// Lets go of the document; nothing can be resolved from then on.
+  void forget_document() { declarations_.reset(); }
+
+  [[nodiscard]] std::size_t count() const { return named_.size() + unnamed_.size(); }
+
+ private:
+  ShapeOwner make(const Node& node);
+  ShapeOwner make_composite(Fields& fields);
+  ShapeOwner make_simple(Fields& fields, const std::string& kind);
+  const abut_shape* named(const Node& declared, const std::string& name);
+
+  std::filesystem::path folder_;
+  std::optional<Node> declarations_;
+  std::map<std::string, ShapeOwner> named_;
+  std::vector<ShapeOwner> unnamed_;
+  std::set<std::string> in_progress_;
+};
+
+}  // namespace cli

@@ -1,0 +1,110 @@
+#include "world.hpp"
+
+#include <algorithm>
+
+namespace cli {
+namespace {
+
+// A refusal of what the scene says, at a place of it.
+void check_scene(abut_status status, const std::string& path) {
+  if (status != ABUT_OK && blames_input(status)) {
+    throw BadInput(path + ": the library says: " + abut_last_error_message());
+  }
+  check(status, path.c_str());
+}
+
+}  // namespace
+
+World::World(Scene scene) : scene_(std::move(scene)) {
+  abut_universe* universe = nullptr;
+  check_scene(abut_universe_create(&scene_.universe, &universe), "universe");
+  universe_.reset(universe);
+  create_parts();
+  create_geometries();
+  set_rules();
+  set_policies();
+}
+
+void World::create_parts() {
+  std::vector<abut_part_options> options(scene_.parts.size());
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    abut_part_options_init(&options[i], sizeof options[i]);
+    options[i].motion = scene_.parts[i].motion;
+    options[i].pose = scene_.parts[i].pose;
+    options[i].user_data = i;
+    if (scene_.parts[i].script != Part::no_script) {
+      scripted_.push_back(i);
+    }
+  }
+  parts_.resize(options.size());
+  check_scene(abut_parts_create(universe_.get(), options.data(), options.size(), parts_.data()), "parts");
+}
+
+void World::create_geometries() {
+  const std::size_t count = scene_.geometries.size();
+  std::vector<abut_part_id> parts;
+  std::vector<const abut_shape*> shapes;
+  std::vector<abut_geometry_options> options;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Geometry& geometry = scene_.geometries[i];
+    parts.push_back(parts_[geometry.part]);
+    shapes.push_back(geometry.shape);
+    options.push_back(geometry.options);
+    options.back().user_data = i;
+  }
+  geometries_.resize(count);
+  check_scene(abut_geometries_create(universe_.get(), parts.data(), shapes.data(), options.data(), count, geometries_.data()),
+              "geometries");
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t slot = geometries_[i].slot;
+    geometry_of_slot_.resize(std::max(geometry_of_slot_.size(), slot + 1));
+    geometry_of_slot_[slot] = i;
+  }
+}
+
+abut_collidable World::collidable(const Collidable& what) const {
+  switch (what.kind) {
+    case ABUT_COLLIDABLE_GEOMETRY:
+      return {what.kind, geometries_[what.index].slot, geometries_[what.index].generation};
+    case ABUT_COLLIDABLE_PART: return {what.kind, parts_[what.index].slot, parts_[what.index].generation};
+    default: return {what.kind, static_cast<std::uint32_t>(what.index), 0};
+  }
+}
+
+void World::set_rules() {
+  for (const Rule& rule : scene_.rules) {
+    const abut_collidable a = collidable(rule.a);
+    const abut_collidable b = collidable(rule.b);
+    check_scene(abut_rule_set(universe_.get(), &a, &b, rule.rule), rule.path);
+  }
+}
+
+void World::set_policies() {
+  for (const Policy& policy : scene_.policies) {
+    check_scene(abut_policy_set(universe_.get(), policy.tag_a, policy.tag_b, &policy.policy), policy.path);
+  }
+}
+
+void World::step(std::uint64_t number) {
+  const double time = static_cast<double>(number - 1) * scene_.dt;
+  std::vector<abut_part_id> moved;
+  std::vector<abut_pose> poses;
+  for (const std::size_t i : scripted_) {
+    const Part& part = scene_.parts[i];
+    moved.push_back(parts_[i]);
+    poses.push_back(pose_at(scene_.scripts[part.script], part.pose, time));
+  }
+  const std::string when = "step " + std::to_string(number);
+  check_scene(abut_parts_set_poses(universe_.get(), moved.data(), poses.data(), moved.size()), "the scripts at " + when);
+  check(abut_universe_step(universe_.get(), scene_.dt), when.c_str());
+}
+
+const std::string& World::geometry_name(abut_geometry_id id) const {
+  return scene_.geometries[geometry_of_slot_[id.slot]].name;
+}
+
+const std::string& World::part_name(abut_geometry_id id) const {
+  return scene_.parts[scene_.geometries[geometry_of_slot_[id.slot]].part].name;
+}
+
+}  // namespace cli

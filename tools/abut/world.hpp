@@ -1,0 +1,41 @@
+// A universe built from a scene, its motion, and the names of what is in it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene.hpp"
+
+namespace cli {
+
+class World {
+ public:
+  /// Builds the universe. Throws BadInput when the library refuses something of the scene.
+  explicit World(Scene scene);
+
+  /// Places the parts as they are at step `number`, from 1, which is at the time (number - 1) * dt, and detects.
+  void step(std::uint64_t number);
+
+  [[nodiscard]] const abut_universe* universe() const { return universe_.get(); }
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+  [[nodiscard]] const std::string& part_name(abut_geometry_id id) const;
+  [[nodiscard]] const std::string& geometry_name(abut_geometry_id id) const;
+
+ private:
+  void create_parts();
+  void create_geometries();
+  void set_rules();
+  void set_policies();
+  [[nodiscard]] abut_collidable collidable(const Collidable& what) const;
+
+  Scene scene_;
+  UniverseOwner universe_;
+  std::vector<abut_part_id> parts_;
+  std::vector<abut_geometry_id> geometries_;
+  std::vector<std::size_t> geometry_of_slot_;
+  std::vector<std::size_t> scripted_;  // indices of parts
+};
+
+}  // namespace cli

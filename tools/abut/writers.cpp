@@ -1,0 +1,82 @@
+#include "writers.hpp"
+
+#include <array>
+
+namespace cli {
+namespace {
+
+constexpr std::array<Column, 20> contact_columns{{{"step"},
+                                                  {"part_a"},
+                                                  {"geometry_a"},
+                                                  {"part_b"},
+                                                  {"geometry_b"},
+                                                  {"id"},
+                                                  {"feature_a"},
+                                                  {"feature_index_a"},
+                                                  {"feature_b"},
+                                                  {"feature_index_b"},
+                                                  {"child_a"},
+                                                  {"child_b"},
+                                                  {"point_a", true},
+                                                  {"point_b", true},
+                                                  {"normal", true},
+                                                  {"distance"},
+                                                  {"age"},
+                                                  {"sensor"},
+                                                  {"material_a"},
+                                                  {"material_b"}}};
+
+constexpr std::array<Column, 10> event_columns{{{"step"},
+                                                {"event"},
+                                                {"of"},
+                                                {"part_a"},
+                                                {"geometry_a"},
+                                                {"part_b"},
+                                                {"geometry_b"},
+                                                {"contact_id"},
+                                                {"contacts"},
+                                                {"sensor"}}};
+
+template <std::size_t count>
+std::string_view name_at(const std::array<std::string_view, count>& names, std::uint32_t index) {
+  return index < count ? names[index] : "unknown";
+}
+
+constexpr std::array<std::string_view, 4> features{"whole", "vertex", "edge", "face"};
+constexpr std::array<std::string_view, 3> events{"begin", "persist", "end"};
+
+}  // namespace
+
+ContactWriter::ContactWriter(const std::string& path, Format format) : table_(path, format, contact_columns) {}
+
+void ContactWriter::add(const World& world, std::uint64_t step) {
+  const Names& materials = world.scene().materials;
+  for (const abut_contact& contact : contacts_of(world.universe())) {
+    table_.whole(step);
+    table_.text(world.part_name(contact.geometry_a)).text(world.geometry_name(contact.geometry_a));
+    table_.text(world.part_name(contact.geometry_b)).text(world.geometry_name(contact.geometry_b));
+    table_.whole(contact.id);
+    table_.text(name_at(features, contact.feature_a.kind)).whole(contact.feature_a.index);
+    table_.text(name_at(features, contact.feature_b.kind)).whole(contact.feature_b.index);
+    table_.whole(contact.child_a).whole(contact.child_b);
+    table_.vector(contact.point_a).vector(contact.point_b).vector(contact.normal).real(contact.distance);
+    table_.whole(contact.age).flag((contact.flags & ABUT_CONTACT_SENSOR) != 0);
+    table_.text(materials.name_of(contact.material_a)).text(materials.name_of(contact.material_b));
+    table_.end_row();
+  }
+}
+
+EventWriter::EventWriter(const std::string& path, Format format) : table_(path, format, event_columns) {}
+
+void EventWriter::add(const World& world, std::uint64_t step) {
+  for (const abut_event& event : events_of(world.universe())) {
+    table_.whole(step).text(name_at(events, event.kind));
+    table_.text((event.flags & ABUT_EVENT_CONTACT) != 0 ? "contact" : "pair");
+    table_.text(world.part_name(event.geometry_a)).text(world.geometry_name(event.geometry_a));
+    table_.text(world.part_name(event.geometry_b)).text(world.geometry_name(event.geometry_b));
+    table_.whole(event.contact_id).whole(event.contact_count).flag((event.flags & ABUT_EVENT_SENSOR) != 0);
+    table_.end_row();
+  }
+}
+
+}  // namespace cli
