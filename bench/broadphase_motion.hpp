@@ -24,7 +24,7 @@ class Wandering {
       Box box;
       Way way{random_.direction(), 0};
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double side = random_.uniform(0.5, 1.5), centre = half_extent_ * random_.uniform(-1, 1);
+        const double side = random_.uniform(0.5, 1.5), centre = static_cast<double>(half_extent_) * random_.uniform(-1, 1);
         way.step += 0.02 * side / 3;
         box.low[axis] = static_cast<float>(centre - side / 2);
         box.high[axis] = static_cast<float>(centre + side / 2);

@@ -65,9 +65,14 @@ template <Convex A, Convex B>
     return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_a.index, on_b.index};
   };
   const Real noise = 8 * epsilon * size;
+  // A depth that is not the overlap along its normal comes from a minimum that went astray: the polytope alone decides then.
+  const auto judged = [&](const EpaResult& found) {
+    const bool is_overlap = dot(found.normal, vertex_toward(found.normal).w) <= found.depth + error + noise;
+    return is_overlap ? found : epa(a, b, ab, size, error, start);
+  };
   if constexpr (Outlined<A> && Outlined<B>) {
     if (const auto found = coaxial_minimum(a, b, ab, error, noise)) {
-      return {found->depth, found->depth, found->upper, found->depth, found->normal, found->point_a, found->point_b, 1};
+      return judged({found->depth, found->depth, found->upper, found->depth, found->normal, found->point_a, found->point_b, 1});
     }
   }
   if constexpr ((Polyhedral<A> && WithDisc<B>) || (WithDisc<A> && Polyhedral<B>)) {
@@ -135,7 +140,7 @@ template <Convex A, Convex B>
     return result;
   };
   if (cover.is_whole()) {
-    return answer(infinity);
+    return judged(answer(infinity));
   }
 
   // Out of line, as all that has a polytope. The lower bound where all directions are proven.
@@ -190,7 +195,7 @@ template <Convex A, Convex B>
     return std::nullopt;
   };
   const std::optional<Real> lower = search_outside();
-  return lower ? answer(*lower) : epa(a, b, ab, size, error, start);
+  return lower ? judged(answer(*lower)) : epa(a, b, ab, size, error, start);
 }
 
 }  // namespace abut

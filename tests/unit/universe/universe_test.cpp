@@ -414,11 +414,11 @@ TEST(Universe, AutomaticBroadPhaseFollowsTheNumberOfGeometries) {
   }
   EXPECT_EQ(contacts_after_step(universe), 9u);
   EXPECT_NE(universe.explain().find("broad phase: brute force"), std::string::npos);
-  for (int i = 10; i < 300; ++i) {
+  for (int i = 10; i < 700; ++i) {
     parts.push_back(add_part(universe, at(1.5 * i, 0, 0)));
     add_geometry(universe, parts.back(), ball(1));
   }
-  EXPECT_EQ(contacts_after_step(universe), 299u);
+  EXPECT_EQ(contacts_after_step(universe), 699u);
   EXPECT_NE(universe.explain().find("broad phase: tree"), std::string::npos);
   ASSERT_TRUE(universe.destroy_parts(std::span(parts).subspan(20)).has_value());
   EXPECT_EQ(contacts_after_step(universe), 19u);
