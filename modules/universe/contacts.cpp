@@ -41,8 +41,8 @@ void Universe::finish_job(std::size_t job, std::uint32_t chunk, std::size_t firs
   const auto reported = [&](const ContactPoint& contact) { return is_reported(contact.distance, its.margin); };
   const auto kept = static_cast<std::size_t>(std::partition(found.begin(), found.end(), reported) - found.begin());
   scratch.ids.clear();
-  for (const Contact& contact : std::span(contacts_).subspan(pair.first_before, pair.count_before)) {
-    scratch.ids.push_back(contact.point.id);
+  for (const ContactHistory& history : std::span(histories_).subspan(pair.first_before, pair.count_before)) {
+    scratch.ids.push_back(history.id);
   }
   std::size_t left = reduce_children(found.first(kept), options_.max_contacts, scratch.ids);
   left = detail == Detail::point ? std::min<std::size_t>(left, 1) : left;
@@ -86,12 +86,14 @@ void Universe::find_contacts() {
 
 // What a pair has found, or what it had.
 void Universe::write_contacts_of(const Pair& pair) {
-  const std::span<const Contact> before = std::span(contacts_before_).subspan(pair.first_before, pair.count_before);
+  const std::span<const ContactHistory> before = std::span(histories_before_).subspan(pair.first_before, pair.count_before);
+  const std::span<ContactHistory> histories = std::span(histories_).subspan(pair.first_contact, pair.contact_count);
   const std::span<Contact> out = std::span(contacts_).subspan(pair.first_contact, pair.contact_count);
   if (pair.job == no_job) {
-    std::ranges::copy(before, out.begin());
-    for (Contact& contact : out) {
-      contact.age += pair.is_covered ? 1 : 0;
+    std::ranges::copy(std::span(contacts_before_).subspan(pair.first_before, pair.count_before), out.begin());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i].age += pair.is_covered ? 1 : 0;
+      histories[i] = {before[i].id, before[i].user_data, out[i].age};
     }
     return;
   }
@@ -99,14 +101,15 @@ void Universe::write_contacts_of(const Pair& pair) {
   const JobResult& result = jobs_.result(pair.job);
   const std::span<const ContactPoint> found = std::span(jobs_.scratch(result.chunk).points).subspan(result.first, result.count);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const auto same = std::ranges::find(before, found[i].id, [](const Contact& contact) { return contact.point.id; });
+    const auto same = std::ranges::find(before, found[i].id, &ContactHistory::id);
     const bool is_kept = same != before.end();
+    histories[i] = {found[i].id, is_kept ? same->user_data : 0, is_kept ? same->age + 1 : 0};
     out[i] = {.geometry_a = {pair.low + 1, pair.generation_low},
               .geometry_b = {pair.high + 1, pair.generation_high},
               .point = found[i],
               .flags = pair.is_sensor ? std::uint32_t{contact_of_sensor} : 0,
-              .age = is_kept ? same->age + 1 : 0,
-              .user_data = is_kept ? same->user_data : 0,
+              .age = histories[i].age,
+              .user_data = histories[i].user_data,
               .material_a = low.material,
               .material_b = high.material};
   }
@@ -115,6 +118,7 @@ void Universe::write_contacts_of(const Pair& pair) {
 // Contacts in the order of the pairs: counts first, then all pairs at once.
 void Universe::collect_contacts() {
   contacts_before_.swap(contacts_);
+  histories_before_.swap(histories_);
   tallies_.fill({});
   stats_.candidate_pairs = stats_.filtered_pairs = stats_.unsupported_pairs = stats_.touching_pairs = 0;
   std::uint32_t total = 0;
@@ -138,6 +142,7 @@ void Universe::collect_contacts() {
     stats_.touching_pairs += pair.is_touching ? 1 : 0;
   }
   contacts_.resize(total);
+  histories_.resize(total);
   workers_.for_each((pairs.size() + block_size - 1) / block_size, [&](std::size_t block) {
     const std::size_t begin = block * block_size;
     for (const Pair& pair : pairs.subspan(begin, std::min(block_size, pairs.size() - begin))) {
@@ -154,7 +159,7 @@ Result<void> Universe::set_contact_user_data(std::span<const std::uint64_t> user
                        std::to_string(contacts_.size()) + ", one for each contact");
   }
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    contacts_[i].user_data = user_data[i];
+    contacts_[i].user_data = histories_[i].user_data = user_data[i];
   }
   return {};
 }

@@ -16,8 +16,8 @@ import abut.universe.pairs;
 namespace abut {
 namespace {
 
-bool has(std::span<const Contact> contacts, std::uint64_t id) {
-  return std::ranges::find(contacts, id, [](const Contact& contact) { return contact.point.id; }) != contacts.end();
+bool has(std::span<const ContactHistory> contacts, std::uint64_t id) {
+  return std::ranges::find(contacts, id, &ContactHistory::id) != contacts.end();
 }
 
 // A chain of words, each of which changes all bits that follow.
@@ -55,8 +55,8 @@ void Universe::write_event(EventKind kind, const Pair& pair) {
 
 // First those that are there, in their order, then those that are gone, in theirs.
 void Universe::write_contact_events(const Pair& pair) {
-  const std::span<const Contact> before = std::span(contacts_before_).subspan(pair.first_before, pair.count_before);
-  const std::span<const Contact> present = std::span(contacts_).subspan(pair.first_contact, pair.contact_count);
+  const std::span<const ContactHistory> before = std::span(histories_before_).subspan(pair.first_before, pair.count_before);
+  const std::span<const ContactHistory> present = std::span(histories_).subspan(pair.first_contact, pair.contact_count);
   const std::uint32_t flags = std::uint32_t{event_of_contact} | (pair.is_sensor ? std::uint32_t{event_of_sensor} : 0);
   const auto write = [&](EventKind kind, std::uint64_t id, std::uint32_t place) {
     const bool is_end = kind == EventKind::end;
@@ -69,15 +69,15 @@ void Universe::write_contact_events(const Pair& pair) {
                        .contact_count = is_end ? 0u : 1u});
   };
   for (std::uint32_t i = 0; i < present.size(); ++i) {
-    const std::uint64_t id = present[i].point.id;
+    const std::uint64_t id = present[i].id;
     const bool is_new = pair.job != no_job && !has(before, id);
     if (is_new || (options_.events & event_persist) != 0) {
       write(is_new ? EventKind::begin : EventKind::persist, id, pair.first_contact + i);
     }
   }
-  for (const Contact& contact : before) {
-    if (!has(present, contact.point.id)) {
-      write(EventKind::end, contact.point.id, 0);
+  for (const ContactHistory& history : before) {
+    if (!has(present, history.id)) {
+      write(EventKind::end, history.id, 0);
     }
   }
 }

@@ -5,7 +5,6 @@ module;
 #include <limits>
 #include <string>
 export module abut.universe.options;
-import abut.any_shape;
 export import abut.broadphase.automatic;
 import abut.core;
 import abut.math;
@@ -71,13 +70,6 @@ struct GeometryOptions {
   std::uint32_t material = 0;
 };
 
-struct GeometryInfo {
-  PartId part;
-  ShapeHandle shape;
-  Placement world;
-  GeometryOptions options;
-};
-
 struct Revision {
   std::uint64_t geometries = 0;  // grows when one is created or destroyed, parked, or changes its shape
   std::uint64_t poses = 0;       // grows when one is set
@@ -92,6 +84,13 @@ struct Contact {
   std::uint32_t age = 0;        // steps in a row before this one that reported it
   std::uint64_t user_data = 0;  // stays while the contact does
   std::uint32_t material_a = 0, material_b = 0;
+};
+
+// What the next detection asks about a contact, apart from the rest of it: few bytes, since all of them are read again.
+struct ContactHistory {
+  std::uint64_t id;
+  std::uint64_t user_data;
+  std::uint32_t age;
 };
 
 enum class EventKind : std::uint32_t { begin, persist, end };

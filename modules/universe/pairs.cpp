@@ -7,7 +7,7 @@ module;
 #include <vector>
 module abut.universe.pairs;
 import abut.broadphase;
-import abut.dispatch;
+import abut.narrowphase.pair_memory;
 import abut.universe.options;
 
 namespace abut {

@@ -7,8 +7,8 @@ module;
 #include <vector>
 export module abut.universe.pairs;
 import abut.broadphase;
-import abut.dispatch;
 import abut.math;
+import abut.narrowphase.pair_memory;
 import abut.universe.options;
 
 export namespace abut {

@@ -104,6 +104,7 @@ std::size_t Universe::bytes() const {
                               (fresh_.capacity() + queue_.capacity() + updates_.capacity()) * sizeof(std::uint32_t);
   const std::size_t results = near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() + jobs_.bytes() +
                               (contacts_.capacity() + contacts_before_.capacity()) * sizeof(Contact) +
+                              (histories_.capacity() + histories_before_.capacity()) * sizeof(ContactHistory) +
                               events_.capacity() * sizeof(Event);
   const std::size_t broadphase = std::visit([](const auto& its) { return its.bytes(); }, broadphase_);
   return sizeof(Universe) + parts_.bytes() + geometries_.bytes() + list_bytes_ + per_geometry + changes + results + broadphase +

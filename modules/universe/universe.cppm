@@ -29,6 +29,13 @@ import abut.universe.rules;
 
 export namespace abut {
 
+struct GeometryInfo {
+  PartId part;
+  ShapeHandle shape;
+  Placement world;
+  GeometryOptions options;
+};
+
 class Universe {
  public:
   // `number` tells universes of one process apart: their ids start at different generations.
@@ -230,6 +237,7 @@ class Universe {
 
   std::vector<Contact> contacts_;
   std::vector<Contact> contacts_before_;  // of the detection before
+  std::vector<ContactHistory> histories_, histories_before_;  // of the contacts of both, in their order
   std::vector<Event> events_;
   std::array<KindTally, run_count> tallies_{};
   StepStats stats_;
