@@ -3,9 +3,8 @@ module;
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <thread>
 
-#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 module abut.core.workers;
@@ -16,7 +15,17 @@ struct Workers::Arena {
   tbb::task_arena arena;
 };
 
-Workers::Workers(std::uint32_t threads) : threads_(threads != 0 ? threads : std::max(1u, std::thread::hardware_concurrency())) {
+namespace {
+
+// More threads than the machine runs at once only get in each other's way, and oneTBB complains about them aloud.
+std::uint32_t possible(std::uint32_t threads) {
+  const auto most = static_cast<std::uint32_t>(std::max(1, tbb::info::default_concurrency()));
+  return threads == 0 ? most : std::min(threads, most);
+}
+
+}  // namespace
+
+Workers::Workers(std::uint32_t threads) : threads_(threads == 1 ? 1 : possible(threads)) {
   if (threads_ > 1) {
     arena_ = std::make_unique<Arena>(tbb::task_arena(static_cast<int>(threads_)));
   }

@@ -12,7 +12,7 @@ export namespace abut {
 // are lent to a call while it runs.
 class Workers {
  public:
-  // 0: as many as the machine runs at once.
+  // 0: as many as the machine runs at once, which is also the most there are.
   explicit Workers(std::uint32_t threads);
   Workers(Workers&&) noexcept;
   Workers& operator=(Workers&&) noexcept;
