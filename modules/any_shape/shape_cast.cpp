@@ -40,7 +40,7 @@ Real reach(const S& shape, const Pose& pose, const Vec3& direction) {
 LinearMotion turned(const LinearMotion& motion, const Rotation& into) {
   return {UnitVec3::from_unit_unchecked(into.undo(motion.direction)), motion.length};
 }
-LinearMotion seen_from_b(const LinearMotion& motion, const Pose& ab) {
+[[maybe_unused]] LinearMotion seen_from_b(const LinearMotion& motion, const Pose& ab) {
   const LinearMotion along = turned(motion, ab.rotation);
   return {-along.direction, along.length};
 }
