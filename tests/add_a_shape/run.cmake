@@ -27,8 +27,10 @@ set(features "")
 if(hull)
   set(features hull)
 endif()
+# A list stays one argument on its way through run().
 if(NOT shapes STREQUAL "all")
   list(APPEND shapes rounded_cone)
+  string(REPLACE ";" "\\;" shapes "${shapes}")
 endif()
 # A build type without optimisation and without debug information compiles fastest. ABUT_FUZZ is for the replay: its
 # live targets are not built.
