@@ -122,16 +122,10 @@ constinit const PairRow row_@name@ = make_row<Shapes, @index@>(by_children);
   list(JOIN rows ", " rows)
   file(CONFIGURE OUTPUT ${gen}/registry.cppm @ONLY CONTENT
 "// Generated from cmake/registry.cmake: the shapes of this build and the table of their pairs.
-module;
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <variant>
 export module abut.registry;
 export import abut.dispatch;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 @imports@@pair_imports@

@@ -1,16 +1,6 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <utility>
-#include <variant>
-#include <vector>
 module abut.any_shape;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.parts;
 import abut.registry;

@@ -1,13 +1,7 @@
 // A shape of any kind of this build, and what can be asked of one and of two.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.any_shape;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 export import abut.narrowphase.pair_memory;
 import abut.registry;

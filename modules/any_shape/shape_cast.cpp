@@ -1,20 +1,12 @@
 // Convex shapes are cast as they are; meshes, height fields, particles and composites part by part in the order in which
 // the boxes are met, since the normal of the nearest part says nothing of the others; what holes leave of solids in
 // strides.
-module;
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <utility>
-#include <variant>
-#include <vector>
 module abut.any_shape.shape_cast;
 import abut.any_shape;
 import abut.continuous.linear_cast;
 import abut.continuous.parts_in_order;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.convex;
 import abut.registry;

@@ -1,9 +1,7 @@
 // Shapes of any kind that move along a line: when they first touch.
-module;
-#include <cstdint>
-#include <optional>
 export module abut.any_shape.shape_cast;
 import abut.any_shape;
+import abut.core.standard;
 import abut.math;
 import abut.registry;
 import abut.shape;

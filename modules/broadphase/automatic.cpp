@@ -1,8 +1,5 @@
-module;
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
 module abut.broadphase.automatic;
+import abut.core.standard;
 
 namespace abut {
 namespace {

@@ -1,9 +1,6 @@
 // Which broad phase suits the boxes of a scene.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
 export module abut.broadphase.automatic;
+import abut.core.standard;
 
 export namespace abut {
 

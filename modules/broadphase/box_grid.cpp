@@ -1,14 +1,6 @@
-module;
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
 module abut.broadphase.box_grid;
 import abut.broadphase.eight_boxes;
+import abut.core.standard;
 import abut.math;
 
 namespace abut {

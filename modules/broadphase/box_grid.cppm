@@ -1,14 +1,8 @@
 // Boxes in cells of space, of which only those with something in them exist.
-module;
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 export module abut.broadphase.box_grid;
 import abut.broadphase.box_sweep;
 import abut.broadphase.eight_boxes;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

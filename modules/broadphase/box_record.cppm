@@ -1,11 +1,7 @@
 // A box with what decides whom it may pair with, in half a cache line.
-module;
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <limits>
 export module abut.broadphase.box_record;
 import abut.broadphase.proxy;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

@@ -1,10 +1,6 @@
 // Where a box that moves along a line meets boxes.
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 export module abut.broadphase.box_sweep;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

@@ -1,13 +1,6 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <span>
-#include <vector>
 module abut.broadphase.box_tree;
 import abut.broadphase.eight_boxes;
+import abut.core.standard;
 import abut.math;
 
 namespace abut {

@@ -1,15 +1,8 @@
 // A tree of boxes, eight to a node, whose leaves come, go and move.
-module;
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.broadphase.box_tree;
 import abut.broadphase.box_sweep;
 import abut.broadphase.eight_boxes;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

@@ -1,15 +1,10 @@
 module;
-#include <algorithm>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 #include "../core/check.hpp"
 module abut.broadphase.brute;
 import abut.broadphase.eight_boxes;
 import abut.broadphase.proxy;
 import abut.core;
+import abut.core.standard;
 import abut.core.workers;
 import abut.math;
 

@@ -1,16 +1,10 @@
 // Every box against every box: for a few dozen of them nothing is faster.
-module;
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.broadphase.brute;
 import abut.broadphase.box_record;
 import abut.broadphase.box_sweep;
 import abut.broadphase.eight_boxes;
 import abut.broadphase.proxy;
+import abut.core.standard;
 import abut.core.workers;
 import abut.math;
 

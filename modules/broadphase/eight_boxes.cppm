@@ -1,13 +1,7 @@
 // Boxes side by side in vector registers, so that one is compared with eight at once.
-module;
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 export module abut.broadphase.eight_boxes;
 import abut.broadphase.box_sweep;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

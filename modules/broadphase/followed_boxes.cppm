@@ -1,11 +1,5 @@
 // What the broad phases that keep pairs from call to call have in common, whatever finds neighbours for them.
 module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <utility>
-#include <vector>
 #include "../core/check.hpp"
 export module abut.broadphase.followed_boxes;
 import abut.broadphase.box_record;
@@ -15,6 +9,7 @@ import abut.broadphase.larger_box;
 import abut.broadphase.pair_order;
 import abut.broadphase.proxy;
 import abut.core;
+import abut.core.standard;
 import abut.core.workers;
 import abut.math;
 

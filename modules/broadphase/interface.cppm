@@ -1,18 +1,11 @@
 // What every broad phase can do.
-module;
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <type_traits>
-#include <variant>
-#include <vector>
 export module abut.broadphase.interface;
 import abut.broadphase.brute;
 import abut.broadphase.hash_grid;
 import abut.broadphase.proxy;
 import abut.broadphase.sweep_and_prune;
 import abut.broadphase.tree;
+import abut.core.standard;
 import abut.core.workers;
 import abut.math;
 

@@ -1,15 +1,8 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <tuple>
-#include <vector>
 module abut.broadphase.kept_pairs;
 import abut.broadphase.box_record;
 import abut.broadphase.pair_order;
 import abut.broadphase.proxy;
+import abut.core.standard;
 import abut.core.workers;
 
 namespace abut {

@@ -1,13 +1,8 @@
 // Pairs that stay in order from call to call while some go and some come.
-module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.broadphase.kept_pairs;
 import abut.broadphase.box_record;
 import abut.broadphase.proxy;
+import abut.core.standard;
 import abut.core.workers;
 
 export namespace abut {

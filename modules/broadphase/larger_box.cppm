@@ -1,8 +1,6 @@
 // How far boxes that are kept reach beyond the given ones.
-module;
-#include <algorithm>
-#include <cstddef>
 export module abut.broadphase.larger_box;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

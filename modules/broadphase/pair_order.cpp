@@ -1,12 +1,6 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 module abut.broadphase.pair_order;
 import abut.broadphase.proxy;
+import abut.core.standard;
 
 namespace abut {
 namespace {

@@ -1,9 +1,7 @@
 // Pairs in order of their numbers.
-module;
-#include <cstddef>
-#include <vector>
 export module abut.broadphase.pair_order;
 import abut.broadphase.proxy;
+import abut.core.standard;
 
 export namespace abut {
 

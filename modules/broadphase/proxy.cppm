@@ -1,7 +1,6 @@
 // What a broad phase works on: numbered boxes, and the pairs of them that overlap.
-module;
-#include <cstdint>
 export module abut.broadphase.proxy;
+import abut.core.standard;
 
 export namespace abut {
 

@@ -1,12 +1,4 @@
 module;
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <utility>
-#include <vector>
 #include "../core/check.hpp"
 module abut.broadphase.sweep_and_prune;
 import abut.broadphase.box_record;
@@ -15,6 +7,7 @@ import abut.broadphase.larger_box;
 import abut.broadphase.pair_order;
 import abut.broadphase.proxy;
 import abut.core;
+import abut.core.standard;
 import abut.core.workers;
 import abut.math;
 

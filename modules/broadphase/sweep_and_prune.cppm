@@ -1,17 +1,11 @@
 // Pairs of boxes from the order of their ends along the three axes.
-module;
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.broadphase.sweep_and_prune;
 import abut.broadphase.box_record;
 import abut.broadphase.box_sweep;
 import abut.broadphase.kept_pairs;
 import abut.broadphase.proxy;
 import abut.core;
+import abut.core.standard;
 import abut.core.workers;
 import abut.math;
 

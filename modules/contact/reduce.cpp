@@ -1,14 +1,6 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <utility>
 module abut.contact.reduce;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,9 +1,6 @@
 // Reduces a manifold to the few points that hold a body as well as all of them.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <span>
 export module abut.contact.reduce;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

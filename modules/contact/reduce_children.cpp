@@ -1,11 +1,6 @@
-module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <tuple>
 module abut.contact.reduce_children;
 import abut.contact.reduce;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,9 +1,6 @@
 // Reduces contacts of composites and particles: each pair of children is a manifold of its own.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <span>
 export module abut.contact.reduce_children;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,10 +1,6 @@
 // When two shapes first touch, one of which moves along a line without turning.
-module;
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <optional>
 export module abut.continuous.linear_cast;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

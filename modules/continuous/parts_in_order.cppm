@@ -1,13 +1,7 @@
 // The parts of a shape in the order in which something that moves meets their boxes.
-module;
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <utility>
-#include <vector>
 export module abut.continuous.parts_in_order;
 import abut.continuous.linear_cast;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

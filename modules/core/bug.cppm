@@ -1,8 +1,6 @@
 // A broken invariant of abut itself.
-module;
-#include <stdexcept>
-#include <string>
 export module abut.core.bug;
+import abut.core.standard;
 
 export namespace abut {
 

@@ -1,11 +1,6 @@
 // Expected failures: a stable code, and a sentence for people.
-module;
-#include <charconv>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <string_view>
 export module abut.core.error;
+import abut.core.standard;
 
 export namespace abut {
 

@@ -1,9 +1,7 @@
 // Frozen<T>: shared immutable data with the value semantics of a plain T. The only owner of a
 // shared_ptr; a change means a new Frozen.
-module;
-#include <memory>
-#include <utility>
 export module abut.core.frozen;
+import abut.core.standard;
 
 export namespace abut {
 

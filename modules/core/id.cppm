@@ -1,8 +1,6 @@
 // Ids instead of pointers: a slot and the generation that lived in it.
-module;
-#include <compare>
-#include <cstdint>
 export module abut.core.id;
+import abut.core.standard;
 
 export namespace abut {
 

@@ -1,10 +1,6 @@
 // Lazy<T>: made when first asked for, by exactly one of the threads that ask.
-module;
-#include <mutex>
-#include <atomic>
-#include <optional>
-#include <utility>
 export module abut.core.lazy;
+import abut.core.standard;
 
 export namespace abut {
 

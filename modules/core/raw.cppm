@@ -1,10 +1,6 @@
 // The only raw memory of abut.
-module;
-#include <array>
-#include <cstddef>
-#include <cstring>
-#include <type_traits>
 export module abut.core.raw;
+import abut.core.standard;
 
 export namespace abut {
 

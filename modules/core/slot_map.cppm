@@ -3,14 +3,9 @@
 // Generations of a map start at a number of its own, so that an id of one universe is stale in any
 // other one: with 2^32 generations a foreign id is accepted only if the two maps' starting points
 // differ by exactly the difference in how often the slot was reused.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <utility>
-#include <vector>
 export module abut.core.slot_map;
 import abut.core.id;
+import abut.core.standard;
 
 export namespace abut {
 

@@ -1,12 +1,7 @@
 // SmallVector: the first N elements live inside, more go to the heap. For trivial types; the inside
 // elements are not initialised before they are pushed.
-module;
-#include <array>
-#include <cstddef>
-#include <span>
-#include <type_traits>
-#include <vector>
 export module abut.core.small_vector;
+import abut.core.standard;
 
 export namespace abut {
 

@@ -1,13 +1,10 @@
 module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
 
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 module abut.core.workers;
+import abut.core.standard;
 
 namespace abut {
 

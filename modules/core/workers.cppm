@@ -1,10 +1,6 @@
 // Threads that share the work of one call.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <type_traits>
 export module abut.core.workers;
+import abut.core.standard;
 
 export namespace abut {
 

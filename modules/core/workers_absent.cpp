@@ -1,9 +1,6 @@
 // A build without threads: every call runs in the caller.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <memory>
 module abut.core.workers;
+import abut.core.standard;
 
 namespace abut {
 

@@ -1,15 +1,7 @@
 // The table of all pairs of the shapes of a registry. Knows no shape by name.
-module;
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <type_traits>
-#include <utility>
-#include <variant>
-#include <vector>
 export module abut.dispatch;
 import abut.core;
+import abut.core.standard;
 export import abut.dispatch.routes;
 import abut.math;
 import abut.narrowphase.convex;

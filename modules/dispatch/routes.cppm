@@ -1,13 +1,7 @@
 // From two types of shapes to an algorithm, at compile time. Knows no shape by name.
-module;
-#include <algorithm>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.dispatch.routes;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.convex;
 import abut.narrowphase.half_space;

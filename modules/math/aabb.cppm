@@ -1,9 +1,6 @@
 // Axis-aligned boxes: exact ones in double, and compact ones in float for the broad phase.
-module;
-#include <array>
-#include <cmath>
-#include <limits>
 export module abut.math.aabb;
+import abut.core.standard;
 import abut.math.vec3;
 import abut.math.pose;
 

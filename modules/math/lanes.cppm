@@ -4,9 +4,8 @@
 //
 // All is inlined at once: optimised alone, a function that reads a vector by its address reads the numbers
 // in pairs, and then the vectors of its callers have to be in memory.
-module;
-#include <cstdint>
 export module abut.math.lanes;
+import abut.core.standard;
 import abut.math.vec3;
 
 export namespace abut {

@@ -1,8 +1,6 @@
 // Rotations and rigid placements.
-module;
-#include <cmath>
-#include <optional>
 export module abut.math.pose;
+import abut.core.standard;
 import abut.math.vec3;
 
 export namespace abut {

@@ -1,12 +1,12 @@
 // The one file that includes Eigen: behind this implementation unit no importer pays for its
 // templates, and no consumer of an installed abut needs its headers.
 module;
-#include <span>
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Weverything"
 #include <Eigen/Eigenvalues>
 #pragma clang diagnostic pop
 module abut.math.principal_axes;
+import abut.core.standard;
 import abut.math.vec3;
 
 namespace abut {

@@ -1,7 +1,6 @@
 // The shape of a cloud of points: in which directions, and how far, it extends.
-module;
-#include <span>
 export module abut.math.principal_axes;
+import abut.core.standard;
 import abut.math.vec3;
 
 export namespace abut {

@@ -1,9 +1,6 @@
 // Vectors of three numbers, and those of length one.
-module;
-#include <cmath>
-#include <limits>
-#include <optional>
 export module abut.math.vec3;
+import abut.core.standard;
 
 export namespace abut {
 

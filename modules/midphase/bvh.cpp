@@ -1,11 +1,5 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 module abut.midphase.bvh;
+import abut.core.standard;
 import abut.math;
 
 namespace abut {

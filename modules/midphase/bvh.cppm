@@ -1,14 +1,8 @@
 // A bounding volume hierarchy of boxes over the triangles of a mesh: built once by binned surface
 // area heuristic (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007),
 // stored depth first, so that the left child follows its parent.
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.midphase.bvh;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

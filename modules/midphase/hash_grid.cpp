@@ -1,13 +1,5 @@
-module;
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 module abut.midphase.hash_grid;
+import abut.core.standard;
 import abut.math;
 
 namespace abut {

@@ -1,14 +1,8 @@
 // Points sorted into the cells of a uniform grid, of which only a hash table is kept (Teschner et al., "Optimized
 // spatial hashing for collision detection of deformable objects", 2003). Cells that follow each other along x
 // have buckets that do so too, so that a row of cells is one stretch of memory.
-module;
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.midphase.hash_grid;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

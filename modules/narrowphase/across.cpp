@@ -1,12 +1,6 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
 module abut.narrowphase.across;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,9 +1,7 @@
 // Points that lie across from each other: under a normal along which two cores separate best, their
 // outermost parts meet when one is moved onto the other, and any common point is a pair of witnesses.
-module;
-#include <cstddef>
-#include <cstdint>
 export module abut.narrowphase.across;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

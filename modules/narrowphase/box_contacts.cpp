@@ -1,11 +1,5 @@
-module;
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
 module abut.narrowphase.box_contacts;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

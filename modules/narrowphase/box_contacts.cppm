@@ -5,12 +5,8 @@
 //
 // Only a region whose corners are beyond doubt is found. Where a corner of one face lies on an edge of the other within
 // rounding, cutting edge by edge as clip_faces does keeps the answers about it in agreement with each other.
-module;
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
 export module abut.narrowphase.box_contacts;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

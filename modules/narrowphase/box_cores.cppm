@@ -9,10 +9,8 @@
 // Both end as GJK does, by the duality gap between the distance of the points and the extent of the
 // cores along the line between them; where that does not close in a few rounds, the caller goes on
 // with GJK.
-module;
-#include <cmath>
-#include <cstdint>
 export module abut.narrowphase.box_cores;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

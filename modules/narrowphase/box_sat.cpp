@@ -1,7 +1,5 @@
-module;
-#include <cmath>
-#include <cstdint>
 module abut.narrowphase.box_sat;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.sat;
 

@@ -6,14 +6,9 @@
 // nothing is less. A direction v outside all caps with less than d has d v outside the polytope, beyond one of its faces:
 // within the angle of cosine distance / d from the normal of that face. Faces all of whose such directions lie in a cap
 // need no vertex. When none is left, d is the depth.
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 export module abut.narrowphase.capped_epa;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.coaxial_depth;
 import abut.narrowphase.depth_minimum;

@@ -1,13 +1,6 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <utility>
 module abut.narrowphase.clip;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.across;
 import abut.shape;

@@ -1,13 +1,9 @@
 // The region in which two supporting faces meet: both are projected along the contact normal, the
 // projections are intersected, and each corner is lifted back onto both faces. The construction is the
 // same for both sides, so swapping them gives the same points.
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 export module abut.narrowphase.clip;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,12 +1,7 @@
 // Depth of overlap of two bodies of revolution around one axis, whose outlines are polygons: that of both outlines in a plane
 // through the axis, where the least overlap is along the normal of an edge of one of them.
-module;
-#include <array>
-#include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <optional>
 export module abut.narrowphase.coaxial_depth;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.depth_minimum;
 import abut.shape;

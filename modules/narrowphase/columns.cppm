@@ -1,7 +1,6 @@
 // Four vectors of space at a time, one per lane.
-module;
-#include <cstddef>
 export module abut.narrowphase.columns;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

@@ -1,12 +1,8 @@
 // Signed distance and contacts of two convex shapes from the separation of their cores. Radii are added
 // at the end, so a shallow contact of rounded shapes comes exactly from the distance of the cores.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.narrowphase.convex;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.box_contacts;
 import abut.narrowphase.box_cores;

@@ -1,12 +1,8 @@
 // Contacts of two convex shapes with what is remembered of the pair. Where the memory proves the answer no search is made;
 // else the search is the same as without, and the memory keeps what it found.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.narrowphase.convex_memory;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.clip;
 import abut.narrowphase.convex;

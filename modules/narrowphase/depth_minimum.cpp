@@ -1,9 +1,5 @@
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <optional>
 module abut.narrowphase.depth_minimum;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.shape.germ;

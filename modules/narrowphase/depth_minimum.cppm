@@ -4,12 +4,8 @@
 // Newton's method for the support function on the sphere, whose pieces meet in creases (Hessians of support functions:
 // Schneider, "Convex bodies: the Brunn-Minkowski theory", section 2.5). At the minimum n the point d n belongs to D, and
 // D reaches beyond that point by at least a quadratic form; where the form exceeds d |w|^2 the ball of radius d is in D.
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <optional>
 export module abut.narrowphase.depth_minimum;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.shape.germ;

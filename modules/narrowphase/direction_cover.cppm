@@ -2,12 +2,9 @@
 // seen from the middles of balls inside D.
 //
 // A ball of radius r around m has support dot(m, v) + r, which is at least d in a cap around m.
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
 export module abut.narrowphase.direction_cover;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.shape.germ;

@@ -4,12 +4,8 @@
 //
 // The polytope lies inside the Minkowski difference, so its least face distance bounds the depth from
 // below; the support in any direction bounds it from above. Both bounds are reported.
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 export module abut.narrowphase.epa;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.polytope;
 import abut.narrowphase.simplex;

@@ -4,11 +4,8 @@
 // difference and w the support point against it, dot(v, w) / |v| <= distance <= |v|. When the two agree
 // within the error bound, the distance is certified. When rounding stops progress first, the interval
 // that was reached is reported as it is.
-module;
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 export module abut.narrowphase.gjk;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.simplex;
 import abut.shape;

@@ -2,17 +2,9 @@
 //
 // Heights over the plane are the same in every frame. Those of the points of a shape come from the normal in the frame of
 // the shape, so that only points that touch are placed, and at once where the contacts are wanted.
-module;
-#include <array>
-#include <bit>
-#include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.narrowphase.half_space;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,14 +1,7 @@
 // A cavity against what is in it: the cavity stands for the solid that fills all space around it.
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.narrowphase.hole;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.half_space;
 import abut.shape;

@@ -1,11 +1,6 @@
 // Least overlap of two cores of which one is a polytope that lists its faces and edges, by separating axes.
-module;
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <vector>
 export module abut.narrowphase.hull_sat;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.columns;
 export import abut.narrowphase.hull_sat_facets;

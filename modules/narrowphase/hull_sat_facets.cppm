@@ -1,11 +1,6 @@
 // Polytopes that list their faces and edges for separating axes, four at a time.
-module;
-#include <bit>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 export module abut.narrowphase.hull_sat_facets;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.columns;
 import abut.shape;

@@ -1,15 +1,8 @@
 // Least overlap of a polytope with a core of few faces, by all axes that can be a face normal of their Minkowski
 // difference: the normals of both, and the cross products of those edges whose arcs on the Gauss sphere meet
 // (Gregorius, "The separating axis test between convex polyhedra", GDC 2013). Four axes at a time.
-module;
-#include <array>
-#include <bit>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <tuple>
-#include <vector>
 export module abut.narrowphase.hull_sat_few;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.columns;
 import abut.narrowphase.hull_sat_facets;

@@ -1,16 +1,8 @@
 // Least overlap of two polytopes of some dozens of vertices: the faces of both, and for each edge of one the arc of
 // its normals on the Gauss sphere, walked along from vertex to vertex of the other one, so that pairs of edges need
 // not be tried. Bounds pass most of both over.
-module;
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <vector>
 export module abut.narrowphase.hull_sat_two;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.columns;
 import abut.narrowphase.hull_sat_facets;

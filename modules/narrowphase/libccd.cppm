@@ -1,9 +1,7 @@
 // libccd's GJK/EPA and MPR behind the interface of our own routes: a second, independent opinion.
 // What it cannot answer (NaN, iteration limit, contradiction) is reported, never passed on.
-module;
-#include <cstdint>
-#include <functional>
 export module abut.narrowphase.libccd;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,13 +1,11 @@
 module;
-#include <cmath>
-#include <cstdint>
-#include <functional>
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Weverything"
 #include <ccd/ccd.h>
 #include <ccd/quat.h>
 #pragma clang diagnostic pop
 module abut.narrowphase.libccd;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,14 +1,7 @@
 // How much room there is around a point of a facet that two features make.
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <vector>
 export module abut.narrowphase.pair_clearance;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.hull_sat;
 import abut.narrowphase.pair_features;

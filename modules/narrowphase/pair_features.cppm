@@ -1,16 +1,8 @@
 // The features of two cores that a normal across their least overlap belongs to: found from the normal once, and from
 // then on the normal follows from the features and the pose, with the same operations as in the search and hence with
 // the same bits.
-module;
-#include <array>
-#include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <vector>
 export module abut.narrowphase.pair_features;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.columns;
 import abut.narrowphase.hull_sat;

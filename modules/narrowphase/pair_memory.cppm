@@ -4,14 +4,8 @@
 // toward a. A pair that overlaps keeps the features whose normal has the least overlap, and a ball inside the Minkowski
 // difference: it moves along with b and shrinks by what b has turned. Nothing kept changes an answer: it only spares a
 // search whose end it proves.
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <type_traits>
 export module abut.narrowphase.pair_memory;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

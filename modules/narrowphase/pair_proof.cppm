@@ -1,14 +1,7 @@
 // Whether what is kept of a pair still proves its answer, and keeping it.
-module;
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <vector>
 export module abut.narrowphase.pair_proof;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.gjk;
 import abut.narrowphase.hull_sat;

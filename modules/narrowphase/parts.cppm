@@ -1,14 +1,7 @@
 // Surfaces: a mesh or a height field against anything, triangle by triangle.
-module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
 export module abut.narrowphase.parts;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.convex;
 import abut.narrowphase.half_space;

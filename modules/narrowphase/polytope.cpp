@@ -1,8 +1,5 @@
-module;
-#include <array>
-#include <cstddef>
-#include <cstdint>
 module abut.narrowphase.polytope;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.columns;
 import abut.narrowphase.simplex;

@@ -1,11 +1,7 @@
 // A convex polytope of triangles that grows vertex by vertex: the body of the expanding polytope
 // algorithm. All storage is inside, no allocation.
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 export module abut.narrowphase.polytope;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.simplex;
 

@@ -1,12 +1,8 @@
 // Signed separation of two cores with few faces by trying every axis that can be a face normal of
 // their Minkowski difference: face normals of both, and cross products of their edges (Gottschalk,
 // Lin, Manocha, "OBBTree", 1996). Exact for overlap; a lower bound of the distance when apart.
-module;
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 export module abut.narrowphase.sat;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,14 +1,8 @@
 // How far two convex cores are apart or in each other: closed forms or GJK, and where the cores overlap
 // all separating axes or the expanding polytope.
-module;
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <vector>
 export module abut.narrowphase.separation;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.across;
 import abut.narrowphase.box_cores;

@@ -4,12 +4,8 @@
 // sign of the whole (signed volumes: Montanari, Petrinic, Barbieri, "Improving the GJK algorithm for
 // faster and more reliable distance queries", ACM TOG 36(3), 2017), so that slivers and flat simplices
 // need no thresholds: where a determinant vanishes, all its faces are candidates and the closest wins.
-module;
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
 export module abut.narrowphase.simplex;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

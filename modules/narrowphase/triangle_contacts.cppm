@@ -2,18 +2,9 @@
 // convex pair this knows two things about surfaces: a one-sided triangle only pushes to its front, and
 // at an inner edge, across which the surface goes on, only the normal of the face counts, so that
 // sliding shapes do not trip over seams.
-module;
-#include <algorithm>
-#include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <iterator>
-#include <optional>
-#include <span>
-#include <vector>
 export module abut.narrowphase.triangle_contacts;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.convex;
 import abut.shape;

@@ -1,14 +1,7 @@
 // Composites against anything: child by child, each pair of children by the table.
-module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <variant>
-#include <vector>
 module abut.registry;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.parts;
 import abut.shape;

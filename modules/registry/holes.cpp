@@ -1,17 +1,7 @@
 // Composites with holes: what their solids lose to the holes, the walls, and the rims where solids and holes end.
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <utility>
-#include <variant>
-#include <vector>
 module abut.registry;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.hole;
 import abut.narrowphase.parts;

@@ -1,11 +1,6 @@
-module;
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <utility>
 module abut.registry;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

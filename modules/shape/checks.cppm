@@ -1,14 +1,7 @@
 // Checks of the numbers that shapes are made from. Each answers with the first fault, if any.
-module;
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 export module abut.shape.checks;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

@@ -1,13 +1,7 @@
 // What a shape can do. Every pair of shapes gets an algorithm from these capabilities alone.
-module;
-#include <concepts>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.concepts;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape.records;
 

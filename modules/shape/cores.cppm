@@ -1,9 +1,6 @@
 // Cores that several shapes are made of: a point and a segment along Z, both around the origin.
-module;
-#include <array>
-#include <cmath>
-#include <cstdint>
 export module abut.shape.cores;
+import abut.core.standard;
 import abut.math;
 import abut.shape.place;
 import abut.shape.records;

@@ -1,7 +1,6 @@
 // Results of queries on two shapes, seen from elsewhere and from the other side.
-module;
-#include <cstdint>
 export module abut.shape.frames;
+import abut.core.standard;
 import abut.math;
 import abut.shape.records;
 

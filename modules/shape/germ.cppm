@@ -3,10 +3,8 @@
 //
 // Directions near a unit n are v = n + w with w across n, w = (x, y) in the basis of a frame. The core is the largest of a
 // few pieces there: one with support point `point`, and beyond each crease one whose points lie further by `step`.
-module;
-#include <array>
-#include <cstddef>
 export module abut.shape.germ;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

@@ -1,8 +1,6 @@
 // A ball around the origin: a sphere, or one of many particles.
-module;
-#include <cmath>
-#include <optional>
 export module abut.shape.part_ball;
+import abut.core.standard;
 import abut.math;
 import abut.shape.concepts;
 import abut.shape.cores;

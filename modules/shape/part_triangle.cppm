@@ -1,12 +1,7 @@
 // A triangle: the part that meshes and height fields are made of. Not a solid: it has two sides
 // unless it is told to be one-sided.
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 export module abut.shape.part_triangle;
+import abut.core.standard;
 import abut.math;
 import abut.shape.concepts;
 import abut.shape.records;

@@ -1,9 +1,6 @@
 // Support points of a shape under a pose, by the shape's own way where it has one.
-module;
-#include <cmath>
-#include <cstddef>
-#include <span>
 export module abut.shape.place;
+import abut.core.standard;
 import abut.math;
 import abut.shape.concepts;
 import abut.shape.records;

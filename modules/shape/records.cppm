@@ -1,11 +1,8 @@
 // What queries on shapes answer with. Frames are those of the query: world at the C border, the
 // frame of shape a inside the narrow phase.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 export module abut.shape.records;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 
 export namespace abut {

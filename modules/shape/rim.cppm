@@ -1,10 +1,7 @@
 // The rims of cylinders and cones for clipping: regular polygons that turn with the shape, so that their
 // corners keep their numbers while it moves.
-module;
-#include <array>
-#include <cmath>
-#include <cstdint>
 export module abut.shape.rim;
+import abut.core.standard;
 import abut.math;
 import abut.shape.records;
 

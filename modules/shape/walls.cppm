@@ -1,11 +1,8 @@
 // The walls of a cavity, seen from inside: flat ones, and a round one around a point or along Z. Where a wall is
 // missing the cavity is open and goes on without end.
-module;
-#include <cmath>
-#include <cstdint>
-#include <optional>
 export module abut.shape.walls;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape.concepts;
 import abut.shape.records;

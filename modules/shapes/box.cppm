@@ -1,15 +1,7 @@
 // Solid box, centred, by half extents. Vertex i has the sign bits of i (bit 0: x positive, ...).
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.box;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,15 +1,8 @@
 // A hole in the shape of a box, centred: cuts the solids of the composite that it is a child of. Where a face is
 // removed the hole goes on beyond it without end; faces are removed along one axis at most.
-module;
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.box_hole;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

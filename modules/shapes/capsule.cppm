@@ -1,15 +1,7 @@
 // Solid capsule along local Z: all points within a radius of a segment.
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.capsule;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,19 +1,8 @@
 // Shapes of any kind, each at a pose of its own, that never meet each other: one shape to the broad phase. Holes
 // among them cut the solids. A template, since the list of all kinds (Any) has this one in it.
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <variant>
-#include <vector>
 export module abut.shape.composite;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.midphase.bvh;
 import abut.shape;

@@ -1,16 +1,7 @@
 // Solid cone along local Z: the base below, the apex above, the origin half-way up.
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.cone;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.shape.germ;

@@ -1,16 +1,7 @@
 // Solid cylinder along local Z with flat ends, centred.
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.cylinder;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.shape.germ;

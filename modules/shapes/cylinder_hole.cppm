@@ -1,15 +1,8 @@
 // A hole in the shape of a cylinder along Z, centred: cuts the solids of the composite that it is a child of.
 // Where an end is removed the hole goes on beyond it without end.
-module;
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.cylinder_hole;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

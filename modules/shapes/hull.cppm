@@ -1,16 +1,7 @@
 // Solid convex hull of points.
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <utility>
-#include <vector>
 export module abut.shape.hull;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.shape.hull_data;

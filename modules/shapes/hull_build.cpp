@@ -1,21 +1,13 @@
 // From points to hull vertices and faces: Qhull, behind a clean-up that hands it only clouds that
 // extend in all three directions, scaled so that they extend alike.
 module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdio>
-#include <memory>
-#include <span>
-#include <vector>
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Weverything"
 #include <libqhull_r/qhull_ra.h>
 #pragma clang diagnostic pop
 #include "../core/check.hpp"
 module abut.shape.hull_data;
+import abut.core.standard;
 import abut.math;
 
 namespace abut {

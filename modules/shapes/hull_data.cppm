@@ -1,13 +1,6 @@
 // The data of a convex hull: vertices for support points, faces for clipping, and the way there.
-module;
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.shape.hull_data;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

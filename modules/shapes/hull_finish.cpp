@@ -1,14 +1,5 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <numeric>
-#include <span>
-#include <utility>
-#include <vector>
 module abut.shape.hull_data;
+import abut.core.standard;
 import abut.math;
 
 namespace abut {

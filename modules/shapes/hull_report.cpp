@@ -1,13 +1,6 @@
 // What became of the points that a hull was given, and how far outside of it the worst of them lies.
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 module abut.shape.hull_data;
+import abut.core.standard;
 import abut.math;
 
 namespace abut {

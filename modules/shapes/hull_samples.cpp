@@ -1,13 +1,5 @@
-module;
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numbers>
-#include <span>
-#include <utility>
-#include <vector>
 module abut.shape.hull;
+import abut.core.standard;
 import abut.math;
 
 namespace abut {

@@ -1,17 +1,7 @@
 // Triangle mesh: a surface without inside.
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 export module abut.shape.mesh;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.midphase.bvh;
 import abut.shape;

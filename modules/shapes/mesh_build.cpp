@@ -1,16 +1,6 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 module abut.shape.mesh;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.midphase.bvh;
 import abut.shape;

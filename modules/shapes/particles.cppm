@@ -1,17 +1,7 @@
 // Many small balls in one shape.
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <utility>
-#include <vector>
 export module abut.shape.particles;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.midphase.hash_grid;
 import abut.shape;

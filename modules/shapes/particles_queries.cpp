@@ -1,16 +1,6 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 module abut.shape.particles;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.midphase.hash_grid;
 import abut.shape;

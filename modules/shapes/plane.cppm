@@ -1,14 +1,7 @@
 // Half-space: everything behind a plane. Unbounded; the normal points out of the solid.
-module;
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.plane;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,13 +1,7 @@
 // A point: the origin of its own frame.
-module;
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.point;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,14 +1,7 @@
 // A segment along local Z, centred: a capsule without a radius.
-module;
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.segment;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,12 +1,7 @@
 // Solid ball, centred.
-module;
-#include <array>
-#include <cstdint>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.sphere;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,13 +1,7 @@
 // A hole in the shape of a ball, centred: cuts the solids of the composite that it is a child of.
-module;
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.sphere_hole;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

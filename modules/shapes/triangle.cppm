@@ -1,13 +1,7 @@
 // A triangle by itself, both sides solid; meshes and height fields are made of surface triangles instead.
-module;
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.triangle;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

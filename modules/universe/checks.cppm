@@ -1,14 +1,7 @@
 // What is wrong with ids and placements that a caller hands over, in words.
-module;
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 export module abut.universe.checks;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.universe.options;

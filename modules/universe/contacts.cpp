@@ -1,16 +1,9 @@
 // A detection: from pairs to contacts.
-module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 module abut.universe;
 import abut.any_shape;
 import abut.contact;
 import abut.core;
+import abut.core.standard;
 import abut.dispatch;
 import abut.math;
 import abut.registry;

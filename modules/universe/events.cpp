@@ -1,14 +1,7 @@
 // What began, persists and ended in a detection.
-module;
-#include <algorithm>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <utility>
-#include <vector>
 module abut.universe;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.universe.pairs;

@@ -1,14 +1,8 @@
-module;
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
 module abut.universe;
 import abut.any_shape;
 import abut.broadphase;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.universe.jobs;
 import abut.universe.pairs;

@@ -1,17 +1,10 @@
 module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <utility>
-#include <variant>
-#include <vector>
 #include "../core/check.hpp"
 module abut.universe;
 import abut.any_shape;
 import abut.broadphase;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.registry;
 import abut.shape;

@@ -1,11 +1,6 @@
-module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 module abut.universe.jobs;
 import abut.any_shape;
+import abut.core.standard;
 import abut.dispatch;
 import abut.math;
 import abut.registry;

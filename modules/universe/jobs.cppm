@@ -1,13 +1,8 @@
 // Pairs to examine as runs of equal kinds, which is how the narrow phase takes them, cut into chunks that
 // threads take.
-module;
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.universe.jobs;
 import abut.any_shape;
+import abut.core.standard;
 import abut.dispatch;
 import abut.math;
 import abut.shape;

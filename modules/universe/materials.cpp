@@ -1,15 +1,6 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <string_view>
-#include <utility>
 module abut.universe.materials;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,12 +1,7 @@
 // Contact materials: what a solver wants to know of the contacts of two materials.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <utility>
 export module abut.universe.materials;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

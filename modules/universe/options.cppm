@@ -1,12 +1,8 @@
 // The records that a universe takes and gives.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <string>
 export module abut.universe.options;
 export import abut.broadphase.automatic;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -1,12 +1,6 @@
-module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <utility>
-#include <vector>
 module abut.universe.pairs;
 import abut.broadphase;
+import abut.core.standard;
 import abut.narrowphase.pair_memory;
 import abut.universe.options;
 

@@ -1,12 +1,7 @@
 // What is kept of a pair of geometries while their boxes overlap.
-module;
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <utility>
-#include <vector>
 export module abut.universe.pairs;
 import abut.broadphase;
+import abut.core.standard;
 import abut.math;
 import abut.narrowphase.pair_memory;
 import abut.universe.options;

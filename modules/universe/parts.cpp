@@ -1,15 +1,9 @@
 module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <variant>
-#include <vector>
 #include "../core/check.hpp"
 module abut.universe;
 import abut.broadphase;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.universe.checks;

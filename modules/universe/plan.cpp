@@ -1,13 +1,6 @@
-module;
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 module abut.universe.plan;
 import abut.core;
+import abut.core.standard;
 import abut.universe.options;
 
 namespace abut {

@@ -1,10 +1,6 @@
 // What a step did and why, for people and for programs.
-module;
-#include <cstdint>
-#include <string>
-#include <string_view>
-#include <vector>
 export module abut.universe.plan;
+import abut.core.standard;
 import abut.universe.options;
 
 export namespace abut {

@@ -1,9 +1,5 @@
-module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 module abut.universe.policies;
+import abut.core.standard;
 import abut.math;
 import abut.universe.options;
 

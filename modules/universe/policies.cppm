@@ -1,11 +1,6 @@
 // How the pairs of two tags are treated.
-module;
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 export module abut.universe.policies;
+import abut.core.standard;
 import abut.math;
 import abut.universe.options;
 

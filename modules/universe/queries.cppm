@@ -1,13 +1,10 @@
 // Questions to a whole universe: rays, points, overlaps, closest geometries and moving shapes. They see boxes and poses
 // as of the last step or refresh, never a parked geometry, change nothing, and may run at once on many threads.
-module;
-#include <cstdint>
-#include <optional>
-#include <vector>
 export module abut.universe.queries;
 import abut.any_shape;
 export import abut.any_shape.shape_cast;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.registry;
 import abut.shape;

@@ -1,11 +1,7 @@
 // What queries have in common: whom they look at, and how they keep what they find.
-module;
-#include <algorithm>
-#include <cstdint>
-#include <tuple>
-#include <vector>
 export module abut.universe.query_filter;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.universe;
 import abut.universe.queries;

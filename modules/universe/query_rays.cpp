@@ -1,14 +1,8 @@
 // Rays and points against a universe.
-module;
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <variant>
-#include <vector>
 module abut.universe.queries;
 import abut.any_shape;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.registry;
 import abut.shape;

@@ -1,13 +1,8 @@
 // Shapes against a universe: what they overlap, what is closest, and what they meet when they move.
-module;
-#include <algorithm>
-#include <cstdint>
-#include <optional>
-#include <tuple>
-#include <vector>
 module abut.universe.queries;
 import abut.any_shape;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.universe;

@@ -1,17 +1,9 @@
 // Poses to boxes, and boxes to the broad phase, for what moved or is new.
-module;
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string_view>
-#include <utility>
-#include <variant>
-#include <vector>
 module abut.universe;
 import abut.any_shape;
 import abut.broadphase;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.universe.pairs;
 

@@ -1,12 +1,5 @@
-module;
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <utility>
 module abut.universe.rules;
+import abut.core.standard;
 import abut.universe.options;
 
 namespace abut {

@@ -1,12 +1,6 @@
 // Which pairs are examined, by rules of the caller.
-module;
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <utility>
 export module abut.universe.rules;
+import abut.core.standard;
 import abut.universe.options;
 
 export namespace abut {

@@ -1,19 +1,9 @@
 // A detection: from boxes to pairs, and which of them are examined.
-module;
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 module abut.universe;
 import abut.any_shape;
 import abut.broadphase;
 import abut.core;
+import abut.core.standard;
 import abut.dispatch;
 import abut.math;
 import abut.universe.checks;

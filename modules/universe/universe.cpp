@@ -1,15 +1,8 @@
-module;
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 module abut.universe;
 import abut.any_shape;
 import abut.broadphase;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.registry;
 import abut.shape;

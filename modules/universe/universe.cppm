@@ -1,20 +1,9 @@
 // A space in which parts meet: parts with geometries, and steps that find their contacts.
-module;
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <variant>
-#include <vector>
 export module abut.universe;
 import abut.any_shape;
 import abut.broadphase;
 import abut.core;
+import abut.core.standard;
 import abut.dispatch;
 import abut.math;
 import abut.registry;

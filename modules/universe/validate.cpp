@@ -1,18 +1,8 @@
 // What is odd about a scene.
-module;
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 module abut.universe;
 import abut.any_shape;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.universe.jobs;
 import abut.universe.pairs;

@@ -1,14 +1,7 @@
 // Solid rounded cone along local Z: the convex hull of two balls, the origin half-way between their centres.
-module;
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 export module abut.shape.rounded_cone;
 import abut.core;
+import abut.core.standard;
 import abut.math;
 import abut.shape;
 

@@ -115,6 +115,14 @@ def library_owner(source):
                 yield line, f"{match[0].split()[-1]} outside {', '.join(owners)}"
 
 
+def standard_include(source):
+    """Modules import the standard library: of each header that they include every importer would merge a copy."""
+    if source.is_cxx and source.within("modules") and not source.within("modules/picking"):
+        if source.path != "modules/core/standard.cppm":
+            for line, match in source.find(r"^\s*#\s*include\s*<[a-z_]+>", source.bare):
+                yield line, f"{match[0].split()[-1]} included, not imported from abut.core.standard"
+
+
 def intersector(source):
     """Only a shape's, a pair's or a capability's own file says how two shapes meet (the orphan rule)."""
     if not source.is_cxx:
@@ -218,6 +226,7 @@ FILE_RULES = [
     unsafe_place,
     silenced_warning,
     library_owner,
+    standard_include,
     intersector,
     borrowed_member,
     module_path,

@@ -72,6 +72,11 @@ SNIPPETS = {
     "interface_linkage": [
         (MODULE, "export module abut.narrowphase.gjk;\nnamespace { int x; }", "export module abut.narrowphase.gjk;\nnamespace abut { int x; }"),
     ],
+    "standard_include": [
+        (MODULE, "module;\n#include <vector>", "module;\n#include <Eigen/Dense>\n#include \"core/check.hpp\""),
+        (MODULE, "#include <cmath>", "import abut.core.standard;"),
+        ("modules/core/core.cppm", "#include <array>", "// #include <array>"),
+    ],
     "include_order": [
         ("tests/unit/a.cpp", "import abut.core;\n#include <vector>", "#include <vector>\nimport abut.core;"),
     ],
