@@ -1,4 +1,5 @@
-// Boxes that wander, all of them or a tenth: the broad phases of abut beside those of Bullet and FCL, one thread.
+// Boxes that wander, all of them or a tenth: the broad phases of abut beside those of Bullet and FCL on
+// one thread, and that of abut on two.
 #include "broadphase.hpp"
 
 #include <benchmark/benchmark.h>
@@ -6,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -27,8 +27,8 @@ namespace bench {
 namespace {
 
 constexpr std::uint64_t seed = 1;
-// The boxes are well away from where they were put in when their pairs are compared.
-constexpr std::size_t steps_before_agreement = 25;
+// Before pairs are compared or steps are timed.
+constexpr std::size_t steps_at_start = 25;
 
 class AbutPairs final : public BoxPairs {
  public:
@@ -109,18 +109,27 @@ std::vector<std::pair<std::string, Make>> contenders(std::size_t count) {
   return all;
 }
 
+// Boxes in a broad phase, well away from where they were put in.
+struct Started {
+  Started(const Make& make, std::size_t count, double moving_share)
+      : wandering(count, moving_share, seed), broad_phase(make(wandering)) {
+    for (std::size_t step = 0; step < steps_at_start; ++step) {
+      wandering.advance();
+      broad_phase->step(wandering.moving());
+    }
+  }
+
+  Wandering wandering;
+  std::unique_ptr<BoxPairs> broad_phase;
+};
+
 // False when one contender finds other pairs than the first.
 bool agree(const std::string& cell, std::size_t count, double moving_share) {
   std::size_t expected = 0;
   bool is_first = true, is_agreed = true;
   for (const auto& [name, make] : contenders(count)) {
-    Wandering wandering(count, moving_share, seed);
-    const std::unique_ptr<BoxPairs> broad_phase = make(wandering);
-    for (std::size_t step = 0; step < steps_before_agreement; ++step) {
-      wandering.advance();
-      broad_phase->step(wandering.moving());
-    }
-    const std::size_t pairs = broad_phase->pairs(wandering.boxes().all);
+    const Started started(make, count, moving_share);
+    const std::size_t pairs = started.broad_phase->pairs(started.wandering.boxes().all);
     expected = is_first ? pairs : expected;
     is_first = false;
     if (pairs != expected) {
@@ -136,26 +145,18 @@ void add(const std::string& cell, std::size_t count, double moving_share) {
   for (const auto& [name, make] : contenders(count)) {
     const std::string full = cell + "/" + name;
     benchmark::RegisterBenchmark(full.c_str(), [=](benchmark::State& state) {
-      Wandering wandering(count, moving_share, seed);
-      const std::unique_ptr<BoxPairs> broad_phase = make(wandering);
-      for (std::size_t step = 0; step < steps_before_agreement; ++step) {
-        wandering.advance();
-        broad_phase->step(wandering.moving());
-      }
+      Started started(make, count, moving_share);
       for ([[maybe_unused]] auto _ : state) {
         state.PauseTiming();
-        wandering.advance();
+        started.wandering.advance();
         state.ResumeTiming();
-        broad_phase->step(wandering.moving());
+        started.broad_phase->step(started.wandering.moving());
       }
     })->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
   }
 }
 
-int run(int argument_count, char** arguments) {
-  if (!read_flags(argument_count, arguments)) {
-    return 1;
-  }
+int run() {
   bool is_agreed = true;
   const auto compare = [&](const std::string& cell, std::size_t count, double moving_share) {
     if (is_selected(cell)) {
@@ -177,11 +178,4 @@ int run(int argument_count, char** arguments) {
 }  // namespace
 }  // namespace bench
 
-int main(int argument_count, char** arguments) {
-  try {
-    return bench::run(argument_count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-}
+int main(int argument_count, char** arguments) { return bench::run_suite(argument_count, arguments, bench::run); }

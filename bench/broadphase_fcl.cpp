@@ -1,7 +1,9 @@
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/shape/sphere.h>
 
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -74,7 +76,7 @@ class FclPairs final : public BoxPairs {
   std::vector<std::size_t> numbers_;
   std::vector<std::unique_ptr<BoxObject>> objects_;
   fcl::DynamicAABBTreeCollisionManager<double> moving_, still_;
-  mutable Pairs pairs_;
+  Pairs pairs_;
 };
 
 }  // namespace

@@ -93,10 +93,7 @@ class Suite {
   std::set<std::string> unlike_;
 };
 
-int run(int argument_count, char** arguments) {
-  if (!read_flags(argument_count, arguments)) {
-    return 1;
-  }
+int run() {
   std::vector<KnownCase> cases = read_known_cases(ABUT_TEST_DATA "/known_failures.jsonl");
   Suite suite;
   for (KnownCase& known : cases) {
@@ -111,11 +108,4 @@ int run(int argument_count, char** arguments) {
 }  // namespace
 }  // namespace bench
 
-int main(int argument_count, char** arguments) {
-  try {
-    return bench::run(argument_count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-}
+int main(int argument_count, char** arguments) { return bench::run_suite(argument_count, arguments, bench::run); }

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <map>
 #include <memory>
 #include <set>
@@ -215,10 +214,7 @@ std::vector<Scene> make_scenes(std::span<const std::pair<Kind, Kind>> pairs, std
   return scenes;
 }
 
-int run(int argument_count, char** arguments) {
-  if (!read_flags(argument_count, arguments)) {
-    return 1;
-  }
+int run() {
   std::vector<std::pair<Kind, Kind>> bounded, with_plane;
   for (std::size_t b = 0; b < kinds.size(); ++b) {
     for (std::size_t a = 0; a <= b; ++a) {
@@ -254,11 +250,4 @@ int run(int argument_count, char** arguments) {
 }  // namespace
 }  // namespace bench
 
-int main(int argument_count, char** arguments) {
-  try {
-    return bench::run(argument_count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-}
+int main(int argument_count, char** arguments) { return bench::run_suite(argument_count, arguments, bench::run); }

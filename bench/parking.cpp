@@ -5,14 +5,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <exception>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "abut_c_shapes.hpp"
+#include "abut_c_universe.hpp"
 #include "ratios.hpp"
 
 namespace bench {
@@ -20,39 +17,25 @@ namespace {
 
 constexpr std::size_t active_count = 100, pool_count = 9900;
 
-struct DestroyUniverse {
-  void operator()(abut_universe* universe) const { abut_universe_destroy(universe); }
-};
-
 // Boxes in a row, each overlapping its neighbours, and a pool of others that are parked at once.
 class Pool {
  public:
   explicit Pool(std::size_t parked, abut_parking parking) {
-    abut_universe* universe = nullptr;
     abut_universe_options options;
     abut_universe_options_init(&options, sizeof options);
     options.broadphase = ABUT_BROADPHASE_TREE;
-    expect_ok(abut_universe_create(&options, &universe));
-    universe_.reset(universe);
-    abut_shape* box = nullptr;
-    expect_ok(abut_box_create(0.5, 0.5, 0.5, &box));
+    universe_ = abut_c_universe(options);
+    const AbutCShape box = abut_c_shape({Kind::box, {0.5, 0.5, 0.5}, {}, {}});
     for (std::size_t i = 0; i < active_count + parked; ++i) {
-      abut_part_options part_options;
-      abut_part_options_init(&part_options, sizeof part_options);
-      part_options.pose = pose_of(i, 0);
-      abut_part_id part;
-      abut_geometry_id geometry;
-      expect_ok(abut_part_create(universe, &part_options, &part));
-      expect_ok(abut_geometry_create(universe, part, box, nullptr, &geometry));
+      const auto [part, geometry] = add_abut_c_body(universe_, box, pose_of(i, 0), ABUT_MOTION_DYNAMIC);
       if (i < active_count) {
         parts_.push_back(part);
       } else {
         pool_.push_back(geometry);
       }
     }
-    abut_shape_release(box);
     step();
-    expect_ok(abut_geometries_park(universe, pool_.data(), pool_.size(), parking));
+    expect_ok(abut_geometries_park(universe_.get(), pool_.data(), pool_.size(), parking));
     step();
   }
 
@@ -81,7 +64,7 @@ class Pool {
     return {{0.9 * static_cast<double>(i % 100) + sway, 3 * static_cast<double>(i / 100), 0}, {1, 0, 0, 0}};
   }
 
-  std::unique_ptr<abut_universe, DestroyUniverse> universe_;
+  AbutCUniverse universe_;
   std::vector<abut_part_id> parts_;
   std::vector<abut_geometry_id> pool_;
   std::vector<abut_pose> poses_;
@@ -98,10 +81,7 @@ void add(const std::string& name, Step&& step) {
   });
 }
 
-int run(int argument_count, char** arguments) {
-  if (!read_flags(argument_count, arguments)) {
-    return 1;
-  }
+int run() {
   Pool alone(0, ABUT_PARKING_NONE), beside_long(pool_count, ABUT_PARKING_LONG_TERM), beside_short(pool_count, ABUT_PARKING_SHORT_TERM);
   Pool long_pool(pool_count, ABUT_PARKING_LONG_TERM), short_pool(pool_count, ABUT_PARKING_SHORT_TERM);
   add("step/alone", [&] { alone.step(); });
@@ -115,11 +95,4 @@ int run(int argument_count, char** arguments) {
 }  // namespace
 }  // namespace bench
 
-int main(int argument_count, char** arguments) {
-  try {
-    return bench::run(argument_count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-}
+int main(int argument_count, char** arguments) { return bench::run_suite(argument_count, arguments, bench::run); }

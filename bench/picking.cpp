@@ -264,10 +264,7 @@ void register_rows(Subject& subject) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (!bench::read_flags(argc, argv)) return 1;
+int run() {
   const std::string data = ABUT_DATA_DIR;
   std::vector<Subject> subjects(2);
   subjects[0].name = "terrain";
@@ -290,3 +287,7 @@ int main(int argc, char** argv) {
                                  .unit = "ns",
                                  .seconds = 1e-9});
 }
+
+}  // namespace
+
+int main(int argument_count, char** arguments) { return bench::run_suite(argument_count, arguments, run); }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <map>
 #include <regex>
 #include <string>
@@ -134,8 +135,7 @@ class Collector final : public benchmark::BenchmarkReporter {
   std::map<std::string, std::map<std::string, Times>> times_;
 };
 
-}  // namespace
-
+// False when one is unknown.
 bool read_flags(int argument_count, char** arguments) {
   std::vector<std::string> words{"benchmark", "--benchmark_repetitions=5",
                                  "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=0.02"};
@@ -148,6 +148,20 @@ bool read_flags(int argument_count, char** arguments) {
   // The flags of the caller come second and win.
   benchmark::Initialize(&argument_count, arguments);
   return !benchmark::ReportUnrecognizedArguments(argument_count, arguments);
+}
+
+}  // namespace
+
+int run_suite(int argument_count, char** arguments, int (*suite)()) {
+  if (!read_flags(argument_count, arguments)) {
+    return 1;
+  }
+  try {
+    return suite();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
 }
 
 bool is_selected(const std::string& name) {

@@ -18,9 +18,9 @@ struct Comparison {
   bool has_summary = false;         // median and 90th percentile of each contender over its cells
 };
 
-// Reads the flags of Google Benchmark; without them there are five short repetitions in random order.
-// False when one is unknown.
-[[nodiscard]] bool read_flags(int argument_count, char** arguments);
+// The main of a suite: reads the flags of Google Benchmark, without which there are five short repetitions in random
+// order, runs the suite and prints what it throws. Returns what main returns, as the suite does.
+[[nodiscard]] int run_suite(int argument_count, char** arguments, int (*suite)());
 
 // Whether --benchmark_filter selects this name: what it leaves out need not be made ready.
 [[nodiscard]] bool is_selected(const std::string& name);

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -140,10 +139,7 @@ void add(const std::string& cell, std::string_view name, Detector& detector) {
   measure("poses", true, false);
 }
 
-int run(int argument_count, char** arguments) {
-  if (!read_flags(argument_count, arguments)) {
-    return 1;
-  }
+int run() {
   World pile = make_block(1.15, 0.1, 1);
   settle(pile, 60);
   animate(pile, 2);
@@ -169,11 +165,4 @@ int run(int argument_count, char** arguments) {
 }  // namespace
 }  // namespace bench
 
-int main(int argument_count, char** arguments) {
-  try {
-    return bench::run(argument_count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-}
+int main(int argument_count, char** arguments) { return bench::run_suite(argument_count, arguments, bench::run); }

@@ -8,25 +8,19 @@
 #include <span>
 #include <vector>
 
-#include "abut_c_shapes.hpp"
+#include "abut_c_universe.hpp"
 #include "universe.hpp"
 
 namespace bench {
 namespace {
 
-struct DestroyUniverse {
-  void operator()(abut_universe* universe) const { abut_universe_destroy(universe); }
-};
-
 class AbutWorld final : public Detector {
  public:
   AbutWorld(const World& world, std::span<const std::vector<Placement>> frames, unsigned threads) {
-    abut_universe* universe = nullptr;
     abut_universe_options options;
     abut_universe_options_init(&options, sizeof options);
     options.threads = threads;
-    expect_ok(abut_universe_create(&options, &universe));
-    universe_.reset(universe);
+    universe_ = abut_c_universe(options);
     for (const auto& frame : frames) {
       std::vector<abut_pose>& poses = frames_.emplace_back();
       for (const Placement& placement : frame) {
@@ -38,9 +32,9 @@ class AbutWorld final : public Detector {
     }
     shapes_.push_back(abut_c_shape(world.ground));
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-      parts_.push_back(add(shapes_[world.bodies[i]], frames_.front()[i], ABUT_MOTION_DYNAMIC));
+      parts_.push_back(add_abut_c_body(universe_, shapes_[world.bodies[i]], frames_.front()[i], ABUT_MOTION_DYNAMIC).part);
     }
-    add(shapes_.back(), abut_c_pose(world.ground_at), ABUT_MOTION_STATIC);
+    add_abut_c_body(universe_, shapes_.back(), abut_c_pose(world.ground_at), ABUT_MOTION_STATIC);
   }
 
   void place(std::size_t frame) override {
@@ -78,19 +72,7 @@ class AbutWorld final : public Detector {
   }
 
  private:
-  abut_part_id add(const AbutCShape& shape, const abut_pose& pose, abut_motion motion) {
-    abut_part_options options;
-    abut_part_options_init(&options, sizeof options);
-    options.motion = motion;
-    options.pose = pose;
-    abut_part_id part;
-    abut_geometry_id geometry;
-    expect_ok(abut_part_create(universe_.get(), &options, &part));
-    expect_ok(abut_geometry_create(universe_.get(), part, shape.get(), nullptr, &geometry));
-    return part;
-  }
-
-  std::unique_ptr<abut_universe, DestroyUniverse> universe_;
+  AbutCUniverse universe_;
   std::vector<AbutCShape> shapes_;
   std::vector<abut_part_id> parts_;
   std::vector<std::vector<abut_pose>> frames_;

@@ -25,12 +25,7 @@ abut_status check_policy(const abut_policy& policy) {
   const Where where{"policy"};
   abut_status status = check_struct_size(where, policy);
   status = status != ABUT_OK ? status : check_value(where, ".algorithm", policy.algorithm, ABUT_ALGORITHM_LIBCCD_MPR);
-  status = status != ABUT_OK ? status : check_value(where, ".detail", policy.detail, ABUT_DETAIL_BOX);
-  if (status == ABUT_OK && policy.period == 0) {
-    return refuse(ABUT_OUT_OF_RANGE, "policy.period is 0; it must be at least 1");
-  }
-  status = status != ABUT_OK ? status : to_status(abut::check_finite("policy.tolerance", policy.tolerance));
-  return status != ABUT_OK ? status : to_status(abut::check_not_negative("policy.error_bound", policy.error_bound));
+  return status != ABUT_OK ? status : check_value(where, ".detail", policy.detail, ABUT_DETAIL_BOX);
 }
 
 abut::Policy to_policy(const abut_policy& policy) {
@@ -45,7 +40,7 @@ abut_status set(abut_universe& its, std::uint32_t tag_a, std::uint32_t tag_b, co
     return status;
   }
   const auto done = its.universe.set_policy(tag_a, tag_b, to_policy(policy));
-  return done ? static_cast<abut_status>(ABUT_OK) : refuse(done.error());
+  return done ? static_cast<abut_status>(ABUT_OK) : refuse(abut::Error{done.error().code, "policy." + done.error().message});
 }
 
 abut_status get(const abut_universe& its, std::uint32_t tag_a, std::uint32_t tag_b, abut_policy* out) {

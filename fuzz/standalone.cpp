@@ -14,6 +14,9 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "files.hpp"
+
 import abut.any_shape;
 import abut.fuzz;
 
@@ -49,25 +52,6 @@ Verdict judge_safely(const Pair& pair, const Record& record) {
   }
 }
 
-std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  if (std::filesystem::is_directory(folder)) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      files.push_back(entry.path());
-    }
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
-Record read_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  std::vector<std::uint8_t> bytes;
-  std::ranges::transform(text, std::back_inserter(bytes), [](char c) { return static_cast<std::uint8_t>(static_cast<unsigned char>(c)); });
-  return read_record(bytes);
-}
-
 // Lines of "<pair> <file>".
 std::set<std::string> open_findings(const std::filesystem::path& root) {
   std::ifstream file(root / "open.txt");
@@ -94,9 +78,9 @@ int replay(const std::filesystem::path& root, std::size_t random_count, std::uin
   };
   for (const Pair& pair : pairs_with(kind)) {
     for (const char* folder : {"corpus", "regress"}) {
-      for (const std::filesystem::path& path : files_in(root / folder / pair.name)) {
+      for (const std::filesystem::path& path : fuzz_files::files_in(root / folder / pair.name)) {
         ++files;
-        report(pair, path.filename().string(), judge_safely(pair, read_file(path)));
+        report(pair, path.filename().string(), judge_safely(pair, read_record(fuzz_files::bytes_of(path))));
       }
     }
     for (std::uint64_t i = 0; i < random_count; ++i) {

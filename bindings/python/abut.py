@@ -52,14 +52,24 @@ def _structs(kind, values):
     return (kind * len(values))(*values)
 
 
+def _pointers(shapes):
+    return (c_void_p * len(shapes))(*(shape.pointer for shape in shapes))
+
+
+def _set_fields(struct, fields):
+    """Sets fields of a struct. An unknown one is an error."""
+    known = [name for name, _ in struct._fields_]
+    for name, value in fields.items():
+        if name not in known:
+            raise TypeError(f"{type(struct).__name__} has no field {name}")
+        setattr(struct, name, value)
+
+
 def _options(struct, init, /, **fields):
-    """An options struct with its defaults and then the given fields. An unknown field is an error."""
+    """An options struct with its defaults and then the given fields."""
     options = struct()
     init(byref(options), ctypes.sizeof(struct))
-    for name, value in fields.items():
-        if name not in (field for field, _ in struct._fields_):
-            raise TypeError(f"{struct.__name__} has no field {name}")
-        setattr(options, name, value)
+    _set_fields(options, fields)
     return options
 
 
@@ -186,8 +196,7 @@ class Shape(_Owner):
         """Shapes, each at a pose of its own, as one."""
         if len(children) != len(poses):
             raise ValueError(f"{len(children)} children with {len(poses)} poses")
-        pointers = (c_void_p * len(children))(*(child.pointer for child in children))
-        return cls._made_by(library.abut_composite_create, pointers, _structs(c.Pose, poses), len(children))
+        return cls._made_by(library.abut_composite_create, _pointers(children), _structs(c.Pose, poses), len(children))
 
     @classmethod
     def of_kind(cls, name, parameters=(), reals=(), indices=()):
@@ -274,10 +283,10 @@ def _filter(fields):
     return byref(_options(c.QueryFilter, library.abut_query_filter_init, **fields))
 
 
-def _pointers(shapes, poses):
+def _placed(shapes, poses):
     if len(shapes) != len(poses):
         raise ValueError("as many poses as shapes")
-    return (c_void_p * len(shapes))(*(shape.pointer for shape in shapes)), _structs(c.Pose, poses)
+    return _pointers(shapes), _structs(c.Pose, poses)
 
 
 def _each_then_fill(query_count, ask):
@@ -375,17 +384,14 @@ class Universe(_Owner):
     def change(self, geometry, **fields):
         """Changes some fields of the GeometryOptions of a geometry."""
         options = self.options_of(geometry)
-        for name, value in fields.items():
-            if not hasattr(options, name):
-                raise TypeError(f"GeometryOptions has no field {name}")
-            setattr(options, name, value)
+        _set_fields(options, fields)
         self.set_options([geometry], [options])
 
     def set_shapes(self, geometries, shapes):
         if len(geometries) != len(shapes):
             raise ValueError("as many shapes as geometries")
-        pointers = (c_void_p * len(shapes))(*(shape.pointer for shape in shapes))
-        library.abut_geometries_set_shapes(self.pointer, _structs(c.GeometryId, geometries), pointers, len(geometries))
+        library.abut_geometries_set_shapes(
+            self.pointer, _structs(c.GeometryId, geometries), _pointers(shapes), len(geometries))
 
     def park(self, geometries, parking=c.PARKING_SHORT_TERM):
         """Parks geometries, or brings them back with PARKING_NONE. A filter may do that, too."""
@@ -439,10 +445,7 @@ class Universe(_Owner):
 
     def validate(self):
         """What is odd about the scene: pairs of a code and a sentence."""
-        count = c_size_t()
-        library.abut_universe_validate(self.pointer, None, 0, byref(count))
-        findings = (c.Finding * count.value)()
-        library.abut_universe_validate(self.pointer, findings, count.value, byref(count))
+        findings = _count_then_fill(c.Finding, lambda *rest: library.abut_universe_validate(self.pointer, *rest))
         return [(finding.code, finding.message.decode()) for finding in findings]
 
     def geometry_poses(self, geometries):
@@ -541,7 +544,7 @@ class Universe(_Owner):
 
     def cast_shapes(self, shapes, poses, displacements, **filter):
         """The nearest hit of each shape; its geometry is null where there is none."""
-        pointers, placed = _pointers(shapes, poses)
+        pointers, placed = _placed(shapes, poses)
         if len(displacements) != len(shapes):
             raise ValueError("as many displacements as shapes")
         ways = _structs(c.Vec3, [c.Vec3(*way) for way in displacements])
@@ -555,7 +558,7 @@ class Universe(_Owner):
             self.pointer, shape.pointer, byref(at), _filter(filter), margin, *rest))
 
     def overlaps_of_each(self, shapes, poses, margin=0.0, **filter):
-        pointers, placed = _pointers(shapes, poses)
+        pointers, placed = _placed(shapes, poses)
         return _each_then_fill(len(shapes), lambda *rest: library.abut_universe_overlaps_of_each(
             self.pointer, pointers, placed, len(shapes), _filter(filter), margin, *rest))
 
@@ -577,7 +580,7 @@ class Universe(_Owner):
 
     def closest_to_each(self, shapes, poses, max_distance=float("inf"), **filter):
         """The same for each shape; the geometry is null where nothing is near."""
-        pointers, placed = _pointers(shapes, poses)
+        pointers, placed = _placed(shapes, poses)
         out = (c.Closest * len(shapes))()
         library.abut_universe_closest_to_each(self.pointer, pointers, placed, len(out), max_distance, _filter(filter), out)
         return out

@@ -36,6 +36,26 @@ Triple turned(const Turn& turn, const Triple& v) {
 
 Triple absolute(const Triple& v) { return {std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}; }
 
+// Places of the parts or geometries that live, by slot.
+template <class Thing>
+std::vector<std::size_t> living(const std::vector<Thing>& things) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (things[i].is_alive) {
+      places.push_back(i);
+    }
+  }
+  std::ranges::sort(places, {}, [&](std::size_t i) { return things[i].ids[0].slot; });
+  return places;
+}
+
+// A rule ends with what it names.
+template <class Id>
+void forget_rules(std::vector<Rule>& rules, abut_collidable_kind kind, const Id& id) {
+  const auto names = [&](const abut_collidable& c) { return c.kind == kind && c.slot == id.slot && c.generation == id.generation; };
+  std::erase_if(rules, [&](const Rule& rule) { return names(rule.a) || names(rule.b); });
+}
+
 }  // namespace
 
 void fail(const std::string& what) { throw Finding(what); }
@@ -72,27 +92,8 @@ std::optional<Box> box_of(const World& world, const Geometry& geometry) {
 
 abut_policy default_policy() { return {sizeof(abut_policy), ABUT_ALGORITHM_AUTO, ABUT_DETAIL_MANIFOLD, 1, -1, 0}; }
 
-std::vector<std::size_t> World::living_parts() const {
-  std::vector<std::size_t> living;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].is_alive) {
-      living.push_back(i);
-    }
-  }
-  std::ranges::sort(living, {}, [&](std::size_t i) { return parts[i].ids[0].slot; });
-  return living;
-}
-
-std::vector<std::size_t> World::living_geometries() const {
-  std::vector<std::size_t> living;
-  for (std::size_t i = 0; i < geometries.size(); ++i) {
-    if (geometries[i].is_alive) {
-      living.push_back(i);
-    }
-  }
-  std::ranges::sort(living, {}, [&](std::size_t i) { return geometries[i].ids[0].slot; });
-  return living;
-}
+std::vector<std::size_t> World::living_parts() const { return living(parts); }
+std::vector<std::size_t> World::living_geometries() const { return living(geometries); }
 
 std::size_t World::parked_count() const {
   return static_cast<std::size_t>(
@@ -103,12 +104,7 @@ void World::forget_geometry(std::size_t geometry) {
   Geometry& its = geometries.at(geometry);
   its.is_alive = false;
   std::erase(parts.at(its.part).geometries, geometry);
-  std::erase_if(rules, [&](const Rule& rule) {
-    const auto names = [&](const abut_collidable& c) {
-      return c.kind == ABUT_COLLIDABLE_GEOMETRY && c.slot == its.ids[0].slot && c.generation == its.ids[0].generation;
-    };
-    return names(rule.a) || names(rule.b);
-  });
+  forget_rules(rules, ABUT_COLLIDABLE_GEOMETRY, its.ids[0]);
 }
 
 void World::forget_part(std::size_t part) {
@@ -117,12 +113,7 @@ void World::forget_part(std::size_t part) {
   }
   Part& its = parts.at(part);
   its.is_alive = false;
-  std::erase_if(rules, [&](const Rule& rule) {
-    const auto names = [&](const abut_collidable& c) {
-      return c.kind == ABUT_COLLIDABLE_PART && c.slot == its.ids[0].slot && c.generation == its.ids[0].generation;
-    };
-    return names(rule.a) || names(rule.b);
-  });
+  forget_rules(rules, ABUT_COLLIDABLE_PART, its.ids[0]);
 }
 
 }  // namespace universe_calls

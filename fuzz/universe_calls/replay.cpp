@@ -1,15 +1,14 @@
 // Plays the committed sequences and random ones, without a fuzzing engine.
-// usage: abut_fuzz_universe <folder with corpus/ and regress/> [random
-// sequences] [calls of each] [first seed]
+// usage: abut_fuzz_universe <folder with corpus/ and regress/> [random sequences] [calls of each] [first seed]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
+#include "../files.hpp"
 #include "play.hpp"
 
 namespace {
@@ -35,21 +34,8 @@ class Replay {
   }
 
   void play_files(const std::filesystem::path& folder) {
-    if (!std::filesystem::is_directory(folder)) {
-      return;
-    }
-    std::vector<std::filesystem::path> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      paths.push_back(entry.path());
-    }
-    std::ranges::sort(paths);
-    for (const std::filesystem::path& path : paths) {
-      std::ifstream file(path, std::ios::binary);
-      const std::string text{std::istreambuf_iterator<char>(file), {}};
-      std::vector<std::uint8_t> bytes;
-      std::ranges::transform(text, std::back_inserter(bytes),
-                             [](char c) { return static_cast<std::uint8_t>(static_cast<unsigned char>(c)); });
-      play(path.filename().string(), read_sequence(bytes));
+    for (const std::filesystem::path& path : fuzz_files::files_in(folder)) {
+      play(path.filename().string(), read_sequence(fuzz_files::bytes_of(path)));
     }
   }
 

@@ -1,13 +1,17 @@
 // Runs one universe for a long time in which the same load comes back again and
-// again, and watches its memory. usage: abut_soak [steps, default 100000]
+// again, and watches its memory.
+// usage: abut_soak [steps, default 100000, at least 4000]
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
+
+#include <unistd.h>
 
 #include "universes.hpp"
 
@@ -23,8 +27,7 @@ void expect_ok(abut_status status) {
 std::size_t resident_bytes() {
   std::ifstream file("/proc/self/statm");
   std::size_t pages = 0;
-  constexpr std::size_t page = 4096;
-  return file >> pages >> pages ? pages * page : 0;
+  return file >> pages >> pages ? pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
 class Soak {
@@ -98,6 +101,7 @@ int soak(std::size_t steps) {
   // Lists have grown to what the load needs after one round; another one for
   // what is found only then.
   constexpr std::size_t round = 1000;
+  require(steps >= 4 * round, "expected at least 4000 steps: fewer are over before memory can be compared");
   const std::size_t warm = std::max(2 * round, steps / 10 / round * round);
   std::size_t warm_bytes = 0, warm_resident = 0, last_bytes = 0, last_resident = 0;
   std::printf("%10s %12s %18s %10s %14s %14s\n", "steps", "park calls", "created/destroyed", "contacts", "bytes", "resident KiB");

@@ -422,7 +422,7 @@ ABUT_API void abut_query_options_init(abut_query_options *options, uint32_t stru
 typedef struct abut_distance {
   double distance;          /**< negative: the depth by which they overlap, the least translation that parts them */
   double lower;             /**< the true distance lies in [lower, upper], up to rounding */
-  double upper;
+  double upper;             /**< infinite where holes have left nothing of the solids that could be met */
   abut_vec3 point_a;        /**< on the surface of a, world frame */
   abut_vec3 point_b;        /**< on the surface of b, world frame */
   abut_vec3 normal;         /**< unit, from a to b; dot(point_b - point_a, normal) == distance */
@@ -494,7 +494,7 @@ enum abut_broadphase_value ABUT_ENUM(uint32_t) {
   ABUT_BROADPHASE_BRUTE = 1,           /**< every pair of boxes; for a few dozen geometries */
   ABUT_BROADPHASE_TREE = 2,            /**< dynamic box trees, one of what moves and one of what does not */
   ABUT_BROADPHASE_SWEEP_AND_PRUNE = 3, /**< sorted ends on three axes, kept from step to step */
-  ABUT_BROADPHASE_HASH_GRID = 4        /**< cells of one size; for many boxes of about that size */
+  ABUT_BROADPHASE_HASH_GRID = 4        /**< grids of cells, each four times as coarse as the one before; for many boxes of about one size */
 };
 
 typedef uint32_t abut_tolerance_mode;
@@ -704,7 +704,7 @@ ABUT_API abut_status abut_universe_geometries(const abut_universe *universe, abu
 /** Counters that tell tools what changed since they last looked. */
 typedef struct abut_revision {
   uint64_t geometries; /**< grows when a geometry is created, destroyed, parked or reshaped */
-  uint64_t poses;      /**< grows when a pose is set */
+  uint64_t poses;      /**< grows when a pose is set, of a part or with the options of a geometry */
 } abut_revision;
 
 /** Change counters of a universe. O(1). [const] */
@@ -897,7 +897,7 @@ typedef struct abut_event {
  */
 ABUT_API abut_status abut_universe_events(const abut_universe *universe, const abut_event **events, size_t *count);
 
-/** Hash of every bit of the contacts and events of the last step, but of times: equal runs have equal hashes. [const] */
+/** Hash of every bit of the contacts and events of the last step, but of generations and times: equal runs have equal hashes. [const] */
 ABUT_API abut_status abut_universe_hash(const abut_universe *universe, uint64_t *out);
 
 /** Contacts of the last step, ordered by the slots of the two geometries, then deepest first. Borrowed until the next [exclusive] call. [const] */

@@ -60,7 +60,7 @@ void BoxTree::free_node(std::uint32_t node) {
 std::size_t BoxTree::cheapest_lane(const EightBoxes& node, std::size_t count, const BoxSides& sides) const {
   std::array<EightBoxes::Floats, 3> present, whole;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const EightBoxes::Floats low = node.sides[axis], high = node.sides[axis + 3];
+    const EightBoxes::Floats low = node.side(axis), high = node.side(axis + 3);
     present[axis] = low + high;
     whole[axis] = (low < sides[axis] ? low : EightBoxes::Floats(sides[axis])) + (high < sides[axis + 3] ? high : EightBoxes::Floats(sides[axis + 3]));
   }

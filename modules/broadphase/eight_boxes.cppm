@@ -44,9 +44,18 @@ struct alignas(32) EightBoxes {
   using Numbers = std::int32_t __attribute__((ext_vector_type(8)));
   static constexpr std::size_t width = 8;
 
-  std::array<Floats, 6> sides{Floats(no_sides[0]), Floats(no_sides[0]), Floats(no_sides[0]),
-                              Floats(no_sides[0]), Floats(no_sides[0]), Floats(no_sides[0])};
+  // One side of all boxes. Kept as numbers, not as a vector: writing one of a vector writes them all, and several threads
+  // give boxes of one block new sides at once.
+  struct alignas(32) Side {
+    std::array<float, width> of;
+
+    inline Side() { of.fill(no_sides[0]); }
+  };
+  std::array<Side, 6> sides;
   std::array<std::uint32_t, width> numbers{};  // whatever the owner calls the boxes
+
+  // One side of all boxes at once.
+  [[nodiscard]] inline Floats side(std::size_t i) const { return std::bit_cast<Floats>(sides[i]); }
 
   [[nodiscard]] static inline std::uint32_t mask_of(Numbers lanes) {
     using Mask = bool __attribute__((ext_vector_type(8)));
@@ -54,9 +63,9 @@ struct alignas(32) EightBoxes {
   }
   // A bit for each box.
   [[nodiscard]] inline std::uint32_t overlapping(const BoxSides& limits) const {
-    Numbers beyond = sides[0] > limits[0];
-    for (std::size_t side = 1; side < limits.size(); ++side) {
-      beyond |= sides[side] > limits[side];
+    Numbers beyond = side(0) > limits[0];
+    for (std::size_t i = 1; i < limits.size(); ++i) {
+      beyond |= side(i) > limits[i];
     }
     return ~mask_of(beyond) & 0xffu;
   }
@@ -66,8 +75,7 @@ struct alignas(32) EightBoxes {
     for (std::size_t half = 0; half < 2; ++half) {
       std::array<Lanes, 3> low, high;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Floats& below = sides[axis];
-        const Floats& above = sides[axis + 3];
+        const Floats below = side(axis), above = side(axis + 3);
         low[axis] = __builtin_convertvector(half == 0 ? below.lo : below.hi, Lanes);
         high[axis] = -__builtin_convertvector(half == 0 ? above.lo : above.hi, Lanes);
       }
@@ -82,7 +90,7 @@ struct alignas(32) EightBoxes {
   [[nodiscard]] inline BoxSides sides_of_lane(std::size_t lane) const {
     BoxSides lane_sides;
     for (std::size_t i = 0; i < lane_sides.size(); ++i) {
-      lane_sides[i] = sides[i][lane];
+      lane_sides[i] = sides[i].of[lane];
     }
     return lane_sides;
   }
@@ -90,13 +98,13 @@ struct alignas(32) EightBoxes {
   [[nodiscard]] inline BoxSides sides_around() const {
     BoxSides around;
     for (std::size_t i = 0; i < around.size(); ++i) {
-      around[i] = __builtin_reduce_min(sides[i]);
+      around[i] = __builtin_reduce_min(side(i));
     }
     return around;
   }
   inline void set_sides(std::size_t lane, const BoxSides& given) {
     for (std::size_t i = 0; i < given.size(); ++i) {
-      sides[i][lane] = given[i];
+      sides[i].of[lane] = given[i];
     }
   }
 };

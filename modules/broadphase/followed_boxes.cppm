@@ -56,7 +56,7 @@ class FollowedBoxes {
     record.set_box(box);
   }
 
-  // All of these boxes, which are in the order of their numbers. Each number comes once.
+  // Each number comes once; its box is at that place of the others.
   void update_all(const Workers& workers, std::span<const std::uint32_t> proxies, std::span<const CompactAabb> boxes_by_proxy) {
     constexpr std::size_t least_of_task = 2048;
     const std::size_t tasks = workers.threads() == 1 ? 1 : proxies.size() / least_of_task;
@@ -64,6 +64,7 @@ class FollowedBoxes {
       for (const std::uint32_t proxy : proxies) {
         update(proxy, boxes_by_proxy[proxy]);
       }
+      tidy();
       return;
     }
     make_parts(tasks);
@@ -83,6 +84,7 @@ class FollowedBoxes {
         put(proxy, larger);
       }
     }
+    tidy();
   }
 
   // A hidden box keeps its place and its pairs but overlaps nothing.
@@ -104,10 +106,9 @@ class FollowedBoxes {
     --hidden_;
   }
 
-  void find_pairs(std::vector<ProxyPair>& out) { find_pairs(one_thread_, out); }
+  void find_pairs(std::vector<ProxyPair>& out) { find_pairs(Workers(1), out); }
   void find_pairs(const Workers& workers, std::vector<ProxyPair>& out) {
-    moving_.tidy();
-    still_.tidy();
+    tidy();
     found_.clear();
     order_.clear();
     if (!touched_.empty()) {
@@ -180,6 +181,12 @@ class FollowedBoxes {
     if (parts_.size() < count) {
       parts_.resize(count);
     }
+  }
+
+  // After updates too: whoever only queries never asks for pairs.
+  void tidy() {
+    moving_.tidy();
+    still_.tidy();
   }
 
   [[nodiscard]] Index& index_of(const BoxRecord& record) [[clang::lifetimebound]] {
@@ -313,7 +320,6 @@ class FollowedBoxes {
   std::vector<std::uint32_t> touched_;  // their kept pairs are out of date
   KeptPairs kept_;                      // of larger boxes
   std::size_t size_ = 0, hidden_ = 0;
-  Workers one_thread_{1};
 
   // Scratch that keeps its memory from call to call.
   std::vector<ProxyPair> found_, order_, scratch_;

@@ -19,8 +19,6 @@ class KeptPairs {
   // boxes overlap and are not hidden to `out`, by (low, high). What was found may come in any order and more than once; it is lost.
   void renew(const Workers& workers, std::span<const BoxRecord> records, Keeping keeping, std::vector<ProxyPair>& found,
              std::vector<ProxyPair>& out);
-  void clear() { kept_.clear(); }
-  [[nodiscard]] std::span<const ProxyPair> pairs() const [[clang::lifetimebound]] { return kept_; }
 
   [[nodiscard]] std::size_t bytes() const;
 

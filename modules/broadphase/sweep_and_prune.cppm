@@ -25,7 +25,7 @@ class SweepAndPrune {
   void hide(std::uint32_t proxy);
   void show(std::uint32_t proxy, const CompactAabb& box);
 
-  void find_pairs(std::vector<ProxyPair>& out) { find_pairs(one_thread_, out); }
+  void find_pairs(std::vector<ProxyPair>& out) { find_pairs(Workers(1), out); }
   void find_pairs(const Workers& workers, std::vector<ProxyPair>& out);
 
   // Queries try all boxes: the ends are in order after a search only.
@@ -95,7 +95,6 @@ class SweepAndPrune {
   bool is_changed_ = false;
   std::size_t hidden_ = 0, swaps_ = 0;
   KeptPairs kept_;
-  Workers one_thread_{1};
 
   // Scratch that keeps its memory from call to call.
   std::vector<ProxyPair> found_;

@@ -13,10 +13,6 @@ import abut.universe.rules;
 namespace abut {
 namespace {
 
-std::string count_of(std::uint64_t count, std::string_view noun) {
-  return to_text(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
-}
-
 std::vector<Plan::Stage> stages_of(const StepStats& stats, std::uint32_t max_contacts) {
   const std::string kept = max_contacts == 0 ? "all kept" : "at most " + to_text(std::uint64_t{max_contacts}) + " per patch";
   return {
@@ -74,7 +70,7 @@ Plan Universe::plan() const {
     leave_out(count_of(stats_.unsupported_pairs, "unsupported pair"), "no algorithm, by declaration");
   }
   if (stats_.parked > 0) {
-    leave_out(stats_.parked == 1 ? "1 geometry" : to_text(stats_.parked) + " geometries", "parked");
+    leave_out(count_of(stats_.parked, "geometry"), "parked");
   }
   if (rules_.is_empty()) {
     leave_out("rules", "none set");
@@ -86,7 +82,7 @@ Plan Universe::plan() const {
     leave_out("policies", "none set");
   }
   if (workers_.threads() == 1) {
-    leave_out("threads", "one asked for");
+    leave_out("threads", "one does it all");
   }
   leave_out("continuous pass", "none");
   leave_out("picking", "not loaded");

@@ -98,20 +98,20 @@ Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const Part
       const GeometryId id =
           geometries_.insert({.part = parts[i], .local_pose = {}, .options = options.empty() ? GeometryOptions{} : options[i]});
       created.push_back(id);
+      parked_count_ += geometries_.at(id).options.parking != Parking::none ? 1 : 0;
       shapes_.resize(std::max<std::size_t>(shapes_.size(), id.slot), vacant_);
       worlds_.resize(shapes_.size(), Pose::identity());
       boxes_.resize(shapes_.size());
       infos_.resize(shapes_.size());
       presence_.resize(shapes_.size());
       std::vector<GeometryId>& list = parts_.at(parts[i]).geometries;
-      list_bytes_ -= list.capacity() * sizeof(GeometryId);
+      const std::size_t capacity_before = list.capacity();
       list.push_back(id);
-      list_bytes_ += list.capacity() * sizeof(GeometryId);
+      list_bytes_ += (list.capacity() - capacity_before) * sizeof(GeometryId);
       shapes_[id.slot - 1] = shapes[i];
       infos_[id.slot - 1] = {};
       infos_[id.slot - 1].kind = static_cast<std::uint8_t>((*shapes[i]).index());
       apply_options(id);
-      parked_count_ += geometries_.at(id).options.parking != Parking::none ? 1 : 0;
       change(id);
     }
   } catch (...) {

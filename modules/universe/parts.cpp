@@ -76,7 +76,8 @@ Result<void> Universe::set_poses(std::span<const PartId> parts, std::span<const 
   return {};
 }
 
-// The broad phase keeps what moves and what does not apart, so geometries leave it and come back.
+// The broad phase keeps what moves and what does not apart, so geometries leave it and come back: with the next update, until
+// which queries go on to find them.
 Result<void> Universe::set_motions(std::span<const PartId> parts, std::span<const MotionKind> motions) {
   ABUT_CHECK(parts.size() == motions.size());
   if (std::optional<Error> error = check_ids(parts_, parts, "parts")) {
@@ -89,7 +90,7 @@ Result<void> Universe::set_motions(std::span<const PartId> parts, std::span<cons
     }
     part.motion = motions[i];
     for (const GeometryId geometry : part.geometries) {
-      leave_broadphase(geometry.slot - 1);
+      rejoining_.push_back(geometry.slot - 1);
       change(geometry);
     }
   }

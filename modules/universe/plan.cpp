@@ -6,12 +6,6 @@ import abut.universe.options;
 namespace abut {
 namespace {
 
-std::string count_of(std::uint64_t count, std::string_view noun) {
-  return to_text(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
-}
-
-std::string geometries_of(std::uint64_t count) { return count == 1 ? "1 geometry" : to_text(count) + " geometries"; }
-
 std::string line_of(const Plan::Stage& stage) {
   std::string line = "  " + std::string(stage.name);
   line.resize(16, ' ');
@@ -97,9 +91,21 @@ void write_counts(Json& json, const StepStats& stats) {
 
 }  // namespace
 
+std::string count_of(std::uint64_t count, std::string_view noun) {
+  std::string text = to_text(count) + " " + std::string(noun);
+  if (count == 1) {
+    return text;
+  }
+  if (!noun.ends_with('y')) {
+    return text + "s";
+  }
+  text.pop_back();
+  return text + "ies";
+}
+
 std::string to_text(const Plan& plan) {
   const StepStats& stats = plan.stats;
-  std::string text = "universe: " + count_of(stats.parts, "part") + ", " + geometries_of(stats.geometries) + ", " +
+  std::string text = "universe: " + count_of(stats.parts, "part") + ", " + count_of(stats.geometries, "geometry") + ", " +
                      count_of(stats.bytes, "byte") + "\nstages of the last step\n";
   for (const Plan::Stage& stage : plan.stages) {
     text += line_of(stage);

@@ -30,6 +30,9 @@ struct Plan {
   std::vector<LeftOut> left_out;
 };
 
+// A number with its noun: "1 geometry", "2 geometries".
+[[nodiscard]] std::string count_of(std::uint64_t count, std::string_view noun);
+
 [[nodiscard]] std::string to_text(const Plan& plan);
 [[nodiscard]] std::string to_json(const Plan& plan);
 

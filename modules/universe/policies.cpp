@@ -1,6 +1,8 @@
 module abut.universe.policies;
+import abut.core;
 import abut.core.standard;
 import abut.math;
+import abut.shape;
 import abut.universe.options;
 
 namespace abut {
@@ -25,14 +27,20 @@ void PolicyTable::set(std::uint32_t tag_a, std::uint32_t tag_b, const Policy& po
     }
     numbers_[cell] = number;
   }
+  largest_tolerance_ = 0;
+  for (const Policy& its : policies_) {
+    largest_tolerance_ = std::max(largest_tolerance_, its.tolerance);
+  }
 }
 
-Real PolicyTable::largest_tolerance() const {
-  Real largest = 0;
-  for (const Policy& policy : policies_) {
-    largest = std::max(largest, policy.tolerance);
+Fault check_policy(const Policy& policy) {
+  if (policy.period == 0) {
+    return error_about(Errc::out_of_range, "period", std::uint64_t{0}, "at least 1");
   }
-  return largest;
+  if (Fault fault = check_finite("tolerance", policy.tolerance)) {
+    return fault;
+  }
+  return check_not_negative("error_bound", policy.error_bound);
 }
 
 }  // namespace abut

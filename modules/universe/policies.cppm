@@ -1,7 +1,9 @@
 // How the pairs of two tags are treated.
 export module abut.universe.policies;
+import abut.core;
 import abut.core.standard;
 import abut.math;
+import abut.shape;
 import abut.universe.options;
 
 export namespace abut {
@@ -20,7 +22,7 @@ class PolicyTable {
   }
   [[nodiscard]] inline std::size_t size() const { return policies_.size(); }
   // Zero where all policies leave tolerances to the geometries.
-  [[nodiscard]] Real largest_tolerance() const;
+  [[nodiscard]] inline Real largest_tolerance() const { return largest_tolerance_; }
   [[nodiscard]] inline std::size_t bytes() const {
     return numbers_.capacity() * sizeof(std::uint32_t) + policies_.capacity() * sizeof(Policy);
   }
@@ -28,6 +30,10 @@ class PolicyTable {
  private:
   std::vector<std::uint32_t> numbers_;  // empty while all pairs of tags have the default
   std::vector<Policy> policies_{Policy{}};
+  Real largest_tolerance_ = 0;
 };
+
+// The first number of a policy that is not one that it may have.
+[[nodiscard]] Fault check_policy(const Policy& policy);
 
 }  // namespace abut

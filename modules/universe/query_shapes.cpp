@@ -91,8 +91,10 @@ class Nearest {
       Distance distance{};
       const Outcome outcome =
           pair_distance(shape, universe.shape_at(candidate.place), pose, universe.world_at(candidate.place), {}, distance);
+      // Without an upper bound nothing is there that could be met: holes took all of it.
+      const bool is_there = outcome == Outcome::ok && distance.upper < infinity;
       const NearGeometry found{universe.id_at(candidate.place), distance};
-      if (outcome == Outcome::ok && (!best_ || order_of(found) < order_of(*best_))) {
+      if (is_there && (!best_ || order_of(found) < order_of(*best_))) {
         best_ = found;
       }
     }

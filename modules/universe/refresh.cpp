@@ -130,6 +130,10 @@ void Universe::join_broadphase(std::uint32_t at) {
 }
 
 void Universe::update_broadphase() {
+  for (const std::uint32_t at : rejoining_) {
+    leave_broadphase(at);
+  }
+  rejoining_.clear();
   if (queue_.empty() && !is_broadphase_changed_) {
     return;
   }

@@ -2,6 +2,7 @@
 module abut.universe;
 import abut.any_shape;
 import abut.broadphase;
+import abut.broadphase.pair_order;
 import abut.core;
 import abut.core.standard;
 import abut.dispatch;
@@ -29,8 +30,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-bool precedes(const ProxyPair& a, const ProxyPair& b) { return a.low < b.low || (a.low == b.low && a.high < b.high); }
-
 }  // namespace
 
 // Both geometries are on different parts, one of them dynamic, and not parked, or the broad phase had not found them.
@@ -53,7 +52,7 @@ bool Universe::is_covered(const Pair& pair, const Scope& scope) const {
   switch (scope.coverage) {
     case Coverage::changed:
     case Coverage::everything: return true;
-    case Coverage::pairs: return std::ranges::binary_search(scope.pairs, ProxyPair{pair.low, pair.high}, precedes);
+    case Coverage::pairs: return std::ranges::binary_search(scope.pairs, ProxyPair{pair.low, pair.high}, is_before);
     case Coverage::region: return boxes_[pair.low].overlaps(scope.region) && boxes_[pair.high].overlaps(scope.region);
   }
   return true;
@@ -92,7 +91,7 @@ void Universe::update_pair(Pair& pair, const Scope& scope) {
   }
   const Policy& policy = policies_.at(pair.policy);
   pair.is_covered = is_covered(pair, scope);
-  pair.is_stale = pair.is_stale || low.is_fresh || high.is_fresh || must_examine_all_ || scope.coverage == Coverage::everything;
+  pair.is_stale = pair.is_stale || low.is_fresh || high.is_fresh || scope.coverage == Coverage::everything;
   if (!pair.is_stale || !pair.is_covered) {
     return;
   }
@@ -131,7 +130,7 @@ void Universe::finish_detection() {
   }
   stats_.moved = fresh_.size();
   fresh_.clear();
-  must_refilter_ = must_examine_all_ = false;
+  must_refilter_ = false;
 }
 
 void Universe::count_everything() {
@@ -208,7 +207,7 @@ Result<void> Universe::detect_pairs(std::span<const std::pair<GeometryId, Geomet
     }
     wanted.push_back({std::min(a.slot, b.slot) - 1, std::max(a.slot, b.slot) - 1});
   }
-  std::ranges::sort(wanted, precedes);
+  std::ranges::sort(wanted, is_before);
   detect({.coverage = Coverage::pairs, .pairs = wanted});
   return {};
 }

@@ -19,6 +19,15 @@ std::uint32_t first_generation(std::uint32_t number, std::uint32_t salt) {
   return static_cast<std::uint32_t>((number * golden + salt) & 0xffffffff);
 }
 
+Fault check_tags(std::uint32_t tag_a, std::uint32_t tag_b) {
+  if (tag_a < tag_count && tag_b < tag_count) {
+    return std::nullopt;
+  }
+  const bool is_first = tag_a >= tag_count;
+  return error_about(Errc::out_of_range, is_first ? "tag_a" : "tag_b", std::uint64_t{is_first ? tag_a : tag_b},
+                     "below " + std::to_string(tag_count));
+}
+
 }  // namespace
 
 Universe::Universe(const UniverseOptions& options, std::uint32_t number)
@@ -54,13 +63,15 @@ void Universe::set_filter(Filter filter) {
 void Universe::refilter() { must_refilter_ = true; }
 
 Result<void> Universe::set_policy(std::uint32_t tag_a, std::uint32_t tag_b, const Policy& policy) {
-  if (tag_a >= tag_count || tag_b >= tag_count) {
-    return error_about(Errc::out_of_range, tag_a >= tag_count ? "tag_a" : "tag_b", std::uint64_t{tag_a >= tag_count ? tag_a : tag_b},
-                       "below " + std::to_string(tag_count));
+  if (Fault fault = check_tags(tag_a, tag_b)) {
+    return *fault;
+  }
+  if (Fault fault = check_policy(policy)) {
+    return *fault;
   }
   const Real before = policies_.largest_tolerance();
   policies_.set(tag_a, tag_b, policy);
-  must_refilter_ = must_examine_all_ = true;
+  must_refilter_ = true;
   // Boxes have to reach as far as the largest tolerance.
   if (options_.tolerance_mode == ToleranceMode::margin && policies_.largest_tolerance() != before) {
     for (const GeometryId geometry : geometries()) {
@@ -72,9 +83,8 @@ Result<void> Universe::set_policy(std::uint32_t tag_a, std::uint32_t tag_b, cons
 }
 
 Result<Policy> Universe::policy(std::uint32_t tag_a, std::uint32_t tag_b) const {
-  if (tag_a >= tag_count || tag_b >= tag_count) {
-    return error_about(Errc::out_of_range, tag_a >= tag_count ? "tag_a" : "tag_b", std::uint64_t{tag_a >= tag_count ? tag_a : tag_b},
-                       "below " + std::to_string(tag_count));
+  if (Fault fault = check_tags(tag_a, tag_b)) {
+    return *fault;
   }
   return policies_.of(tag_a, tag_b);
 }
@@ -94,7 +104,7 @@ std::size_t Universe::bytes() const {
                                    boxes_.capacity() * sizeof(CompactAabb) + infos_.capacity() * sizeof(PlaceInfo) +
                                    presence_.capacity();
   const std::size_t changes = moved_parts_.capacity() * sizeof(PartId) + changed_geometries_.capacity() * sizeof(GeometryId) +
-                              (fresh_.capacity() + queue_.capacity() + updates_.capacity()) * sizeof(std::uint32_t);
+                              (fresh_.capacity() + queue_.capacity() + updates_.capacity() + rejoining_.capacity()) * sizeof(std::uint32_t);
   const std::size_t results = near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() + jobs_.bytes() +
                               (contacts_.capacity() + contacts_before_.capacity()) * sizeof(Contact) +
                               (histories_.capacity() + histories_before_.capacity()) * sizeof(ContactHistory) +

@@ -93,7 +93,7 @@ class Universe {
   // Of the last step: by the slots of the geometries; of one pair what ends comes before what begins, and the pair
   // before its contacts.
   [[nodiscard]] std::span<const Event> events() const [[clang::lifetimebound]] { return events_; }
-  // Of the contacts and events of the last step: every bit of them counts, in their order.
+  // Of the contacts and events of the last step: every bit of them counts, in their order, but for generations.
   [[nodiscard]] std::uint64_t hash() const;
   [[nodiscard]] const StepStats& stats() const [[clang::lifetimebound]] { return stats_; }
   [[nodiscard]] std::string explain() const;
@@ -206,9 +206,9 @@ class Universe {
   std::vector<std::uint32_t> fresh_;  // places whose box was refreshed
   std::vector<std::uint32_t> queue_;  // places whose box is asked for
   std::vector<std::uint32_t> updates_;  // those of them that the broad phase knows
+  std::vector<std::uint32_t> rejoining_;  // places that leave the broad phase and come back
   bool is_broadphase_changed_ = false;
   bool must_refilter_ = false;
-  bool must_examine_all_ = false;
 
   Workers workers_;
   AnyBroadPhase broadphase_;

@@ -59,6 +59,14 @@ void expect_non_finite_refused(std::string_view argument, Call call) {
   }
 }
 
+// Feeds counts that do not fit into memory to `call`, a callable from size_t to abut_status.
+template <class Call>
+void expect_overflow_refused(std::size_t element_size, std::string_view argument, Call call) {
+  for (const std::size_t count : overflowing_counts(element_size)) {
+    EXPECT_TRUE(refused(call(count), ABUT_SIZE_OVERFLOW, {argument, std::to_string(count)}));
+  }
+}
+
 // Feeds flags, tags and states that do not exist to `call`, a callable from const abut_geometry_options& to abut_status.
 template <class Call>
 void expect_unknown_geometry_values_refused(Call call) {
@@ -104,6 +112,18 @@ void expect_struct_size_checked(const Struct& good, Call call) {
       later.tail.at(place) = 1;
       EXPECT_TRUE(refused(call(&later.known), ABUT_WRONG_STRUCT_SIZE, {"struct_size", std::to_string(known_tail)}));
     }
+  }
+}
+
+// The same for a struct that `call`, a callable from Struct* to abut_status, fills in: it leaves one of a wrong size alone.
+template <class Struct, class Call>
+void expect_size_of_out_struct_checked(const Struct& good, Call call) {
+  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, sizeof(Struct) - 1}) {
+    Struct wrong = good;
+    wrong.struct_size = static_cast<std::uint32_t>(size);
+    Out<Struct> out(wrong);
+    EXPECT_TRUE(refused(call(out.address()), ABUT_WRONG_STRUCT_SIZE, {"struct_size", std::to_string(size)}));
+    EXPECT_TRUE(out.is_untouched());
   }
 }
 

@@ -6,8 +6,6 @@
 namespace abut_test {
 namespace {
 
-void require(abut_status status) { EXPECT_TRUE(succeeded(status)); }
-
 bool overlap(double centre_a, double half_a, double centre_b, double half_b) {
   return std::fabs(centre_a - centre_b) <= half_a + half_b;
 }

@@ -5,12 +5,6 @@
 
 namespace abut_test {
 
-inline abut_query_filter default_filter() {
-  abut_query_filter filter;
-  abut_query_filter_init(&filter, sizeof filter);
-  return filter;
-}
-
 // All queries behind one signature, with arguments that are good until a test spoils one.
 struct QueryCall {
   Scene scene;
@@ -171,14 +165,6 @@ inline void refuse_bad_largest_distances(Ask ask) {
   call.number = -2.5;
   EXPECT_TRUE(refused((call.*ask)(nullptr), ABUT_OUT_OF_RANGE, {"max_distance", "-2.5"}));
   EXPECT_TRUE(call.is_untouched());
-}
-
-// Counts of queries that do not fit into memory.
-template <class Call>
-inline void refuse_overflow(std::size_t element_size, std::string_view word, Call call) {
-  for (const std::size_t count : overflowing_counts(element_size)) {
-    EXPECT_TRUE(refused(call(count), ABUT_SIZE_OVERFLOW, {word}));
-  }
 }
 
 }  // namespace abut_test

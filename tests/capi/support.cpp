@@ -11,9 +11,6 @@ std::string describe(abut_status status) {
   return std::string(abut_status_name(status)) + " (" + std::to_string(status) + ")";
 }
 
-// A status that the tests of a helper cannot go on without.
-void require(abut_status status) { EXPECT_TRUE(succeeded(status)); }
-
 }  // namespace
 
 testing::AssertionResult succeeded(abut_status status) {
@@ -21,6 +18,8 @@ testing::AssertionResult succeeded(abut_status status) {
   if (status != ABUT_OK) return testing::AssertionFailure() << describe(status) << ": " << message;
   return testing::AssertionSuccess();
 }
+
+void require(abut_status status) { EXPECT_TRUE(succeeded(status)); }
 
 // Clears the message, so that the next refusal has to write one.
 testing::AssertionResult refused(abut_status status, abut_status expected,

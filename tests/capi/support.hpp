@@ -21,6 +21,9 @@ namespace abut_test {
 // Holds when a call answered ABUT_OK and left no message.
 testing::AssertionResult succeeded(abut_status status);
 
+// For calls of helpers, without which a test means nothing.
+void require(abut_status status);
+
 // Holds when a call failed with exactly this status and a message that contains every word.
 testing::AssertionResult refused(abut_status status, abut_status expected,
                                  std::initializer_list<std::string_view> words);
@@ -114,6 +117,14 @@ std::vector<Shape> make_one_of_each_kind();
 abut_geometry_options default_geometry_options();
 abut_universe_options default_universe_options();
 abut_policy default_policy();
+abut_query_filter default_filter();
+
+inline constexpr abut_collidable anything{ABUT_COLLIDABLE_ANY, 0, 0};
+inline constexpr std::array<abut_broadphase, 5> broadphases{ABUT_BROADPHASE_AUTO, ABUT_BROADPHASE_BRUTE, ABUT_BROADPHASE_TREE,
+                                                            ABUT_BROADPHASE_SWEEP_AND_PRUNE, ABUT_BROADPHASE_HASH_GRID};
+
+// The kinds of events, each as its first letter, with a following c for those of contacts.
+std::string letters_of(const std::vector<abut_event>& events);
 
 // Owns a universe.
 class Universe {

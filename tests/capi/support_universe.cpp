@@ -12,9 +12,6 @@ void append(std::vector<unsigned char>& bytes, const Value& value) {
   bytes.insert(bytes.end(), image.begin(), image.end());
 }
 
-// A status that the tests of a helper cannot go on without.
-void require(abut_status status) { EXPECT_TRUE(succeeded(status)); }
-
 abut_part_id next_generation(abut_part_id id) { return {id.slot, id.generation + 1U}; }
 abut_geometry_id next_generation(abut_geometry_id id) { return {id.slot, id.generation + 1U}; }
 
@@ -49,6 +46,21 @@ abut_policy default_policy() {
   abut_policy policy;
   abut_policy_init(&policy, sizeof policy);
   return policy;
+}
+
+abut_query_filter default_filter() {
+  abut_query_filter filter;
+  abut_query_filter_init(&filter, sizeof filter);
+  return filter;
+}
+
+std::string letters_of(const std::vector<abut_event>& events) {
+  std::string letters;
+  for (const abut_event& event : events) {
+    letters += std::string_view("bpe").at(event.kind);
+    if ((event.flags & ABUT_EVENT_CONTACT) != 0) letters += 'c';
+  }
+  return letters;
 }
 
 abut_geometry_id Universe::add_geometry(abut_part_id part, const abut_shape* shape, double tolerance) {

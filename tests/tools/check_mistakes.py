@@ -206,6 +206,7 @@ class Mistakes(program.Case):
             (["run", scene, "--threads", "many"], ("--threads is 'many'",)),
             (["run", scene, "--colour", "red"], ("--colour",)),
             (["run", scene, "--contacts", "x.csv", "--events", "x.csv"], ("different files",)),
+            (["run", scene, "--contacts", "x.csv", "--events", "./x.csv"], ("different files",)),
             (["explain", scene, "--contacts", "x.csv"], ("--contacts",)),
             (["shapes", scene], ("one argument too many",)),
         ):

@@ -3,8 +3,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string_view>
+#include <system_error>
 
 #include "failures.hpp"
 
@@ -88,11 +90,17 @@ std::size_t read_option(Arguments& arguments, std::span<const std::string> words
   return inside ? 1 : 2;
 }
 
+// Whichever way it is written.
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code none;
+  return a == b || (!b.empty() && std::filesystem::weakly_canonical(a, none) == std::filesystem::weakly_canonical(b, none));
+}
+
 void check_whole(const Arguments& arguments) {
   if ((arguments.command == Command::run || arguments.command == Command::explain) && arguments.scene.empty()) {
     throw BadInput("no scene is given; expected the name of a file");
   }
-  if (!arguments.contacts.empty() && arguments.contacts == arguments.events) {
+  if (!arguments.contacts.empty() && is_same_file(arguments.contacts, arguments.events)) {
     throw BadInput("--contacts and --events are both '" + arguments.events + "'; expected different files");
   }
 }

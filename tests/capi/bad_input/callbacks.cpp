@@ -37,8 +37,6 @@ void expect_busy(std::function<abut_status(Scene&)> call) {
     expect_busy([]([[maybe_unused]] Scene& scene) { return __VA_ARGS__; }); \
   }
 
-constexpr abut_collidable anything{ABUT_COLLIDABLE_ANY, 0, 0};
-
 ABUT_BUSY_TEST(PartCreate, abut_part_create(scene.universe, nullptr, &scene.part))
 ABUT_BUSY_TEST(PartsCreate, abut_parts_create(scene.universe, nullptr, 0, nullptr))
 ABUT_BUSY_TEST(PartDestroy, abut_part_destroy(scene.universe, scene.part))

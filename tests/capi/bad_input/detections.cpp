@@ -28,10 +28,9 @@ TEST(UniverseDetectPairs, RefusesNullPointers) {
 
 TEST(UniverseDetectPairs, RefusesOverflowingCounts) {
   const Scene scene;
-  for (const std::size_t count : overflowing_counts(sizeof(abut_geometry_id))) {
-    EXPECT_TRUE(refused(abut_universe_detect_pairs(scene.universe, &scene.geometry, &scene.second_geometry, count), ABUT_SIZE_OVERFLOW,
-                        {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_geometry_id), "count", [&](std::size_t count) {
+    return abut_universe_detect_pairs(scene.universe, &scene.geometry, &scene.second_geometry, count);
+  });
   EXPECT_TRUE(scene.is_unchanged());
 }
 

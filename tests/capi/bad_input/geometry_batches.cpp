@@ -53,15 +53,12 @@ TEST(GeometriesCreate, RefusesNullPointers) {
 TEST(GeometriesCreate, RefusesOverflowingCounts) {
   const Scene scene;
   Batch batch(scene);
-  for (const std::size_t count : overflowing_counts(sizeof(abut_geometry_options))) {
-    EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), batch.options.data(), count,
-                                               batch.out.data()),
-                        ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
-  }
-  for (const std::size_t count : overflowing_counts(sizeof(abut_part_id))) {
-    EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, count, batch.out.data()),
-                        ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_geometry_options), "count", [&](std::size_t count) {
+    return abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), batch.options.data(), count, batch.out.data());
+  });
+  expect_overflow_refused(sizeof(abut_part_id), "count", [&](std::size_t count) {
+    return abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, count, batch.out.data());
+  });
   EXPECT_TRUE(batch.out.is_untouched());
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -152,10 +149,9 @@ TEST(GeometriesDestroy, RefusesNullPointers) {
 
 TEST(GeometriesDestroy, RefusesOverflowingCounts) {
   const Scene scene;
-  for (const std::size_t count : overflowing_counts(sizeof(abut_geometry_id))) {
-    EXPECT_TRUE(refused(abut_geometries_destroy(scene.universe, &scene.geometry, count), ABUT_SIZE_OVERFLOW,
-                        {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_geometry_id), "count", [&](std::size_t count) {
+    return abut_geometries_destroy(scene.universe, &scene.geometry, count);
+  });
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -183,10 +179,9 @@ TEST(GeometriesPoses, RefusesNullPointers) {
 TEST(GeometriesPoses, RefusesOverflowingCounts) {
   const Scene scene;
   Out<abut_pose> out;
-  for (const std::size_t count : overflowing_counts(sizeof(abut_pose))) {
-    EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, &scene.geometry, count, out.address()), ABUT_SIZE_OVERFLOW,
-                        {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_pose), "count", [&](std::size_t count) {
+    return abut_geometries_poses(scene.universe, &scene.geometry, count, out.address());
+  });
   EXPECT_TRUE(out.is_untouched());
 }
 

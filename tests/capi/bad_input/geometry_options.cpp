@@ -1,5 +1,5 @@
 // Options of geometries that exist under bad input.
-#include "bad_values.hpp"
+#include "geometry_values.hpp"
 
 namespace {
 
@@ -59,77 +59,58 @@ TEST(GeometrySetOptions, RefusesWrongStructSize) {
   });
 }
 
-// Options for both geometries of a scene, ready to be spoiled.
-struct Batch {
-  explicit Batch(const Scene& scene) : universe(scene.universe), geometries{scene.geometry, scene.second_geometry} {
-    options.fill(default_geometry_options());
-    options[0].material = options[1].material = 7;
-  }
-  abut_status set() const { return abut_geometries_set_options(universe, geometries.data(), options.data(), 2); }
+using Batch = GeometryValues<abut_geometry_options>;
 
-  abut_universe* universe;
-  std::array<abut_geometry_id, 2> geometries;
-  std::array<abut_geometry_options, 2> options{};
-};
+Batch make_batch(const Scene& scene) {
+  abut_geometry_options options = default_geometry_options();
+  options.material = 7;
+  return {abut_geometries_set_options, scene, {options, options}};
+}
 
 TEST(GeometriesSetOptions, AcceptsTheBatchThatTheOthersSpoil) {
   const Scene scene;
-  EXPECT_TRUE(succeeded(Batch(scene).set()));
+  EXPECT_TRUE(succeeded(make_batch(scene).set()));
   EXPECT_EQ(scene.universe.describe(scene.second_geometry).material, 7U);
   EXPECT_TRUE(succeeded(abut_geometries_set_options(scene.universe, nullptr, nullptr, 0)));
 }
 
 TEST(GeometriesSetOptions, TakesTheLastOfTwo) {
   const Scene scene;
-  Batch batch(scene);
+  Batch batch = make_batch(scene);
   batch.geometries[1] = scene.geometry;
-  batch.options[1].material = 8;
+  batch.values[1].material = 8;
   EXPECT_TRUE(succeeded(batch.set()));
   EXPECT_EQ(scene.universe.describe(scene.geometry).material, 8U);
 }
 
 TEST(GeometriesSetOptions, RefusesNullPointers) {
   const Scene scene;
-  const Batch batch(scene);
-  EXPECT_TRUE(refused(abut_geometries_set_options(nullptr, batch.geometries.data(), batch.options.data(), 2), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_set_options(scene.universe, nullptr, batch.options.data(), 2), ABUT_NULL_ARGUMENT,
-                      {"geometries", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_set_options(scene.universe, batch.geometries.data(), nullptr, 2), ABUT_NULL_ARGUMENT,
-                      {"options", "null"}));
+  refuse_null_pointers(make_batch(scene), "options");
   EXPECT_TRUE(scene.is_unchanged());
 }
 
 TEST(GeometriesSetOptions, RefusesOverflowingCounts) {
   const Scene scene;
-  const Batch batch(scene);
-  for (const std::size_t count : overflowing_counts(sizeof(abut_geometry_options))) {
-    EXPECT_TRUE(refused(abut_geometries_set_options(scene.universe, batch.geometries.data(), batch.options.data(), count),
-                        ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
-  }
+  refuse_overflowing_counts(make_batch(scene), sizeof(abut_geometry_options));
   EXPECT_TRUE(scene.is_unchanged());
 }
 
 TEST(GeometriesSetOptions, RefusesStaleIdsAndSetsNone) {
   const Scene scene;
-  Batch batch(scene);
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    batch.geometries[1] = stale;
-    EXPECT_TRUE(refused(batch.set(), ABUT_STALE_ID, {"geometries", "1", std::to_string(stale.slot)}));
-  }
+  refuse_stale_geometries(make_batch(scene), scene);
   EXPECT_TRUE(scene.is_unchanged());
 }
 
 TEST(GeometriesSetOptions, RefusesNonFiniteAndOtherBadNumbersAndSetsNone) {
   const Scene scene;
-  Batch batch(scene);
+  Batch batch = make_batch(scene);
   for (const BadPose& bad : bad_poses()) {
-    batch.options[1].pose = bad.pose;
+    batch.values[1].pose = bad.pose;
     EXPECT_TRUE(refused(batch.set(), bad.status, {"options", "1", "pose", bad.word}));
   }
-  batch.options[1].pose = identity;
+  batch.values[1].pose = identity;
   expect_non_finite_refused("options[1].tolerance", [&](double bad) {
-    batch.options[1].tolerance = bad;
+    batch.values[1].tolerance = bad;
     return batch.set();
   });
   EXPECT_TRUE(scene.is_unchanged());
@@ -137,9 +118,9 @@ TEST(GeometriesSetOptions, RefusesNonFiniteAndOtherBadNumbersAndSetsNone) {
 
 TEST(GeometriesSetOptions, RefusesUnknownValuesAndSetsNone) {
   const Scene scene;
-  Batch batch(scene);
+  Batch batch = make_batch(scene);
   expect_unknown_geometry_values_refused([&](const abut_geometry_options& options) {
-    batch.options[1] = options;
+    batch.values[1] = options;
     return batch.set();
   });
   EXPECT_TRUE(scene.is_unchanged());
@@ -147,11 +128,11 @@ TEST(GeometriesSetOptions, RefusesUnknownValuesAndSetsNone) {
 
 TEST(GeometriesSetOptions, RefusesWrongStructSize) {
   const Scene scene;
-  Batch batch(scene);
-  expect_struct_size_checked(batch.options[0], [&](const abut_geometry_options* wrong) {
+  Batch batch = make_batch(scene);
+  expect_struct_size_checked(batch.values[0], [&](const abut_geometry_options* wrong) {
     return abut_geometries_set_options(scene.universe, batch.geometries.data(), wrong, 1);
   });
-  batch.options[1].struct_size = 0;
+  batch.values[1].struct_size = 0;
   EXPECT_TRUE(refused(batch.set(), ABUT_WRONG_STRUCT_SIZE, {"struct_size", "0"}));
   EXPECT_TRUE(scene.is_unchanged());
 }

@@ -1,5 +1,5 @@
 // Other shapes for geometries under bad input.
-#include "bad_values.hpp"
+#include "geometry_values.hpp"
 
 namespace {
 
@@ -21,20 +21,13 @@ TEST(GeometrySetShape, RefusesStaleIds) {
   EXPECT_TRUE(scene.is_unchanged());
 }
 
-// Other shapes for both geometries of a scene, ready to be spoiled.
-struct Batch {
-  explicit Batch(const Scene& scene)
-      : universe(scene.universe), geometries{scene.geometry, scene.second_geometry}, shapes{scene.block, scene.ball} {}
-  abut_status set() const { return abut_geometries_set_shapes(universe, geometries.data(), shapes.data(), 2); }
+using Batch = GeometryValues<const abut_shape*>;
 
-  abut_universe* universe;
-  std::array<abut_geometry_id, 2> geometries;
-  std::array<const abut_shape*, 2> shapes;
-};
+Batch make_batch(const Scene& scene) { return {abut_geometries_set_shapes, scene, {scene.block, scene.ball}}; }
 
 TEST(GeometriesSetShapes, AcceptsTheBatchThatTheOthersSpoil) {
   const Scene scene;
-  EXPECT_TRUE(succeeded(Batch(scene).set()));
+  EXPECT_TRUE(succeeded(make_batch(scene).set()));
   EXPECT_EQ(scene.universe.describe(scene.geometry).shape, scene.block);
   EXPECT_EQ(scene.universe.describe(scene.second_geometry).shape, scene.ball);
   EXPECT_TRUE(succeeded(abut_geometries_set_shapes(scene.universe, nullptr, nullptr, 0)));
@@ -42,7 +35,7 @@ TEST(GeometriesSetShapes, AcceptsTheBatchThatTheOthersSpoil) {
 
 TEST(GeometriesSetShapes, TakesTheLastOfTwo) {
   const Scene scene;
-  Batch batch(scene);
+  Batch batch = make_batch(scene);
   batch.geometries[1] = scene.geometry;
   EXPECT_TRUE(succeeded(batch.set()));
   EXPECT_EQ(scene.universe.describe(scene.geometry).shape, scene.ball);
@@ -51,35 +44,22 @@ TEST(GeometriesSetShapes, TakesTheLastOfTwo) {
 
 TEST(GeometriesSetShapes, RefusesNullPointersAndSetsNone) {
   const Scene scene;
-  Batch batch(scene);
-  EXPECT_TRUE(refused(abut_geometries_set_shapes(nullptr, batch.geometries.data(), batch.shapes.data(), 2), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_set_shapes(scene.universe, nullptr, batch.shapes.data(), 2), ABUT_NULL_ARGUMENT,
-                      {"geometries", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_set_shapes(scene.universe, batch.geometries.data(), nullptr, 2), ABUT_NULL_ARGUMENT,
-                      {"shapes", "null"}));
-  batch.shapes[1] = nullptr;
+  Batch batch = make_batch(scene);
+  refuse_null_pointers(batch, "shapes");
+  batch.values[1] = nullptr;
   EXPECT_TRUE(refused(batch.set(), ABUT_NULL_ARGUMENT, {"shapes", "1", "null"}));
   EXPECT_TRUE(scene.is_unchanged());
 }
 
 TEST(GeometriesSetShapes, RefusesOverflowingCounts) {
   const Scene scene;
-  const Batch batch(scene);
-  for (const std::size_t count : overflowing_counts(sizeof(abut_geometry_id))) {
-    EXPECT_TRUE(refused(abut_geometries_set_shapes(scene.universe, batch.geometries.data(), batch.shapes.data(), count),
-                        ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
-  }
+  refuse_overflowing_counts(make_batch(scene), sizeof(abut_geometry_id));
   EXPECT_TRUE(scene.is_unchanged());
 }
 
 TEST(GeometriesSetShapes, RefusesStaleIdsAndSetsNone) {
   const Scene scene;
-  Batch batch(scene);
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    batch.geometries[1] = stale;
-    EXPECT_TRUE(refused(batch.set(), ABUT_STALE_ID, {"geometries", "1", std::to_string(stale.slot)}));
-  }
+  refuse_stale_geometries(make_batch(scene), scene);
   EXPECT_TRUE(scene.is_unchanged());
 }
 

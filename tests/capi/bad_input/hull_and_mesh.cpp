@@ -23,10 +23,9 @@ TEST(HullCreate, RefusesNoPoints) {
 
 TEST(HullCreate, RefusesOverflowingCounts) {
   Out<abut_shape*> out;
-  for (const std::size_t count : overflowing_counts(3 * sizeof(double))) {
-    EXPECT_TRUE(refused(abut_hull_create(square.data(), count, out.address()), ABUT_SIZE_OVERFLOW,
-                        {"point_count", std::to_string(count)}));
-  }
+  expect_overflow_refused(3 * sizeof(double), "point_count", [&](std::size_t count) {
+    return abut_hull_create(square.data(), count, out.address());
+  });
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -94,13 +93,7 @@ TEST(HullDescribe, RefusesNullPointers) {
 
 TEST(HullDescribe, RefusesWrongStructSize) {
   const Shape hull = make_octahedron(1.0);
-  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, sizeof(abut_hull_report) - 1}) {
-    abut_hull_report wrong = empty_report();
-    wrong.struct_size = static_cast<std::uint32_t>(size);
-    Out<abut_hull_report> out(wrong);
-    EXPECT_TRUE(refused(abut_hull_describe(hull, out.address()), ABUT_WRONG_STRUCT_SIZE, {"struct_size", std::to_string(size)}));
-    EXPECT_TRUE(out.is_untouched());
-  }
+  expect_size_of_out_struct_checked(empty_report(), [&](abut_hull_report* out) { return abut_hull_describe(hull, out); });
 }
 
 TEST(HullDescribe, AcceptsLaterStructWithZeroTail) {
@@ -157,14 +150,12 @@ TEST(MeshCreate, RefusesEmptyMeshes) {
 
 TEST(MeshCreate, RefusesOverflowingCounts) {
   Out<abut_shape*> out;
-  for (const std::size_t count : overflowing_counts(3 * sizeof(double))) {
-    EXPECT_TRUE(refused(MeshCall{.vertex_count = count}.into(out.address()), ABUT_SIZE_OVERFLOW,
-                        {"vertex_count", std::to_string(count)}));
-  }
-  for (const std::size_t count : overflowing_counts(3 * sizeof(std::uint32_t))) {
-    EXPECT_TRUE(refused(MeshCall{.triangle_count = count}.into(out.address()), ABUT_SIZE_OVERFLOW,
-                        {"triangle_count", std::to_string(count)}));
-  }
+  expect_overflow_refused(3 * sizeof(double), "vertex_count", [&](std::size_t count) {
+    return MeshCall{.vertex_count = count}.into(out.address());
+  });
+  expect_overflow_refused(3 * sizeof(std::uint32_t), "triangle_count", [&](std::size_t count) {
+    return MeshCall{.triangle_count = count}.into(out.address());
+  });
   EXPECT_TRUE(out.is_untouched());
 }
 

@@ -35,10 +35,9 @@ TEST(ParticlesCreate, RefusesRadiiThatAreNotPositive) {
 TEST(ParticlesCreate, RefusesNoneAndCountsThatOverflow) {
   Out<abut_shape*> out;
   EXPECT_TRUE(refused(abut_particles_create(two_places.data(), 0, 0.5, out.address()), ABUT_EMPTY, {"count", "0"}));
-  for (const std::size_t count : overflowing_counts(3 * sizeof(double))) {
-    EXPECT_TRUE(refused(abut_particles_create(two_places.data(), count, 0.5, out.address()), ABUT_SIZE_OVERFLOW,
-                        {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(3 * sizeof(double), "count", [&](std::size_t count) {
+    return abut_particles_create(two_places.data(), count, 0.5, out.address());
+  });
   EXPECT_TRUE(out.is_untouched());
 }
 

@@ -46,7 +46,7 @@ TEST(MaterialPairSet, RefusesNumbersThatAreNoneOrNegative) {
                                     std::pair{&abut_contact_material::compliance, "compliance"},
                                     std::pair{&abut_contact_material::adhesive_force, "adhesive_force"}}) {
     abut_contact_material row = default_row();
-    row.*field = std::numeric_limits<double>::quiet_NaN();
+    row.*field = not_a_number;
     EXPECT_TRUE(refused(abut_material_pair_set(scene.universe, 0, 1, &row), ABUT_NOT_FINITE, {"row", name}));
     row.*field = -0.5;
     EXPECT_TRUE(refused(abut_material_pair_set(scene.universe, 0, 1, &row), ABUT_OUT_OF_RANGE, {"row", name, "-0.5"}));

@@ -189,10 +189,9 @@ TEST(ShapesDistances, RefusesNullPointers) {
 
 TEST(ShapesDistances, RefusesOverflowingCounts) {
   PairCall call;
-  for (const std::size_t count : overflowing_counts(sizeof(abut_pose))) {
-    EXPECT_TRUE(refused(abut_shapes_distances(call.a, &identity, call.b, &identity, count, nullptr, call.distance.address()),
-                        ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_pose), "count", [&](std::size_t count) {
+    return abut_shapes_distances(call.a, &identity, call.b, &identity, count, nullptr, call.distance.address());
+  });
   EXPECT_TRUE(call.is_untouched());
 }
 

@@ -41,10 +41,9 @@ TEST(GeometriesPark, RefusesNullPointers) {
 
 TEST(GeometriesPark, RefusesOverflowingCounts) {
   const Scene scene;
-  for (const std::size_t count : overflowing_counts(sizeof(abut_geometry_id))) {
-    EXPECT_TRUE(refused(abut_geometries_park(scene.universe, &scene.geometry, count, ABUT_PARKING_LONG_TERM), ABUT_SIZE_OVERFLOW,
-                        {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_geometry_id), "count", [&](std::size_t count) {
+    return abut_geometries_park(scene.universe, &scene.geometry, count, ABUT_PARKING_LONG_TERM);
+  });
   EXPECT_TRUE(scene.is_unchanged());
 }
 

@@ -26,10 +26,9 @@ TEST(PartsCreate, RefusesOverflowingCounts) {
   const Scene scene;
   const auto options = three_options();
   OutArray<abut_part_id> out(3);
-  for (const std::size_t count : overflowing_counts(sizeof(abut_part_options))) {
-    EXPECT_TRUE(refused(abut_parts_create(scene.universe, options.data(), count, out.data()), ABUT_SIZE_OVERFLOW,
-                        {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_part_options), "count", [&](std::size_t count) {
+    return abut_parts_create(scene.universe, options.data(), count, out.data());
+  });
   EXPECT_TRUE(out.is_untouched());
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -111,9 +110,9 @@ TEST(PartsDestroy, RefusesNullPointers) {
 
 TEST(PartsDestroy, RefusesOverflowingCounts) {
   const Scene scene;
-  for (const std::size_t count : overflowing_counts(sizeof(abut_part_id))) {
-    EXPECT_TRUE(refused(abut_parts_destroy(scene.universe, &scene.part, count), ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_part_id), "count", [&](std::size_t count) {
+    return abut_parts_destroy(scene.universe, &scene.part, count);
+  });
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -138,10 +137,9 @@ TEST(PartsSetPoses, RefusesNullPointers) {
 
 TEST(PartsSetPoses, RefusesOverflowingCounts) {
   const Scene scene;
-  for (const std::size_t count : overflowing_counts(sizeof(abut_pose))) {
-    EXPECT_TRUE(refused(abut_parts_set_poses(scene.universe, &scene.part, &identity, count), ABUT_SIZE_OVERFLOW,
-                        {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_pose), "count", [&](std::size_t count) {
+    return abut_parts_set_poses(scene.universe, &scene.part, &identity, count);
+  });
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -178,10 +176,9 @@ TEST(PartsPoses, RefusesNullPointers) {
 TEST(PartsPoses, RefusesOverflowingCounts) {
   const Scene scene;
   Out<abut_pose> out;
-  for (const std::size_t count : overflowing_counts(sizeof(abut_pose))) {
-    EXPECT_TRUE(refused(abut_parts_poses(scene.universe, &scene.part, count, out.address()), ABUT_SIZE_OVERFLOW,
-                        {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_pose), "count", [&](std::size_t count) {
+    return abut_parts_poses(scene.universe, &scene.part, count, out.address());
+  });
   EXPECT_TRUE(out.is_untouched());
 }
 

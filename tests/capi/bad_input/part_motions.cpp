@@ -41,10 +41,9 @@ TEST(PartsSetMotions, RefusesNullPointers) {
 TEST(PartsSetMotions, RefusesOverflowingCounts) {
   const Scene scene;
   const abut_motion motion = ABUT_MOTION_STATIC;
-  for (const std::size_t count : overflowing_counts(sizeof(abut_part_id))) {
-    EXPECT_TRUE(refused(abut_parts_set_motions(scene.universe, &scene.part, &motion, count), ABUT_SIZE_OVERFLOW,
-                        {"count", std::to_string(count)}));
-  }
+  expect_overflow_refused(sizeof(abut_part_id), "count", [&](std::size_t count) {
+    return abut_parts_set_motions(scene.universe, &scene.part, &motion, count);
+  });
   EXPECT_TRUE(scene.is_unchanged());
 }
 

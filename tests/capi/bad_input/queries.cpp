@@ -63,7 +63,7 @@ TEST(UniverseCastRays, RefusesBadFilters) {
 }
 TEST(UniverseCastRays, RefusesOverflowingCounts) {
   QueryCall call;
-  refuse_overflow(sizeof(abut_ray), "count", [&](std::size_t count) {
+  expect_overflow_refused(sizeof(abut_ray), "count", [&](std::size_t count) {
     return abut_universe_cast_rays(call.universe, &call.ray, count, nullptr, call.hit.address());
   });
   EXPECT_TRUE(call.is_untouched());
@@ -109,7 +109,7 @@ TEST(UniverseAtPoints, RefusesBadFilters) {
 }
 TEST(UniverseAtPoints, RefusesOverflowingCounts) {
   QueryCall call;
-  refuse_overflow(sizeof(abut_vec3), "query_count", [&](std::size_t count) {
+  expect_overflow_refused(sizeof(abut_vec3), "query_count", [&](std::size_t count) {
     return abut_universe_at_points(call.universe, &call.vector, count, nullptr, call.offsets.data(), call.geometries.data(), 4,
                                    call.count.address());
   });

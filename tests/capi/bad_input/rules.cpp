@@ -5,8 +5,6 @@ namespace {
 
 using namespace abut_test;
 
-constexpr abut_collidable anything{ABUT_COLLIDABLE_ANY, 0, 0};
-
 // Feeds a collidable to either side of a rule.
 void expect_refused_on_both_sides(const Scene& scene, const abut_collidable& bad, abut_status status,
                                   std::initializer_list<std::string_view> words) {

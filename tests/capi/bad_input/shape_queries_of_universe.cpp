@@ -62,7 +62,7 @@ TEST(UniverseCastShapes, RefusesBadFilters) {
 }
 TEST(UniverseCastShapes, RefusesOverflowingCounts) {
   QueryCall call;
-  refuse_overflow(sizeof(abut_vec3), "count", [&](std::size_t count) {
+  expect_overflow_refused(sizeof(abut_vec3), "count", [&](std::size_t count) {
     return abut_universe_cast_shapes(call.universe, &call.shape, &call.pose, &call.vector, count, nullptr, call.cast.address());
   });
   EXPECT_TRUE(call.is_untouched());
@@ -122,7 +122,7 @@ TEST(UniverseOverlapsOfEach, RefusesBadFilters) {
 }
 TEST(UniverseOverlapsOfEach, RefusesOverflowingCounts) {
   QueryCall call;
-  refuse_overflow(sizeof(std::uint64_t), "query_count", [&](std::size_t count) {
+  expect_overflow_refused(sizeof(std::uint64_t), "query_count", [&](std::size_t count) {
     return abut_universe_overlaps_of_each(call.universe, &call.shape, &call.pose, count, nullptr, 0, call.offsets.data(),
                                           call.geometries.data(), 4, call.count.address());
   });
@@ -174,7 +174,7 @@ TEST(UniverseClosestToEach, RefusesBadFilters) {
 }
 TEST(UniverseClosestToEach, RefusesOverflowingCounts) {
   QueryCall call;
-  refuse_overflow(sizeof(abut_closest), "count", [&](std::size_t count) {
+  expect_overflow_refused(sizeof(abut_closest), "count", [&](std::size_t count) {
     return abut_universe_closest_to_each(call.universe, &call.shape, &call.pose, count, 1, nullptr, call.near.address());
   });
   EXPECT_TRUE(call.is_untouched());

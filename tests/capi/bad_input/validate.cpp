@@ -19,7 +19,7 @@ TEST(UniverseValidate, RefusesCountsThatOverflow) {
   const Scene scene;
   std::size_t count = 7;
   abut_finding finding{};
-  EXPECT_TRUE(refused(abut_universe_validate(scene.universe, &finding, std::numeric_limits<std::size_t>::max(), &count),
+  EXPECT_TRUE(refused(abut_universe_validate(scene.universe, &finding, size_max, &count),
                       ABUT_SIZE_OVERFLOW, {"capacity"}));
   EXPECT_EQ(count, 7U);
 }
@@ -27,15 +27,7 @@ TEST(UniverseValidate, RefusesCountsThatOverflow) {
 TEST(UniverseValidate, CountsThenFills) {
   Universe universe;
   const Shape ball = make_sphere(1);
-  abut_part_options options;
-  abut_part_options_init(&options, sizeof options);
-  options.motion = ABUT_MOTION_STATIC;
-  for (int i = 0; i < 2; ++i) {
-    abut_part_id part;
-    abut_geometry_id geometry;
-    ASSERT_TRUE(succeeded(abut_part_create(universe, &options, &part)));
-    ASSERT_TRUE(succeeded(abut_geometry_create(universe, part, ball, nullptr, &geometry)));
-  }
+  for (int i = 0; i < 2; ++i) universe.add(ball, identity, ABUT_MOTION_STATIC);
   std::size_t count = 0;
   ASSERT_TRUE(succeeded(abut_universe_validate(universe, nullptr, 0, &count)));
   ASSERT_EQ(count, 1U);

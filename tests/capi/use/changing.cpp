@@ -12,12 +12,10 @@ struct Standing {
     part = universe.add_part(at(0, 0, 0.99));
     block = universe.add_geometry(part, cube);
   }
-  // The kinds of the events of a step, each as a letter.
+  // The letters of the events of a step.
   std::string step() {
     universe.step();
-    std::string letters;
-    for (const abut_event& event : universe.events()) letters += std::string_view("bpe").at(event.kind);
-    return letters;
+    return letters_of(universe.events());
   }
 
   Shape slab = make_box(4, 4, 1);

@@ -147,9 +147,7 @@ TEST_P(PartialDetection, FindsWhatAFullOneFinds) {
   EXPECT_GT(touching_in_region, 250U);
 }
 
-INSTANTIATE_TEST_SUITE_P(, PartialDetection,
-                         testing::Values(ABUT_BROADPHASE_AUTO, ABUT_BROADPHASE_BRUTE, ABUT_BROADPHASE_TREE,
-                                         ABUT_BROADPHASE_SWEEP_AND_PRUNE, ABUT_BROADPHASE_HASH_GRID));
+INSTANTIATE_TEST_SUITE_P(, PartialDetection, testing::ValuesIn(broadphases));
 
 // A universe that was edited for long and one that was made as it is in the end have the same first step, bit by bit.
 TEST(Detections, DoNotDependOnTheWayToAScene) {

@@ -69,7 +69,6 @@ TEST(Filter, IsAskedLast) {
     ASSERT_TRUE(succeeded(abut_geometry_set_options(row.universe, row.geometries.at(i), &options)));
   }
   const abut_collidable first{ABUT_COLLIDABLE_GEOMETRY, row.geometries[0].slot, row.geometries[0].generation};
-  const abut_collidable anything{ABUT_COLLIDABLE_ANY, 0, 0};
   ASSERT_TRUE(succeeded(abut_rule_set(row.universe, &first, &anything, ABUT_RULE_DISABLE)));
   EXPECT_EQ(row.asked_in_a_step(), (Pairs{{2, 4}, {3, 4}}));
 }

@@ -17,11 +17,10 @@ class ParkingOfBroadphase : public testing::TestWithParam<std::tuple<abut_broadp
     options.broadphase = std::get<0>(GetParam());
     return options;
   }
-  // Contacts of a step and the kinds of its events, each as a letter.
+  // The number of contacts of a step and the letters of its events.
   std::string step() {
-    std::string words = std::to_string(universe.step().size());
-    for (const abut_event& event : universe.events()) words += std::string_view("bpe").at(event.kind);
-    return words;
+    const std::string contacts = std::to_string(universe.step().size());
+    return contacts + letters_of(universe.events());
   }
 
   abut_parking parking;
@@ -151,8 +150,7 @@ TEST_P(ParkingOfBroadphase, APoolOfThem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, ParkingOfBroadphase,
-                         testing::Combine(testing::Values(ABUT_BROADPHASE_AUTO, ABUT_BROADPHASE_BRUTE, ABUT_BROADPHASE_TREE,
-                                                          ABUT_BROADPHASE_SWEEP_AND_PRUNE, ABUT_BROADPHASE_HASH_GRID),
+                         testing::Combine(testing::ValuesIn(broadphases),
                                           testing::Values(ABUT_PARKING_SHORT_TERM, ABUT_PARKING_LONG_TERM)));
 
 }  // namespace

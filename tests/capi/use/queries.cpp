@@ -10,12 +10,6 @@ using namespace abut_test;
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-abut_query_filter default_filter() {
-  abut_query_filter filter;
-  abut_query_filter_init(&filter, sizeof filter);
-  return filter;
-}
-
 // Three balls of radius 1 in a row along X, 4 apart.
 struct Row {
   Universe universe;
@@ -91,14 +85,10 @@ TEST(QueriesInUse, FiltersLeaveOut) {
   EXPECT_TRUE(first_of(filter) == row.balls[0]);
   filter.ignore_geometry = row.balls[0];
   EXPECT_TRUE(first_of(filter) == row.balls[1]);
-  abut_geometry_info info;
-  abut_geometry_info_init(&info, sizeof info);
-  ASSERT_TRUE(succeeded(abut_geometry_describe(row.universe, row.balls[1], &info)));
-  filter.ignore_part = info.part;
+  filter.ignore_part = row.universe.describe(row.balls[1]).part;
   EXPECT_TRUE(first_of(filter) == row.balls[2]);
 
-  abut_geometry_options options;
-  abut_geometry_options_init(&options, sizeof options);
+  abut_geometry_options options = default_geometry_options();
   options.layers = 6;
   options.mask = 8;
   options.flags = ABUT_GEOMETRY_SENSOR;

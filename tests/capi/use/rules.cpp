@@ -22,7 +22,7 @@ struct Ball {
       case ABUT_COLLIDABLE_GEOMETRY: return {kind, geometry.slot, geometry.generation};
       case ABUT_COLLIDABLE_PART: return {kind, part.slot, part.generation};
       case ABUT_COLLIDABLE_LABEL: return {kind, label, 0};
-      default: return {ABUT_COLLIDABLE_ANY, 0, 0};
+      default: return anything;
     }
   }
 };
@@ -209,9 +209,6 @@ bool meet(const abut_geometry_options& a, const abut_geometry_options& b, abut_b
   universe.add_geometry(universe.add_part(at(0.5, 0, 0)), ball, b);
   return !universe.step().empty();
 }
-
-constexpr std::array<abut_broadphase, 5> broadphases{ABUT_BROADPHASE_AUTO, ABUT_BROADPHASE_BRUTE, ABUT_BROADPHASE_TREE,
-                                                     ABUT_BROADPHASE_SWEEP_AND_PRUNE, ABUT_BROADPHASE_HASH_GRID};
 
 // Layers and masks of one bit and of the highest one, each present or not: both ways have to fit.
 TEST(Filtering, LayersAndMasksHaveToFitBothWays) {

@@ -7,7 +7,7 @@ namespace {
 
 using namespace abut_test;
 
-// The hashes of the steps of a crowd of all kinds of shapes that swim about.
+// The hashes of the steps of a crowd of balls, boxes and capsules that swim about over a plane.
 std::vector<std::uint64_t> hashes_with(std::uint32_t threads, abut_broadphase broadphase) {
   abut_universe_options options = default_universe_options();
   options.threads = threads;

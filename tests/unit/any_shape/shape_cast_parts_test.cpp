@@ -7,6 +7,8 @@
 
 #include "shape_casts.hpp"
 
+import abut.any_shape;
+
 namespace {
 
 using namespace test::casts;

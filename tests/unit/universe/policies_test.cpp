@@ -48,4 +48,10 @@ TEST(PolicyTable, HoldsEachPolicyOnceAndDropsUnusedOnes) {
   EXPECT_EQ(table.of(5, 5), Policy{});
 }
 
+TEST(Policy, IsCheckedBeforeItIsTaken) {
+  EXPECT_FALSE(check_policy({}).has_value());
+  EXPECT_TRUE(check_policy({.period = 0}).has_value());
+  EXPECT_TRUE(check_policy({.error_bound = -1}).has_value());
+}
+
 }  // namespace

@@ -10,6 +10,8 @@
 
 #include "query_scene.hpp"
 
+import abut.universe;
+
 namespace {
 
 using namespace test::queries;
@@ -262,6 +264,18 @@ TEST(QueriesOfAUniverse, RunAtOnceOnManyThreads) {
     EXPECT_EQ(answers.overlaps, expected.overlaps);
     EXPECT_EQ(answers.closest, expected.closest);
   }
+}
+
+TEST(Queries, FindGeometriesOfAPartWhoseMotionHasChanged) {
+  Universe universe({}, 1);
+  const GeometryId ball = add(universe, make_handle("sphere", {1}), at(0, 0, 0));
+  universe.refresh();
+  const PartId part = universe.describe(ball).value().part;
+  const MotionKind fixed = MotionKind::fixed;
+  ASSERT_TRUE(universe.set_motions(std::span(&part, 1), std::span(&fixed, 1)).has_value());
+  EXPECT_EQ(find_at_point(universe, {0, 0, 0}, {}), std::vector{ball});
+  universe.refresh();
+  EXPECT_EQ(find_at_point(universe, {0, 0, 0}, {}), std::vector{ball});
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 
 #include "query_scene.hpp"
 
+import abut.universe;
+
 namespace {
 
 using namespace test::queries;

@@ -1,0 +1,34 @@
+// Files that a program without a fuzzing engine plays.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace fuzz_files {
+
+// By name; none where there is no such folder.
+inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      files.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+inline std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::vector<std::uint8_t> bytes;
+  std::ranges::transform(text, std::back_inserter(bytes), [](char c) { return static_cast<std::uint8_t>(static_cast<unsigned char>(c)); });
+  return bytes;
+}
+
+}  // namespace fuzz_files
