@@ -67,9 +67,12 @@ struct CompactAabb {
 };
 static_assert(sizeof(CompactAabb) == 24);
 
+// The greatest single number that is not above a number. Single numbers of one sign are ordered as their bits are.
 [[nodiscard]] inline float round_down(Real value) {
   const auto nearest = static_cast<float>(value);
-  return static_cast<Real>(nearest) <= value ? nearest : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
+  const auto bits = std::bit_cast<std::uint32_t>(nearest);
+  const std::uint32_t below = nearest > 0 ? bits - 1 : nearest < 0 ? bits + 1 : std::uint32_t{0x80000001};
+  return static_cast<Real>(nearest) <= value ? nearest : std::bit_cast<float>(below);
 }
 [[nodiscard]] inline float round_up(Real value) { return -round_down(-value); }
 

@@ -17,6 +17,8 @@ namespace {
 
 // Pairs that a thread takes at once.
 constexpr std::size_t block_size = 256;
+// Contacts are fetched from memory so many pairs before they are written.
+constexpr std::size_t pairs_ahead = 8;
 
 // Without a tolerance touching counts; otherwise an overlap has to exceed the dead band, or a
 // separation to be below the margin.
@@ -24,25 +26,29 @@ bool is_reported(Real distance, Real margin) { return margin == 0 ? distance <= 
 
 }  // namespace
 
-// Keeps of the points of a job what is reported, reduced and moved to the world.
+// Keeps of the points of a job what is reported, reduced and moved to the world. Jobs come in the order of kinds, so that
+// whatever it reads of its pair is far away in memory: only reductions, which are rare, look there.
 void Universe::finish_job(std::size_t job, std::uint32_t chunk, std::size_t first, std::size_t count) {
   ChunkScratch& scratch = jobs_.scratch(chunk);
   const PairJob& its = jobs_.jobs()[job];
-  const Pair& pair = pairs_.all()[jobs_.pair_of(job)];
-  const Detail detail = policies_.at(pair.policy).detail;
+  const std::uint32_t place = jobs_.pair_of(job);
   const std::span<ContactPoint> found = std::span(scratch.points).subspan(first, count);
   const auto reported = [&](const ContactPoint& contact) { return is_reported(contact.distance, its.margin); };
   const auto kept = static_cast<std::size_t>(std::partition(found.begin(), found.end(), reported) - found.begin());
   scratch.ids.clear();
-  for (const ContactHistory& history : std::span(histories_).subspan(pair.first_before, pair.count_before)) {
-    scratch.ids.push_back(history.id);
+  if (options_.max_contacts != 0 && kept > options_.max_contacts) {
+    const Pair& pair = pairs_.all()[place];
+    for (const ContactHistory& history : std::span(histories_).subspan(pair.first_before, pair.count_before)) {
+      scratch.ids.push_back(history.id);
+    }
   }
   std::size_t left = reduce_children(found.first(kept), options_.max_contacts, scratch.ids);
-  left = detail == Detail::point ? std::min<std::size_t>(left, 1) : left;
+  left = policies_.at(jobs_.chunks()[chunk].policy).detail == Detail::point ? std::min<std::size_t>(left, 1) : left;
+  const bool is_swapped = its.a > its.b;
   for (ContactPoint& contact : found.first(left)) {
-    move_by(contact, worlds_[its.a], its.a != pair.low);
+    move_by(contact, worlds_[its.a], is_swapped);
   }
-  jobs_.result(job) = {chunk, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(left)};
+  jobs_.result(place) = {chunk, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(left)};
 }
 
 void Universe::find_contacts_of_chunk(std::size_t number) {
@@ -77,8 +83,9 @@ void Universe::find_contacts() {
   workers_.for_each(jobs_.chunks().size(), [&](std::size_t chunk) { find_contacts_of_chunk(chunk); });
 }
 
-// What a pair has found, or what it had.
-void Universe::write_contacts_of(const Pair& pair) {
+// What the pair at a place has found, or what it had.
+void Universe::write_contacts_of(std::size_t place) {
+  const Pair& pair = pairs_.all()[place];
   const std::span<const ContactHistory> before = std::span(histories_before_).subspan(pair.first_before, pair.count_before);
   const std::span<ContactHistory> histories = std::span(histories_).subspan(pair.first_contact, pair.contact_count);
   const std::span<Contact> out = std::span(contacts_).subspan(pair.first_contact, pair.contact_count);
@@ -91,8 +98,7 @@ void Universe::write_contacts_of(const Pair& pair) {
     return;
   }
   const PlaceInfo &low = infos_[pair.low], &high = infos_[pair.high];
-  const JobResult& result = jobs_.result(pair.job);
-  const std::span<const ContactPoint> found = std::span(jobs_.scratch(result.chunk).points).subspan(result.first, result.count);
+  const std::span<const ContactPoint> found = jobs_.found_by(place);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const auto same = std::ranges::find(before, found[i].id, &ContactHistory::id);
     const bool is_kept = same != before.end();
@@ -116,9 +122,10 @@ void Universe::collect_contacts() {
   stats_.candidate_pairs = stats_.filtered_pairs = stats_.unsupported_pairs = stats_.touching_pairs = 0;
   std::uint32_t total = 0;
   const std::span<Pair> pairs = pairs_.all();
-  for (Pair& pair : pairs) {
+  for (std::size_t place = 0; place < pairs.size(); ++place) {
+    Pair& pair = pairs[place];
     if (pair.job != no_job) {
-      pair.contact_count = jobs_.result(pair.job).count;
+      pair.contact_count = jobs_.result(place).count;
       pair.is_touching = pair.contact_count > 0;
     }
     pair.first_contact = total;
@@ -137,10 +144,13 @@ void Universe::collect_contacts() {
   contacts_.resize(total);
   histories_.resize(total);
   workers_.for_each((pairs.size() + block_size - 1) / block_size, [&](std::size_t block) {
-    const std::size_t begin = block * block_size;
-    for (const Pair& pair : pairs.subspan(begin, std::min(block_size, pairs.size() - begin))) {
-      if (pair.contact_count > 0) {
-        write_contacts_of(pair);
+    const std::size_t begin = block * block_size, end = std::min(begin + block_size, pairs.size());
+    for (std::size_t place = begin; place < end; ++place) {
+      if (const std::size_t ahead = place + pairs_ahead; ahead < end && pairs[ahead].job != no_job) {
+        jobs_.fetch_found_by(ahead);
+      }
+      if (pairs[place].contact_count > 0) {
+        write_contacts_of(place);
       }
     }
   });

@@ -38,7 +38,7 @@ void JobList::arrange(std::span<Pair> pairs, std::span<const PlaceInfo> infos, c
   }
   jobs_.resize(starts_.back());
   pair_of_job_.resize(jobs_.size());
-  results_.resize(jobs_.size());
+  results_.resize(pairs.size());
   if (scratch_.size() < chunks_.size()) {
     scratch_.resize(chunks_.size());
   }

@@ -59,8 +59,20 @@ class JobList {
   [[nodiscard]] inline std::span<const Chunk> chunks() const [[clang::lifetimebound]] { return chunks_; }
   [[nodiscard]] inline ChunkScratch& scratch(std::size_t chunk) [[clang::lifetimebound]] { return scratch_[chunk]; }
   [[nodiscard]] inline const ChunkScratch& scratch(std::size_t chunk) const [[clang::lifetimebound]] { return scratch_[chunk]; }
-  [[nodiscard]] inline JobResult& result(std::size_t job) [[clang::lifetimebound]] { return results_[job]; }
-  [[nodiscard]] inline const JobResult& result(std::size_t job) const [[clang::lifetimebound]] { return results_[job]; }
+  // Of a pair that has a job, by its place: they are written in the order of the jobs and read in that of the pairs, and
+  // writing is what does not wait.
+  [[nodiscard]] inline JobResult& result(std::size_t pair) [[clang::lifetimebound]] { return results_[pair]; }
+  [[nodiscard]] inline std::span<const ContactPoint> found_by(std::size_t pair) const [[clang::lifetimebound]] {
+    const JobResult& its = results_[pair];
+    return std::span(scratch_[its.chunk].points).subspan(its.first, its.count);
+  }
+  // Asks the cache for what found_by will return.
+  inline void fetch_found_by(std::size_t pair) const {
+    if (const std::span<const ContactPoint> points = found_by(pair); !points.empty()) {
+      __builtin_prefetch(&points.front());
+      __builtin_prefetch(&points.front().normal);
+    }
+  }
   [[nodiscard]] std::size_t bytes() const;
 
  private:

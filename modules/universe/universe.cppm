@@ -173,7 +173,7 @@ class Universe {
   void find_contacts_of_chunk(std::size_t chunk);
   void finish_job(std::size_t job, std::uint32_t chunk, std::size_t first, std::size_t count);
   void collect_contacts();
-  void write_contacts_of(const Pair& pair);
+  void write_contacts_of(std::size_t place);
   void collect_events();
   void write_event(EventKind kind, const Pair& pair);
   void write_contact_events(const Pair& pair);

@@ -92,8 +92,12 @@ std::size_t read_option(Arguments& arguments, std::span<const std::string> words
 
 // Whichever way it is written.
 bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code none;
-  return a == b || (!b.empty() && std::filesystem::weakly_canonical(a, none) == std::filesystem::weakly_canonical(b, none));
+  // Absolute first: of a relative path that does not exist nothing is canonical.
+  const auto canonical = [](const std::string& path) {
+    std::error_code none;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
+  };
+  return a == b || (!b.empty() && canonical(a) == canonical(b));
 }
 
 void check_whole(const Arguments& arguments) {
