@@ -131,7 +131,7 @@ void Universe::collect_contacts() {
     pair.first_contact = total;
     total += pair.contact_count;
     const bool is_candidate = pair.is_admitted && (pair.is_supported || pair.is_touching);
-    KindTally& tally = tallies_[run_of_kinds(infos_[pair.low].kind, infos_[pair.high].kind)];
+    KindTally& tally = tallies_[pair.run];
     tally.candidates += pair.is_admitted ? 1 : 0;
     tally.examined += pair.job != no_job ? 1 : 0;
     tally.touching += pair.is_touching ? 1 : 0;

@@ -22,9 +22,7 @@ JobList::JobList() {
 // A counting sort by policy and run. The kernels expect the kind that comes first in the registry first.
 void JobList::arrange(std::span<Pair> pairs, std::span<const PlaceInfo> infos, const PolicyTable& policies, ToleranceMode mode) {
   starts_.assign(policies.size() * run_count + 1, 0);
-  const auto run_of_pair = [&](const Pair& pair) {
-    return pair.policy * run_count + run_of_kinds(infos[pair.low].kind, infos[pair.high].kind);
-  };
+  const auto run_of_pair = [](const Pair& pair) { return pair.policy * run_count + pair.run; };
   for (const Pair& pair : pairs) {
     starts_[run_of_pair(pair) + 1] += pair.job != no_job ? 1 : 0;
   }

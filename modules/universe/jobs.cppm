@@ -68,9 +68,9 @@ class JobList {
   }
   // Asks the cache for what found_by will return.
   inline void fetch_found_by(std::size_t pair) const {
-    if (const std::span<const ContactPoint> points = found_by(pair); !points.empty()) {
-      __builtin_prefetch(&points.front());
-      __builtin_prefetch(&points.front().normal);
+    for (const ContactPoint& point : found_by(pair)) {
+      __builtin_prefetch(&point.point_a);
+      __builtin_prefetch(&point.id);
     }
   }
   [[nodiscard]] std::size_t bytes() const;

@@ -32,6 +32,7 @@ struct Pair {
   std::uint32_t job = 0;                                // of this detection, or no_job
   std::uint32_t memory = no_memory;                     // place in the memories of the store
   std::uint16_t policy = 0;
+  std::uint16_t run = 0;                                // of the two kinds, as jobs are sorted
   bool is_unasked : 1 = true;     // the filters have not been asked
   bool is_admitted : 1 = false;   // by the filters
   bool is_supported : 1 = false;  // the two kinds have an algorithm

@@ -74,7 +74,8 @@ void Universe::update_pair(Pair& pair, const Scope& scope) {
     const bool was_admitted = pair.is_admitted;
     pair.is_admitted = is_admitted(pair);
     pair.is_unasked = false;
-    pair.is_supported = jobs_.is_supported(run_of_kinds(low.kind, high.kind));
+    pair.run = static_cast<std::uint16_t>(run_of_kinds(low.kind, high.kind));
+    pair.is_supported = jobs_.is_supported(pair.run);
     pair.is_sensor = low.is_sensor || high.is_sensor;
     pair.policy = static_cast<std::uint16_t>(policies_.number_of(low.tag, high.tag));
     pair.is_new = pair.is_new || is_reshaped || (pair.is_admitted && !was_admitted);
@@ -106,7 +107,7 @@ void Universe::update_pair(Pair& pair, const Scope& scope) {
   } else if (pair.is_new || policy.period == 1 || step_ % policy.period == 0 || scope.coverage == Coverage::everything) {
     pair.job = 0;
     pair.is_stale = pair.is_new = false;
-    if (jobs_.gains_from_memory(run_of_kinds(low.kind, high.kind))) {
+    if (jobs_.gains_from_memory(pair.run)) {
       pairs_.give_memory(pair);
     }
   }
