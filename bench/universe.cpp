@@ -1,4 +1,5 @@
-// A step of a universe with 5,000 moving bodies: abut on one thread and on two, beside Bullet, FCL and ODE on one.
+// A step of a universe with 5,000 moving bodies: abut on one thread and on two, beside Bullet, FCL and ODE on one; and one
+// of 100,000 bodies, for the two threads.
 #include "universe.hpp"
 
 #include <benchmark/benchmark.h>
@@ -21,14 +22,13 @@
 namespace bench {
 namespace {
 
-constexpr std::size_t body_count = 5000;
 constexpr std::size_t solid_count = 64;
 constexpr std::size_t frame_count = 24;
 constexpr double sway = 0.004;   // of a body of about unit size, from its middle position
 constexpr double swing = 0.008;  // radians
 
 // A block of bodies over the ground with this distance from one to the next.
-World make_block(double spacing, double jitter, std::uint64_t seed) {
+World make_block(std::size_t body_count, double spacing, double jitter, std::uint64_t seed) {
   Random random(seed);
   World world;
   constexpr std::array kinds{Kind::sphere, Kind::box, Kind::capsule, Kind::hull32};
@@ -58,8 +58,8 @@ World make_block(double spacing, double jitter, std::uint64_t seed) {
 void settle(World& world, std::size_t rounds) {
   std::vector<Placement>& placements = world.frames.front();
   for (std::size_t round = 0; round < rounds; ++round) {
-    std::vector<Point> moves(body_count + 1, Point{});
-    std::vector<double> pushes(body_count + 1, 0);
+    std::vector<Point> moves(placements.size() + 1, Point{});
+    std::vector<double> pushes(placements.size() + 1, 0);
     for (const Touch& touch : touches(world, placements)) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double push = touch.distance * touch.normal[axis];
@@ -70,7 +70,7 @@ void settle(World& world, std::size_t rounds) {
       pushes[touch.b] += 1;
     }
     const double fall = round + 5 < rounds ? 0.01 : 0;
-    for (std::size_t i = 0; i < body_count; ++i) {
+    for (std::size_t i = 0; i < placements.size(); ++i) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         placements[i].position[axis] += moves[i][axis] / std::max(1.0, pushes[i]);
       }
@@ -84,7 +84,7 @@ void animate(World& world, std::uint64_t seed) {
   Random random(seed);
   const std::vector<Placement> middle = world.frames.front();
   world.frames.assign(frame_count, middle);
-  for (std::size_t i = 0; i < body_count; ++i) {
+  for (std::size_t i = 0; i < middle.size(); ++i) {
     const Point way = random.direction(), axis = random.direction();
     const double start = random.uniform(0, 2 * std::numbers::pi);
     for (std::size_t frame = 0; frame < frame_count; ++frame) {
@@ -140,11 +140,14 @@ void add(const std::string& cell, std::string_view name, Detector& detector) {
 }
 
 int run() {
-  World pile = make_block(1.15, 0.1, 1);
+  World pile = make_block(5000, 1.15, 0.1, 1);
   settle(pile, 60);
   animate(pile, 2);
-  World sparse = make_block(2, 0.4, 3);
+  World sparse = make_block(5000, 2, 0.4, 3);
   animate(sparse, 4);
+  World crowd = make_block(100000, 1.15, 0.1, 5);
+  settle(crowd, 20);
+  animate(crowd, 6);
   std::printf("per step   library         pairs   touching     points    overlap\n");
   std::vector<std::unique_ptr<Detector>> detectors;
   const auto compare = [&](const std::string& name, const World& world) {
@@ -159,6 +162,8 @@ int run() {
   };
   compare("pile", pile);
   compare("sparse", sparse);
+  add("crowd", "abut", *detectors.emplace_back(make_abut_world(crowd, 1)));
+  add("crowd", "abut-2", *detectors.emplace_back(make_abut_world(crowd, 2)));
   return run_and_compare({"abut", {"bullet", "bullet-0", "fcl", "ode"}, {"abut-2"}, 1, "us", 1e-6});
 }
 
