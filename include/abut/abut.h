@@ -517,7 +517,7 @@ typedef struct abut_universe_options {
   abut_tolerance_mode tolerance_mode; /**< default ABUT_TOLERANCE_DEAD_BAND */
   uint32_t max_contacts;              /**< per pair of convex shapes or triangle patch; 0 keeps all; default 4 */
   abut_vec3 origin;                   /**< boxes of the broad phase are stored relative to it; default 0 */
-  uint32_t threads;                   /**< of a step; 0: as many as the machine runs at once, which is also the most there are; default 1. Results are the same bits for any number */
+  uint32_t threads;                   /**< of a step; 0: as many as there may be; the most are those that the machine runs at once, or that the process allows oneTBB; default 1. Results are the same bits for any number */
   abut_event_bits events;             /**< which events steps write down; default ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST */
 } abut_universe_options;
 

@@ -1,6 +1,6 @@
 module;
 
-#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 module abut.core.workers;
@@ -14,10 +14,11 @@ struct Workers::Arena {
 
 namespace {
 
-// More threads than the machine runs at once only get in each other's way, and oneTBB complains about them aloud.
+// More threads than the process admits to oneTBB would not come, and oneTBB complains about them aloud. That is as many as
+// the machine runs at once, unless the process has said otherwise with a tbb::global_control.
 std::uint32_t possible(std::uint32_t threads) {
-  const auto most = static_cast<std::uint32_t>(std::max(1, tbb::info::default_concurrency()));
-  return threads == 0 ? most : std::min(threads, most);
+  const std::size_t most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return static_cast<std::uint32_t>(threads == 0 ? most : std::min<std::size_t>(threads, most));
 }
 
 }  // namespace

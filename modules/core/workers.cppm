@@ -8,7 +8,8 @@ export namespace abut {
 // are lent to a call while it runs.
 class Workers {
  public:
-  // 0: as many as the machine runs at once, which is also the most there are.
+  // 0: as many as there may be. The most are those that the machine runs at once, or the max_allowed_parallelism of a
+  // tbb::global_control that the process holds.
   explicit Workers(std::uint32_t threads);
   Workers(Workers&&) noexcept;
   Workers& operator=(Workers&&) noexcept;

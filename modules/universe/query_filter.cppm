@@ -8,26 +8,13 @@ import abut.universe.queries;
 
 export namespace abut {
 
-// A filter, made ready for one universe.
-class Admission {
- public:
-  Admission(const Universe& universe, const QueryFilter& filter) : filter_(filter) {
-    if (const auto ignored = universe.geometries_of(filter.ignored_part)) {
-      ignored_ = ignored.value();
-    }
-    ignored_.push_back(filter.ignored_geometry);
-  }
-
-  [[nodiscard]] bool admits(const Universe& universe, std::uint32_t place) const {
-    const GeometryOptions& options = universe.options_at(place);
-    return (options.layers & filter_.mask) != 0 && (options.mask & filter_.layers) != 0 &&
-           !(filter_.skips_sensors && options.is_sensor) && std::ranges::find(ignored_, universe.id_at(place)) == ignored_.end();
-  }
-
- private:
-  QueryFilter filter_;
-  std::vector<GeometryId> ignored_;
-};
+// Ids of what is no longer there are nobody's.
+[[nodiscard]] inline bool admits(const QueryFilter& filter, const Universe& universe, std::uint32_t place) {
+  const GeometryOptions& options = universe.options_at(place);
+  return (options.layers & filter.mask) != 0 && (options.mask & filter.layers) != 0 &&
+         !(filter.skips_sensors && options.is_sensor) && universe.part_at(place) != filter.ignored_part &&
+         universe.id_at(place) != filter.ignored_geometry;
+}
 
 // Hits by the way at which they are met. Visitors of a sweep answer with limit(), below which all else is left out.
 template <class Hit>

@@ -95,13 +95,12 @@ std::optional<RayContact> cast_at(const Universe& universe, std::uint32_t place,
 
 std::vector<RayContact> cast_ray(const Universe& universe, const Ray& ray, const QueryFilter& filter, HitMode mode,
                                  RayStart start) {
-  const Admission admission(universe, filter);
   // What ends on a surface must not miss it by rounding.
   const bool is_endless = std::isinf(ray.max_distance);
   const Real slack = is_endless ? 0 : 16 * epsilon * (largest_magnitude(ray.origin) + ray.max_distance);
   Hits<RayContact> hits(mode, ray.max_distance + slack);
   universe.sweep({ray.origin, ray.origin}, ray.direction, hits.limit(), [&](std::uint32_t place, Real) {
-    if (hits.limit() >= 0 && admission.admits(universe, place)) {
+    if (hits.limit() >= 0 && admits(filter, universe, place)) {
       if (const auto hit = cast_at(universe, place, ray, hits.limit(), start)) {
         hits.add(*hit, hit->distance);
       }
@@ -112,12 +111,11 @@ std::vector<RayContact> cast_ray(const Universe& universe, const Ray& ray, const
 }
 
 std::vector<GeometryId> find_at_point(const Universe& universe, const Vec3& point, const QueryFilter& filter) {
-  const Admission admission(universe, filter);
   std::vector<GeometryId> found;
   universe.visit({point, point}, [&](std::uint32_t place) {
     const AnyShape& shape = universe.shape_at(place);
     const Vec3 local = universe.world_at(place).undo(point);
-    if (admission.admits(universe, place) && holds(shape, local, touching_at(shape, local))) {
+    if (admits(filter, universe, place) && holds(shape, local, touching_at(shape, local))) {
       found.push_back(universe.id_at(place));
     }
   });

@@ -12,10 +12,9 @@ namespace abut {
 
 std::vector<CastContact> cast_shape(const Universe& universe, const AnyShape& shape, const Pose& pose, const Vec3& displacement,
                                     const QueryFilter& filter, HitMode mode) {
-  const Admission admission(universe, filter);
   Hits<CastContact> hits(mode, 1);
   const auto visit_place = [&](std::uint32_t place) {
-    if (hits.limit() < 0 || !admission.admits(universe, place)) {
+    if (hits.limit() < 0 || !admits(filter, universe, place)) {
       return;
     }
     std::optional<ShapeCastHit> hit;
@@ -41,12 +40,11 @@ std::vector<CastContact> cast_shape(const Universe& universe, const AnyShape& sh
 
 std::vector<GeometryId> find_overlaps(const Universe& universe, const AnyShape& shape, const Pose& pose, Real margin,
                                       const QueryFilter& filter) {
-  const Admission admission(universe, filter);
   std::vector<GeometryId> found;
   Manifold contacts;
   const QuerySettings settings{.margin = margin};
   universe.visit(aabb_of(shape, pose).inflated(std::max(margin, Real{0})), [&](std::uint32_t place) {
-    if (!admission.admits(universe, place)) {
+    if (!admits(filter, universe, place)) {
       return;
     }
     contacts.clear();
@@ -73,11 +71,11 @@ Real distance_of(const Aabb& a, const Aabb& b) {
 // Of the geometries whose boxes lie within a radius, from the nearest box on.
 class Nearest {
  public:
-  void search(const Universe& universe, const AnyShape& shape, const Pose& pose, Real radius, const Admission& admission) {
+  void search(const Universe& universe, const AnyShape& shape, const Pose& pose, Real radius, const QueryFilter& filter) {
     const Aabb box = aabb_of(shape, pose);
     std::vector<Candidate> near;
     universe.visit(box.inflated(radius), [&](std::uint32_t place) {
-      if (admission.admits(universe, place)) {
+      if (admits(filter, universe, place)) {
         near.push_back({distance_of(box, aabb_of(universe.shape_at(place), universe.world_at(place))), place});
       }
     });
@@ -116,14 +114,13 @@ std::optional<NearGeometry> find_closest(const Universe& universe, const AnyShap
                                          const QueryFilter& filter) {
   constexpr Real growth = 8;
   constexpr int most_searches = 16;
-  const Admission admission(universe, filter);
   const Aabb box = aabb_of(shape, pose);
   const Real size = box.is_bounded() ? largest_magnitude(box.high - box.low) : infinity;
   Real radius = std::max(size, 1e-6 * largest_magnitude(pose.position));
   Nearest nearest;
   for (int search = 0;; ++search) {
     radius = radius > 0 && search < most_searches ? std::min(radius, max_distance) : max_distance;
-    nearest.search(universe, shape, pose, radius, admission);
+    nearest.search(universe, shape, pose, radius, filter);
     if (radius >= max_distance || nearest.distance() <= radius) {
       break;
     }

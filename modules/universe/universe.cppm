@@ -122,6 +122,7 @@ class Universe {
   [[nodiscard]] inline const AnyShape& shape_at(std::uint32_t place) const [[clang::lifetimebound]] { return *shapes_[place]; }
   [[nodiscard]] inline const Pose& world_at(std::uint32_t place) const [[clang::lifetimebound]] { return worlds_[place]; }
   [[nodiscard]] inline GeometryId id_at(std::uint32_t place) const { return geometries_.id_at_slot(place + 1); }
+  [[nodiscard]] inline PartId part_at(std::uint32_t place) const { return geometries_.at(id_at(place)).part; }
   [[nodiscard]] inline const GeometryOptions& options_at(std::uint32_t place) const [[clang::lifetimebound]] {
     return geometries_.at(id_at(place)).options;
   }

@@ -76,6 +76,23 @@ static abut_pose pose_at(uint32_t body, uint32_t step) {
   return pose;
 }
 
+/* Where the process allows oneTBB that many, a step runs on as many as were asked for. */
+static void require_threads(const abut_universe *universe, uint32_t threads) {
+#ifdef ABUT_TEST_THREADS
+  char text[65536], line[32];
+  size_t needed = 0;
+  snprintf(line, sizeof line, "\nthreads: %" PRIu32 "\n", threads);
+  require(abut_universe_explain(universe, text, sizeof text, &needed), "explain");
+  if (strstr(text, line) == NULL) {
+    fprintf(stderr, "%" PRIu32 " threads were asked for and not used\n", threads);
+    exit(2);
+  }
+#else
+  (void)universe;
+  (void)threads;
+#endif
+}
+
 static uint64_t run(abut_broadphase broadphase, uint32_t threads) {
   abut_shape *shapes[shape_count];
   abut_part_id parts[body_count];
@@ -109,6 +126,7 @@ static uint64_t run(abut_broadphase broadphase, uint32_t threads) {
     require(abut_universe_hash(universe, &hash), "hash");
     all = mixed(all ^ hash);
   }
+  require_threads(universe, threads);
   abut_universe_destroy(universe);
   for (i = 0; i < shape_count; ++i) abut_shape_release(shapes[i]);
   return all;

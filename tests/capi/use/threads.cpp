@@ -1,11 +1,23 @@
 // The same bits for any number of threads, and the hash that tells.
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 
 #include "box_world.hpp"
 
 namespace {
 
 using namespace abut_test;
+
+// How many threads a step runs on, as the plan says.
+std::string threads_in(const abut_universe* universe) {
+  std::size_t needed = 0;
+  EXPECT_TRUE(succeeded(abut_universe_explain(universe, nullptr, 0, &needed)));
+  std::string text(needed, ' ');
+  EXPECT_TRUE(succeeded(abut_universe_explain(universe, text.data(), text.size(), &needed)));
+  const std::size_t begin = text.find("\nthreads: ");
+  return begin == std::string::npos ? text : text.substr(begin + 10, text.find('\n', begin + 1) - begin - 10);
+}
 
 // The hashes of the steps of a crowd of balls, boxes and capsules that swim about over a plane.
 std::vector<std::uint64_t> hashes_with(std::uint32_t threads, abut_broadphase broadphase) {
@@ -33,6 +45,9 @@ std::vector<std::uint64_t> hashes_with(std::uint32_t threads, abut_broadphase br
     EXPECT_GT(universe.step().size(), 500U);
     hashes.push_back(universe.hash());
   }
+#ifdef ABUT_TEST_THREADS
+  EXPECT_EQ(threads_in(universe), std::to_string(threads == 0 ? ABUT_TEST_THREADS : threads));
+#endif
   return hashes;
 }
 
@@ -45,6 +60,21 @@ TEST(Threads, HaveTheSameBitsWhateverTheirNumber) {
     }
   }
 }
+
+#ifdef ABUT_TEST_THREADS
+// What the system knows of this process: whoever steps on seven threads has started more than one beside the first.
+TEST(Threads, AreStartedWhereTheyAreAskedFor) {
+  const auto count = [] {
+    const std::filesystem::directory_iterator tasks("/proc/self/task");
+    return std::distance(begin(tasks), end(tasks));
+  };
+  hashes_with(1, ABUT_BROADPHASE_TREE);
+  const auto before = count();
+  hashes_with(7, ABUT_BROADPHASE_TREE);
+  EXPECT_GT(count(), 2);
+  EXPECT_LE(before, count());
+}
+#endif
 
 TEST(Threads, FollowTheModelOfEventsToo) {
   abut_universe_options options = default_universe_options();

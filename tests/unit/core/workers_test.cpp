@@ -2,11 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
+#include <set>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
+
+#ifdef ABUT_TEST_THREADS
+#include <oneapi/tbb/global_control.h>
+#endif
 
 import abut.core;
 
@@ -31,6 +39,35 @@ TEST(Workers, NoneMeansThoseOfTheMachine) {
   EXPECT_GE(Workers(0).threads(), 1U);
   EXPECT_EQ(Workers(1).threads(), 1U);
 }
+
+#ifdef ABUT_TEST_THREADS
+TEST(Workers, AreAsManyAsTheProcessAllows) {
+  EXPECT_EQ(Workers(0).threads(), std::uint32_t{ABUT_TEST_THREADS});
+  EXPECT_EQ(Workers(5).threads(), 5U);
+  EXPECT_EQ(Workers(1000).threads(), std::uint32_t{ABUT_TEST_THREADS});
+  const tbb::global_control fewer(tbb::global_control::max_allowed_parallelism, 3);
+  EXPECT_EQ(Workers(5).threads(), 3U);
+}
+
+// Every task waits for threads that have not been seen yet, so that nobody can do the work of all.
+TEST(Workers, RunOnThatManyThreads) {
+  const Workers workers(5);
+  std::mutex mutex;
+  std::set<std::thread::id> seen;
+  const auto count = [&] {
+    const std::scoped_lock lock(mutex);
+    seen.insert(std::this_thread::get_id());
+    return seen.size();
+  };
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  workers.for_each(64, [&](std::size_t) {
+    while (count() < 5 && std::chrono::steady_clock::now() < end) {
+      std::this_thread::yield();
+    }
+  });
+  EXPECT_EQ(seen.size(), 5U);
+}
+#endif
 
 TEST(Workers, HandOnWhatATaskThrows) {
   for (const std::uint32_t threads : {1U, 3U}) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -103,6 +104,9 @@ TEST(SteadyUniverse, GivesTheSameBitsOnAnyNumberOfThreads) {
       block.step();
       hashes.push_back(block.universe.hash());
     }
+#ifdef ABUT_TEST_THREADS
+    EXPECT_NE(block.universe.explain().find("threads: " + std::to_string(threads) + "\n"), std::string::npos) << block.universe.explain();
+#endif
     expected = expected.empty() ? hashes : expected;
     EXPECT_EQ(hashes, expected) << threads << " threads";
   }

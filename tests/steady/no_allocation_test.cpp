@@ -1,0 +1,196 @@
+// A step asks for no memory once its lists have grown to what the scene needs.
+#include "allocations.hpp"
+#include "crowd.hpp"
+
+#include <functional>
+#include <memory>
+#include <tuple>
+
+namespace {
+
+using namespace abut_test;
+using steady::AllocationCounter;
+using steady::Allocations;
+using steady::Crowd;
+
+// Whoever counts nothing finds nothing.
+TEST(AllocationCounter, SeesEveryWayToAsk) {
+  const auto count = [](auto&& ask) {
+    AllocationCounter counter;
+    ask();
+    return counter.stop().calls;
+  };
+  // Compilers leave out what nobody can see.
+  void* volatile seen = nullptr;
+  const auto keep = [&](void* block) {
+    seen = block;
+    return seen;
+  };
+  std::unique_ptr<int> one;
+  std::vector<double> many;
+  EXPECT_EQ(count([&] { one = std::make_unique<int>(1); }), 1U);
+  EXPECT_EQ(count([&] { many.resize(1000); }), 1U);
+  EXPECT_EQ(count([&] { std::free(keep(std::malloc(10))); }), 1U);
+  EXPECT_EQ(count([&] { std::free(keep(std::calloc(10, 2))); }), 1U);
+  EXPECT_EQ(count([&] { std::free(keep(std::realloc(keep(std::malloc(10)), 10000))); }), 2U);
+  EXPECT_EQ(count([&] { std::free(keep(std::aligned_alloc(64, 640))); }), 1U);
+  EXPECT_EQ(count([] {}), 0U);
+  // The library itself, in a call that has to.
+  Universe universe;
+  EXPECT_GT(count([&] { universe.add_part(identity); }), 0U);
+}
+
+abut_universe_options options_with(abut_broadphase broadphase, std::uint32_t threads) {
+  abut_universe_options options = default_universe_options();
+  options.broadphase = broadphase;
+  options.threads = threads;
+  options.events = ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS;
+  return options;
+}
+
+// After `warm` periods, what is asked for in three more.
+Allocations count_frames(Crowd& crowd, std::size_t warm, const std::function<void(std::size_t)>& frame) {
+  for (std::size_t i = 0; i < warm * Crowd::period; ++i) {
+    frame(i);
+  }
+  EXPECT_GT(crowd.stats().contacts, crowd.parts().size()) << "a crowd that does not touch shows nothing";
+  AllocationCounter counter;
+  for (std::size_t i = 0; i < 3 * Crowd::period; ++i) {
+    frame(i);
+  }
+  return counter.stop();
+}
+
+class SteadyStep : public testing::TestWithParam<std::tuple<abut_broadphase, std::uint32_t>> {
+ protected:
+  abut_universe_options options() const { return options_with(std::get<0>(GetParam()), std::get<1>(GetParam())); }
+};
+
+TEST_P(SteadyStep, AllocatesNothingWhereNothingMoves) {
+  Crowd crowd(options(), steady::make_moving_shapes(), 6);
+  const Allocations found = count_frames(crowd, 1, [&](std::size_t) { crowd.step(); });
+  EXPECT_EQ(found.calls, 0U) << found.first_places;
+}
+
+TEST_P(SteadyStep, AllocatesNothingWhereBodiesMove) {
+  Crowd crowd(options(), steady::make_moving_shapes(), 6);
+  const Allocations found = count_frames(crowd, 4, [&](std::size_t frame) {
+    crowd.move(frame);
+    crowd.step();
+  });
+  EXPECT_EQ(found.calls, 0U) << found.first_places;
+}
+
+TEST_P(SteadyStep, AllocatesNothingForPartialDetections) {
+  Crowd crowd(options(), steady::make_moving_shapes(), 4);
+  const abut_vec3 middle = crowd.middle();
+  const abut_aabb region{{0, 0, 0}, middle};
+  const Allocations found = count_frames(crowd, 4, [&](std::size_t frame) {
+    crowd.move(frame);
+    require(abut_universe_detect_region(crowd.universe(), &region));
+    require(abut_universe_detect_changed(crowd.universe()));
+    require(abut_universe_detect_all(crowd.universe()));
+  });
+  EXPECT_EQ(found.calls, 0U) << found.first_places;
+}
+
+TEST_P(SteadyStep, AllocatesNothingToTellWhatItFound) {
+  Crowd crowd(options(), steady::make_moving_shapes(), 4);
+  std::uint64_t sum = 0;
+  const Allocations found = count_frames(crowd, 4, [&](std::size_t frame) {
+    crowd.move(frame);
+    crowd.step();
+    const abut_contact* contacts = nullptr;
+    const abut_event* events = nullptr;
+    std::size_t contact_count = 0, event_count = 0;
+    std::uint64_t hash = 0;
+    require(abut_universe_contacts(crowd.universe(), &contacts, &contact_count));
+    require(abut_universe_events(crowd.universe(), &events, &event_count));
+    require(abut_universe_hash(crowd.universe(), &hash));
+    sum += contact_count + event_count + hash % 2;
+  });
+  EXPECT_GT(sum, 0U);
+  EXPECT_EQ(found.calls, 0U) << found.first_places;
+}
+
+// Two bodies of any two kinds: a crowd may leave some pair out.
+TEST(SteadyPair, AllocatesNothingWhateverItsKinds) {
+  std::vector<Shape> shapes = steady::make_moving_shapes();
+  shapes.push_back(make_terrain(5, 1));
+  shapes.push_back(make_plane({0, 0, 1}, 0));
+  std::size_t touching = 0;
+  for (const Shape& shape : shapes) {
+    for (const Shape& other : shapes) {
+      Universe universe;
+      universe.add(shape, identity);
+      const abut_part_id part = universe.add_part(at(0.9, 0.1, 0.2));
+      universe.add_geometry(part, other);
+      const auto frame = [&](std::size_t i) {
+        universe.move(part, at(0.8 + 0.02 * static_cast<double>(i % 4), 0.1, 0.1));
+        require(abut_universe_step(universe, 0));
+      };
+      for (std::size_t i = 0; i < 8; ++i) frame(i);
+      AllocationCounter counter;
+      for (std::size_t i = 0; i < 8; ++i) frame(i);
+      const Allocations found = counter.stop();
+      EXPECT_EQ(found.calls, 0U) << found.first_places;
+      touching += universe.stats().touching_pairs;
+    }
+  }
+  EXPECT_GT(2 * touching, shapes.size() * shapes.size()) << "pairs that do not touch show little";
+}
+
+// The exception: what holes cut lies in lists of its own, which end with the pair that they are made for.
+TEST(SteadyPair, OfACompositeWithHolesGivesBackWhatItAsksFor) {
+  Universe universe;
+  universe.add(steady::make_tube(), identity);
+  const abut_part_id part = universe.add_part(at(0.9, 0.1, 0.2));
+  universe.add_geometry(part, make_sphere(0.5));
+  const auto frame = [&](std::size_t i) {
+    universe.move(part, at(0.8 + 0.02 * static_cast<double>(i % 4), 0.1, 0.1));
+    require(abut_universe_step(universe, 0));
+  };
+  for (std::size_t i = 0; i < 8; ++i) frame(i);
+  EXPECT_EQ(universe.stats().touching_pairs, 1U);
+  const std::size_t before = steady::live_bytes();
+  AllocationCounter counter;
+  for (std::size_t i = 0; i < 8; ++i) frame(i);
+  EXPECT_GT(counter.stop().calls, 0U) << "if this ever asks for nothing, it belongs to the test above";
+  EXPECT_EQ(steady::live_bytes(), before);
+  AllocationCounter resting;
+  for (std::size_t i = 0; i < 8; ++i) require(abut_universe_step(universe, 0));
+  EXPECT_EQ(resting.stop().calls, 0U) << "a pair that rests asks for nothing";
+}
+
+// A query has no memory of its own, since many run at once: its answer is a list that it gives back when it has been copied.
+TEST(SteadyQuery, GivesBackWhatItAsksFor) {
+  Crowd crowd(default_universe_options(), steady::make_moving_shapes(), 4);
+  crowd.step();
+  const Shape ball = make_sphere(0.8);
+  const abut_vec3 middle = crowd.middle();
+  const abut_pose pose{middle, no_rotation};
+  const abut_ray ray{{-3, middle.y, middle.z}, {1, 0, 0}, 100};
+  std::vector<abut_geometry_id> geometries(64);
+  const auto ask = [&] {
+    abut_query_hit hit;
+    abut_closest closest;
+    std::uint32_t found = 0;
+    std::size_t count = 0;
+    require(abut_universe_cast_ray(crowd.universe(), &ray, nullptr, ABUT_HIT_NEAREST, &hit, 1, &count));
+    EXPECT_EQ(count, 1U);
+    require(abut_universe_closest(crowd.universe(), ball, &pose, 10, nullptr, &closest, &found));
+    EXPECT_EQ(found, 1U);
+    require(abut_universe_overlaps(crowd.universe(), ball, &pose, nullptr, 0, geometries.data(), geometries.size(), &count));
+    EXPECT_GT(count, 1U);
+  };
+  ask();
+  const std::size_t before = steady::live_bytes();
+  AllocationCounter counter;
+  for (int i = 0; i < 10; ++i) ask();
+  counter.stop();
+  EXPECT_EQ(steady::live_bytes(), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, SteadyStep, testing::Combine(testing::ValuesIn(broadphases), testing::Values(1U, 2U)));
+
+}  // namespace
