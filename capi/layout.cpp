@@ -40,6 +40,7 @@ static_assert(is_plain<abut_geometry_info>(200));
 static_assert(is_plain<abut_revision>(16));
 static_assert(is_plain<abut_collidable>(12));
 static_assert(is_plain<abut_policy>(32));
+static_assert(is_plain<abut_focus>(32));
 static_assert(is_plain<abut_contact_material>(96));
 static_assert(is_plain<abut_event>(40));
 static_assert(is_plain<abut_step_stats>(152));
@@ -205,6 +206,13 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_policy, period),
     ABUT_FIELD(abut_policy, tolerance),
     ABUT_FIELD(abut_policy, error_bound),
+    ABUT_STRUCT(abut_focus),
+    ABUT_FIELD(abut_focus, struct_size),
+    ABUT_FIELD(abut_focus, near_tag),
+    ABUT_FIELD(abut_focus, far_tag),
+    ABUT_FIELD(abut_focus, reserved),
+    ABUT_FIELD(abut_focus, near_distance),
+    ABUT_FIELD(abut_focus, far_distance),
     ABUT_STRUCT(abut_contact_material),
     ABUT_FIELD(abut_contact_material, struct_size),
     ABUT_FIELD(abut_contact_material, reserved),

@@ -50,6 +50,8 @@ struct abut_universe {
   mutable std::atomic<bool> poisoned{false};
   // By slot of the geometry, less one: what abut_geometry_describe lends out.
   std::vector<abut::capi::ShapeOwner> shapes;
+  // Of the focus that was set last. Stays from call to call, so that centres may move in each step without an allocation.
+  std::vector<abut::Vec3> centres;
   // Of the last step.
   abut::capi::Lent<abut_contact> contacts;
   abut::capi::Lent<abut_event> events;

@@ -433,6 +433,15 @@ class Universe(_Owner):
         library.abut_policy_get(self.pointer, tag_a, tag_b, byref(out))
         return out
 
+    def set_focus(self, centres, **fields):
+        """Tags that follow the distance from centres; the fields are those of Focus. None for the centres sets none."""
+        if centres is None:
+            library.abut_universe_set_focus(self.pointer, None, None, 0)
+            return
+        focus = _options(c.Focus, library.abut_focus_init, **fields)
+        places = _structs(c.Vec3, [c.Vec3(*centre) for centre in centres])
+        library.abut_universe_set_focus(self.pointer, byref(focus), places, len(places))
+
     def set_material(self, material_a, material_b, **fields):
         """What contacts of two materials are like; the fields are those of ContactMaterial."""
         row = _options(c.ContactMaterial, library.abut_contact_material_init, **fields)

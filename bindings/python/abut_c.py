@@ -271,6 +271,13 @@ class Policy(_Struct):
     ]
 
 
+class Focus(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("near_tag", c_uint32), ("far_tag", c_uint32), ("reserved", c_uint32),
+        ("near_distance", c_double), ("far_distance", c_double),
+    ]
+
+
 class ContactMaterial(_Struct):
     _fields_ = [
         ("struct_size", c_uint32), ("reserved", c_uint32), ("friction_primary", c_double),
@@ -465,6 +472,8 @@ FUNCTIONS = {
     "abut_policy_init": (None, [POINTER(Policy), c_uint32]),
     "abut_policy_set": (Status, [c_void_p, c_uint32, c_uint32, POINTER(Policy)]),
     "abut_policy_get": (Status, [c_void_p, c_uint32, c_uint32, POINTER(Policy)]),
+    "abut_focus_init": (None, [POINTER(Focus), c_uint32]),
+    "abut_universe_set_focus": (Status, [c_void_p, POINTER(Focus), POINTER(Vec3), c_size_t]),
     "abut_universe_step": (Status, [c_void_p, c_double]),
     "abut_universe_detect_all": (Status, [c_void_p]),
     "abut_universe_detect_changed": (Status, [c_void_p]),

@@ -202,6 +202,24 @@ class Universes(unittest.TestCase):
         self.universe.step()
         self.assertEqual(len(self.universe.contacts()), 2)
 
+    def test_focus(self):
+        tags = lambda: [self.universe.describe(geometry).tag for geometry in self.geometries]
+        for geometry in self.geometries:
+            self.universe.change(geometry, tag=0)
+        # The boxes are 9, 10.5 and 12 from the centre.
+        self.universe.set_focus([(-10, 0, 0)], near_tag=0, far_tag=4, near_distance=1, far_distance=9.5)
+        self.universe.step()
+        self.assertEqual(tags(), [0, 4, 4])
+        self.universe.set_focus([], near_tag=0, far_tag=4)
+        self.universe.step()
+        self.assertEqual(tags(), [4, 4, 4])
+        self.universe.set_focus(None)
+        self.universe.change(self.geometries[0], tag=0)
+        self.universe.step()
+        self.assertEqual(tags(), [0, 4, 4])
+        with self.assertRaises(abut.Error):
+            self.universe.set_focus([(0, 0, 0)], near_tag=64)
+
     def test_changes(self):
         self.universe.change(self.geometries[0], flags=abut.GEOMETRY_SENSOR, material=7, user_data=3)
         self.assertEqual(self.universe.options_of(self.geometries[0]).material, 7)

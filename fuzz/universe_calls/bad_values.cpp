@@ -122,7 +122,10 @@ abut_status Play::bad_number(const Call& call, abut_universe* its, abut_status& 
   std::size_t contact_count = 0;
   const abut_contact* contacts = nullptr;
   abut_part_options options;
-  switch (call.pick(3, 17)) {
+  abut_focus focus;
+  abut_focus_init(&focus, sizeof focus);
+  const abut_vec3 no_place{0, nan, 0};
+  switch (call.pick(3, 20)) {
     case 0: expected = ABUT_NOT_FINITE; return abut_universe_step(its, call.has(4, 0) ? nan : infinity);
     case 1: expected = ABUT_OUT_OF_RANGE; return abut_universe_step(its, -0.25);
     case 2: expected = ABUT_NOT_FINITE; return abut_universe_detect_region(its, &not_a_region);
@@ -158,6 +161,15 @@ abut_status Play::bad_number(const Call& call, abut_universe* its, abut_status& 
       expected = ABUT_INVALID_ARGUMENT;
       require(abut_universe_contacts(its, &contacts, &contact_count) == ABUT_OK, "abut_universe_contacts failed");
       return abut_contacts_set_user_data(its, &value, contact_count == 1 ? 0 : 1);
+    case 16:
+      expected = ABUT_INVALID_ARGUMENT;
+      focus.near_tag = focus.far_tag;
+      return abut_universe_set_focus(its, &focus, nullptr, 0);
+    case 17:
+      expected = ABUT_OUT_OF_RANGE;
+      focus.near_distance = 1;
+      return abut_universe_set_focus(its, &focus, nullptr, 0);
+    case 18: expected = ABUT_NOT_FINITE; return abut_universe_set_focus(its, &focus, &no_place, 1);
     default: break;
   }
   const Refused bad = spoiled(call);

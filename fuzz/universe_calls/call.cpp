@@ -9,7 +9,7 @@ namespace {
 using enum Operation;
 
 // How often each operation comes up in random bytes.
-constexpr std::array<std::pair<Operation, int>, 26> weights{{
+constexpr std::array<std::pair<Operation, int>, 27> weights{{
     {create_part, 8},
     {destroy_part, 1},
     {destroy_parts, 1},
@@ -29,7 +29,8 @@ constexpr std::array<std::pair<Operation, int>, 26> weights{{
     {set_filter, 1},
     {refilter, 1},
     {set_policy, 2},
-    {step, 16},
+    {set_focus, 2},
+    {step, 14},
     {detect_all, 2},
     {detect_pairs, 4},
     {detect_region, 4},
@@ -57,7 +58,7 @@ constexpr std::array<Operation, weight_sum> operations = [] {
   return all;
 }();
 
-constexpr std::array<std::string_view, 26> names{"create_part",
+constexpr std::array<std::string_view, 27> names{"create_part",
                                                  "destroy_part",
                                                  "destroy_parts",
                                                  "place",
@@ -76,6 +77,7 @@ constexpr std::array<std::string_view, 26> names{"create_part",
                                                  "set_filter",
                                                  "refilter",
                                                  "set_policy",
+                                                 "set_focus",
                                                  "step",
                                                  "detect_all",
                                                  "detect_pairs",

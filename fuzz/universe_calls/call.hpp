@@ -42,6 +42,7 @@ enum class Operation : std::uint8_t {
   set_filter,
   refilter,
   set_policy,
+  set_focus,
   step,
   detect_all,
   detect_pairs,

@@ -109,6 +109,7 @@ void Play::after_detection(const Scope& scope, bool is_partial) {
   counts_.contacts += first.contacts.size();
   counts_.events += first.events.size();
   counts_.filtered += universes_.filter(0).asked.size();
+  follow_focus();
   judge_detection(world_, scope, first);
   compare_runs(first, second, "the same calls with another broad phase and other threads");
   if (is_exactly_full_) {
@@ -117,6 +118,27 @@ void Play::after_detection(const Scope& scope, bool is_partial) {
   compare_with_full(first, full);
   settle_filters();
   compare_state();
+}
+
+// Tags as they should be after a detection; where the model does not know a box, as the first universe says.
+void Play::follow_focus() {
+  for (const std::size_t i : world_.living_geometries()) {
+    Geometry& geometry = world_.geometries[i];
+    if (!world_.is_focused(geometry)) {
+      continue;
+    }
+    std::optional<std::uint32_t> tag = world_.focused_tag(geometry);
+    if (!tag) {
+      abut_geometry_info info;
+      abut_geometry_info_init(&info, sizeof info);
+      require(abut_geometry_describe(universes_.at(0), geometry.ids[0], &info) == ABUT_OK, "a geometry that lives cannot be described");
+      tag = info.tag;
+      require(*tag == world_.focus->focus.near_tag || *tag == world_.focus->focus.far_tag, "the focus gave a tag that is not its own");
+    }
+    geometry.is_switched = *tag != geometry.options.tag;
+    geometry.options.tag = *tag;
+    counts_.switched += geometry.is_switched ? 1 : 0;
+  }
 }
 
 // What the filters were asked is the same everywhere; what they parked is

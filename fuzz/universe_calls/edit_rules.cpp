@@ -69,4 +69,29 @@ void Play::set_policy(const Call& call) {
   }
 }
 
+void Play::set_focus(const Call& call) {
+  world_.focus.reset();
+  if (call.pick(1, 4) == 0) {
+    return on_each("abut_universe_set_focus",
+                   [](std::size_t, abut_universe* its) { return abut_universe_set_focus(its, nullptr, nullptr, 0); });
+  }
+  Focus focus;
+  abut_focus_init(&focus.focus, sizeof focus.focus);
+  focus.focus.near_tag = static_cast<std::uint32_t>(call.pick(5, 3));
+  focus.focus.far_tag = (focus.focus.near_tag + 1 + static_cast<std::uint32_t>(call.pick(6, 2))) % 3;
+  // Extents and margins are eighths: no square of a distance is near to that of one that ends in .3.
+  focus.focus.near_distance = 0.3 + call.number(3, 0, 5);
+  focus.focus.far_distance = focus.focus.near_distance + call.number(4, 0, 4);
+  std::vector<abut_vec3> centres;
+  for (std::size_t i = 0; i < call.pick(2, 4); ++i) {
+    const Triple centre{call.number(7 + 3 * i, -8, 8), call.number(8 + 3 * i, -8, 8), call.number(9 + 3 * i, -8, 8)};
+    focus.centres.push_back(centre);
+    centres.push_back({static_cast<double>(centre[0]), static_cast<double>(centre[1]), static_cast<double>(centre[2])});
+  }
+  on_each("abut_universe_set_focus", [&](std::size_t, abut_universe* its) {
+    return abut_universe_set_focus(its, &focus.focus, centres.data(), centres.size());
+  });
+  world_.focus = focus;
+}
+
 }  // namespace universe_calls

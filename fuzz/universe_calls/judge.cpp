@@ -30,6 +30,7 @@ class Judge {
       if (geometry.options.parking == ABUT_PARKING_NONE) {
         geometry.is_moved = geometry.is_reshaped = false;
       }
+      geometry.is_switched = false;
     }
   }
 
@@ -138,6 +139,10 @@ class Judge {
       before.is_stale = true;
       before.is_new = before.is_new || known->second.is_new;
     }
+    if (lives && (world_.geometries.at(low->second).is_switched || world_.geometries.at(high->second).is_switched)) {
+      // Its policy is another one, which no period delays.
+      before.is_stale = before.is_new = true;
+    }
     const std::vector<abut_contact> present = reader_.contacts_at(slots);
     if (!lives) {
       require(present.empty(), "contacts of geometries that are gone");
@@ -173,6 +178,7 @@ class Judge {
       // Out of reach, or covered and apart: the events are the same.
       reader_.expect_end(before);
       pair.is_stale = true;
+      pair.is_new = false;  // it may have been examined, so that a period may delay it
       pair.waiting = 0;
       after[slots] = pair;
       return;

@@ -152,6 +152,30 @@ Answer World::is_near(const Geometry& a, const Geometry& b) const {
   return widest > slack ? Answer::no : Answer::maybe;
 }
 
+bool World::is_focused(const Geometry& geometry) const {
+  const std::uint32_t tag = geometry.options.tag;
+  return focus && geometry.options.parking == ABUT_PARKING_NONE && (tag == focus->focus.near_tag || tag == focus->focus.far_tag);
+}
+
+std::optional<std::uint32_t> World::focused_tag(const Geometry& geometry) const {
+  const std::optional<Box> box = box_of(*this, geometry);
+  if (!box) {
+    return std::nullopt;
+  }
+  const double slack = mode == ABUT_TOLERANCE_MARGIN ? reach(*this, geometry) : 0;
+  bool is_near = false, is_far = true;
+  for (const Triple& centre : focus->centres) {
+    double square = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double outside = std::max(std::abs(centre.at(i) - box->centre.at(i)) - box->half.at(i) - slack, 0.0);
+      square += outside * outside;
+    }
+    is_near = is_near || std::sqrt(square) < focus->focus.near_distance;
+    is_far = is_far && std::sqrt(square) > focus->focus.far_distance;
+  }
+  return is_near ? focus->focus.near_tag : is_far ? focus->focus.far_tag : geometry.options.tag;
+}
+
 Answer World::is_covered(const Geometry& a, const Geometry& b, const Scope& scope) const {
   const Slots slots = std::minmax(a.ids[0].slot, b.ids[0].slot);
   if (scope.coverage == Coverage::pairs) {

@@ -73,11 +73,18 @@ struct Geometry {
   abut_geometry_options options{};  // as set last
   bool is_moved = true;             // since the last detection
   bool is_reshaped = false;
+  bool is_switched = false;         // by the focus, in this detection
 };
 
 struct Rule {
   abut_collidable a, b;  // as in the first universe
   abut_rule rule;
+};
+
+// Whole centres; distances whose squares are those of no exact box.
+struct Focus {
+  abut_focus focus{};
+  std::vector<Triple> centres;
 };
 
 enum class Answer { no, yes, maybe };
@@ -119,6 +126,7 @@ struct World {
   std::vector<Rule> rules;
   FilterRule filter;
   std::map<std::pair<std::uint32_t, std::uint32_t>, abut_policy> policies;  // the lower tag first
+  std::optional<Focus> focus;
   std::map<Slots, Pair> pairs;
 
   // Places of those that live, by slot.
@@ -137,6 +145,10 @@ struct World {
   Answer is_near(const Geometry& a, const Geometry& b) const;
   Answer touches(const Geometry& a, const Geometry& b) const;
   Answer is_covered(const Geometry& a, const Geometry& b, const Scope& scope) const;
+
+  // Whether the focus looks at a geometry in a detection, and the tag that it gets then, where the model knows its box.
+  bool is_focused(const Geometry& geometry) const;
+  std::optional<std::uint32_t> focused_tag(const Geometry& geometry) const;
 
   void forget_geometry(std::size_t geometry);
   void forget_part(std::size_t part);

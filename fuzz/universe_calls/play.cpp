@@ -53,6 +53,7 @@ void Play::call(const Call& call) {
     case Operation::refilter:
       return on_each("abut_universe_refilter", [](std::size_t, abut_universe* its) { return abut_universe_refilter(its); });
     case Operation::set_policy: return set_policy(call);
+    case Operation::set_focus: return set_focus(call);
     case Operation::step:
     case Operation::detect_all:
     case Operation::detect_pairs:

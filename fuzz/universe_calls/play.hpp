@@ -13,7 +13,7 @@
 namespace universe_calls {
 
 struct Counts {
-  std::size_t calls = 0, detections = 0, contacts = 0, events = 0, refusals = 0, filtered = 0;
+  std::size_t calls = 0, detections = 0, contacts = 0, events = 0, refusals = 0, filtered = 0, switched = 0;
 };
 
 // Changes what was found before it is judged: for tests of the judge.
@@ -45,12 +45,14 @@ class Play {
   void set_rule(const Call& call);
   void set_filter(const Call& call);
   void set_policy(const Call& call);
+  void set_focus(const Call& call);
   abut_collidable collidable_of(const Call& call, std::size_t byte, std::size_t universe) const;
 
   // Detections (detect.cpp).
   void detect(const Call& call);
   void before_detection();
   void after_detection(const Scope& scope, bool is_partial);
+  void follow_focus();
   void settle_filters();
   void compare_with_full(const Found& first, const Found& full) const;
   void compare_state() const;

@@ -31,6 +31,7 @@ class Replay {
     sum_.events += counts.events;
     sum_.refusals += counts.refusals;
     sum_.filtered += counts.filtered;
+    sum_.switched += counts.switched;
   }
 
   void play_files(const std::filesystem::path& folder) {
@@ -42,8 +43,9 @@ class Replay {
   int report() const {
     std::printf(
         "%zu findings in %zu sequences: %zu calls, %zu detections, %zu "
-        "contacts, %zu events, %zu refused calls, %zu questions to filters\n",
-        findings_, sequences_, sum_.calls, sum_.detections, sum_.contacts, sum_.events, sum_.refusals, sum_.filtered);
+        "contacts, %zu events, %zu refused calls, %zu questions to filters, %zu switches of tags\n",
+        findings_, sequences_, sum_.calls, sum_.detections, sum_.contacts, sum_.events, sum_.refusals, sum_.filtered,
+        sum_.switched);
     return findings_ == 0 && sequences_ > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
   }
 

@@ -98,12 +98,14 @@ TEST(UniverseCalls, RandomSequencesReachEverything) {
     sum.events += play.counts().events;
     sum.refusals += play.counts().refusals;
     sum.filtered += play.counts().filtered;
+    sum.switched += play.counts().switched;
   }
   EXPECT_GT(sum.detections, 500u);
   EXPECT_GT(sum.contacts, 5000u);
   EXPECT_GT(sum.events, 5000u);
   EXPECT_GT(sum.refusals, 100u);
   EXPECT_GT(sum.filtered, 500u);
+  EXPECT_GT(sum.switched, 50u);
 }
 
 TEST(UniverseCalls, AnyBytesAreASequence) {

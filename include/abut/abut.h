@@ -793,6 +793,33 @@ ABUT_API abut_status abut_policy_set(abut_universe *universe, uint32_t tag_a, ui
 /** How geometries of two tags meet. Set struct_size, or use the _init function, before asking. [const] */
 ABUT_API abut_status abut_policy_get(const abut_universe *universe, uint32_t tag_a, uint32_t tag_b, abut_policy *out);
 
+/**
+ * Two tags that follow the distance of geometries from centres, such as those of a camera and of what is held: near ones
+ * and far ones may then have policies of their own.
+ */
+typedef struct abut_focus {
+  uint32_t struct_size;
+  uint32_t near_tag;    /**< below 64; default 0, which geometries have that say nothing */
+  uint32_t far_tag;     /**< below 64, another one; default 1 */
+  uint32_t reserved;    /**< zero */
+  double near_distance; /**< not negative; default 0: nothing is near */
+  double far_distance;  /**< not below near_distance; default 0 */
+} abut_focus;
+
+ABUT_API void abut_focus_init(abut_focus *focus, uint32_t struct_size);
+
+/**
+ * From the next step or detection on, a geometry that has one of the two tags gets near_tag when its box comes nearer than
+ * near_distance to a centre, far_tag when it is farther than far_distance from all of them, and in between keeps the tag that it
+ * has. abut_geometry_describe shows it. Pairs of a geometry whose tag changes are found anew in that step, whatever their period,
+ * if it covers them; the filter is not asked again. Parked geometries keep their tag until they come back. Boxes are those of
+ * the broad phase: in single precision, rounded outwards, inflated in ABUT_TOLERANCE_MARGIN.
+ * Null sets none, which is the default, and leaves tags as they are. Without centres everything is far.
+ * Complexity O(count), without an allocation unless there are more centres than ever; the next step O(geometries * count) if
+ * anything has changed, and O(moved geometries * count) each later one. Source: SPEC FW-2. [exclusive]
+ */
+ABUT_API abut_status abut_universe_set_focus(abut_universe *universe, const abut_focus *focus, const abut_vec3 *centres, size_t count);
+
 /** What the contacts of two materials are like: plain numbers that abut stores and hands out, and applies none of. */
 typedef struct abut_contact_material {
   uint32_t struct_size;

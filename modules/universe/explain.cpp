@@ -43,6 +43,9 @@ Plan Universe::plan() const {
             .stages = stages_of(stats_, options_.max_contacts),
             .kinds = {},
             .left_out = {}};
+  if (has_focus_) {
+    plan.focus = count_focus();
+  }
   std::uint64_t never_met = 0;
   for (std::size_t row = 0; row < shape_kind_count; ++row) {
     for (std::size_t column = row; column < shape_kind_count; ++column) {
@@ -80,6 +83,9 @@ Plan Universe::plan() const {
   }
   if (policies_.size() == 1) {
     leave_out("policies", "none set");
+  }
+  if (!has_focus_) {
+    leave_out("focus", "none set");
   }
   if (workers_.threads() == 1) {
     leave_out("threads", "one does it all");

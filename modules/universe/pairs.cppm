@@ -22,6 +22,7 @@ struct PlaceInfo {
   bool is_box_stale = false;         // moved or changed while it was parked
   bool is_queued = false;            // waits for its box
   bool is_moving = false;            // in the broad phase as a moving one
+  bool is_switched = false;          // its tag is another one than in the last detection, by the focus
 };
 
 struct Pair {
@@ -37,7 +38,7 @@ struct Pair {
   bool is_admitted : 1 = false;   // by the filters
   bool is_supported : 1 = false;  // the two kinds have an algorithm
   bool is_stale : 1 = true;       // what it has is not of the present poses
-  bool is_new : 1 = true;         // was never examined
+  bool is_new : 1 = true;         // not examined since it began or a tag switched: no period delays it
   bool is_covered : 1 = false;    // by this detection
   bool is_touching : 1 = false;
   bool was_touching : 1 = false;  // before this detection

@@ -1,6 +1,7 @@
 module abut.universe.plan;
 import abut.core;
 import abut.core.standard;
+import abut.universe.focus;
 import abut.universe.options;
 
 namespace abut {
@@ -89,6 +90,19 @@ void write_counts(Json& json, const StepStats& stats) {
   json.close('}');
 }
 
+void write_focus(Json& json, const Plan::FocusCounts& counts) {
+  json.name("focus");
+  json.open('{');
+  json.member("centres", counts.centres);
+  json.member("near_tag", std::uint64_t{counts.focus.near_tag});
+  json.member("far_tag", std::uint64_t{counts.focus.far_tag});
+  json.member("near_distance", counts.focus.near_distance);
+  json.member("far_distance", counts.focus.far_distance);
+  json.member("near", counts.near);
+  json.member("far", counts.far);
+  json.close('}');
+}
+
 }  // namespace
 
 std::string count_of(std::uint64_t count, std::string_view noun) {
@@ -114,6 +128,12 @@ std::string to_text(const Plan& plan) {
   text += "threads: " + to_text(std::uint64_t{plan.threads}) + "\ntolerance: ";
   text += plan.is_margin ? "margin, a separation below the sum of both is reported"
                          : "dead band, an overlap beyond the sum of both is reported";
+  if (plan.focus) {
+    const Focus& focus = plan.focus->focus;
+    text += "\nfocus: " + count_of(plan.focus->centres, "centre") + "; " + count_of(plan.focus->near, "geometry") + " near (tag " +
+            to_text(std::uint64_t{focus.near_tag}) + ", within " + to_text(focus.near_distance) + "), " + to_text(plan.focus->far) +
+            " far (tag " + to_text(std::uint64_t{focus.far_tag}) + ", beyond " + to_text(focus.far_distance) + ")";
+  }
   text += "\npairs of kinds\n";
   for (const Plan::KindPair& its : plan.kinds) {
     text += "  " + std::string(its.kind_a) + " - " + std::string(its.kind_b) + ": " + count_of(its.candidates, "candidate") + ", " +
@@ -151,6 +171,9 @@ std::string to_json(const Plan& plan) {
   json.member("threads", std::uint64_t{plan.threads});
   json.member("rules", plan.rules);
   json.member("policies", plan.policies);
+  if (plan.focus) {
+    write_focus(json, *plan.focus);
+  }
   json.name("pairs_of_kinds");
   json.open('[');
   for (const Plan::KindPair& its : plan.kinds) {

@@ -1,6 +1,7 @@
 // What a step did and why, for people and for programs.
 export module abut.universe.plan;
 import abut.core.standard;
+import abut.universe.focus;
 import abut.universe.options;
 
 export namespace abut {
@@ -20,6 +21,11 @@ struct Plan {
     std::string name, why;
   };
 
+  struct FocusCounts {
+    Focus focus;
+    std::uint64_t centres, near, far;
+  };
+
   StepStats stats;
   std::string_view broadphase, broadphase_reason;
   bool is_margin;
@@ -28,6 +34,7 @@ struct Plan {
   std::vector<Stage> stages;
   std::vector<KindPair> kinds;
   std::vector<LeftOut> left_out;
+  std::optional<FocusCounts> focus = std::nullopt;
 };
 
 // A number with its noun: "1 geometry", "2 geometries".

@@ -118,6 +118,9 @@ void Universe::update_pairs(const Scope& scope) {
     pairs_.merge(near_, infos_);
     is_broadphase_changed_ = false;
   }
+  if (has_focus_) {
+    follow_focus();
+  }
   for (Pair& pair : pairs_.all()) {
     update_pair(pair, scope);
   }

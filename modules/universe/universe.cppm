@@ -8,6 +8,7 @@ import abut.dispatch;
 import abut.math;
 import abut.registry;
 import abut.shape;
+export import abut.universe.focus;
 export import abut.universe.materials;
 export import abut.universe.options;
 import abut.universe.jobs;
@@ -69,6 +70,9 @@ class Universe {
   // How the pairs of two tags are treated, in either order.
   [[nodiscard]] Result<void> set_policy(std::uint32_t tag_a, std::uint32_t tag_b, const Policy& policy);
   [[nodiscard]] Result<Policy> policy(std::uint32_t tag_a, std::uint32_t tag_b) const;
+  // From the next detection on, tags follow the distance of boxes from the centres; nothing ends that. A detection is
+  // O(geometries) after a change, else O(moved).
+  [[nodiscard]] Result<void> set_focus(const std::optional<Focus>& focus, std::span<const Vec3> centres);
 
   // What contacts of two materials are like, in either order: stored and handed out. Nothing takes a row away.
   [[nodiscard]] Result<void> set_material(std::uint32_t a, std::uint32_t b, const std::optional<ContactMaterial>& row);
@@ -168,6 +172,8 @@ class Universe {
   void run_stages(const Scope& scope);
   void update_pairs(const Scope& scope);
   void update_pair(Pair& pair, const Scope& scope);
+  void follow_focus();
+  void follow_focus(std::uint32_t at);
   [[nodiscard]] bool is_admitted(const Pair& pair) const;
   [[nodiscard]] bool is_covered(const Pair& pair, const Scope& scope) const;
   void find_contacts();
@@ -183,6 +189,7 @@ class Universe {
   [[nodiscard]] Placement world_of(const Geometry& geometry) const;
   [[nodiscard]] std::size_t bytes() const;
   [[nodiscard]] Plan plan() const;
+  [[nodiscard]] Plan::FocusCounts count_focus() const;
 
   UniverseOptions options_;
   SlotMap<Part, PartTag> parts_;
@@ -221,6 +228,10 @@ class Universe {
   Rules rules_;
   Filter filter_;
   PolicyTable policies_;
+  FocusCentres focus_;
+  bool has_focus_ = false;
+  bool is_focus_moved_ = false;           // since the last detection
+  std::vector<std::uint32_t> switched_;  // places that the focus has given another tag
   MaterialTable materials_;
   bool is_stepping_ = false;
   std::vector<std::pair<GeometryId, Parking>> deferred_parking_;

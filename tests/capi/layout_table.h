@@ -157,6 +157,13 @@
   FIELD(abut_policy, period, 12, 4)                       \
   FIELD(abut_policy, tolerance, 16, 8)                    \
   FIELD(abut_policy, error_bound, 24, 8)                  \
+  TYPE(abut_focus, 32)                                    \
+  FIELD(abut_focus, struct_size, 0, 4)                    \
+  FIELD(abut_focus, near_tag, 4, 4)                       \
+  FIELD(abut_focus, far_tag, 8, 4)                        \
+  FIELD(abut_focus, reserved, 12, 4)                      \
+  FIELD(abut_focus, near_distance, 16, 8)                 \
+  FIELD(abut_focus, far_distance, 24, 8)                  \
   TYPE(abut_contact_material, 96)                       \
   FIELD(abut_contact_material, struct_size, 0, 4)       \
   FIELD(abut_contact_material, reserved, 4, 4)          \

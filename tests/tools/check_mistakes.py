@@ -13,7 +13,7 @@ GOOD = {
     "version": 1,
     "universe": {"broadphase": "tree", "events": ["pairs"]},
     "layers": {"ground": 0},
-    "tags": {"near": 1},
+    "tags": {"near": 1, "far": 2},
     "shapes": {
         "ball": {"kind": "sphere", "radius": 0.5},
         "sheet": {"kind": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]]},
@@ -26,6 +26,7 @@ GOOD = {
     ],
     "rules": [{"a": {"part": "ball"}, "b": "any", "rule": "disable"}],
     "policies": [{"tags": ["near", 0], "detail": "point"}],
+    "focus": {"centres": [[0, 0, 0]], "near_tag": "near", "far_tag": "far", "near_distance": 1, "far_distance": 2},
 }
 
 # Where a value is put, the value, what is expected, and what the message says to be wrong if it is not that value.
@@ -94,6 +95,10 @@ MISTAKES = [
     ("policies[0].tags", ["near"], "two tags"),
     ("policies[0].period", 0, "a whole number from 1"),
     ("policies[0].algorithm", "fast", '"libccd_gjk" or "libccd_mpr"'),
+    ("focus.centres", [0, 0, 0], "three numbers", "focus.centres[0] is 0"),
+    ("focus.far_tag", "away", "the name of a tag that the scene declares: far, near"),
+    ("focus.near_distance", -1, "not negative"),
+    ("focus.far_distance", 0.5, "the library says: focus.far_distance is 0.5", "focus: "),
 ]
 
 # Texts that are no JSON, or not only that; what the message says.
@@ -157,7 +162,7 @@ class Mistakes(program.Case):
     def test_fields_that_are_missing_are_named(self):
         for path, field in (("", "version"), ("", "parts"), ("shapes.ball", "kind"), ("shapes.ball", "radius"),
                             ("shapes.sheet", "triangles"), ("parts[0]", "geometries"), ("rules[0]", "rule"),
-                            ("policies[0]", "tags")):
+                            ("policies[0]", "tags"), ("focus", "centres"), ("focus", "far_distance")):
             with self.subTest(path=path, field=field):
                 document = copy.deepcopy(GOOD)
                 place = document

@@ -75,6 +75,25 @@ class Scenes(program.Case):
                           ("wheel[0][0][0]", "wheel[1][0][0]"): 1, ("door", "visitor"): 1, ("ground", "parked"): 1,
                           ("ground", "coarse"): 4})
 
+    def test_a_focus_switches_what_slides_past_it(self):
+        # The cube is at x = (step - 1) / 4 - 5, its nearer face |x| - 1 from the centre. It gets near below 1.1 and far
+        # above 2.1: at x = -2 and x = 3.25.
+        cube = {"kind": "box", "half": [1, 1, 1]}
+        document = {
+            "version": 1, "steps": 41, "dt": 0.25, "tags": {"near": 1, "far": 2},
+            "focus": {"centres": [[90, 0, 0], [0, 0, 0]], "near_tag": "near", "far_tag": "far", "near_distance": 1.1,
+                      "far_distance": 2.1},
+            "policies": [{"tags": [0, "far"], "detail": "point", "period": 9}],
+            "parts": [{"name": "slab", "motion": "static", "pose": {"position": [0, 0, -1]},
+                       "geometries": [{"shape": {"kind": "box", "half": [20, 20, 1]}}]},
+                      {"name": "cube", "pose": {"position": [-5, 0, 0.99]}, "script": {"velocity": [1, 0, 0]},
+                       "geometries": [{"shape": cube, "tag": "far"}]}]}
+        scene = self.scene(document)
+        steps = collections.Counter(contact["step"] for contact in self.contacts(scene))
+        self.assertEqual(steps, {step: 4 if -2 <= (step - 1) / 4 - 5 < 3.25 else 1 for step in range(1, 42)})
+        plan = json.loads(self.succeed("explain", scene, "--json").stdout)
+        self.assertEqual((plan["focus"]["near"], plan["focus"]["far"], plan["focus"]["centres"]), (0, 1, 2))
+
     def test_scene_motion(self):
         # The ball is at x = (step - 1) / 10 and touches the gate while 1.25 < x < 2.75. The paddle stands within
         # asin(0.3 / 1.5) = 11.5 degrees of the post at 0.9 s, 1.0 s and 1.1 s, and two seconds later again.

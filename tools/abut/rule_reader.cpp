@@ -146,4 +146,22 @@ void read_policies(const std::optional<Node>& node, Scene& scene) {
   }
 }
 
+void read_focus(const std::optional<Node>& node, Scene& scene) {
+  if (!node) {
+    return;
+  }
+  Fields fields(*node);
+  Focus its;
+  abut_focus_init(&its.focus, sizeof its.focus);
+  for (const Node& centre : fields.need("centres").list("centres")) {
+    its.centres.push_back(centre.vector());
+  }
+  its.focus.near_tag = scene.tags.number(fields.need("near_tag"));
+  its.focus.far_tag = scene.tags.number(fields.need("far_tag"));
+  its.focus.near_distance = fields.need("near_distance").not_negative();
+  its.focus.far_distance = fields.need("far_distance").not_negative();
+  fields.done();
+  scene.focus = its;
+}
+
 }  // namespace cli

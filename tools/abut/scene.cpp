@@ -90,6 +90,7 @@ Scene read(const Json& document, const std::filesystem::path& folder) {
   const PartRanges ranges = read_parts(fields.need("parts"), scene);
   read_rules(fields.find("rules"), ranges, scene);
   read_policies(fields.find("policies"), scene);
+  read_focus(fields.find("focus"), scene);
   fields.done();
   scene.shapes.forget_document();
   return scene;

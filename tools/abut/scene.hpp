@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,11 @@ struct Policy {
   abut_policy policy;
 };
 
+struct Focus {
+  abut_focus focus{};
+  std::vector<abut_vec3> centres;
+};
+
 struct Scene {
   explicit Scene(std::filesystem::path folder) : shapes(std::move(folder)) {}
 
@@ -69,6 +75,7 @@ struct Scene {
   std::vector<Script> scripts;
   std::vector<Rule> rules;
   std::vector<Policy> policies;
+  std::optional<Focus> focus;
 };
 
 /// Reads and checks a scene; files that it names lie beside it. Throws BadInput.

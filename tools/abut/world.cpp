@@ -23,6 +23,7 @@ World::World(Scene scene) : scene_(std::move(scene)) {
   create_geometries();
   set_rules();
   set_policies();
+  set_focus();
 }
 
 void World::create_parts() {
@@ -82,6 +83,13 @@ void World::set_rules() {
 void World::set_policies() {
   for (const Policy& policy : scene_.policies) {
     check_scene(abut_policy_set(universe_.get(), policy.tag_a, policy.tag_b, &policy.policy), policy.path);
+  }
+}
+
+void World::set_focus() {
+  if (scene_.focus) {
+    const Focus& its = *scene_.focus;
+    check_scene(abut_universe_set_focus(universe_.get(), &its.focus, its.centres.data(), its.centres.size()), "focus");
   }
 }
 

@@ -28,6 +28,7 @@ class World {
   void create_geometries();
   void set_rules();
   void set_policies();
+  void set_focus();
   [[nodiscard]] abut_collidable collidable(const Collidable& what) const;
 
   Scene scene_;
