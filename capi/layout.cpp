@@ -42,8 +42,10 @@ static_assert(is_plain<abut_collidable>(12));
 static_assert(is_plain<abut_policy>(32));
 static_assert(is_plain<abut_focus>(32));
 static_assert(is_plain<abut_contact_material>(96));
+static_assert(is_plain<abut_sleep>(40));
 static_assert(is_plain<abut_event>(40));
-static_assert(is_plain<abut_step_stats>(152));
+static_assert(is_plain<abut_sleep_change>(16));
+static_assert(is_plain<abut_step_stats>(160));
 static_assert(is_plain<abut_finding>(192));
 static_assert(is_plain<abut_layout_entry>(32));
 
@@ -227,6 +229,13 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_contact_material, restitution),
     ABUT_FIELD(abut_contact_material, restitution_threshold),
     ABUT_FIELD(abut_contact_material, adhesive_force),
+    ABUT_STRUCT(abut_sleep),
+    ABUT_FIELD(abut_sleep, struct_size),
+    ABUT_FIELD(abut_sleep, steps),
+    ABUT_FIELD(abut_sleep, linear_speed),
+    ABUT_FIELD(abut_sleep, linear_acceleration),
+    ABUT_FIELD(abut_sleep, angular_speed),
+    ABUT_FIELD(abut_sleep, angular_acceleration),
     ABUT_STRUCT(abut_event),
     ABUT_FIELD(abut_event, kind),
     ABUT_FIELD(abut_event, flags),
@@ -235,6 +244,10 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_event, contact_id),
     ABUT_FIELD(abut_event, first_contact),
     ABUT_FIELD(abut_event, contact_count),
+    ABUT_STRUCT(abut_sleep_change),
+    ABUT_FIELD(abut_sleep_change, part),
+    ABUT_FIELD(abut_sleep_change, is_asleep),
+    ABUT_FIELD(abut_sleep_change, reserved),
     ABUT_STRUCT(abut_step_stats),
     ABUT_FIELD(abut_step_stats, struct_size),
     ABUT_FIELD(abut_step_stats, reserved),
@@ -256,6 +269,7 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_step_stats, pair_microseconds),
     ABUT_FIELD(abut_step_stats, narrowphase_microseconds),
     ABUT_FIELD(abut_step_stats, contact_microseconds),
+    ABUT_FIELD(abut_step_stats, asleep),
     ABUT_STRUCT(abut_finding),
     ABUT_FIELD(abut_finding, code),
     ABUT_FIELD(abut_finding, reserved),

@@ -15,6 +15,7 @@ namespace {
 abut_status forget_lent(abut_universe& its) {
   its.contacts.forget();
   its.events.forget();
+  its.sleep_changes.forget();
   return ABUT_OK;
 }
 
@@ -95,7 +96,8 @@ abut_status write_stats(const abut::StepStats& stats, abut_step_stats* out) {
                 stats.broadphase_microseconds,
                 stats.pair_microseconds,
                 stats.narrowphase_microseconds,
-                stats.contact_microseconds},
+                stats.contact_microseconds,
+                stats.asleep},
                out);
   return ABUT_OK;
 }

@@ -55,6 +55,7 @@ struct abut_universe {
   // Of the last step.
   abut::capi::Lent<abut_contact> contacts;
   abut::capi::Lent<abut_event> events;
+  abut::capi::Lent<abut_sleep_change> sleep_changes;
 };
 
 namespace abut::capi {

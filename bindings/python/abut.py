@@ -339,6 +339,27 @@ class Universe(_Owner):
         library.abut_parts_poses(self.pointer, _structs(c.PartId, parts), len(parts), out)
         return out
 
+    def set_sleep(self, parts, **fields):
+        """Lets parts fall asleep; the fields are those of Sleep."""
+        sleep = _options(c.Sleep, library.abut_sleep_init, **fields)
+        library.abut_parts_set_sleep(self.pointer, _structs(c.PartId, parts), _structs(c.Sleep, [sleep] * len(parts)), len(parts))
+
+    def keep_awake(self, parts):
+        """Parts that never fall asleep by themselves, which is how they are made."""
+        library.abut_parts_set_sleep(self.pointer, _structs(c.PartId, parts), None, len(parts))
+
+    def is_asleep(self, part):
+        out = c_uint32()
+        library.abut_part_is_asleep(self.pointer, part, byref(out))
+        return out.value == 1
+
+    def wake(self, parts):
+        library.abut_parts_wake(self.pointer, _structs(c.PartId, parts), len(parts))
+
+    def sleep_changes(self):
+        """A copy of which parts fell asleep or woke in the last step."""
+        return self._copy(c.SleepChange, library.abut_universe_sleep_changes)
+
     def set_motions(self, parts, motions):
         if len(parts) != len(motions):
             raise ValueError("as many motions as parts")
@@ -513,7 +534,7 @@ class Universe(_Owner):
         return self._copy(c.Event, library.abut_universe_events)
 
     def hash(self):
-        """A number of every bit of the contacts and events of the last step."""
+        """A number of every bit of the contacts, events and sleep changes of the last step."""
         out = c_uint64()
         library.abut_universe_hash(self.pointer, byref(out))
         return out.value

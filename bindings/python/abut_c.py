@@ -65,6 +65,7 @@ EVENT_PERSIST = 1
 EVENT_END = 2
 EVENT_SENSOR = 1
 EVENT_CONTACT = 2
+EVENT_ASLEEP = 4
 
 CONTACT_SENSOR = 1
 GEOMETRY_SENSOR = 1
@@ -294,6 +295,19 @@ class Finding(_Struct):
     ]
 
 
+class Sleep(_Struct):
+    _fields_ = [
+        ("struct_size", c_uint32), ("steps", c_uint32), ("linear_speed", c_double), ("linear_acceleration", c_double),
+        ("angular_speed", c_double), ("angular_acceleration", c_double),
+    ]
+
+
+class SleepChange(_Struct):
+    _fields_ = [
+        ("part", PartId), ("is_asleep", c_uint32), ("reserved", c_uint32),
+    ]
+
+
 class Event(_Struct):
     _fields_ = [
         ("kind", c_uint32), ("flags", c_uint32), ("geometry_a", GeometryId), ("geometry_b", GeometryId),
@@ -309,7 +323,7 @@ class StepStats(_Struct):
         ("contacts", c_uint64), ("unsupported_pairs", c_uint64), ("events", c_uint64), ("bytes", c_uint64),
         ("refresh_microseconds", c_double), ("broadphase_microseconds", c_double),
         ("pair_microseconds", c_double), ("narrowphase_microseconds", c_double),
-        ("contact_microseconds", c_double),
+        ("contact_microseconds", c_double), ("asleep", c_uint64),
     ]
 
 
@@ -469,6 +483,13 @@ FUNCTIONS = {
     "abut_rules_clear": (Status, [c_void_p]),
     "abut_universe_set_filter": (Status, [c_void_p, Filter, c_void_p]),
     "abut_universe_refilter": (Status, [c_void_p]),
+    "abut_sleep_init": (None, [POINTER(Sleep), c_uint32]),
+    "abut_part_set_sleep": (Status, [c_void_p, PartId, POINTER(Sleep)]),
+    "abut_parts_set_sleep": (Status, [c_void_p, POINTER(PartId), POINTER(Sleep), c_size_t]),
+    "abut_part_is_asleep": (Status, [c_void_p, PartId, POINTER(c_uint32)]),
+    "abut_part_wake": (Status, [c_void_p, PartId]),
+    "abut_parts_wake": (Status, [c_void_p, POINTER(PartId), c_size_t]),
+    "abut_universe_sleep_changes": (Status, [c_void_p, POINTER(POINTER(SleepChange)), POINTER(c_size_t)]),
     "abut_policy_init": (None, [POINTER(Policy), c_uint32]),
     "abut_policy_set": (Status, [c_void_p, c_uint32, c_uint32, POINTER(Policy)]),
     "abut_policy_get": (Status, [c_void_p, c_uint32, c_uint32, POINTER(Policy)]),

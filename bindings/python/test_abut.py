@@ -220,6 +220,26 @@ class Universes(unittest.TestCase):
         with self.assertRaises(abut.Error):
             self.universe.set_focus([(0, 0, 0)], near_tag=64)
 
+    def test_sleep(self):
+        self.universe.set_sleep(self.parts, steps=2)
+        for _ in range(3):
+            self.universe.step(0.01)
+        self.assertEqual(len(self.universe.sleep_changes()), 0)
+        self.universe.step(0.01)
+        self.assertEqual([(each.part.slot, each.is_asleep) for each in self.universe.sleep_changes()],
+                         [(part.slot, 1) for part in self.parts])
+        self.assertEqual({each.flags for each in self.universe.events()}, {abut.EVENT_ASLEEP})
+        self.assertEqual(self.universe.stats().asleep, 3)
+        self.universe.wake(self.parts[:1])
+        self.universe.step(0.01)
+        self.assertFalse(self.universe.is_asleep(self.parts[2]))
+        self.universe.keep_awake(self.parts)
+        for _ in range(5):
+            self.universe.step(0.01)
+        self.assertEqual(self.universe.stats().asleep, 0)
+        with self.assertRaises(TypeError):
+            self.universe.set_sleep(self.parts, depth=1)
+
     def test_changes(self):
         self.universe.change(self.geometries[0], flags=abut.GEOMETRY_SENSOR, material=7, user_data=3)
         self.assertEqual(self.universe.options_of(self.geometries[0]).material, 7)

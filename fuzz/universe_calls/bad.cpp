@@ -63,6 +63,7 @@ abut_status Play::bad_id(const Call& call, abut_universe* its, abut_status& expe
   abut_geometry_info_init(&info, sizeof info);
   abut_pose pose = unmoved;
   abut_motion motion = 77;
+  std::uint32_t asleep = 77;
   std::uint64_t data = 77;
   std::size_t count = 77;
   const abut_shape* shape = shapes().front().shape;
@@ -87,7 +88,7 @@ abut_status Play::bad_id(const Call& call, abut_universe* its, abut_status& expe
   const abut_collidable bad_geometry{ABUT_COLLIDABLE_GEOMETRY, geometry.slot, geometry.generation},
       any{ABUT_COLLIDABLE_ANY, 0, 0};
   abut_status status = ABUT_OK;
-  switch (call.pick(3, 24)) {
+  switch (call.pick(3, 29)) {
     case 0: return abut_part_destroy(its, part);
     case 1: return abut_parts_destroy(its, parts.data(), parts.size());
     case 2: return abut_part_set_pose(its, part, &pose);
@@ -111,12 +112,17 @@ abut_status Play::bad_id(const Call& call, abut_universe* its, abut_status& expe
     case 20: return abut_geometries_poses(its, geometries.data(), geometries.size(), out_poses.data());
     case 21: return abut_rule_set(its, &bad_geometry, &any, ABUT_RULE_DISABLE);
     case 22: return abut_rule_set(its, &any, &bad_part, ABUT_RULE_DISABLE);
+    case 23: return abut_part_set_sleep(its, part, nullptr);
+    case 24: return abut_parts_set_sleep(its, parts.data(), nullptr, parts.size());
+    case 25: return abut_part_wake(its, part);
+    case 26: return abut_parts_wake(its, parts.data(), parts.size());
+    case 27: status = abut_part_is_asleep(its, part, &asleep); break;
     default: return abut_universe_detect_pairs(its, geometries.data(), geometries.data(), geometries.size());
   }
   for (const abut_geometry_id id : out) {
     require(id.slot == 77, "a refused call wrote to its array");
   }
-  require(made.slot == 77 && motion == 77 && data == 77 && count == 77,
+  require(made.slot == 77 && motion == 77 && asleep == 77 && data == 77 && count == 77,
           "a refused call wrote its out-parameter");
   return status;
 }

@@ -8,8 +8,9 @@ namespace {
 
 using enum Operation;
 
-// How often each operation comes up in random bytes.
-constexpr std::array<std::pair<Operation, int>, 27> weights{{
+// How often each operation comes up in random bytes. An operation that is added takes entries of others, so that the others
+// keep their bytes.
+constexpr std::array<std::pair<Operation, int>, 29> weights{{
     {create_part, 8},
     {destroy_part, 1},
     {destroy_parts, 1},
@@ -25,12 +26,14 @@ constexpr std::array<std::pair<Operation, int>, 27> weights{{
     {park, 5},
     {park_all, 2},
     {set_rule, 3},
-    {clear_rules, 2},
+    {clear_rules, 1},
+    {set_sleep, 1},
     {set_filter, 1},
     {refilter, 1},
     {set_policy, 2},
     {set_focus, 2},
-    {step, 14},
+    {set_sleep, 2},
+    {step, 12},
     {detect_all, 2},
     {detect_pairs, 4},
     {detect_region, 4},
@@ -58,7 +61,7 @@ constexpr std::array<Operation, weight_sum> operations = [] {
   return all;
 }();
 
-constexpr std::array<std::string_view, 27> names{"create_part",
+constexpr std::array<std::string_view, 28> names{"create_part",
                                                  "destroy_part",
                                                  "destroy_parts",
                                                  "place",
@@ -74,6 +77,7 @@ constexpr std::array<std::string_view, 27> names{"create_part",
                                                  "park_all",
                                                  "set_rule",
                                                  "clear_rules",
+                                                 "set_sleep",
                                                  "set_filter",
                                                  "refilter",
                                                  "set_policy",

@@ -39,6 +39,7 @@ enum class Operation : std::uint8_t {
   park_all,
   set_rule,
   clear_rules,
+  set_sleep,
   set_filter,
   refilter,
   set_policy,

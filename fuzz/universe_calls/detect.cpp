@@ -116,6 +116,7 @@ void Play::after_detection(const Scope& scope, bool is_partial) {
     compare_runs(first, full, "steps and full detections");
   }
   compare_with_full(first, full);
+  judge_sleep();
   settle_filters();
   compare_state();
 }

@@ -62,6 +62,9 @@ struct Part {
   Placed placed;
   std::uint64_t user_data = 0;
   std::vector<std::size_t> geometries;
+  bool may_sleep = false;
+  std::array<bool, universe_count> is_asleep{};  // in the last detection
+  std::array<abut_pose, universe_count> rest{};  // where it fell asleep
 };
 
 struct Geometry {

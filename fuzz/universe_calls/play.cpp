@@ -49,6 +49,7 @@ void Play::call(const Call& call) {
     case Operation::clear_rules:
       on_each("abut_rules_clear", [](std::size_t, abut_universe* its) { return abut_rules_clear(its); });
       return world_.rules.clear();
+    case Operation::set_sleep: return set_sleep(call);
     case Operation::set_filter: return set_filter(call);
     case Operation::refilter:
       return on_each("abut_universe_refilter", [](std::size_t, abut_universe* its) { return abut_universe_refilter(its); });

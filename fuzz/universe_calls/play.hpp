@@ -13,7 +13,7 @@
 namespace universe_calls {
 
 struct Counts {
-  std::size_t calls = 0, detections = 0, contacts = 0, events = 0, refusals = 0, filtered = 0, switched = 0;
+  std::size_t calls = 0, detections = 0, contacts = 0, events = 0, refusals = 0, filtered = 0, switched = 0, sleeps = 0, wakes = 0;
 };
 
 // Changes what was found before it is judged: for tests of the judge.
@@ -40,6 +40,11 @@ class Play {
   void set_options(const Call& call);
   void set_shape(const Call& call);
   void park(const Call& call, std::size_t count);
+
+  // Who falls asleep (sleep.cpp).
+  void set_sleep(const Call& call);
+  void judge_sleep();
+  void judge_sleep_of(std::size_t universe);
 
   // Who meets whom and how (edit_rules.cpp).
   void set_rule(const Call& call);

@@ -99,6 +99,8 @@ TEST(UniverseCalls, RandomSequencesReachEverything) {
     sum.refusals += play.counts().refusals;
     sum.filtered += play.counts().filtered;
     sum.switched += play.counts().switched;
+    sum.sleeps += play.counts().sleeps;
+    sum.wakes += play.counts().wakes;
   }
   EXPECT_GT(sum.detections, 500u);
   EXPECT_GT(sum.contacts, 5000u);
@@ -106,6 +108,8 @@ TEST(UniverseCalls, RandomSequencesReachEverything) {
   EXPECT_GT(sum.refusals, 100u);
   EXPECT_GT(sum.filtered, 500u);
   EXPECT_GT(sum.switched, 50u);
+  EXPECT_GT(sum.sleeps, 20u);
+  EXPECT_GT(sum.wakes, 20u);
 }
 
 TEST(UniverseCalls, AnyBytesAreASequence) {

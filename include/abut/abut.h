@@ -587,6 +587,49 @@ ABUT_API abut_status abut_part_geometries(const abut_universe *universe, abut_pa
                                           size_t capacity, size_t *count);
 
 /**
+ * When a part has come to rest. It is calm in a step when its speeds and accelerations are at most these; they follow from its
+ * poses in this step and the two before. Zeros: it has to stand still.
+ */
+typedef struct abut_sleep {
+  uint32_t struct_size;
+  uint32_t steps;              /**< at least 1: calm ones in a row; default 10 */
+  double linear_speed;         /**< of the origin of the part; default 0.14 */
+  double linear_acceleration;  /**< default 0.045 */
+  double angular_speed;        /**< in radians; default 0.03 */
+  double angular_acceleration; /**< default 0.045 */
+} abut_sleep;
+
+ABUT_API void abut_sleep_init(abut_sleep *sleep, uint32_t struct_size);
+
+/**
+ * Lets a part fall asleep; null: it never does by itself, which is the default. Dynamic parts that touch fall asleep together, in
+ * the step in which each of them has been calm for its steps, unless one of their touches begins or ends there or one is a dynamic
+ * part that never sleeps, or an animated or static one that has moved. Only abut_universe_step with dt above 0 measures, counts and
+ * sends to sleep. A sleeping part wakes in the next step or detection, with all dynamic parts that it touches, directly or through
+ * others, when
+ *  - its pose changes in any way, or its motion, its thresholds, or the geometries that it has, their shapes or options;
+ *  - a touch of it begins or ends, by moving, parking, destruction, filters or anything else: removing a support wakes what it carried;
+ *  - an animated or static part that it touches moves, or changes its motion or geometries;
+ *  - abut_part_wake says so.
+ * Touches of sensors and pairs treated as boxes count for nothing. Sleep changes no contact: detections cover sleeping parts like any
+ * others. It tells the caller what need not be simulated.
+ * Complexity of a step O(parts that may sleep + pairs). Source: SPEC VX-23. [exclusive]
+ */
+ABUT_API abut_status abut_part_set_sleep(abut_universe *universe, abut_part_id part, const abut_sleep *sleep);
+
+/** The same for `count` parts, all or none; `sleeps` is an array of `count`, or null. [exclusive] */
+ABUT_API abut_status abut_parts_set_sleep(abut_universe *universe, const abut_part_id *parts, const abut_sleep *sleeps, size_t count);
+
+/** Whether a part slept at the end of the last step or detection; `out` becomes 1 or 0. [const] */
+ABUT_API abut_status abut_part_is_asleep(const abut_universe *universe, abut_part_id part, uint32_t *out);
+
+/** Wakes a part at the next step or detection; its calm steps are counted anew, whether it slept or not. [exclusive] */
+ABUT_API abut_status abut_part_wake(abut_universe *universe, abut_part_id part);
+
+/** The same for `count` parts, all or none. [exclusive] */
+ABUT_API abut_status abut_parts_wake(abut_universe *universe, const abut_part_id *parts, size_t count);
+
+/**
  * Whether a geometry takes part. A parked one is in no contact, event or query; it can be moved, reshaped and
  * destroyed. Its contacts end with the next step, and coming back into an overlap is a new begin.
  */
@@ -901,7 +944,8 @@ enum abut_event_kind_value ABUT_ENUM(uint32_t) {
 typedef uint32_t abut_event_flags;
 enum abut_event_flags_value ABUT_ENUM(uint32_t) {
   ABUT_EVENT_SENSOR = 1, /**< a geometry of the pair is a sensor */
-  ABUT_EVENT_CONTACT = 2 /**< about one contact, not about the pair */
+  ABUT_EVENT_CONTACT = 2, /**< about one contact, not about the pair */
+  ABUT_EVENT_ASLEEP = 4  /**< the pair touches, but none of its dynamic parts is awake */
 };
 
 /**
@@ -924,7 +968,20 @@ typedef struct abut_event {
  */
 ABUT_API abut_status abut_universe_events(const abut_universe *universe, const abut_event **events, size_t *count);
 
-/** Hash of every bit of the contacts and events of the last step, but of generations and times: equal runs have equal hashes. [const] */
+/** A part that fell asleep or woke. */
+typedef struct abut_sleep_change {
+  abut_part_id part;  /**< may be destroyed since */
+  uint32_t is_asleep; /**< 1: fell asleep; 0: woke */
+  uint32_t reserved;  /**< zero */
+} abut_sleep_change;
+
+/** Parts that fell asleep or woke in the last step or detection, ordered by slot. Borrowed until the next [exclusive] call. [const] */
+ABUT_API abut_status abut_universe_sleep_changes(const abut_universe *universe, const abut_sleep_change **changes, size_t *count);
+
+/**
+ * Hash of every bit of the contacts, events and sleep changes of the last step, but of generations and times: equal runs have
+ * equal hashes. [const]
+ */
 ABUT_API abut_status abut_universe_hash(const abut_universe *universe, uint64_t *out);
 
 /** Contacts of the last step, ordered by the slots of the two geometries, then deepest first. Borrowed until the next [exclusive] call. [const] */
@@ -960,6 +1017,7 @@ typedef struct abut_step_stats {
   double pair_microseconds;        /**< filters, and what pairs keep from step to step */
   double narrowphase_microseconds; /**< pairs to manifolds, reduced */
   double contact_microseconds;     /**< contacts and events in order */
+  uint64_t asleep;                 /**< parts that sleep */
 } abut_step_stats;
 
 ABUT_API void abut_step_stats_init(abut_step_stats *stats, uint32_t struct_size);

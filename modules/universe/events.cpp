@@ -35,10 +35,14 @@ class Hash {
 
 }  // namespace
 
+std::uint32_t Universe::event_flags_of(const Pair& pair) const {
+  return (pair.is_sensor ? std::uint32_t{event_of_sensor} : 0) | (is_asleep(pair) ? std::uint32_t{event_asleep} : 0);
+}
+
 void Universe::write_event(EventKind kind, const Pair& pair) {
   const bool is_end = kind == EventKind::end;
   events_.push_back({.kind = kind,
-                     .flags = pair.is_sensor ? std::uint32_t{event_of_sensor} : 0,
+                     .flags = event_flags_of(pair),
                      .geometry_a = {pair.low + 1, pair.generation_low},
                      .geometry_b = {pair.high + 1, pair.generation_high},
                      .contact_id = 0,
@@ -50,7 +54,7 @@ void Universe::write_event(EventKind kind, const Pair& pair) {
 void Universe::write_contact_events(const Pair& pair) {
   const std::span<const ContactHistory> before = std::span(histories_before_).subspan(pair.first_before, pair.count_before);
   const std::span<const ContactHistory> present = std::span(histories_).subspan(pair.first_contact, pair.contact_count);
-  const std::uint32_t flags = std::uint32_t{event_of_contact} | (pair.is_sensor ? std::uint32_t{event_of_sensor} : 0);
+  const std::uint32_t flags = std::uint32_t{event_of_contact} | event_flags_of(pair);
   const auto write = [&](EventKind kind, std::uint64_t id, std::uint32_t place) {
     const bool is_end = kind == EventKind::end;
     events_.push_back({.kind = kind,
@@ -81,11 +85,12 @@ void Universe::collect_events() {
   const bool with_pairs = (options_.events & event_pairs) != 0;
   std::span<const Pair> lost = pairs_.lost();
   const auto end = [&](const Pair& pair) {
+    Pair gone = pair;
+    gone.is_touching = false;
     if (with_pairs) {
-      write_event(EventKind::end, pair);
+      write_event(EventKind::end, gone);
     }
     if (with_contacts) {
-      Pair gone = pair;
       gone.first_before = std::exchange(gone.first_contact, 0);
       gone.count_before = std::exchange(gone.contact_count, 0);
       write_contact_events(gone);
@@ -133,6 +138,9 @@ std::uint64_t Universe::hash() const {
     hash.add(event.geometry_a, event.geometry_b);
     hash.add(event.contact_id);
     hash.add(event.first_contact, event.contact_count);
+  }
+  for (const SleepChange& change : sleep_.changes()) {
+    hash.add(change.part.slot, change.is_asleep ? 1 : 0);
   }
   return hash.value();
 }

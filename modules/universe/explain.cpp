@@ -87,6 +87,9 @@ Plan Universe::plan() const {
   if (!has_focus_) {
     leave_out("focus", "none set");
   }
+  if (!sleep_.is_used()) {
+    leave_out("sleep", "set for no part");
+  }
   if (workers_.threads() == 1) {
     leave_out("threads", "one does it all");
   }

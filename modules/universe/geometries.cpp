@@ -113,6 +113,7 @@ Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const Part
       infos_[id.slot - 1].kind = static_cast<std::uint8_t>((*shapes[i]).index());
       apply_options(id);
       change(id);
+      disturb(parts[i]);
     }
   } catch (...) {
     for (const GeometryId geometry : created) {
@@ -147,6 +148,7 @@ Result<void> Universe::destroy_geometries(std::span<const GeometryId> geometries
     return *error;
   }
   for (const GeometryId geometry : geometries) {
+    disturb(geometries_.at(geometry).part);
     std::erase(parts_.at(geometries_.at(geometry).part).geometries, geometry);
     forget_geometry(geometry);
   }
@@ -166,6 +168,7 @@ Result<void> Universe::set_shapes(std::span<const GeometryId> geometries, std::s
     infos_[place].is_reshaped = true;
     infos_[place].is_box_stale = true;
     change(geometries[i]);
+    disturb(geometries_.at(geometries[i]).part);
   }
   revision_.geometries += geometries.empty() ? 0 : 1;
   return {};
@@ -187,6 +190,7 @@ Result<void> Universe::set_options(std::span<const GeometryId> geometries, std::
     geometries_.at(geometries[i]).options = options[i];
     apply_options(geometries[i]);
     change(geometries[i]);
+    disturb(geometries_.at(geometries[i]).part);
   }
   revision_.poses += geometries.empty() ? 0 : 1;
   return {};

@@ -71,6 +71,24 @@ struct Revision {
   std::uint64_t poses = 0;       // grows when one is set
 };
 
+// A part is calm in a step when it is faster than none of these, by its poses in the last steps. After so many calm steps it
+// may fall asleep.
+struct Sleep {
+  std::uint32_t steps = 10;
+  Real linear_speed = 0.14;           // of the origin of the part
+  Real linear_acceleration = 0.045;
+  Real angular_speed = 0.03;          // radians
+  Real angular_acceleration = 0.045;
+
+  friend constexpr bool operator==(const Sleep&, const Sleep&) = default;
+};
+
+// A part that fell asleep or woke.
+struct SleepChange {
+  PartId part;
+  bool is_asleep;
+};
+
 enum ContactFlags : std::uint32_t { contact_of_sensor = 1 };
 
 struct Contact {
@@ -90,7 +108,7 @@ struct ContactHistory {
 };
 
 enum class EventKind : std::uint32_t { begin, persist, end };
-enum EventFlags : std::uint32_t { event_of_sensor = 1, event_of_contact = 2 };
+enum EventFlags : std::uint32_t { event_of_sensor = 1, event_of_contact = 2, event_asleep = 4 };
 
 struct Event {
   EventKind kind;
@@ -150,6 +168,7 @@ struct StepStats {
   std::uint64_t bytes = 0;
   double refresh_microseconds = 0, broadphase_microseconds = 0, pair_microseconds = 0;
   double narrowphase_microseconds = 0, contact_microseconds = 0;
+  std::uint64_t asleep = 0;
 };
 
 }  // namespace abut

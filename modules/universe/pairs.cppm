@@ -43,6 +43,7 @@ struct Pair {
   bool is_touching : 1 = false;
   bool was_touching : 1 = false;  // before this detection
   bool is_sensor : 1 = false;
+  bool is_bearing : 1 = false;    // had contacts, without a sensor, when sleep was last looked at
 };
 inline constexpr std::uint32_t no_job = 0xffffffff;
 

@@ -9,6 +9,14 @@ import abut.shape;
 import abut.universe.checks;
 
 namespace abut {
+namespace {
+
+// The matrix of a quaternion is also that of its negative.
+bool is_same(const Pose& a, const Pose& b) {
+  return a.position == b.position && a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y && a.rotation.z == b.rotation.z;
+}
+
+}  // namespace
 
 Result<std::vector<PartId>> Universe::create_parts(std::span<const PartOptions> options) {
   for (std::size_t i = 0; i < options.size(); ++i) {
@@ -46,6 +54,7 @@ Result<void> Universe::destroy_parts(std::span<const PartId> parts) {
     if (!rules_.is_empty()) {
       rules_.forget({CollidableKind::part, part.slot, part.generation});
     }
+    sleep_.forget(part.slot);
     list_bytes_ -= parts_.at(part).geometries.capacity() * sizeof(GeometryId);
     parts_.erase(part);
   }
@@ -65,8 +74,11 @@ Result<void> Universe::set_poses(std::span<const PartId> parts, std::span<const 
   moved_parts_.reserve(moved_parts_.size() + parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Part& part = parts_.at(parts[i]);
+    const Pose before = std::exchange(part.pose, poses[i].pose());
     part.placement = poses[i];
-    part.pose = poses[i].pose();
+    if (sleep_.is_used() && !is_same(before, part.pose) && (part.motion != MotionKind::dynamic || sleep_.is_asleep(parts[i].slot))) {
+      disturb(parts[i]);
+    }
     if (!part.is_moved) {
       part.is_moved = true;
       moved_parts_.push_back(parts[i]);
@@ -89,6 +101,9 @@ Result<void> Universe::set_motions(std::span<const PartId> parts, std::span<cons
       continue;
     }
     part.motion = motions[i];
+    if (sleep_.is_used()) {
+      sleep_.set_dynamic(parts[i].slot, motions[i] == MotionKind::dynamic);
+    }
     for (const GeometryId geometry : part.geometries) {
       rejoining_.push_back(geometry.slot - 1);
       change(geometry);

@@ -81,6 +81,7 @@ void write_counts(Json& json, const StepStats& stats) {
       {"contacts", stats.contacts},
       {"events", stats.events},
       {"bytes", stats.bytes},
+      {"asleep", stats.asleep},
   };
   json.name("counts");
   json.open('{');
@@ -119,7 +120,8 @@ std::string count_of(std::uint64_t count, std::string_view noun) {
 
 std::string to_text(const Plan& plan) {
   const StepStats& stats = plan.stats;
-  std::string text = "universe: " + count_of(stats.parts, "part") + ", " + count_of(stats.geometries, "geometry") + ", " +
+  const std::string asleep = stats.asleep > 0 ? " (" + to_text(stats.asleep) + " asleep)" : "";
+  std::string text = "universe: " + count_of(stats.parts, "part") + asleep + ", " + count_of(stats.geometries, "geometry") + ", " +
                      count_of(stats.bytes, "byte") + "\nstages of the last step\n";
   for (const Plan::Stage& stage : plan.stages) {
     text += line_of(stage);

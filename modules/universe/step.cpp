@@ -143,6 +143,7 @@ void Universe::count_everything() {
   stats_.parked = parked_count_;
   stats_.contacts = contacts_.size();
   stats_.events = events_.size();
+  stats_.asleep = sleep_.asleep_count();
   stats_.examined_pairs = jobs_.jobs().size();
   stats_.kept_pairs = stats_.candidate_pairs - stats_.examined_pairs;
   stats_.bytes = bytes();
@@ -180,6 +181,9 @@ void Universe::run_stages(const Scope& scope) {
   find_contacts();
   stats_.narrowphase_microseconds = watch.lap();
   collect_contacts();
+  if (sleep_.is_used()) {
+    update_sleep(scope.dt);
+  }
   collect_events();
   finish_detection();
   stats_.contact_microseconds = watch.lap();
@@ -193,7 +197,7 @@ Result<void> Universe::step(Real dt) {
   if (dt < 0) {
     return error_about(Errc::out_of_range, "dt", dt, "zero or positive");
   }
-  detect({});
+  detect({.dt = dt});
   return {};
 }
 

@@ -111,7 +111,8 @@ std::size_t Universe::bytes() const {
                               events_.capacity() * sizeof(Event);
   const std::size_t broadphase = std::visit([](const auto& its) { return its.bytes(); }, broadphase_);
   return sizeof(Universe) + parts_.bytes() + geometries_.bytes() + list_bytes_ + per_geometry + changes + results + broadphase +
-         rules_.bytes() + policies_.bytes() + focus_.bytes() + switched_.capacity() * sizeof(std::uint32_t) + materials_.bytes();
+         rules_.bytes() + policies_.bytes() + focus_.bytes() + switched_.capacity() * sizeof(std::uint32_t) + materials_.bytes() +
+         sleep_.bytes();
 }
 
 }  // namespace abut

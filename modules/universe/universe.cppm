@@ -16,6 +16,7 @@ import abut.universe.pairs;
 import abut.universe.plan;
 import abut.universe.policies;
 import abut.universe.rules;
+import abut.universe.sleep;
 
 export namespace abut {
 
@@ -74,6 +75,15 @@ class Universe {
   // O(geometries) after a change, else O(moved).
   [[nodiscard]] Result<void> set_focus(const std::optional<Focus>& focus, std::span<const Vec3> centres);
 
+  // When parts fall asleep: those that touch, all at once, after each has been calm for its steps. None: never, which is the
+  // default. A sleeping part wakes, with all that it touches, when it or its geometries are changed, when something else touches it or
+  // leaves it, and when what it touches moves; all of that with the next detection. Detections cover sleeping parts like any others.
+  [[nodiscard]] Result<void> set_sleep(std::span<const PartId> parts, std::span<const std::optional<Sleep>> thresholds);
+  [[nodiscard]] Result<void> wake(std::span<const PartId> parts);
+  [[nodiscard]] Result<bool> is_asleep(PartId part) const;
+  // Of the last detection, by slot; parts may have been destroyed since.
+  [[nodiscard]] std::span<const SleepChange> sleep_changes() const [[clang::lifetimebound]] { return sleep_.changes(); }
+
   // What contacts of two materials are like, in either order: stored and handed out. Nothing takes a row away.
   [[nodiscard]] Result<void> set_material(std::uint32_t a, std::uint32_t b, const std::optional<ContactMaterial>& row);
   [[nodiscard]] ContactMaterial material(std::uint32_t a, std::uint32_t b) const { return materials_.of(a, b); }
@@ -97,7 +107,8 @@ class Universe {
   // Of the last step: by the slots of the geometries; of one pair what ends comes before what begins, and the pair
   // before its contacts.
   [[nodiscard]] std::span<const Event> events() const [[clang::lifetimebound]] { return events_; }
-  // Of the contacts and events of the last step: every bit of them counts, in their order, but for generations.
+  // Of the contacts, the events and the parts that fell asleep or woke in the last step: every bit of them counts, in their order,
+  // but for generations.
   [[nodiscard]] std::uint64_t hash() const;
   [[nodiscard]] const StepStats& stats() const [[clang::lifetimebound]] { return stats_; }
   [[nodiscard]] std::string explain() const;
@@ -156,6 +167,7 @@ class Universe {
     Coverage coverage = Coverage::changed;
     std::span<const ProxyPair> pairs = {};  // in order
     CompactAabb region = {};
+    Real dt = 0;
   };
 
   void forget_geometry(GeometryId geometry);
@@ -181,6 +193,10 @@ class Universe {
   void finish_job(std::size_t job, std::uint32_t chunk, std::size_t first, std::size_t count);
   void collect_contacts();
   void write_contacts_of(std::size_t place);
+  void disturb(PartId part);
+  void update_sleep(Real dt);
+  [[nodiscard]] bool is_asleep(const Pair& pair) const;
+  [[nodiscard]] std::uint32_t event_flags_of(const Pair& pair) const;
   void collect_events();
   void write_event(EventKind kind, const Pair& pair);
   void write_contact_events(const Pair& pair);
@@ -233,6 +249,7 @@ class Universe {
   bool is_focus_moved_ = false;           // since the last detection
   std::vector<std::uint32_t> switched_;  // places that the focus has given another tag
   MaterialTable materials_;
+  SleepTable sleep_;
   bool is_stepping_ = false;
   std::vector<std::pair<GeometryId, Parking>> deferred_parking_;
 

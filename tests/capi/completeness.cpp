@@ -63,7 +63,7 @@ bool takes_numbers(const std::string& parameters) {
   }
   return rest.starts_with("double ") ||
          has(rest, {", double ", "const double *", "const abut_pose *", "const abut_vec3 *", "const abut_aabb *", "const abut_ray *",
-                    "const abut_geometry_options *", "const abut_policy *", "const abut_focus *", "_desc *"});
+                    "const abut_geometry_options *", "const abut_policy *", "const abut_focus *", "const abut_sleep *", "_desc *"});
 }
 
 // The words that the tests of a function must name.
@@ -80,7 +80,7 @@ std::vector<std::string_view> obligations(const Declaration& declaration) {
                        "abut_geometry_id geometry)", "const abut_geometry_id *", "const abut_collidable *"})) {
     words.emplace_back("Stale");
   }
-  if (has(parameters, {"_options *", "_desc *", "_info *", "_stats *", "_report *", "abut_policy *", "abut_focus *"})) words.emplace_back("StructSize");
+  if (has(parameters, {"_options *", "_desc *", "_info *", "_stats *", "_report *", "abut_policy *", "abut_focus *", "abut_sleep *"})) words.emplace_back("StructSize");
   const bool is_parking = declaration.name.ends_with("_park");
   if (parameters.starts_with("(abut_universe *") && !is_parking) words.emplace_back("Busy");
   if (has(parameters, {"size_t count", "size_t point_count", "size_t vertex_count"})) words.emplace_back("Overflow");

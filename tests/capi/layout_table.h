@@ -178,6 +178,13 @@
   FIELD(abut_contact_material, restitution, 72, 8)      \
   FIELD(abut_contact_material, restitution_threshold, 80, 8)\
   FIELD(abut_contact_material, adhesive_force, 88, 8)   \
+  TYPE(abut_sleep, 40)                                    \
+  FIELD(abut_sleep, struct_size, 0, 4)                    \
+  FIELD(abut_sleep, steps, 4, 4)                          \
+  FIELD(abut_sleep, linear_speed, 8, 8)                   \
+  FIELD(abut_sleep, linear_acceleration, 16, 8)           \
+  FIELD(abut_sleep, angular_speed, 24, 8)                 \
+  FIELD(abut_sleep, angular_acceleration, 32, 8)          \
   TYPE(abut_event, 40)                                    \
   FIELD(abut_event, kind, 0, 4)                           \
   FIELD(abut_event, flags, 4, 4)                          \
@@ -186,7 +193,11 @@
   FIELD(abut_event, contact_id, 24, 8)                    \
   FIELD(abut_event, first_contact, 32, 4)                 \
   FIELD(abut_event, contact_count, 36, 4)                 \
-  TYPE(abut_step_stats, 152)                              \
+  TYPE(abut_sleep_change, 16)                             \
+  FIELD(abut_sleep_change, part, 0, 8)                    \
+  FIELD(abut_sleep_change, is_asleep, 8, 4)               \
+  FIELD(abut_sleep_change, reserved, 12, 4)               \
+  TYPE(abut_step_stats, 160)                              \
   FIELD(abut_step_stats, struct_size, 0, 4)               \
   FIELD(abut_step_stats, reserved, 4, 4)                  \
   FIELD(abut_step_stats, parts, 8, 8)                     \
@@ -207,6 +218,7 @@
   FIELD(abut_step_stats, pair_microseconds, 128, 8)       \
   FIELD(abut_step_stats, narrowphase_microseconds, 136, 8) \
   FIELD(abut_step_stats, contact_microseconds, 144, 8)    \
+  FIELD(abut_step_stats, asleep, 152, 8)                  \
   TYPE(abut_finding, 192)                                 \
   FIELD(abut_finding, code, 0, 4)                         \
   FIELD(abut_finding, reserved, 4, 4)                     \

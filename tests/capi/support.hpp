@@ -117,6 +117,7 @@ std::vector<Shape> make_one_of_each_kind();
 abut_geometry_options default_geometry_options();
 abut_universe_options default_universe_options();
 abut_policy default_policy();
+abut_sleep default_sleep();
 abut_query_filter default_filter();
 
 inline constexpr abut_collidable anything{ABUT_COLLIDABLE_ANY, 0, 0};

@@ -48,6 +48,12 @@ abut_policy default_policy() {
   return policy;
 }
 
+abut_sleep default_sleep() {
+  abut_sleep sleep;
+  abut_sleep_init(&sleep, sizeof sleep);
+  return sleep;
+}
+
 abut_query_filter default_filter() {
   abut_query_filter filter;
   abut_query_filter_init(&filter, sizeof filter);

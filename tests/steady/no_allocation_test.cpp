@@ -152,8 +152,8 @@ TEST(SteadyPair, OfACompositeWithHolesGivesBackWhatItAsksFor) {
   };
   for (std::size_t i = 0; i < 8; ++i) frame(i);
   EXPECT_EQ(universe.stats().touching_pairs, 1U);
-  const std::size_t before = steady::live_bytes();
   AllocationCounter counter;
+  const std::size_t before = steady::live_bytes();
   for (std::size_t i = 0; i < 8; ++i) frame(i);
   EXPECT_GT(counter.stop().calls, 0U) << "if this ever asks for nothing, it belongs to the test above";
   EXPECT_EQ(steady::live_bytes(), before);
@@ -184,8 +184,8 @@ TEST(SteadyQuery, GivesBackWhatItAsksFor) {
     EXPECT_GT(count, 1U);
   };
   ask();
-  const std::size_t before = steady::live_bytes();
   AllocationCounter counter;
+  const std::size_t before = steady::live_bytes();
   for (int i = 0; i < 10; ++i) ask();
   counter.stop();
   EXPECT_EQ(steady::live_bytes(), before);

@@ -110,6 +110,18 @@ class Output(program.Case):
         self.assertEqual(summary["counts"]["examined_pairs"]["last"], 0, "what stands still is not examined again")
         self.assertEqual(self.succeed("run", scene, "--quiet").stdout, "")
 
+    def test_parts_fall_asleep(self):
+        scene = json.loads((program.SCENES / "stack.json").read_text())
+        self.assertNotIn("sleep", scene["parts"][1])
+        path = self.folder / "asleep.json"
+        for sleep, first in ((True, 12), ({"steps": 4, "linear_speed": 0}, 6), (False, 99)):
+            scene["parts"][1]["sleep"] = sleep
+            path.write_text(json.dumps(scene))
+            events = json.loads(self.succeed("run", path, "--events", "-", "--json", "--quiet", "--steps", 14).stdout)
+            self.assertEqual({e["step"] for e in events if e["asleep"]}, set(range(first, 15)))
+            summary = json.loads(self.succeed("run", path, "--json", "--steps", 14).stdout)
+            self.assertEqual(summary["counts"]["asleep"]["last"], 0 if first > 14 else 3)
+
     def test_a_terminal_sees_a_bar(self):
         try:
             ours, theirs = os.openpty()

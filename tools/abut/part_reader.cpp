@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
 #include "geometry_reader.hpp"
 #include "pose_reader.hpp"
@@ -12,6 +14,34 @@ namespace {
 
 constexpr std::array<Choice, 3> motions{
     {{"dynamic", ABUT_MOTION_DYNAMIC}, {"animated", ABUT_MOTION_ANIMATED}, {"static", ABUT_MOTION_STATIC}}};
+constexpr std::array<std::pair<const char*, double abut_sleep::*>, 4> thresholds{
+    {{"linear_speed", &abut_sleep::linear_speed},
+     {"linear_acceleration", &abut_sleep::linear_acceleration},
+     {"angular_speed", &abut_sleep::angular_speed},
+     {"angular_acceleration", &abut_sleep::angular_acceleration}}};
+
+// The default thresholds, or some of its own.
+std::optional<abut_sleep> read_sleep(const std::optional<Node>& node) {
+  if (!node || (!node->is_object() && !node->flag())) {
+    return std::nullopt;
+  }
+  abut_sleep sleep;
+  abut_sleep_init(&sleep, sizeof sleep);
+  if (!node->is_object()) {
+    return sleep;
+  }
+  Fields fields(*node);
+  if (const auto steps = fields.find("steps")) {
+    sleep.steps = steps->whole32(1);
+  }
+  for (const auto& [name, threshold] : thresholds) {
+    if (const auto limit = fields.find(name)) {
+      sleep.*threshold = limit->not_negative();
+    }
+  }
+  fields.done();
+  return sleep;
+}
 
 void read_part(const Node& node, Scene& scene, PartRanges& ranges) {
   Fields fields(node);
@@ -22,6 +52,7 @@ void read_part(const Node& node, Scene& scene, PartRanges& ranges) {
   if (const auto motion = fields.find("motion")) {
     part.motion = motion->choice(motions);
   }
+  part.sleep = read_sleep(fields.find("sleep"));
   const abut_pose pose = read_pose(fields.find("pose"));
   if (const auto script = fields.find("script")) {
     if (part.motion == ABUT_MOTION_STATIC) {

@@ -22,6 +22,7 @@ struct Part {
   abut_motion motion = ABUT_MOTION_DYNAMIC;
   abut_pose pose{};
   std::size_t script = no_script;
+  std::optional<abut_sleep> sleep;
 };
 
 struct Geometry {

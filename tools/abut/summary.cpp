@@ -11,14 +11,15 @@ struct Count {
   const char* title;
   std::uint64_t abut_step_stats::* value;
 };
-constexpr std::array<Count, 8> counts{{{"moved", "moved geometries", &abut_step_stats::moved},
+constexpr std::array<Count, 9> counts{{{"moved", "moved geometries", &abut_step_stats::moved},
                                        {"candidate_pairs", "candidate pairs", &abut_step_stats::candidate_pairs},
                                        {"filtered_pairs", "filtered pairs", &abut_step_stats::filtered_pairs},
                                        {"examined_pairs", "examined pairs", &abut_step_stats::examined_pairs},
                                        {"touching_pairs", "touching pairs", &abut_step_stats::touching_pairs},
                                        {"unsupported_pairs", "unsupported pairs", &abut_step_stats::unsupported_pairs},
                                        {"contacts", "contacts", &abut_step_stats::contacts},
-                                       {"events", "events", &abut_step_stats::events}}};
+                                       {"events", "events", &abut_step_stats::events},
+                                       {"asleep", "parts asleep", &abut_step_stats::asleep}}};
 
 struct Stage {
   const char* field;

@@ -37,7 +37,7 @@ class Summary {
 
  private:
   std::uint64_t steps_ = 0;
-  std::array<Measure, 8> counts_;
+  std::array<Measure, 9> counts_;
   std::array<Measure, 6> milliseconds_;
 };
 

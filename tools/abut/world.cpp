@@ -39,6 +39,11 @@ void World::create_parts() {
   }
   parts_.resize(options.size());
   check_scene(abut_parts_create(universe_.get(), options.data(), options.size(), parts_.data()), "parts");
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (scene_.parts[i].sleep) {
+      check_scene(abut_part_set_sleep(universe_.get(), parts_[i], &*scene_.parts[i].sleep), "sleep of " + scene_.parts[i].name);
+    }
+  }
 }
 
 void World::create_geometries() {

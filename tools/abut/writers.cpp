@@ -26,7 +26,7 @@ constexpr std::array<Column, 20> contact_columns{{{"step"},
                                                   {"material_a"},
                                                   {"material_b"}}};
 
-constexpr std::array<Column, 10> event_columns{{{"step"},
+constexpr std::array<Column, 11> event_columns{{{"step"},
                                                 {"event"},
                                                 {"of"},
                                                 {"part_a"},
@@ -35,7 +35,8 @@ constexpr std::array<Column, 10> event_columns{{{"step"},
                                                 {"geometry_b"},
                                                 {"contact_id"},
                                                 {"contacts"},
-                                                {"sensor"}}};
+                                                {"sensor"},
+                                                {"asleep"}}};
 
 template <std::size_t count>
 std::string_view name_at(const std::array<std::string_view, count>& names, std::uint32_t index) {
@@ -75,6 +76,7 @@ void EventWriter::add(const World& world, std::uint64_t step) {
     table_.text(world.part_name(event.geometry_a)).text(world.geometry_name(event.geometry_a));
     table_.text(world.part_name(event.geometry_b)).text(world.geometry_name(event.geometry_b));
     table_.whole(event.contact_id).whole(event.contact_count).flag((event.flags & ABUT_EVENT_SENSOR) != 0);
+    table_.flag((event.flags & ABUT_EVENT_ASLEEP) != 0);
     table_.end_row();
   }
 }

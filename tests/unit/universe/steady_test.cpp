@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -67,6 +68,29 @@ TEST(SteadyUniverse, HoldsAsMuchMemoryAfterManySteps) {
   const std::uint64_t bytes = run();
   EXPECT_EQ(run(), bytes);
   EXPECT_EQ(run(), bytes);
+}
+
+// All of them sleep and wake again and again.
+TEST(SteadyUniverse, HoldsAsMuchMemoryWithPartsThatSleep) {
+  Block block(75);
+  const std::vector<std::optional<Sleep>> thresholds(75, Sleep{.steps = 2});
+  ASSERT_TRUE(block.universe.set_sleep(block.parts, thresholds).has_value());
+  std::size_t asleep = 0;
+  const auto run = [&] {
+    for (std::size_t frame = 0; frame < 70; ++frame) {
+      if (frame % 10 == 0) {
+        block.move(frame);
+      }
+      block.step();
+      asleep += block.universe.stats().asleep;
+    }
+    return block.universe.stats().bytes;
+  };
+  run();
+  const std::uint64_t bytes = run();
+  EXPECT_EQ(run(), bytes);
+  EXPECT_EQ(run(), bytes);
+  EXPECT_GT(asleep, 75U * 4 * 21);
 }
 
 TEST(SteadyUniverse, ExaminesNothingThatStays) {
