@@ -79,12 +79,16 @@ template <class Body>
 // [exclusive] calls. From a callback they would change what the step is walking over.
 template <class Body>
 [[nodiscard]] inline abut_status guard(abut_universe* universe, Body&& body) noexcept {
-  return guard_callable_in_step(universe, [&](abut_universe& its) -> abut_status {
+  const abut_status status = guard_callable_in_step(universe, [&](abut_universe& its) -> abut_status {
     if (its.universe.is_stepping()) [[unlikely]] {
       return refuse(ABUT_BUSY, "the universe is in a step; functions that are [exclusive] cannot be called from its callbacks");
     }
     return std::forward<Body>(body)(its);
   });
+  if (status == ABUT_OUT_OF_MEMORY && universe->universe.is_torn()) [[unlikely]] {
+    universe->poisoned.store(true, std::memory_order_relaxed);
+  }
+  return status;
 }
 
 [[nodiscard]] inline PartId to_part(const abut_part_id& id) { return {id.slot, id.generation}; }

@@ -23,8 +23,13 @@ class SlotMap {
       ++size_;
       return {slot, entry.generation};
     }
+    // Room first, so that nothing fails half-way; and for as many free slots, so that erase cannot fail.
+    if (entries_.size() == std::min(entries_.capacity(), free_.capacity())) {
+      const std::size_t room = std::max<std::size_t>(16, 2 * entries_.size());
+      free_.reserve(room);
+      entries_.reserve(room);
+    }
     entries_.push_back({std::move(value), first_generation_});
-    free_.reserve(entries_.size());  // so that erase cannot fail
     ++size_;
     return {static_cast<std::uint32_t>(entries_.size()), first_generation_};
   }

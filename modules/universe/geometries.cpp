@@ -116,9 +116,10 @@ Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const Part
       disturb(parts[i]);
     }
   } catch (...) {
-    for (const GeometryId geometry : created) {
-      std::erase(parts_.at(geometries_.at(geometry).part).geometries, geometry);
-      forget_geometry(geometry);
+    // The last one first: the next call gets the same slots.
+    for (; !created.empty(); created.pop_back()) {
+      std::erase(parts_.at(geometries_.at(created.back()).part).geometries, created.back());
+      forget_geometry(created.back());
     }
     throw;
   }

@@ -35,8 +35,9 @@ Result<std::vector<PartId>> Universe::create_parts(std::span<const PartOptions> 
                                        .geometries = {}}));
     }
   } catch (...) {
-    for (const PartId part : created) {
-      parts_.erase(part);
+    // The last one first: the next call gets the same slots.
+    for (; !created.empty(); created.pop_back()) {
+      parts_.erase(created.back());
     }
     throw;
   }

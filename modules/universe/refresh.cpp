@@ -154,8 +154,10 @@ void Universe::update_broadphase() {
 }
 
 void Universe::refresh() {
+  is_torn_ = true;
   gather_changes();
   update_broadphase();
+  is_torn_ = false;
 }
 
 }  // namespace abut

@@ -150,7 +150,7 @@ void Universe::count_everything() {
 }
 
 void Universe::detect(const Scope& scope) {
-  is_stepping_ = true;
+  is_torn_ = is_stepping_ = true;
   try {
     run_stages(scope);
   } catch (...) {
@@ -163,6 +163,7 @@ void Universe::detect(const Scope& scope) {
       settle_parking(geometry, parking);
     }
   }
+  is_torn_ = false;
 }
 
 void Universe::run_stages(const Scope& scope) {

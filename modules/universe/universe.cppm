@@ -116,6 +116,9 @@ class Universe {
   // What will surprise whoever built the scene, ordered by code, then by slots. O(geometries + kinds squared).
   [[nodiscard]] std::vector<Finding> validate() const;
   [[nodiscard]] bool is_stepping() const { return is_stepping_; }
+  // Whether an exception, which is lack of memory, has ended a detection or a refresh half-way: its lists do not fit each
+  // other then. All other calls leave things as they were.
+  [[nodiscard]] bool is_torn() const { return is_torn_ && !is_stepping_; }
 
   // Brings boxes up to date with poses, as a step does first. Queries see boxes and poses as of the last step or refresh.
   void refresh();
@@ -251,6 +254,7 @@ class Universe {
   MaterialTable materials_;
   SleepTable sleep_;
   bool is_stepping_ = false;
+  bool is_torn_ = false;  // while lists do not fit each other
   std::vector<std::pair<GeometryId, Parking>> deferred_parking_;
 
   std::vector<Contact> contacts_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <sstream>
 #include <string_view>
@@ -61,10 +62,14 @@ void note(void* given, const void* caller) {
   }
 }
 
+// Requests that are still granted; none is refused while it is negative.
+std::atomic<std::ptrdiff_t> grants = -1;
+bool is_refused() { return grants.load(std::memory_order_relaxed) >= 0 && grants.fetch_sub(1, std::memory_order_relaxed) == 0; }
+
 void forget(void* given) { bytes.fetch_sub(malloc_usable_size(given), std::memory_order_relaxed); }
 
 void* aligned(std::size_t alignment, std::size_t size, const void* caller) {
-  void* given = __libc_memalign(alignment, size);
+  void* given = is_refused() ? nullptr : __libc_memalign(alignment, size);
   note(given, caller);
   return given;
 }
@@ -95,6 +100,9 @@ Allocations AllocationCounter::stop() {
   return {calls, of_tbb, places.str()};
 }
 
+RefusedAllocation::RefusedAllocation(std::size_t after) { grants = static_cast<std::ptrdiff_t>(after); }
+RefusedAllocation::~RefusedAllocation() { grants = -1; }
+
 std::size_t live_bytes() { return bytes; }
 
 }  // namespace steady
@@ -104,18 +112,21 @@ std::size_t live_bytes() { return bytes; }
 extern "C" {
 
 void* malloc(std::size_t size) {
-  void* given = __libc_malloc(size);
+  void* given = steady::is_refused() ? nullptr : __libc_malloc(size);
   steady::note(given, __builtin_return_address(0));
   return given;
 }
 
 void* calloc(std::size_t count, std::size_t size) {
-  void* given = __libc_calloc(count, size);
+  void* given = steady::is_refused() ? nullptr : __libc_calloc(count, size);
   steady::note(given, __builtin_return_address(0));
   return given;
 }
 
 void* realloc(void* old, std::size_t size) {
+  if (steady::is_refused()) {
+    return nullptr;
+  }
   if (old != nullptr) {
     steady::forget(old);
   }

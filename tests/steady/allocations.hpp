@@ -22,6 +22,15 @@ class AllocationCounter {
   Allocations stop();
 };
 
+// While it lives, one request is refused: the one that comes after so many others. Single-threaded.
+class RefusedAllocation {
+ public:
+  explicit RefusedAllocation(std::size_t after);
+  ~RefusedAllocation();
+  RefusedAllocation(const RefusedAllocation&) = delete;
+  RefusedAllocation& operator=(const RefusedAllocation&) = delete;
+};
+
 // Bytes that are handed out and not given back at present, by all threads.
 std::size_t live_bytes();
 

@@ -1,0 +1,188 @@
+// Every request for memory of a call is refused in turn: the call says so, and nothing is lost but a universe in the middle of a step.
+#include "allocations.hpp"
+#include "crowd.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace abut_test;
+using steady::Crowd;
+using steady::RefusedAllocation;
+
+std::uint64_t hash_of(abut_universe* universe) {
+  std::uint64_t hash = 0;
+  require(abut_universe_hash(universe, &hash));
+  return hash;
+}
+
+struct Sizes {
+  std::size_t parts = 0, geometries = 0;
+  bool operator==(const Sizes&) const = default;
+};
+Sizes sizes_of(abut_universe* universe) {
+  Sizes sizes;
+  require(abut_universe_parts(universe, nullptr, 0, &sizes.parts));
+  require(abut_universe_geometries(universe, nullptr, 0, &sizes.geometries));
+  return sizes;
+}
+
+abut_universe_options all_events() {
+  abut_universe_options options = default_universe_options();
+  options.events = ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS;
+  return options;
+}
+
+using Detection = std::function<abut_status(abut_universe*)>;
+
+// How many requests were refused before one call was granted all of its own.
+std::size_t refuse_each(const Detection& detect) {
+  for (std::size_t refused = 0;; ++refused) {
+    Crowd crowd(all_events(), steady::make_moving_shapes(), 2);
+    abut_universe* const universe = crowd.universe();
+    abut_status status = ABUT_OK;
+    {
+      RefusedAllocation refusal(refused);
+      status = detect(universe);
+    }
+    if (status == ABUT_OK) {
+      return refused;
+    }
+    EXPECT_EQ(status, ABUT_OUT_OF_MEMORY);
+    EXPECT_EQ(abut_universe_step(crowd.universe(), 0), ABUT_INTERNAL);
+    const abut_contact* contacts = nullptr;
+    std::size_t count = 0;
+    EXPECT_EQ(abut_universe_contacts(crowd.universe(), &contacts, &count), ABUT_INTERNAL);
+  }
+}
+
+TEST(OutOfMemory, EndsAUniverseInTheMiddleOfAStep) {
+  EXPECT_GT(refuse_each([](abut_universe* universe) { return abut_universe_step(universe, 0.1); }), 20U);
+}
+
+TEST(OutOfMemory, EndsAUniverseInTheMiddleOfARefresh) {
+  EXPECT_GT(refuse_each([](abut_universe* universe) { return abut_universe_refresh(universe); }), 5U);
+}
+
+// A change that is refused and then granted leaves what it would have left at once. What it needs is made ready before.
+using Call = std::function<abut_status()>;
+struct Change {
+  const char* name;
+  std::function<Call(const Crowd&)> prepare;
+};
+
+std::vector<Change> changes() {
+  return {
+      {"part_create",
+       [](const Crowd& crowd) -> Call {
+         return [&crowd] {
+           abut_part_id part;
+           return abut_part_create(crowd.universe(), nullptr, &part);
+         };
+       }},
+      {"parts_destroy",
+       [](const Crowd& crowd) -> Call {
+         return [&crowd] { return abut_parts_destroy(crowd.universe(), crowd.parts().data(), 3); };
+       }},
+      {"parts_set_poses",
+       [](const Crowd& crowd) -> Call {
+         return [&crowd, poses = std::vector<abut_pose>(4, at(0.3, 0.4, 0.5))] {
+           return abut_parts_set_poses(crowd.universe(), crowd.parts().data(), poses.data(), poses.size());
+         };
+       }},
+      {"geometries_create",
+       [](const Crowd& crowd) -> Call {
+         const auto ball = std::make_shared<Shape>(make_sphere(0.8));
+         return [&crowd, ball, shapes = std::vector<const abut_shape*>(5, *ball)] {
+           std::array<abut_geometry_id, 5> out;
+           return abut_geometries_create(crowd.universe(), crowd.parts().data(), shapes.data(), nullptr, shapes.size(), out.data());
+         };
+       }},
+      {"rule_set",
+       [](const Crowd& crowd) -> Call {
+         return [&crowd] {
+           const abut_part_id part = crowd.parts().front();
+           const abut_collidable a{ABUT_COLLIDABLE_PART, part.slot, part.generation}, any{ABUT_COLLIDABLE_ANY, 0, 0};
+           return abut_rule_set(crowd.universe(), &a, &any, ABUT_RULE_DISABLE);
+         };
+       }},
+      {"policy_set",
+       [](const Crowd& crowd) -> Call {
+         return [&crowd] {
+           abut_policy policy;
+           abut_policy_init(&policy, sizeof policy);
+           policy.detail = ABUT_DETAIL_POINT;
+           return abut_policy_set(crowd.universe(), 0, 0, &policy);
+         };
+       }},
+      {"part_set_sleep",
+       [](const Crowd& crowd) -> Call {
+         return [&crowd] {
+           abut_sleep sleep;
+           abut_sleep_init(&sleep, sizeof sleep);
+           return abut_part_set_sleep(crowd.universe(), crowd.parts().front(), &sleep);
+         };
+       }},
+      {"universe_set_focus",
+       [](const Crowd& crowd) -> Call {
+         return [&crowd] {
+           abut_focus focus;
+           abut_focus_init(&focus, sizeof focus);
+           focus.near_tag = 0;
+           focus.far_tag = 1;
+           const abut_vec3 centre{0, 0, 0};
+           return abut_universe_set_focus(crowd.universe(), &focus, &centre, 1);
+         };
+       }},
+      {"geometries_park",
+       [](const Crowd& crowd) -> Call {
+         std::vector<abut_geometry_id> geometries(4);
+         std::size_t count = 0;
+         require(abut_universe_geometries(crowd.universe(), nullptr, 0, &count));
+         geometries.resize(count);
+         require(abut_universe_geometries(crowd.universe(), geometries.data(), geometries.size(), &count));
+         return [&crowd, geometries] {
+           return abut_geometries_park(crowd.universe(), geometries.data(), 4, ABUT_PARKING_LONG_TERM);
+         };
+       }},
+  };
+}
+
+class RefusedChange : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(RefusedChange, ChangesNothing) {
+  const Change change = changes().at(GetParam());
+  SCOPED_TRACE(change.name);
+  Crowd granted(all_events(), steady::make_moving_shapes(), 2);
+  granted.step();
+  require(change.prepare(granted)());
+  granted.step();
+  Crowd refused(all_events(), steady::make_moving_shapes(), 2);
+  refused.step();
+  const Sizes before = sizes_of(refused.universe());
+  const Call call = change.prepare(refused);
+  std::size_t refusals = 0;
+  for (abut_status status = ABUT_OUT_OF_MEMORY; status != ABUT_OK; ++refusals) {
+    {
+      RefusedAllocation refusal(refusals);
+      status = call();
+    }
+    if (status != ABUT_OK) {
+      ASSERT_EQ(status, ABUT_OUT_OF_MEMORY);
+      EXPECT_EQ(sizes_of(refused.universe()), before);
+    }
+  }
+  refused.step();
+  EXPECT_EQ(hash_of(refused.universe()), hash_of(granted.universe()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, RefusedChange, testing::Range(std::size_t{0}, changes().size()),
+                         [](const auto& each) { return std::string(changes().at(each.param).name); });
+
+}  // namespace
