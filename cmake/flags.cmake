@@ -80,6 +80,12 @@ else()
   add_link_options($<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,SHARED_LIBRARY>:-Wl,-z,defs>)
 endif()
 
+# A source that speaks to ThreadSanitizer for a library that it does not see into.
+function(abut_speak_for_thread_sanitizer source)
+  if(ABUT_SANITIZE STREQUAL "thread")
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -fno-sanitize=thread COMPILE_DEFINITIONS ABUT_TSAN)
+  endif()
+endfunction()
 # Code of others, and tests, that the warnings above are not meant for.
 function(abut_relax_for_tests target)
   target_compile_options(${target} PRIVATE -Wno-global-constructors -Wno-exit-time-destructors)

@@ -3,6 +3,9 @@ module;
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#ifdef ABUT_TSAN
+#include <sanitizer/tsan_interface.h>
+#endif
 module abut.core.workers;
 import abut.core.standard;
 
@@ -13,6 +16,29 @@ struct Workers::Arena {
 };
 
 namespace {
+
+// Tasks come after what was done before all of them, and before what comes after all; not one after the other. oneTBB sees to
+// that where ThreadSanitizer cannot look, so it has to be told.
+struct Order {
+#ifdef ABUT_TSAN
+  char begun = 0, ended = 0;
+  Order() { __tsan_release(&begun); }
+  ~Order() { __tsan_acquire(&ended); }
+  void begin_task() { __tsan_acquire(&begun); }
+  void end_task() { __tsan_release(&ended); }
+#else
+  void begin_task() {}
+  void end_task() {}
+#endif
+};
+// One task, whichever way it ends.
+struct Turn {
+  Order& order;
+  explicit Turn(Order& its) : order(its) { order.begin_task(); }
+  ~Turn() { order.end_task(); }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+};
 
 // More threads than the process admits to oneTBB would not come, and oneTBB complains about them aloud. That is as many as
 // the machine runs at once, unless the process has said otherwise with a tbb::global_control.
@@ -34,9 +60,12 @@ Workers& Workers::operator=(Workers&&) noexcept = default;
 Workers::~Workers() = default;
 
 void Workers::run(std::size_t count, void (*call)(void* task, std::size_t i), void* task) const {
-  arena_->arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { call(task, i); }, tbb::simple_partitioner());
-  });
+  Order order;
+  const auto run_one = [&](std::size_t i) {
+    const Turn turn(order);
+    call(task, i);
+  };
+  arena_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, run_one, tbb::simple_partitioner()); });
 }
 
 }  // namespace abut

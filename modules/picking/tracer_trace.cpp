@@ -24,10 +24,13 @@ namespace abut::picking {
 // for its scale, it starts near the surfaces, and nothing but surfaces is there. No ray that a caller has
 // to refuse is one of these: each comparison fails for what is not a number.
 bool Tracer::trace_usual(const abut_ray& ray, abut_pick& out) const noexcept {
+  // First: until then another thread may be at work on what the rest reads.
+  if (!is_current()) [[unlikely]]
+    return false;
   const double square = dot_of_three(last_half(ray), last_half(ray));
   const Four start = first_half(ray) - still_space_.numbers();
   const bool is_usual = std::fabs(square - 1.0) < nearly_unit && are_within(start, usual_reach_) &&
-                        ray.max_distance >= 0 && is_current();
+                        ray.max_distance >= 0;
   if (!is_usual) [[unlikely]]
     return false;
   [[clang::uninitialized]] RTCRayHit hit;
