@@ -33,6 +33,11 @@ struct Where {
   return fault ? refuse(*fault) : static_cast<abut_status>(ABUT_OK);
 }
 
+// A module names the field that is wrong; of what, only the border knows.
+[[nodiscard]] inline abut_status refuse_field(const Where& where, const Error& error) {
+  return refuse(Error{error.code, where.with(".") + error.message});
+}
+
 [[nodiscard]] inline abut_status check_not_null(std::string_view name, const void* pointer) {
   if (pointer == nullptr) [[unlikely]] {
     return refuse(ABUT_NULL_ARGUMENT, std::string(name) + " is null");

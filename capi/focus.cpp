@@ -25,7 +25,7 @@ abut_status set(abut_universe& its, const abut_focus& focus, std::span<const abu
   std::transform(centres.begin(), centres.end(), its.centres.begin(), to_vec3);
   const abut::Focus wanted{focus.near_tag, focus.far_tag, focus.near_distance, focus.far_distance};
   const auto done = its.universe.set_focus(wanted, its.centres);
-  return done ? static_cast<abut_status>(ABUT_OK) : refuse(abut::Error{done.error().code, "focus." + done.error().message});
+  return done ? static_cast<abut_status>(ABUT_OK) : refuse_field(where, done.error());
 }
 
 abut_status set_none(abut_universe& its) {

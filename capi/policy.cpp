@@ -40,7 +40,7 @@ abut_status set(abut_universe& its, std::uint32_t tag_a, std::uint32_t tag_b, co
     return status;
   }
   const auto done = its.universe.set_policy(tag_a, tag_b, to_policy(policy));
-  return done ? static_cast<abut_status>(ABUT_OK) : refuse(abut::Error{done.error().code, "policy." + done.error().message});
+  return done ? static_cast<abut_status>(ABUT_OK) : refuse_field({"policy"}, done.error());
 }
 
 abut_status get(const abut_universe& its, std::uint32_t tag_a, std::uint32_t tag_b, abut_policy* out) {

@@ -22,10 +22,6 @@ abut::Sleep to_sleep(const abut_sleep& sleep) {
 
 abut_sleep_change from_change(const abut::SleepChange& change) { return {from_part(change.part), change.is_asleep ? 1u : 0u, 0}; }
 
-abut_status refuse_numbers(const Where& where, const abut::Error& error) {
-  return refuse(abut::Error{error.code, where.with(".") + error.message});
-}
-
 abut_status set_one(abut_universe& its, const abut_part_id& part, const abut_sleep* sleep) {
   std::optional<abut::Sleep> thresholds;
   if (sleep != nullptr) {
@@ -34,7 +30,7 @@ abut_status set_one(abut_universe& its, const abut_part_id& part, const abut_sle
     }
     thresholds = to_sleep(*sleep);
     if (const abut::Fault fault = abut::check_sleep(*thresholds)) {
-      return refuse_numbers({"sleep"}, *fault);
+      return refuse_field({"sleep"}, *fault);
     }
   }
   const auto done = its.universe.set_sleep(std::array{to_part(part)}, std::array{thresholds});
@@ -46,7 +42,7 @@ abut_status set_all(abut_universe& its, std::span<const abut_part_id> ids, std::
   for (std::size_t i = 0; i < given.size(); ++i) {
     thresholds[i] = to_sleep(given[i]);
     if (const abut::Fault fault = abut::check_sleep(*thresholds[i])) {
-      return refuse_numbers({"sleeps", i}, *fault);
+      return refuse_field({"sleeps", i}, *fault);
     }
   }
   const auto done = its.universe.set_sleep(to_parts(ids), thresholds);

@@ -73,8 +73,8 @@ enum abut_status_value ABUT_ENUM(int32_t) {
   ABUT_UNKNOWN_VALUE = 12,        /**< an enumeration value, kind, flag or name that does not exist */
   ABUT_UNSUPPORTED = 13,          /**< a shape, feature, pair or algorithm that is not available */
   ABUT_NOT_CONVERGED = 14,        /**< an algorithm of another library gave up or returned nonsense */
-  ABUT_OUT_OF_MEMORY = 15,
-  ABUT_INTERNAL = 16,             /**< a defect of abut; the universe answers only this from now on */
+  ABUT_OUT_OF_MEMORY = 15,        /**< nothing has changed; but a universe in a step, detection or refresh answers ABUT_INTERNAL from now on */
+  ABUT_INTERNAL = 16,             /**< a defect of abut; the universe answers only this from now on, as after a step without memory */
   ABUT_BUSY = 17                  /**< an [exclusive] call from a callback of the same universe */
 };
 

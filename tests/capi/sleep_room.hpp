@@ -51,14 +51,7 @@ class Room {
     EXPECT_LE(out, 1U);
     return out == 1;
   }
-  std::vector<abut_sleep_change> changes() const {
-    const abut_sleep_change* first = nullptr;
-    std::size_t count = 0;
-    require(abut_universe_sleep_changes(universe, &first, &count));
-    std::vector<abut_sleep_change> all;
-    std::copy_n(first, count, std::back_inserter(all));
-    return all;
-  }
+  std::vector<abut_sleep_change> changes() const { return copy_of(abut_universe_sleep_changes, universe); }
   // The slots of those that fell asleep, or of those that woke.
   std::vector<std::uint32_t> changed(bool to_sleep) const {
     std::vector<std::uint32_t> slots;

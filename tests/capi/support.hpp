@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -114,11 +115,30 @@ void expect_kind_refused(const char* kind, const std::vector<double>& parameters
 // One shape of every kind, all about one unit large, in the order sphere, box, capsule, plane, hull, mesh, height field.
 std::vector<Shape> make_one_of_each_kind();
 
-abut_geometry_options default_geometry_options();
-abut_universe_options default_universe_options();
-abut_policy default_policy();
-abut_sleep default_sleep();
-abut_query_filter default_filter();
+template <class Value>
+Value filled_by(void (*init)(Value*, std::uint32_t)) {
+  Value value;
+  init(&value, sizeof value);
+  return value;
+}
+inline abut_geometry_options default_geometry_options() { return filled_by(abut_geometry_options_init); }
+inline abut_universe_options default_universe_options() { return filled_by(abut_universe_options_init); }
+inline abut_policy default_policy() { return filled_by(abut_policy_init); }
+inline abut_sleep default_sleep() { return filled_by(abut_sleep_init); }
+inline abut_focus default_focus() { return filled_by(abut_focus_init); }
+inline abut_query_filter default_filter() { return filled_by(abut_query_filter_init); }
+abut_focus make_focus(std::uint32_t near_tag, std::uint32_t far_tag, double near_distance, double far_distance);
+
+// A copy of a list that a universe lends out.
+template <class Value>
+std::vector<Value> copy_of(abut_status (*lend)(const abut_universe*, const Value**, std::size_t*), const abut_universe* universe) {
+  const Value* first = nullptr;
+  std::size_t count = 0;
+  require(lend(universe, &first, &count));
+  std::vector<Value> all;
+  std::copy_n(first, count, std::back_inserter(all));
+  return all;
+}
 
 inline constexpr abut_collidable anything{ABUT_COLLIDABLE_ANY, 0, 0};
 inline constexpr std::array<abut_broadphase, 5> broadphases{ABUT_BROADPHASE_AUTO, ABUT_BROADPHASE_BRUTE, ABUT_BROADPHASE_TREE,

@@ -30,34 +30,13 @@ abut_part_id Universe::add_part(const abut_pose& pose, abut_motion motion, std::
   return part;
 }
 
-abut_geometry_options default_geometry_options() {
-  abut_geometry_options options;
-  abut_geometry_options_init(&options, sizeof options);
-  return options;
-}
-
-abut_universe_options default_universe_options() {
-  abut_universe_options options;
-  abut_universe_options_init(&options, sizeof options);
-  return options;
-}
-
-abut_policy default_policy() {
-  abut_policy policy;
-  abut_policy_init(&policy, sizeof policy);
-  return policy;
-}
-
-abut_sleep default_sleep() {
-  abut_sleep sleep;
-  abut_sleep_init(&sleep, sizeof sleep);
-  return sleep;
-}
-
-abut_query_filter default_filter() {
-  abut_query_filter filter;
-  abut_query_filter_init(&filter, sizeof filter);
-  return filter;
+abut_focus make_focus(std::uint32_t near_tag, std::uint32_t far_tag, double near_distance, double far_distance) {
+  abut_focus focus = default_focus();
+  focus.near_tag = near_tag;
+  focus.far_tag = far_tag;
+  focus.near_distance = near_distance;
+  focus.far_distance = far_distance;
+  return focus;
 }
 
 std::string letters_of(const std::vector<abut_event>& events) {
@@ -109,23 +88,9 @@ std::uint64_t Universe::hash() const {
   return hash;
 }
 
-std::vector<abut_event> Universe::events() const {
-  const abut_event* first = nullptr;
-  std::size_t count = 0;
-  require(abut_universe_events(universe_, &first, &count));
-  std::vector<abut_event> all;
-  std::copy_n(first, count, std::back_inserter(all));
-  return all;
-}
+std::vector<abut_event> Universe::events() const { return copy_of(abut_universe_events, universe_); }
 
-std::vector<abut_contact> Universe::contacts() const {
-  const abut_contact* first = nullptr;
-  std::size_t count = 0;
-  require(abut_universe_contacts(universe_, &first, &count));
-  std::vector<abut_contact> all;
-  std::copy_n(first, count, std::back_inserter(all));
-  return all;
-}
+std::vector<abut_contact> Universe::contacts() const { return copy_of(abut_universe_contacts, universe_); }
 
 std::vector<abut_contact> Universe::step() {
   require(abut_universe_step(universe_, 0.0));

@@ -115,8 +115,7 @@ std::vector<Change> changes() {
       {"policy_set",
        [](const Crowd& crowd) -> Call {
          return [&crowd] {
-           abut_policy policy;
-           abut_policy_init(&policy, sizeof policy);
+           abut_policy policy = default_policy();
            policy.detail = ABUT_DETAIL_POINT;
            return abut_policy_set(crowd.universe(), 0, 0, &policy);
          };
@@ -124,18 +123,14 @@ std::vector<Change> changes() {
       {"part_set_sleep",
        [](const Crowd& crowd) -> Call {
          return [&crowd] {
-           abut_sleep sleep;
-           abut_sleep_init(&sleep, sizeof sleep);
+           const abut_sleep sleep = default_sleep();
            return abut_part_set_sleep(crowd.universe(), crowd.parts().front(), &sleep);
          };
        }},
       {"universe_set_focus",
        [](const Crowd& crowd) -> Call {
          return [&crowd] {
-           abut_focus focus;
-           abut_focus_init(&focus, sizeof focus);
-           focus.near_tag = 0;
-           focus.far_tag = 1;
+           const abut_focus focus = make_focus(0, 1, 0, 0);
            const abut_vec3 centre{0, 0, 0};
            return abut_universe_set_focus(crowd.universe(), &focus, &centre, 1);
          };

@@ -5,12 +5,6 @@ namespace {
 
 using namespace abut_test;
 
-abut_focus default_focus() {
-  abut_focus focus;
-  abut_focus_init(&focus, sizeof focus);
-  return focus;
-}
-
 // With a focus that has made its geometry near: whatever is refused leaves that as it is.
 struct FocusedScene : Scene {
   FocusedScene() {

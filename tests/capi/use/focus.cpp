@@ -10,13 +10,7 @@ using namespace abut_test;
 constexpr std::uint32_t near_tag = 1, far_tag = 2;
 
 abut_focus focus_of(double near_distance, double far_distance) {
-  abut_focus focus;
-  abut_focus_init(&focus, sizeof focus);
-  focus.near_tag = near_tag;
-  focus.far_tag = far_tag;
-  focus.near_distance = near_distance;
-  focus.far_distance = far_distance;
-  return focus;
+  return make_focus(near_tag, far_tag, near_distance, far_distance);
 }
 
 abut_geometry_options tagged(std::uint32_t tag) {

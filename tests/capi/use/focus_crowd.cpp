@@ -44,12 +44,7 @@ class Crowd {
     if (number % 3 == 0) {
       for (abut_vec3& centre : centres) centre = random();
     }
-    abut_focus focus;
-    abut_focus_init(&focus, sizeof focus);
-    focus.near_tag = near_tag;
-    focus.far_tag = far_tag;
-    focus.near_distance = near_distance;
-    focus.far_distance = far_distance;
+    const abut_focus focus = make_focus(near_tag, far_tag, near_distance, far_distance);
     EXPECT_TRUE(succeeded(abut_universe_set_focus(universe, &focus, centres.data(), centres.size())));
     universe.step();
     for (Cube& its : cubes) {
