@@ -52,12 +52,6 @@ inline constexpr Real unproven_limit = 1e4;
 template <Convex A, Convex B>
 [[nodiscard]] GjkResult gjk(const A& a, const B& b, const Pose& ab, const Vec3& toward, Real size, Real error, Real limit) {
   const auto placement = place(b, ab);
-  const auto difference_vertex = [&](const Vec3& toward_origin) __attribute__((always_inline)) {
-    const SupportPoint on_a = a.support(toward_origin);
-    const SupportPoint on_b = placed_support(b, placement, -toward_origin);
-    return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_a.index, on_b.index};
-  };
-
   [[clang::uninitialized]] GjkResult result;
   result.overlap = false;
   result.beyond = false;
@@ -74,10 +68,18 @@ template <Convex A, Convex B>
   std::uint32_t stalls = 0;
   std::uint32_t iteration = 0;
   for (; iteration < gjk_iteration_limit; ++iteration) {
-    const DifferenceVertex vertex = difference_vertex(-v);
+    const SupportPoint on_a = a.support(-v), on_b = placed_support(b, placement, v);
+    // The next step reads `newest` from registers. It is stored number by number: copied whole, it would be read in
+    // wider pieces than it was written in, each of which waits for the stores.
+    const Vec3 newest = on_a.point - on_b.point;
+    DifferenceVertex& vertex = simplex.vertices[simplex.size];
+    vertex.w = newest;
+    vertex.a = on_a.point;
+    vertex.index_a = on_a.index;
+    vertex.index_b = on_b.index;
     if (simplex.size == 0) {
-      simplex.push(vertex);
-      v = vertex.w;
+      simplex.size = 1;
+      v = newest;
       square = squared_norm(v);
       if (!(square > touching * touching)) {
         result.overlap = true;
@@ -85,7 +87,7 @@ template <Convex A, Convex B>
       }
       continue;
     }
-    const Real reach = dot(v, vertex.w);
+    const Real reach = dot(v, newest);
     if (reach > 0 && reach * reach * best_square > best_reach * best_reach * square) {
       best_reach = reach;
       best_square = square;
@@ -98,8 +100,8 @@ template <Convex A, Convex B>
     if (gap * gap <= error * error * square || gap <= 0 || simplex.contains(vertex)) {
       break;
     }
-    simplex.push(vertex);
-    const ClosestPoint closest = closest_to_origin(simplex);
+    const ClosestPoint closest = closest_to_origin(simplex, newest);
+    simplex.size += 1;
     if (closest.vertices == all_of_tetrahedron) {
       result.overlap = true;
       break;

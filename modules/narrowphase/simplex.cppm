@@ -27,7 +27,7 @@ struct Simplex {
   std::size_t size = 0;
 
   inline void push(const DifferenceVertex& vertex) { vertices[size++] = vertex; }
-  [[nodiscard]] inline bool contains(const DifferenceVertex& vertex) const {
+  [[nodiscard]] [[gnu::always_inline]] inline bool contains(const DifferenceVertex& vertex) const {
     for (std::size_t i = 0; i < size; ++i) {
       if (vertices[i].is_same(vertex)) {
         return true;
@@ -102,7 +102,7 @@ inline void consider(ClosestPoint& best, Real& best_square, const ClosestPoint& 
 
 // With cofactors of mixed signs the origin is outside the faces opposite to the vertices whose sign
 // differs from that of the volume.
-[[nodiscard]] [[gnu::noinline]] inline ClosestPoint closest_on_tetrahedron(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_on_tetrahedron(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
   const Vec3 sp = p - s, sq = q - s, sr = r - s;
   const Vec3 qr = cross(sq, sr), rp = cross(sr, sp), pq = cross(sp, sq);
   const Real volume = dot(sp, qr);
@@ -143,18 +143,25 @@ inline void consider(ClosestPoint& best, Real& best_square, const ClosestPoint& 
   return best;
 }
 
-[[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_to_origin(const Simplex& simplex) {
+// Of the simplex and one vertex more, which comes by itself so that it can stay in registers.
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_to_origin(const Simplex& simplex, const Vec3& newest) {
   const auto& v = simplex.vertices;
   switch (simplex.size) {
+    case 0:
+      return {newest, 1};
     case 1:
-      return {v[0].w, 1};
+      return closest_on_segment(v[0].w, newest, 1, 2);
     case 2:
-      return closest_on_segment(v[0].w, v[1].w, 1, 2);
-    case 3:
-      return closest_on_triangle(v[0].w, v[1].w, v[2].w, 1, 2, 4);
+      return closest_on_triangle(v[0].w, v[1].w, newest, 1, 2, 4);
     default:
-      return closest_on_tetrahedron(v[0].w, v[1].w, v[2].w, v[3].w);
+      return closest_on_tetrahedron(v[0].w, v[1].w, v[2].w, newest);
   }
+}
+
+// Of at least one vertex.
+[[nodiscard]] [[gnu::noinline]] inline ClosestPoint closest_to_origin(Simplex simplex) {
+  simplex.size -= 1;
+  return closest_to_origin(simplex, simplex.vertices[simplex.size].w);
 }
 
 // Keeps the vertices that span a closest point, in their order.

@@ -108,33 +108,46 @@ struct HullData {
     return std::bit_cast<std::uint8_t>(__builtin_convertvector(equal, Flags)) & 15u;
   }
 
-  // Largest dot product over all vertices; among equals the lowest vertex number, which the copies in
-  // the last block never are.
+  // The largest dot products seen so far in each lane, and the vertices that have them.
+  struct Leaders {
+    Lanes values;
+    LaneNumbers vertices;
+  };
+  [[nodiscard]] [[gnu::always_inline]] static inline Leaders larger(const Leaders& a, const Leaders& b) {
+    const LaneNumbers beyond = b.values > a.values;
+    return {beyond ? b.values : a.values, beyond ? b.vertices : a.vertices};
+  }
+
+  // Largest dot product over all vertices. Which of equal ones is found depends on their places alone.
   [[nodiscard]] [[gnu::always_inline]] inline SupportPoint scan(const Vec3& d) const {
     const Lanes dx = d.x, dy = d.y, dz = d.z;
-    [[clang::uninitialized]] std::array<Lanes, scan_limit / 4> values;
-    const auto value_of = [&](std::size_t i) {
+    LaneNumbers numbers{0, 1, 2, 3};
+    const auto leaders_of = [&](std::size_t i) __attribute__((always_inline)) {
       const Block& block = blocks[i];
-      return values[i] = multiply_add(block.z, dz, multiply_add(block.y, dy, block.x * dx));
+      const Leaders found{multiply_add(block.z, dz, multiply_add(block.y, dy, block.x * dx)), numbers};
+      numbers += 4;
+      return found;
     };
     // Two chains of maxima take half the time of one.
     const std::size_t count = blocks.size();
-    Lanes even = value_of(0), odd = even;
+    Leaders even = leaders_of(0), odd = even;
     std::size_t next = 1;
     for (; next + 1 < count; next += 2) {
-      odd = maximum(value_of(next), odd);
-      even = maximum(value_of(next + 1), even);
+      odd = larger(odd, leaders_of(next));
+      even = larger(even, leaders_of(next + 1));
     }
     if (next < count) {
-      odd = maximum(value_of(next), odd);
+      odd = larger(odd, leaders_of(next));
     }
-    const Real top = largest(maximum(even, odd));
-    std::uint64_t holders = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      holders |= lanes_with(values[i], top) << (4 * i);
-    }
-    // A direction without numbers has no holder: then the last vertex is as good as any.
-    const std::size_t vertex = holders != 0 ? static_cast<std::size_t>(std::countr_zero(holders)) : vertices.size() - 1;
+    const Leaders best = larger(even, odd);
+    using Two = double __attribute__((ext_vector_type(2)));
+    using TwoNumbers = std::int64_t __attribute__((ext_vector_type(2)));
+    const TwoNumbers upper = best.values.hi > best.values.lo;
+    const Two values = upper ? best.values.hi : best.values.lo;
+    const TwoNumbers holders = upper ? best.vertices.hi : best.vertices.lo;
+    const auto found = static_cast<std::size_t>(values[1] > values[0] ? holders[1] : holders[0]);
+    // The copies in the last block have numbers beyond the vertex that they are copies of.
+    const std::size_t vertex = found < vertices.size() ? found : vertices.size() - 1;
     return {vertices[vertex], static_cast<std::uint32_t>(vertex)};
   }
 

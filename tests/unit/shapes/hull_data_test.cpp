@@ -240,6 +240,24 @@ TEST(HullData, OnlySolidsAndPolygonsHaveFacets) {
   EXPECT_FALSE(abut::build_hull(std::vector<Vec3>{{0, 0, 0}}).facets.is_closed);
 }
 
+// The last block of four vertices is filled up with copies, which win ties against what they are copies of.
+TEST(HullData, SupportNamesAVertexOfEveryCount) {
+  test::Random random(167);
+  for (std::size_t count = 4; count <= HullData::scan_limit + 2; ++count) {
+    const HullData hull = abut::build_hull(cloud(count, {1, 1, 1}, random));
+    ASSERT_EQ(hull.vertices.size(), count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      // On a sphere each vertex is the only one that is furthest along itself.
+      const abut::SupportPoint top = hull.support(hull.vertices[i]);
+      ASSERT_EQ(top.index, i) << "of " << count;
+      EXPECT_EQ(top.point, hull.vertices[i]);
+    }
+    const abut::SupportPoint nowhere = hull.support({0, 0, 0});
+    ASSERT_LT(nowhere.index, count);
+    EXPECT_EQ(nowhere.point, hull.vertices[nowhere.index]);
+  }
+}
+
 // Ties, zero directions and directions along the borders of cells.
 TEST(HullData, SupportIsRightOnTheBordersOfCells) {
   test::Random random(166);
