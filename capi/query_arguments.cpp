@@ -83,6 +83,9 @@ abut_status read_placed(const abut_shape* const* shapes, const abut_pose* poses,
       return refuse(ABUT_NULL_ARGUMENT, Where{"shapes", i}.with(" is null"));
     }
     status = check_pose({"poses", i}, given_poses[i]);
+    if (status != ABUT_OK) {
+      return status;
+    }
     out.shapes.push_back(given[i]->handle);
     out.poses.push_back(to_pose(given_poses[i]));
   }

@@ -104,7 +104,6 @@ inline void write(const Candidates& candidates, std::size_t group, Real margin, 
   const Lanes along_first = to_u * second.v - to_v * second.u, along_second = to_v * first.u - to_u * first.v;
   const Lanes beyond_first = absolute(along_first) - area, beyond_second = absolute(along_second) - area;
   of_a.are_corners = (beyond_first < 0) & (beyond_second < 0);
-  of_a.distance = centre.height + along_first * (first.height / turn) + along_second * (second.height / turn);
 
   const Real doubt_first = doubt * (std::fabs(second.u) + std::fabs(second.v));
   const Real doubt_second = doubt * (std::fabs(first.u) + std::fabs(first.v));
@@ -114,6 +113,7 @@ inline void write(const Candidates& candidates, std::size_t group, Real margin, 
   if (bits_of(are_clear) != 15) {
     return infinity;
   }
+  of_a.distance = centre.height + along_first * (first.height / turn) + along_second * (second.height / turn);
   const Faces t = turned(f);
   const std::array<Candidates, 6> all{of_b, of_a, crossings(f, first, second), crossings(f, second, first),
                                       turned(crossings(t, t.first, t.second)), turned(crossings(t, t.second, t.first))};

@@ -83,8 +83,11 @@ template <Convex A, Convex B>
   } else {
     const Real error = error_of(a, b, size, settings);
     const NearPoints near = near_points(a, b, ab, error);
+    if (!is_settled(near, size, error)) [[unlikely]] {
+      return false;
+    }
     core = separation_of(near, size);
-    return is_settled(near, size, error);
+    return true;
   }
 }
 

@@ -170,6 +170,9 @@ class Ellipsoid {
 
   [[nodiscard]] std::optional<RayHit> cast_ray_at_disc(const Vec3& origin, const Vec3& d, Real max_distance) const {
     const int axis = radii_.x == 0 ? 0 : radii_.y == 0 ? 1 : 2;
+    if (d[axis] == 0) {
+      return std::nullopt;  // along the disc
+    }
     const Real distance = -origin[axis] / d[axis];
     if (!(distance >= 0 && distance <= max_distance)) {
       return std::nullopt;

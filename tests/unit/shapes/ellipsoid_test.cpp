@@ -209,6 +209,9 @@ TEST(Ellipsoid, RaysMeetFlatOnes) {
   EXPECT_FALSE(disc.cast_ray({0.5, 0.25, 3}, down, 2.9).has_value());
   EXPECT_FALSE(disc.cast_ray({0.5, 0.25, 3}, -down, 10).has_value());
   EXPECT_FALSE(disc.cast_ray({-3, 0, 0}, abut::UnitVec3::from_unit_unchecked({1, 0, 0}), 10).has_value());
+  // Along the disc, however far and whatever the sign of nothing.
+  EXPECT_FALSE(disc.cast_ray({-3, 0, 1}, abut::UnitVec3::from_unit_unchecked({1, 0, -0.0}), abut::infinity).has_value());
+  EXPECT_FALSE(disc.cast_ray({-3, 0, -1}, abut::UnitVec3::from_unit_unchecked({1, 0, 0}), abut::infinity).has_value());
   EXPECT_FALSE(with({0, 0, 1}).cast_ray({0, 0, 3}, down, 10).has_value());
 }
 
