@@ -44,7 +44,12 @@ add_compile_options(-ffp-contract=off -fno-math-errno)
 # Hardening, also in release. Large scratch arrays of the kernels are written before they are read
 # and are left out of the automatic initialisation, which would cost more than the kernels.
 add_compile_definitions(_GLIBCXX_ASSERTIONS)
-add_compile_options(-fstack-protector-strong -fstack-clash-protection -fcf-protection=full
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(abut_guarded_jumps -fcf-protection=full)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  set(abut_guarded_jumps -mbranch-protection=standard)
+endif()
+add_compile_options(-fstack-protector-strong -fstack-clash-protection ${abut_guarded_jumps}
                     -ftrivial-auto-var-init-max-size=256
                     $<IF:$<CONFIG:Debug>,-ftrivial-auto-var-init=pattern,-ftrivial-auto-var-init=zero>)
 add_link_options(-fuse-ld=lld -Wl,-z,relro,-z,now)

@@ -40,6 +40,7 @@ class BoxTree {
         if (is_leaf(child)) {
           visit_leaf(child & ~leaf_bit);
         } else {
+          fetch(nodes_[child]);
           waiting[count++] = child;
         }
       }
@@ -118,6 +119,13 @@ class BoxTree {
     std::uint32_t child;
   };
 
+  // Asks the cache for a node.
+  static inline void fetch(const EightBoxes& node) {
+    __builtin_prefetch(&node.sides[0]);
+    __builtin_prefetch(&node.sides[2]);
+    __builtin_prefetch(&node.sides[4]);
+    __builtin_prefetch(&node.numbers[0]);
+  }
   [[nodiscard]] static float half_surface(const BoxSides& box);
   void set_lane(std::uint32_t node, std::size_t lane, const Entry& entry);
   [[nodiscard]] std::uint32_t make_node(std::uint8_t level);

@@ -58,32 +58,21 @@ class FollowedBoxes {
 
   // Each number comes once; its box is at that place of the others.
   void update_all(const Workers& workers, std::span<const std::uint32_t> proxies, std::span<const CompactAabb> boxes_by_proxy) {
-    constexpr std::size_t least_of_task = 2048;
-    const std::size_t tasks = workers.threads() == 1 ? 1 : proxies.size() / least_of_task;
-    if (tasks < 2) {
-      for (const std::uint32_t proxy : proxies) {
-        update(proxy, boxes_by_proxy[proxy]);
-      }
-      tidy();
-      return;
-    }
-    make_parts(tasks);
-    workers.for_each(tasks, [&](std::size_t task) {
+    constexpr std::size_t least_of_task = 1024;
+    const Cuts cuts = workers.cut(proxies.size(), least_of_task);
+    make_parts(cuts.tasks());
+    workers.for_each(cuts.tasks(), [&](std::size_t task) {
       Part& part = parts_[task];
-      part.touched.clear();
       part.leaving.clear();
-      const std::size_t begin = task * proxies.size() / tasks, end = (task + 1) * proxies.size() / tasks;
-      for (const std::uint32_t proxy : proxies.subspan(begin, end - begin)) {
+      for (const std::uint32_t proxy : cuts.of(proxies, task)) {
         update_one(proxy, boxes_by_proxy[proxy], part);
       }
     });
-    for (Part& part : std::span(parts_).first(tasks)) {
-      touched_.insert(touched_.end(), part.touched.begin(), part.touched.end());
-      for (const auto& [proxy, larger] : part.leaving) {
-        take_out(proxy);
-        put(proxy, larger);
-      }
+    order_.clear();
+    for (const Part& part : std::span(parts_).first(cuts.tasks())) {
+      order_.insert(order_.end(), part.leaving.begin(), part.leaving.end());
     }
+    follow_all(workers);
     tidy();
   }
 
@@ -164,8 +153,8 @@ class FollowedBoxes {
                       still_.bytes() + kept_.bytes() + (unbounded_.capacity() + touched_.capacity()) * sizeof(std::uint32_t) +
                       (found_.capacity() + order_.capacity() + scratch_.capacity()) * sizeof(ProxyPair);
     for (const Part& part : parts_) {
-      sum += sizeof(Part) + part.found.capacity() * sizeof(ProxyPair) + part.touched.capacity() * sizeof(std::uint32_t) +
-             part.leaving.capacity() * sizeof(part.leaving.front());
+      sum += sizeof(Part) + (part.found.capacity() + part.leaving.capacity()) * sizeof(ProxyPair) +
+             (part.touched.capacity() + part.elsewhere.capacity()) * sizeof(std::uint32_t);
     }
     return sum;
   }
@@ -173,9 +162,8 @@ class FollowedBoxes {
  private:
   // What one task finds.
   struct Part {
-    std::vector<ProxyPair> found;
-    std::vector<std::uint32_t> touched;
-    std::vector<std::pair<std::uint32_t, CompactAabb>> leaving;
+    std::vector<ProxyPair> found, leaving;
+    std::vector<std::uint32_t> touched, elsewhere;
   };
   void make_parts(std::size_t count) {
     if (parts_.size() < count) {
@@ -239,55 +227,102 @@ class FollowedBoxes {
     touch(proxy);
   }
 
-  // Does what may be done for several boxes at once and leaves the rest.
+  // Gives a box another larger one where it has left its own. The index follows later.
   void update_one(std::uint32_t proxy, const CompactAabb& box, Part& part) {
     BoxRecord& record = records_[proxy];
     ABUT_CHECK((record.state & (BoxRecord::present | BoxRecord::hidden)) == BoxRecord::present);
     if (!larger_[proxy].contains(box)) {
-      const CompactAabb larger = enlarged(box, record.box());
-      const bool is_in_index = !record.is(BoxRecord::unbounded) && is_bounded(larger);
-      if (is_in_index && index_of(record).moved_in_place(proxy, larger)) {
-        larger_[proxy] = larger;
-        if (!record.is(BoxRecord::touched)) {
-          record.state |= BoxRecord::touched;
-          part.touched.push_back(proxy);
-        }
-      } else {
-        part.leaving.emplace_back(proxy, larger);
-      }
+      leave(proxy, enlarged(box, record.box()), part);
     }
     record.set_box(box);
   }
+  [[gnu::noinline]] void leave(std::uint32_t proxy, const CompactAabb& larger, Part& part) {
+    larger_[proxy] = larger;
+    part.leaving.push_back({place_of(proxy), proxy});
+  }
 
-  void find_neighbours(const Workers& workers) {
-    // One after the other they look at much the same part of the index.
-    constexpr std::size_t least_to_arrange = 2048, least_of_task = 256;
-    for (const std::uint32_t proxy : touched_) {
-      const BoxRecord& record = records_[proxy];
-      if (record.is(BoxRecord::present)) {
-        order_.push_back({record.is(BoxRecord::unbounded) ? 0 : index_of(record).place_of(proxy), proxy});
-      }
-    }
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t proxy) const {
+    const BoxRecord& record = records_[proxy];
+    return record.is(BoxRecord::unbounded) ? 0 : (record.is(BoxRecord::moving) ? moving_ : still_).place_of(proxy);
+  }
+
+  // One after the other they are in much the same part of the index.
+  void arrange_by_place() {
+    constexpr std::size_t least_to_arrange = 2048;
     if (order_.size() >= least_to_arrange) {
       put_in_order(order_, scratch_);
     }
-    constexpr std::size_t most_tasks = 64;
-    const std::size_t tasks = workers.threads() == 1 ? 1 : std::clamp<std::size_t>(order_.size() / least_of_task, 1, most_tasks);
-    if (tasks == 1) {
-      for (const ProxyPair& asking : order_) {
-        ask_for_neighbours(asking.high, found_);
-      }
-      return;
-    }
-    make_parts(tasks);
-    workers.for_each(tasks, [&](std::size_t task) {
-      parts_[task].found.clear();
-      for (std::size_t i = task * order_.size() / tasks; i < (task + 1) * order_.size() / tasks; ++i) {
-        ask_for_neighbours(order_[i].high, parts_[task].found);
+  }
+
+  // Brings the index up to date with those whose larger box is another one: first what may be done for several at once, then the
+  // rest.
+  void follow_all(const Workers& workers) {
+    constexpr std::size_t least_of_task = 256;
+    arrange_by_place();
+    const std::span<const ProxyPair> leaving(order_);
+    const Cuts cuts = workers.cut(leaving.size(), least_of_task);
+    make_parts(cuts.tasks());
+    workers.for_each(cuts.tasks(), [&](std::size_t task) {
+      Part& part = parts_[task];
+      part.touched.clear();
+      part.elsewhere.clear();
+      for (const ProxyPair& its : cuts.of(leaving, task)) {
+        follow_in_place(its.high, part);
       }
     });
-    for (const Part& part : std::span(parts_).first(tasks)) {
+    for (const Part& part : std::span(parts_).first(cuts.tasks())) {
+      touched_.insert(touched_.end(), part.touched.begin(), part.touched.end());
+      for (const std::uint32_t proxy : part.elsewhere) {
+        take_out(proxy);
+        put(proxy, larger_[proxy]);
+      }
+    }
+  }
+
+  void follow_in_place(std::uint32_t proxy, Part& part) {
+    BoxRecord& record = records_[proxy];
+    const CompactAabb& larger = larger_[proxy];
+    const bool is_in_index = !record.is(BoxRecord::unbounded) && is_bounded(larger);
+    if (!is_in_index || !index_of(record).moved_in_place(proxy, larger)) {
+      part.elsewhere.push_back(proxy);
+    } else if (!record.is(BoxRecord::touched)) {
+      record.state |= BoxRecord::touched;
+      part.touched.push_back(proxy);
+    }
+  }
+
+  void find_neighbours(const Workers& workers) {
+    for (const std::uint32_t proxy : touched_) {
+      if (records_[proxy].is(BoxRecord::present)) {
+        order_.push_back({place_of(proxy), proxy});
+      }
+    }
+    arrange_by_place();
+    constexpr std::size_t least_of_task = 256;
+    const std::span<const ProxyPair> asking(order_);
+    const Cuts cuts = workers.cut(asking.size(), least_of_task);
+    if (cuts.tasks() == 1) {
+      ask_for_neighbours(asking, found_);
+      return;
+    }
+    make_parts(cuts.tasks());
+    workers.for_each(cuts.tasks(), [&](std::size_t task) {
+      parts_[task].found.clear();
+      ask_for_neighbours(cuts.of(asking, task), parts_[task].found);
+    });
+    for (const Part& part : std::span(parts_).first(cuts.tasks())) {
       found_.insert(found_.end(), part.found.begin(), part.found.end());
+    }
+  }
+
+  void ask_for_neighbours(std::span<const ProxyPair> asking, std::vector<ProxyPair>& found) const {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < asking.size(); ++i) {
+      if (i + ahead < asking.size()) {
+        __builtin_prefetch(&larger_[asking[i + ahead].high]);
+        __builtin_prefetch(&records_[asking[i + ahead].high]);
+      }
+      ask_for_neighbours(asking[i].high, found);
     }
   }
 

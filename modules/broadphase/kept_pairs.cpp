@@ -21,8 +21,8 @@ void merge(std::span<const ProxyPair> before, std::span<const ProxyPair> found, 
   auto next_kept = kept.begin(), next_out = out.begin();
   // The boxes of the higher numbers lie anywhere; those of a few pairs to come are asked for ahead.
   constexpr std::size_t ahead = 24;
-  const auto ask_ahead = [&](auto at) {
-    const auto left = static_cast<std::size_t>(before.end() - at);
+  const auto ask_ahead = [&](auto at, std::span<const ProxyPair> list) {
+    const auto left = static_cast<std::size_t>(list.end() - at);
     __builtin_prefetch(&records[(left > ahead ? at[ahead] : *at).high]);
   };
   const auto take = [&](const ProxyPair& pair) {
@@ -36,9 +36,11 @@ void merge(std::span<const ProxyPair> before, std::span<const ProxyPair> found, 
     next_out += counts ? 1 : 0;
   };
   auto old = before.begin();
-  for (const ProxyPair& pair : found) {
+  for (auto added = found.begin(); added != found.end(); ++added) {
+    const ProxyPair& pair = *added;
+    ask_ahead(added, found);
     for (; old != before.end() && is_before(*old, pair); ++old) {
-      ask_ahead(old);
+      ask_ahead(old, before);
       take(*old);
     }
     const BoxRecord &low = records[pair.low], &high = records[pair.high];
@@ -55,7 +57,7 @@ void merge(std::span<const ProxyPair> before, std::span<const ProxyPair> found, 
     }
   }
   for (; old != before.end(); ++old) {
-    ask_ahead(old);
+    ask_ahead(old, before);
     take(*old);
   }
   kept.resize(static_cast<std::size_t>(next_kept - kept.begin()));

@@ -4,6 +4,23 @@ import abut.core.standard;
 
 export namespace abut {
 
+// A list cut into tasks of the same length, give or take one.
+class Cuts {
+ public:
+  Cuts(std::size_t length, std::size_t tasks) : length_(length), tasks_(tasks) {}
+
+  [[nodiscard]] inline std::size_t tasks() const noexcept { return tasks_; }
+  [[nodiscard]] inline std::size_t begin(std::size_t task) const noexcept { return task * length_ / tasks_; }
+  [[nodiscard]] inline std::size_t end(std::size_t task) const noexcept { return begin(task + 1); }
+  template <class Element>
+  [[nodiscard]] std::span<Element> of(std::span<Element> list, std::size_t task) const {
+    return list.subspan(begin(task), end(task) - begin(task));
+  }
+
+ private:
+  std::size_t length_, tasks_;
+};
+
 // With one thread nothing is started and everything runs in the caller. The threads belong to the process and
 // are lent to a call while it runs.
 class Workers {
@@ -16,6 +33,13 @@ class Workers {
   ~Workers();
 
   [[nodiscard]] inline std::uint32_t threads() const noexcept { return threads_; }
+
+  // Tasks of at least so many elements, as far as there are, and enough of them for threads to end at the same time. On one
+  // thread it is one task.
+  [[nodiscard]] inline Cuts cut(std::size_t length, std::size_t least_of_task) const {
+    constexpr std::size_t tasks_of_thread = 8;
+    return {length, threads_ == 1 ? 1 : std::clamp<std::size_t>(length / least_of_task, 1, tasks_of_thread * threads_)};
+  }
 
   // Calls task(i) once for each i below count, in any order and on any of the threads, and returns when all are
   // done. What a task writes has to depend on i alone: that is what makes results independent of the threads.

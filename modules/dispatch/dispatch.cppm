@@ -167,7 +167,21 @@ void contacts_of_run_kernel(std::span<const Frozen<Any>> shapes, std::span<const
                             const QuerySettings& common, std::span<PairMemory> memories, Manifold& out,
                             std::span<PairResult> results) {
   QuerySettings settings = common;
+  // Poses and memories of the pairs of a run lie anywhere.
+  constexpr std::size_t ahead = 4;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (i + ahead < jobs.size()) {
+      const PairJob& next = jobs[i + ahead];
+      __builtin_prefetch(&poses[next.a].rotation);
+      __builtin_prefetch(&poses[next.a].position);
+      __builtin_prefetch(&poses[next.b].rotation);
+      __builtin_prefetch(&poses[next.b].position);
+      if constexpr (gains_from_memory<A, B>()) {
+        if (next.memory != no_memory) {
+          __builtin_prefetch(&memories[next.memory]);
+        }
+      }
+    }
     const PairJob& job = jobs[i];
     settings.margin = job.margin;
     const Outcome outcome = contacts_of_job(std::get<A>(*shapes[job.a]), std::get<B>(*shapes[job.b]),

@@ -1,6 +1,7 @@
 // Axis-aligned boxes: exact ones in double, and compact ones in float for the broad phase.
 export module abut.math.aabb;
 import abut.core.standard;
+import abut.math.lanes;
 import abut.math.vec3;
 import abut.math.pose;
 
@@ -67,24 +68,28 @@ struct CompactAabb {
 };
 static_assert(sizeof(CompactAabb) == 24);
 
-// The greatest single number that is not above a number. Single numbers of one sign are ordered as their bits are.
-[[nodiscard]] inline float round_down(Real value) {
-  const auto nearest = static_cast<float>(value);
-  const auto bits = std::bit_cast<std::uint32_t>(nearest);
-  const std::uint32_t below = nearest > 0 ? bits - 1 : nearest < 0 ? bits + 1 : std::uint32_t{0x80000001};
-  return static_cast<Real>(nearest) <= value ? nearest : std::bit_cast<float>(below);
+using SingleLanes = float __attribute__((ext_vector_type(4)));
+
+// The greatest single numbers that are not above numbers. Single numbers of one sign are ordered as their bits are; with all bits
+// but the sign turned over in negative ones, all are.
+[[nodiscard]] [[gnu::always_inline]] inline SingleLanes round_down(Lanes values) {
+  using Bits = std::int32_t __attribute__((ext_vector_type(4)));
+  const auto in_order = [](Bits bits) { return bits ^ ((bits >> 31) & std::numeric_limits<std::int32_t>::max()); };
+  const SingleLanes nearest = __builtin_convertvector(values, SingleLanes);
+  // Minus one where the nearest one is above.
+  const Bits step = __builtin_convertvector(__builtin_convertvector(nearest, Lanes) > values, Bits);
+  return std::bit_cast<SingleLanes>(in_order(in_order(std::bit_cast<Bits>(nearest)) + step));
 }
-[[nodiscard]] inline float round_up(Real value) { return -round_down(-value); }
 
 [[nodiscard]] inline CompactAabb compact(const Aabb& box, const Vec3& origin) {
-  // The subtraction rounds too; one unit in the last place of the operands covers it.
-  const auto slack = [](Real value, Real base) { return epsilon * (std::fabs(value) + std::fabs(base)); };
-  const auto below = [&](Real value, Real base) {
-    return std::isfinite(value) ? round_down(value - base - slack(value, base)) : static_cast<float>(value);
+  const auto below = [](Lanes values, Lanes base) {
+    // The subtraction rounds too; one unit in the last place of the operands covers it.
+    const Lanes moved = values - base - epsilon * (absolute(values) + absolute(base));
+    return round_down(absolute(values) < infinity ? moved : values);
   };
-  const auto above = [&](Real value, Real base) { return -below(-value, -base); };
-  return {{below(box.low.x, origin.x), below(box.low.y, origin.y), below(box.low.z, origin.z)},
-          {above(box.high.x, origin.x), above(box.high.y, origin.y), above(box.high.z, origin.z)}};
+  const SingleLanes low = below(lanes_of(box.low), lanes_of(origin));
+  const SingleLanes high = -below(-lanes_of(box.high), -lanes_of(origin));
+  return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
 }  // namespace abut

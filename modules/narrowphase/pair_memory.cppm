@@ -21,8 +21,8 @@ struct PairFeatures {
 };
 
 // All zero it knows nothing. Valid for two shapes in this order, whatever their poses. Numbers are single: rounding is
-// taken off where they are stored.
-struct PairMemory {
+// taken off where they are stored. A cache line of its own: threads write memories of neighbours at once.
+struct alignas(64) PairMemory {
   enum class State : std::uint8_t { nothing, apart, touching, touching_with_ball };
   std::array<float, 3> vector;           // apart: from a to b, about unit; else where the ball would be with the pivot at zero
   float length;                          // apart: the gap with the pivot at zero; else the radius of the ball

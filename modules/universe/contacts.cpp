@@ -15,10 +15,13 @@ import abut.universe.policies;
 namespace abut {
 namespace {
 
-// Pairs that a thread takes at once.
-constexpr std::size_t block_size = 256;
-// Contacts are fetched from memory so many pairs before they are written.
-constexpr std::size_t pairs_ahead = 8;
+// Fewer pairs are looked at faster than a thread is called.
+constexpr std::size_t least_of_task = 1024;
+// Contacts are fetched from memory so many pairs before they are written, and where they lie before that.
+constexpr std::size_t pairs_ahead = 8, results_ahead = 16;
+
+// Of a pair whose job is done and whose contacts are not in the list yet.
+JobResult result_of(const Pair& pair) { return {pair.job, pair.first_contact, pair.contact_count}; }
 
 // Without a tolerance touching counts; otherwise an overlap has to exceed the dead band, or a
 // separation to be below the margin.
@@ -31,13 +34,12 @@ bool is_reported(Real distance, Real margin) { return margin == 0 ? distance <= 
 void Universe::finish_job(std::size_t job, std::uint32_t chunk, std::size_t first, std::size_t count) {
   ChunkScratch& scratch = jobs_.scratch(chunk);
   const PairJob& its = jobs_.jobs()[job];
-  const std::uint32_t place = jobs_.pair_of(job);
   const std::span<ContactPoint> found = std::span(scratch.points).subspan(first, count);
   const auto reported = [&](const ContactPoint& contact) { return is_reported(contact.distance, its.margin); };
   const auto kept = static_cast<std::size_t>(std::partition(found.begin(), found.end(), reported) - found.begin());
   scratch.ids.clear();
   if (options_.max_contacts != 0 && kept > options_.max_contacts) {
-    const Pair& pair = pairs_.all()[place];
+    const Pair& pair = pairs_.all()[jobs_.pair_of(job)];
     for (const ContactHistory& history : std::span(histories_).subspan(pair.first_before, pair.count_before)) {
       scratch.ids.push_back(history.id);
     }
@@ -48,7 +50,7 @@ void Universe::finish_job(std::size_t job, std::uint32_t chunk, std::size_t firs
   for (ContactPoint& contact : found.first(left)) {
     move_by(contact, worlds_[its.a], is_swapped);
   }
-  jobs_.result(place) = {chunk, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(left)};
+  jobs_.result(job) = {chunk, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(left)};
 }
 
 void Universe::find_contacts_of_chunk(std::size_t number) {
@@ -83,22 +85,19 @@ void Universe::find_contacts() {
   workers_.for_each(jobs_.chunks().size(), [&](std::size_t chunk) { find_contacts_of_chunk(chunk); });
 }
 
-// What the pair at a place has found, or what it had.
-void Universe::write_contacts_of(std::size_t place) {
-  const Pair& pair = pairs_.all()[place];
+// What a pair has found. What it has kept is there already.
+void Universe::write_contacts_of(const Pair& pair, std::span<const ContactPoint> found) {
   const std::span<const ContactHistory> before = std::span(histories_before_).subspan(pair.first_before, pair.count_before);
   const std::span<ContactHistory> histories = std::span(histories_).subspan(pair.first_contact, pair.contact_count);
   const std::span<Contact> out = std::span(contacts_).subspan(pair.first_contact, pair.contact_count);
   if (pair.job == no_job) {
-    std::ranges::copy(std::span(contacts_before_).subspan(pair.first_before, pair.count_before), out.begin());
     for (std::size_t i = 0; i < out.size(); ++i) {
       out[i].age += pair.is_covered ? 1 : 0;
-      histories[i] = {before[i].id, before[i].user_data, out[i].age};
+      histories[i] = {out[i].point.id, out[i].user_data, out[i].age};
     }
     return;
   }
   const PlaceInfo &low = infos_[pair.low], &high = infos_[pair.high];
-  const std::span<const ContactPoint> found = jobs_.found_by(place);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const auto same = std::ranges::find(before, found[i].id, &ContactHistory::id);
     const bool is_kept = same != before.end();
@@ -114,46 +113,119 @@ void Universe::write_contacts_of(std::size_t place) {
   }
 }
 
-// Contacts in the order of the pairs: counts first, then all pairs at once.
-void Universe::collect_contacts() {
-  contacts_before_.swap(contacts_);
-  histories_before_.swap(histories_);
-  tallies_.fill({});
-  stats_.candidate_pairs = stats_.filtered_pairs = stats_.unsupported_pairs = stats_.touching_pairs = 0;
-  std::uint32_t total = 0;
+// What the pairs from begin to end have come to.
+void Universe::count_contacts(std::size_t begin, std::size_t end, ContactTask& out) {
   const std::span<Pair> pairs = pairs_.all();
-  for (std::size_t place = 0; place < pairs.size(); ++place) {
+  ContactTask task;
+  for (std::size_t place = begin; place < end; ++place) {
     Pair& pair = pairs[place];
-    if (pair.job != no_job) {
-      pair.contact_count = jobs_.result(place).count;
-      pair.is_touching = pair.contact_count > 0;
+    if (const std::size_t ahead = place + results_ahead; ahead < end && pairs[ahead].job != no_job) {
+      jobs_.fetch_result(pairs[ahead].job);
     }
-    pair.first_contact = total;
-    total += pair.contact_count;
+    if (pair.job != no_job) {
+      const JobResult its = jobs_.result(pair.job);
+      pair.job = its.chunk;
+      pair.first_contact = its.first;
+      pair.contact_count = its.count;
+      pair.is_touching = its.count > 0;
+    }
+    task.kept += pair.job == no_job ? pair.contact_count : 0;
     const bool is_candidate = pair.is_admitted && (pair.is_supported || pair.is_touching);
-    KindTally& tally = tallies_[pair.run];
+    KindTally& tally = task.tallies[pair.run];
     tally.candidates += pair.is_admitted ? 1 : 0;
     tally.examined += pair.job != no_job ? 1 : 0;
     tally.touching += pair.is_touching ? 1 : 0;
     tally.contacts += pair.contact_count;
-    stats_.candidate_pairs += is_candidate ? 1 : 0;
-    stats_.filtered_pairs += pair.is_admitted ? 0 : 1;
-    stats_.unsupported_pairs += pair.is_admitted && !is_candidate ? 1 : 0;
-    stats_.touching_pairs += pair.is_touching ? 1 : 0;
+    task.contacts += pair.contact_count;
+    task.candidates += is_candidate ? 1 : 0;
+    task.filtered += pair.is_admitted ? 0 : 1;
+    task.unsupported += pair.is_admitted && !is_candidate ? 1 : 0;
+    task.touching += pair.is_touching ? 1 : 0;
+  }
+  out = task;
+}
+
+void Universe::write_contacts(std::size_t begin, std::size_t end, std::uint32_t first_contact) {
+  const std::span<Pair> pairs = pairs_.all();
+  for (std::size_t place = begin; place < end; ++place) {
+    if (const std::size_t ahead = place + pairs_ahead; ahead < end && pairs[ahead].job != no_job) {
+      jobs_.fetch_found(result_of(pairs[ahead]));
+    }
+    Pair& pair = pairs[place];
+    const JobResult its = result_of(pair);
+    pair.first_contact = first_contact;
+    first_contact += pair.contact_count;
+    if (pair.contact_count > 0) {
+      write_contacts_of(pair, pair.job != no_job ? jobs_.found(its) : std::span<const ContactPoint>());
+    }
+  }
+}
+
+// Contacts of pairs that were not examined go to where they belong, within the list: a second one would hold as much again. Their order
+// stays, so that what goes down, first to last, and what goes up, last to first, runs over nothing that has yet to go.
+void Universe::move_kept_contacts() {
+  const std::span<Pair> pairs = pairs_.all();
+  const auto before_of = [&](const Pair& pair) { return std::span(contacts_).subspan(pair.first_before, pair.contact_count); };
+  const auto at = [&](std::uint32_t place) { return contacts_.begin() + static_cast<std::ptrdiff_t>(place); };
+  std::uint32_t next = 0;
+  for (Pair& pair : pairs) {
+    const std::uint32_t first = std::exchange(next, next + pair.contact_count);
+    if (pair.job != no_job) {
+      continue;
+    }
+    pair.first_contact = first;
+    if (first < pair.first_before) {
+      std::ranges::copy(before_of(pair), at(first));
+    }
+  }
+  for (std::size_t place = pairs.size(); place-- > 0;) {
+    const Pair& pair = pairs[place];
+    if (pair.job == no_job && pair.first_contact > pair.first_before) {
+      const std::span<Contact> before = before_of(pair);
+      std::move_backward(before.begin(), before.end(), at(pair.first_contact + pair.contact_count));
+    }
+  }
+}
+
+// Room for so many contacts and, as their number changes from step to step, for some more: a list that grows is there twice.
+void Universe::make_room_for_contacts(std::size_t count) {
+  constexpr std::size_t share_more = 8;
+  if (contacts_.capacity() < count) {
+    contacts_.reserve(count + count / share_more);
+  }
+}
+
+// Contacts in the order of the pairs: counts first, then all pairs at once.
+void Universe::collect_contacts() {
+  histories_before_.swap(histories_);
+  const Cuts cuts = workers_.cut(pairs_.all().size(), least_of_task);
+  contact_tasks_.resize(std::max(contact_tasks_.size(), cuts.tasks()));
+  const std::span<ContactTask> tasks = std::span(contact_tasks_).first(cuts.tasks());
+  workers_.for_each(cuts.tasks(), [&](std::size_t task) {
+    count_contacts(cuts.begin(task), cuts.end(task), tasks[task]);
+  });
+  tallies_.fill({});
+  stats_.candidate_pairs = stats_.filtered_pairs = stats_.unsupported_pairs = stats_.touching_pairs = 0;
+  std::uint32_t total = 0, kept = 0;
+  for (ContactTask& task : tasks) {
+    for (std::size_t run = 0; run < run_count; ++run) {
+      tallies_[run] += task.tallies[run];
+    }
+    stats_.candidate_pairs += task.candidates;
+    stats_.filtered_pairs += task.filtered;
+    stats_.unsupported_pairs += task.unsupported;
+    stats_.touching_pairs += task.touching;
+    task.first_contact = std::exchange(total, total + task.contacts);
+    kept += task.kept;
+  }
+  make_room_for_contacts(total);
+  if (kept > 0) {
+    contacts_.resize(std::max<std::size_t>(contacts_.size(), total));
+    move_kept_contacts();
   }
   contacts_.resize(total);
   histories_.resize(total);
-  workers_.for_each((pairs.size() + block_size - 1) / block_size, [&](std::size_t block) {
-    const std::size_t begin = block * block_size, end = std::min(begin + block_size, pairs.size());
-    for (std::size_t place = begin; place < end; ++place) {
-      if (const std::size_t ahead = place + pairs_ahead; ahead < end && pairs[ahead].job != no_job) {
-        jobs_.fetch_found_by(ahead);
-      }
-      if (pairs[place].contact_count > 0) {
-        write_contacts_of(place);
-      }
-    }
-  });
+  workers_.for_each(cuts.tasks(), [&](std::size_t task) { write_contacts(cuts.begin(task), cuts.end(task), tasks[task].first_contact); });
 }
 
 Result<void> Universe::set_contact_user_data(std::span<const std::uint64_t> user_data) {

@@ -9,6 +9,11 @@ import abut.universe.pairs;
 namespace abut {
 namespace {
 
+// Fewer pairs are looked at faster than a thread is called.
+constexpr std::size_t least_of_task = 8192;
+
+std::pair<std::uint32_t, std::uint32_t> places_of(const Pair& pair) { return {pair.low, pair.high}; }
+
 bool has(std::span<const ContactHistory> contacts, std::uint64_t id) {
   return std::ranges::find(contacts, id, &ContactHistory::id) != contacts.end();
 }
@@ -39,31 +44,31 @@ std::uint32_t Universe::event_flags_of(const Pair& pair) const {
   return (pair.is_sensor ? std::uint32_t{event_of_sensor} : 0) | (is_asleep(pair) ? std::uint32_t{event_asleep} : 0);
 }
 
-void Universe::write_event(EventKind kind, const Pair& pair) {
+void Universe::write_event(EventKind kind, const Pair& pair, std::vector<Event>& out) const {
   const bool is_end = kind == EventKind::end;
-  events_.push_back({.kind = kind,
-                     .flags = event_flags_of(pair),
-                     .geometry_a = {pair.low + 1, pair.generation_low},
-                     .geometry_b = {pair.high + 1, pair.generation_high},
-                     .contact_id = 0,
-                     .first_contact = is_end ? 0 : pair.first_contact,
-                     .contact_count = is_end ? 0 : pair.contact_count});
+  out.push_back({.kind = kind,
+                 .flags = event_flags_of(pair),
+                 .geometry_a = {pair.low + 1, pair.generation_low},
+                 .geometry_b = {pair.high + 1, pair.generation_high},
+                 .contact_id = 0,
+                 .first_contact = is_end ? 0 : pair.first_contact,
+                 .contact_count = is_end ? 0 : pair.contact_count});
 }
 
 // First those that are there, in their order, then those that are gone, in theirs.
-void Universe::write_contact_events(const Pair& pair) {
+void Universe::write_contact_events(const Pair& pair, std::vector<Event>& out) const {
   const std::span<const ContactHistory> before = std::span(histories_before_).subspan(pair.first_before, pair.count_before);
   const std::span<const ContactHistory> present = std::span(histories_).subspan(pair.first_contact, pair.contact_count);
   const std::uint32_t flags = std::uint32_t{event_of_contact} | event_flags_of(pair);
   const auto write = [&](EventKind kind, std::uint64_t id, std::uint32_t place) {
     const bool is_end = kind == EventKind::end;
-    events_.push_back({.kind = kind,
-                       .flags = flags,
-                       .geometry_a = {pair.low + 1, pair.generation_low},
-                       .geometry_b = {pair.high + 1, pair.generation_high},
-                       .contact_id = id,
-                       .first_contact = is_end ? 0 : place,
-                       .contact_count = is_end ? 0u : 1u});
+    out.push_back({.kind = kind,
+                   .flags = flags,
+                   .geometry_a = {pair.low + 1, pair.generation_low},
+                   .geometry_b = {pair.high + 1, pair.generation_high},
+                   .contact_id = id,
+                   .first_contact = is_end ? 0 : place,
+                   .contact_count = is_end ? 0u : 1u});
   };
   for (std::uint32_t i = 0; i < present.size(); ++i) {
     const std::uint64_t id = present[i].id;
@@ -79,25 +84,24 @@ void Universe::write_contact_events(const Pair& pair) {
   }
 }
 
-void Universe::collect_events() {
-  events_.clear();
+// Of pairs in order, and of those that are lost among them.
+void Universe::write_events(std::span<const Pair> pairs, std::span<const Pair> lost, std::vector<Event>& out) const {
   const bool with_contacts = (options_.events & event_contacts) != 0, with_persist = (options_.events & event_persist) != 0;
   const bool with_pairs = (options_.events & event_pairs) != 0;
-  std::span<const Pair> lost = pairs_.lost();
   const auto end = [&](const Pair& pair) {
     Pair gone = pair;
     gone.is_touching = false;
     if (with_pairs) {
-      write_event(EventKind::end, gone);
+      write_event(EventKind::end, gone, out);
     }
     if (with_contacts) {
       gone.first_before = std::exchange(gone.first_contact, 0);
       gone.count_before = std::exchange(gone.contact_count, 0);
-      write_contact_events(gone);
+      write_contact_events(gone, out);
     }
   };
-  for (const Pair& pair : pairs_.all()) {
-    while (!lost.empty() && std::pair(lost.front().low, lost.front().high) <= std::pair(pair.low, pair.high)) {
+  for (const Pair& pair : pairs) {
+    while (!lost.empty() && places_of(lost.front()) <= places_of(pair)) {
       end(lost.front());
       lost = lost.subspan(1);
     }
@@ -106,13 +110,45 @@ void Universe::collect_events() {
     }
     const EventKind kind = !pair.is_touching ? EventKind::end : !pair.was_touching ? EventKind::begin : EventKind::persist;
     if (with_pairs && (kind != EventKind::persist || with_persist)) {
-      write_event(kind, pair);
+      write_event(kind, pair, out);
     }
     if (with_contacts) {
-      write_contact_events(pair);
+      write_contact_events(pair, out);
     }
   }
   std::ranges::for_each(lost, end);
+}
+
+// Each task writes a list, and they are put behind each other.
+void Universe::collect_events() {
+  events_.clear();
+  const std::span<const Pair> pairs = pairs_.all(), lost = pairs_.lost();
+  const Cuts cuts = workers_.cut(pairs.size(), least_of_task);
+  if (cuts.tasks() == 1) {
+    write_events(pairs, lost, events_);
+    return;
+  }
+  event_tasks_.resize(std::max(event_tasks_.size(), cuts.tasks()));
+  const auto lost_at = [&](std::size_t task) {
+    if (task == 0 || task == cuts.tasks()) {
+      return task == 0 ? 0 : lost.size();
+    }
+    const auto is_before = [](const Pair& a, const Pair& b) { return places_of(a) < places_of(b); };
+    return static_cast<std::size_t>(std::lower_bound(lost.begin(), lost.end(), pairs[cuts.begin(task)], is_before) - lost.begin());
+  };
+  workers_.for_each(cuts.tasks(), [&](std::size_t task) {
+    const std::size_t begin = lost_at(task), end = lost_at(task + 1);
+    event_tasks_[task].events.clear();
+    write_events(cuts.of(pairs, task), lost.subspan(begin, end - begin), event_tasks_[task].events);
+  });
+  std::size_t total = 0;
+  for (EventTask& task : std::span(event_tasks_).first(cuts.tasks())) {
+    task.first = std::exchange(total, total + task.events.size());
+  }
+  events_.resize(total);
+  workers_.for_each(cuts.tasks(), [&](std::size_t task) {
+    std::ranges::copy(event_tasks_[task].events, events_.begin() + static_cast<std::ptrdiff_t>(event_tasks_[task].first));
+  });
 }
 
 std::uint64_t Universe::hash() const {

@@ -1,5 +1,6 @@
 module abut.universe.jobs;
 import abut.any_shape;
+import abut.core;
 import abut.core.standard;
 import abut.dispatch;
 import abut.math;
@@ -19,41 +20,65 @@ JobList::JobList() {
   }
 }
 
+void JobList::start(std::size_t tasks, const PolicyTable& policies) {
+  run_counts_ = policies.size() * run_count;
+  counts_.assign(tasks * run_counts_, 0);
+}
+
 // A counting sort by policy and run. The kernels expect the kind that comes first in the registry first.
-void JobList::arrange(std::span<Pair> pairs, std::span<const PlaceInfo> infos, const PolicyTable& policies, ToleranceMode mode) {
-  starts_.assign(policies.size() * run_count + 1, 0);
-  const auto run_of_pair = [](const Pair& pair) { return pair.policy * run_count + pair.run; };
-  for (const Pair& pair : pairs) {
-    starts_[run_of_pair(pair) + 1] += pair.job != no_job ? 1 : 0;
-  }
+void JobList::arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> pairs, std::span<const PlaceInfo> infos,
+                      const PolicyTable& policies, ToleranceMode mode) {
   chunks_.clear();
-  for (std::size_t run = 0; run + 1 < starts_.size(); ++run) {
-    starts_[run + 1] += starts_[run];
-    for (std::uint32_t begin = starts_[run]; begin < starts_[run + 1]; begin += chunk_size) {
-      const std::uint32_t end = std::min<std::uint32_t>(begin + chunk_size, starts_[run + 1]);
+  std::uint32_t sum = 0;
+  for (std::size_t run = 0; run < run_counts_; ++run) {
+    std::uint32_t begin = sum;
+    for (std::size_t task = 0; task < cuts.tasks(); ++task) {
+      sum += std::exchange(counts_[task * run_counts_ + run], sum);
+    }
+    for (; begin < sum; begin += chunk_size) {
+      const std::uint32_t end = std::min<std::uint32_t>(begin + chunk_size, sum);
       chunks_.push_back({static_cast<std::uint32_t>(run % run_count), static_cast<std::uint32_t>(run / run_count), begin, end});
     }
   }
-  jobs_.resize(starts_.back());
+  jobs_.resize(sum);
   pair_of_job_.resize(jobs_.size());
-  results_.resize(pairs.size());
+  results_.resize(jobs_.size());
   if (scratch_.size() < chunks_.size()) {
     scratch_.resize(chunks_.size());
   }
+  release_excess();
   const Real sign = mode == ToleranceMode::margin ? 1 : -1;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    Pair& pair = pairs[i];
-    if (pair.job == no_job) {
-      continue;
+  workers.for_each(jobs_.empty() ? 0 : cuts.tasks(), [&](std::size_t task) {
+    const std::span<std::uint32_t> starts = counts_of(task);
+    const std::span<PairJob> jobs(jobs_);
+    const std::span<std::uint32_t> pair_of_job(pair_of_job_);
+    for (std::size_t i = cuts.begin(task); i < cuts.end(task); ++i) {
+      Pair& pair = pairs[i];
+      if (pair.job == no_job) {
+        continue;
+      }
+      const PlaceInfo &low = infos[pair.low], &high = infos[pair.high];
+      const Real tolerance = policies.at(pair.policy).tolerance;
+      const Real margin = sign * (tolerance < 0 ? low.tolerance + high.tolerance : tolerance);
+      pair.job = starts[run_of_pair(pair)]++;
+      jobs[pair.job] = low.kind <= high.kind ? PairJob{pair.low, pair.high, margin, pair.memory}
+                                             : PairJob{pair.high, pair.low, margin, pair.memory};
+      pair_of_job[pair.job] = static_cast<std::uint32_t>(i);
     }
-    const PlaceInfo &low = infos[pair.low], &high = infos[pair.high];
-    const Real tolerance = policies.at(pair.policy).tolerance;
-    const Real margin = sign * (tolerance < 0 ? low.tolerance + high.tolerance : tolerance);
-    pair.job = starts_[run_of_pair(pair)]++;
-    jobs_[pair.job] = low.kind <= high.kind ? PairJob{pair.low, pair.high, margin, pair.memory}
-                                           : PairJob{pair.high, pair.low, margin, pair.memory};
-    pair_of_job_[pair.job] = static_cast<std::uint32_t>(i);
+  });
+}
+
+// What a detection of all pairs needed and those of a few do not.
+void JobList::release_excess() {
+  constexpr std::size_t least = 256, most_excess = 8;
+  if (scratch_.size() <= least || scratch_.size() <= most_excess * chunks_.size()) {
+    return;
   }
+  scratch_.resize(std::max(least, 2 * chunks_.size()));
+  scratch_.shrink_to_fit();
+  jobs_.shrink_to_fit();
+  pair_of_job_.shrink_to_fit();
+  results_.shrink_to_fit();
 }
 
 std::size_t JobList::bytes() const {
@@ -62,7 +87,7 @@ std::size_t JobList::bytes() const {
     scratch += its.points.capacity() * sizeof(ContactPoint) + its.results.capacity() * sizeof(PairResult) +
                its.ids.capacity() * sizeof(std::uint64_t);
   }
-  return scratch + starts_.capacity() * sizeof(std::uint32_t) + jobs_.capacity() * sizeof(PairJob) +
+  return scratch + counts_.capacity() * sizeof(std::uint32_t) + jobs_.capacity() * sizeof(PairJob) +
          pair_of_job_.capacity() * sizeof(std::uint32_t) + chunks_.capacity() * sizeof(Chunk) + results_.capacity() * sizeof(JobResult);
 }
 

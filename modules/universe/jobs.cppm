@@ -2,6 +2,7 @@
 // threads take.
 export module abut.universe.jobs;
 import abut.any_shape;
+import abut.core;
 import abut.core.standard;
 import abut.dispatch;
 import abut.math;
@@ -15,6 +16,14 @@ export namespace abut {
 // What happened to the pairs of two kinds in the last detection.
 struct KindTally {
   std::uint64_t candidates = 0, examined = 0, touching = 0, contacts = 0;
+
+  KindTally& operator+=(const KindTally& more) {
+    candidates += more.candidates;
+    examined += more.examined;
+    touching += more.touching;
+    contacts += more.contacts;
+    return *this;
+  }
 };
 
 // The run of two kinds, by their places in the registry, row not above column.
@@ -49,9 +58,16 @@ class JobList {
   [[nodiscard]] inline bool is_supported(std::size_t run) const { return supported_[run]; }
   [[nodiscard]] inline bool gains_from_memory(std::size_t run) const { return gains_from_memory_[run]; }
 
-  // Takes the pairs whose job is not no_job and writes the number of the job there. Keeps the order of the pairs
-  // within a run. O(pairs + runs).
-  void arrange(std::span<Pair> pairs, std::span<const PlaceInfo> infos, const PolicyTable& policies, ToleranceMode mode);
+  // Pairs whose job is not no_job become jobs. They are counted first, each in the task that the list of pairs is cut into; then
+  // they are arranged, and get the number of their job. Keeps the order of the pairs within a run. O(pairs + tasks * runs).
+  void start(std::size_t tasks, const PolicyTable& policies);
+  // One count for each run_of_pair.
+  [[nodiscard]] inline std::span<std::uint32_t> counts_of(std::size_t task) [[clang::lifetimebound]] {
+    return std::span(counts_).subspan(task * run_counts_, run_counts_);
+  }
+  [[nodiscard]] static inline std::size_t run_of_pair(const Pair& pair) { return pair.policy * run_count + pair.run; }
+  void arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> pairs, std::span<const PlaceInfo> infos,
+               const PolicyTable& policies, ToleranceMode mode);
 
   [[nodiscard]] inline std::span<const PairJob> jobs() const [[clang::lifetimebound]] { return jobs_; }
   // The pair of a job, by its place in the list that `arrange` got.
@@ -59,16 +75,16 @@ class JobList {
   [[nodiscard]] inline std::span<const Chunk> chunks() const [[clang::lifetimebound]] { return chunks_; }
   [[nodiscard]] inline ChunkScratch& scratch(std::size_t chunk) [[clang::lifetimebound]] { return scratch_[chunk]; }
   [[nodiscard]] inline const ChunkScratch& scratch(std::size_t chunk) const [[clang::lifetimebound]] { return scratch_[chunk]; }
-  // Of a pair that has a job, by its place: they are written in the order of the jobs and read in that of the pairs, and
-  // writing is what does not wait.
-  [[nodiscard]] inline JobResult& result(std::size_t pair) [[clang::lifetimebound]] { return results_[pair]; }
-  [[nodiscard]] inline std::span<const ContactPoint> found_by(std::size_t pair) const [[clang::lifetimebound]] {
-    const JobResult& its = results_[pair];
+  // Results are written in the order of the jobs, so that threads write far from each other, and read in that of the pairs, which
+  // asks for them ahead.
+  [[nodiscard]] inline JobResult& result(std::size_t job) [[clang::lifetimebound]] { return results_[job]; }
+  inline void fetch_result(std::size_t job) const { __builtin_prefetch(&results_[job]); }
+  [[nodiscard]] inline std::span<const ContactPoint> found(const JobResult& its) const [[clang::lifetimebound]] {
     return std::span(scratch_[its.chunk].points).subspan(its.first, its.count);
   }
-  // Asks the cache for what found_by will return.
-  inline void fetch_found_by(std::size_t pair) const {
-    for (const ContactPoint& point : found_by(pair)) {
+  // Asks the cache for what `found` will return.
+  inline void fetch_found(const JobResult& its) const {
+    for (const ContactPoint& point : found(its)) {
       __builtin_prefetch(&point.point_a);
       __builtin_prefetch(&point.id);
     }
@@ -76,8 +92,11 @@ class JobList {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  void release_excess();
+
   std::array<bool, run_count> supported_{}, gains_from_memory_{};
-  std::vector<std::uint32_t> starts_;  // of runs, policy by policy
+  std::size_t run_counts_ = 0;         // runs of all policies
+  std::vector<std::uint32_t> counts_;  // of the jobs of each run, policy by policy, task by task; then where they start
   std::vector<PairJob> jobs_;
   std::vector<std::uint32_t> pair_of_job_;
   std::vector<Chunk> chunks_;

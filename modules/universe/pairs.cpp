@@ -1,46 +1,77 @@
 module abut.universe.pairs;
 import abut.broadphase;
 import abut.core.standard;
+import abut.core.workers;
 import abut.narrowphase.pair_memory;
 import abut.universe.options;
 
 namespace abut {
 namespace {
 
+// Fewer pairs are merged faster than a thread is called.
+constexpr std::size_t least_of_task = 2048;
+
 bool is_before(const Pair& a, const ProxyPair& b) { return a.low < b.low || (a.low == b.low && a.high < b.high); }
 
 }  // namespace
 
-void PairStore::merge(std::span<const ProxyPair> near, std::span<const PlaceInfo> infos) {
-  pairs_.swap(before_);
-  pairs_.clear();
-  pairs_.reserve(near.size());
+void PairStore::merge_part(std::span<const ProxyPair> near, std::span<const Pair> before, std::span<const PlaceInfo> infos,
+                           std::span<Pair> out, Part& part) const {
+  part.lost.clear();
+  part.free_memories.clear();
   std::size_t at = 0;
   const auto lose = [&](const Pair& pair) {
     if (pair.is_touching) {
-      lost_.push_back(pair);
+      part.lost.push_back(pair);
     }
     if (pair.memory != no_memory) {
-      free_memories_.push_back(pair.memory);
+      part.free_memories.push_back(pair.memory);
     }
   };
-  for (const ProxyPair& pair : near) {
-    while (at < before_.size() && is_before(before_[at], pair)) {
-      lose(before_[at++]);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const ProxyPair& pair = near[i];
+    while (at < before.size() && is_before(before[at], pair)) {
+      lose(before[at++]);
     }
     const std::uint32_t low = infos[pair.low].generation, high = infos[pair.high].generation;
-    if (at < before_.size() && before_[at].low == pair.low && before_[at].high == pair.high) {
-      const Pair& known = before_[at++];
+    if (at < before.size() && before[at].low == pair.low && before[at].high == pair.high) {
+      const Pair& known = before[at++];
       if (known.generation_low == low && known.generation_high == high) {
-        pairs_.push_back(known);
+        out[i] = known;
         continue;
       }
       lose(known);
     }
-    pairs_.push_back({.low = pair.low, .high = pair.high, .generation_low = low, .generation_high = high});
+    out[i] = {.low = pair.low, .high = pair.high, .generation_low = low, .generation_high = high};
   }
-  while (at < before_.size()) {
-    lose(before_[at++]);
+  while (at < before.size()) {
+    lose(before[at++]);
+  }
+}
+
+void PairStore::merge(const Workers& workers, std::span<const ProxyPair> near, std::span<const PlaceInfo> infos) {
+  pairs_.swap(before_);
+  if (pairs_.capacity() < near.size()) {
+    pairs_.clear();
+    pairs_.reserve(near.size());
+  }
+  pairs_.resize(near.size());
+  const Cuts cuts = workers.cut(near.size(), least_of_task);
+  parts_.resize(std::max(parts_.size(), cuts.tasks()));
+  // A task takes the pairs before that lie between its first one and that of the next task.
+  const auto before_at = [&](std::size_t task) {
+    if (task == 0 || task == cuts.tasks()) {
+      return task == 0 ? 0 : before_.size();
+    }
+    return static_cast<std::size_t>(std::lower_bound(before_.begin(), before_.end(), near[cuts.begin(task)], is_before) - before_.begin());
+  };
+  workers.for_each(cuts.tasks(), [&](std::size_t task) {
+    const std::size_t begin = before_at(task), end = before_at(task + 1);
+    merge_part(cuts.of(near, task), std::span<const Pair>(before_).subspan(begin, end - begin), infos, cuts.of(all(), task), parts_[task]);
+  });
+  for (const Part& part : std::span(parts_).first(cuts.tasks())) {
+    lost_.insert(lost_.end(), part.lost.begin(), part.lost.end());
+    free_memories_.insert(free_memories_.end(), part.free_memories.begin(), part.free_memories.end());
   }
 }
 
@@ -58,8 +89,22 @@ void PairStore::give_memory(Pair& pair) {
   memories_[pair.memory] = {};
 }
 
-void PairStore::sort_lost() {
+void PairStore::lose(std::span<const Pair> pairs) {
+  if (pairs.empty()) {
+    return;
+  }
+  lost_.insert(lost_.end(), pairs.begin(), pairs.end());
   std::ranges::sort(lost_, {}, [](const Pair& pair) { return std::pair(pair.low, pair.high); });
+}
+
+std::size_t PairStore::bytes() const {
+  std::size_t pairs = pairs_.capacity() + before_.capacity() + lost_.capacity(), numbers = free_memories_.capacity();
+  for (const Part& part : parts_) {
+    pairs += part.lost.capacity();
+    numbers += part.free_memories.capacity();
+  }
+  return pairs * sizeof(Pair) + numbers * sizeof(std::uint32_t) + memories_.capacity() * sizeof(PairMemory) +
+         parts_.capacity() * sizeof(Part);
 }
 
 }  // namespace abut

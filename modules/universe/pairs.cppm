@@ -2,6 +2,7 @@
 export module abut.universe.pairs;
 import abut.broadphase;
 import abut.core.standard;
+import abut.core.workers;
 import abut.math;
 import abut.narrowphase.pair_memory;
 import abut.universe.options;
@@ -28,9 +29,9 @@ struct PlaceInfo {
 struct Pair {
   std::uint32_t low, high;                              // places; low is less
   std::uint32_t generation_low, generation_high;        // of the ids that live there
-  std::uint32_t first_contact = 0, contact_count = 0;   // in the list of contacts
+  std::uint32_t first_contact = 0, contact_count = 0;   // in the list of contacts; until they are there, in the chunk
   std::uint32_t first_before = 0, count_before = 0;     // in that of the detection before
-  std::uint32_t job = 0;                                // of this detection, or no_job
+  std::uint32_t job = 0;                                // of this detection, or no_job; once it is done, its chunk
   std::uint32_t memory = no_memory;                     // place in the memories of the store
   std::uint16_t policy = 0;
   std::uint16_t run = 0;                                // of the two kinds, as jobs are sorted
@@ -55,26 +56,31 @@ class PairStore {
   // Those that touched and are no longer near, or whose slots others live in, in order: of this detection.
   [[nodiscard]] inline std::span<const Pair> lost() const [[clang::lifetimebound]] { return lost_; }
   inline void forget_lost() { lost_.clear(); }
-  // For a pair that ends though it stays near. Lost pairs are in order again after sort_lost.
-  inline void lose(const Pair& pair) { lost_.push_back(pair); }
-  void sort_lost();
+  // Adds pairs that end though they stay near, in any order.
+  void lose(std::span<const Pair> pairs);
 
   // What the narrow phase keeps of pairs; a place is given to a pair that has none yet, and ends with the pair.
   [[nodiscard]] inline std::span<PairMemory> memories() [[clang::lifetimebound]] { return memories_; }
   void give_memory(Pair& pair);
 
   // Takes what the broad phase found. New pairs are as a Pair starts. O(pairs).
-  void merge(std::span<const ProxyPair> near, std::span<const PlaceInfo> infos);
+  void merge(const Workers& workers, std::span<const ProxyPair> near, std::span<const PlaceInfo> infos);
 
-  [[nodiscard]] inline std::size_t bytes() const {
-    return (pairs_.capacity() + before_.capacity() + lost_.capacity()) * sizeof(Pair) + memories_.capacity() * sizeof(PairMemory) +
-           free_memories_.capacity() * sizeof(std::uint32_t);
-  }
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
+  // What one task of a merge finds.
+  struct Part {
+    std::vector<Pair> lost;
+    std::vector<std::uint32_t> free_memories;
+  };
+  void merge_part(std::span<const ProxyPair> near, std::span<const Pair> before, std::span<const PlaceInfo> infos, std::span<Pair> out,
+                  Part& part) const;
+
   std::vector<Pair> pairs_, before_, lost_;
   std::vector<PairMemory> memories_;
   std::vector<std::uint32_t> free_memories_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace abut

@@ -10,8 +10,8 @@ import abut.universe.pairs;
 namespace abut {
 namespace {
 
-// Places that a thread takes at once.
-constexpr std::size_t block_size = 256;
+// Fewer parts are placed faster than a thread is called.
+constexpr std::size_t least_of_task = 256;
 
 AnyBroadPhase make_broadphase(BroadphaseKind kind) {
   switch (kind) {
@@ -39,15 +39,11 @@ void Universe::place(std::uint32_t at) {
   infos_[at].is_box_stale = false;
 }
 
-void Universe::gather_changes() {
-  queue_.clear();
-  const auto queue = [&](std::uint32_t at) {
-    if (!infos_[at].is_queued) {
-      infos_[at].is_queued = true;
-      queue_.push_back(at);
-    }
-  };
-  for (const PartId id : moved_parts_) {
+// What lies on moved parts. A part is in one task, and with it its geometries.
+void Universe::gather_moved(std::span<const PartId> parts, ChangeTask& task) {
+  task.queue.clear();
+  task.fresh.clear();
+  for (const PartId id : parts) {
     if (!parts_.contains(id)) {
       continue;
     }
@@ -56,38 +52,68 @@ void Universe::gather_changes() {
     for (const GeometryId geometry : part.geometries) {
       const std::uint32_t at = geometry.slot - 1;
       infos_[at].is_box_stale = true;
-      if (presence_[at] == Presence::shown) {
-        queue(at);
+      if (presence_[at] != Presence::shown) {
+        continue;
+      }
+      place(at);
+      task.queue.push_back(at);
+      if (!std::exchange(infos_[at].is_fresh, true)) {
+        task.fresh.push_back(at);
       }
     }
   }
-  moved_parts_.clear();
-  for (const GeometryId id : changed_geometries_) {
-    if (geometries_.contains(id)) {
-      Geometry& geometry = geometries_.at(id);
-      geometry.is_changed = false;
-      if (geometry.options.parking == Parking::none) {
-        queue(id.slot - 1);
-      }
-    }
-  }
-  changed_geometries_.clear();
+}
 
-  const std::size_t blocks = (queue_.size() + block_size - 1) / block_size;
-  workers_.for_each(blocks, [&](std::size_t block) {
-    const std::size_t begin = block * block_size;
-    for (const std::uint32_t at : std::span(queue_).subspan(begin, std::min(block_size, queue_.size() - begin))) {
+// What has changed and is not in the queue yet.
+void Universe::queue_changed() {
+  const std::size_t moved = queue_.size();
+  for (const std::uint32_t at : queue_) {
+    infos_[at].is_queued = true;
+  }
+  for (const GeometryId id : changed_geometries_) {
+    if (!geometries_.contains(id)) {
+      continue;
+    }
+    Geometry& geometry = geometries_.at(id);
+    geometry.is_changed = false;
+    const std::uint32_t at = id.slot - 1;
+    if (geometry.options.parking == Parking::none && !std::exchange(infos_[at].is_queued, true)) {
+      queue_.push_back(at);
+    }
+  }
+  const std::span<const std::uint32_t> changed = std::span(queue_).subspan(moved);
+  const Cuts cuts = workers_.cut(changed.size(), least_of_task);
+  workers_.for_each(cuts.tasks(), [&](std::size_t task) {
+    for (const std::uint32_t at : cuts.of(changed, task)) {
       if (infos_[at].is_box_stale) {
         place(at);
       }
     }
   });
-  for (const std::uint32_t at : queue_) {
-    infos_[at].is_queued = false;
-    if (!infos_[at].is_fresh) {
-      infos_[at].is_fresh = true;
+  for (const std::uint32_t at : changed) {
+    if (!std::exchange(infos_[at].is_fresh, true)) {
       fresh_.push_back(at);
     }
+  }
+  for (const std::uint32_t at : queue_) {
+    infos_[at].is_queued = false;
+  }
+}
+
+void Universe::gather_changes() {
+  queue_.clear();
+  const std::span<const PartId> parts(moved_parts_);
+  const Cuts cuts = workers_.cut(parts.size(), least_of_task);
+  change_tasks_.resize(std::max(change_tasks_.size(), cuts.tasks()));
+  workers_.for_each(cuts.tasks(), [&](std::size_t task) { gather_moved(cuts.of(parts, task), change_tasks_[task]); });
+  for (const ChangeTask& task : std::span(change_tasks_).first(cuts.tasks())) {
+    queue_.insert(queue_.end(), task.queue.begin(), task.queue.end());
+    fresh_.insert(fresh_.end(), task.fresh.begin(), task.fresh.end());
+  }
+  moved_parts_.clear();
+  if (!changed_geometries_.empty()) {
+    queue_changed();
+    changed_geometries_.clear();
   }
 }
 

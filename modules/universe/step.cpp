@@ -7,6 +7,7 @@ import abut.core;
 import abut.core.standard;
 import abut.dispatch;
 import abut.math;
+import abut.narrowphase.pair_memory;
 import abut.universe.checks;
 import abut.universe.jobs;
 import abut.universe.pairs;
@@ -15,6 +16,9 @@ import abut.universe.rules;
 
 namespace abut {
 namespace {
+
+// Fewer pairs are looked at, and fewer flags are taken back, faster than a thread is called.
+constexpr std::size_t least_of_task = 2048, least_flags_of_task = 16384;
 
 class Stopwatch {
  public:
@@ -58,7 +62,7 @@ bool Universe::is_covered(const Pair& pair, const Scope& scope) const {
   return true;
 }
 
-void Universe::update_pair(Pair& pair, const Scope& scope) {
+void Universe::update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lost) {
   const PlaceInfo &low = infos_[pair.low], &high = infos_[pair.high];
   pair.job = no_job;
   pair.first_before = pair.first_contact;
@@ -66,7 +70,7 @@ void Universe::update_pair(Pair& pair, const Scope& scope) {
   pair.was_touching = pair.is_touching;
   const bool is_reshaped = low.is_reshaped || high.is_reshaped;
   if (is_reshaped && pair.is_touching) {
-    pairs_.lose(pair);
+    lost.push_back(pair);
     pair.count_before = pair.contact_count = 0;
     pair.is_touching = pair.was_touching = false;
   }
@@ -107,31 +111,55 @@ void Universe::update_pair(Pair& pair, const Scope& scope) {
   } else if (pair.is_new || policy.period == 1 || step_ % policy.period == 0 || scope.coverage == Coverage::everything) {
     pair.job = 0;
     pair.is_stale = pair.is_new = false;
-    if (jobs_.gains_from_memory(pair.run)) {
-      pairs_.give_memory(pair);
-    }
   }
 }
 
 void Universe::update_pairs(const Scope& scope) {
   if (is_broadphase_changed_) {
-    pairs_.merge(near_, infos_);
+    pairs_.merge(workers_, near_, infos_);
     is_broadphase_changed_ = false;
   }
   if (has_focus_) {
     follow_focus();
   }
-  for (Pair& pair : pairs_.all()) {
-    update_pair(pair, scope);
+  const std::span<Pair> pairs = pairs_.all();
+  // Each task looks at all runs, so that it has to have as many pairs. The filter is called on this thread, in order.
+  const Cuts cuts = filter_ ? Cuts(pairs.size(), 1) : workers_.cut(pairs.size(), std::max(least_of_task, policies_.size() * run_count));
+  jobs_.start(cuts.tasks(), policies_);
+  pair_tasks_.resize(std::max(pair_tasks_.size(), cuts.tasks()));
+  workers_.for_each(cuts.tasks(), [&](std::size_t task) {
+    PairTask& its = pair_tasks_[task];
+    its.lost.clear();
+    its.without_memory.clear();
+    const std::span<std::uint32_t> counts = jobs_.counts_of(task);
+    for (std::size_t i = cuts.begin(task); i < cuts.end(task); ++i) {
+      Pair& pair = pairs[i];
+      update_pair(pair, scope, its.lost);
+      if (pair.job == no_job) {
+        continue;
+      }
+      ++counts[JobList::run_of_pair(pair)];
+      if (pair.memory == no_memory && jobs_.gains_from_memory(pair.run)) {
+        its.without_memory.push_back(static_cast<std::uint32_t>(i));
+      }
+    }
+  });
+  for (const PairTask& its : std::span(pair_tasks_).first(cuts.tasks())) {
+    pairs_.lose(its.lost);
+    for (const std::uint32_t place : its.without_memory) {
+      pairs_.give_memory(pairs[place]);
+    }
   }
-  pairs_.sort_lost();
-  jobs_.arrange(pairs_.all(), infos_, policies_, options_.tolerance_mode);
+  jobs_.arrange(workers_, cuts, pairs, infos_, policies_, options_.tolerance_mode);
 }
 
 void Universe::finish_detection() {
-  for (const std::uint32_t at : fresh_) {
-    infos_[at].is_fresh = infos_[at].is_refiltered = infos_[at].is_reshaped = false;
-  }
+  const Cuts cuts = workers_.cut(fresh_.size(), least_flags_of_task);
+  workers_.for_each(cuts.tasks(), [&](std::size_t task) {
+    for (const std::uint32_t at : cuts.of(std::span(fresh_), task)) {
+      infos_[at].is_fresh = infos_[at].is_refiltered = infos_[at].is_reshaped = false;
+    }
+  });
   stats_.moved = fresh_.size();
   fresh_.clear();
   must_refilter_ = false;

@@ -106,11 +106,22 @@ std::size_t Universe::bytes() const {
   const std::size_t changes = moved_parts_.capacity() * sizeof(PartId) + changed_geometries_.capacity() * sizeof(GeometryId) +
                               (fresh_.capacity() + queue_.capacity() + updates_.capacity() + rejoining_.capacity()) * sizeof(std::uint32_t);
   const std::size_t results = near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() + jobs_.bytes() +
-                              (contacts_.capacity() + contacts_before_.capacity()) * sizeof(Contact) +
+                              contacts_.capacity() * sizeof(Contact) +
                               (histories_.capacity() + histories_before_.capacity()) * sizeof(ContactHistory) +
                               events_.capacity() * sizeof(Event);
+  std::size_t tasks = change_tasks_.capacity() * sizeof(ChangeTask) + pair_tasks_.capacity() * sizeof(PairTask) +
+                      contact_tasks_.capacity() * sizeof(ContactTask) + event_tasks_.capacity() * sizeof(EventTask);
+  for (const ChangeTask& task : change_tasks_) {
+    tasks += (task.queue.capacity() + task.fresh.capacity()) * sizeof(std::uint32_t);
+  }
+  for (const PairTask& task : pair_tasks_) {
+    tasks += task.lost.capacity() * sizeof(Pair) + task.without_memory.capacity() * sizeof(std::uint32_t);
+  }
+  for (const EventTask& task : event_tasks_) {
+    tasks += task.events.capacity() * sizeof(Event);
+  }
   const std::size_t broadphase = std::visit([](const auto& its) { return its.bytes(); }, broadphase_);
-  return sizeof(Universe) + parts_.bytes() + geometries_.bytes() + list_bytes_ + per_geometry + changes + results + broadphase +
+  return sizeof(Universe) + parts_.bytes() + geometries_.bytes() + list_bytes_ + per_geometry + changes + results + tasks + broadphase +
          rules_.bytes() + policies_.bytes() + focus_.bytes() + switched_.capacity() * sizeof(std::uint32_t) + materials_.bytes() +
          sleep_.bytes();
 }

@@ -172,6 +172,23 @@ class Universe {
     CompactAabb region = {};
     Real dt = 0;
   };
+  // What one task finds when changes are gathered, pairs are looked at, contacts counted and events written.
+  struct ChangeTask {
+    std::vector<std::uint32_t> queue, fresh;
+  };
+  struct PairTask {
+    std::vector<Pair> lost;
+    std::vector<std::uint32_t> without_memory;  // by their place among the pairs
+  };
+  struct ContactTask {
+    std::array<KindTally, run_count> tallies{};
+    std::uint64_t candidates = 0, filtered = 0, unsupported = 0, touching = 0;
+    std::uint32_t contacts = 0, kept = 0, first_contact = 0;  // kept: of pairs that were not examined
+  };
+  struct EventTask {
+    std::vector<Event> events;
+    std::size_t first = 0;  // where they go
+  };
 
   void forget_geometry(GeometryId geometry);
   void change(GeometryId geometry);
@@ -181,12 +198,14 @@ class Universe {
   void choose_broadphase();
   void join_broadphase(std::uint32_t at);
   void gather_changes();
+  void gather_moved(std::span<const PartId> parts, ChangeTask& task);
+  void queue_changed();
   void place(std::uint32_t at);
   void update_broadphase();
   void detect(const Scope& scope);
   void run_stages(const Scope& scope);
   void update_pairs(const Scope& scope);
-  void update_pair(Pair& pair, const Scope& scope);
+  void update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lost);
   void follow_focus();
   void follow_focus(std::uint32_t at);
   [[nodiscard]] bool is_admitted(const Pair& pair) const;
@@ -195,14 +214,19 @@ class Universe {
   void find_contacts_of_chunk(std::size_t chunk);
   void finish_job(std::size_t job, std::uint32_t chunk, std::size_t first, std::size_t count);
   void collect_contacts();
-  void write_contacts_of(std::size_t place);
+  void count_contacts(std::size_t begin, std::size_t end, ContactTask& out);
+  void write_contacts(std::size_t begin, std::size_t end, std::uint32_t first_contact);
+  void write_contacts_of(const Pair& pair, std::span<const ContactPoint> found);
+  void move_kept_contacts();
+  void make_room_for_contacts(std::size_t count);
   void disturb(PartId part);
   void update_sleep(Real dt);
   [[nodiscard]] bool is_asleep(const Pair& pair) const;
   [[nodiscard]] std::uint32_t event_flags_of(const Pair& pair) const;
   void collect_events();
-  void write_event(EventKind kind, const Pair& pair);
-  void write_contact_events(const Pair& pair);
+  void write_events(std::span<const Pair> pairs, std::span<const Pair> lost, std::vector<Event>& out) const;
+  void write_event(EventKind kind, const Pair& pair, std::vector<Event>& out) const;
+  void write_contact_events(const Pair& pair, std::vector<Event>& out) const;
   void finish_detection();
   void count_everything();
   [[nodiscard]] Placement world_of(const Geometry& geometry) const;
@@ -234,6 +258,7 @@ class Universe {
   std::vector<std::uint32_t> queue_;  // places whose box is asked for
   std::vector<std::uint32_t> updates_;  // those of them that the broad phase knows
   std::vector<std::uint32_t> rejoining_;  // places that leave the broad phase and come back
+  std::vector<ChangeTask> change_tasks_;
   bool is_broadphase_changed_ = false;
   bool must_refilter_ = false;
 
@@ -243,6 +268,7 @@ class Universe {
   std::string_view broadphase_reason_ = "nothing to look at yet";
   std::vector<ProxyPair> near_;
   PairStore pairs_;
+  std::vector<PairTask> pair_tasks_;
   JobList jobs_;
   Rules rules_;
   Filter filter_;
@@ -258,10 +284,11 @@ class Universe {
   std::vector<std::pair<GeometryId, Parking>> deferred_parking_;
 
   std::vector<Contact> contacts_;
-  std::vector<Contact> contacts_before_;  // of the detection before
-  std::vector<ContactHistory> histories_, histories_before_;  // of the contacts of both, in their order
+  std::vector<ContactHistory> histories_, histories_before_;  // of the contacts, and of those of the detection before
   std::vector<Event> events_;
   std::array<KindTally, run_count> tallies_{};
+  std::vector<ContactTask> contact_tasks_;
+  std::vector<EventTask> event_tasks_;
   StepStats stats_;
 };
 

@@ -35,6 +35,25 @@ TEST(Workers, CallEachTaskOnce) {
   }
 }
 
+// Each element is in one task, in order, and no task is much longer than another.
+TEST(Workers, CutAListIntoTasks) {
+  EXPECT_EQ(Workers(1).cut(100000, 10).tasks(), 1U);
+  for (const std::uint32_t threads : {1U, 2U, 5U}) {
+    for (const std::size_t length : {std::size_t{0}, std::size_t{1}, std::size_t{99}, std::size_t{100}, std::size_t{12345}}) {
+      const abut::Cuts cuts = Workers(threads).cut(length, 50);
+      ASSERT_GE(cuts.tasks(), 1U);
+      std::size_t at = 0;
+      for (std::size_t task = 0; task < cuts.tasks(); ++task) {
+        EXPECT_EQ(cuts.begin(task), at);
+        EXPECT_TRUE(cuts.tasks() == 1 || cuts.end(task) - at >= 50) << length << " cut into " << cuts.tasks();
+        EXPECT_LE(cuts.end(task) - at, length / cuts.tasks() + 1);
+        at = cuts.end(task);
+      }
+      EXPECT_EQ(at, length);
+    }
+  }
+}
+
 TEST(Workers, NoneMeansThoseOfTheMachine) {
   EXPECT_GE(Workers(0).threads(), 1U);
   EXPECT_EQ(Workers(1).threads(), 1U);

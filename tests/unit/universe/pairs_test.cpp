@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 import abut.broadphase;
+import abut.core.workers;
 import abut.universe.pairs;
 
 namespace {
@@ -22,7 +24,7 @@ class Store : public testing::Test {
   }
   void merge(const std::vector<ProxyPair>& near) {
     store.forget_lost();
-    store.merge(near, infos);
+    store.merge(Workers(1), near, infos);
   }
 
   std::array<PlaceInfo, 8> infos{};
@@ -80,12 +82,54 @@ TEST_F(Store, OthersInTheSameSlotsAreAnotherPair) {
   EXPECT_TRUE(store.all()[0].is_unasked);
 }
 
+// The same pairs, the same lost ones in the same order, and memories that go to the same pairs.
+TEST(Merge, IsTheSameOnAnyNumberOfThreads) {
+  constexpr std::uint32_t count = 3000;
+  std::vector<PlaceInfo> infos(count + 8);
+  const auto near_in = [&](std::uint32_t round) {
+    std::vector<ProxyPair> near;
+    for (std::uint32_t low = 0; low < count; ++low) {
+      for (std::uint32_t step = 1; step < 8; ++step) {
+        if ((low * 7 + step * 5 + round * 3) % 4 != 0) near.push_back({low, low + step});
+      }
+    }
+    return near;
+  };
+  PairStore one, many;
+  const Workers single(1), several(4);
+  for (std::uint32_t round = 0; round < 5; ++round) {
+    const std::vector<ProxyPair> near = round == 3 ? std::vector<ProxyPair>{} : near_in(round);
+    for (std::uint32_t i = round; i < count; i += 17) ++infos[i].generation;
+    for (PairStore* store : {&one, &many}) {
+      store->forget_lost();
+      store->merge(store == &one ? single : several, near, infos);
+      for (Pair& pair : store->all()) {
+        pair.is_touching = (pair.low + pair.high) % 3 == 0;
+        pair.is_unasked = false;
+        if (pair.low % 5 == 0) store->give_memory(pair);
+      }
+    }
+    const auto expect_same = [](std::span<const Pair> a, std::span<const Pair> b) {
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        ASSERT_TRUE(a[i].low == b[i].low && a[i].high == b[i].high && a[i].generation_low == b[i].generation_low &&
+                    a[i].generation_high == b[i].generation_high && a[i].memory == b[i].memory)
+            << i;
+      }
+    };
+    ASSERT_EQ(one.all().size(), near.size());
+    ASSERT_TRUE(round == 0 || round == 4 || !one.lost().empty());
+    expect_same(one.all(), many.all());
+    expect_same(one.lost(), many.lost());
+    EXPECT_EQ(one.memories().size(), many.memories().size());
+  }
+}
+
 TEST_F(Store, LostPairsComeInOrder) {
   merge({{0, 1}, {2, 3}, {4, 5}});
   for (Pair& pair : store.all()) pair.is_touching = true;
   merge({{2, 3}});
-  store.lose(store.all()[0]);
-  store.sort_lost();
+  store.lose(store.all().first(1));
   ASSERT_EQ(store.lost().size(), 3U);
   EXPECT_EQ(store.lost()[0].low, 0U);
   EXPECT_EQ(store.lost()[1].low, 2U);
