@@ -176,40 +176,41 @@ inline bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose
   return comes_after(a, b, pose_a, pose_b);
 }
 
+// Out of line, so that others need not keep what they are given across a call.
+template <class Ask>
+[[nodiscard]] [[gnu::noinline]] Outcome ask_where_poses_agree(const AnyShape& a, const AnyShape& b, const Pose& pose_a,
+                                                              const Pose& pose_b, const Ask& ask) {
+  return ask(comes_after(a, b, pose_a, pose_b));
+}
+// Asks with whether work starts from b.
+template <class Ask>
+[[nodiscard]] [[gnu::always_inline]] inline Outcome ask_in_order(const AnyShape& a, const AnyShape& b, const Pose& pose_a,
+                                                                 const Pose& pose_b, const Ask& ask) {
+  const bool are_alike = a.index() == b.index();
+  if (are_alike && pose_a.position.x == pose_b.position.x) [[unlikely]] {
+    return ask_where_poses_agree(a, b, pose_a, pose_b, ask);
+  }
+  return ask(are_alike ? pose_b.position.x < pose_a.position.x : b.index() < a.index());
+}
+
 }  // namespace
 
 Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
                       Distance& out) {
-  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
-  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-  return pair_kernels(first.index(), second.index())
-      .distance(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
+  return ask_in_order(a, b, pose_a, pose_b, [&](bool from_b) __attribute__((always_inline)) {
+    const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+    return pair_kernels(first.index(), second.index())
+        .distance(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
+  });
 }
-
-namespace {
-
-// Of two shapes of one kind, which one comes first may change as they move: their numbers are in the order given.
-void number_in_order_given(std::span<ContactPoint> contacts) {
-  for (ContactPoint& contact : contacts) {
-    if (contact.id == contact_id(contact.feature_b, contact.feature_a)) {
-      contact.id = contact_id(contact.feature_a, contact.feature_b);
-    }
-  }
-}
-
-}  // namespace
 
 Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
                       Manifold& out) {
-  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
-  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-  const std::size_t found = out.size();
-  const Outcome outcome = pair_kernels(first.index(), second.index())
-                              .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
-  if (from_b && a.index() == b.index()) {
-    number_in_order_given(std::span(out).subspan(found));
-  }
-  return outcome;
+  return ask_in_order(a, b, pose_a, pose_b, [&](bool from_b) __attribute__((always_inline)) {
+    const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+    return pair_kernels(first.index(), second.index())
+        .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
+  });
 }
 
 Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
@@ -220,14 +221,10 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
     memory = {};
     memory.is_from_b = from_b;
   }
-  const std::size_t found = out.size();
   const Outcome outcome =
       pair_kernels(first.index(), second.index())
           .contacts_with_memory(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, memory, out);
   memory.is_from_b = from_b;
-  if (from_b && a.index() == b.index()) {
-    number_in_order_given(std::span(out).subspan(found));
-  }
   return outcome;
 }
 

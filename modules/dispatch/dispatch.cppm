@@ -7,7 +7,9 @@ import abut.math;
 import abut.narrowphase.convex;
 import abut.narrowphase.convex_memory;
 import abut.narrowphase.half_space;
+import abut.narrowphase.lane_contact;
 export import abut.narrowphase.pair_memory;
+import abut.narrowphase.placed_pair;
 import abut.shape;
 
 export namespace abut {
@@ -69,9 +71,11 @@ struct PairKernels {
   bool gains_from_memory = false;
 };
 
+// Where closed forms have no answer, or the route is another one. Out of line: a function that only takes closed forms is
+// entered at less cost.
 template <class Any, class A, class B>
-[[nodiscard]] Outcome distance_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
-                                      const QuerySettings& settings, Distance& out) {
+[[nodiscard]] [[gnu::noinline]] Outcome distance_in_frame(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b,
+                                                          bool swapped, const QuerySettings& settings, Distance& out) {
   [[clang::uninitialized]] Distance found;
   const Outcome outcome = distance_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, found);
   if (outcome == Outcome::ok) [[likely]] {
@@ -81,25 +85,52 @@ template <class Any, class A, class B>
   return outcome;
 }
 
-// What was a becomes b, where `swapped`.
-[[gnu::always_inline]] inline void exchange_sides(ContactPoint& contact, bool swapped) {
-  const LaneNumbers exchange = swapped ? -1 : 0;
-  const Lanes a = lanes_of(contact.point_a), b = lanes_of(contact.point_b), normal = lanes_of(contact.normal);
-  const Feature feature_a = contact.feature_a, feature_b = contact.feature_b;
-  contact.point_a = vec3_of(exchange ? b : a);
-  contact.point_b = vec3_of(exchange ? a : b);
-  contact.normal = vec3_of(exchange ? -normal : normal);
-  contact.feature_a = swapped ? feature_b : feature_a;
-  contact.feature_b = swapped ? feature_a : feature_b;
+template <class Any, class A, class B>
+[[nodiscard]] Outcome distance_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                                      const QuerySettings& settings, Distance& out) {
+  if constexpr (route<A, B>() == Route::convex && ClosedForm<A, B>) {
+    if (distance_of_placed(std::get<A>(a), std::get<B>(b), pose_a, pose_b, swapped, settings, out)) [[likely]] {
+      return Outcome::ok;
+    }
+  }
+  return distance_in_frame<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, out);
+}
+
+// Of two shapes of one kind, which one comes first may change as they move: their numbers are in the order given.
+inline void number_in_order_given(std::span<ContactPoint> contacts) {
+  for (ContactPoint& contact : contacts) {
+    if (contact.id == contact_id(contact.feature_b, contact.feature_a)) {
+      contact.id = contact_id(contact.feature_a, contact.feature_b);
+    }
+  }
+}
+
+// Contacts from the frame of the first shape to the world.
+template <class A, class B>
+void place_contacts(std::span<ContactPoint> contacts, const Pose& pose_a, bool swapped) {
+  for (ContactPoint& contact : contacts) {
+    move_by(contact, pose_a, swapped);
+  }
+  if (std::is_same_v<A, B> && swapped) {
+    number_in_order_given(contacts);
+  }
+}
+
+template <class Any, class A, class B>
+[[nodiscard]] [[gnu::noinline]] Outcome contacts_in_frame(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b,
+                                                          bool swapped, const QuerySettings& settings, Manifold& out) {
+  const std::size_t first = out.size();
+  const Outcome outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
+  place_contacts<A, B>(std::span(out).subspan(first), pose_a, swapped);
+  return outcome;
 }
 
 template <class Any, class A, class B>
 [[nodiscard]] Outcome contacts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                                       const QuerySettings& settings, Manifold& out) {
   if constexpr (route<A, B>() == Route::half_space) {
-    const auto append = [&](ContactPoint contact) {
-      exchange_sides(contact, swapped != is_flipped<A, B>());
-      append_contact(contact, out);
+    const auto append = [&](const LaneContact& contact) {
+      append_contact(with_sides(contact, swapped != is_flipped<A, B>()), out);
     };
     if constexpr (is_flipped<A, B>()) {
       return half_space_contacts(std::get<B>(b), std::get<A>(a), pose_b, pose_a, settings, append);
@@ -108,20 +139,18 @@ template <class Any, class A, class B>
     }
   } else {
     if constexpr (route<A, B>() == Route::convex && ClosedContacts<A, B>) {
-      const auto append = [&](ContactPoint contact) {
-        move_by(contact, pose_a, swapped);
-        append_contact(contact, out);
+      const auto append = [&](const LaneContact& contact) {
+        LaneContact given = with_sides(contact, swapped);
+        if constexpr (std::is_same_v<A, B>) {
+          given.id = contact_id(given.feature_a, given.feature_b);
+        }
+        append_contact(given, out);
       };
-      if (contacts_in_closed_form(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, append)) [[likely]] {
+      if (contacts_of_placed(std::get<A>(a), std::get<B>(b), pose_a, pose_b, settings, append)) [[likely]] {
         return Outcome::ok;
       }
     }
-    const std::size_t first = out.size();
-    const Outcome outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
-    for (ContactPoint& contact : std::span(out).subspan(first)) {
-      move_by(contact, pose_a, swapped);
-    }
-    return outcome;
+    return contacts_in_frame<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, out);
   }
 }
 
@@ -141,9 +170,7 @@ template <class Any, class A, class B>
   if constexpr (gains_from_memory<A, B>()) {
     const std::size_t first = out.size();
     const Outcome outcome = convex_contacts(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, memory, out);
-    for (ContactPoint& contact : std::span(out).subspan(first)) {
-      move_by(contact, pose_a, swapped);
-    }
+    place_contacts<A, B>(std::span(out).subspan(first), pose_a, swapped);
     return outcome;
   } else {
     return contacts_kernel<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, out);

@@ -8,6 +8,7 @@
 export module abut.narrowphase.box_contacts;
 import abut.core.standard;
 import abut.math;
+import abut.narrowphase.lane_contact;
 import abut.shape;
 
 export namespace abut {
@@ -55,8 +56,8 @@ template <class Append>
     const Lanes point_a = multiply_add(lanes_of(normal), all_lanes(radius_a), on_a);
     const Lanes point_b = multiply_add(lanes_of(normal), all_lanes(region.distance[i] - radius_b), on_a);
     const Feature feature_a = region.of_a[candidate_features[i].of_a], feature_b = region.of_b[candidate_features[i].of_b];
-    append(ContactPoint{vec3_of(point_a), vec3_of(point_b), normal, region.distance[i] - (radius_a + radius_b), feature_a,
-                        feature_b, contact_id(feature_a, feature_b)});
+    append(LaneContact{point_a, point_b, lanes_of(normal), region.distance[i] - (radius_a + radius_b), feature_a, feature_b,
+                       contact_id(feature_a, feature_b)});
   }
 }
 

@@ -4,14 +4,13 @@ export module abut.narrowphase.convex;
 import abut.core;
 import abut.core.standard;
 import abut.math;
-import abut.narrowphase.box_contacts;
-import abut.narrowphase.box_cores;
-import abut.narrowphase.box_sat;
 import abut.narrowphase.clip;
+export import abut.narrowphase.closed_forms;
+import abut.narrowphase.field_cores;
 import abut.narrowphase.gjk;
+import abut.narrowphase.lane_contact;
 import abut.narrowphase.libccd;
 import abut.narrowphase.pair_proof;
-import abut.narrowphase.sat;
 export import abut.narrowphase.separation;
 import abut.shape;
 
@@ -30,15 +29,6 @@ export namespace abut {
           core.iterations};
 }
 
-// Number by number: copied whole, it would be read in wider pieces than it was written in, each of which waits for the stores.
-[[gnu::always_inline]] inline void append_contact(const ContactPoint& contact, Manifold& out) {
-  [[clang::always_inline]] out.emplace_back(contact.point_a, contact.point_b, contact.normal, contact.distance, contact.feature_a,
-                                            contact.feature_b, contact.id);
-}
-
-template <class A, class B>
-concept ClosedForm = PointAndField<A, B> || (BoxCored<A> && BoxCored<B>);
-
 // Whether an algorithm may answer for a pair of convex shapes at all.
 template <Convex A, Convex B>
 [[nodiscard]] inline bool may_answer(Algorithm algorithm) {
@@ -54,6 +44,18 @@ template <Convex A, Convex B>
 }
 
 template <Convex A, Convex B>
+[[nodiscard]] inline CoreSeparation separate_for_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings) {
+  if constexpr (CurvedFields<A, B>) {
+    if (settings.algorithm == Algorithm::automatic) {
+      if (const std::optional<CoreSeparation> found = separate_fields(a, b, ab, settings)) {
+        return *found;
+      }
+    }
+  }
+  return separate_cores(a, b, ab, settings, infinity);
+}
+
+template <Convex A, Convex B>
 [[nodiscard]] [[gnu::noinline]] Outcome convex_distance_by_search(const A& a, const B& b, const Pose& ab,
                                                                   const QuerySettings& settings, Distance& out) {
   if (!may_answer<A, B>(settings.algorithm)) {
@@ -62,33 +64,13 @@ template <Convex A, Convex B>
   if (settings.algorithm == Algorithm::libccd_gjk || settings.algorithm == Algorithm::libccd_mpr) {
     return libccd_distance(a, b, ab, settings.algorithm, out);
   }
-  CoreSeparation core = separate_cores(a, b, ab, settings, infinity);
+  CoreSeparation core = separate_for_distance(a, b, ab, settings);
   if (!is_by(settings.algorithm, core)) {
     return Outcome::unsupported;
   }
   find_points(a, b, ab, core);
   out = rounded(core, a.radius(), b.radius());
   return Outcome::ok;
-}
-
-// False where closed forms leave the pair to a search.
-template <Convex A, Convex B>
-  requires ClosedForm<A, B>
-[[nodiscard]] [[gnu::always_inline]] inline bool separate_in_closed_form(const A& a, const B& b, const Pose& ab,
-                                                                         const QuerySettings& settings, CoreSeparation& core) {
-  const Real size = core_size(a, b, ab);
-  if constexpr (PointAndField<A, B>) {
-    core = separate_point(a, b, ab, size);
-    return true;
-  } else {
-    const Real error = error_of(a, b, size, settings);
-    const NearPoints near = near_points(a, b, ab, error);
-    if (!is_settled(near, size, error)) [[unlikely]] {
-      return false;
-    }
-    core = separation_of(near, size);
-    return true;
-  }
 }
 
 // Closed forms, where the shapes have any and they succeed, stay in registers from the pose to the answer:
@@ -109,19 +91,6 @@ template <Convex A, Convex B>
     return outcome;
   } else {
     return convex_distance_by_search(a, b, ab, settings, out);
-  }
-}
-
-// Whether two cores cannot have more than a point in common.
-template <Convex A, Convex B>
-[[nodiscard]] inline bool meet_in_a_point(const Pose& ab) {
-  if constexpr (PointCored<A> || PointCored<B>) {
-    return true;
-  } else if constexpr (SegmentCored<A> && SegmentCored<B>) {
-    const Vec3& axis = ab.rotation.z;
-    return axis.x * axis.x + axis.y * axis.y > parallel_sine * parallel_sine;
-  } else {
-    return false;
   }
 }
 
@@ -226,60 +195,12 @@ template <Convex A, Convex B>
   return Outcome::ok;
 }
 
-// Pairs of shapes that mostly touch in one point, which a closed form finds.
-template <class A, class B>
-concept TouchInAPoint = ClosedForm<A, B> && (PointCored<A> || PointCored<B> || (SegmentCored<A> && SegmentCored<B>));
-template <class A, class B>
-concept ClosedContacts = TouchInAPoint<A, B> || TwoBoxes<A, B>;
-
-// Hands over the contacts one by one, all or none. False where closed forms leave the pair to a search.
-template <Convex A, Convex B, class Append>
-  requires TouchInAPoint<A, B>
-[[nodiscard]] [[gnu::always_inline]] inline bool contacts_in_closed_form(const A& a, const B& b, const Pose& ab,
-                                                                         const QuerySettings& settings, Append&& append) {
-  [[clang::uninitialized]] CoreSeparation core;
-  if (!takes_closed_forms(settings.algorithm) || !meet_in_a_point<A, B>(ab) ||
-      !separate_in_closed_form(a, b, ab, settings, core)) {
-    return false;
-  }
-  const Real distance = core.distance - (a.radius() + b.radius());
-  if (distance <= settings.margin) {
-    const Feature feature_a = supporting_feature(a, core.normal);
-    const Feature feature_b = supporting_feature(b, ab.rotation.undo(-core.normal));
-    append(ContactPoint{core.point_a + a.radius() * core.normal, core.point_b - b.radius() * core.normal, core.normal, distance,
-                        feature_a, feature_b, contact_id(feature_a, feature_b)});
-  }
-  return true;
-}
-
-// Of cores that overlap; those that are apart within the margin seldom face each other along one of the axes.
-template <Convex A, Convex B, class Append>
-  requires TwoBoxes<A, B>
-[[nodiscard]] [[gnu::always_inline]] inline bool contacts_in_closed_form(const A& a, const B& b, const Pose& ab,
-                                                                         const QuerySettings& settings, Append&& append) {
-  if (settings.algorithm != Algorithm::automatic) {
-    return false;
-  }
-  const Real size = core_size(a, b, ab), limit = settings.margin + (a.radius() + b.radius());
-  const SatResult found = sat_of_boxes(a.half(), b.half(), ab, noise_of(size), limit);
-  if (found.separation > limit) {
-    return true;
-  }
-  [[clang::uninitialized]] BoxRegion region;
-  if (found.separation > touching_distance(size) ||
-      !clip_boxes(a.half(), b.half(), ab, found.normal, found.separation, limit, size, region)) {
-    return false;
-  }
-  contacts_of_region(region, found.normal, a.radius(), b.radius(), append);
-  return true;
-}
-
 // As with distances, closed forms stay in registers where they succeed.
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::always_inline]] inline Outcome convex_contacts(const A& a, const B& b, const Pose& ab,
                                                                     const QuerySettings& settings, Manifold& out) {
   if constexpr (ClosedContacts<A, B>) {
-    const auto append = [&](const ContactPoint& contact) { append_contact(contact, out); };
+    const auto append = [&](const LaneContact& contact) { append_contact(contact, out); };
     if (contacts_in_closed_form(a, b, ab, settings, append)) [[likely]] {
       return Outcome::ok;
     }

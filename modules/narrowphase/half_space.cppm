@@ -6,6 +6,7 @@ export module abut.narrowphase.half_space;
 import abut.core;
 import abut.core.standard;
 import abut.math;
+import abut.narrowphase.lane_contact;
 import abut.shape;
 
 export namespace abut {
@@ -39,13 +40,13 @@ template <HalfSpace A>
 }
 
 // The contact of a point of a core that is rounded off by a radius. `distance`: of the rounded point.
-[[nodiscard]] [[gnu::always_inline]] inline ContactPoint contact_on_plane(const PlaneBelow& plane, Lanes core_point, Real radius,
-                                                                          Real distance, const Feature& feature_b) {
+[[nodiscard]] [[gnu::always_inline]] inline LaneContact contact_on_plane(const PlaneBelow& plane, Lanes core_point, Real radius,
+                                                                         Real distance, const Feature& feature_b) {
   constexpr Feature whole{FeatureKind::whole, 0};
   const Lanes normal = lanes_of(plane.normal);
-  return {vec3_of(multiply_add(normal, all_lanes(-(distance + radius)), core_point)),
-          vec3_of(multiply_add(normal, all_lanes(-radius), core_point)),
-          plane.normal,
+  return {multiply_add(normal, all_lanes(-(distance + radius)), core_point),
+          multiply_add(normal, all_lanes(-radius), core_point),
+          normal,
           distance,
           whole,
           feature_b,
@@ -90,19 +91,22 @@ template <class Append>
     return;
   }
   const int axis = steep.x >= steep.y && steep.x >= steep.z ? 0 : steep.y >= steep.z ? 1 : 2;
-  const int first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
-  const Real side = n[axis] > 0 ? -1 : 1;
+  const std::size_t across = static_cast<std::size_t>(axis), first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
+  // In arrays: which axis it is, is as good as random, and costs a branch each time that it is asked otherwise.
+  const std::array<Real, 3> normals{n.x, n.y, n.z}, rises{rise.x, rise.y, rise.z}, halves{half.x, half.y, half.z};
+  const std::array<Lanes, 3> columns{lanes_of(pose.rotation.x), lanes_of(pose.rotation.y), lanes_of(pose.rotation.z)};
+  const Real side = normals[across] > 0 ? -1 : 1;
+  constexpr std::array<Real, 4> ends_of_first{-1, 1, 1, -1}, ends_of_second{-1, -1, 1, 1};
   constexpr Lanes first_ends{-1, 1, 1, -1}, second_ends{-1, -1, 1, 1};
-  const Lanes distances = plane.height + side * rise[axis] + first_ends * rise[first] + second_ends * rise[second];
-  const auto column = [&](int of) { return lanes_of(of == 0 ? pose.rotation.x : of == 1 ? pose.rotation.y : pose.rotation.z); };
-  const Lanes centre = multiply_add(column(axis), all_lanes(side * half[axis]), lanes_of(pose.position));
-  const Lanes to_first = column(first) * half[first], to_second = column(second) * half[second];
-  const std::uint32_t base = side > 0 ? 1u << axis : 0u;
+  const Lanes distances = plane.height + side * rises[across] + first_ends * rises[first] + second_ends * rises[second];
+  const Lanes centre = multiply_add(columns[across], all_lanes(side * halves[across]), lanes_of(pose.position));
+  const Lanes to_first = columns[first] * halves[first], to_second = columns[second] * halves[second];
+  const std::uint32_t base = side > 0 ? 1u << across : 0u;
   for (std::uint32_t left = bits_within(distances, margin); left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    const Real end_first = first_ends[i], end_second = second_ends[i];
-    const Lanes corner = multiply_add(to_second, all_lanes(end_second), multiply_add(to_first, all_lanes(end_first), centre));
-    const std::uint32_t vertex = base | (end_first > 0 ? 1u << first : 0u) | (end_second > 0 ? 1u << second : 0u);
+    const Lanes along_first = multiply_add(to_first, all_lanes(ends_of_first[i]), centre);
+    const Lanes corner = multiply_add(to_second, all_lanes(ends_of_second[i]), along_first);
+    const std::uint32_t vertex = base | (6u >> i & 1u) << first | (12u >> i & 1u) << second;
     append(contact_on_plane(plane, corner, 0, distances[i], {FeatureKind::vertex, vertex}));
   }
 }
@@ -188,13 +192,19 @@ template <Convex B, class Append>
 [[gnu::always_inline]] inline void face_on_plane(const PlaneBelow& plane, const B& b, const Pose& pose, Real margin,
                                                  Append&& append) {
   const Vec3 down = -plane.local_normal;
+  // Of heights over the plane.
+  const Real noise = 64 * epsilon * (b.extent() + std::fabs(plane.height));
+  // Most shapes that do not touch are told before the root that a point of theirs takes.
+  if constexpr (requires { b.is_short_of(down, noise); }) {
+    if (b.is_short_of(down, plane.height - b.radius() - margin - noise)) {
+      return;
+    }
+  }
   const SupportPoint lowest = b.support(down);
   const Real deepest = plane.height_of(lowest.point) - b.radius();
   if (deepest > margin) {
     return;
   }
-  // Of heights over the plane.
-  const Real noise = 64 * epsilon * (b.extent() + std::fabs(plane.height));
   if constexpr (FacesAtVertices<B>) {
     if (!b.data().faces.empty()) [[likely]] {
       return face_at_vertex_on_plane(plane, b, lowest.index, pose, margin, append);
@@ -250,7 +260,8 @@ template <HalfSpace A, Convex B, class Append>
 // The same in the frame of a.
 template <HalfSpace A, Convex B>
 [[nodiscard]] Outcome half_space_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
-  return half_space_contacts(a, b, Pose::identity(), ab, settings, [&](const ContactPoint& contact) { out.push_back(contact); });
+  const auto append = [&](const LaneContact& contact) { append_contact(contact, out); };
+  return half_space_contacts(a, b, Pose::identity(), ab, settings, append);
 }
 
 }  // namespace abut

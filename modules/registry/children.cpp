@@ -238,6 +238,9 @@ Outcome children_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose
   for (ContactPoint& contact : std::span(out).subspan(first)) {
     move_by(contact, pose_a, swapped);
   }
+  if (swapped && a.index() == b.index()) {
+    number_in_order_given(std::span(out).subspan(first));
+  }
   return outcome;
 }
 

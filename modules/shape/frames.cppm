@@ -6,15 +6,10 @@ import abut.shape.records;
 
 export namespace abut {
 
-// A distance or a contact, from the frame that is placed by the pose to the one that it is placed in; what
-// was a becomes b, where `swapped`. Which side comes first is often as good as random, hence lanes that are
-// chosen by a mask and no branch.
+// Points and a normal in place of those of a distance or a contact; what was a becomes b, where `swapped`. Which side comes
+// first is often as good as random, hence lanes that are chosen by a mask and no branch.
 template <class Found>
-[[gnu::always_inline]] inline void move_by(Found& found, const Pose& pose, bool swapped = false) {
-  const LaneMatrix columns = LaneMatrix::columns_of(pose.rotation);
-  const Lanes position = lanes_of(pose.position);
-  const Lanes point_a = columns.apply(found.point_a, position), point_b = columns.apply(found.point_b, position);
-  const Lanes normal = columns * found.normal;
+[[gnu::always_inline]] inline void set_sides(Found& found, Lanes point_a, Lanes point_b, Lanes normal, bool swapped) {
   const LaneNumbers exchange = swapped ? -1 : 0;
   found.point_a = vec3_of(exchange ? point_b : point_a);
   found.point_b = vec3_of(exchange ? point_a : point_b);
@@ -27,6 +22,20 @@ template <class Found>
     found.child_a = swapped ? child_b : child_a;
     found.child_b = swapped ? child_a : child_b;
   }
+}
+
+// A distance or a contact, from the frame that is placed by the pose to the one that it is placed in.
+template <class Found>
+[[gnu::always_inline]] inline void move_by(Found& found, const Pose& pose, bool swapped = false) {
+  const LaneMatrix columns = LaneMatrix::columns_of(pose.rotation);
+  const Lanes position = lanes_of(pose.position);
+  set_sides(found, columns.apply(found.point_a, position), columns.apply(found.point_b, position), columns * found.normal, swapped);
+}
+// The same from a frame that is placed without being turned.
+template <class Found>
+[[gnu::always_inline]] inline void move_by(Found& found, const Vec3& shift, bool swapped = false) {
+  const Lanes position = lanes_of(shift);
+  set_sides(found, lanes_of(found.point_a) + position, lanes_of(found.point_b) + position, lanes_of(found.normal), swapped);
 }
 
 }  // namespace abut

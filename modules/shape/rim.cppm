@@ -11,10 +11,10 @@ inline constexpr std::uint32_t rim_corners = 16;
 
 // Cosine of an angle in parts of a full turn.
 [[nodiscard]] inline constexpr Real rim_cosine(std::uint32_t corner) {
-  constexpr std::array<Real, 5> quarter{1, 0.92387953251128675613, 0.70710678118654752440, 0.38268343236508977173, 0};
-  const std::uint32_t of_half = corner % rim_corners;
-  const std::uint32_t folded = of_half <= 8 ? of_half : rim_corners - of_half;
-  return folded <= 4 ? quarter[folded] : -quarter[8 - folded];
+  constexpr Real high = 0.92387953251128675613, even = 0.70710678118654752440, low = 0.38268343236508977173;
+  constexpr std::array<Real, rim_corners> turn{1,  high,  even,  low,  0, -low, -even, -high,
+                                               -1, -high, -even, -low, 0, low,  even,  high};
+  return turn[corner % rim_corners];
 }
 
 // The disc of a radius at a height along Z, facing up or down, as a face of the given number. Its corners and edges are

@@ -40,21 +40,18 @@ class Box {
   }
 
   // From outside every coordinate is clamped; from inside the nearest face counts.
-  [[nodiscard]] inline SurfacePoint nearest(const Vec3& p) const {
+  [[nodiscard]] [[gnu::always_inline]] inline SurfacePoint nearest(const Vec3& p) const {
     const Vec3 clamped = minimum(maximum(p, -half_), half_), out = p - clamped;
     const Real square = squared_norm(out);
     if (square > 1e-280) [[likely]] {
       const Real distance = std::sqrt(square);
       return {clamped, (1 / distance) * out, distance};
     }
-    if (const auto normal = UnitVec3::make(out)) {
-      return {clamped, *normal, norm(out)};
-    }
-    const Vec3 below = half_ - absolute(p);
-    const int axis = below.x <= below.y && below.x <= below.z ? 0 : below.y <= below.z ? 1 : 2;
-    const Vec3 normal{axis == 0 ? std::copysign(1.0, p.x) : 0, axis == 1 ? std::copysign(1.0, p.y) : 0,
-                      axis == 2 ? std::copysign(1.0, p.z) : 0};
-    return {p + below[axis] * normal, normal, -below[axis]};
+    return nearest_within(p, clamped);
+  }
+  // Whether a point is further from the box than `reach`, which leaves room for rounding.
+  [[nodiscard]] [[gnu::always_inline]] inline bool is_beyond(const Vec3& p, Real reach) const {
+    return squared_norm(p - minimum(maximum(p, -half_), half_)) > reach * std::fabs(reach) && reach >= 0;
   }
 
   [[nodiscard]] inline std::uint32_t corner_count() const { return 8; }
@@ -153,6 +150,19 @@ class Box {
 
  private:
   explicit Box(const Vec3& half) : half_(half) {}
+
+  // From a point inside, or so near that squares vanish.
+  [[nodiscard]] [[gnu::noinline]] SurfacePoint nearest_within(const Vec3& p, const Vec3& clamped) const {
+    const Vec3 out = p - clamped;
+    if (const auto normal = UnitVec3::make(out)) {
+      return {clamped, *normal, norm(out)};
+    }
+    const Vec3 below = half_ - absolute(p);
+    const int axis = below.x <= below.y && below.x <= below.z ? 0 : below.y <= below.z ? 1 : 2;
+    const Vec3 normal{axis == 0 ? std::copysign(1.0, p.x) : 0, axis == 1 ? std::copysign(1.0, p.y) : 0,
+                      axis == 2 ? std::copysign(1.0, p.z) : 0};
+    return {p + below[axis] * normal, normal, -below[axis]};
+  }
 
   // All four corners of a side, also where they coincide.
   [[nodiscard]] inline Face side_of(int axis, bool positive) const {

@@ -64,7 +64,7 @@ class Cylinder {
   }
 
   // In the half-plane through the axis and the point: a rectangle.
-  [[nodiscard]] SurfacePoint nearest(const Vec3& p) const {
+  [[nodiscard]] [[gnu::always_inline]] inline SurfacePoint nearest(const Vec3& p) const {
     const Sideways side = sideways_of(p);
     const Real z = std::copysign(Real{1}, p.z), beside = side.length - radius_, above = std::fabs(p.z) - half_height_;
     if (above > beside && beside <= 0) {
@@ -77,6 +77,17 @@ class Cylinder {
     return {{radius_ * side.x, radius_ * side.y, z * half_height_},
             {side.x * (beside / distance), side.y * (beside / distance), z * (above / distance)},
             distance};
+  }
+  // Whether a point is further from the cylinder than `reach`; near its edges it need not be told.
+  [[nodiscard]] [[gnu::always_inline]] inline bool is_beyond(const Vec3& p, Real reach) const {
+    const Real wide = radius_ + reach, slack = 1 + 16 * epsilon;
+    return reach >= 0 && (std::fabs(p.z) > slack * (half_height_ + reach) || p.x * p.x + p.y * p.y > slack * (wide * wide));
+  }
+
+  // Whether no point lies as far as `reach` along a direction; where rounding matters it need not be told.
+  [[nodiscard]] [[gnu::always_inline]] inline bool is_short_of(const Vec3& d, Real reach) const {
+    const Real left = reach - half_height_ * std::fabs(d.z) - 16 * epsilon * (std::fabs(reach) + half_height_);
+    return left > 0 && left * left > (1 + 16 * epsilon) * (radius_ * radius_) * (d.x * d.x + d.y * d.y);
   }
 
   // Faces 0 and 1 are the top and the bottom, corners and edges below 32 their rims. Seen from the side a
