@@ -13,7 +13,6 @@ namespace bench {
 namespace {
 
 using Json = nlohmann::json;
-using Quaternion = std::array<double, 4>;
 
 template <std::size_t count>
 std::array<double, count> numbers_of(const Json& list) {
@@ -54,11 +53,6 @@ std::optional<Solid> solid_of(const Json& json) {
     solid.sizes = {json.at("radius").get<double>(), json.value("half_length", 0.0), 0};
   }
   return solid;
-}
-
-Quaternion product(const Quaternion& p, const Quaternion& q) {
-  return {p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3], p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
-          p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1], p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
 }
 
 // The file has axes along x and y too, which are turned from z.

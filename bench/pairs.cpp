@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "agreement.hpp"
+#include "random_pairs.hpp"
 #include "ratios.hpp"
 
 namespace bench {
@@ -58,37 +59,6 @@ struct Scene {
   }
 };
 
-std::vector<Solid> make_solids(Kind kind, Random& random) {
-  std::vector<Solid> solids;
-  for (std::size_t i = 0; i < solid_count; ++i) {
-    solids.push_back(random_solid(kind, random));
-    if (is_hull(kind)) {
-      find_surface(solids.back());
-    }
-  }
-  return solids;
-}
-
-// Its orientation applied to z: the way out of a plane.
-Point up(const std::array<double, 4>& q) {
-  const auto& [w, x, y, z] = q;
-  return {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
-}
-
-Case random_case(const Scene& scene, Random& random) {
-  Case one{random.below(solid_count), random.below(solid_count), {}, {}};
-  const Solid& a = scene.solids_a[one.a];
-  const Point centre{random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-10, 10)};
-  one.pose_a = {centre, random.orientation()};
-  const Point any = random.direction();
-  const Point direction = a.kind == Kind::plane ? up(one.pose_a.orientation) : any;
-  const double reach = bounding_radius(a) + bounding_radius(scene.solids_b[one.b]);
-  const double apart = random.uniform(0, 1.5) * reach;
-  one.pose_b = {{centre[0] + apart * direction[0], centre[1] + apart * direction[1], centre[2] + apart * direction[2]},
-                random.orientation()};
-  return one;
-}
-
 std::string scene_name(Kind a, Kind b) {
   return std::string(kind_name(a)) + "-" + std::string(kind_name(b));
 }
@@ -96,11 +66,12 @@ std::string scene_name(Kind a, Kind b) {
 Scene make_scene(Kind kind_a, Kind kind_b) {
   // A seed of its own for each pair, so that a scene does not depend on which others are made.
   Random random(1 + 16 * static_cast<std::uint64_t>(kind_a) + static_cast<std::uint64_t>(kind_b));
-  Scene scene{scene_name(kind_a, kind_b), make_solids(kind_a, random), make_solids(kind_b, random), {}, {}, {}};
+  Scene scene{scene_name(kind_a, kind_b), random_solids(kind_a, solid_count, random),
+              random_solids(kind_b, solid_count, random), {}, {}, {}};
   while (std::min(scene.separated.size(), scene.overlapping.size()) < case_count) {
     std::vector<Case> tried;
     while (tried.size() < case_count) {
-      tried.push_back(random_case(scene, random));
+      tried.push_back(random_case(scene.solids_a, scene.solids_b, random));
     }
     std::vector<Answer> answers(case_count);
     make_abut(Query::depth, {scene.solids_a, scene.solids_b, tried})->answer(answers);

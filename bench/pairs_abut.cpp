@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "abut_inputs.hpp"
+#include "abut_queries.hpp"
 #include "pairs.hpp"
 
 import abut;
@@ -37,8 +38,9 @@ abut::AnyShape shape_of(const Solid& solid) {
 
 class Abut final : public Contender {
  public:
-  Abut(Query query, const Cell& cell, abut::Algorithm algorithm) : query_(query) {
-    settings_.algorithm = algorithm;
+  Abut(Query query, const Cell& cell, const AbutQuery& asked) : query_(query) {
+    settings_.algorithm = static_cast<abut::Algorithm>(asked.algorithm);
+    settings_.error_bound = asked.error_bound;
     for (const Solid& solid : cell.solids_a) {
       a_.push_back(shape_of(solid));
     }
@@ -58,18 +60,30 @@ class Abut final : public Contender {
     }
   }
 
+  [[nodiscard]] std::vector<Interval> intervals() const {
+    std::vector<Interval> list;
+    for (const Job& job : jobs_) {
+      abut::Distance out;
+      const bool is_answered = distance(job, out) == abut::Outcome::ok;
+      list.push_back(is_answered ? Interval{out.lower, out.upper} : Interval{1, -1});
+    }
+    return list;
+  }
+
  private:
   struct Job {
     std::size_t a, b;
     abut::Pose pose_a, pose_b;
   };
 
+  [[nodiscard]] abut::Outcome distance(const Job& job, abut::Distance& out) const {
+    return abut::pair_distance(a_[job.a], b_[job.b], job.pose_a, job.pose_b, settings_, out);
+  }
+
   void distances(std::span<Answer> answers) const {
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
-      const Job& job = jobs_[i];
       abut::Distance out;
-      const abut::Outcome outcome =
-          abut::pair_distance(a_[job.a], b_[job.b], job.pose_a, job.pose_b, settings_, out);
+      const abut::Outcome outcome = distance(jobs_[i], out);
       answers[i] = {out.distance, outcome == abut::Outcome::ok ? 1u : 0u};
     }
   }
@@ -100,25 +114,29 @@ class Abut final : public Contender {
   abut::Manifold manifold_;
 };
 
-// Null where libccd answers nothing: for shapes that are apart, for planes, and in builds without it.
-std::unique_ptr<Contender> make_through_libccd(Query query, const Cell& cell, abut::Algorithm algorithm) {
-  auto contender = std::make_unique<Abut>(query, cell, algorithm);
+}  // namespace
+
+std::unique_ptr<Contender> make_abut(Query query, const Cell& cell, const AbutQuery& asked) {
+  auto contender = std::make_unique<Abut>(query, cell, asked);
   std::vector<Answer> answers(cell.cases.size());
   contender->answer(answers);
   const bool any = std::ranges::any_of(answers, [](const Answer& answer) { return answer.points > 0; });
   return any ? std::move(contender) : nullptr;
 }
 
-}  // namespace
+std::vector<Interval> abut_intervals(const Cell& cell, const AbutQuery& asked) {
+  return Abut(Query::distance, cell, asked).intervals();
+}
 
 std::unique_ptr<Contender> make_abut(Query query, const Cell& cell) {
-  return std::make_unique<Abut>(query, cell, abut::Algorithm::automatic);
+  return std::make_unique<Abut>(query, cell, AbutQuery{});
 }
+// libccd answers nothing for shapes that are apart, for planes, and in builds without it.
 std::unique_ptr<Contender> make_abut_ccd_gjk(Query query, const Cell& cell) {
-  return make_through_libccd(query, cell, abut::Algorithm::libccd_gjk);
+  return make_abut(query, cell, {ABUT_ALGORITHM_LIBCCD_GJK});
 }
 std::unique_ptr<Contender> make_abut_ccd_mpr(Query query, const Cell& cell) {
-  return make_through_libccd(query, cell, abut::Algorithm::libccd_mpr);
+  return make_abut(query, cell, {ABUT_ALGORITHM_LIBCCD_MPR});
 }
 
 void find_surface(Solid& hull) {

@@ -13,23 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "statistics.hpp"
+
 namespace bench {
 namespace {
 
 // Repetitions of one benchmark in seconds.
 using Times = std::vector<double>;
-
-double median(Times times) {
-  std::sort(times.begin(), times.end());
-  const std::size_t middle = times.size() / 2;
-  return times.size() % 2 == 1 ? times[middle] : (times[middle - 1] + times[middle]) / 2;
-}
-
-// The least of the values that nine tenths of them do not exceed.
-double ninetieth_percentile(Times times) {
-  std::sort(times.begin(), times.end());
-  return times[(9 * times.size() + 9) / 10 - 1];
-}
 
 class Collector final : public benchmark::BenchmarkReporter {
  public:
@@ -87,7 +77,7 @@ class Collector final : public benchmark::BenchmarkReporter {
         }
       }
       if (!times.empty()) {
-        const double half = median(times), most = ninetieth_percentile(times);
+        const double half = median(times), most = percentile(times, 90);
         std::printf("%-12s %8zu %10.1f %10.1f %10.2f\n", column.c_str(), times.size(), half, most, most / half);
       }
     }

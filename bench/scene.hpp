@@ -12,6 +12,13 @@
 namespace bench {
 
 using Point = std::array<double, 3>;
+using Quaternion = std::array<double, 4>;  // scalar first
+
+// The turn by q, then that by p.
+[[nodiscard]] inline Quaternion product(const Quaternion& p, const Quaternion& q) {
+  return {p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3], p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
+          p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1], p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
+}
 
 enum class Kind : std::uint8_t { sphere, box, capsule, plane, hull32, hull200, cylinder, cone, ellipsoid, hull, triangle };
 
@@ -36,7 +43,7 @@ struct Solid {
 
 struct Placement {
   Point position{};
-  std::array<double, 4> orientation{1, 0, 0, 0};  // unit quaternion, scalar first
+  Quaternion orientation{1, 0, 0, 0};  // unit
 };
 
 // The same numbers on every platform, which the distributions of the standard library do not promise.
@@ -54,7 +61,7 @@ class Random {
     return {radius * std::cos(angle), radius * std::sin(angle), z};
   }
   // Uniform over all rotations (Shoemake 1992).
-  [[nodiscard]] std::array<double, 4> orientation() {
+  [[nodiscard]] Quaternion orientation() {
     const double share = uniform(0, 1), s = uniform(0, 2 * std::numbers::pi), t = uniform(0, 2 * std::numbers::pi);
     const double p = std::sqrt(1 - share), q = std::sqrt(share);
     return {p * std::sin(s), p * std::cos(s), q * std::sin(t), q * std::cos(t)};

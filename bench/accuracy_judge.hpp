@@ -1,0 +1,36 @@
+// What the signed distance of two solids is: by the oracle of the tests, in 113-bit floating point. It shares no code
+// with abut.
+#pragma once
+#include <optional>
+
+#include "oracle/distance.hpp"
+#include "oracle/solid.hpp"
+#include "scene.hpp"
+
+namespace bench {
+
+// A solid as the oracle sees it. Faces and edges, which take seconds to find for a large hull, are found when they are
+// asked for.
+class Judge {
+ public:
+  explicit Judge(const Solid& solid);
+
+  [[nodiscard]] const oracle::Solid& solid() const { return solid_; }
+  // Nothing of a cylinder.
+  [[nodiscard]] const std::optional<oracle::Measured>& features();
+
+ private:
+  std::optional<oracle::Body> body_;
+  oracle::Solid solid_;
+  std::optional<oracle::Measured> features_;
+};
+
+[[nodiscard]] oracle::Pose oracle_pose(const Placement& placement);
+
+// Exact to about 1e-18 of the size. Of solids apart, and of rounded ones whose cores are apart, from support points;
+// of other overlapping ones from their features, which takes longer: only where overlaps are asked for. Nothing where a
+// cylinder overlaps the core of the other.
+[[nodiscard]] std::optional<oracle::Quad> true_distance(Judge& a, const Placement& pose_a, Judge& b, const Placement& pose_b,
+                                                        bool with_overlaps);
+
+}  // namespace bench

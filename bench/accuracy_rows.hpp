@@ -1,0 +1,52 @@
+// What one library, asked in one way, answered to the cases of a cell, and in what time.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "abut_queries.hpp"
+#include "accuracy_scenes.hpp"
+
+namespace bench {
+
+struct Entrant {
+  std::string_view name;
+  std::unique_ptr<Contender> (*make)(Query query, const Cell& cell) = nullptr;  // null: abut, asked as below
+  AbutQuery asked{};
+};
+
+// In the order of all tables. The first are abut with its default bound and with others, the coarsest first.
+[[nodiscard]] std::span<const Entrant> entrants();
+inline constexpr std::size_t first_bound = 1, bound_count = 5;
+
+// Of abut only: answers that break what it says about them, each beyond the rounding of coordinates.
+struct Broken {
+  std::size_t outside = 0;  // the true distance lies outside of [lower, upper]
+  std::size_t beyond = 0;   // off by more than the error bound
+  std::size_t wide = 0;     // upper - lower is larger than the error bound
+};
+
+struct Row {
+  Query query = Query::distance;
+  Condition condition = Condition::ordinary;
+  std::string pair;
+  std::size_t entrant = 0;
+  double nanoseconds = 0;      // per query; 0 where every case ended the process
+  std::vector<double> errors;  // relative to the size, of the answers that did not fail
+  std::size_t pairs = 1, cases = 0, failed = 0;
+  std::optional<Broken> broken;
+};
+
+// One row for each entrant that has the query. Their repetitions are interleaved.
+[[nodiscard]] std::vector<Row> measured(Query query, Condition condition, const std::string& pair, const JudgedCell& cell,
+                                        std::size_t repetitions);
+
+// The rows of all pairs as one: the median of their times, and all errors together. They are of one question, one
+// condition and one entrant.
+[[nodiscard]] Row together(std::span<const Row> rows);
+
+}  // namespace bench

@@ -1,0 +1,55 @@
+// Pairs of placed solids under conditions from ordinary to extreme, with what their signed distances are.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "accuracy_judge.hpp"
+#include "pairs.hpp"
+
+namespace bench {
+
+enum class Condition : std::uint8_t { ordinary, thin, size_ratio, far, parallel, touching };
+
+inline constexpr std::array all_conditions{Condition::ordinary, Condition::thin,     Condition::size_ratio,
+                                           Condition::far,      Condition::parallel, Condition::touching};
+
+[[nodiscard]] std::string_view condition_name(Condition condition);
+[[nodiscard]] std::string_view condition_title(Condition condition);
+
+struct JudgedCell {
+  std::vector<Solid> solids_a, solids_b;
+  std::vector<Case> cases;
+  std::vector<oracle::Quad> truths;  // one for each case
+  std::vector<double> sizes;         // sum of the diameters of both
+  std::vector<double> roundings;     // what coordinates of both relative to each other may be off by
+
+  [[nodiscard]] Cell cell() const { return {solids_a, solids_b, cases}; }
+  [[nodiscard]] JudgedCell only(const std::vector<std::size_t>& chosen) const;
+};
+
+class AccuracyScenes {
+ public:
+  // Nothing where the oracle has no answer, or where the condition makes no sense for the pair.
+  [[nodiscard]] std::optional<JudgedCell> make(Query query, Condition condition, Kind a, Kind b, std::size_t count);
+
+ private:
+  enum class Form : std::uint8_t { ordinary, thin, of_two_sizes };
+  struct Pool {
+    std::vector<Solid> solids;
+    std::vector<Judge> judges;
+  };
+
+  [[nodiscard]] static Form form_of(Condition condition);
+  Pool& pool(Form form, Kind kind);
+
+  std::map<std::pair<Form, Kind>, Pool> pools_;
+};
+
+}  // namespace bench

@@ -1,0 +1,16 @@
+// Random solids of a kind, and random places of two of them, some apart and some overlapping.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "pairs.hpp"
+
+namespace bench {
+
+// Hulls with their surfaces.
+[[nodiscard]] std::vector<Solid> random_solids(Kind kind, std::size_t count, Random& random);
+
+[[nodiscard]] Case random_case(std::span<const Solid> solids_a, std::span<const Solid> solids_b, Random& random);
+
+}  // namespace bench
