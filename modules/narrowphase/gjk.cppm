@@ -48,9 +48,12 @@ inline constexpr Real unproven_limit = 1e4;
 
 // The cores of a and b in the frame of a, b being placed by ab. `size` bounds the coordinates of both;
 // `toward` points from a to b as far as is known; `error` is the gap that is allowed; `limit`: stop as
-// soon as the distance is known to exceed it.
+// soon as the distance is known to exceed it; `unproven`: a smaller gap that is allowed as long as nothing
+// proves the cores apart.
 template <Convex A, Convex B>
-[[nodiscard]] GjkResult gjk(const A& a, const B& b, const Pose& ab, const Vec3& toward, Real size, Real error, Real limit) {
+[[nodiscard]] GjkResult gjk(const A& a, const B& b, const Pose& ab, const Vec3& toward, Real size, Real error, Real limit,
+                            Real unproven = infinity) {
+  unproven = unproven < error ? unproven : error;
   const auto placement = place(b, ab);
   [[clang::uninitialized]] GjkResult result;
   result.overlap = false;
@@ -97,7 +100,8 @@ template <Convex A, Convex B>
       }
     }
     const Real gap = square - reach;  // (upper - lower) * |v|
-    if (gap * gap <= error * error * square || gap <= 0 || simplex.contains(vertex)) {
+    const Real allowed = best_reach > 0 ? error : unproven;
+    if (gap * gap <= allowed * allowed * square || gap <= 0 || simplex.contains(vertex)) {
       break;
     }
     const ClosestPoint closest = closest_to_origin(simplex, newest);
@@ -133,9 +137,9 @@ template <Convex A, Convex B>
   }
   result.upper = std::sqrt(square);
   result.lower = lower < result.upper ? lower : result.upper;
-  // A separation without proof, no larger than what rounding adds up to or than the bound, is a touch: how deep
-  // it is needs another search.
-  const Real small = unproven_limit * touching > error ? unproven_limit * touching : error;
+  // A separation without proof, no larger than what rounding adds up to or than what is allowed of it, is a touch:
+  // how deep it is needs another search.
+  const Real small = unproven_limit * touching > unproven ? unproven_limit * touching : unproven;
   result.overlap = result.overlap || (!(lower > 0) && result.upper <= small);
   result.normal = normal_of(simplex, v, result.upper);
   return result;

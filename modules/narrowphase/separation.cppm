@@ -396,10 +396,13 @@ template <Convex A, Convex B>
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::noinline]] CoreSeparation separate_by_gjk(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                                                const Vec3& toward, Real size, Real error, Real limit) {
-  GjkResult near = gjk(a, b, ab, toward, size, error, limit);
+  // What the searches for overlaps say of cores that are apart bounds their distance from below only: a coarse bound
+  // must not send any there.
+  const Real unproven = error_of(a, b, size, QuerySettings{});
+  GjkResult near = gjk(a, b, ab, toward, size, error, limit, unproven);
   if (!near.overlap && !near.beyond && near.upper - near.lower > error + noise_of(size)) [[unlikely]] {
     // Rounding stopped it short of a proof; from the point that it reached another simplex may go further.
-    const GjkResult again = gjk(a, b, ab, -near.closest, size, error, limit);
+    const GjkResult again = gjk(a, b, ab, -near.closest, size, error, limit, unproven);
     near = again.overlap || again.beyond || again.upper - again.lower < near.upper - near.lower ? again : near;
   }
   CoreSeparation core{};
