@@ -46,6 +46,13 @@ Real twice_hull_of_four(const Flat& a, const Flat& b, const Flat& c, const Flat&
   return std::max({turn(ac, bd), turn(ab, cd), turn(ad, bc), turn(ab, ac), turn(ab, ad), turn(ac, ad), turn(bc, bd)});
 }
 
+// Not so where a rim that rests on its face is deepest: no feature holds that point.
+[[nodiscard]] bool is_held(const ContactPoint& contact) {
+  const auto is_whole = [](const Feature& feature) { return feature.kind == FeatureKind::whole; };
+  const auto is_wide = [](const Feature& feature) { return feature.kind == FeatureKind::whole || feature.kind == FeatureKind::face; };
+  return !((is_whole(contact.feature_a) && is_wide(contact.feature_b)) || (is_wide(contact.feature_a) && is_whole(contact.feature_b)));
+}
+
 using Ids = std::span<const std::uint64_t>;
 
 bool holds(Ids ids, std::uint64_t id) { return std::ranges::find(ids, id) != ids.end(); }
@@ -288,11 +295,25 @@ std::size_t bring_to_front(std::span<ContactPoint> patch, std::span<const std::u
   return order.size();
 }
 
-std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, Ids before) {
+// Leaves out what runs around rims, where points that are held are as deep; brings the others to the front.
+[[nodiscard]] std::span<ContactPoint> without_running(std::span<ContactPoint> patch) {
+  if (std::ranges::all_of(patch, is_held)) {
+    return patch;
+  }
+  const Real extent = extent_of(patch);
+  const auto end = std::partition(patch.begin(), patch.end(), is_held);
+  const std::span<ContactPoint> held = patch.first(static_cast<std::size_t>(end - patch.begin()));
+  const Real deepest = std::ranges::min_element(patch, comes_before)->distance;
+  const bool is_as_deep = std::ranges::any_of(held, [&](const ContactPoint& contact) { return contact.distance <= deepest + running_depth * extent; });
+  return is_as_deep ? held : patch;
+}
+
+std::size_t reduce_patch(std::span<ContactPoint> whole, std::size_t most, Ids before) {
+  const std::span<ContactPoint> patch = without_running(whole);
+  std::ranges::sort(patch, comes_before);
   if (patch.size() <= most) {
     return patch.size();
   }
-  std::ranges::sort(patch, comes_before);
   const Real extent = extent_of(patch), tie = tied_depth * extent;
   const std::uint32_t first = deepest_of(patch, tie, before);
   const Flats flats = flattened(patch);
@@ -313,7 +334,7 @@ std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, Ids be
 }  // namespace
 
 std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, Ids before) {
-  if (most == 0 || contacts.size() <= most) {
+  if (most == 0 || (contacts.size() <= most && std::ranges::all_of(contacts, is_held))) {
     std::ranges::sort(contacts, comes_before);
     return contacts.size();
   }

@@ -10,6 +10,9 @@ export namespace abut {
 inline constexpr Real tied_depth = 1e-5;
 // Points that were kept before stay while they span this share of the area that others could.
 inline constexpr Real tied_area = 0.95;
+// The deepest point of a rim that rests on its face, which runs around it, gives way to points that are held by a feature and
+// less deep by no more than this share of the extent: the corners of its polygon are, up to the lean at which it rests.
+inline constexpr Real running_depth = 1e-4;
 
 // Reorders contacts so that the ones to keep come first, deepest first, and returns how many. Points
 // whose normals agree (cosine at least 0.98) form a patch; each patch keeps at most `most` points: the

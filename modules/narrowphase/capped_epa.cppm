@@ -51,6 +51,30 @@ inline void visit_discs(const A& a, const B& b, const Pose& ab, Visit&& visit) {
   }
 }
 
+// Beside a giant the bound of the search is no small part of a speck: the minimum found within it may be that of other features.
+inline constexpr Real speck_share = 1e-6;
+
+// The points under one triangle of a polytope need not lie across each other; those of the minimum near its normal do.
+template <Convex A, Convex B>
+[[nodiscard]] EpaResult polished(const A& a, const B& b, const Pose& ab, Real error, Real noise, const EpaResult& found) {
+  const auto is_same = [&](const std::optional<DepthMinimum>& minimum) { return minimum && std::fabs(minimum->depth - found.depth) <= error; };
+  EpaResult better = found;
+  if (const auto under = points_under(a, b, ab, found.normal, error, noise); is_same(under)) {
+    better.point_a = under->point_a;
+    better.point_b = under->point_a - found.depth * found.normal;
+  } else if (error > speck_share * std::fmin(a.extent(), b.extent())) {
+    return found;
+  } else if (const auto near = minimum_near(a, b, ab, found.normal, error, noise); is_same(near)) {
+    better.normal = near->normal;
+    better.depth = near->depth;
+    better.upper = near->upper;
+    better.lower = found.lower < near->depth ? found.lower : near->depth;
+    better.point_a = near->point_a;
+    better.point_b = near->point_b;
+  }
+  return better;
+}
+
 template <Convex A, Convex B>
 [[nodiscard]] EpaResult capped_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start) {
   const auto placement = place(b, ab);
@@ -63,7 +87,7 @@ template <Convex A, Convex B>
   // A depth that is not the overlap along its normal comes from a minimum that went astray: the polytope alone decides then.
   const auto judged = [&](const EpaResult& found) {
     const bool is_overlap = dot(found.normal, vertex_toward(found.normal).w) <= found.depth + error + noise;
-    return is_overlap ? found : epa(a, b, ab, size, error, start);
+    return is_overlap ? found : polished(a, b, ab, error, noise, epa(a, b, ab, size, error, start));
   };
   if constexpr (Outlined<A> && Outlined<B>) {
     if (const auto found = coaxial_minimum(a, b, ab, error, noise)) {
@@ -71,15 +95,9 @@ template <Convex A, Convex B>
     }
   }
   if constexpr ((Polyhedral<A> && WithDisc<B>) || (WithDisc<A> && Polyhedral<B>)) {
-    EpaResult plain = epa(a, b, ab, size, error, start, 0, plain_rounds);
+    const EpaResult plain = epa(a, b, ab, size, error, start, 0, plain_rounds);
     if (plain.upper - plain.lower <= error) {
-      // The points under one triangle need not lie across each other; those of the minimum do.
-      const std::optional<DepthMinimum> found = points_under(a, b, ab, plain.normal, error, noise);
-      if (found && std::fabs(found->depth - plain.depth) <= error) {
-        plain.point_a = found->point_a;
-        plain.point_b = found->point_a - plain.depth * plain.normal;
-      }
-      return plain;
+      return polished(a, b, ab, error, noise, plain);
     }
   }
   EpaResult result{0, -infinity, infinity, 0, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
@@ -190,7 +208,7 @@ template <Convex A, Convex B>
     return std::nullopt;
   };
   const std::optional<Real> lower = search_outside();
-  return lower ? judged(answer(*lower)) : epa(a, b, ab, size, error, start);
+  return lower ? judged(answer(*lower)) : polished(a, b, ab, error, noise, epa(a, b, ab, size, error, start));
 }
 
 }  // namespace abut

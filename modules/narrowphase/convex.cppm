@@ -6,6 +6,7 @@ import abut.core.standard;
 import abut.math;
 import abut.narrowphase.clip;
 export import abut.narrowphase.closed_forms;
+import abut.narrowphase.common_region;
 import abut.narrowphase.field_cores;
 import abut.narrowphase.gjk;
 import abut.narrowphase.lane_contact;
@@ -94,6 +95,17 @@ template <Convex A, Convex B>
   }
 }
 
+// What a core touches with where it is closest. `direction` in its own frame, unit.
+template <Convex S>
+[[nodiscard]] [[gnu::always_inline]] inline Feature closest_feature(const S& shape, const Face& face, const Vec3& direction) {
+  if constexpr (requires { shape.supporting_rim(direction)->first; }) {
+    if (const auto rim = shape.supporting_rim(direction)) {
+      return feature_where_deepest(rim->first, direction.x * direction.x + direction.y * direction.y);
+    }
+  }
+  return feature_of(face);
+}
+
 // Appends the corners of the region that two supporting faces share under a given separation, and the closest points where
 // the region misses them, unless those are known not to count.
 template <Convex A, Convex B>
@@ -112,18 +124,24 @@ template <Convex A, Convex B>
     }
   };
   [[clang::uninitialized]] ClipPoints points;
-  clip_faces(face_a, face_b, core.normal, points);
+  find_common_region(a, b, ab, face_a, face_b, core.normal, points);
   for (const ClipPoint& point : points.span()) {
     append(point.point_a, point.point_b, point.feature_a, point.feature_b);
   }
   // Where the region misses the closest points, as between edges that cross, they are the contact.
-  const Real size = core_size(a, b, ab);
-  if (closest_count && (out.size() == first || least > core.distance - radii + noise_of(size))) {
+  // What a search on curved cores found is as deep as theirs within its bound only.
+  const Real size = core_size(a, b, ab), blur = Curved<A> || Curved<B> ? curve_blur(size) : noise_of(size);
+  if (closest_count && (out.size() == first || least > core.distance - radii + blur)) {
     CoreSeparation closest = core;
-    if (closest.points_open) {
+    if constexpr (Curved<A> || Curved<B>) {
+      if (closest.points_open && !find_round_witness(a, b, ab, closest)) {
+        find_points_of_faces(face_a, face_b, points, size, closest);
+      }
+    } else if (closest.points_open) {
       find_points_of_faces(face_a, face_b, points, size, closest);
     }
-    append(closest.point_a, closest.point_b, feature_of(face_a), feature_of(face_b));
+    append(closest.point_a, closest.point_b, closest_feature(a, face_a, core.normal),
+           closest_feature(b, face_b, ab.rotation.undo(-core.normal)));
   }
 }
 

@@ -148,7 +148,8 @@ template <class Rim, class Append>
   const Real least = -largest(-minimum(minimum(distances[0], distances[1]), minimum(distances[2], distances[3])));
   if (least > deepest + noise) {
     const Lanes point = columns.apply(lowest, lanes_of(pose.position));
-    append(contact_on_plane(plane, point, radius, deepest, {FeatureKind::face, rim.index}));
+    const Vec3& n = plane.local_normal;
+    append(contact_on_plane(plane, point, radius, deepest, feature_where_deepest(rim.first, n.x * n.x + n.y * n.y)));
   }
 }
 

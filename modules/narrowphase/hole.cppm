@@ -38,16 +38,30 @@ void visit_outermost(const RoundWall& wall, const B& b, const Pose& ab, Visitor&
           if (squared_norm(wall.radial(direction)) == 0) {
             continue;
           }
-          Vec3 point{0, 0, 0};
+          const auto top_along = [&](const Vec3& toward) { return ab * b.support(ab.rotation.undo(toward)).point; };
+          Vec3 point = top_along(direction);
+          Real before = 0;
           for (int step = 0; step < steps; ++step) {
-            const Vec3 next = ab * b.support(ab.rotation.undo(direction)).point;
-            const bool stands = largest_magnitude(next - point) <= 4 * epsilon * largest_magnitude(next);
-            point = next;
-            if (step > 0 && stands) {
-              break;
-            }
             const Vec3 outward = wall.radial(point);
             direction = squared_norm(outward) > 0 ? outward : direction;
+            Vec3 next = top_along(direction);
+            const Vec3 stride = next - point;
+            if (largest_magnitude(stride) <= 4 * epsilon * largest_magnitude(next)) {
+              point = next;
+              break;
+            }
+            // Strides shrink by about the same factor, slowly where the core is nearly round about the wall: the sum of all
+            // to come leads to the end (Aitken's extrapolation).
+            Real length = norm(stride);
+            if (length < before) {
+              const Vec3 ahead = top_along(wall.radial(next + (length / (before - length)) * stride));
+              if (squared_norm(wall.radial(ahead)) > squared_norm(wall.radial(next))) {
+                next = ahead;
+                length = 0;
+              }
+            }
+            before = length;
+            point = next;
           }
           visit(point, Feature{FeatureKind::whole, 0});
           const Face face = placed_face(b, ab, direction);

@@ -34,17 +34,26 @@ template <Convex A, Convex B>
   }
 }
 
+// How far a point lies outside of a polytope along the normal of a face, negative inside.
+template <Faceted S>
+[[nodiscard]] inline Real outside_facets(const S& shape, const Vec3& point) {
+  if (!shape.facets().is_closed || !(shape.facets().inner > 0)) {
+    return infinity;
+  }
+  Lanes room = infinity;
+  for (const auto& planes : shape.facets().planes) {
+    room = minimum(room, planes.reach - dot({planes.x, planes.y, planes.z}, Columns::all(point)));
+  }
+  return largest(-room);
+}
+
 // Whether a point of its own frame surely lies in a core, up to some slack. Hulls without volume have no faces on
 // their sides that could tell.
 template <Convex S>
   requires Faceted<S> || Seen<S>
 [[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {
   if constexpr (Faceted<S>) {
-    Lanes room = infinity;
-    for (const auto& planes : shape.facets().planes) {
-      room = minimum(room, planes.reach - dot({planes.x, planes.y, planes.z}, Columns::all(point)));
-    }
-    return shape.facets().is_closed && shape.facets().inner > 0 && -largest(-room) >= -slack;
+    return outside_facets(shape, point) <= slack;
   } else if constexpr (BoxCored<S>) {
     const Vec3 out = absolute(point) - shape.half();
     return out.x <= slack && out.y <= slack && out.z <= slack;

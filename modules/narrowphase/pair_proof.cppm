@@ -3,6 +3,8 @@ export module abut.narrowphase.pair_proof;
 import abut.core;
 import abut.core.standard;
 import abut.math;
+import abut.narrowphase.clip;
+import abut.narrowphase.common_region;
 import abut.narrowphase.gjk;
 import abut.narrowphase.hull_sat;
 import abut.narrowphase.hull_sat_two;
@@ -169,6 +171,22 @@ template <Edged A, Edged B>
   return is_least;
 }
 
+// Whether a face has a point that is as deep as the cores are along its normal. One that a round core leans beyond has none,
+// and another normal is as good within the bound.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::noinline]] bool meets_on_face(const A& a, const B& b, const Pose& ab, const CoreSeparation& along) {
+  CoreSeparation core = along;
+  if (find_round_witness(a, b, ab, core)) {
+    return true;
+  }
+  [[clang::uninitialized]] const Face face_a = a.supporting_face(along.normal);
+  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -along.normal);
+  [[clang::uninitialized]] ClipPoints region;
+  find_common_region(a, b, ab, face_a, face_b, along.normal, region);
+  const Real deepest = along.distance + curve_blur(core_size(a, b, ab));
+  return std::ranges::any_of(region.span(), [&](const ClipPoint& point) { return dot(point.point_b - point.point_a, along.normal) <= deepest; });
+}
+
 // An expanding polytope comes near the normal of features, within its bound; what the features themselves give is exact,
 // and the same whatever the search went through.
 template <Convex A, Convex B>
@@ -195,6 +213,11 @@ template <Convex A, Convex B>
     // Edges that do not meet are not what is furthest out.
     if (of_edges && !(room_on_edges(a, b, ab, features, crossed.normal, along.point_a, along.point_b, noise) >= 0)) {
       return false;
+    }
+    if constexpr (Curved<A> || Curved<B>) {
+      if (!of_edges && !meets_on_face(a, b, ab, along)) {
+        return false;
+      }
     }
     needed = separation + noise;
     core = along;

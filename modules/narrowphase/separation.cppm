@@ -41,6 +41,9 @@ template <Convex A, Convex B>
 // by step, those on polytopes end.
 inline constexpr Real usual_error = 1e-12, usual_error_of_curves = 2e-10;
 
+// Depths of curved cores that differ by less are the same to the corners of a contact.
+[[nodiscard]] [[gnu::always_inline]] inline Real curve_blur(Real size) { return 0.5 * usual_error_of_curves * size; }
+
 // The bound asked for, on shapes of their own size, and no finer than coordinates are.
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::always_inline]] inline Real error_of(const A& a, const B& b, Real size, const QuerySettings& settings) {
@@ -121,6 +124,35 @@ template <Convex A, Convex B>
   } else {
     return false;
   }
+  core.points_open = false;
+  return true;
+}
+
+// How far a point of its own frame lies outside of a core, negative inside; infinite where the core cannot tell.
+template <Convex S>
+[[nodiscard]] inline Real outside_by(const S& shape, const Vec3& point) {
+  if constexpr (Field<S>) {
+    return shape.nearest(point).distance;
+  } else if constexpr (BoxCored<S>) {
+    const Vec3 out = absolute(point) - shape.half();
+    return std::fmax(out.x, std::fmax(out.y, out.z));
+  } else if constexpr (Faceted<S>) {
+    return outside_facets(shape, point);
+  } else {
+    return infinity;
+  }
+}
+
+// A round core that leans on a face touches it under one point, which the polygon of its rim misses. False where neither
+// support point lies over the other core.
+template <Convex A, Convex B>
+[[nodiscard]] inline bool find_round_witness(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
+  const Real off_a = outside_by(a, on_a), off_b = outside_by(b, ab.undo(on_b));
+  if (!(std::fmin(off_a, off_b) <= usual_error_of_curves * core_size(a, b, ab))) {
+    return false;
+  }
+  (off_b <= off_a ? core.point_b : core.point_a) = off_b <= off_a ? on_b : on_a;
   core.points_open = false;
   return true;
 }
@@ -292,6 +324,29 @@ template <Convex A, Convex B>
   core.point_b = found.point_b;
 }
 
+// Where the rim of a round core touches, GJK may end on slivers near the common point, which a polytope finds. False unless
+// the cores surely neither overlap nor are apart by more than the error.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::noinline, gnu::cold]] bool separate_by_touch(const A& a, const B& b, const Pose& ab, Real size, Real error,
+                                                                  const Simplex& start, CoreSeparation& core) {
+  const EpaResult found = capped_epa(a, b, ab, size, error, start);
+  core.iterations += found.iterations;
+  const Real apart = norm(found.point_b - found.point_a);
+  if (!(std::fabs(found.depth) <= error && found.upper - found.lower <= error && apart <= error)) {
+    return false;
+  }
+  core.rounding = noise_of(size);
+  core.algorithm = Algorithm::gjk_epa;
+  core.overlap = true;
+  core.normal = found.normal;
+  core.distance = -found.depth;
+  core.lower = -found.upper;
+  core.upper = apart > -found.lower ? apart : -found.lower;
+  core.point_a = found.point_a;
+  core.point_b = found.point_b;
+  return true;
+}
+
 // Below this many sizes the line between projected points is rounding, and GJK's simplex knows it better.
 inline constexpr Real projection_limit = 1e-5;
 
@@ -400,10 +455,20 @@ template <Convex A, Convex B>
   // must not send any there.
   const Real unproven = error_of(a, b, size, QuerySettings{});
   GjkResult near = gjk(a, b, ab, toward, size, error, limit, unproven);
-  if (!near.overlap && !near.beyond && near.upper - near.lower > error + noise_of(size)) [[unlikely]] {
+  const auto is_open = [&] { return !near.overlap && !near.beyond && near.upper - near.lower > error + noise_of(size); };
+  if (is_open()) [[unlikely]] {
     // Rounding stopped it short of a proof; from the point that it reached another simplex may go further.
     const GjkResult again = gjk(a, b, ab, -near.closest, size, error, limit, unproven);
     near = again.overlap || again.beyond || again.upper - again.lower < near.upper - near.lower ? again : near;
+  }
+  if constexpr (Curved<A> || Curved<B>) {
+    if (is_open() && near.upper <= projection_limit * size) [[unlikely]] {
+      CoreSeparation touch{};
+      touch.iterations = near.iterations;
+      if (separate_by_touch(a, b, ab, size, error, near.simplex, touch) || separate_by_touch(a, b, ab, size, error, Simplex{}, touch)) {
+        return touch;
+      }
+    }
   }
   CoreSeparation core{};
   core.rounding = rounding_of(size);

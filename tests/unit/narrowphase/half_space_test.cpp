@@ -321,7 +321,7 @@ TEST(HalfSpace, ConeTouchesAtItsLowestPoint) {
     const double across = std::sqrt(1 - rise * rise);
     EXPECT_NEAR(least, placed.height + std::fmin(half_height * rise, -half_height * rise - radius * across), 1e-12);
   }
-  EXPECT_EQ(kinds, (std::set{abut::FeatureKind::vertex, abut::FeatureKind::face}));
+  EXPECT_EQ(kinds, (std::set{abut::FeatureKind::vertex, abut::FeatureKind::edge}));
 }
 
 TEST(HalfSpace, OtherAlgorithmsAreRefused) {
