@@ -49,6 +49,28 @@ TEST(Cone, BadInputIsRefusedByName) {
   test::expect_refused<Cone>({1, 1}, {}, {0}, Errc::invalid_argument, "index_count is 1;");
 }
 
+// At a corner the normal has to be one of the corner's, also where the point is beside it by nothing but rounding.
+TEST(Cone, NearestToSpecksBesideCornersHasTheirNormals) {
+  for (const Vec3& sizes : {Vec3{radius, half_height, 0}, Vec3{0.3, 0.7, 0}, Vec3{1e-3, 1.1, 0}, Vec3{3.3, 1e-2, 0}}) {
+    const Cone cone = made<Cone>({sizes.x, sizes.y});
+    const double ulp = std::numeric_limits<double>::epsilon() * std::fmax(sizes.x, sizes.y);
+    for (const Vec3& corner : {Vec3{0, 0, sizes.y}, Vec3{sizes.x, 0, -sizes.y}, Vec3{0, -sizes.x, -sizes.y}}) {
+      for (int x = -4; x <= 4; ++x) {
+        for (int y = -4; y <= 4; ++y) {
+          for (int z = -4; z <= 4; ++z) {
+            const Vec3 p = corner + 0.125 * ulp * Vec3{x * 1.0, y * 1.0, z * 1.0};
+            const abut::SurfacePoint near = cone.nearest(p);
+            const double beyond = dot(near.normal, cone.support(near.normal).point - near.point);
+            EXPECT_LE(beyond, 4 * ulp) << sizes.x << " " << sizes.y << ": " << x << " " << y << " " << z;
+            EXPECT_NEAR(dot(near.normal, near.normal), 1, 1e-14);
+            EXPECT_LE(std::fabs(near.distance), 2 * ulp);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Cone, BoxIsTight) {
   for (const Vec3& sizes : {Vec3{radius, half_height, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0.1, 1, 0}}) {
     const auto reach = [&](const abut::Pose& pose, const Vec3& direction) {

@@ -1,0 +1,176 @@
+// How deep two cores overlap: all separating axes, or the expanding polytope, which also answers for cores that GJK leaves open.
+export module abut.narrowphase.overlap;
+import abut.core.standard;
+import abut.math;
+import abut.narrowphase.box_sat;
+import abut.narrowphase.capped_epa;
+import abut.narrowphase.core_separation;
+import abut.narrowphase.epa;
+import abut.narrowphase.hull_sat;
+import abut.narrowphase.sat;
+import abut.narrowphase.simplex;
+import abut.narrowphase.witnesses;
+import abut.shape;
+
+export namespace abut {
+
+// Boxes have a way of their own to try all axes.
+template <class A, class B>
+concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_axes == 3;
+
+// Under the normal found, with the support points along it.
+[[nodiscard]] inline CoreSeparation separation_under(const SatResult& found, const Vec3& point_a, const Vec3& point_b, Real size) {
+  CoreSeparation core{};
+  core.rounding = rounding_of(size);
+  core.overlap = true;
+  core.algorithm = Algorithm::sat;
+  core.iterations = found.axes;
+  core.normal = found.normal;
+  core.distance = core.lower = core.upper = found.separation;
+  core.point_a = point_a;
+  core.point_b = point_b;
+  core.points_open = !found.of_edges;
+  if (found.of_edges) {
+    find_edge_witnesses(found.edge_a, found.edge_b, core);
+  }
+  return core;
+}
+template <Convex A, Convex B>
+[[nodiscard]] CoreSeparation separate_along(const A& a, const B& b, const Pose& ab, const SatResult& found, Real size) {
+  return separation_under(found, a.support(found.normal).point, placed_support(b, place(b, ab), -found.normal).point, size);
+}
+
+// Any direction across two cores that touch without an axis of their own: across the first edge that
+// there is, toward the other centre where that says something.
+template <FewFaced A, FewFaced B>
+[[nodiscard]] Vec3 direction_across(const A& a, const B& b, const Pose& ab) {
+  const Vec3 apart = placed_centre(b, ab) - a.centre();
+  Vec3 along{0, 0, 0};
+  for (const Vec3& edge : b.edge_directions()) {
+    along = ab.rotation * edge;
+  }
+  for (const Vec3& edge : a.edge_directions()) {
+    along = edge;
+  }
+  const auto axis = UnitVec3::make(along);
+  if (!axis) {
+    return UnitVec3::make(apart).value_or(UnitVec3::axis_z());
+  }
+  const Vec3 sideways = apart - dot(apart, axis->vec()) * axis->vec();
+  const Real noise = 16 * epsilon * (largest_magnitude(apart) + a.extent() + b.extent());
+  return largest_magnitude(sideways) > noise ? UnitVec3::make(sideways)->vec() : tangents_of(*axis).first;
+}
+
+template <FewFaced A, FewFaced B>
+[[nodiscard]] [[gnu::noinline]] CoreSeparation separate_by_sat(const A& a, const B& b, const Pose& ab, Real size) {
+  if constexpr (TwoBoxes<A, B>) {
+    return separate_along(a, b, ab, sat_of_boxes(a.half(), b.half(), ab, noise_of(size), infinity), size);
+  } else {
+    const std::optional<SatResult> found = sat(a, b, ab, noise_of(size));
+    // Without any axis the cores only touch.
+    const Vec3 none{0, 0, 0};
+    return separate_along(a, b, ab, found ? *found : SatResult{0, direction_across(a, b, ab), 0, false, none, none}, size);
+  }
+}
+
+// False where there are too many axes, or rounding leaves the answer in doubt.
+template <Convex A, Convex B>
+  requires HullAndSeen<A, B>
+[[nodiscard]] [[gnu::noinline]] bool separate_by_hull_sat(const A& a, const B& b, const Pose& ab, Real size, CoreSeparation& core) {
+  std::optional<SatResult> found = hull_sat(a, b, ab, noise_of(size));
+  if (!found) {
+    return false;
+  }
+  const Vec3 point_a = a.support(found->normal).point;
+  const Vec3 point_b = placed_support(b, place(b, ab), -found->normal).point;
+  const Real separation = dot(found->normal, point_b - point_a);
+  // An edge that rounding has taken for the end of its core promises too much.
+  if (!(std::fabs(separation - found->separation) <= noise_of(size))) [[unlikely]] {
+    return false;
+  }
+  found->separation = separation;
+  const std::uint32_t iterations = core.iterations;
+  core = separation_under(*found, point_a, point_b, size);
+  core.iterations += iterations;
+  core.upper += flatness_of(a) + flatness_of(b);
+  core.rounding = noise_of(size);  // normals of slender faces are off by more than their corners
+  return true;
+}
+
+// Out of line, here and below: a polytope takes pages of the stack, each of which is touched on the way in.
+template <Convex A, Convex B>
+[[gnu::noinline]] void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, CoreSeparation& core) {
+  EpaResult found;
+  if constexpr (Curved<A> || Curved<B>) {
+    found = capped_epa(a, b, ab, size, error, start);
+  } else {
+    found = epa(a, b, ab, size, error, start);
+  }
+  if (found.upper - found.lower > error + noise_of(size)) [[unlikely]] {
+    // A polytope that starts on slivers may not grow to the end; one that starts along the axes then does.
+    const EpaResult again = epa(a, b, ab, size, error, Simplex{});
+    found = again.upper < found.upper ? again : found;
+  }
+  core.algorithm = Algorithm::gjk_epa;
+  core.iterations += found.iterations;
+  core.rounding = noise_of(size);  // normals of slender triangles are off by more than their corners
+  core.normal = found.normal;
+  core.distance = -found.depth;
+  core.lower = -found.upper;
+  core.upper = -found.lower;
+  core.point_a = found.point_a;
+  core.point_b = found.point_b;
+  // The polytope knows one triangle of a face, which need not hold the closest points of both faces. Curved
+  // surfaces have no such faces.
+  const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
+  core.points_open = !(Curved<A> || Curved<B>) && largest_magnitude(aside) > noise_of(size);
+}
+
+// By how much cores are rounded off whose distance is hard to tell from none, relative to their size.
+inline constexpr Real rounding_share = 1e-3;
+
+// How far cores are apart that GJK has left without a proof: how deep they overlap with a rounded off by more.
+// They touch nearly, or one is a speck beside the other.
+template <Convex A, Convex B>
+[[gnu::noinline, gnu::cold]] void separate_by_rounding(const A& a, const B& b, const Pose& ab, Real size, Real error, CoreSeparation& core) {
+  const Real rounding = 4 * core.upper + rounding_share * (a.extent() + b.extent());
+  const EpaResult found = epa(a, b, ab, size, error, Simplex{}, rounding);
+  core.iterations += found.iterations;
+  // What belongs to both bounds the distance from above, wherever it was found.
+  if (core.lower > 0 && !(found.upper - found.inside < core.upper - core.lower)) {
+    return;
+  }
+  core.rounding = noise_of(size + rounding);
+  core.overlap = found.depth >= rounding;
+  core.normal = found.normal;
+  core.distance = rounding - found.depth;
+  core.lower = rounding - found.upper;
+  core.upper = rounding - (found.inside < found.upper ? found.inside : found.upper);
+  core.point_a = found.point_a;
+  core.point_b = found.point_b;
+}
+
+// Where the rim of a round core touches, GJK may end on slivers near the common point, which a polytope finds. False unless
+// the cores surely neither overlap nor are apart by more than the error.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::noinline, gnu::cold]] bool separate_by_touch(const A& a, const B& b, const Pose& ab, Real size, Real error,
+                                                                  const Simplex& start, CoreSeparation& core) {
+  const EpaResult found = capped_epa(a, b, ab, size, error, start);
+  core.iterations += found.iterations;
+  const Real apart = norm(found.point_b - found.point_a);
+  if (!(std::fabs(found.depth) <= error && found.upper - found.lower <= error && apart <= error)) {
+    return false;
+  }
+  core.rounding = noise_of(size);
+  core.algorithm = Algorithm::gjk_epa;
+  core.overlap = true;
+  core.normal = found.normal;
+  core.distance = -found.depth;
+  core.lower = -found.upper;
+  core.upper = apart > -found.lower ? apart : -found.lower;
+  core.point_a = found.point_a;
+  core.point_b = found.point_b;
+  return true;
+}
+
+}  // namespace abut

@@ -1,0 +1,145 @@
+// The points of two cores that are closest or deepest, under a separation that is known.
+export module abut.narrowphase.witnesses;
+import abut.core.standard;
+import abut.math;
+import abut.narrowphase.across;
+import abut.narrowphase.clip;
+import abut.narrowphase.core_separation;
+import abut.narrowphase.hull_sat;
+import abut.narrowphase.simplex;
+import abut.shape;
+
+export namespace abut {
+
+// The deepest pair of points under a normal across an edge of each: the closest points of the lines
+// along both edges through the support points.
+inline void find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core) {
+  const Vec3 across = cross(edge_a, edge_b), between = core.point_b - core.point_a;
+  const Real square = squared_norm(across);
+  core.point_a += (dot(across, cross(between, edge_b)) / square) * edge_a;
+  core.point_b += (dot(across, cross(between, edge_a)) / square) * edge_b;
+}
+
+// The deepest pair of points under the normal of a face: from the common region of the supporting faces,
+// or else from what is outermost of them.
+inline void find_points_of_faces(const Face& face_a, const Face& face_b, const ClipPoints& region, Real size, CoreSeparation& core) {
+  AcrossPair pair{core.point_a, core.point_b};
+  // Nearly parallel faces are equally far in many points; one of their common region will do.
+  const Real deepest = core.distance + 1e-12 * size;
+  Real least = deepest;
+  for (const ClipPoint& point : region.span()) {
+    const Real distance = dot(point.point_b - point.point_a, core.normal);
+    if (distance <= least) {
+      least = distance;
+      pair = {point.point_a, point.point_b};
+    }
+  }
+  if (!(least < deepest)) {
+    pair = points_across(face_a, face_b, core.normal, noise_of(size));
+  }
+  // What rounding leaves between the points and the distance is shared by both.
+  const Vec3 half = (0.5 * (core.distance - dot(pair.point_b - pair.point_a, core.normal))) * core.normal;
+  core.point_a = pair.point_a - half;
+  core.point_b = pair.point_b + half;
+  core.points_open = false;
+}
+
+// Mostly a vertex lies under the inside of a face. False where neither support point does.
+template <Convex A, Convex B>
+  requires HullAndSeen<A, B>
+[[nodiscard]] inline bool find_vertex_witness(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  const Real slack = rounding_of(core_size(a, b, ab));
+  const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
+  if (holds(a, on_a, slack)) {
+    core.point_a = on_a;
+  } else if (holds(b, ab.undo(on_b), slack)) {
+    core.point_b = on_b;
+  } else {
+    return false;
+  }
+  core.points_open = false;
+  return true;
+}
+
+// How far a point of its own frame lies outside of a core, negative inside; infinite where the core cannot tell.
+template <Convex S>
+[[nodiscard]] inline Real outside_by(const S& shape, const Vec3& point) {
+  if constexpr (Field<S>) {
+    return shape.nearest(point).distance;
+  } else if constexpr (BoxCored<S>) {
+    const Vec3 out = absolute(point) - shape.half();
+    return std::fmax(out.x, std::fmax(out.y, out.z));
+  } else if constexpr (Faceted<S>) {
+    return outside_facets(shape, point);
+  } else {
+    return infinity;
+  }
+}
+
+// A round core that leans on a face touches it under one point, which the polygon of its rim misses. False where neither
+// support point lies over the other core.
+template <Convex A, Convex B>
+[[nodiscard]] inline bool find_round_witness(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
+  const Real off_a = outside_by(a, on_a), off_b = outside_by(b, ab.undo(on_b));
+  if (!(std::fmin(off_a, off_b) <= usual_error_of_curves * core_size(a, b, ab))) {
+    return false;
+  }
+  (off_b <= off_a ? core.point_b : core.point_a) = off_b <= off_a ? on_b : on_a;
+  core.points_open = false;
+  return true;
+}
+
+// Whoever asks for contacts rarely needs the points, so they are looked for on demand.
+template <Convex A, Convex B>
+void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  if (!core.points_open) {
+    return;
+  }
+  if constexpr (PointCored<A>) {
+    core.point_b = core.point_a + core.distance * core.normal;
+    core.points_open = false;
+  } else if constexpr (PointCored<B>) {
+    core.point_a = core.point_b - core.distance * core.normal;
+    core.points_open = false;
+  } else {
+    if constexpr (HullAndSeen<A, B>) {
+      if (core.overlap && find_vertex_witness(a, b, ab, core)) {
+        return;
+      }
+    }
+    [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
+    [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
+    [[clang::uninitialized]] ClipPoints region;
+    clip_faces(face_a, face_b, core.normal, region);
+    find_points_of_faces(face_a, face_b, region, core_size(a, b, ab), core);
+  }
+}
+
+// Cores that touch have a point in common, which the search for their overlap went through: it says
+// more than their faces, where many points are equally near.
+[[nodiscard]] inline bool is_touch(const CoreSeparation& core, Real size) {
+  return core.points_open && std::fabs(core.distance) <= noise_of(size);
+}
+inline void touch_at(const Vec3& point_a, const Vec3& point_b, CoreSeparation& core) {
+  core.points_open = false;
+  const Vec3 middle = 0.5 * (point_a + point_b), half = (0.5 * core.distance) * core.normal;
+  core.point_a = middle - half;
+  core.point_b = middle + half;
+}
+// Unless the search came no nearer to it than `slack`.
+inline void find_touch(const Simplex& simplex, Real slack, CoreSeparation& core) {
+  Simplex face = simplex;
+  ClosestPoint closest = closest_to_origin(face);
+  if (closest.vertices == all_of_tetrahedron) {
+    closest = closest_on_faces(face);
+  }
+  if (norm(closest.point) > slack) {
+    return;
+  }
+  keep(face, closest.vertices);
+  const Vec3 on_a = witness_on_a(face, closest.point);
+  touch_at(on_a, on_a - closest.point, core);
+}
+
+}  // namespace abut
