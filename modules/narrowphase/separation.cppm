@@ -9,6 +9,7 @@ export import abut.narrowphase.core_separation;
 import abut.narrowphase.gjk;
 import abut.narrowphase.hull_sat;
 export import abut.narrowphase.overlap;
+import abut.narrowphase.sat;
 import abut.narrowphase.simplex;
 export import abut.narrowphase.witnesses;
 import abut.shape;

@@ -88,14 +88,13 @@ class Cone {
     const auto lifted = [&](Real x, Real z, Real normal_x, Real normal_z, Real distance) {
       return SurfacePoint{{x * around.x, x * around.y, z - half_height_}, {normal_x * around.x, normal_x * around.y, normal_z}, distance};
     };
-    // Away from a corner by differences that near to it are exact, or as its neighbour faces where rounding has left no such
-    // direction between the normals of both sides.
-    const auto from_corner = [&](Real x, Real z, Real dx, Real dz, bool is_outside, Real usual_x, Real usual_z) {
+    // Away from a corner by differences that are exact near to it. At the corner itself as a neighbour faces.
+    const auto from_corner = [&](Real x, Real z, Real dx, Real dz, Real usual_x, Real usual_z) {
       const Real distance = norm({dx, dz, 0});
-      return is_outside && distance > 0 ? lifted(x, z, dx / distance, dz / distance, distance) : lifted(x, z, usual_x, usual_z, 0);
+      return distance > 0 ? lifted(x, z, dx / distance, dz / distance, distance) : lifted(x, z, usual_x, usual_z, 0);
     };
     if (slant == 0) {
-      return from_corner(0, 0, around.length, p.z, true, 0, 1);
+      return from_corner(0, 0, around.length, p.z, 0, 1);
     }
     // Out of the side, and along it from the rim.
     const Real out_x = 2 * half_height_ / slant, out_z = radius_ / slant;
@@ -104,14 +103,14 @@ class Cone {
     if (height <= 0 && around.length <= radius_) {
       return lifted(around.length, 0, 0, -1, -height);
     }
+    // Beyond an end of the side only where the way from the corner is one of its normals, which rounding of `along` may miss.
     if (height <= 0 || beside >= 0) {
-      if (along <= 0) {
-        const Real dx = around.length - radius_;
-        return from_corner(radius_, 0, dx, height, dx >= 0 && dx * out_z >= height * out_x, out_x, out_z);
+      const Real from_rim = around.length - radius_, from_apex = p.z - half_height_;
+      if (along <= 0 && from_rim * out_z >= height * out_x) {
+        return from_corner(radius_, 0, from_rim, height, out_x, out_z);
       }
-      if (along >= slant) {
-        const Real dx = around.length, dz = p.z - half_height_;
-        return from_corner(0, 2 * half_height_, dx, dz, dz * out_x >= dx * out_z, 0, 1);
+      if (along >= slant && from_apex * out_x >= around.length * out_z) {
+        return from_corner(0, 2 * half_height_, around.length, from_apex, 0, 1);
       }
     }
     if (beside > 0 || beside >= -height) {

@@ -64,9 +64,9 @@ class Accuracy(unittest.TestCase):
                         self.assertEqual([row[key] for key in ("failed", "outside", "beyond", "wide")], ["0"] * 4)
 
     def test_coarse_bounds_are_made_use_of(self):
-        # Of cylinders, which come nearer step by step.
-        [row] = [row for row in self.of("distance", "abut 1e-2") if row["pair"] == "cylinder-cylinder"]
-        self.assertGreater(float(row["worst_error"]), 1e-4)
+        # Where a search ends sooner with them; closed forms answer as well as ever.
+        errors = [float(row["worst_error"]) for row in self.of("distance", "abut 1e-2")]
+        self.assertGreater(max(errors), 1e-4)
 
     def test_single_precision_is_seen(self):
         errors = [float(row["worst_error"]) for row in self.of("distance", "bullet")]
