@@ -91,4 +91,30 @@ TEST(Gjk, StartsFromAnyDirection) {
   EXPECT_NEAR(abut::gjk(box, box, ab, {0, 0, 0}, 10, 1e-12, abut::infinity).upper, expected, 1e-12);
 }
 
+// Boxes nearer to each other than the bound: unproven, they would pass for an overlap.
+TEST(Gjk, ACoarseBoundHoldsOnceTheCoresAreProvenApart) {
+  test::Random random(43);
+  constexpr double coarse = 1e-2, fine = 1e-12;
+  int near = 0, pass_for_overlaps = 0;
+  while (near < 500) {
+    const Vec3 half_a = abut::absolute(random.point(1)), half_b = abut::absolute(random.point(1));
+    const auto a = test::made<abut::Box>({half_a.x, half_a.y, half_a.z}), b = test::made<abut::Box>({half_b.x, half_b.y, half_b.z});
+    Pose ab{random.rotation(), random.point(3)};
+    const abut::GjkResult apart = between(a, b, ab);
+    if (apart.overlap || apart.upper < 0.1) {
+      continue;
+    }
+    ++near;
+    const double gap = std::pow(10, random.uniform(-6, -2.5));
+    ab.position += -(apart.upper - gap) * apart.normal;
+    const abut::GjkResult found = abut::gjk(a, b, ab, ab.position, 10, coarse, abut::infinity, fine);
+    ASSERT_FALSE(found.overlap) << gap;
+    EXPECT_LE(found.lower, gap + 1e-12);
+    EXPECT_GE(found.upper, gap - 1e-12);
+    EXPECT_LE(found.upper - found.lower, coarse);
+    pass_for_overlaps += abut::gjk(a, b, ab, ab.position, 10, coarse, abut::infinity).overlap ? 1 : 0;
+  }
+  EXPECT_GT(pass_for_overlaps, 0);
+}
+
 }  // namespace
