@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include "../made.hpp"
 #include "random_boxes.hpp"
+#include "random_shapes.hpp"
 
 import abut.math;
 import abut.narrowphase.convex;
@@ -21,27 +21,14 @@ using abut::Box;
 using abut::Capsule;
 using abut::Sphere;
 
-// A shape of about unit size; capsules and boxes may be short or flat.
-template <class S>
-S random_shape(test::Random& random) {
-  std::vector<double> parameters;
-  for (std::size_t i = 0; i < S::parameter_names.size(); ++i) {
-    parameters.push_back(random.uniform(0.1, 1));
-  }
-  if (parameters.size() > 1 && random.uniform(0, 1) < 0.1) {
-    parameters.back() = 0;
-  }
-  return test::made<S>(parameters);
-}
-
 // Closed forms and searches give the same contacts, up to the bound that searches end at.
 template <class A, class B>
 void expect_contacts_of_a_search(std::uint64_t seed) {
   test::Random random(seed);
   std::size_t touching = 0, apart = 0;
   for (int i = 0; i < 2000; ++i) {
-    const A a = random_shape<A>(random);
-    const B b = random_shape<B>(random);
+    const A a = test::random_shape<A>(random, 0.1, 0.1);
+    const B b = test::random_shape<B>(random, 0.1, 0.1);
     const abut::Pose ab{random.rotation(), random.point(1.5)};
     abut::QuerySettings settings;
     settings.margin = random.uniform(-0.1, 0.2);

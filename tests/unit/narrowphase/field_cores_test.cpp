@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "../made.hpp"
 #include "random_boxes.hpp"
+#include "random_shapes.hpp"
 
 import abut.math;
 import abut.narrowphase.field_cores;
@@ -22,15 +22,6 @@ namespace {
 
 using abut::Vec3;
 
-template <class S>
-S random_shape(test::Random& random) {
-  std::vector<double> parameters;
-  for (std::size_t i = 0; i < S::parameter_names.size(); ++i) {
-    parameters.push_back(random.uniform(0.2, 1));
-  }
-  return test::made<S>(parameters);
-}
-
 // What is found lies within the bounds of a search, belongs to both cores, and is nothing for cores that overlap.
 template <class A, class B>
 void expect_distances_of_a_search(std::uint64_t seed) {
@@ -38,8 +29,8 @@ void expect_distances_of_a_search(std::uint64_t seed) {
   std::size_t apart = 0, proven = 0, overlapping = 0;
   for (int i = 0; i < 2000; ++i) {
     SCOPED_TRACE(i);
-    const A a = random_shape<A>(random);
-    const B b = random_shape<B>(random);
+    const A a = test::random_shape<A>(random, 0.2);
+    const B b = test::random_shape<B>(random, 0.2);
     const abut::Pose ab{random.rotation(), random.point(2)};
     const std::optional<abut::CoreSeparation> found = separate_fields(a, b, ab, {});
     const abut::CoreSeparation expected = separate_cores(a, b, ab, {}, abut::infinity);

@@ -2,10 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
-#include "../made.hpp"
 #include "random_boxes.hpp"
+#include "random_shapes.hpp"
 
 import abut.math;
 import abut.narrowphase.convex;
@@ -23,15 +22,6 @@ using abut::Box;
 using abut::Capsule;
 using abut::Cylinder;
 using abut::Sphere;
-
-template <class S>
-S random_shape(test::Random& random) {
-  std::vector<double> parameters;
-  for (std::size_t i = 0; i < S::parameter_names.size(); ++i) {
-    parameters.push_back(random.uniform(0.1, 1));
-  }
-  return test::made<S>(parameters);
-}
 
 struct Placed {
   abut::Pose pose_a, pose_b;
@@ -51,8 +41,8 @@ void expect_contacts_of_frame(std::uint64_t seed) {
   std::size_t touching = 0, apart = 0, open = 0;
   for (int i = 0; i < 2000; ++i) {
     SCOPED_TRACE(i);
-    const A a = random_shape<A>(random);
-    const B b = random_shape<B>(random);
+    const A a = test::random_shape<A>(random, 0.1);
+    const B b = test::random_shape<B>(random, 0.1);
     const Placed placed = random_placed(random);
     abut::Manifold found, expected;
     const auto append = [&](const abut::LaneContact& contact) { append_contact(contact, found); };
@@ -92,7 +82,7 @@ void expect_beyond_as_nearest(std::uint64_t seed) {
   std::size_t told = 0, far = 0;
   for (int i = 0; i < 5000; ++i) {
     SCOPED_TRACE(i);
-    const S shape = random_shape<S>(random);
+    const S shape = test::random_shape<S>(random, 0.1);
     const abut::Vec3 point = random.point(2);
     const double distance = shape.nearest(point).distance;
     EXPECT_FALSE(shape.is_beyond(point, distance + 1e-14));
@@ -113,7 +103,7 @@ TEST(PlacedPair, CylinderTellsThatItIsShortOfAReach) {
   std::size_t told = 0, is_short = 0;
   for (int i = 0; i < 5000; ++i) {
     SCOPED_TRACE(i);
-    const auto can = random_shape<Cylinder>(random);
+    const auto can = test::random_shape<Cylinder>(random, 0.1);
     const abut::Vec3 direction = random.rotation().z;
     const double most = dot(can.support(direction).point, direction);
     EXPECT_FALSE(can.is_short_of(direction, most));
