@@ -98,6 +98,9 @@ void run(const Flags& flags) {
       add_rows(flags, query, condition, scenes, rows);
     }
   }
+  if (rows.empty()) {
+    throw std::runtime_error("--only is '" + flags.only + "'; nothing that is asked has it in its name");
+  }
   print_tables(rows);
   print_prices(rows);
   write_rows(flags.out / "accuracy.csv", rows);

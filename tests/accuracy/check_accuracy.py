@@ -87,7 +87,8 @@ class Accuracy(unittest.TestCase):
             self.assertEqual(len(rings), 2)
 
     def test_mistakes_are_named(self):
-        for arguments, word in ((["--cases", "0"], "--cases"), (["--cases"], "--cases"), (["--colour", "red"], "--colour")):
+        for arguments, word in ((["--cases", "0"], "--cases"), (["--cases"], "--cases"), (["--colour", "red"], "--colour"),
+                                (["--only", "nothing"], "--only is 'nothing'")):
             result = run(*arguments)
             self.assertNotEqual(result.returncode, 0)
             self.assertIn(word, result.stderr)
