@@ -20,6 +20,15 @@ struct Form {
     const Real x = xx - value, y = yy - value;
     return x + y >= 0 && x * y >= xy * xy;
   }
+  // What surely is left of it in a cap, or the ball where there is one, which loses nothing.
+  inline void add_bound(Real factor, const Germ& germ, Real reach) {
+    if (germ.ball > 0) {
+      xx += factor * germ.ball;
+      yy += factor * germ.ball;
+    } else {
+      add(factor * stiffness_at(germ, reach), germ);
+    }
+  }
   inline void add(Real factor, const Germ& germ) {
     xx += factor * germ.xx;
     xy += factor * germ.xy;
@@ -139,21 +148,20 @@ bool stride_to_minimum(const PairGerm& germ, const Weights& weights, Real noise,
     if (bend > -spare * square) {
       const Real slope = -u.y * (r.x + form.xx * at_x + form.xy * at_y) + u.x * (r.y + form.xy * at_x + form.yy * at_y);
       const bool is_level = std::fabs(slope) <= spare * std::sqrt(square);
-      if (!is_level && !(bend > 0)) {
-        continue;
-      }
-      const Real t = is_level ? 0 : -slope / bend;
-      Stride on;
-      on.x = at_x - t * u.y;
-      on.y = at_y + t * u.x;
-      on.square = on.x * on.x + on.y * on.y;
-      const Real pull_x = r.x + form.xx * on.x + form.xy * on.y, pull_y = r.y + form.xy * on.x + form.yy * on.y;
-      const Real share = -(u.x * pull_x + u.y * pull_y) * inverse;
-      on.steps[0] = i;
-      on.shares[0] = clamped(share);
-      on.count = 1;
-      if (is_share(share)) {
-        consider(on);
+      if (is_level || bend > 0) {
+        const Real t = is_level ? 0 : -slope / bend;
+        Stride on;
+        on.x = at_x - t * u.y;
+        on.y = at_y + t * u.x;
+        on.square = on.x * on.x + on.y * on.y;
+        const Real pull_x = r.x + form.xx * on.x + form.xy * on.y, pull_y = r.y + form.xy * on.x + form.yy * on.y;
+        const Real share = -(u.x * pull_x + u.y * pull_y) * inverse;
+        on.steps[0] = i;
+        on.shares[0] = clamped(share);
+        on.count = 1;
+        if (is_share(share)) {
+          consider(on);
+        }
       }
     }
     for (std::size_t j = i + 1; j < count; ++j) {
@@ -185,7 +193,8 @@ Stride stride_on_disc(const PairGerm& germ, Real noise) {
   Stride stride;
   stride.square = 0;
   for (std::size_t i = 0; i < germ.step_count() && stride.count < 2; ++i) {
-    if (std::fabs(germ.step(i).n) <= noise) {
+    const InFrame& step = germ.step(i);
+    if (std::fabs(step.n) <= noise && step.x * step.x + step.y * step.y > 0) {
       stride.steps[stride.count++] = i;
     }
   }
@@ -249,8 +258,8 @@ CapReach cap_of(const PairGerm& germ, const Stride& stride, const InFrame& foot,
   }
   const auto form_at = [&](const Reach& reach) {
     Form form{reach.ends * straight.xx, reach.ends * straight.xy, reach.ends * straight.yy};
-    form.add(weights.a * stiffness_at(germ.a, reach.tangent), germ.a);
-    form.add(weights.b * stiffness_at(germ.b, reach.tangent), germ.b);
+    form.add_bound(weights.a, germ.a, reach.tangent);
+    form.add_bound(weights.b, germ.b, reach.tangent);
     return form;
   };
   // The form grows as the cap shrinks.

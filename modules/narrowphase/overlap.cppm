@@ -5,6 +5,7 @@ import abut.math;
 import abut.narrowphase.box_sat;
 import abut.narrowphase.capped_epa;
 import abut.narrowphase.core_separation;
+import abut.narrowphase.depth_descent;
 import abut.narrowphase.epa;
 import abut.narrowphase.hull_sat;
 import abut.narrowphase.sat;
@@ -97,6 +98,9 @@ template <Convex A, Convex B>
   return true;
 }
 
+// Depths below this share of the size are those of needles and plates, or of touching cores: polytopes of slivers prove nothing there.
+inline constexpr Real sliver_share = 3e-8;
+
 // Out of line, here and below: a polytope takes pages of the stack, each of which is touched on the way in.
 template <Convex A, Convex B>
 [[gnu::noinline]] void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, CoreSeparation& core) {
@@ -110,6 +114,13 @@ template <Convex A, Convex B>
     // A polytope that starts on slivers may not grow to the end; one that starts along the axes then does.
     const EpaResult again = epa(a, b, ab, size, error, Simplex{});
     found = again.upper < found.upper ? again : found;
+  }
+  if constexpr (Curved<A> || Curved<B>) {
+    const bool is_open = found.upper - found.lower > error + noise_of(size);
+    if (is_open || (found.depth > noise_of(size) && found.depth < sliver_share * size)) [[unlikely]] {
+      const EpaResult least = least_of_descents(a, b, ab, size, error, found);
+      found = is_open || least.depth < found.depth - error ? least : found;
+    }
   }
   core.algorithm = Algorithm::gjk_epa;
   core.iterations += found.iterations;

@@ -28,6 +28,7 @@ struct Germ {
   // w (second) w * stiffness_at(|w|) / (1 + sqrt(1 + |w|^2)).
   Real xx, xy, yy;
   Real share, slope;  // of that bound
+  Real ball;          // radius of a ball inside that touches at `point`, or 0: no direction has less than its support
   Real disc;          // radius of a flat disc across n around `point`, or 0
   std::array<InFrame, 3> steps;
   std::size_t step_count;
@@ -37,7 +38,7 @@ struct Germ {
 [[nodiscard]] [[gnu::always_inline]] inline Germ germ_of_point(const InFrame& point) {
   Germ germ;
   germ.point = point;
-  germ.xx = germ.xy = germ.yy = germ.disc = germ.slope = 0;
+  germ.xx = germ.xy = germ.yy = germ.disc = germ.slope = germ.ball = 0;
   germ.share = 1;
   germ.step_count = 0;
   germ.is_sum = true;

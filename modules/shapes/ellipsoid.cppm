@@ -56,11 +56,8 @@ class Ellipsoid {
     germ.yy = (squared_norm(y) - point.y * point.y) * inverse;
     germ.share = length / largest;
     germ.slope = std::sqrt(point.x * point.x + point.y * point.y) / largest;
-    // Along the least radius, the ball of that radius inside is a better bound than the greatest curvature.
     if (const Real least = std::min({radii_.x, radii_.y, radii_.z}); length <= least * (1 + 4 * epsilon)) {
-      germ.xx = germ.yy = least;
-      germ.xy = germ.slope = 0;
-      germ.share = 1;
+      germ.ball = least;
     }
     return germ;
   }
