@@ -165,7 +165,7 @@ using PairRow = std::array<PairKernels<AnyShape>, Shapes::count>;
 
 namespace abut {
 void carve(const AnyShape& composite, const Pose& pose, const AnyShape& other, const Pose& other_pose, const QuerySettings& settings,
-           Manifold& contacts);
+           std::span<const ContactPoint> contacts, std::vector<bool>& is_cut, Manifold& added);
 Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                           const QuerySettings& settings, Distance& out);
 Outcome children_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,

@@ -40,6 +40,20 @@ bool has_back(const AnyShape& shape) {
       shape);
 }
 
+// What holes leave is as far away as the nearest contact that they leave (docs/shapes.md), which may lie beside the nearest points
+// of the solids.
+bool has_holes(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& s) {
+        if constexpr (Assembly<S>) {
+          return !s.holes().empty();
+        } else {
+          return false;
+        }
+      },
+      shape);
+}
+
 // How far a convex shape reaches along a unit direction of its own frame.
 std::optional<Real> reach_along(const AnyShape& shape, const Vec3& direction) {
   return std::visit(
@@ -198,7 +212,8 @@ std::optional<Real> gap_along(const Scene& scene, const Vec3& direction) {
 }
 
 Verdict judge_distance(const Scene& scene, const Distance& found) {
-  if (Verdict verdict = judge_record(scene, found.distance, found.point_a, found.point_b, found.normal, true)) {
+  const bool must_be_outermost = !has_holes(scene.a) && !has_holes(scene.b);
+  if (Verdict verdict = judge_record(scene, found.distance, found.point_a, found.point_b, found.normal, must_be_outermost)) {
     return verdict;
   }
   const Real noise = tolerance(scene);

@@ -1,5 +1,6 @@
 // The judge must be able to say no.
 #include <gtest/gtest.h>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,8 +9,10 @@
 #include <span>
 #include <string_view>
 import abut.any_shape;
+import abut.core;
 import abut.fuzz;
 import abut.math;
+import abut.registry;
 import abut.shape;
 
 namespace {
@@ -96,6 +99,24 @@ TEST(FuzzOracle, RefusesADepthThatIsNotTheLeast) {
   found.point_b = {0.9, 0, -0.5};
   found.distance = found.lower = found.upper = -1.5;
   EXPECT_NE(judge_distance(scene, found), std::nullopt);
+}
+
+// Between points that are not nearest to each other, as contacts beside a hole are.
+TEST(FuzzOracle, TakesAnyContactForTheDistanceOfWhatHolesLeave) {
+  const AnyShape solid = make_shape(box(), std::array{1.0, 1.0, 1.0}, {}, {}).value();
+  const AnyShape hole = make_shape(find_kind(std::string_view("sphere_hole")).value(), std::array{0.5}, {}, {}).value();
+  const PlacedShape placed_solid{Frozen<AnyShape>(solid), Pose::identity()}, placed_hole{Frozen<AnyShape>(hole), {Rotation::identity(), {1, 0, 0}}};
+  // A needle over the hole, askew, and from beside the hole to the end that is further away.
+  const AnyShape needle = make_shape(find_kind(std::string_view("segment")).value(), std::array{0.5}, {}, {}).value();
+  const Pose askew{Rotation::from({0.9, 0, 0.2, 0}), {2, 0, 0}};
+  const Vec3 end = askew * Vec3{0, 0, 0.5};
+  const Real distance = end.x - 1;
+  const Distance found{distance, 0, distance, {1, end.y, end.z}, end, {1, 0, 0}, Algorithm::analytic, 1};
+  for (const bool is_holed : {false, true}) {
+    const std::array both{placed_solid, placed_hole};
+    const Scene scene{make_composite(std::span(both).first(is_holed ? 2 : 1)).value(), needle, askew, 0, 4};
+    EXPECT_EQ(judge_distance(scene, found) == std::nullopt, is_holed);
+  }
 }
 
 TEST(FuzzOracle, RefusesWrongContacts) {

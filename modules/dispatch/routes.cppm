@@ -146,10 +146,20 @@ template <class A, class B>
   }
 }
 
+// Where a shape may be met. A hole alone stands for all that is around its cavity.
+template <class B>
+[[nodiscard]] Aabb reach_of(const B& b, const Pose& ab) {
+  if constexpr (Hole<B>) {
+    return Aabb::everything();
+  } else {
+    return b.aabb(ab);
+  }
+}
+
 // The nearest or deepest of many solids, one after the other; the box of interest shrinks with every better one.
 template <Scattered A, class B>
 Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
-  const Aabb around = b.aabb(ab);
+  const Aabb around = reach_of(b, ab);
   const bool bounded = around.is_bounded();
   Aabb query = around;
   out = no_distance();
@@ -202,7 +212,7 @@ inline void keep_deepest_of_directions(Manifold& contacts, std::size_t first) {
 // Contacts of each solid by itself; against a surface those of at most three directions.
 template <Scattered A, class B>
 Outcome scattered_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
-  Aabb query = b.aabb(ab).inflated(std::max(settings.margin, Real{0}));
+  Aabb query = reach_of(b, ab).inflated(std::max(settings.margin, Real{0}));
   Outcome outcome = Outcome::ok;
   a.visit_places(query, [&](const Vec3& place, std::uint32_t index) {
     const std::size_t first = out.size();

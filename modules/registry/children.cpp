@@ -3,6 +3,7 @@ module abut.registry;
 import abut.core;
 import abut.core.standard;
 import abut.math;
+import abut.narrowphase.carver;
 import abut.narrowphase.parts;
 import abut.shape;
 
@@ -90,6 +91,10 @@ bool is_assembly(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Assembly<S>; }, shape);
 }
 
+bool is_scattered(const AnyShape& shape) {
+  return std::visit([]<class S>(const S&) { return Scattered<S>; }, shape);
+}
+
 Outcome contacts_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
                          Manifold& out) {
   return ask(a, b, pose_a, pose_b,
@@ -109,65 +114,86 @@ void name_children(const AnyShape& a, const AnyShape& b, std::uint32_t child_a, 
   }
 }
 
-void flip(Manifold& contacts) {
+void flip(std::span<ContactPoint> contacts) {
   for (ContactPoint& contact : contacts) {
     move_by(contact, Pose::identity(), true);
   }
 }
 
-// What the holes of b leave of the contacts with each child of a, and the walls of those holes.
-void carve_second(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, std::size_t first, Manifold& out) {
-  Manifold carved;
-  visit_children(a, Pose::identity(), Aabb::everything(), [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a) {
-    Manifold of_child;
-    for (const ContactPoint& contact : std::span(out).subspan(first)) {
-      if (!is_assembly(a) || contact.child_a == child_a) {
-        of_child.push_back(contact);
+// What a composite with holes leaves of contacts that the holes of the other side added; normals point from the composite on.
+void leave_by_holes(const AnyShape& composite, const Pose& pose, Manifold& contacts) {
+  const auto leave = [&]<class S>(const S& shape) {
+    if constexpr (Assembly<S>) {
+      std::erase_if(contacts, [&](const ContactPoint& contact) { return is_in_hole(shape, pose, contact); });
+      for (ContactPoint& contact : contacts) {
+        leave_by_nearer_wall(shape, pose, contact);
       }
     }
-    flip(of_child);
-    carve(b, ab, of_a, pose_a, settings, of_child);
-    flip(of_child);
-    for (ContactPoint& contact : of_child) {
-      contact.child_a = is_assembly(a) ? child_a : contact.child_a;
-    }
-    carved.insert(carved.end(), of_child.begin(), of_child.end());
-  });
-  out.resize(first, ContactPoint{});
-  out.insert(out.end(), carved.begin(), carved.end());
+  };
+  std::visit(leave, composite);
 }
 
-// In the frame of a.
-Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
-  Outcomes outcomes;
-  const std::size_t first = out.size();
+// The contacts of the solids; then what the holes of either side leave of them and add to them. Either side is judged by all that
+// the solids meet, so that it is the same whichever comes first; what one adds has to be left by the other.
+void carve_both(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, std::size_t first, Manifold& out) {
+  const std::size_t count = out.size() - first;
+  std::vector<bool> is_cut(count), is_cut_by_b(count);
+  Manifold of_a, of_b;
   if (has_holes(a)) {
-    visit_children(b, ab, box_of(a, ab.inverse()).inflated(std::max(settings.margin, Real{0})),
-                   [&](const AnyShape& of_b, const Pose& pose_b, std::uint32_t child_b) {
-                     Manifold found;
-                     visit_children(a, Pose::identity(), box_of(of_b, pose_b).inflated(std::max(settings.margin, Real{0})),
-                                    [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a) {
-                                      const std::size_t begin = found.size();
-                                      outcomes.add(contacts_of_pair(of_a, of_b, pose_a, pose_b, settings, found));
-                                      name_children(a, b, child_a, child_b, begin, found);
-                                    });
-                     carve(a, Pose::identity(), of_b, pose_b, settings, found);
-                     for (ContactPoint& contact : found) {
-                       contact.child_b = is_assembly(b) ? child_b : contact.child_b;
-                     }
-                     out.insert(out.end(), found.begin(), found.end());
-                   });
-  } else {
-    visit_pairs(a, b, ab, settings.margin,
-                [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b, const Pose& pose_b,
-                    std::uint32_t child_b) {
-                  const std::size_t begin = out.size();
-                  outcomes.add(contacts_of_pair(of_a, of_b, pose_a, pose_b, settings, out));
-                  name_children(a, b, child_a, child_b, begin, out);
-                });
+    carve(a, Pose::identity(), b, ab, settings, std::span(out).subspan(first), is_cut, of_a);
+    flip(of_a);
+    leave_by_holes(b, ab, of_a);
+    flip(of_a);
   }
   if (has_holes(b)) {
-    carve_second(a, b, ab, settings, first, out);
+    flip(std::span(out).subspan(first));
+    carve(b, ab, a, Pose::identity(), settings, std::span(out).subspan(first), is_cut_by_b, of_b);
+    flip(std::span(out).subspan(first));
+    flip(of_b);
+    leave_by_holes(a, Pose::identity(), of_b);
+  }
+  std::size_t left = first;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_cut[i] && !is_cut_by_b[i]) {
+      out[left] = out[first + i];
+      ++left;
+    }
+  }
+  out.resize(left, ContactPoint{});
+  out.insert(out.end(), of_a.begin(), of_a.end());
+  out.insert(out.end(), of_b.begin(), of_b.end());
+}
+
+Outcome distance_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
+                         Distance& out) {
+  return ask(a, b, pose_a, pose_b,
+             [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second, const Pose& first_pose,
+                 const Pose& second_pose, bool from_b) {
+               return kernels.distance(first, second, first_pose, second_pose, from_b, settings, out);
+             });
+}
+
+// In the frame of a. `with_nearest`: with the nearest points of every pair of children, which a contact may miss: surfaces push to
+// their front only. Many solids have contacts each, which tell theirs.
+Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, bool with_nearest,
+                                    Manifold& out) {
+  Outcomes outcomes;
+  const std::size_t first = out.size();
+  visit_pairs(a, b, ab, settings.margin,
+              [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b, const Pose& pose_b,
+                  std::uint32_t child_b) {
+                const std::size_t begin = out.size();
+                outcomes.add(contacts_of_pair(of_a, of_b, pose_a, pose_b, settings, out));
+                Distance nearest{};
+                const bool are_many = is_scattered(of_a) || is_scattered(of_b);
+                if (with_nearest && !are_many && distance_of_pair(of_a, of_b, pose_a, pose_b, settings, nearest) == Outcome::ok) {
+                  const Feature whole{FeatureKind::whole, 0};
+                  out.push_back({nearest.point_a, nearest.point_b, nearest.normal, nearest.distance, whole, whole, contact_id(whole, whole)});
+                }
+                name_children(a, b, child_a, child_b, begin, out);
+              });
+  if (has_holes(a) || has_holes(b)) {
+    carve_both(a, b, ab, settings, first, out);
   }
   return outcomes.outcome();
 }
@@ -180,12 +206,7 @@ Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab,
   visit_pairs(a, b, ab, reach,
               [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t, const AnyShape& of_b, const Pose& pose_b, std::uint32_t) {
                 Distance found{};
-                const Outcome outcome =
-                    ask(of_a, of_b, pose_a, pose_b,
-                        [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second,
-                            const Pose& first_pose, const Pose& second_pose, bool from_b) {
-                          return kernels.distance(first, second, first_pose, second_pose, from_b, settings, found);
-                        });
+                const Outcome outcome = distance_of_pair(of_a, of_b, pose_a, pose_b, settings, found);
                 outcomes.add(outcome);
                 if (outcome != Outcome::ok) {
                   return;
@@ -215,7 +236,7 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
     QuerySettings however_far = settings;
     however_far.margin = infinity;
     Manifold contacts;
-    outcome = append_contacts_of_children(a, b, ab, however_far, contacts);
+    outcome = append_contacts_of_children(a, b, ab, however_far, true, contacts);
     if (outcome == Outcome::ok && contacts.empty()) {
       best.upper = infinity;  // nothing of the solids is left that could be met
     } else if (outcome == Outcome::ok) {
@@ -234,7 +255,7 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
 Outcome children_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                           const QuerySettings& settings, Manifold& out) {
   const std::size_t first = out.size();
-  const Outcome outcome = append_contacts_of_children(a, b, relative(pose_a, pose_b), settings, out);
+  const Outcome outcome = append_contacts_of_children(a, b, relative(pose_a, pose_b), settings, false, out);
   for (ContactPoint& contact : std::span(out).subspan(first)) {
     move_by(contact, pose_a, swapped);
   }
@@ -256,7 +277,7 @@ void children_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::spa
     const PairJob& job = jobs[i];
     settings.margin = job.margin;
     const Outcome outcome =
-        append_contacts_of_children(*shapes[job.a], *shapes[job.b], relative(poses[job.a], poses[job.b]), settings, out);
+        append_contacts_of_children(*shapes[job.a], *shapes[job.b], relative(poses[job.a], poses[job.b]), settings, false, out);
     results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
   }
 }

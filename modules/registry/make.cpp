@@ -25,4 +25,35 @@ Result<AnyShape> AnyShape::make(std::uint32_t kind, std::span<const Real> parame
   return error_about(Errc::unknown_value, "kind", std::uint64_t{kind}, "a kind of this build");
 }
 
+// Of a point outside, on or in a shape, in the frame of the shape.
+std::optional<Distance> AnyShape::distance_to(const Vec3& point) const {
+  return std::visit(
+      [&]<class S>(const S& shape) -> std::optional<Distance> {
+        if constexpr (Assembly<S>) {
+          return std::nullopt;
+        } else {
+          Distance found{};
+          const Pose placed{Rotation::identity(), point};
+          return distance_by_route(shape, Ball(0), placed, {}, found) == Outcome::ok ? std::optional(found) : std::nullopt;
+        }
+      },
+      *this);
+}
+
+bool AnyShape::is_hole() const {
+  return std::visit([]<class S>(const S&) { return Hole<S>; }, *this);
+}
+
+bool AnyShape::cavity_holds(const Vec3& point, Real inset) const {
+  return std::visit(
+      [&]<class S>(const S& shape) {
+        if constexpr (Hole<S>) {
+          return is_within(shape, point, inset);
+        } else {
+          return false;
+        }
+      },
+      *this);
+}
+
 }  // namespace abut

@@ -2,28 +2,11 @@
 #include <cmath>
 #include <random>
 
-#include "support.hpp"
+#include "hollow_bodies.hpp"
 
 namespace {
 
 using namespace abut_test;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double deepest(const std::vector<abut_contact>& contacts) {
-  double least = infinity;
-  for (const abut_contact& contact : contacts) least = std::min(least, contact.distance);
-  return least;
-}
-
-// A block of half size 2 with a cavity of about half size 1 in it.
-Shape hollow(const abut_shape* hole, const abut_pose& pose = identity) {
-  const Shape block = make_box(2, 2, 2);
-  return make_composite({block, hole}, {identity, pose});
-}
-Shape sphere_hole(double radius) { return make_of_kind("sphere_hole", {radius}); }
-Shape cylinder_hole(double radius, double half_height, double open) { return make_of_kind("cylinder_hole", {radius, half_height, open}); }
-Shape box_hole(double x, double y, double z, double open) { return make_of_kind("box_hole", {x, y, z, open}); }
 
 TEST(Holes, AMarbleInACavityTouchesItsWall) {
   const Shape marble = make_sphere(0.25);
