@@ -39,7 +39,7 @@ template <Outlined A, Outlined B>
     if (!(squared_norm(n) > 0)) {
       return;
     }
-    const Real depth = dot(n, a.support(n).point - placed_support(b, placement, -n).point);
+    const Real depth = depth_along(a, b, placement, n);
     if (depth < least) {
       least = depth;
       best = n;

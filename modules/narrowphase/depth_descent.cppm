@@ -50,9 +50,8 @@ inline constexpr Real first_stride = 0.5, least_stride = 1e-9, settled_stride = 
 template <Convex A, Convex B>
 [[nodiscard]] Descent descend(const A& a, const B& b, const Pose& ab, const Vec3& from, Real error, Real noise) {
   const auto placement = place(b, ab);
-  const auto depth_along = [&](const Vec3& n) { return dot(n, a.support(n).point - placed_support(b, placement, -n).point); };
   const Real step = error / 64;  // less than this is no progress
-  Descent here{from, depth_along(from), std::nullopt};
+  Descent here{from, depth_along(a, b, placement, from), std::nullopt};
   Real radius = first_stride;
   for (int round = 0; round < descent_rounds && radius > least_stride; ++round) {
     const GermFrame frame = frame_along(here.normal);
@@ -68,7 +67,7 @@ template <Convex A, Convex B>
     const auto try_move = [&](const Move& move) {
       Vec3 n = moved(frame, move);
       for (int correction = 0; correction < corrections; ++correction) {
-        if (const Real depth = depth_along(n); depth < next.depth) {
+        if (const Real depth = depth_along(a, b, placement, n); depth < next.depth) {
           next = {n, depth, std::nullopt};
           is_lower = true;
         }
@@ -153,7 +152,6 @@ template <Convex A, Convex B>
                                                                        const EpaResult& found) {
   const Real noise = 8 * epsilon * size;
   const auto placement = place(b, ab);
-  const auto depth_along = [&](const Vec3& n) { return dot(n, a.support(n).point - placed_support(b, placement, -n).point); };
   Descent least{found.normal, infinity, std::nullopt};
   const auto keep = [&](const Descent& tried) {
     // Of equal depths the one whose points are known.
@@ -173,7 +171,7 @@ template <Convex A, Convex B>
     keep(descend(a, b, ab, n, error, noise));
   };
   descend_from(found.normal);
-  visit_discs(a, b, ab, [&](const Vec3& axis) { keep({axis, depth_along(axis), points_under(a, b, ab, axis, error, noise)}); });
+  visit_discs(a, b, ab, [&](const Vec3& axis) { keep({axis, depth_along(a, b, placement, axis), points_under(a, b, ab, axis, error, noise)}); });
   // Toward the points on the surface of a cubic grid.
   [[clang::uninitialized]] SmallVector<Vec3, sweep_size> directions;
   [[clang::uninitialized]] SmallVector<Real, sweep_size> depths;
@@ -183,7 +181,7 @@ template <Convex A, Convex B>
         if (std::max({std::abs(x), std::abs(y), std::abs(z)}) == sweep_reach) {
           const Vec3 toward{static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)};
           directions.push_back((1 / norm(toward)) * toward);
-          depths.push_back(depth_along(directions[directions.size() - 1]));
+          depths.push_back(depth_along(a, b, placement, directions[directions.size() - 1]));
         }
       }
     }
@@ -199,7 +197,7 @@ template <Convex A, Convex B>
   // A valley may have more low places than the sweep has found, where the other core has corners.
   const Descent first = least;
   walk_valley(a, b, ab, first.normal, [&](const Vec3& n) {
-    const Real depth = depth_along(n);
+    const Real depth = depth_along(a, b, placement, n);
     const bool is_low = depth < first.depth * (1 + valley_share);
     if (is_low) {
       keep(descend(a, b, ab, n, error, noise));

@@ -187,6 +187,12 @@ template <Convex A, Convex B>
   return std::nullopt;
 }
 
+// The support function of the difference: how deep the cores overlap along a unit direction.
+template <Convex A, Convex B, class Placement>
+[[nodiscard]] [[gnu::always_inline]] inline Real depth_along(const A& a, const B& b, const Placement& placement, const Vec3& n) {
+  return dot(n, a.support(n).point - placed_support(b, placement, -n).point);
+}
+
 // The points of both bodies under a direction that is already a minimum within the error.
 template <Convex A, Convex B>
 [[nodiscard]] std::optional<DepthMinimum> points_under(const A& a, const B& b, const Pose& ab, const Vec3& normal, Real error, Real noise) {

@@ -110,16 +110,16 @@ template <Convex A, Convex B>
   } else {
     found = epa(a, b, ab, size, error, start);
   }
-  if (found.upper - found.lower > error + noise_of(size)) [[unlikely]] {
+  const auto is_open = [&] { return found.upper - found.lower > error + noise_of(size); };
+  if (is_open()) [[unlikely]] {
     // A polytope that starts on slivers may not grow to the end; one that starts along the axes then does.
     const EpaResult again = epa(a, b, ab, size, error, Simplex{});
     found = again.upper < found.upper ? again : found;
   }
   if constexpr (Curved<A> || Curved<B>) {
-    const bool is_open = found.upper - found.lower > error + noise_of(size);
-    if (is_open || (found.depth > noise_of(size) && found.depth < sliver_share * size)) [[unlikely]] {
+    if (is_open() || (found.depth > noise_of(size) && found.depth < sliver_share * size)) [[unlikely]] {
       const EpaResult least = least_of_descents(a, b, ab, size, error, found);
-      found = is_open || least.depth < found.depth - error ? least : found;
+      found = is_open() || least.depth < found.depth - error ? least : found;
     }
   }
   core.algorithm = Algorithm::gjk_epa;

@@ -35,6 +35,20 @@ struct LoneShape {
   }
 };
 
+// Asks a shape that is a hole; others have no cavity to ask about.
+template <class Ask>
+Outcome ask_hole(const AnyShape& hole, Ask&& ask) {
+  return std::visit(
+      [&]<class S>(const S& shape) {
+        if constexpr (Hole<S>) {
+          return ask(shape);
+        } else {
+          return Outcome::unsupported;
+        }
+      },
+      hole);
+}
+
 // One of many solids of one kind, which is no shape of the table.
 template <class Part>
 struct LonePart {
@@ -48,14 +62,9 @@ struct LonePart {
   }
   [[nodiscard]] Outcome contacts_in(const AnyShape& hole, const Pose& placed, const Pose& pose, const QuerySettings& settings,
                                     Manifold& found) const {
-    const auto ask = [&]<class S>(const S& shape) {
-      if constexpr (Hole<S>) {
-        return contacts_by_route(shape, part, relative(placed, pose), settings, found);
-      } else {
-        return Outcome::unsupported;
-      }
-    };
-    const Outcome outcome = std::visit(ask, hole);
+    const Outcome outcome = ask_hole(hole, [&](const auto& cavity) {
+      return contacts_by_route(cavity, part, relative(placed, pose), settings, found);
+    });
     for (ContactPoint& contact : found) {
       move_by(contact, placed);
     }
@@ -63,14 +72,9 @@ struct LonePart {
   }
   [[nodiscard]] Outcome distance_in(const AnyShape& hole, const Pose& placed, const Pose& pose, const QuerySettings& settings,
                                     Distance& found) const {
-    const auto ask = [&]<class S>(const S& shape) {
-      if constexpr (Hole<S>) {
-        return distance_by_route(shape, part, relative(placed, pose), settings, found);
-      } else {
-        return Outcome::unsupported;
-      }
-    };
-    const Outcome outcome = std::visit(ask, hole);
+    const Outcome outcome = ask_hole(hole, [&](const auto& cavity) {
+      return distance_by_route(cavity, part, relative(placed, pose), settings, found);
+    });
     move_by(found, placed);
     return outcome;
   }
