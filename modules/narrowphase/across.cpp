@@ -32,14 +32,17 @@ void outermost(const Face& face, const Vec3& direction, Real slack, const Vec3& 
   }
 }
 
-[[nodiscard]] bool holds(std::span<const Corner> polygon, const Corner& p) {
+// Whether a polygon holds a point further than `slack` from its edges. Those of a needle, and of a polygon without area,
+// are all nearer, and rounding would take what lies beyond its ends for inside.
+[[nodiscard]] bool holds(std::span<const Corner> polygon, const Corner& p, Real slack) {
   bool left = polygon.size() > 2, right = left;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Real side = turn(polygon[i], polygon[(i + 1) % polygon.size()], p);
-    left = left && side >= 0;
-    right = right && side <= 0;
+    const Corner &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+    const Real side = turn(from, to, p), least = slack * (std::fabs(to.u - from.u) + std::fabs(to.v - from.v));
+    left = left && side >= least;
+    right = right && side <= -least;
   }
-  return left != right;  // both: a polygon without area, whose edges do as well
+  return left != right;
 }
 
 [[nodiscard]] Corner at(const Corner& from, const Corner& to, Real t) {
@@ -101,10 +104,10 @@ AcrossPair points_across(const Face& a, const Face& b, const Vec3& normal, Real 
   }
   // A part that lies over the inside of the other one has no edge near it.
   const Real height = dot(of_b[0].point - of_a[0].point, normal);
-  if (holds(of_a, of_b[0])) {
+  if (holds(of_a, of_b[0], slack)) {
     return {of_b[0].point - height * normal, of_b[0].point};
   }
-  if (holds(of_b, of_a[0])) {
+  if (holds(of_b, of_a[0], slack)) {
     return {of_a[0].point, of_a[0].point + height * normal};
   }
   return search.best();

@@ -82,7 +82,7 @@ SatResult sat_of_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, R
     best.edge_a = unit(axis);
     best.edge_b = column(ab.rotation, edges.axis);
     const Vec3 n = cross(best.edge_a, best.edge_b);
-    best.normal = toward((1 / std::sqrt(squared_norm(n))) * n, t);
+    best.normal = toward(unit_across_edges(best.edge_a, best.edge_b, n, squared_norm(n)), t);
   }
   return best;
 }

@@ -66,15 +66,19 @@ template <Convex A, Convex B>
   // Rounded cores overlap by little more than the rounding, on one side only.
   const std::uint32_t everywhere = rounding > 0 ? global_rounds / 8 : global_rounds;
   std::size_t face = 0;
-  Real reach = 0;
+  Real reach = 0, distance = 0;
   for (std::uint32_t iteration = 1; iteration <= rounds; ++iteration) {
     result.iterations = iteration;
     const bool near_by = iteration > everywhere;
-    face = !near_by                           ? polytope.least_face()
-           : iteration == everywhere + 1    ? polytope.face_along(result.normal)
-                                            : polytope.least_new_face();
+    const std::size_t next = !near_by                        ? polytope.least_face()
+                             : iteration == everywhere + 1 ? polytope.face_along(result.normal)
+                                                           : polytope.least_new_face();
+    if (next == Polytope::none) [[unlikely]] {
+      break;
+    }
+    face = next;
     const Vec3 normal = polytope.normal(face);
-    const Real distance = polytope.distance(face);
+    distance = polytope.distance(face);
     const DifferenceVertex vertex = vertex_toward(normal);
     reach = dot(normal, vertex.w);
     // Face distances only grow; rounding must not make the bound shrink again.
@@ -84,15 +88,20 @@ template <Convex A, Convex B>
       result.upper = reach < result.upper ? reach : result.upper;
       result.normal = normal;
     }
-    if (result.upper - result.lower <= error || reach - distance <= (near_by ? error : noise) || polytope.contains(vertex)) {
+    if (result.upper - result.lower <= error || reach - distance <= (near_by ? error : noise)) {
       break;
+    }
+    if (polytope.contains(vertex)) {
+      // A sliver whose normal is rounding: the other faces tell more.
+      polytope.hide(face);
+      continue;
     }
     if (!polytope.expand(face, vertex, noise)) {
       break;
     }
   }
   const bool is_round = rounding > 0 || Curved<A> || Curved<B>;
-  result.inside = polytope.distance(face);
+  result.inside = distance;
   Witness witness = polytope.witness(face);
   if (is_round && reach <= result.upper + error && reach - result.inside <= error) {
     // The points lie under the last face: its normal, which is as good as the best within the bound.

@@ -47,8 +47,21 @@ template <Faceted S>
   return largest(-room);
 }
 
+// Whether a point is no further than some slack from the edges of a triangle.
+[[nodiscard]] inline bool is_on_edges(const std::array<Vec3, 3>& corners, const Vec3& point, Real slack) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 edge = corners[i == 2 ? 0 : i + 1] - corners[i], way = point - corners[i];
+    const Real square = squared_norm(edge), along = dot(way, edge);
+    const Real t = along > 0 ? (along < square ? along / square : 1) : 0;
+    if (squared_norm(way - t * edge) <= slack * slack) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Whether a point of its own frame surely lies in a core, up to some slack. Hulls without volume have no faces on
-// their sides that could tell.
+// their sides that could tell, and triangles tell of their edges alone.
 template <Convex S>
   requires Faceted<S> || Seen<S>
 [[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {
@@ -58,7 +71,7 @@ template <Convex S>
     const Vec3 out = absolute(point) - shape.half();
     return out.x <= slack && out.y <= slack && out.z <= slack;
   } else {
-    return false;
+    return is_on_edges(shape.corners(), point, slack);
   }
 }
 

@@ -48,6 +48,24 @@ template <Convex S>
   return std::bit_cast<std::uint8_t>(__builtin_convertvector(values < all_lanes(0), Flags)) & 15u;
 }
 
+// Unit normals across pairs of edges with these products, whose squares are given, to the side of a sign. Of nearly parallel
+// edges products are off by rounding of their lengths: what leads along the second one is taken out, as in sat.cppm.
+[[nodiscard]] [[gnu::noinline, gnu::cold]] inline Columns settled_across(const Columns& n, const Columns& second) {
+  const Columns across = n - (dot(n, second) / dot(second, second)) * second;
+  return (1 / __builtin_elementwise_sqrt(dot(across, across))) * across;
+}
+[[nodiscard]] [[gnu::always_inline]] inline Columns unit_across(const Columns& first, const Columns& second, const Columns& products,
+                                                                Lanes squares, Lanes signs) {
+  const Columns n = (signs / __builtin_elementwise_sqrt(squares)) * products;
+  const Lanes room = squares - 1e-6 * dot(first, first) * dot(second, second);
+  if (signs_of(room) == 0) [[likely]] {
+    return n;
+  }
+  const Columns settled = settled_across(n, second);
+  const LaneNumbers is_thin = room < all_lanes(0);
+  return {is_thin ? settled.x : n.x, is_thin ? settled.y : n.y, is_thin ? settled.z : n.z};
+}
+
 // A depth per lane, the least one so far, and which it was.
 struct LeastDepths {
   Lanes depth = infinity;

@@ -165,12 +165,12 @@ template <Faceted H, class Core>
         const auto &on_r = facets.lines[r.line], &on_s = facets.lines[s.line];
         from = Columns::of(on_p.from, on_q.from, on_r.from, on_s.from);
         along = Columns::of(on_p.along, on_q.along, on_r.along, on_s.along);
-        const Columns across = cross(Columns::of(edges[p.edge], edges[q.edge], edges[r.edge], edges[s.edge]), along);
+        const Columns edge = Columns::of(edges[p.edge], edges[q.edge], edges[r.edge], edges[s.edge]);
+        const Columns across = cross(edge, along);
         square = dot(across, across);
         // Out of the hull: from the left face the arc turns to the right one.
         const LaneNumbers in{p.inward, q.inward, r.inward, s.inward};
-        const Lanes inverse = (in != 0 ? all_lanes(1) : all_lanes(-1)) / __builtin_elementwise_sqrt(square);
-        return inverse * across;
+        return unit_across(edge, along, across, square, in != 0 ? all_lanes(1) : all_lanes(-1));
       };
       LeastDepths of_edges;
       for (std::size_t first = 0; first < count; first += 4) {

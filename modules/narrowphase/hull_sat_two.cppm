@@ -207,7 +207,7 @@ template <Faceted A, Faceted B>
     const Columns back = from - Columns::of(to_of(0), to_of(1), to_of(2), to_of(3));
     const Columns across = cross(back, along);
     const Lanes square = dot(across, across);
-    const Columns n = (1 / __builtin_elementwise_sqrt(square)) * across;
+    const Columns n = unit_across(back, along, across, square, all_lanes(1));
     const Lanes reach = dot(n, start) + maximum(dot(n, along), all_lanes(0));
     const Lanes lower = reach - dot(n, from);
     // Vertices that lie behind each other along the edge are one for its arc.

@@ -38,20 +38,31 @@ concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_ax
 }
 template <Convex A, Convex B>
 [[nodiscard]] CoreSeparation separate_along(const A& a, const B& b, const Pose& ab, const SatResult& found, Real size) {
-  return separation_under(found, a.support(found.normal).point, placed_support(b, place(b, ab), -found.normal).point, size);
+  const Vec3 point_a = a.support(found.normal).point;
+  const Vec3 point_b = placed_support(b, place(b, ab), -found.normal).point;
+  CoreSeparation core = separation_under(found, point_a, point_b, size);
+  // The lines along both edges may come closest beyond the ends of these.
+  const Real slack = rounding_of(size);
+  if (found.of_edges && !(holds(a, core.point_a, slack) && holds(b, ab.undo(core.point_b), slack))) [[unlikely]] {
+    core.point_a = point_a;
+    core.point_b = point_b;
+    core.points_open = true;
+  }
+  return core;
 }
 
-// Any direction across two cores that touch without an axis of their own: across the first edge that
+// Any direction across two cores that touch without an axis of their own: across the longest edge that
 // there is, toward the other centre where that says something.
 template <FewFaced A, FewFaced B>
 [[nodiscard]] Vec3 direction_across(const A& a, const B& b, const Pose& ab) {
   const Vec3 apart = placed_centre(b, ab) - a.centre();
   Vec3 along{0, 0, 0};
-  for (const Vec3& edge : b.edge_directions()) {
-    along = ab.rotation * edge;
-  }
+  const auto consider = [&](const Vec3& edge) { along = squared_norm(edge) > squared_norm(along) ? edge : along; };
   for (const Vec3& edge : a.edge_directions()) {
-    along = edge;
+    consider(edge);
+  }
+  for (const Vec3& edge : b.edge_directions()) {
+    consider(ab.rotation * edge);
   }
   const auto axis = UnitVec3::make(along);
   if (!axis) {
@@ -59,7 +70,13 @@ template <FewFaced A, FewFaced B>
   }
   const Vec3 sideways = apart - dot(apart, axis->vec()) * axis->vec();
   const Real noise = 16 * epsilon * (largest_magnitude(apart) + a.extent() + b.extent());
-  return largest_magnitude(sideways) > noise ? UnitVec3::make(sideways)->vec() : tangents_of(*axis).first;
+  if (!(largest_magnitude(sideways) > noise)) {
+    return tangents_of(*axis).first;
+  }
+  const Vec3 n = *UnitVec3::make(sideways);
+  // Where little is left of a long way, part of it still leads along.
+  const bool is_little = squared_norm(sideways) < 1e-6 * squared_norm(apart);
+  return is_little ? UnitVec3::make(n - dot(n, axis->vec()) * axis->vec())->vec() : n;
 }
 
 template <FewFaced A, FewFaced B>
@@ -67,10 +84,13 @@ template <FewFaced A, FewFaced B>
   if constexpr (TwoBoxes<A, B>) {
     return separate_along(a, b, ab, sat_of_boxes(a.half(), b.half(), ab, noise_of(size), infinity), size);
   } else {
-    const std::optional<SatResult> found = sat(a, b, ab, noise_of(size));
-    // Without any axis the cores only touch.
-    const Vec3 none{0, 0, 0};
-    return separate_along(a, b, ab, found ? *found : SatResult{0, direction_across(a, b, ab), 0, false, none, none}, size);
+    if (const std::optional<SatResult> found = sat(a, b, ab, noise_of(size))) {
+      return separate_along(a, b, ab, *found, size);
+    }
+    // Without any axis the cores lie on one line.
+    const Vec3 n = direction_across(a, b, ab), none{0, 0, 0};
+    const Real separation = dot(n, placed_support(b, place(b, ab), -n).point - a.support(n).point);
+    return separate_along(a, b, ab, SatResult{separation, n, 0, false, none, none}, size);
   }
 }
 
@@ -100,6 +120,20 @@ template <Convex A, Convex B>
 
 // Depths below this share of the size are those of needles and plates, or of touching cores: polytopes of slivers prove nothing there.
 inline constexpr Real sliver_share = 3e-8;
+
+// How deep two cores overlap by all axes that may be across it. False where they have too many, or rounding leaves the
+// answer in doubt.
+template <Convex A, Convex B>
+[[nodiscard]] bool separate_by_axes(const A& a, const B& b, const Pose& ab, Real size, CoreSeparation& core) {
+  if constexpr (FewFaced<A> && FewFaced<B>) {
+    core = separate_by_sat(a, b, ab, size);
+    return true;
+  } else if constexpr (HullAndSeen<A, B>) {
+    return separate_by_hull_sat(a, b, ab, size, core);
+  } else {
+    return false;
+  }
+}
 
 // Out of line, here and below: a polytope takes pages of the stack, each of which is touched on the way in.
 template <Convex A, Convex B>
@@ -159,6 +193,26 @@ template <Convex A, Convex B>
   core.upper = rounding - (found.inside < found.upper ? found.inside : found.upper);
   core.point_a = found.point_a;
   core.point_b = found.point_b;
+}
+
+// Slivers may hide from GJK that polytopes overlap, which the whole Minkowski difference shows. False unless it proves that.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::noinline, gnu::cold]] bool separate_by_sliver(const A& a, const B& b, const Pose& ab, Real size, Real error,
+                                                                   const Simplex& start, CoreSeparation& core) {
+  if constexpr (Curved<A> || Curved<B>) {
+    return false;
+  } else {
+    CoreSeparation found = core;
+    separate_by_epa(a, b, ab, size, error, start, found);
+    // A difference without volume takes no step, and says nothing of cores that are apart in its plane.
+    const bool has_volume = found.iterations > core.iterations;
+    if (!has_volume || found.distance > error || found.upper - found.lower > error + noise_of(size)) {
+      return false;
+    }
+    core = found;
+    core.overlap = true;
+    return true;
+  }
 }
 
 // Where the rim of a round core touches, GJK may end on slivers near the common point, which a polytope finds. False unless

@@ -99,8 +99,8 @@ template <Edged A, Edged B>
 
 // The unit normal across two directions, by the operations of the searches.
 [[nodiscard]] inline Vec3 unit_across(const Vec3& first, const Vec3& second, Real sign) {
-  const Columns across = cross(Columns::all(first), Columns::all(second));
-  return ((all_lanes(sign) / __builtin_elementwise_sqrt(dot(across, across))) * across)[0];
+  const Columns a = Columns::all(first), b = Columns::all(second), across = cross(a, b);
+  return unit_across(a, b, across, dot(across, across), all_lanes(sign))[0];
 }
 
 // The normal across an edge of each body, and the directions of both, in the frame of a.

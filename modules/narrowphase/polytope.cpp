@@ -5,6 +5,23 @@ import abut.narrowphase.columns;
 import abut.narrowphase.simplex;
 
 namespace abut {
+namespace {
+
+// The normals of thin triangles, of which the product of two edges is small beside these, are off by rounding of their
+// lengths. What leads along the longest edge is taken out, as its length would multiply it.
+[[nodiscard]] [[gnu::noinline]] Columns settled_on_longest(const Columns& normal, const Columns& u, const Columns& v) {
+  const auto choose = [](LaneNumbers which, const Columns& a, const Columns& b) {
+    return Columns{which ? a.x : b.x, which ? a.y : b.y, which ? a.z : b.z};
+  };
+  const Columns w = u - v;
+  const Columns longer = choose(dot(u, u) >= dot(v, v), u, v);
+  const Columns longest = choose(dot(longer, longer) >= dot(w, w), longer, w);
+  const Columns across = normal - (dot(normal, longest) / dot(longest, longest)) * longest;
+  const Lanes square = dot(across, across);
+  return choose(square > all_lanes(0.5), (1 / __builtin_elementwise_sqrt(square)) * across, normal);
+}
+
+}  // namespace
 
 void Polytope::set_faces(const Triangles& triangles, std::size_t count) {
   const auto corners = [&](const std::array<std::uint16_t, 4>& of) {
@@ -17,7 +34,12 @@ void Polytope::set_faces(const Triangles& triangles, std::size_t count) {
   // A face without area bounds nothing: never the least one, and seen by any vertex.
   const LaneNumbers has_area = square > all_lanes(0);
   const Lanes inverse = has_area ? 1 / __builtin_elementwise_sqrt(square) : all_lanes(0);
-  const Columns normal = inverse * n;
+  Columns normal = inverse * n;
+  const LaneNumbers is_thin = square < all_lanes(1e-6) * dot(u, u) * dot(v, v);
+  if (largest(is_thin ? inverse : all_lanes(0)) > 0) [[unlikely]] {
+    const Columns settled = settled_on_longest(normal, u, v);
+    normal = {is_thin ? settled.x : normal.x, is_thin ? settled.y : normal.y, is_thin ? settled.z : normal.z};
+  }
   const Lanes distance = dot(normal, p);
   const Lanes beyond = has_area ? distance : all_lanes(-infinity);
   const Lanes least = has_area ? distance : all_lanes(infinity);

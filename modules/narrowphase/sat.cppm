@@ -16,6 +16,19 @@ struct SatResult {
   Vec3 edge_a, edge_b;  // then these are their directions
 };
 
+// The unit normal across two edges, whose cross product has this square.
+//
+// Of nearly parallel edges the product is off by rounding of their lengths, which are long beside it. What leads along the
+// edges would come back multiplied by them: it is taken out. Across them the edges are short, and what is left is rounding.
+[[nodiscard]] inline Vec3 unit_across_edges(const Vec3& edge_a, const Vec3& edge_b, const Vec3& product, Real square) {
+  const Vec3 n = (1 / std::sqrt(square)) * product;
+  const Real square_a = squared_norm(edge_a);
+  if (square > 1e-6 * square_a * squared_norm(edge_b)) [[likely]] {
+    return n;
+  }
+  return UnitVec3::make(n - (dot(n, edge_a) / square_a) * edge_a).value_or(UnitVec3::from_unit_unchecked(n));
+}
+
 // Nothing when there is no axis at all, as between two points or parallel segments: such cores only
 // touch, and any direction across both separates them.
 //
@@ -73,7 +86,8 @@ template <FewFaced A, FewFaced B>
       const Real square = squared_norm(n);
       // Edges closer to parallel than rounding span no face. Leaving one out errs by at most the
       // angle times the length of an edge, which is rounding again.
-      if (square > 1e-28 * squared_norm(edge_a) * squared_norm(edge_b) && square > 0 && try_axis((1 / std::sqrt(square)) * n, noise)) {
+      if (square > 1e-28 * squared_norm(edge_a) * squared_norm(edge_b) && square > 0 &&
+          try_axis(unit_across_edges(edge_a, edge_b, n, square), noise)) {
         best.of_edges = true;
         best.edge_a = edge_a;
         best.edge_b = edge_b;

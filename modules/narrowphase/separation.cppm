@@ -115,6 +115,16 @@ template <Convex A, Convex B>
   return core;
 }
 
+// Whether the normal of polytopes that nearly touch is rounding, although their distance was proven on the way.
+template <Convex A, Convex B>
+[[nodiscard]] inline bool is_turned(const A& a, const B& b, const Pose& ab, const GjkResult& near, Real size, Real error) {
+  if (Curved<A> || Curved<B> || !(near.upper <= projection_limit * size)) {
+    return false;
+  }
+  const Vec3 between = placed_support(b, place(b, ab), -near.normal).point - a.support(near.normal).point;
+  return dot(near.normal, between) < near.lower - error - noise_of(size);
+}
+
 // GJK for any cores, whatever they are, from the direction `toward` on, and where they overlap the best
 // way to the depth.
 template <Convex A, Convex B>
@@ -149,33 +159,44 @@ template <Convex A, Convex B>
   if (near.beyond) {
     return core;
   }
+  const bool is_unproven = !near.overlap && (!(near.lower > 0) || near.upper - near.lower > error + noise_of(size) ||
+                                             is_turned(a, b, ab, near, size, error));
+  if (near.overlap || is_unproven) {
+    CoreSeparation along{};
+    if (settings.algorithm != Algorithm::gjk_epa && separate_by_axes(a, b, ab, size, along)) {
+      along.iterations += near.iterations;
+      if (is_touch(along, size)) {
+        find_touch(near.simplex, error, along);
+      }
+      if (near.overlap || (along.distance <= error && !(near.lower > error))) {
+        return along;
+      }
+      // Of cores that are apart axes bound the distance from below, and points of both from above. Beside a point find_points
+      // takes for granted that the axis leads to the other core.
+      Real upper = near.upper;
+      if constexpr (!PointCored<A> && !PointCored<B>) {
+        find_points(a, b, ab, along);
+        upper = std::fmin(upper, norm(along.point_b - along.point_a));
+      }
+      if (upper - along.distance <= error + noise_of(size)) {
+        along.upper = std::fmax(along.upper, upper);
+        along.overlap = false;
+        return along;
+      }
+    }
+  }
   if (!near.overlap) {
     core.normal = near.normal;
     core.point_a = witness_on_a(near.simplex, near.closest);
     core.point_b = core.point_a - near.closest;
     core.distance = core.upper = near.upper;
-    if (!(near.lower > 0) || near.upper - near.lower > error + noise_of(size)) [[unlikely]] {
+    if (is_unproven) [[unlikely]] {
+      if (!(near.lower > error) && separate_by_sliver(a, b, ab, size, error, near.simplex, core)) {
+        return core;
+      }
       separate_by_rounding(a, b, ab, size, error, core);
     }
     return core;
-  }
-  if constexpr (FewFaced<A> && FewFaced<B>) {
-    if (settings.algorithm != Algorithm::gjk_epa) {
-      core = separate_by_sat(a, b, ab, size);
-      core.iterations += near.iterations;
-      if (is_touch(core, size)) {
-        find_touch(near.simplex, error, core);
-      }
-      return core;
-    }
-  }
-  if constexpr (HullAndSeen<A, B>) {
-    if (settings.algorithm != Algorithm::gjk_epa && separate_by_hull_sat(a, b, ab, size, core)) {
-      if (is_touch(core, size)) {
-        find_touch(near.simplex, error, core);
-      }
-      return core;
-    }
   }
   separate_by_epa(a, b, ab, size, error, near.simplex, core);
   if (Curved<A> || Curved<B> ? std::fabs(core.distance) <= error : is_touch(core, size)) {

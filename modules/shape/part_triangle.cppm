@@ -91,13 +91,30 @@ class Triangle {
 
  private:
   [[nodiscard]] static inline Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 n = cross(b - a, c - a);
+    const Vec3 ab = b - a, ac = c - a;
+    const Vec3 n = cross(ab, ac);
     const Real square = squared_norm(n);
-    if (square > 1e-200 && square < 1e200) [[likely]] {
+    if (square > 1e-200 && square < 1e200 && square > 1e-6 * squared_norm(ab) * squared_norm(ac)) [[likely]] {
       return (1 / std::sqrt(square)) * n;
     }
-    const auto unit = UnitVec3::make(n);
-    return unit ? unit->vec() : Vec3{0, 0, 0};
+    return normal_of_needle(ab, c - b, -ac);
+  }
+  // From the longest edge and the shortest one, which are least parallel. What rounding has left of the normal along the
+  // longest edge is taken out, as its length would multiply it; across that edge the triangle is thin.
+  [[nodiscard]] static Vec3 normal_of_needle(const Vec3& ab, const Vec3& bc, const Vec3& ca) {
+    Vec3 first = ab, second = bc, third = ca;  // in turn, the first one the longest
+    for (int turns = 0; turns < 2 && (squared_norm(first) < squared_norm(second) || squared_norm(first) < squared_norm(third)); ++turns) {
+      const Vec3 next = second;
+      second = third;
+      third = first;
+      first = next;
+    }
+    const auto across = UnitVec3::make(squared_norm(second) < squared_norm(third) ? cross(first, second) : cross(third, first));
+    if (!across) {
+      return {0, 0, 0};
+    }
+    const Vec3 n = *across;
+    return UnitVec3::make(n - (dot(n, first) / squared_norm(first)) * first).value_or(*across);
   }
 
   std::array<Vec3, 3> corners_;

@@ -74,6 +74,19 @@ TEST(Across, LeastAsideWhereNothingMeets) {
   EXPECT_EQ(pair.point_b, (Vec3{5, 0, 2}));
 }
 
+// Beyond the end of a needle all its edges run by within rounding, on sides that say nothing.
+TEST(Across, BesideTheEndOfANeedle) {
+  test::Random random(82);
+  for (int i = 0; i < 2000; ++i) {
+    const double turn = random.uniform(0, 6), width = 1e-14 * random.uniform(0, 2), beyond = random.uniform(0.01, 1);
+    const Vec3 along{std::cos(turn), std::sin(turn), 0}, aside{-along.y, along.x, 0}, start = random.point(1);
+    const Face needle = face_of({start, start + along, start + 0.5 * along + width * aside}, up);
+    const Vec3 tip = start - beyond * along + random.uniform(-1e-15, 1e-15) * aside;
+    const abut::AcrossPair pair = abut::points_across(needle, face_of({tip}, {0, 0, 0}), up, slack);
+    EXPECT_GE(abut::dot(pair.point_a - start, along), -1e-12) << i;
+  }
+}
+
 TEST(Across, RandomSquaresThatOverlap) {
   test::Random random(81);
   for (int i = 0; i < 1000; ++i) {

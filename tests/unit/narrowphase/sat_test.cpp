@@ -56,4 +56,17 @@ TEST(Sat, NothingBetweenPointsOrParallelRods) {
   EXPECT_TRUE(found->of_edges);
 }
 
+// However small the angle between two edges, the normal across them leads along neither: their lengths would multiply that.
+TEST(Sat, NormalAcrossNearlyParallelEdgesIsAcrossBoth) {
+  test::Random random(72);
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = std::pow(10, random.uniform(-13, -1));
+    const Vec3 a = random.point(1), b = a + angle * random.point(1), product = cross(a, b);
+    const Vec3 n = abut::unit_across_edges(a, b, product, abut::squared_norm(product));
+    EXPECT_NEAR(abut::norm(n), 1, 1e-15);
+    EXPECT_NEAR(dot(n, a), 0, 1e-12) << angle;
+    EXPECT_NEAR(dot(n, b), 0, 1e-12) << angle;
+  }
+}
+
 }  // namespace
