@@ -36,6 +36,8 @@ struct SeenBox {
     }
     return value;
   }
+  // Whether an edge along this direction comes as near: of those that are parallel one always does.
+  [[nodiscard]] [[gnu::always_inline]] inline bool leads(std::size_t, const Vec3&, Real) const { return true; }
 };
 
 struct SeenTriangle {
@@ -45,6 +47,11 @@ struct SeenTriangle {
 
   [[nodiscard]] [[gnu::always_inline]] inline Lanes least(const Columns& n) const {
     return minimum(minimum(dot(n, Columns::all(corners[0])), dot(n, Columns::all(corners[1]))), dot(n, Columns::all(corners[2])));
+  }
+  // Whether an edge comes as near.
+  [[nodiscard]] [[gnu::always_inline]] inline bool leads(std::size_t edge, const Vec3& n, Real noise) const {
+    const Real at = dot(n, corners[edge]), opposite = dot(n, corners[edge == 0 ? 2 : edge - 1]);
+    return at <= opposite + noise;
   }
 };
 
@@ -190,9 +197,10 @@ template <Faceted H, class Core>
         [[clang::uninitialized]] Lanes square;
         const Columns n = normals_of(first, from, along, square);
         consider(of_edges.depth[at], n[at], noise);
-        best.of_edges = true;
+        const std::size_t edge = candidates[first + at].edge;
+        best.of_edges = core.leads(edge, n[at], noise);
         best.edge_a = along[at];
-        best.edge_b = core.edges[candidates[first + at].edge];
+        best.edge_b = core.edges[edge];
       }
     }
   }

@@ -222,16 +222,19 @@ template <Faceted A, Faceted B>
       if (!(above[i] < 0)) {
         continue;
       }
+      const auto vertex = static_cast<std::uint16_t>(found.vertex[i]);
+      const bool is_cut = depth[i] > lower[i] + noise && vertex != taken[i].from && vertex != taken[i].to;
       if (depth[i] < least_of_edges) {
-        least_of_edges = depth[i];
+        // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its parts:
+        // it must not be passed over as no less deep.
+        least_of_edges = is_cut ? std::fmin(least_of_edges, depth[i] + noise) : depth[i];
         best.separation = -depth[i];
         best.normal = n[i];
-        best.of_edges = true;
+        best.of_edges = !is_cut;
         best.edge_a = along[i];
         best.edge_b = back[i];
       }
-      const auto vertex = static_cast<std::uint16_t>(found.vertex[i]);
-      if (depth[i] > lower[i] + noise && vertex != taken[i].from && vertex != taken[i].to) {
+      if (is_cut) {
         if (count + 2 > room) {
           return std::nullopt;
         }
