@@ -172,6 +172,14 @@ template <Convex A, Convex B>
   };
   descend_from(found.normal);
   visit_discs(a, b, ab, [&](const Vec3& axis) { keep({axis, depth_along(a, b, placement, axis), points_under(a, b, ab, axis, error, noise)}); });
+  // A flat or slender core bends within so few directions that only its own axes lead there.
+  for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, ab.rotation.x, ab.rotation.y, ab.rotation.z}) {
+    for (const Vec3& n : {axis, -axis}) {
+      if (depth_along(a, b, placement, n) < least.depth * (1 + valley_share)) {
+        keep(descend(a, b, ab, n, error, noise));
+      }
+    }
+  }
   // Toward the points on the surface of a cubic grid.
   [[clang::uninitialized]] SmallVector<Vec3, sweep_size> directions;
   [[clang::uninitialized]] SmallVector<Real, sweep_size> depths;

@@ -3,6 +3,7 @@ export module abut.narrowphase.hull_sat_facets;
 import abut.core.standard;
 import abut.math;
 import abut.narrowphase.columns;
+import abut.narrowphase.sat;
 import abut.shape;
 
 export namespace abut {
@@ -65,6 +66,11 @@ template <Convex S>
   const LaneNumbers is_thin = room < all_lanes(0);
   return {is_thin ? settled.x : n.x, is_thin ? settled.y : n.y, is_thin ? settled.z : n.z};
 }
+
+// With a point of each edge that the normal is across: support points need not lie on them where more of a core is as near.
+struct HullSatResult : SatResult {
+  Vec3 on_a, on_b;
+};
 
 // A depth per lane, the least one so far, and which it was.
 struct LeastDepths {

@@ -38,6 +38,16 @@ struct SeenBox {
   }
   // Whether an edge along this direction comes as near: of those that are parallel one always does.
   [[nodiscard]] [[gnu::always_inline]] inline bool leads(std::size_t, const Vec3&, Real) const { return true; }
+  // The middle of that one.
+  [[nodiscard]] inline Vec3 point_of_edge(std::size_t edge, const Vec3& n) const {
+    Vec3 point = centre;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i != edge) {
+        point = point - std::copysign(Real{1}, dot(n, arms[i])) * arms[i];
+      }
+    }
+    return point;
+  }
 };
 
 struct SeenTriangle {
@@ -53,6 +63,7 @@ struct SeenTriangle {
     const Real at = dot(n, corners[edge]), opposite = dot(n, corners[edge == 0 ? 2 : edge - 1]);
     return at <= opposite + noise;
   }
+  [[nodiscard]] inline Vec3 point_of_edge(std::size_t edge, const Vec3&) const { return corners[edge]; }
 };
 
 template <Seen S>
@@ -88,10 +99,10 @@ template <Seen S>
 
 // In the frame of the hull; the normal points out of it.
 template <Faceted H, class Core>
-[[nodiscard]] SatResult sat_of_hull(const H& hull, const Core& core, Real noise) {
+[[nodiscard]] HullSatResult sat_of_hull(const H& hull, const Core& core, Real noise) {
   const auto& facets = hull.facets();
   constexpr std::size_t edge_count = std::tuple_size_v<decltype(core.edges)>;
-  SatResult best{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}};
+  HullSatResult best{{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, {0, 0, 0}};
   const auto consider = [&](Real depth, const Vec3& normal, Real lead) {
     if (-depth > best.separation + lead) {
       best.separation = -depth;
@@ -201,6 +212,8 @@ template <Faceted H, class Core>
         best.of_edges = core.leads(edge, n[at], noise);
         best.edge_a = along[at];
         best.edge_b = core.edges[edge];
+        best.on_a = from[at];
+        best.on_b = core.point_of_edge(edge, n[at]);
       }
     }
   }

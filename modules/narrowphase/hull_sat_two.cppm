@@ -122,12 +122,12 @@ struct FaceSearch {
 
 // From a to b, in the frame of a. Nothing where rounding cuts arcs without end.
 template <Faceted A, Faceted B>
-[[nodiscard]] std::optional<SatResult> sat_of_hulls(const A& a, const B& b, const Pose& ab, Real noise) {
+[[nodiscard]] std::optional<HullSatResult> sat_of_hulls(const A& a, const B& b, const Pose& ab, Real noise) {
   const Pose ba = ab.inverse();
   [[clang::uninitialized]] SeenVertices of_a, of_b;
   see_vertices(b, ab, of_b);
   see_vertices(a, ba, of_a);
-  SatResult best{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}};
+  HullSatResult best{{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, {0, 0, 0}};
   const auto take_face = [&](const LeastDepths& faces, const auto& facets, const auto& out) {
     const std::size_t lane = faces.lane();
     if (-faces.depth[lane] > best.separation) {
@@ -233,6 +233,8 @@ template <Faceted A, Faceted B>
         best.of_edges = !is_cut;
         best.edge_a = along[i];
         best.edge_b = back[i];
+        best.on_a = start[i];
+        best.on_b = from[i];
       }
       if (is_cut) {
         if (count + 2 > room) {

@@ -30,10 +30,7 @@ concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_ax
   core.distance = core.lower = core.upper = found.separation;
   core.point_a = point_a;
   core.point_b = point_b;
-  core.points_open = !found.of_edges;
-  if (found.of_edges) {
-    find_edge_witnesses(found.edge_a, found.edge_b, core);
-  }
+  core.points_open = !(found.of_edges && find_edge_witnesses(found.edge_a, found.edge_b, core));
   return core;
 }
 template <Convex A, Convex B>
@@ -43,7 +40,7 @@ template <Convex A, Convex B>
   CoreSeparation core = separation_under(found, point_a, point_b, size);
   // The lines along both edges may come closest beyond the ends of these.
   const Real slack = rounding_of(size);
-  if (found.of_edges && !(holds(a, core.point_a, slack) && holds(b, ab.undo(core.point_b), slack))) [[unlikely]] {
+  if (!core.points_open && !(holds(a, core.point_a, slack) && holds(b, ab.undo(core.point_b), slack))) [[unlikely]] {
     core.point_a = point_a;
     core.point_b = point_b;
     core.points_open = true;
@@ -98,7 +95,7 @@ template <FewFaced A, FewFaced B>
 template <Convex A, Convex B>
   requires HullAndSeen<A, B>
 [[nodiscard]] [[gnu::noinline]] bool separate_by_hull_sat(const A& a, const B& b, const Pose& ab, Real size, CoreSeparation& core) {
-  std::optional<SatResult> found = hull_sat(a, b, ab, noise_of(size));
+  std::optional<HullSatResult> found = hull_sat(a, b, ab, noise_of(size));
   if (!found) {
     return false;
   }
@@ -111,7 +108,11 @@ template <Convex A, Convex B>
   }
   found->separation = separation;
   const std::uint32_t iterations = core.iterations;
-  core = separation_under(*found, point_a, point_b, size);
+  const auto on_edge = [&](const Vec3& support, const Vec3& on, const Vec3& edge) {
+    const Real off = noise_of(size);
+    return found->of_edges && squared_norm(cross(support - on, edge)) > off * off * squared_norm(edge) ? on : support;
+  };
+  core = separation_under(*found, on_edge(point_a, found->on_a, found->edge_a), on_edge(point_b, found->on_b, found->edge_b), size);
   core.iterations += iterations;
   core.upper += flatness_of(a) + flatness_of(b);
   core.rounding = noise_of(size);  // normals of slender faces are off by more than their corners

@@ -178,16 +178,16 @@ inline void keep(Simplex& simplex, unsigned vertices) {
   simplex.size = kept;
 }
 
-// The point of a under the closest point of at most three vertices, with the weights that it has there.
-[[nodiscard]] inline Vec3 witness_on_a(const Simplex& simplex, const Vec3& closest) {
+// What at most three vertices weigh in their closest point.
+[[nodiscard]] inline std::array<Real, 3> weights_of(const Simplex& simplex, const Vec3& closest) {
   const auto& v = simplex.vertices;
   if (simplex.size == 1) {
-    return v[0].a;
+    return {1, 0, 0};
   }
   if (simplex.size == 2) {
     const Vec3 d = v[1].w - v[0].w;
     const Real t = dot(closest - v[0].w, d) / squared_norm(d);
-    return v[0].a + t * (v[1].a - v[0].a);
+    return {1 - t, t, 0};
   }
   const Vec3 normal = cross(v[0].w - v[2].w, v[1].w - v[2].w);
   const Vec3 p = v[0].w - closest, q = v[1].w - closest, r = v[2].w - closest;
@@ -198,10 +198,32 @@ inline void keep(Simplex& simplex, unsigned vertices) {
   };
   const Real wp = weight(q, r), wq = weight(r, p), wr = weight(p, q), sum = wp + wq + wr;
   if (!(sum > 0)) {
-    return v[0].a;
+    return {1, 0, 0};
   }
   const Real scale = 1 / sum;
-  return (scale * wp) * v[0].a + (scale * wq) * v[1].a + (scale * wr) * v[2].a;
+  return {scale * wp, scale * wq, scale * wr};
+}
+
+// The point of a simplex with these weights: of a, and of the difference.
+struct WeightedPoint {
+  Vec3 a, w;
+};
+[[nodiscard]] inline WeightedPoint point_with(const Simplex& simplex, const std::array<Real, 3>& weights) {
+  const auto& v = simplex.vertices;
+  const auto& [p, q, r] = weights;
+  switch (simplex.size) {
+    case 1:
+      return {v[0].a, v[0].w};
+    case 2:
+      return {v[0].a + q * (v[1].a - v[0].a), v[0].w + q * (v[1].w - v[0].w)};
+    default:
+      return {p * v[0].a + q * v[1].a + r * v[2].a, p * v[0].w + q * v[1].w + r * v[2].w};
+  }
+}
+
+// The point of a under the closest point of at most three vertices, with the weights that it has there.
+[[nodiscard]] inline Vec3 witness_on_a(const Simplex& simplex, const Vec3& closest) {
+  return point_with(simplex, weights_of(simplex, closest)).a;
 }
 
 }  // namespace abut

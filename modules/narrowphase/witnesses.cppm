@@ -12,12 +12,17 @@ import abut.shape;
 export namespace abut {
 
 // The deepest pair of points under a normal across an edge of each: the closest points of the lines
-// along both edges through the support points.
-inline void find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core) {
+// along both edges through the support points. False where these are so nearly parallel that rounding may take the
+// points beyond the ends of the edges.
+[[nodiscard]] inline bool find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core) {
   const Vec3 across = cross(edge_a, edge_b), between = core.point_b - core.point_a;
   const Real square = squared_norm(across);
+  if (!(square > 1e-8 * squared_norm(edge_a) * squared_norm(edge_b))) [[unlikely]] {
+    return false;
+  }
   core.point_a += (dot(across, cross(between, edge_b)) / square) * edge_a;
   core.point_b += (dot(across, cross(between, edge_a)) / square) * edge_b;
+  return true;
 }
 
 // The deepest pair of points under the normal of a face: from the common region of the supporting faces,
@@ -138,8 +143,11 @@ inline void find_touch(const Simplex& simplex, Real slack, CoreSeparation& core)
     return;
   }
   keep(face, closest.vertices);
-  const Vec3 on_a = witness_on_a(face, closest.point);
-  touch_at(on_a, on_a - closest.point, core);
+  // The weights of slivers may be rounding. Points of both cores have them, which then are apart.
+  const WeightedPoint common = point_with(face, weights_of(face, closest.point));
+  if (norm(common.w) <= slack) {
+    touch_at(common.a, common.a - common.w, core);
+  }
 }
 
 }  // namespace abut

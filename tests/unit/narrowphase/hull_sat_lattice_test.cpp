@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "../made.hpp"
+#include "random_boxes.hpp"
+
+import abut.core;
+import abut.math;
+import abut.narrowphase.hull_sat;
+import abut.narrowphase.separation;
+import abut.shape;
+import abut.shape.hull;
+import abut.shape.triangle;
+
+namespace {
+
+using abut::Hull;
+using abut::Pose;
+using abut::Vec3;
+using Points = std::vector<Vec3>;
+
+Hull hull_of(const Points& points) {
+  std::vector<double> reals;
+  for (const Vec3& p : points) {
+    reals.insert(reals.end(), {p.x, p.y, p.z});
+  }
+  return test::made<Hull>({}, reals);
+}
+
+// On a lattice many edges have the same normal across them as those that touch.
+Points lattice_points(std::size_t count, test::Random& random) {
+  Points points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 p = random.point(4);
+    points.push_back(0.25 * Vec3{std::round(p.x), std::round(p.y), std::round(p.z)});
+  }
+  return points;
+}
+
+// How far a point lies from a triangle, at most: across its plane, and outside of its edges in that plane.
+double off_triangle(const Points& corners, const Vec3& p) {
+  const Vec3 across = cross(corners[1] - corners[0], corners[2] - corners[0]), n = (1 / norm(across)) * across;
+  double off = std::fabs(dot(p - corners[0], n));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 edge = corners[(i + 1) % 3] - corners[i];
+    off = std::fmax(off, dot(p - corners[i], cross(edge, n)) / norm(edge));
+  }
+  return off;
+}
+
+TEST(HullSatOnALattice, PointsOfTwoHullsLieOnBoth) {
+  test::Random random(308);
+  int deep = 0;
+  for (int i = 0; i < 6000; ++i) {
+    SCOPED_TRACE(i);
+    const Hull a = hull_of(lattice_points(10, random)), b = hull_of(lattice_points(8, random));
+    const Pose ab{abut::Rotation::identity(), lattice_points(1, random)[0]};
+    abut::CoreSeparation found = abut::separate_cores(a, b, ab, {}, abut::infinity);
+    if (!found.overlap || found.algorithm != abut::Algorithm::sat || a.data().faces.size() < 3 || b.data().faces.size() < 3) {
+      continue;
+    }
+    ++deep;
+    abut::find_points(a, b, ab, found);
+    EXPECT_TRUE(abut::holds(a, found.point_a, 1e-12));
+    EXPECT_TRUE(abut::holds(b, ab.undo(found.point_b), 1e-12));
+  }
+  EXPECT_GT(deep, 1000);
+}
+
+TEST(HullSatOnALattice, PointsOfAHullAndATriangleLieOnBoth) {
+  test::Random random(309);
+  int deep = 0;
+  for (int i = 0; i < 6000; ++i) {
+    SCOPED_TRACE(i);
+    const Hull a = hull_of(lattice_points(10, random));
+    const Points corners = lattice_points(3, random);
+    const auto b = test::made<abut::FreeTriangle>(
+        {corners[0].x, corners[0].y, corners[0].z, corners[1].x, corners[1].y, corners[1].z, corners[2].x, corners[2].y, corners[2].z});
+    const Pose ab{abut::Rotation::identity(), lattice_points(1, random)[0]};
+    abut::CoreSeparation found = abut::separate_cores(a, b, ab, {}, abut::infinity);
+    if (!found.overlap || found.algorithm != abut::Algorithm::sat || a.data().faces.size() < 3 || !b.has_area()) {
+      continue;
+    }
+    ++deep;
+    abut::find_points(a, b, ab, found);
+    EXPECT_TRUE(abut::holds(a, found.point_a, 1e-12));
+    EXPECT_LE(off_triangle(corners, ab.undo(found.point_b)), 1e-12);
+  }
+  EXPECT_GT(deep, 1000);
+}
+
+}  // namespace
