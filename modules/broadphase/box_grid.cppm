@@ -46,6 +46,18 @@ class BoxGrid {
 
   [[nodiscard]] std::uint32_t place_of(std::uint32_t leaf) const { return places_[leaf]; }
 
+  inline void expect_place(std::uint32_t place) const {
+    if (const std::size_t block = place / width; block < blocks_.size()) {
+      __builtin_prefetch(&blocks_[block]);
+      __builtin_prefetch(&links_[block]);
+    }
+  }
+  inline void expect(std::uint32_t leaf) const {
+    if (leaf < places_.size()) {
+      __builtin_prefetch(&places_[leaf]);
+    }
+  }
+
   // Makes the grids anew when the boxes have become larger or smaller than the cells suit.
   void tidy();
 

@@ -12,9 +12,13 @@ constexpr std::size_t usual_fill = 6;
 // Nodes of leaves with fewer are given up, their leaves put elsewhere.
 constexpr std::size_t least_fill = 3;
 
-// The tree is made anew after this many changes per leaf, and never for fewer.
+// The tree is made anew after this many changes per leaf, and never for fewer. When all leaves are new it is time for that.
 constexpr std::size_t most_changes_of_each = 3;
 constexpr std::size_t least_changes = 64;
+constexpr std::size_t changes_of_new = most_changes_of_each + 1;
+
+// From so many leaves on, the scratch of the first making is given back: most of them may never move.
+constexpr std::size_t many_leaves = 65'536;
 
 }  // namespace
 
@@ -79,16 +83,19 @@ void BoxTree::insert(std::uint32_t leaf, const CompactAabb& box) {
   if (leaf >= places_.size()) {
     places_.resize(std::size_t{leaf} + 1, 0);
   }
-  const BoxSides sides = sides_of(box);
-  std::uint32_t node = root_;
+  ++size_;
+  changes_ += changes_of_new;
+  insert_below(root_, {sides_of(box), leaf | leaf_bit});
+}
+
+// The boxes above the node are around the entry already.
+void BoxTree::insert_below(std::uint32_t node, const Entry& entry) {
   while (links_[node].level > 0) {
-    const std::size_t lane = cheapest_lane(nodes_[node], links_[node].count, sides);
-    nodes_[node].set_sides(lane, merged(nodes_[node].sides_of_lane(lane), sides));
+    const std::size_t lane = cheapest_lane(nodes_[node], links_[node].count, entry.sides);
+    nodes_[node].set_sides(lane, merged(nodes_[node].sides_of_lane(lane), entry.sides));
     node = nodes_[node].numbers[lane];
   }
-  ++size_;
-  ++changes_;
-  add(node, {sides, leaf | leaf_bit});
+  add(node, entry);
 }
 
 // The boxes above the node are around the entry already.
@@ -179,10 +186,14 @@ void BoxTree::take_out(std::uint32_t node, std::size_t lane) {
 }
 
 void BoxTree::erase(std::uint32_t leaf) {
-  std::uint32_t node = places_[leaf] / width;
-  take_out(node, places_[leaf] % width);
+  take_away(leaf);
   --size_;
   ++changes_;
+}
+
+void BoxTree::take_away(std::uint32_t leaf) {
+  std::uint32_t node = places_[leaf] / width;
+  take_out(node, places_[leaf] % width);
   if (links_[node].count >= least_fill || node == root_) {
     fit_from(node);
     return;
@@ -211,24 +222,47 @@ void BoxTree::erase(std::uint32_t leaf) {
     links_[root_].parent = none;
   }
   for (const Entry& entry : std::span(rest).first(count)) {
-    const BoxSides& s = entry.sides;
-    --size_;
-    insert(entry.child & ~leaf_bit, {{s[0], s[1], s[2]}, {-s[3], -s[4], -s[5]}});
+    insert_below(root_, entry);
   }
+}
+
+// Everything is inside the root.
+inline bool BoxTree::is_inside(std::uint32_t node, const BoxSides& sides) const {
+  const Link& link = links_[node];
+  if (link.parent == none) {
+    return true;
+  }
+  const BoxSides around = nodes_[link.parent].sides_of_lane(link.lane);
+  return merged(around, sides) == around;
 }
 
 bool BoxTree::moved_in_place(std::uint32_t leaf, const CompactAabb& box) {
   const BoxSides sides = sides_of(box);
   const std::uint32_t node = places_[leaf] / width;
-  const Link link = links_[node];
-  if (link.parent != none) {
-    const BoxSides around = nodes_[link.parent].sides_of_lane(link.lane);
-    if (merged(around, sides) != around) {
-      return false;
-    }
+  if (!is_inside(node, sides)) {
+    return false;
   }
   nodes_[node].set_sides(places_[leaf] % width, sides);
   return true;
+}
+
+// Mostly it goes not far: the way down begins at the lowest node whose box is around the new one.
+void BoxTree::move_elsewhere(std::uint32_t leaf, const CompactAabb& box) {
+  const Entry entry{sides_of(box), leaf | leaf_bit};
+  const std::uint32_t node = places_[leaf] / width;
+  if (links_[node].count <= least_fill) {
+    take_away(leaf);
+    insert_below(root_, entry);
+  } else {
+    std::uint32_t above = node;
+    while (!is_inside(above, entry.sides)) {
+      above = links_[above].parent;
+    }
+    take_out(node, places_[leaf] % width);
+    insert_below(above, entry);
+    fit_from(node);
+  }
+  changes_ += places_[leaf] / width == node ? 1 : 2;
 }
 
 // Halves along the longest axis of the centres until what is left fills a node. Cuts lie at whole nodes of the highest
@@ -267,8 +301,10 @@ void BoxTree::tidy() {
   if (changes_ < least_changes + most_changes_of_each * size_ && links_[root_].level < most_levels / 2) {
     return;
   }
+  const bool are_all_new = changes_ >= changes_of_new * size_;
   changes_ = 0;
   entries_.clear();
+  entries_.reserve(size_);
   std::array<std::uint32_t, most_waiting> waiting;
   waiting[0] = root_;
   std::size_t count_waiting = 1;
@@ -304,8 +340,11 @@ void BoxTree::tidy() {
     }
     entries_.resize(above);
     if (above <= 1) {
-      return;
+      break;
     }
+  }
+  if (are_all_new && size_ >= many_leaves) {
+    std::vector<Entry>().swap(entries_);
   }
 }
 

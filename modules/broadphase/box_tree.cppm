@@ -17,8 +17,7 @@ class BoxTree {
   // Gives a leaf another box. It stays where it is if that makes no box above it larger.
   void move(std::uint32_t leaf, const CompactAabb& box) {
     if (!moved_in_place(leaf, box)) {
-      erase(leaf);
-      insert(leaf, box);
+      move_elsewhere(leaf, box);
     }
   }
   // The first half of that, which may run at once for different leaves: false when the leaf has to go elsewhere.
@@ -90,6 +89,19 @@ class BoxTree {
   // Numbers that are near each other belong to leaves that are, mostly.
   [[nodiscard]] std::uint32_t place_of(std::uint32_t leaf) const { return places_[leaf]; }
 
+  // Asks the cache for what is there, and for where a leaf is.
+  inline void expect_place(std::uint32_t place) const {
+    if (const std::size_t node = place / width; node < nodes_.size()) {
+      fetch(nodes_[node]);
+      __builtin_prefetch(&links_[node]);
+    }
+  }
+  inline void expect(std::uint32_t leaf) const {
+    if (leaf < places_.size()) {
+      __builtin_prefetch(&places_[leaf]);
+    }
+  }
+
   // Makes the tree anew, well packed and in the order of space, when many leaves have come, gone or gone elsewhere.
   void tidy();
 
@@ -131,9 +143,13 @@ class BoxTree {
   [[nodiscard]] std::uint32_t make_node(std::uint8_t level);
   void free_node(std::uint32_t node);
   [[nodiscard]] std::size_t cheapest_lane(const EightBoxes& node, std::size_t count, const BoxSides& sides) const;
+  void move_elsewhere(std::uint32_t leaf, const CompactAabb& box);
+  void insert_below(std::uint32_t node, const Entry& entry);
+  [[nodiscard]] bool is_inside(std::uint32_t node, const BoxSides& sides) const;
   void add(std::uint32_t node, const Entry& entry);
   void split(std::uint32_t node, const Entry& entry);
   void take_out(std::uint32_t node, std::size_t lane);
+  void take_away(std::uint32_t leaf);
   void fit_from(std::uint32_t node);
   void put_in_order_of_space(std::span<Entry> entries);
 

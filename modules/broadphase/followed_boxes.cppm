@@ -8,6 +8,7 @@ import abut.broadphase.kept_pairs;
 import abut.broadphase.larger_box;
 import abut.broadphase.pair_order;
 import abut.broadphase.proxy;
+import abut.broadphase.reused_list;
 import abut.core;
 import abut.core.standard;
 import abut.core.workers;
@@ -35,7 +36,9 @@ class FollowedBoxes {
     record.group = group;
     record.state = (record.state & BoxRecord::touched) | BoxRecord::present | (mobility == Mobility::moving ? BoxRecord::moving : 0);
     ++size_;
-    put(proxy, enlarged(box, box));
+    ++came_;
+    larger_[proxy] = enlarged(box, box);
+    put(proxy);
   }
 
   void erase(std::uint32_t proxy) {
@@ -64,13 +67,14 @@ class FollowedBoxes {
     workers.for_each(cuts.tasks(), [&](std::size_t task) {
       Part& part = parts_[task];
       part.leaving.clear();
+      part.leaving.reserve(cuts.of(proxies, task).size());
       for (const std::uint32_t proxy : cuts.of(proxies, task)) {
         update_one(proxy, boxes_by_proxy[proxy], part);
       }
     });
-    order_.clear();
+    order_.all.clear();
     for (const Part& part : std::span(parts_).first(cuts.tasks())) {
-      order_.insert(order_.end(), part.leaving.begin(), part.leaving.end());
+      order_.all.insert(order_.all.end(), part.leaving.begin(), part.leaving.end());
     }
     follow_all(workers);
     tidy();
@@ -98,18 +102,18 @@ class FollowedBoxes {
   void find_pairs(std::vector<ProxyPair>& out) { find_pairs(Workers(1), out); }
   void find_pairs(const Workers& workers, std::vector<ProxyPair>& out) {
     tidy();
-    found_.clear();
-    order_.clear();
+    found_.all.clear();
+    order_.all.clear();
     if (!touched_.empty()) {
       find_neighbours(workers);
     }
-    kept_.renew(workers, records_, Keeping::unless_touched, found_, out);
-    release_excess(found_);
-    release_excess(order_);
-    for (const std::uint32_t proxy : touched_) {
-      records_[proxy].state &= ~BoxRecord::touched;
+    kept_.renew(workers, records_, Keeping::unless_touched, found_.all, out);
+    for (std::size_t i = 0; i < touched_.size(); ++i) {
+      __builtin_prefetch(&records_[touched_[std::min(i + ahead, touched_.size() - 1)]]);
+      records_[touched_[i]].state &= ~BoxRecord::touched;
     }
     touched_.clear();
+    end_call();
   }
 
   template <class Visitor>
@@ -151,10 +155,9 @@ class FollowedBoxes {
   [[nodiscard]] std::size_t bytes() const {
     std::size_t sum = records_.capacity() * sizeof(BoxRecord) + larger_.capacity() * sizeof(CompactAabb) + moving_.bytes() +
                       still_.bytes() + kept_.bytes() + (unbounded_.capacity() + touched_.capacity()) * sizeof(std::uint32_t) +
-                      (found_.capacity() + order_.capacity() + scratch_.capacity()) * sizeof(ProxyPair);
+                      found_.bytes() + order_.bytes() + scratch_.bytes();
     for (const Part& part : parts_) {
-      sum += sizeof(Part) + (part.found.capacity() + part.leaving.capacity()) * sizeof(ProxyPair) +
-             (part.touched.capacity() + part.elsewhere.capacity()) * sizeof(std::uint32_t);
+      sum += sizeof(Part) + (part.found.capacity() + part.leaving.capacity()) * sizeof(ProxyPair);
     }
     return sum;
   }
@@ -163,12 +166,27 @@ class FollowedBoxes {
   // What one task finds.
   struct Part {
     std::vector<ProxyPair> found, leaving;
-    std::vector<std::uint32_t> touched, elsewhere;
   };
   void make_parts(std::size_t count) {
     if (parts_.size() < count) {
       parts_.resize(count);
     }
+  }
+
+  // The first search finds all pairs, later ones a few: of many boxes most may never move.
+  void end_call() {
+    constexpr std::size_t many = 65'536;
+    if (came_ >= many && 2 * came_ > size_) {
+      kept_.give_back_scratch();
+      found_.give_back();
+      order_.give_back();
+      scratch_.give_back();
+      std::vector<Part>().swap(parts_);
+    }
+    found_.end_call();
+    order_.end_call();
+    scratch_.end_call();
+    came_ = 0;
   }
 
   // After updates too: whoever only queries never asks for pairs.
@@ -188,8 +206,8 @@ class FollowedBoxes {
     }
   }
 
-  void put(std::uint32_t proxy, const CompactAabb& larger) {
-    larger_[proxy] = larger;
+  void put(std::uint32_t proxy) {
+    const CompactAabb& larger = larger_[proxy];
     if (is_bounded(larger)) {
       index_of(records_[proxy]).insert(proxy, larger);
     } else {
@@ -212,19 +230,34 @@ class FollowedBoxes {
 
   // The box has left its larger one.
   void follow(std::uint32_t proxy, const CompactAabb& box, const CompactAabb& before) {
+    larger_[proxy] = enlarged(box, before);
+    follow_elsewhere(proxy);
+  }
+  void follow_elsewhere(std::uint32_t proxy) {
     const BoxRecord& record = records_[proxy];
-    const CompactAabb larger = enlarged(box, before);
+    const CompactAabb& larger = larger_[proxy];
     const bool was_bounded = !record.is(BoxRecord::unbounded);
     if (was_bounded != is_bounded(larger)) {
       take_out(proxy);
-      put(proxy, larger);
+      put(proxy);
       return;
     }
-    larger_[proxy] = larger;
     if (was_bounded) {
       index_of(record).move(proxy, larger);
     }
     touch(proxy);
+  }
+
+  // Boxes that are asked for in no order of their numbers are asked of the cache so many before.
+  static constexpr std::size_t ahead = 16;
+  void expect(std::uint32_t proxy) const {
+    __builtin_prefetch(&larger_[proxy]);
+    __builtin_prefetch(&records_[proxy]);
+    moving_.expect(proxy);
+  }
+  void expect(const ProxyPair& place_and_proxy) const {
+    moving_.expect_place(place_and_proxy.low);
+    expect(place_and_proxy.high);
   }
 
   // Gives a box another larger one where it has left its own. The index follows later.
@@ -249,60 +282,65 @@ class FollowedBoxes {
   // One after the other they are in much the same part of the index.
   void arrange_by_place() {
     constexpr std::size_t least_to_arrange = 2048;
-    if (order_.size() >= least_to_arrange) {
-      put_in_order(order_, scratch_);
+    if (order_.all.size() >= least_to_arrange) {
+      gather_by_lower(order_.all, scratch_.all);
     }
   }
 
   // Brings the index up to date with those whose larger box is another one: first what may be done for several at once, then the
-  // rest.
+  // rest. What is left to do for each is written where its place in the index was, so that there is no list to grow.
+  enum Left : std::uint32_t { nothing, to_remember, to_move };
   void follow_all(const Workers& workers) {
     constexpr std::size_t least_of_task = 256;
     arrange_by_place();
-    const std::span<const ProxyPair> leaving(order_);
+    const std::span<ProxyPair> leaving(order_.all);
     const Cuts cuts = workers.cut(leaving.size(), least_of_task);
-    make_parts(cuts.tasks());
     workers.for_each(cuts.tasks(), [&](std::size_t task) {
-      Part& part = parts_[task];
-      part.touched.clear();
-      part.elsewhere.clear();
-      for (const ProxyPair& its : cuts.of(leaving, task)) {
-        follow_in_place(its.high, part);
+      const std::span<ProxyPair> its = cuts.of(leaving, task);
+      for (std::size_t i = 0; i < its.size(); ++i) {
+        expect(its[std::min(i + ahead, its.size() - 1)]);
+        its[i].low = follow_in_place(its[i].high);
       }
     });
-    for (const Part& part : std::span(parts_).first(cuts.tasks())) {
-      touched_.insert(touched_.end(), part.touched.begin(), part.touched.end());
-      for (const std::uint32_t proxy : part.elsewhere) {
-        take_out(proxy);
-        put(proxy, larger_[proxy]);
+    for (std::size_t i = 0; i < leaving.size(); ++i) {
+      if (const ProxyPair& next = leaving[std::min(i + ahead, leaving.size() - 1)]; next.low == to_move) {
+        expect(next.high);
+      }
+      if (leaving[i].low == to_move) {
+        follow_elsewhere(leaving[i].high);
+      } else if (leaving[i].low == to_remember) {
+        touched_.push_back(leaving[i].high);
       }
     }
   }
 
-  void follow_in_place(std::uint32_t proxy, Part& part) {
+  [[nodiscard]] Left follow_in_place(std::uint32_t proxy) {
     BoxRecord& record = records_[proxy];
     const CompactAabb& larger = larger_[proxy];
     const bool is_in_index = !record.is(BoxRecord::unbounded) && is_bounded(larger);
     if (!is_in_index || !index_of(record).moved_in_place(proxy, larger)) {
-      part.elsewhere.push_back(proxy);
-    } else if (!record.is(BoxRecord::touched)) {
-      record.state |= BoxRecord::touched;
-      part.touched.push_back(proxy);
+      return to_move;
     }
+    if (record.is(BoxRecord::touched)) {
+      return nothing;
+    }
+    record.state |= BoxRecord::touched;
+    return to_remember;
   }
 
   void find_neighbours(const Workers& workers) {
-    for (const std::uint32_t proxy : touched_) {
-      if (records_[proxy].is(BoxRecord::present)) {
-        order_.push_back({place_of(proxy), proxy});
+    for (std::size_t i = 0; i < touched_.size(); ++i) {
+      expect(touched_[std::min(i + ahead, touched_.size() - 1)]);
+      if (const std::uint32_t proxy = touched_[i]; records_[proxy].is(BoxRecord::present)) {
+        order_.all.push_back({place_of(proxy), proxy});
       }
     }
     arrange_by_place();
     constexpr std::size_t least_of_task = 256;
-    const std::span<const ProxyPair> asking(order_);
+    const std::span<const ProxyPair> asking(order_.all);
     const Cuts cuts = workers.cut(asking.size(), least_of_task);
     if (cuts.tasks() == 1) {
-      ask_for_neighbours(asking, found_);
+      ask_for_neighbours(asking, found_.all);
       return;
     }
     make_parts(cuts.tasks());
@@ -311,27 +349,25 @@ class FollowedBoxes {
       ask_for_neighbours(cuts.of(asking, task), parts_[task].found);
     });
     for (const Part& part : std::span(parts_).first(cuts.tasks())) {
-      found_.insert(found_.end(), part.found.begin(), part.found.end());
+      found_.all.insert(found_.all.end(), part.found.begin(), part.found.end());
     }
   }
 
   void ask_for_neighbours(std::span<const ProxyPair> asking, std::vector<ProxyPair>& found) const {
-    constexpr std::size_t ahead = 8;
+    const bool all_ask = order_.all.size() == size_;
     for (std::size_t i = 0; i < asking.size(); ++i) {
-      if (i + ahead < asking.size()) {
-        __builtin_prefetch(&larger_[asking[i + ahead].high]);
-        __builtin_prefetch(&records_[asking[i + ahead].high]);
-      }
-      ask_for_neighbours(asking[i].high, found);
+      expect(asking[std::min(i + ahead, asking.size() - 1)]);
+      ask_for_neighbours(asking[i].high, all_ask, found);
     }
   }
 
-  // Two that both ask find their pair twice.
-  void ask_for_neighbours(std::uint32_t proxy, std::vector<ProxyPair>& found) const {
+  // Two that both ask find their pair twice, unless all do: then the lower number finds it.
+  void ask_for_neighbours(std::uint32_t proxy, bool all_ask, std::vector<ProxyPair>& found) const {
     const CompactAabb& larger = larger_[proxy];
     const bool is_moving = records_[proxy].is(BoxRecord::moving);
+    const std::uint32_t first = all_ask ? proxy : 0;
     const auto meet = [&](std::uint32_t other) {
-      if (other != proxy) {
+      if (other != proxy && other >= first) {
         found.push_back({std::min(proxy, other), std::max(proxy, other)});
       }
     };
@@ -355,9 +391,10 @@ class FollowedBoxes {
   std::vector<std::uint32_t> touched_;  // their kept pairs are out of date
   KeptPairs kept_;                      // of larger boxes
   std::size_t size_ = 0, hidden_ = 0;
+  std::size_t came_ = 0;  // since the last search
 
   // Scratch that keeps its memory from call to call.
-  std::vector<ProxyPair> found_, order_, scratch_;
+  ReusedList<ProxyPair> found_, order_, scratch_;
   std::vector<Part> parts_;
 };
 

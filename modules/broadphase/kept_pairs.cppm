@@ -2,6 +2,7 @@
 export module abut.broadphase.kept_pairs;
 import abut.broadphase.box_record;
 import abut.broadphase.proxy;
+import abut.broadphase.reused_list;
 import abut.core.standard;
 import abut.core.workers;
 
@@ -20,6 +21,9 @@ class KeptPairs {
   void renew(const Workers& workers, std::span<const BoxRecord> records, Keeping keeping, std::vector<ProxyPair>& found,
              std::vector<ProxyPair>& out);
 
+  // What calls like the last one use again.
+  void give_back_scratch();
+
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -28,8 +32,8 @@ class KeptPairs {
   };
 
   std::vector<ProxyPair> kept_, next_;
-  std::vector<ProxyPair> sorted_;  // scratch
-  std::vector<Part> parts_;        // of each task, when there are several
+  ReusedList<ProxyPair> sorted_;  // scratch
+  std::vector<Part> parts_;       // of each task, when there are several
 };
 
 }  // namespace abut

@@ -19,7 +19,7 @@ inline constexpr float largest_bounded = 1e18f;
 // Larger on each side by a share of the mean side, and ahead by the present motion times some updates. More means fewer
 // changes of the index and more pairs to look at in every step. What is not bounded stays as it is.
 [[nodiscard]] inline CompactAabb enlarged(const CompactAabb& box, const CompactAabb& before) {
-  constexpr float slack_share = 0.08f, updates_ahead = 6.0f, most_ahead = 0.5f;
+  constexpr float slack_share = 0.08f, updates_ahead = 9.0f, most_ahead = 0.5f;
   if (!is_bounded(box)) {
     return box;
   }

@@ -7,8 +7,41 @@ namespace {
 
 // Fewer are faster to compare than to count.
 constexpr std::size_t least_to_count = 256;
-constexpr std::uint32_t digit_bits = 8;
-constexpr std::size_t digit_count = std::size_t{1} << digit_bits;
+
+// More need fewer passes; what a pass writes to in turn has to fit a cache.
+constexpr std::uint32_t most_digit_bits = 11;
+constexpr std::size_t most_digits = std::size_t{1} << most_digit_bits;
+
+std::uint32_t bits_of_lower(std::span<const ProxyPair> pairs) {
+  std::uint32_t all = 0;
+  for (const ProxyPair& pair : pairs) {
+    all |= pair.low;
+  }
+  return static_cast<std::uint32_t>(std::bit_width(all));
+}
+
+// By some bits of the lower number. Those in which they are the same stay in the order in which they come.
+void count_by_digit(std::vector<ProxyPair>& pairs, std::vector<ProxyPair>& scratch, std::uint32_t shift, std::uint32_t bits) {
+  if (scratch.capacity() < pairs.size()) {
+    scratch.reserve(pairs.capacity());
+  }
+  scratch.resize(pairs.size());
+  std::array<std::uint32_t, most_digits> all_starts{};
+  const std::span<std::uint32_t> starts = std::span(all_starts).first(std::size_t{1} << bits);
+  const auto digit = [&](const ProxyPair& pair) { return (pair.low >> shift) & (starts.size() - 1); };
+  for (const ProxyPair& pair : pairs) {
+    ++starts[digit(pair)];
+  }
+  std::uint32_t sum = 0;
+  for (std::uint32_t& start : starts) {
+    sum += start;
+    start = sum - start;
+  }
+  for (const ProxyPair& pair : pairs) {
+    scratch[starts[digit(pair)]++] = pair;
+  }
+  pairs.swap(scratch);
+}
 
 // A run of pairs of the same lower number; mostly a few.
 void sort_run(std::span<ProxyPair> run) {
@@ -29,26 +62,11 @@ void sort_run(std::span<ProxyPair> run) {
 
 // Passes over the digits of the lower numbers bring those of one together.
 void count_in_order(std::vector<ProxyPair>& pairs, std::vector<ProxyPair>& scratch) {
-  scratch.resize(pairs.size());
-  std::uint32_t all = 0;
-  for (const ProxyPair& pair : pairs) {
-    all |= pair.low;
-  }
-  for (std::uint32_t shift = 0; shift < 32 && (all >> shift) != 0; shift += digit_bits) {
-    std::array<std::uint32_t, digit_count> starts{};
-    const auto digit = [&](const ProxyPair& pair) { return (pair.low >> shift) & (digit_count - 1); };
-    for (const ProxyPair& pair : pairs) {
-      ++starts[digit(pair)];
-    }
-    std::uint32_t sum = 0;
-    for (std::uint32_t& start : starts) {
-      sum += start;
-      start = sum - start;
-    }
-    for (const ProxyPair& pair : pairs) {
-      scratch[starts[digit(pair)]++] = pair;
-    }
-    pairs.swap(scratch);
+  const std::uint32_t bits = bits_of_lower(pairs);
+  const std::uint32_t passes = (bits + most_digit_bits - 1) / most_digit_bits;
+  for (std::uint32_t pass = 0; pass < passes; ++pass) {
+    const std::uint32_t begin = pass * bits / passes, end = (pass + 1) * bits / passes;
+    count_by_digit(pairs, scratch, begin, end - begin);
   }
   for (std::size_t begin = 0; begin < pairs.size();) {
     std::size_t end = begin + 1;
@@ -70,7 +88,11 @@ void put_in_order(std::vector<ProxyPair>& pairs, std::vector<ProxyPair>& scratch
     count_in_order(pairs, scratch);
   }
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  release_excess(scratch);
+}
+
+void gather_by_lower(std::vector<ProxyPair>& pairs, std::vector<ProxyPair>& scratch) {
+  const std::uint32_t bits = bits_of_lower(pairs), digit = std::min(bits, most_digit_bits);
+  count_by_digit(pairs, scratch, bits - digit, digit);
 }
 
 }  // namespace abut

@@ -9,19 +9,11 @@ export namespace abut {
   return a.low < b.low || (a.low == b.low && a.high < b.high);
 }
 
-// Each pair once. In time that depends on the number of pairs alone, not on their numbers. `scratch` keeps its memory.
+// Each pair once. In time that depends on the number of pairs alone, not on their numbers. Both lists keep their memory, and may
+// swap it.
 void put_in_order(std::vector<ProxyPair>& pairs, std::vector<ProxyPair>& scratch);
 
-// Gives back what a rare step needed and the usual ones do not.
-template <class Element>
-void release_excess(std::vector<Element>& list) {
-  constexpr std::size_t least = 4096, most_excess = 8;
-  if (list.capacity() > least && list.capacity() > most_excess * list.size()) {
-    std::vector<Element> smaller;
-    smaller.reserve(2 * list.size());
-    smaller.assign(list.begin(), list.end());
-    list.swap(smaller);
-  }
-}
+// In order of the highest bits of the lower numbers, which is as much as one pass can do: some thousand runs.
+void gather_by_lower(std::vector<ProxyPair>& pairs, std::vector<ProxyPair>& scratch);
 
 }  // namespace abut

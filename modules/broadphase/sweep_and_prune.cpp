@@ -4,7 +4,6 @@ module abut.broadphase.sweep_and_prune;
 import abut.broadphase.box_record;
 import abut.broadphase.kept_pairs;
 import abut.broadphase.larger_box;
-import abut.broadphase.pair_order;
 import abut.broadphase.proxy;
 import abut.core;
 import abut.core.standard;
@@ -160,7 +159,7 @@ void SweepAndPrune::insert_ends() {
 void SweepAndPrune::add_if_overlapping(std::uint32_t a, std::uint32_t b) {
   const BoxRecord &first = records_[a], &second = records_[b];
   if (((first.state | second.state) & BoxRecord::moving) != 0 && overlap(first, second)) {
-    found_.push_back({std::min(a, b), std::max(a, b)});
+    found_.all.push_back({std::min(a, b), std::max(a, b)});
   }
 }
 
@@ -255,12 +254,12 @@ void SweepAndPrune::add_unbounded_pairs() {
 }
 
 void SweepAndPrune::find_pairs(const Workers& workers, std::vector<ProxyPair>& out) {
-  found_.clear();
+  found_.all.clear();
   swaps_ = 0;
   if (is_changed_) {
     refresh_ends();
     if (!sort_by_swaps(0) || !sort_by_swaps(1) || !sort_by_swaps(2)) {
-      found_.clear();
+      found_.all.clear();
       sort_anew();
     }
     if (!fresh_.empty()) {
@@ -272,8 +271,8 @@ void SweepAndPrune::find_pairs(const Workers& workers, std::vector<ProxyPair>& o
       records_[proxy].state = (records_[proxy].state & ~fresh) | BoxRecord::touched;
     }
   }
-  kept_.renew(workers, records_, Keeping::while_overlapping, found_, out);
-  release_excess(found_);
+  kept_.renew(workers, records_, Keeping::while_overlapping, found_.all, out);
+  found_.end_call();
   for (const std::uint32_t proxy : fresh_) {
     records_[proxy].state &= ~BoxRecord::touched;
   }
@@ -282,7 +281,7 @@ void SweepAndPrune::find_pairs(const Workers& workers, std::vector<ProxyPair>& o
 }
 
 std::size_t SweepAndPrune::bytes() const {
-  std::size_t sum = records_.capacity() * sizeof(BoxRecord) + kept_.bytes() + found_.capacity() * sizeof(ProxyPair) + added_.capacity() * sizeof(End);
+  std::size_t sum = records_.capacity() * sizeof(BoxRecord) + kept_.bytes() + found_.bytes() + added_.capacity() * sizeof(End);
   for (const std::vector<End>& ends : axes_) {
     sum += ends.capacity() * sizeof(End);
   }

@@ -4,6 +4,7 @@ import abut.broadphase.box_record;
 import abut.broadphase.box_sweep;
 import abut.broadphase.kept_pairs;
 import abut.broadphase.proxy;
+import abut.broadphase.reused_list;
 import abut.core;
 import abut.core.standard;
 import abut.core.workers;
@@ -97,7 +98,7 @@ class SweepAndPrune {
   KeptPairs kept_;
 
   // Scratch that keeps its memory from call to call.
-  std::vector<ProxyPair> found_;
+  ReusedList<ProxyPair> found_;
   std::vector<End> added_;
   std::vector<std::uint32_t> open_, open_fresh_, open_places_;
 };

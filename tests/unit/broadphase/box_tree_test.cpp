@@ -122,6 +122,35 @@ TEST(BoxTree, ShowsExactlyWhatOverlaps) {
   }
 }
 
+// Deep enough for leaves to go elsewhere below nodes of several levels.
+TEST(BoxTree, LeavesThatDriftAreFoundWhereTheyAre) {
+  std::mt19937 random(269);
+  const auto uniform = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+  BoxTree tree;
+  std::map<std::uint32_t, CompactAabb> boxes;
+  for (std::uint32_t leaf = 0; leaf < 3000; ++leaf) {
+    boxes[leaf] = box_at(uniform(-9, 9), uniform(-9, 9), uniform(-9, 9), uniform(0.1f, 0.5f));
+    tree.insert(leaf, boxes[leaf]);
+  }
+  for (int step = 0; step < 20; ++step) {
+    for (auto& [leaf, box] : boxes) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float drift = uniform(-0.4f, 0.4f);
+        box.low[axis] += drift;
+        box.high[axis] += drift;
+      }
+      tree.move(leaf, box);
+    }
+    if (step % 4 == 3) {
+      tree.tidy();
+    }
+    for (int i = 0; i < 100; ++i) {
+      const CompactAabb query = box_at(uniform(-9, 9), uniform(-9, 9), uniform(-9, 9), uniform(0, 2));
+      ASSERT_EQ(visited(tree, query), expected(boxes, query)) << "step " << step;
+    }
+  }
+}
+
 TEST(BoxTree, MemoryStaysConstantWhenNumbersDo) {
   std::mt19937 random(271);
   std::uniform_real_distribution<float> place(-10, 10);

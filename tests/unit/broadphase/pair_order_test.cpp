@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <random>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 import abut.broadphase.pair_order;
@@ -42,6 +43,38 @@ TEST(PairOrder, EachComesOnceInOrderOfBothNumbers) {
       EXPECT_EQ(pairs, expected);
     }
   }
+}
+
+// Those with much the same lower number come together; nothing is lost, and the order in which they came is kept within a run.
+TEST(PairOrder, GatheringKeepsAllAndTheirOrderWithinARun) {
+  std::mt19937 random(263);
+  std::vector<ProxyPair> scratch;
+  for (const std::uint32_t most : {1u, 1000u, 100'000u, 4'000'000'000u}) {
+    std::vector<ProxyPair> pairs;
+    for (std::uint32_t i = 0; i < 5000; ++i) {
+      pairs.push_back({static_cast<std::uint32_t>(random()) % most, i});
+    }
+    std::uint32_t shift = 0;
+    while ((most - 1) >> shift >= 2048) {
+      ++shift;
+    }
+    std::vector<ProxyPair> expected = pairs;
+    // The higher numbers are those of their places.
+    std::sort(expected.begin(), expected.end(), [&](const ProxyPair& a, const ProxyPair& b) {
+      return std::pair(a.low >> shift, a.high) < std::pair(b.low >> shift, b.high);
+    });
+    abut::gather_by_lower(pairs, scratch);
+    EXPECT_EQ(pairs, expected);
+  }
+}
+
+TEST(PairOrder, GatheringNoneOrOneIsNoTrouble) {
+  std::vector<ProxyPair> pairs, scratch;
+  abut::gather_by_lower(pairs, scratch);
+  EXPECT_TRUE(pairs.empty());
+  pairs = {{0, 7}};
+  abut::gather_by_lower(pairs, scratch);
+  EXPECT_EQ(pairs, (std::vector<ProxyPair>{{0, 7}}));
 }
 
 }  // namespace
