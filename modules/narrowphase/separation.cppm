@@ -6,6 +6,7 @@ import abut.math;
 import abut.narrowphase.box_cores;
 import abut.narrowphase.box_sat;
 export import abut.narrowphase.core_separation;
+import abut.narrowphase.depth_descent;
 import abut.narrowphase.gjk;
 import abut.narrowphase.hull_sat;
 export import abut.narrowphase.overlap;
@@ -115,14 +116,31 @@ template <Convex A, Convex B>
   return core;
 }
 
-// Whether the normal of polytopes that nearly touch is rounding, although their distance was proven on the way.
+// Whether the normal of cores that nearly touch is rounding, although their distance was proven on the way.
 template <Convex A, Convex B>
 [[nodiscard]] inline bool is_turned(const A& a, const B& b, const Pose& ab, const GjkResult& near, Real size, Real error) {
-  if (Curved<A> || Curved<B> || !(near.upper <= projection_limit * size)) {
+  if (!(near.upper <= projection_limit * size)) {
     return false;
   }
   const Vec3 between = placed_support(b, place(b, ab), -near.normal).point - a.support(near.normal).point;
   return dot(near.normal, between) < near.lower - error - noise_of(size);
+}
+
+// The normal and the points of cores that nearly touch, from a normal that is turned: where the gap along it is largest, if
+// the points there are known.
+template <Convex A, Convex B>
+[[gnu::noinline, gnu::cold]] void turn_back(const A& a, const B& b, const Pose& ab, Real size, CoreSeparation& core) {
+  const Real noise = 8 * epsilon * size;
+  const Descent found = descend(a, b, ab, core.normal, 8 * noise, noise);
+  if (!found.minimum || found.depth > noise || -found.depth > core.upper + noise) {
+    return;
+  }
+  core.normal = found.normal;
+  core.lower = std::fmin(std::fmax(core.lower, -found.depth), core.upper);
+  core.distance = -found.depth;
+  core.upper = std::fmax(core.upper, core.distance);
+  core.point_a = found.minimum->point_a;
+  core.point_b = core.point_a + core.distance * core.normal;
 }
 
 // GJK for any cores, whatever they are, from the direction `toward` on, and where they overlap the best
@@ -159,8 +177,9 @@ template <Convex A, Convex B>
   if (near.beyond) {
     return core;
   }
+  const bool is_off = !near.overlap && is_turned(a, b, ab, near, size, error);
   const bool is_unproven = !near.overlap && (!(near.lower > 0) || near.upper - near.lower > error + noise_of(size) ||
-                                             is_turned(a, b, ab, near, size, error));
+                                             (is_off && !Curved<A> && !Curved<B>));
   if (near.overlap || is_unproven) {
     CoreSeparation along{};
     if (settings.algorithm != Algorithm::gjk_epa && separate_by_axes(a, b, ab, size, along)) {
@@ -195,6 +214,11 @@ template <Convex A, Convex B>
         return core;
       }
       separate_by_rounding(a, b, ab, size, error, core);
+    }
+    if constexpr (Curved<A> || Curved<B>) {
+      if (is_off) [[unlikely]] {
+        turn_back(a, b, ab, size, core);
+      }
     }
     return core;
   }

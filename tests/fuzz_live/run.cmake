@@ -1,0 +1,51 @@
+# The steps of the test fuzz.live. `-D chosen=a;b;c` takes these kinds instead of those that the commit stands for.
+cmake_minimum_required(VERSION 3.28)
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "failed (${result}): ${command}\n${output}")
+  endif()
+endfunction()
+
+if(NOT chosen)
+  execute_process(COMMAND ${git} -C ${root} rev-parse HEAD OUTPUT_VARIABLE commit ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  # An archive without history always has the same kinds.
+  string(SUBSTRING "${commit}000000000000" 0 12 digits)
+  math(EXPR number "0x${digits}")
+  list(SORT kinds)
+  foreach(choice RANGE 2)
+    list(LENGTH kinds count)
+    if(count GREATER 0)
+      math(EXPR place "${number} % ${count}")
+      math(EXPR number "${number} / ${count}")
+      list(GET kinds ${place} kind)
+      list(REMOVE_AT kinds ${place})
+      list(APPEND chosen ${kind})
+    endif()
+  endforeach()
+endif()
+list(SORT chosen)
+message(STATUS "kinds: ${chosen}")
+
+set(features libccd)
+if(hull)
+  list(APPEND features hull)
+endif()
+string(REPLACE ";" "\\;" shapes "${chosen}")
+string(REPLACE ";" "\\;" features "${features}")
+run(${CMAKE_COMMAND} -G ${generator} -S ${root} -B ${work}/build -D CMAKE_C_COMPILER=${c} -D CMAKE_CXX_COMPILER=${cxx}
+    -D CMAKE_BUILD_TYPE=RelWithDebInfo -D ABUT_SANITIZE=fuzzer "-D ABUT_SHAPES=${shapes}" "-D ABUT_FEATURES=${features}"
+    -D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF -D ABUT_FUZZ=ON)
+run(${CMAKE_COMMAND} --build ${work}/build --target abut_fuzz_targets)
+
+set(others ${chosen})
+foreach(a IN LISTS chosen)
+  foreach(b IN LISTS others)
+    # Without mutations: what these find depends on every change of the library.
+    run(${work}/build/fuzz/fuzz_${a}_${b} -runs=0 -artifact_prefix=${work}/build/ -verbosity=0 ${root}/fuzz/corpus/${a}_${b})
+    message(STATUS "${a} and ${b}: no finding in the corpus")
+  endforeach()
+  list(POP_FRONT others)
+endforeach()
