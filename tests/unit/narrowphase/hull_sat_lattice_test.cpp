@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "../hull_of.hpp"
 #include "../made.hpp"
 #include "random_boxes.hpp"
 
@@ -20,15 +21,8 @@ namespace {
 using abut::Hull;
 using abut::Pose;
 using abut::Vec3;
+using test::hull_of;
 using Points = std::vector<Vec3>;
-
-Hull hull_of(const Points& points) {
-  std::vector<double> reals;
-  for (const Vec3& p : points) {
-    reals.insert(reals.end(), {p.x, p.y, p.z});
-  }
-  return test::made<Hull>({}, reals);
-}
 
 // On a lattice many edges have the same normal across them as those that touch.
 Points lattice_points(std::size_t count, test::Random& random) {

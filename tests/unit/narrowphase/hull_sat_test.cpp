@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "../hull_of.hpp"
 #include "../made.hpp"
 #include "random_boxes.hpp"
 
@@ -32,15 +33,8 @@ namespace {
 using abut::Hull;
 using abut::Pose;
 using abut::Vec3;
+using test::hull_of;
 using Points = std::vector<Vec3>;
-
-Hull hull_of(const Points& points) {
-  std::vector<double> reals;
-  for (const Vec3& p : points) {
-    reals.insert(reals.end(), {p.x, p.y, p.z});
-  }
-  return test::made<Hull>({}, reals);
-}
 
 // The exact depth, in 113 bits: the least overlap along the cross products of any two lines through two points each,
 // of either set. Face normals and products of edges are among them.

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "../made.hpp"
+#include "../hull_of.hpp"
 #include "../narrowphase/random_boxes.hpp"
 
 import abut.math;
@@ -26,6 +26,7 @@ namespace {
 
 using abut::HullReport;
 using abut::Vec3;
+using test::hull_of;
 
 using Wide = std::array<long double, 3>;
 
@@ -107,12 +108,6 @@ double distance_to_hull(const std::vector<Vec3>& vertices, const Vec3& p) {
 
 std::vector<Vec3> vertices_of(const abut::Hull& hull) {
   return {hull.data().vertices.begin(), hull.data().vertices.end()};
-}
-
-abut::Hull hull_of(const std::vector<Vec3>& points) {
-  std::vector<double> numbers;
-  for (const Vec3& p : points) numbers.insert(numbers.end(), {p.x, p.y, p.z});
-  return test::made<abut::Hull>({}, numbers);
 }
 
 void expect_counts(const HullReport& report, std::uint32_t dimension, std::size_t points, std::size_t vertices, std::size_t edges,

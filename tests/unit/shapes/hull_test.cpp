@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../hull_of.hpp"
 #include "surface_checks.hpp"
 
 import abut.core;
@@ -18,14 +19,7 @@ namespace {
 using abut::Errc;
 using abut::Hull;
 using abut::Vec3;
-
-Hull hull_of(const std::vector<Vec3>& points) {
-  std::vector<double> numbers;
-  for (const Vec3& p : points) {
-    numbers.insert(numbers.end(), {p.x, p.y, p.z});
-  }
-  return test::made<Hull>({}, numbers);
-}
+using test::hull_of;
 
 // Many points on a ball stay vertices, many in a cube do not.
 std::vector<Vec3> points_on_ball(std::size_t count, test::Random& random) {
