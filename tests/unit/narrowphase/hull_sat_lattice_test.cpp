@@ -64,6 +64,20 @@ TEST(HullSatOnALattice, PointsOfTwoHullsLieOnBoth) {
   EXPECT_GT(deep, 1000);
 }
 
+// The normal that is best is across the ends of a stretch that no edge of b joins, too.
+TEST(HullSatOnALattice, EndsOfAStretchThatIsCutAreNoEdge) {
+  const Hull a = hull_of({{-0.5, -0.75, -0.5}, {-1, 0.75, 0.25}, {-1, -0.75, 0.25}, {0.5, 0.75, 0.5}, {1, 0.75, -0.25},
+                          {0, 0, -0.5}, {0, -0.375, 0.25}, {0.5, 0.375, 0.25}, {-0.5, -0.75, 0.25}});
+  const Hull b = hull_of({{-0.5, 0.625, 0.375}, {-0.5, 1.25, -0.75}, {0, 1.25, 0.375}, {0.5, -0.625, 0.75}, {0.25, 0, -0.75},
+                          {0.5, -1.25, -0.75}, {0, -0.625, -0.75}, {0, -1.25, -0.375}});
+  const Pose ab{abut::Rotation::identity(), {0.6646153846842664, 1.5015384614868001, 0.30769230767295891}};
+  abut::CoreSeparation found = abut::separate_cores(a, b, ab, {}, abut::infinity);
+  ASSERT_TRUE(found.overlap);
+  abut::find_points(a, b, ab, found);
+  EXPECT_TRUE(abut::holds(a, found.point_a, 1e-12));
+  EXPECT_TRUE(abut::holds(b, ab.undo(found.point_b), 1e-12));
+}
+
 TEST(HullSatOnALattice, PointsOfAHullAndATriangleLieOnBoth) {
   test::Random random(309);
   int deep = 0;
