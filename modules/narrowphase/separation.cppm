@@ -12,6 +12,7 @@ import abut.narrowphase.hull_sat;
 export import abut.narrowphase.overlap;
 import abut.narrowphase.sat;
 import abut.narrowphase.simplex;
+import abut.narrowphase.wide_gjk;
 export import abut.narrowphase.witnesses;
 import abut.shape;
 
@@ -143,6 +144,32 @@ template <Convex A, Convex B>
   core.point_b = core.point_a + core.distance * core.normal;
 }
 
+// Of cores that GJK has left without a proof, or under a normal that is rounding: the same with more digits. False where that
+// proves nothing either, or finds that they overlap.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::noinline, gnu::cold]] bool separate_by_wide_gjk(const A& a, const B& b, const Pose& ab, const Vec3& toward, Real size,
+                                                                     Real error, Real limit, Real unproven, CoreSeparation& core) {
+  const WideGjkResult found = wide_gjk(a, b, ab, toward, size, error, limit, unproven);
+  const GjkResult& gjk = found.gjk;
+  core.iterations += gjk.iterations;
+  if (gjk.overlap || !(gjk.beyond || gjk.upper - gjk.lower <= error + noise_of(size))) {
+    return false;
+  }
+  core.rounding = rounding_of(size);
+  core.algorithm = Algorithm::gjk_epa;
+  core.overlap = false;
+  core.beyond = gjk.beyond;
+  core.lower = gjk.lower;
+  if (!gjk.beyond) {
+    core.distance = core.upper = gjk.upper;
+    core.normal = gjk.normal;
+    core.point_a = found.point_a;
+    core.point_b = found.point_b;
+    core.points_open = false;
+  }
+  return true;
+}
+
 // GJK for any cores, whatever they are, from the direction `toward` on, and where they overlap the best
 // way to the depth.
 template <Convex A, Convex B>
@@ -190,17 +217,15 @@ template <Convex A, Convex B>
       if (near.overlap || (along.distance <= error && !(near.lower > error))) {
         return along;
       }
-      // Of cores that are apart axes bound the distance from below, and points of both from above. Beside a point find_points
-      // takes for granted that the axis leads to the other core.
-      Real upper = near.upper;
-      if constexpr (!PointCored<A> && !PointCored<B>) {
+      // Of cores that are apart axes bound the distance from below, and points of both from above.
+      if constexpr ((FewFaced<A> && FewFaced<B>) || HullAndSeen<A, B>) {
         find_points(a, b, ab, along);
-        upper = std::fmin(upper, norm(along.point_b - along.point_a));
-      }
-      if (upper - along.distance <= error + noise_of(size)) {
-        along.upper = std::fmax(along.upper, upper);
-        along.overlap = false;
-        return along;
+        const Real slack = noise_of(size), upper = std::fmin(near.upper, norm(along.point_b - along.point_a));
+        if (upper - along.distance <= error + slack && holds(a, along.point_a, slack) && holds(b, ab.undo(along.point_b), slack)) {
+          along.upper = std::fmax(along.upper, upper);
+          along.overlap = false;
+          return along;
+        }
       }
     }
   }
@@ -209,6 +234,9 @@ template <Convex A, Convex B>
     core.point_a = witness_on_a(near.simplex, near.closest);
     core.point_b = core.point_a - near.closest;
     core.distance = core.upper = near.upper;
+    if ((is_unproven || is_off) && separate_by_wide_gjk(a, b, ab, -near.closest, size, error, limit, unproven, core)) [[unlikely]] {
+      return core;
+    }
     if (is_unproven) [[unlikely]] {
       if (!(near.lower > error) && separate_by_sliver(a, b, ab, size, error, near.simplex, core)) {
         return core;
@@ -223,6 +251,12 @@ template <Convex A, Convex B>
     return core;
   }
   separate_by_epa(a, b, ab, size, error, near.simplex, core);
+  if (core.upper - core.lower > error + noise_of(size)) [[unlikely]] {
+    // Rounding may have taken slivers that are apart for ones that overlap.
+    if (separate_by_wide_gjk(a, b, ab, core.normal, size, error, limit, unproven, core)) {
+      return core;
+    }
+  }
   if (Curved<A> || Curved<B> ? std::fabs(core.distance) <= error : is_touch(core, size)) {
     find_touch(near.simplex, error, core);
   }

@@ -7,6 +7,7 @@
 export module abut.narrowphase.simplex;
 import abut.core.standard;
 import abut.math;
+import abut.math.wide;
 import abut.shape;
 
 export namespace abut {
@@ -38,32 +39,39 @@ struct Simplex {
 };
 
 // A point of a simplex and the vertices that span it, by bit. Weights are left to weights_of: GJK needs
-// them only once, at its end.
-struct ClosestPoint {
-  Vec3 point;
+// them only once, at its end. Here and below vectors may have the usual digits or twice as many.
+template <class Vector>
+struct ClosestPointOf {
+  Vector point;
   unsigned vertices;
 };
+using ClosestPoint = ClosestPointOf<Vec3>;
+template <class Vector>
+using NumberOf = decltype(Vector::x);
 
 inline constexpr unsigned all_of_tetrahedron = 15;
 
-[[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_on_segment(const Vec3& p, const Vec3& q, unsigned at_p, unsigned at_q) {
-  const Vec3 d = q - p;
-  const Real along = -dot(p, d), length = squared_norm(d);
+template <class Vector>
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPointOf<Vector> closest_on_segment(const Vector& p, const Vector& q, unsigned at_p,
+                                                                                      unsigned at_q) {
+  const Vector d = q - p;
+  const NumberOf<Vector> along = -dot(p, d), length = squared_norm(d);
   if (!(along > 0)) {
     return {p, at_p};
   }
   if (!(along < length)) {
     return {q, at_q};
   }
-  const Real inverse = 1 / length;
-  const Vec3 near = p + (along * inverse) * d;
+  const NumberOf<Vector> inverse = 1 / length;
+  const Vector near = p + (along * inverse) * d;
   // Projected again: where the point is small beside p, its direction would be rounding of p.
   return {near - (dot(near, d) * inverse) * d, at_p | at_q};
 }
 
 // Keeps the closer one of two candidates.
-inline void consider(ClosestPoint& best, Real& best_square, const ClosestPoint& candidate) {
-  const Real square = squared_norm(candidate.point);
+template <class Vector>
+inline void consider(ClosestPointOf<Vector>& best, NumberOf<Vector>& best_square, const ClosestPointOf<Vector>& candidate) {
+  const NumberOf<Vector> square = squared_norm(candidate.point);
   if (square < best_square) {
     best = candidate;
     best_square = square;
@@ -71,14 +79,15 @@ inline void consider(ClosestPoint& best, Real& best_square, const ClosestPoint& 
 }
 
 // The edges opposite to corners whose barycentric weight is not positive may hold the closest point.
-[[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_on_triangle(const Vec3& p, const Vec3& q, const Vec3& r, unsigned at_p, unsigned at_q,
-                                                      unsigned at_r) {
-  const Vec3 normal = cross(p - r, q - r);
-  const Real square = squared_norm(normal);
+template <class Vector>
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPointOf<Vector> closest_on_triangle(const Vector& p, const Vector& q, const Vector& r,
+                                                                                       unsigned at_p, unsigned at_q, unsigned at_r) {
+  const Vector normal = cross(p - r, q - r);
+  const NumberOf<Vector> square = squared_norm(normal);
   bool try_pr = true, try_qr = true, try_pq = true;
   if (square > 0) [[likely]] {
-    const Vec3 foot = (dot(normal, r) / square) * normal;
-    const Vec3 fp = p - foot, fq = q - foot, fr = r - foot;
+    const Vector foot = (dot(normal, r) / square) * normal;
+    const Vector fp = p - foot, fq = q - foot, fr = r - foot;
     try_qr = !(dot(normal, cross(fq, fr)) > 0);
     try_pr = !(dot(normal, cross(fr, fp)) > 0);
     try_pq = !(dot(normal, cross(fp, fq)) > 0);
@@ -86,8 +95,8 @@ inline void consider(ClosestPoint& best, Real& best_square, const ClosestPoint& 
       return {foot, at_p | at_q | at_r};
     }
   }
-  ClosestPoint best{r, at_r};
-  Real best_square = infinity;
+  ClosestPointOf<Vector> best{r, at_r};
+  NumberOf<Vector> best_square = infinity;
   if (try_pr) {
     consider(best, best_square, closest_on_segment(p, r, at_p, at_r));
   }
@@ -102,20 +111,23 @@ inline void consider(ClosestPoint& best, Real& best_square, const ClosestPoint& 
 
 // With cofactors of mixed signs the origin is outside the faces opposite to the vertices whose sign
 // differs from that of the volume.
-[[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_on_tetrahedron(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
-  const Vec3 sp = p - s, sq = q - s, sr = r - s;
-  const Vec3 qr = cross(sq, sr), rp = cross(sr, sp), pq = cross(sp, sq);
-  const Real volume = dot(sp, qr);
+template <class Vector>
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPointOf<Vector> closest_on_tetrahedron(const Vector& p, const Vector& q, const Vector& r,
+                                                                                          const Vector& s) {
+  using Number = NumberOf<Vector>;
+  const Vector sp = p - s, sq = q - s, sr = r - s;
+  const Vector qr = cross(sq, sr), rp = cross(sr, sp), pq = cross(sp, sq);
+  const Number volume = dot(sp, qr);
   // Heights of the origin over the planes of the faces through s, in units of the volume.
-  const Real hp = -dot(s, qr), hq = -dot(s, rp), hr = -dot(s, pq);
-  const Real hs = -dot(p, cross(q - p, r - p));  // the face p q r; s itself has height -volume
+  const Number hp = -dot(s, qr), hq = -dot(s, rp), hr = -dot(s, pq);
+  const Number hs = -dot(p, cross(q - p, r - p));  // the face p q r; s itself has height -volume
   // A volume that is no more than rounding says nothing about sides: then every face is a candidate.
-  const Real noise = 16 * epsilon * largest_magnitude(sp) * largest_magnitude(sq) * largest_magnitude(sr);
+  const Real noise = 16 * epsilon_of<Vector> * largest_magnitude(sp) * largest_magnitude(sq) * largest_magnitude(sr);
   const bool flat = !(volume > noise || volume < -noise);
-  const auto outside = [&](Real h) { return flat || !(volume > 0 ? h >= 0 : h <= 0); };
+  const auto outside = [&](const Number& h) { return flat || !(volume > 0 ? h >= 0 : h <= 0); };
   const bool out_p = outside(hp), out_q = outside(hq), out_r = outside(hr), out_s = outside(-hs);
-  ClosestPoint best{{0, 0, 0}, all_of_tetrahedron};
-  Real best_square = infinity;
+  ClosestPointOf<Vector> best{{0, 0, 0}, all_of_tetrahedron};
+  Number best_square = infinity;
   if (out_p) {
     consider(best, best_square, closest_on_triangle(q, r, s, 2, 4, 8));
   }
@@ -178,30 +190,36 @@ inline void keep(Simplex& simplex, unsigned vertices) {
   simplex.size = kept;
 }
 
-// What at most three vertices weigh in their closest point.
-[[nodiscard]] inline std::array<Real, 3> weights_of(const Simplex& simplex, const Vec3& closest) {
-  const auto& v = simplex.vertices;
-  if (simplex.size == 1) {
+// What at most three points weigh in their closest point, of which the last ones may be missing.
+template <class Vector>
+[[nodiscard]] inline std::array<Real, 3> weights_of(std::size_t size, const Vector& first, const Vector& second, const Vector& third,
+                                                    const Vector& closest) {
+  using Number = NumberOf<Vector>;
+  if (size == 1) {
     return {1, 0, 0};
   }
-  if (simplex.size == 2) {
-    const Vec3 d = v[1].w - v[0].w;
-    const Real t = dot(closest - v[0].w, d) / squared_norm(d);
+  if (size == 2) {
+    const Vector d = second - first;
+    const Real t = static_cast<Real>(dot(closest - first, d) / squared_norm(d));
     return {1 - t, t, 0};
   }
-  const Vec3 normal = cross(v[0].w - v[2].w, v[1].w - v[2].w);
-  const Vec3 p = v[0].w - closest, q = v[1].w - closest, r = v[2].w - closest;
+  const Vector normal = cross(first - third, second - third);
+  const Vector p = first - closest, q = second - closest, r = third - closest;
   // Of slivers rounding leaves weights below zero, which would lead out of the body.
-  const auto weight = [&](const Vec3& from, const Vec3& to) {
-    const Real area = dot(normal, cross(from, to));
-    return area > 0 ? area : 0;
+  const auto weight = [&](const Vector& from, const Vector& to) {
+    const Number area = dot(normal, cross(from, to));
+    return area > 0 ? area : Number(0);
   };
-  const Real wp = weight(q, r), wq = weight(r, p), wr = weight(p, q), sum = wp + wq + wr;
+  const Number wp = weight(q, r), wq = weight(r, p), wr = weight(p, q), sum = wp + wq + wr;
   if (!(sum > 0)) {
     return {1, 0, 0};
   }
-  const Real scale = 1 / sum;
-  return {scale * wp, scale * wq, scale * wr};
+  const Number scale = 1 / sum;
+  return {static_cast<Real>(scale * wp), static_cast<Real>(scale * wq), static_cast<Real>(scale * wr)};
+}
+[[nodiscard]] inline std::array<Real, 3> weights_of(const Simplex& simplex, const Vec3& closest) {
+  const auto& v = simplex.vertices;
+  return weights_of(simplex.size, v[0].w, v[1].w, v[2].w, closest);
 }
 
 // The point of a simplex with these weights: of a, and of the difference.

@@ -4,7 +4,6 @@
 //
 // - "lie across": nearly parallel edges share a stretch, which keeps bodies steady, although only the place where the
 //   edges cross is exact; and normals that tie within rounding.
-// - of hulls, the other facts fail on needles, plates and size ratios of 1e6.
 #pragma once
 
 #include <array>
@@ -21,7 +20,6 @@ inline constexpr auto shortfalls = std::to_array<Shortfall>({
     {"box/box parallel touching contact points lie across each other", 3},
     {"box/capsule parallel overlapping contact points lie across each other", 3},
     {"box/capsule parallel touching contact points lie across each other", 4},
-    {"box/hull parallel touching point_a is off the surface of a", 1},
     {"capsule/capsule parallel overlapping contact points lie across each other", 2},
     {"capsule/capsule parallel touching contact points lie across each other", 10},
     {"hull/hull far from the origin points lie across each other", 1},

@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../narrowphase/random_boxes.hpp"
+
+import abut.math;
+import abut.math.wide;
+
+namespace {
+
+using abut::Wide;
+
+// 113 bits, where two doubles have 106 or more.
+using Quad = __float128;
+Quad quad(const Wide& value) { return static_cast<Quad>(value.high) + static_cast<Quad>(value.low); }
+
+// Of a number made of two, and of any size.
+Wide random_wide(test::Random& random) {
+  const double high = std::ldexp(random.uniform(-1, 1), static_cast<int>(random.uniform(-20, 20)));
+  return Wide::sum(high, std::ldexp(high, -54) * random.uniform(-1, 1));
+}
+
+bool is_near(const Wide& got, Quad expected, Quad scale) {
+  const Quad off = quad(got) - expected, most = scale * static_cast<Quad>(0x1p-102);
+  return (off < 0 ? -off : off) <= most;
+}
+Quad size(Quad value) { return value < 0 ? -value : value; }
+
+TEST(Wide, SumsAndProductsOfTwoNumbersAreExact) {
+  test::Random random(61);
+  for (int i = 0; i < 10000; ++i) {
+    const double a = random_wide(random).high, b = random_wide(random).high;
+    EXPECT_EQ(quad(Wide::sum(a, b)), static_cast<Quad>(a) + static_cast<Quad>(b));
+    EXPECT_EQ(quad(Wide::product(a, b)), static_cast<Quad>(a) * static_cast<Quad>(b));
+  }
+}
+
+TEST(Wide, ArithmeticRoundsInTheLastOfTwiceTheDigits) {
+  test::Random random(62);
+  for (int i = 0; i < 10000; ++i) {
+    const Wide a = random_wide(random), b = random_wide(random);
+    const Quad x = quad(a), y = quad(b);
+    EXPECT_TRUE(is_near(a + b, x + y, size(x) + size(y)));
+    EXPECT_TRUE(is_near(a - b, x - y, size(x) + size(y)));
+    EXPECT_TRUE(is_near(a * b, x * y, size(x * y)));
+    EXPECT_TRUE(is_near(a / b, x / y, size(x / y)));
+    EXPECT_EQ(a < b, x < y);
+    EXPECT_EQ(a <= b, x <= y);
+    EXPECT_EQ(a > b, x > y);
+    EXPECT_EQ(a >= b, x >= y);
+  }
+}
+
+TEST(Wide, NumbersThatDifferInTheirLowerHalfOnly) {
+  const Wide less(1, -0x1p-80), more(1, 0x1p-80);
+  EXPECT_TRUE(less < more && less <= more && more > less && more >= less && more >= more);
+  EXPECT_FALSE(more < less || less > more || less >= more);
+  EXPECT_EQ(quad(more - less), static_cast<Quad>(0x1p-79));
+  EXPECT_EQ(static_cast<double>(more), 1);
+}
+
+// Squares of what is left after two large numbers cancel.
+TEST(Wide, VectorsKeepWhatTheUsualOnesLose) {
+  const abut::Vec3 a{1e9, 1, -1e9}, b{1e9 - 1e-6, 1 + 1e-9, -1e9};
+  const abut::WideVec3 d = abut::wide_difference(a, b);
+  EXPECT_EQ(quad(d.x), static_cast<Quad>(a.x) - static_cast<Quad>(b.x));
+  EXPECT_EQ(quad(d.y), static_cast<Quad>(a.y) - static_cast<Quad>(b.y));
+  const abut::WideVec3 across = abut::cross(d, abut::wide_difference(a, {}));
+  const Quad expected = quad(d.x) * static_cast<Quad>(a.y) - quad(d.y) * static_cast<Quad>(a.x);
+  EXPECT_TRUE(is_near(across.z, expected, size(quad(d.y) * static_cast<Quad>(a.x))));
+  EXPECT_TRUE(is_near(abut::squared_norm(d), quad(d.x) * quad(d.x) + quad(d.y) * quad(d.y), static_cast<Quad>(2e-12)));
+}
+
+}  // namespace
