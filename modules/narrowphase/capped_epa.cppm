@@ -91,16 +91,16 @@ template <Convex A, Convex B>
   };
   if constexpr (Outlined<A> && Outlined<B>) {
     if (const auto found = coaxial_minimum(a, b, ab, error, noise)) {
-      return judged({found->depth, found->depth, found->upper, found->depth, found->normal, found->point_a, found->point_b, 1});
+      return judged({found->depth, found->depth, found->upper, found->normal, found->point_a, found->point_b, 1});
     }
   }
   if constexpr ((Polyhedral<A> && WithDisc<B>) || (WithDisc<A> && Polyhedral<B>)) {
-    const EpaResult plain = epa(a, b, ab, size, error, start, 0, plain_rounds);
+    const EpaResult plain = epa(a, b, ab, size, error, start, plain_rounds);
     if (plain.upper - plain.lower <= error) {
       return polished(a, b, ab, error, noise, plain);
     }
   }
-  EpaResult result{0, -infinity, infinity, 0, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
+  EpaResult result{0, -infinity, infinity, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
 
   [[clang::uninitialized]] Caps caps;
   [[clang::uninitialized]] DirectionCover cover;
@@ -149,7 +149,7 @@ template <Convex A, Convex B>
     result.depth = least.depth;
     result.point_a = least.point_a;
     result.point_b = least.point_b;
-    result.inside = result.lower = result.lower < result.depth ? result.lower : result.depth;
+    result.lower = result.lower < result.depth ? result.lower : result.depth;
     return result;
   };
   if (cover.is_whole()) {

@@ -222,7 +222,6 @@ template <Convex A, Convex B>
     find_points_under(a, b, ab, size, error, better);
   }
   better.lower = std::fmin(found.lower, better.depth);
-  better.inside = std::fmin(found.inside, better.depth);
   return better;
 }
 

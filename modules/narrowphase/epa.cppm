@@ -16,7 +16,6 @@ export namespace abut {
 struct EpaResult {
   Real depth;           // not negative for cores that overlap
   Real lower, upper;    // the depth lies between them
-  Real inside;          // so far from the origin along the normal is a point that surely belongs to the difference
   Vec3 normal;          // unit: moving b along it by the depth parts the cores
   Vec3 point_a, point_b;
   std::uint32_t iterations;
@@ -26,29 +25,23 @@ struct EpaResult {
 // others are spent near one of them, so that at least this one is exact.
 inline constexpr std::uint32_t global_rounds = 5 * Polytope::vertex_limit / 8;
 
-// `rounding`: core a is taken with all points that near to it, so that cores which touch or are that near
-// overlap as well as any others; the answer is about the cores so rounded off, the points are those of the cores.
 // Out of line: a polytope takes pages of the stack.
 // `rounds`: after so many vertices the answer is what it is.
 template <Convex A, Convex B>
-[[nodiscard]] [[gnu::noinline]] EpaResult epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, Real rounding = 0,
-                            std::uint32_t rounds = Polytope::vertex_limit) {
+[[nodiscard]] [[gnu::noinline]] EpaResult epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start,
+                                             std::uint32_t rounds = Polytope::vertex_limit) {
   const auto placement = place(b, ab);
   const auto vertex_toward = [&](const Vec3& direction) {
     const SupportPoint on_a = a.support(direction);
     const SupportPoint on_b = placed_support(b, placement, -direction);
-    if (rounding > 0) {
-      const Vec3 out = on_a.point + (rounding / norm(direction)) * direction;
-      return DifferenceVertex{out - on_b.point, out, no_index, no_index};
-    }
     return DifferenceVertex{on_a.point - on_b.point, on_a.point, on_a.index, on_b.index};
   };
-  const Real noise = 8 * epsilon * (size + rounding);
+  const Real noise = 8 * epsilon * size;
 
   [[clang::uninitialized]] Polytope polytope;
   polytope.reset();
   const FlatDifference flat = polytope.start(start, noise, vertex_toward);
-  EpaResult result{0, 0, infinity, 0, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
+  EpaResult result{0, 0, infinity, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
   if (flat.is_flat) {
     // Without volume the depth is zero across the flat, up to the noise that made it flat.
     const DifferenceVertex top = vertex_toward(flat.normal);
@@ -63,16 +56,14 @@ template <Convex A, Convex B>
     return result;
   }
 
-  // Rounded cores overlap by little more than the rounding, on one side only.
-  const std::uint32_t everywhere = rounding > 0 ? global_rounds / 8 : global_rounds;
   std::size_t face = 0;
   Real reach = 0, distance = 0;
   for (std::uint32_t iteration = 1; iteration <= rounds; ++iteration) {
     result.iterations = iteration;
-    const bool near_by = iteration > everywhere;
-    const std::size_t next = !near_by                        ? polytope.least_face()
-                             : iteration == everywhere + 1 ? polytope.face_along(result.normal)
-                                                           : polytope.least_new_face();
+    const bool near_by = iteration > global_rounds;
+    const std::size_t next = !near_by                         ? polytope.least_face()
+                             : iteration == global_rounds + 1 ? polytope.face_along(result.normal)
+                                                              : polytope.least_new_face();
     if (next == Polytope::none) [[unlikely]] {
       break;
     }
@@ -100,14 +91,13 @@ template <Convex A, Convex B>
       break;
     }
   }
-  const bool is_round = rounding > 0 || Curved<A> || Curved<B>;
-  result.inside = distance;
+  constexpr bool is_round = Curved<A> || Curved<B>;
   Witness witness = polytope.witness(face);
-  if (is_round && reach <= result.upper + error && reach - result.inside <= error) {
+  if (is_round && reach <= result.upper + error && reach - distance <= error) {
     // The points lie under the last face: its normal, which is as good as the best within the bound.
     result.upper = reach;
     result.normal = polytope.normal(face);
-  } else if (is_round && reach - result.inside > error) {
+  } else if (is_round && reach - distance > error) {
     // No face lies on the surface yet; the points where both bodies end along the normal do.
     const DifferenceVertex end = vertex_toward(result.normal);
     witness = {end.a, end.a - end.w};
@@ -120,7 +110,6 @@ template <Convex A, Convex B>
   result.point_a += half;
   result.point_b = result.point_b - half;
   result.lower = result.lower < result.upper ? result.lower : result.upper;
-  result.point_a = result.point_a - rounding * result.normal;
   return result;
 }
 

@@ -172,50 +172,6 @@ template <Convex A, Convex B>
   core.points_open = !(Curved<A> || Curved<B>) && largest_magnitude(aside) > noise_of(size);
 }
 
-// By how much cores are rounded off whose distance is hard to tell from none, relative to their size.
-inline constexpr Real rounding_share = 1e-3;
-
-// How far cores are apart that GJK has left without a proof: how deep they overlap with a rounded off by more.
-// They touch nearly, or one is a speck beside the other.
-template <Convex A, Convex B>
-[[gnu::noinline, gnu::cold]] void separate_by_rounding(const A& a, const B& b, const Pose& ab, Real size, Real error, CoreSeparation& core) {
-  const Real rounding = 4 * core.upper + rounding_share * (a.extent() + b.extent());
-  const EpaResult found = epa(a, b, ab, size, error, Simplex{}, rounding);
-  core.iterations += found.iterations;
-  // What belongs to both bounds the distance from above, wherever it was found.
-  if (core.lower > 0 && !(found.upper - found.inside < core.upper - core.lower)) {
-    return;
-  }
-  core.rounding = noise_of(size + rounding);
-  core.overlap = found.depth >= rounding;
-  core.normal = found.normal;
-  core.distance = rounding - found.depth;
-  core.lower = rounding - found.upper;
-  core.upper = rounding - (found.inside < found.upper ? found.inside : found.upper);
-  core.point_a = found.point_a;
-  core.point_b = found.point_b;
-}
-
-// Slivers may hide from GJK that polytopes overlap, which the whole Minkowski difference shows. False unless it proves that.
-template <Convex A, Convex B>
-[[nodiscard]] [[gnu::noinline, gnu::cold]] bool separate_by_sliver(const A& a, const B& b, const Pose& ab, Real size, Real error,
-                                                                   const Simplex& start, CoreSeparation& core) {
-  if constexpr (Curved<A> || Curved<B>) {
-    return false;
-  } else {
-    CoreSeparation found = core;
-    separate_by_epa(a, b, ab, size, error, start, found);
-    // A difference without volume takes no step, and says nothing of cores that are apart in its plane.
-    const bool has_volume = found.iterations > core.iterations;
-    if (!has_volume || found.distance > error || found.upper - found.lower > error + noise_of(size)) {
-      return false;
-    }
-    core = found;
-    core.overlap = true;
-    return true;
-  }
-}
-
 // Where the rim of a round core touches, GJK may end on slivers near the common point, which a polytope finds. False unless
 // the cores surely neither overlap nor are apart by more than the error.
 template <Convex A, Convex B>

@@ -6,7 +6,6 @@ import abut.math;
 import abut.narrowphase.box_cores;
 import abut.narrowphase.box_sat;
 export import abut.narrowphase.core_separation;
-import abut.narrowphase.depth_descent;
 import abut.narrowphase.gjk;
 import abut.narrowphase.hull_sat;
 export import abut.narrowphase.overlap;
@@ -120,54 +119,30 @@ template <Convex A, Convex B>
 // Whether the normal of cores that nearly touch is rounding, although their distance was proven on the way.
 template <Convex A, Convex B>
 [[nodiscard]] inline bool is_turned(const A& a, const B& b, const Pose& ab, const GjkResult& near, Real size, Real error) {
-  if (!(near.upper <= projection_limit * size)) {
+  constexpr Real near_share = 1e-2;  // of the size, beyond which normals lose too few digits to tell
+  if (!(near.upper <= near_share * size)) {
     return false;
   }
   const Vec3 between = placed_support(b, place(b, ab), -near.normal).point - a.support(near.normal).point;
   return dot(near.normal, between) < near.lower - error - noise_of(size);
 }
 
-// The normal and the points of cores that nearly touch, from a normal that is turned: where the gap along it is largest, if
-// the points there are known.
-template <Convex A, Convex B>
-[[gnu::noinline, gnu::cold]] void turn_back(const A& a, const B& b, const Pose& ab, Real size, CoreSeparation& core) {
-  const Real noise = 8 * epsilon * size;
-  const Descent found = descend(a, b, ab, core.normal, 8 * noise, noise);
-  if (!found.minimum || found.depth > noise || -found.depth > core.upper + noise) {
-    return;
-  }
-  core.normal = found.normal;
-  core.lower = std::fmin(std::fmax(core.lower, -found.depth), core.upper);
-  core.distance = -found.depth;
-  core.upper = std::fmax(core.upper, core.distance);
-  core.point_a = found.minimum->point_a;
-  core.point_b = core.point_a + core.distance * core.normal;
-}
-
-// Of cores that GJK has left without a proof, or under a normal that is rounding: the same with more digits. False where that
-// proves nothing either, or finds that they overlap.
-template <Convex A, Convex B>
-[[nodiscard]] [[gnu::noinline, gnu::cold]] bool separate_by_wide_gjk(const A& a, const B& b, const Pose& ab, const Vec3& toward, Real size,
-                                                                     Real error, Real limit, Real unproven, CoreSeparation& core) {
-  const WideGjkResult found = wide_gjk(a, b, ab, toward, size, error, limit, unproven);
-  const GjkResult& gjk = found.gjk;
-  core.iterations += gjk.iterations;
-  if (gjk.overlap || !(gjk.beyond || gjk.upper - gjk.lower <= error + noise_of(size))) {
-    return false;
-  }
+// The closest points and the bounds that a search has found, of cores that are apart.
+[[nodiscard]] inline CoreSeparation separation_of(const GjkResult& found, const Vec3& point_a, const Vec3& point_b, Real size,
+                                                   std::uint32_t iterations_before) {
+  CoreSeparation core{};
   core.rounding = rounding_of(size);
   core.algorithm = Algorithm::gjk_epa;
-  core.overlap = false;
-  core.beyond = gjk.beyond;
-  core.lower = gjk.lower;
-  if (!gjk.beyond) {
-    core.distance = core.upper = gjk.upper;
-    core.normal = gjk.normal;
-    core.point_a = found.point_a;
-    core.point_b = found.point_b;
-    core.points_open = false;
+  core.iterations = iterations_before + found.iterations;
+  core.beyond = found.beyond;
+  core.lower = found.lower;
+  if (!found.beyond) {
+    core.distance = core.upper = found.upper;
+    core.normal = found.normal;
+    core.point_a = point_a;
+    core.point_b = point_b;
   }
-  return true;
+  return core;
 }
 
 // GJK for any cores, whatever they are, from the direction `toward` on, and where they overlap the best
@@ -194,15 +169,8 @@ template <Convex A, Convex B>
       }
     }
   }
-  CoreSeparation core{};
-  core.rounding = rounding_of(size);
-  core.algorithm = Algorithm::gjk_epa;
-  core.iterations = near.iterations;
-  core.lower = near.lower;
-  core.beyond = near.beyond;
-  core.overlap = near.overlap;
   if (near.beyond) {
-    return core;
+    return separation_of(near, {0, 0, 0}, {0, 0, 0}, size, 0);
   }
   const bool is_off = !near.overlap && is_turned(a, b, ab, near, size, error);
   const bool is_unproven = !near.overlap && (!(near.lower > 0) || near.upper - near.lower > error + noise_of(size) ||
@@ -229,34 +197,30 @@ template <Convex A, Convex B>
       }
     }
   }
-  if (!near.overlap) {
-    core.normal = near.normal;
-    core.point_a = witness_on_a(near.simplex, near.closest);
-    core.point_b = core.point_a - near.closest;
-    core.distance = core.upper = near.upper;
-    if ((is_unproven || is_off) && separate_by_wide_gjk(a, b, ab, -near.closest, size, error, limit, unproven, core)) [[unlikely]] {
-      return core;
+  if (!near.overlap && (is_unproven || is_off)) [[unlikely]] {
+    const WideGjkResult wide = wide_gjk(a, b, ab, -near.closest, size, error, limit, unproven);
+    if (!wide.gjk.overlap) {
+      return separation_of(wide.gjk, wide.point_a, wide.point_b, size, near.iterations);
     }
-    if (is_unproven) [[unlikely]] {
-      if (!(near.lower > error) && separate_by_sliver(a, b, ab, size, error, near.simplex, core)) {
-        return core;
-      }
-      separate_by_rounding(a, b, ab, size, error, core);
-    }
-    if constexpr (Curved<A> || Curved<B>) {
-      if (is_off) [[unlikely]] {
-        turn_back(a, b, ab, size, core);
-      }
-    }
-    return core;
+    near.overlap = true;
+    near.simplex = wide.gjk.simplex;
+    near.iterations += wide.gjk.iterations;
   }
+  if (!near.overlap) {
+    const Vec3 point_a = witness_on_a(near.simplex, near.closest);
+    return separation_of(near, point_a, point_a - near.closest, size, 0);
+  }
+  CoreSeparation core{};
+  core.iterations = near.iterations;
   separate_by_epa(a, b, ab, size, error, near.simplex, core);
   if (core.upper - core.lower > error + noise_of(size)) [[unlikely]] {
     // Rounding may have taken slivers that are apart for ones that overlap.
-    if (separate_by_wide_gjk(a, b, ab, core.normal, size, error, limit, unproven, core)) {
-      return core;
+    const WideGjkResult wide = wide_gjk(a, b, ab, core.normal, size, error, limit, unproven);
+    if (!wide.gjk.overlap && (wide.gjk.beyond || wide.gjk.upper - wide.gjk.lower <= error + noise_of(size))) {
+      return separation_of(wide.gjk, wide.point_a, wide.point_b, size, core.iterations);
     }
   }
+  core.overlap = true;
   if (Curved<A> || Curved<B> ? std::fabs(core.distance) <= error : is_touch(core, size)) {
     find_touch(near.simplex, error, core);
   }

@@ -1,8 +1,6 @@
 // Where the library falls short in the extremes, as in shortfalls.hpp: row, fact, number of cases. It only shrinks.
 //
 // - "gap between the bounds" of concentric shapes: many directions are as good, as in certificate_shortfalls.hpp.
-// - needles that nearly touch: the distance is right to 1e-12, but the normal is 1e-4 off, and a plane across it does not
-//   part them.
 // - size ratio 1e9: one depth of a speck in a giant is off by 3e-10 of the giant.
 // - of parallel faces by support points, and hulls of 10000 points: off by rounding more than the row allows.
 #pragma once
@@ -20,9 +18,6 @@ inline constexpr auto extreme_shortfalls = std::to_array<Shortfall>({
     {"faces parallel to 1e-12 rad (by support points) the oracle's distance <= upper", 2},
     {"faces parallel to 1e-9 rad (by support points) error within the limit of the row", 1},
     {"hulls of 10000 points error within the limit of the row", 1},
-    {"needles of aspect 1e6 (curved) distance <= separation along the normal", 3},
-    {"needles of aspect 1e6 (curved) error within the limit of the row", 2},
-    {"needles of aspect 1e6 (curved) lower <= separation along the normal", 3},
     {"size ratio 1e9 (curved) -upper <= overlap along any direction", 1},
     {"size ratio 1e9 (curved) the oracle's distance <= upper", 1},
 });
