@@ -4,6 +4,7 @@ import abut.core;
 import abut.core.standard;
 export import abut.dispatch.routes;
 import abut.math;
+import abut.narrowphase.box_cores;
 import abut.narrowphase.convex;
 import abut.narrowphase.convex_memory;
 import abut.narrowphase.half_space;
@@ -75,9 +76,16 @@ struct PairKernels {
 // entered at less cost.
 template <class Any, class A, class B>
 [[nodiscard]] [[gnu::noinline]] Outcome distance_in_frame(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b,
-                                                          bool swapped, const QuerySettings& settings, Distance& out) {
+                                                          bool swapped, const QuerySettings& settings,
+                                                          [[maybe_unused]] const std::optional<NearPoints>& reached, Distance& out) {
+  const Pose ab = relative(pose_a, pose_b);
   [[clang::uninitialized]] Distance found;
-  const Outcome outcome = distance_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, found);
+  Outcome outcome{};
+  if constexpr (route<A, B>() == Route::convex) {
+    outcome = convex_distance_by_search(std::get<A>(a), std::get<B>(b), ab, settings, reached, found);
+  } else {
+    outcome = distance_by_route(std::get<A>(a), std::get<B>(b), ab, settings, found);
+  }
   if (outcome == Outcome::ok) [[likely]] {
     move_by(found, pose_a, swapped);
     out = found;
@@ -88,12 +96,14 @@ template <class Any, class A, class B>
 template <class Any, class A, class B>
 [[nodiscard]] Outcome distance_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                                       const QuerySettings& settings, Distance& out) {
+  std::optional<NearPoints> reached;
   if constexpr (route<A, B>() == Route::convex && ClosedForm<A, B>) {
-    if (distance_of_placed(std::get<A>(a), std::get<B>(b), pose_a, pose_b, swapped, settings, out)) [[likely]] {
+    if (distance_of_placed(std::get<A>(a), std::get<B>(b), pose_a, pose_b, swapped, settings, reached, out)) [[likely]] {
       return Outcome::ok;
     }
   }
-  return distance_in_frame<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, out);
+  const std::optional<NearPoints> tried = reached;
+  return distance_in_frame<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, tried, out);
 }
 
 // Of two shapes of one kind, which one comes first may change as they move: their numbers are in the order given.
@@ -120,7 +130,13 @@ template <class Any, class A, class B>
 [[nodiscard]] [[gnu::noinline]] Outcome contacts_in_frame(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b,
                                                           bool swapped, const QuerySettings& settings, Manifold& out) {
   const std::size_t first = out.size();
-  const Outcome outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, out);
+  const Pose ab = relative(pose_a, pose_b);
+  Outcome outcome{};
+  if constexpr (route<A, B>() == Route::convex) {
+    outcome = convex_contacts_by_search(std::get<A>(a), std::get<B>(b), ab, settings, out);
+  } else {
+    outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), ab, settings, out);
+  }
   place_contacts<A, B>(std::span(out).subspan(first), pose_a, swapped);
   return outcome;
 }

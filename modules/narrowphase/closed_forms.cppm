@@ -18,11 +18,12 @@ export namespace abut {
 template <class A, class B>
 concept ClosedForm = PointAndField<A, B> || (BoxCored<A> && BoxCored<B>);
 
-// False where closed forms leave the pair to a search.
+// False where closed forms leave the pair to a search, which goes on from what they reached.
 template <Convex A, Convex B>
   requires ClosedForm<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool separate_in_closed_form(const A& a, const B& b, const Pose& ab,
-                                                                         const QuerySettings& settings, CoreSeparation& core) {
+                                                                         const QuerySettings& settings, CoreSeparation& core,
+                                                                         [[maybe_unused]] std::optional<NearPoints>& reached) {
   const Real size = core_size(a, b, ab);
   if constexpr (PointAndField<A, B>) {
     core = separate_point(a, b, ab, size);
@@ -31,6 +32,7 @@ template <Convex A, Convex B>
     const Real error = error_of(a, b, size, settings);
     const NearPoints near = near_points(a, b, ab, error);
     if (!is_settled(near, size, error)) [[unlikely]] {
+      reached = near;
       return false;
     }
     core = separation_of(near, size);

@@ -4,6 +4,7 @@ export module abut.narrowphase.convex;
 import abut.core;
 import abut.core.standard;
 import abut.math;
+import abut.narrowphase.box_cores;
 import abut.narrowphase.clip;
 export import abut.narrowphase.closed_forms;
 import abut.narrowphase.common_region;
@@ -45,7 +46,8 @@ template <Convex A, Convex B>
 }
 
 template <Convex A, Convex B>
-[[nodiscard]] inline CoreSeparation separate_for_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings) {
+[[nodiscard]] inline CoreSeparation separate_for_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                                          const std::optional<NearPoints>& reached) {
   if constexpr (CurvedFields<A, B>) {
     if (settings.algorithm == Algorithm::automatic) {
       if (const std::optional<CoreSeparation> found = separate_fields(a, b, ab, settings)) {
@@ -53,19 +55,21 @@ template <Convex A, Convex B>
       }
     }
   }
-  return separate_cores(a, b, ab, settings, infinity);
+  return separate_cores(a, b, ab, settings, infinity, reached);
 }
 
+// `reached`: by closed forms that were tried before.
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::noinline]] Outcome convex_distance_by_search(const A& a, const B& b, const Pose& ab,
-                                                                  const QuerySettings& settings, Distance& out) {
+                                                                  const QuerySettings& settings,
+                                                                  const std::optional<NearPoints>& reached, Distance& out) {
   if (!may_answer<A, B>(settings.algorithm)) {
     return Outcome::unsupported;
   }
   if (settings.algorithm == Algorithm::libccd_gjk || settings.algorithm == Algorithm::libccd_mpr) {
     return libccd_distance(a, b, ab, settings.algorithm, out);
   }
-  CoreSeparation core = separate_for_distance(a, b, ab, settings);
+  CoreSeparation core = separate_for_distance(a, b, ab, settings, reached);
   if (!is_by(settings.algorithm, core)) {
     return Outcome::unsupported;
   }
@@ -81,17 +85,19 @@ template <Convex A, Convex B>
                                                                     const QuerySettings& settings, Distance& out) {
   if constexpr (ClosedForm<A, B>) {
     [[clang::uninitialized]] CoreSeparation core;
-    if (takes_closed_forms(settings.algorithm) && separate_in_closed_form(a, b, ab, settings, core)) [[likely]] {
+    std::optional<NearPoints> reached;
+    if (takes_closed_forms(settings.algorithm) && separate_in_closed_form(a, b, ab, settings, core, reached)) [[likely]] {
       out = rounded(core, a.radius(), b.radius());
       return Outcome::ok;
     }
     const Pose placed = ab;
+    const std::optional<NearPoints> tried = reached;
     [[clang::uninitialized]] Distance found;
-    const Outcome outcome = convex_distance_by_search(a, b, placed, settings, found);
+    const Outcome outcome = convex_distance_by_search(a, b, placed, settings, tried, found);
     out = found;
     return outcome;
   } else {
-    return convex_distance_by_search(a, b, ab, settings, out);
+    return convex_distance_by_search(a, b, ab, settings, std::nullopt, out);
   }
 }
 
