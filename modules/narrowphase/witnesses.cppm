@@ -49,9 +49,13 @@ inline void find_points_of_faces(const Face& face_a, const Face& face_b, const C
   core.points_open = false;
 }
 
+// Polyhedra that know whether a point lies in them at little cost.
+template <class A, class B>
+concept BothHold = HullAndSeen<A, B> || (BoxCored<A> && BoxCored<B>);
+
 // Mostly a vertex lies under the inside of a face. False where neither support point does.
 template <Convex A, Convex B>
-  requires HullAndSeen<A, B>
+  requires BothHold<A, B>
 [[nodiscard]] inline bool find_vertex_witness(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
   const Real slack = rounding_of(core_size(a, b, ab));
   const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
@@ -108,7 +112,7 @@ void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
     core.point_a = core.point_b - core.distance * core.normal;
     core.points_open = false;
   } else {
-    if constexpr (HullAndSeen<A, B>) {
+    if constexpr (BothHold<A, B>) {
       if (core.overlap && find_vertex_witness(a, b, ab, core)) {
         return;
       }
