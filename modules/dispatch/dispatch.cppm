@@ -4,7 +4,6 @@ import abut.core;
 import abut.core.standard;
 export import abut.dispatch.routes;
 import abut.math;
-import abut.narrowphase.box_cores;
 import abut.narrowphase.convex;
 import abut.narrowphase.convex_memory;
 import abut.narrowphase.half_space;
@@ -76,13 +75,12 @@ struct PairKernels {
 // entered at less cost.
 template <class Any, class A, class B>
 [[nodiscard]] [[gnu::noinline]] Outcome distance_in_frame(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b,
-                                                          bool swapped, const QuerySettings& settings,
-                                                          [[maybe_unused]] const std::optional<NearPoints>& reached, Distance& out) {
+                                                          bool swapped, const QuerySettings& settings, Distance& out) {
   const Pose ab = relative(pose_a, pose_b);
   [[clang::uninitialized]] Distance found;
   Outcome outcome{};
   if constexpr (route<A, B>() == Route::convex) {
-    outcome = convex_distance_by_search(std::get<A>(a), std::get<B>(b), ab, settings, reached, found);
+    outcome = convex_distance_by_search(std::get<A>(a), std::get<B>(b), ab, settings, found);
   } else {
     outcome = distance_by_route(std::get<A>(a), std::get<B>(b), ab, settings, found);
   }
@@ -96,14 +94,12 @@ template <class Any, class A, class B>
 template <class Any, class A, class B>
 [[nodiscard]] Outcome distance_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                                       const QuerySettings& settings, Distance& out) {
-  std::optional<NearPoints> reached;
   if constexpr (route<A, B>() == Route::convex && ClosedForm<A, B>) {
-    if (distance_of_placed(std::get<A>(a), std::get<B>(b), pose_a, pose_b, swapped, settings, reached, out)) [[likely]] {
+    if (distance_of_placed(std::get<A>(a), std::get<B>(b), pose_a, pose_b, swapped, settings, out)) [[likely]] {
       return Outcome::ok;
     }
   }
-  const std::optional<NearPoints> tried = reached;
-  return distance_in_frame<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, tried, out);
+  return distance_in_frame<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, out);
 }
 
 // Of two shapes of one kind, which one comes first may change as they move: their numbers are in the order given.

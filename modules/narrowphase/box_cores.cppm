@@ -91,13 +91,13 @@ struct BoxPair {
   }
 };
 
-// A box of half extents `half_a` and one of `half_b` placed by ab.
+// A box of half extents `half_a` and one of `half_b` placed by ab. Points that are nearer than `least` will do.
 [[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_of_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab,
-                                                                            Real error) {
+                                                                            Real error, Real least) {
   const BoxPair boxes(half_a, half_b, ab);
   [[clang::uninitialized]] NearPoints near;
   boxes.project<false>(clamp(boxes.centre, boxes.a), near);
-  for (near.rounds = 1; !is_proven(near, error) && near.rounds < projection_rounds; ++near.rounds) {
+  for (near.rounds = 1; !is_proven(near, error) && near.square >= least * least && near.rounds < projection_rounds; ++near.rounds) {
     boxes.project<true>(near.on_a, near);
   }
   return near;
@@ -147,13 +147,14 @@ template <BoxCored B>
   }
 }
 
+// `least`: who cannot use points that are nearer to each other does not need the nearest.
 template <BoxCored A, BoxCored B>
-[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points(const A& a, const B& b, const Pose& ab, Real error) {
+[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points(const A& a, const B& b, const Pose& ab, Real error, Real least = 0) {
   if constexpr (PointCored<A> && PointCored<B>) {
     const Lanes between = lanes_of(ab.position);
     return {Lanes(0), between, between, dot(between, between), 0, 1};
   } else if constexpr (A::core_axes == 3 && B::core_axes == 3) {
-    return near_points_of_boxes(a.half(), b.half(), ab, error);
+    return near_points_of_boxes(a.half(), b.half(), ab, error, least);
   } else if constexpr (B::core_axes < 3) {
     return near_points_in_box(a.half(), b, lanes_of(ab.position), lanes_of(ab.rotation.z), error);
   } else {

@@ -18,21 +18,19 @@ export namespace abut {
 template <class A, class B>
 concept ClosedForm = PointAndField<A, B> || (BoxCored<A> && BoxCored<B>);
 
-// False where closed forms leave the pair to a search, which goes on from what they reached.
+// False where closed forms leave the pair to a search. Those of cores that are too near for them end as soon as that shows.
 template <Convex A, Convex B>
   requires ClosedForm<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool separate_in_closed_form(const A& a, const B& b, const Pose& ab,
-                                                                         const QuerySettings& settings, CoreSeparation& core,
-                                                                         [[maybe_unused]] std::optional<NearPoints>& reached) {
+                                                                         const QuerySettings& settings, CoreSeparation& core) {
   const Real size = core_size(a, b, ab);
   if constexpr (PointAndField<A, B>) {
     core = separate_point(a, b, ab, size);
     return true;
   } else {
     const Real error = error_of(a, b, size, settings);
-    const NearPoints near = near_points(a, b, ab, error);
+    const NearPoints near = near_points(a, b, ab, error, projection_limit * size);
     if (!is_settled(near, size, error)) [[unlikely]] {
-      reached = near;
       return false;
     }
     core = separation_of(near, size);

@@ -4,7 +4,6 @@ export module abut.narrowphase.convex;
 import abut.core;
 import abut.core.standard;
 import abut.math;
-import abut.narrowphase.box_cores;
 import abut.narrowphase.clip;
 export import abut.narrowphase.closed_forms;
 import abut.narrowphase.common_region;
@@ -46,8 +45,7 @@ template <Convex A, Convex B>
 }
 
 template <Convex A, Convex B>
-[[nodiscard]] inline CoreSeparation separate_for_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                                          const std::optional<NearPoints>& reached) {
+[[nodiscard]] inline CoreSeparation separate_for_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings) {
   if constexpr (CurvedFields<A, B>) {
     if (settings.algorithm == Algorithm::automatic) {
       if (const std::optional<CoreSeparation> found = separate_fields(a, b, ab, settings)) {
@@ -55,21 +53,19 @@ template <Convex A, Convex B>
       }
     }
   }
-  return separate_cores(a, b, ab, settings, infinity, reached);
+  return separate_cores(a, b, ab, settings, infinity);
 }
 
-// `reached`: by closed forms that were tried before.
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::noinline]] Outcome convex_distance_by_search(const A& a, const B& b, const Pose& ab,
-                                                                  const QuerySettings& settings,
-                                                                  const std::optional<NearPoints>& reached, Distance& out) {
+                                                                  const QuerySettings& settings, Distance& out) {
   if (!may_answer<A, B>(settings.algorithm)) {
     return Outcome::unsupported;
   }
   if (settings.algorithm == Algorithm::libccd_gjk || settings.algorithm == Algorithm::libccd_mpr) {
     return libccd_distance(a, b, ab, settings.algorithm, out);
   }
-  CoreSeparation core = separate_for_distance(a, b, ab, settings, reached);
+  CoreSeparation core = separate_for_distance(a, b, ab, settings);
   if (!is_by(settings.algorithm, core)) {
     return Outcome::unsupported;
   }
@@ -85,19 +81,17 @@ template <Convex A, Convex B>
                                                                     const QuerySettings& settings, Distance& out) {
   if constexpr (ClosedForm<A, B>) {
     [[clang::uninitialized]] CoreSeparation core;
-    std::optional<NearPoints> reached;
-    if (takes_closed_forms(settings.algorithm) && separate_in_closed_form(a, b, ab, settings, core, reached)) [[likely]] {
+    if (takes_closed_forms(settings.algorithm) && separate_in_closed_form(a, b, ab, settings, core)) [[likely]] {
       out = rounded(core, a.radius(), b.radius());
       return Outcome::ok;
     }
     const Pose placed = ab;
-    const std::optional<NearPoints> tried = reached;
     [[clang::uninitialized]] Distance found;
-    const Outcome outcome = convex_distance_by_search(a, b, placed, settings, tried, found);
+    const Outcome outcome = convex_distance_by_search(a, b, placed, settings, found);
     out = found;
     return outcome;
   } else {
-    return convex_distance_by_search(a, b, ab, settings, std::nullopt, out);
+    return convex_distance_by_search(a, b, ab, settings, out);
   }
 }
 

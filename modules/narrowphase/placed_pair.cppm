@@ -22,16 +22,15 @@ concept PointBeside = PointCored<A> && BoxCored<B>;
   return {pose_b.rotation, pose_b.position - pose_a.position};
 }
 
-// False where closed forms leave the pair to a search, which goes on from what they reached. The answer is in the world.
+// False where closed forms leave the pair to a search. The answer is in the world.
 template <Convex A, Convex B>
   requires ClosedForm<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool distance_of_placed(const A& a, const B& b, const Pose& pose_a,
                                                                     const Pose& pose_b, bool swapped,
-                                                                    const QuerySettings& settings,
-                                                                    std::optional<NearPoints>& reached, Distance& out) {
+                                                                    const QuerySettings& settings, Distance& out) {
   [[clang::uninitialized]] CoreSeparation core;
   const Pose ab = PointBeside<A, B> ? shifted(pose_a, pose_b) : relative(pose_a, pose_b);
-  if (!takes_closed_forms(settings.algorithm) || !separate_in_closed_form(a, b, ab, settings, core, reached)) {
+  if (!takes_closed_forms(settings.algorithm) || !separate_in_closed_form(a, b, ab, settings, core)) {
     return false;
   }
   [[clang::uninitialized]] Distance found = rounded(core, a.radius(), b.radius());

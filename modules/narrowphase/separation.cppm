@@ -44,8 +44,8 @@ inline constexpr Real projection_limit = 1e-5;
 // Boxes, segments and points, without GJK. False when rounding or too slow progress leaves the answer
 // to it; `toward` is then the direction from a to b that was reached.
 template <BoxCored A, BoxCored B>
-[[nodiscard]] inline bool separate_box_cores(const A& a, const B& b, const Pose& ab, Real size, Real error, Real limit,
-                                             const std::optional<NearPoints>& reached, Vec3& toward, CoreSeparation& core) {
+[[nodiscard]] inline bool separate_box_cores(const A& a, const B& b, const Pose& ab, Real size, Real error, Real limit, Vec3& toward,
+                                             CoreSeparation& core) {
   if constexpr (TwoBoxes<A, B>) {
     // Whoever wants contacts mostly asks about boxes that overlap, or are known apart by an axis.
     if (limit < infinity) {
@@ -68,7 +68,7 @@ template <BoxCored A, BoxCored B>
       }
     }
   }
-  const NearPoints near = reached ? *reached : near_points(a, b, ab, error);
+  const NearPoints near = near_points(a, b, ab, error);
   if (near.square == 0) {
     core = separate_by_sat(a, b, ab, size);
     core.iterations += near.rounds;
@@ -227,11 +227,9 @@ template <Convex A, Convex B>
   return core;
 }
 
-// `limit`: the caller only wants to know how near the cores are when they are nearer than this. `reached`: what closed forms
-// have tried before.
+// `limit`: the caller only wants to know how near the cores are when they are nearer than this.
 template <Convex A, Convex B>
-[[nodiscard]] inline CoreSeparation separate_cores(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Real limit,
-                                                   [[maybe_unused]] const std::optional<NearPoints>& reached = std::nullopt) {
+[[nodiscard]] inline CoreSeparation separate_cores(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Real limit) {
   const Real size = core_size(a, b, ab);
   const Real error = error_of(a, b, size, settings);
   if constexpr (PointAndField<A, B>) {
@@ -245,7 +243,7 @@ template <Convex A, Convex B>
   if constexpr (BoxCored<A> && BoxCored<B>) {
     CoreSeparation core{};
     core.rounding = rounding_of(size);
-    if (takes_closed_forms(settings.algorithm) && separate_box_cores(a, b, ab, size, error, limit, reached, toward, core)) {
+    if (takes_closed_forms(settings.algorithm) && separate_box_cores(a, b, ab, size, error, limit, toward, core)) {
       return core;
     }
     const std::uint32_t iterations = core.iterations;

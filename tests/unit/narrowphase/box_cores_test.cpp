@@ -54,7 +54,7 @@ void expect_mostly_proven(std::uint64_t seed, double least_share, HalfOfB&& half
 TEST(BoxCores, NearPointsOfRandomBoxesAreProvenByTheirCorners) {
   expect_mostly_proven(
       11, 0.95, [](test::Random& random) { return abut::absolute(random.point(1)); },
-      [](const Vec3& a, const Vec3& b, const Pose& ab) { return abut::near_points_of_boxes(a, b, ab, error); });
+      [](const Vec3& a, const Vec3& b, const Pose& ab) { return abut::near_points_of_boxes(a, b, ab, error, 0); });
 }
 
 TEST(BoxCores, NearPointsOfBoxAndSegmentAreProvenByTheirCorners) {
@@ -67,7 +67,7 @@ TEST(BoxCores, NearPointsOfBoxAndSegmentAreProvenByTheirCorners) {
 
 TEST(BoxCores, ParallelFaces) {
   const Pose above{abut::Rotation::identity(), {0.5, 0.25, 3}};
-  const abut::NearPoints near = abut::near_points_of_boxes({1, 1, 1}, {1, 1, 1}, above, error);
+  const abut::NearPoints near = abut::near_points_of_boxes({1, 1, 1}, {1, 1, 1}, above, error, 0);
   EXPECT_TRUE(abut::is_proven(near, error));
   EXPECT_EQ(near.square, 1);
   EXPECT_EQ(near.rounds, 1u);
@@ -75,8 +75,8 @@ TEST(BoxCores, ParallelFaces) {
 
 TEST(BoxCores, PointsAndFlatBoxes) {
   const Pose apart{abut::Rotation::identity(), {2, 3, 6}};
-  EXPECT_EQ(abut::near_points_of_boxes({0, 0, 0}, {0, 0, 0}, apart, error).square, 49);
-  EXPECT_EQ(abut::near_points_of_boxes({2, 0, 0}, {0, 3, 0}, apart, error).square, 36);
+  EXPECT_EQ(abut::near_points_of_boxes({0, 0, 0}, {0, 0, 0}, apart, error, 0).square, 49);
+  EXPECT_EQ(abut::near_points_of_boxes({2, 0, 0}, {0, 3, 0}, apart, error, 0).square, 36);
   const abut::NearPoints point =
       abut::near_points_of_segment({2, 3, 1}, abut::lanes_of({0, 0, 5}), abut::lanes_of({0, 0, 1}), 0, error);
   EXPECT_EQ(point.square, 16);
@@ -85,10 +85,31 @@ TEST(BoxCores, PointsAndFlatBoxes) {
 
 TEST(BoxCores, OverlapIsDistanceZero) {
   const Pose inside{abut::Rotation::identity(), {0.1, -0.2, 0.3}};
-  EXPECT_EQ(abut::near_points_of_boxes({1, 1, 1}, {0.5, 0.5, 0.5}, inside, error).square, 0);
+  EXPECT_EQ(abut::near_points_of_boxes({1, 1, 1}, {0.5, 0.5, 0.5}, inside, error, 0).square, 0);
   const abut::NearPoints through =
       abut::near_points_of_segment({1, 1, 1}, abut::lanes_of({0.5, 0, 4}), abut::lanes_of({0, 0, 1}), 10, error);
   EXPECT_EQ(through.square, 0);
+}
+
+// Boxes that all but touch; who only asks for points further apart does not wait for the nearest.
+TEST(BoxCores, NearerThanOfUseEndsAtOnce) {
+  test::Random random(13);
+  constexpr double gap = 1e-9, least = 1e-5;
+  int spared = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 a = abut::absolute(random.point(1)), b = abut::absolute(random.point(1));
+    Pose ab{random.rotation(), 8 * *abut::UnitVec3::make(random.point(1))};
+    for (int step = 0; step < 4; ++step) {
+      const abut::NearPoints apart = abut::near_points_of_boxes(a, b, ab, error, 0);
+      ab.position += -(1 - gap / std::sqrt(apart.square)) * abut::vec3_of(apart.between);
+    }
+    const abut::NearPoints all = abut::near_points_of_boxes(a, b, ab, error, 0), few = abut::near_points_of_boxes(a, b, ab, error, least);
+    EXPECT_LE(few.rounds, all.rounds);
+    EXPECT_LE(all.square, few.square * (1 + 1e-9));
+    EXPECT_TRUE(few.rounds == all.rounds || few.square < least * least) << i;
+    spared += few.rounds < all.rounds ? 1 : 0;
+  }
+  EXPECT_GT(spared, 100);
 }
 
 // Edges so nearly parallel that each step of the projections is all but as long as the one before.
@@ -97,7 +118,7 @@ TEST(BoxCores, NearlyParallelEdges) {
     const abut::Rotation turned = abut::Rotation::from({std::cos(angle / 2), 0, 0, std::sin(angle / 2)});
     const abut::Rotation on_edge = abut::Rotation::from({std::cos(0.4), std::sin(0.4), 0, 0});
     const Pose ab{turned * on_edge, {0.3, 0, 4}};
-    const abut::NearPoints near = abut::near_points_of_boxes({5, 1, 1}, {5, 1, 1}, ab, error);
+    const abut::NearPoints near = abut::near_points_of_boxes({5, 1, 1}, {5, 1, 1}, ab, error, 0);
     if (abut::is_proven(near, error)) {
       expect_nearest({5, 1, 1}, {5, 1, 1}, ab, near);
     }
