@@ -33,7 +33,9 @@ template <Convex A, Convex B>
     const SupportPoint on_a = a.support(direction), on_b = placed_support(b, placement, -direction);
     return SupportPair{on_a.point, on_b.point, on_a.index, on_b.index};
   };
-  return wide_gjk(SupportPairFunction(support), toward, size, error, limit, unproven);
+  // One reference fits into the function itself: no memory is asked for.
+  const SupportPairFunction function = [&support](const Vec3& direction) { return support(direction); };
+  return wide_gjk(function, toward, size, error, limit, unproven);
 }
 
 }  // namespace abut

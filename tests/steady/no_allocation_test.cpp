@@ -2,8 +2,10 @@
 #include "allocations.hpp"
 #include "crowd.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <random>
 #include <tuple>
 
 namespace {
@@ -138,6 +140,34 @@ TEST(SteadyPair, AllocatesNothingWhateverItsKinds) {
     }
   }
   EXPECT_GT(2 * touching, shapes.size() * shapes.size()) << "pairs that do not touch show little";
+}
+
+// Where rounding stops the usual search another one takes over: slender triangles beside others a million times as large.
+TEST(SteadyPair, OfSliversAsksForNothing) {
+  constexpr int pairs = 500;
+  constexpr double giant = 1 << 20;
+  std::mt19937_64 engine(5);
+  const auto number = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1; };
+  const auto triangle = [&](double far, double width) {
+    std::vector<double> corners;
+    for (int i = 0; i < 6; ++i) corners.push_back(i < 3 ? number() : far * number());
+    for (int i = 0; i < 3; ++i) corners.push_back(corners[static_cast<std::size_t>(i) + 3] + width * number());
+    return make_of_kind("triangle", corners);
+  };
+  abut_query_options options = filled_by(abut_query_options_init);
+  options.algorithm = ABUT_ALGORITHM_GJK_EPA;
+  std::uint64_t calls = 0;
+  std::uint32_t most_iterations = 0;
+  for (int i = 0; i < pairs; ++i) {
+    const Shape a = triangle(1, 1), b = triangle(giant, 1e-6);
+    abut_distance found;
+    AllocationCounter counter;
+    require(abut_shapes_distance(a, &identity, b, &identity, &options, &found));
+    calls += counter.stop().calls;
+    most_iterations = std::max(most_iterations, found.iterations);
+  }
+  EXPECT_EQ(calls, 0U);
+  EXPECT_GT(most_iterations, 8U) << "pairs that are easy show little";
 }
 
 // The exception: what holes cut lies in lists of its own, which end with the pair that they are made for.
