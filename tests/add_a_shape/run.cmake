@@ -1,14 +1,7 @@
 # The steps of the test add_a_shape.
 cmake_minimum_required(VERSION 3.28)
 
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "failed (${result}): ${command}\n${output}")
-  endif()
-  message(STATUS "${output}")
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run_step.cmake)
 
 # Copies keep their times and the build folder stays, so that a second run compiles what changed.
 set(tree ${work}/tree)

@@ -1,13 +1,7 @@
 # The steps of the test fuzz.live. `-D chosen=a;b;c` takes these kinds instead of those that the commit stands for.
 cmake_minimum_required(VERSION 3.28)
 
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "failed (${result}): ${command}\n${output}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run_step.cmake)
 
 if(NOT chosen)
   execute_process(COMMAND ${git} -C ${root} rev-parse HEAD OUTPUT_VARIABLE commit ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)

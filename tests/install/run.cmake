@@ -1,29 +1,26 @@
 # The steps of the test install_consumer.
 cmake_minimum_required(VERSION 3.28)
 
-function(run)
-  cmake_parse_arguments(arg "" "EXPECT" "COMMAND" ${ARGN})
-  execute_process(COMMAND ${arg_COMMAND} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  list(JOIN arg_COMMAND " " command)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "failed (${result}): ${command}\n${output}")
+include(${CMAKE_CURRENT_LIST_DIR}/../run_step.cmake)
+
+# Of the program that ran last.
+function(expect text)
+  if(NOT output MATCHES "${text}")
+    message(FATAL_ERROR "expected \"${text}\", got\n${output}")
   endif()
-  if(arg_EXPECT AND NOT output MATCHES "${arg_EXPECT}")
-    message(FATAL_ERROR "expected \"${arg_EXPECT}\" of: ${command}\n${output}")
-  endif()
-  message(STATUS "ok: ${command}")
 endfunction()
 
 file(REMOVE_RECURSE ${work}/first ${work}/moved ${work}/modules ${work}/c)
-run(COMMAND ${CMAKE_COMMAND} --install ${build} --config ${config} --prefix ${work}/first)
+run(${CMAKE_COMMAND} --install ${build} --config ${config} --prefix ${work}/first)
 file(RENAME ${work}/first ${work}/moved)
 set(prefix ${work}/moved)
 
 # import abut;
-run(COMMAND ${CMAKE_COMMAND} -G ${generator} -S ${source}/modules -B ${work}/modules -D CMAKE_CXX_COMPILER=${cxx}
-            -D CMAKE_BUILD_TYPE=${config} -D CMAKE_PREFIX_PATH=${prefix})
-run(COMMAND ${CMAKE_COMMAND} --build ${work}/modules)
-run(COMMAND ${work}/modules/consumer EXPECT "distance 2\n")
+run(${CMAKE_COMMAND} -G ${generator} -S ${source}/modules -B ${work}/modules -D CMAKE_CXX_COMPILER=${cxx}
+    -D CMAKE_BUILD_TYPE=${config} -D CMAKE_PREFIX_PATH=${prefix})
+run(${CMAKE_COMMAND} --build ${work}/modules)
+run(${work}/modules/consumer)
+expect("distance 2\n")
 
 # C, by pkg-config and whatever compiler is called cc.
 file(MAKE_DIRECTORY ${work}/c)
@@ -42,6 +39,7 @@ foreach(program IN LISTS programs)
   execute_process(COMMAND pkg-config --cflags --libs ${package_of_${program}} OUTPUT_VARIABLE flags
                   OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
   separate_arguments(flags UNIX_COMMAND "${flags}")
-  run(COMMAND cc ${source}/c/${program}.c -o ${work}/c/${program} ${flags})
-  run(COMMAND ${work}/c/${program} EXPECT "distance 2\n")
+  run(cc ${source}/c/${program}.c -o ${work}/c/${program} ${flags})
+  run(${work}/c/${program})
+  expect("distance 2\n")
 endforeach()
