@@ -176,8 +176,9 @@ template <class Vector>
   return closest_to_origin(simplex, simplex.vertices[simplex.size].w);
 }
 
-// Keeps the vertices that span a closest point, in their order.
-inline void keep(Simplex& simplex, unsigned vertices) {
+// Keeps the vertices that span a closest point, in their order, of a simplex with the usual digits or more.
+template <class AnySimplex>
+inline void keep(AnySimplex& simplex, unsigned vertices) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < simplex.size; ++i) {
     if ((vertices >> i & 1u) != 0) {

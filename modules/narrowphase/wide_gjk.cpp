@@ -9,51 +9,47 @@ import abut.shape;
 namespace abut {
 namespace {
 
-// The points of b are not those of a less the rounded difference: weighted sums of slivers would show it.
+// The points of b are kept too: those of a less the rounded difference are others, which weighted sums of slivers would show.
+struct WideVertex {
+  WideVec3 w{0, 0, 0};
+  SupportPair of{};
+
+  WideVertex() = default;
+  explicit WideVertex(const SupportPair& pair) : w(wide_difference(pair.a, pair.b)), of(pair) {}
+};
+
 struct WideSimplex {
-  std::array<WideVec3, 4> differences{no_difference, no_difference, no_difference, no_difference};
-  std::array<SupportPair, 4> pairs{};
+  std::array<WideVertex, 4> vertices;
   std::size_t size = 0;
 
-  static constexpr WideVec3 no_difference{0, 0, 0};
-
-  void push(const SupportPair& pair) {
-    differences[size] = wide_difference(pair.a, pair.b);
-    pairs[size] = pair;
-    ++size;
-  }
-  [[nodiscard]] ClosestPointOf<WideVec3> closest_to_origin() const {
-    const auto& [p, q, r, s] = differences;
-    switch (size) {
-      case 1:
-        return {p, 1};
-      case 2:
-        return closest_on_segment(p, q, 1, 2);
-      case 3:
-        return closest_on_triangle(p, q, r, 1, 2, 4);
-      default:
-        return closest_on_tetrahedron(p, q, r, s);
-    }
-  }
-  void keep(unsigned vertices) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      if ((vertices >> i & 1u) != 0) {
-        differences[kept] = differences[i];
-        pairs[kept] = pairs[i];
-        ++kept;
-      }
-    }
-    size = kept;
-  }
-  [[nodiscard]] Simplex rounded_simplex() const {
-    Simplex simplex;
-    for (std::size_t i = 0; i < size; ++i) {
-      simplex.push({rounded(differences[i]), pairs[i].a, pairs[i].index_a, pairs[i].index_b});
-    }
-    return simplex;
+  void push(const WideVertex& vertex) { vertices[size++] = vertex; }
+  [[nodiscard]] bool contains(const SupportPair& pair) const {
+    return std::ranges::any_of(std::span(vertices).first(size),
+                               [&](const WideVertex& vertex) { return vertex.of.a == pair.a && vertex.of.b == pair.b; });
   }
 };
+
+[[nodiscard]] ClosestPointOf<WideVec3> closest_to_origin(const WideSimplex& simplex) {
+  const auto& [p, q, r, s] = simplex.vertices;
+  switch (simplex.size) {
+    case 1:
+      return {p.w, 1};
+    case 2:
+      return closest_on_segment(p.w, q.w, 1, 2);
+    case 3:
+      return closest_on_triangle(p.w, q.w, r.w, 1, 2, 4);
+    default:
+      return closest_on_tetrahedron(p.w, q.w, r.w, s.w);
+  }
+}
+
+[[nodiscard]] Simplex rounded(const WideSimplex& wide) {
+  Simplex simplex;
+  for (const WideVertex& vertex : std::span(wide.vertices).first(wide.size)) {
+    simplex.push({rounded(vertex.w), vertex.of.a, vertex.of.index_a, vertex.of.index_b});
+  }
+  return simplex;
+}
 
 }  // namespace
 
@@ -63,8 +59,8 @@ WideGjkResult wide_gjk(const SupportPairFunction& support, const Vec3& toward, R
   WideGjkResult result{};
   GjkResult& gjk = result.gjk;
   WideSimplex simplex;
-  simplex.push(support(toward));
-  WideVec3 v = simplex.differences[0];
+  simplex.push(WideVertex(support(toward)));
+  WideVec3 v = simplex.vertices[0].w;
   Wide square = squared_norm(v);
   gjk.normal = UnitVec3::axis_z();
   Real best = -infinity;  // of the gaps along the directions so far
@@ -75,7 +71,7 @@ WideGjkResult wide_gjk(const SupportPairFunction& support, const Vec3& toward, R
       break;
     }
     // What is asked for is the rounded direction, and the bound is that along it.
-    const Vec3 normal = *UnitVec3::make(-rounded(v));
+    const Vec3 normal = *UnitVec3::make(-rounded(v));  // is there: shapes have no coordinates beyond 1e70
     const SupportPair newest = support(normal);
     const WideVec3 difference = wide_difference(newest.b, newest.a);
     const Real reach = static_cast<Real>(normal.x * difference.x + normal.y * difference.y + normal.z * difference.z);
@@ -86,15 +82,12 @@ WideGjkResult wide_gjk(const SupportPairFunction& support, const Vec3& toward, R
     gjk.lower = std::fmax(best, 0.0);
     gjk.beyond = gjk.lower > 0 && (limit < 0 || gjk.lower > limit);
     const Real allowed = gjk.lower > 0 ? error : unproven;
-    const bool is_known = std::ranges::any_of(std::span(simplex.pairs).first(simplex.size), [&](const SupportPair& pair) {
-      return pair.a == newest.a && pair.b == newest.b;
-    });
-    if (gjk.beyond || gjk.upper - reach <= allowed || is_known) {
+    if (gjk.beyond || gjk.upper - reach <= allowed || simplex.contains(newest)) {
       break;
     }
     WideSimplex larger = simplex;
-    larger.push(newest);
-    const ClosestPointOf<WideVec3> closest = larger.closest_to_origin();
+    larger.push(WideVertex(newest));
+    const ClosestPointOf<WideVec3> closest = closest_to_origin(larger);
     if (closest.vertices == all_of_tetrahedron) {
       simplex = larger;
       gjk.overlap = true;
@@ -104,22 +97,22 @@ WideGjkResult wide_gjk(const SupportPairFunction& support, const Vec3& toward, R
     if (!(closest_square < square)) {
       break;
     }
-    larger.keep(closest.vertices);
+    keep(larger, closest.vertices);
     simplex = larger;
     v = closest.point;
     square = closest_square;
   }
   gjk.closest = rounded(v);
-  gjk.simplex = simplex.rounded_simplex();
+  gjk.simplex = rounded(simplex);
   gjk.lower = std::fmin(gjk.lower, gjk.upper);
   const Real small = std::fmax(unproven_limit * touching, unproven);
   gjk.overlap = gjk.overlap || (!(gjk.lower > 0) && gjk.upper <= small);
   if (!gjk.overlap) {
-    const auto& [p, q, r, s] = simplex.differences;
-    const std::array<Real, 3> weights = weights_of(simplex.size, p, q, r, v);
+    const auto& [p, q, r, s] = simplex.vertices;
+    const std::array<Real, 3> weights = weights_of(simplex.size, p.w, q.w, r.w, v);
     for (std::size_t i = 0; i < simplex.size; ++i) {
-      result.point_a += weights[i] * simplex.pairs[i].a;
-      result.point_b += weights[i] * simplex.pairs[i].b;
+      result.point_a += weights[i] * simplex.vertices[i].of.a;
+      result.point_b += weights[i] * simplex.vertices[i].of.b;
     }
   }
   return result;
