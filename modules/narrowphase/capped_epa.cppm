@@ -54,16 +54,16 @@ inline void visit_discs(const A& a, const B& b, const Pose& ab, Visit&& visit) {
 // Beside a giant the bound of the search is no small part of a speck: the minimum found within it may be that of other features.
 inline constexpr Real speck_share = 1e-6;
 
-// The points under one triangle of a polytope need not lie across each other; those of the minimum near its normal do.
+// A depth with the points of the minimum under its normal or near it; nothing where there is none of that depth.
 template <Convex A, Convex B>
-[[nodiscard]] EpaResult polished(const A& a, const B& b, const Pose& ab, Real error, Real noise, const EpaResult& found) {
+[[nodiscard]] std::optional<EpaResult> with_points(const A& a, const B& b, const Pose& ab, Real error, Real noise, const EpaResult& found) {
   const auto is_same = [&](const std::optional<DepthMinimum>& minimum) { return minimum && std::fabs(minimum->depth - found.depth) <= error; };
   EpaResult better = found;
   if (const auto under = points_under(a, b, ab, found.normal, error, noise); is_same(under)) {
     better.point_a = under->point_a;
     better.point_b = under->point_a - found.depth * found.normal;
   } else if (error > speck_share * std::fmin(a.extent(), b.extent())) {
-    return found;
+    return std::nullopt;
   } else if (const auto near = minimum_near(a, b, ab, found.normal, error, noise); is_same(near)) {
     better.normal = near->normal;
     better.depth = near->depth;
@@ -71,8 +71,16 @@ template <Convex A, Convex B>
     better.lower = found.lower < near->depth ? found.lower : near->depth;
     better.point_a = near->point_a;
     better.point_b = near->point_b;
+  } else {
+    return std::nullopt;
   }
   return better;
+}
+
+// The points under one triangle of a polytope need not lie across each other; those of the minimum near its normal do.
+template <Convex A, Convex B>
+[[nodiscard]] EpaResult polished(const A& a, const B& b, const Pose& ab, Real error, Real noise, const EpaResult& found) {
+  return with_points(a, b, ab, error, noise, found).value_or(found);
 }
 
 template <Convex A, Convex B>

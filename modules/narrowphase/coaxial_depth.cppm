@@ -23,12 +23,17 @@ template <Outlined S>
   }
 }
 
-// Nothing where the axes differ by more than rounding, or where no points are found under the normal.
-template <Outlined A, Outlined B>
-[[nodiscard]] std::optional<DepthMinimum> coaxial_minimum(const A& a, const B& b, const Pose& ab, Real error, Real noise) {
+// Whether two axes differ by rounding only.
+[[nodiscard]] inline bool is_coaxial(const Pose& ab, Real noise) {
   const Vec3& axis = ab.rotation.z;
   const Real tilt = std::fabs(axis.x) + std::fabs(axis.y), aside = std::fabs(ab.position.x) + std::fabs(ab.position.y);
-  if (tilt > 4 * epsilon || aside > noise) {
+  return tilt <= 4 * epsilon && aside <= noise;
+}
+
+// Nothing where the axes differ by more than that, or where no points are found under the normal.
+template <Outlined A, Outlined B>
+[[nodiscard]] std::optional<DepthMinimum> coaxial_minimum(const A& a, const B& b, const Pose& ab, Real error, Real noise) {
+  if (!is_coaxial(ab, noise)) {
     return std::nullopt;
   }
   const auto placement = place(b, ab);
@@ -49,7 +54,7 @@ template <Outlined A, Outlined B>
     try_normal(normal, 1);
   }
   for (const OutlineNormal& normal : outline_normals_of(b)) {
-    try_normal(normal, -std::copysign(Real{1}, axis.z));
+    try_normal(normal, -std::copysign(Real{1}, ab.rotation.z.z));
   }
   const auto unit = UnitVec3::make(best);
   if (!unit || !(least > noise)) {

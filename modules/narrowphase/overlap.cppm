@@ -4,8 +4,11 @@ import abut.core.standard;
 import abut.math;
 import abut.narrowphase.box_sat;
 import abut.narrowphase.capped_epa;
+import abut.narrowphase.coaxial_depth;
 import abut.narrowphase.core_separation;
 import abut.narrowphase.depth_descent;
+import abut.narrowphase.depth_minimum;
+import abut.narrowphase.disc_depth_of_pair;
 import abut.narrowphase.epa;
 import abut.narrowphase.hull_sat;
 import abut.narrowphase.sat;
@@ -136,6 +139,45 @@ template <Convex A, Convex B>
   }
 }
 
+// The record of an answer by a search.
+inline void take(const EpaResult& found, Real size, CoreSeparation& core) {
+  core.algorithm = Algorithm::gjk_epa;
+  core.iterations += found.iterations;
+  core.rounding = noise_of(size);  // normals of slender triangles are off by more than their corners
+  core.normal = found.normal;
+  core.distance = -found.depth;
+  core.lower = -found.upper;
+  core.upper = -found.lower;
+  core.point_a = found.point_a;
+  core.point_b = found.point_b;
+}
+
+// A polyhedron and a hull of discs, by all directions in which their overlap may be least. False where they hardly overlap, or
+// rounding leaves the answer in doubt.
+template <Convex A, Convex B>
+  requires PolyhedronAndDiscs<A, B>
+[[nodiscard]] [[gnu::noinline]] bool separate_by_discs(const A& a, const B& b, const Pose& ab, Real size, Real error, CoreSeparation& core) {
+  const Real noise = 8 * epsilon * size;
+  if constexpr (Outlined<A> && Outlined<B>) {
+    if (is_coaxial(ab, noise)) {
+      return false;  // one outline in another says which of many directions that are as good
+    }
+  }
+  const std::optional<ProvenDepth> least = disc_depth(a, b, ab, error, noise);
+  if (!least || depth_along(a, b, place(b, ab), least->normal) > least->depth + noise_of(size)) {
+    return false;
+  }
+  const Vec3 none{0, 0, 0};
+  const std::optional<EpaResult> found =
+      with_points(a, b, ab, error, noise, {least->depth, least->lower, least->depth, least->normal, none, none, 1});
+  if (!found) {
+    return false;
+  }
+  take(*found, size, core);
+  core.points_open = false;
+  return true;
+}
+
 // Out of line, here and below: a polytope takes pages of the stack, each of which is touched on the way in.
 template <Convex A, Convex B>
 [[gnu::noinline]] void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, CoreSeparation& core) {
@@ -157,15 +199,7 @@ template <Convex A, Convex B>
       found = is_open() || least.depth < found.depth - error ? least : found;
     }
   }
-  core.algorithm = Algorithm::gjk_epa;
-  core.iterations += found.iterations;
-  core.rounding = noise_of(size);  // normals of slender triangles are off by more than their corners
-  core.normal = found.normal;
-  core.distance = -found.depth;
-  core.lower = -found.upper;
-  core.upper = -found.lower;
-  core.point_a = found.point_a;
-  core.point_b = found.point_b;
+  take(found, size, core);
   // The polytope knows one triangle of a face, which need not hold the closest points of both faces. Curved
   // surfaces have no such faces.
   const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;

@@ -17,6 +17,11 @@ inline constexpr std::uint32_t rim_corners = 16;
   return turn[corner % rim_corners];
 }
 
+// Two discs around Z, at this height and below the origin by as much: their radii.
+struct Discs {
+  Real half_height, top, bottom;
+};
+
 // The disc of a radius at a height along Z, facing up or down, as a face of the given number. Its corners and edges are
 // numbered from `first` on.
 struct Rim {

@@ -67,6 +67,7 @@ class Cone {
     return germ;
   }
 
+  [[nodiscard]] inline Discs discs() const { return {half_height_, 0, radius_}; }
   [[nodiscard]] inline OutlineNormals outline_normals() const {
     if (half_height_ == 0) {
       return {{{0, 1}, {0, -1}, {radius_ > 0 ? 0.0 : 1.0, 0}}};

@@ -57,6 +57,7 @@ class Cylinder {
     return germ;
   }
 
+  [[nodiscard]] inline Discs discs() const { return {half_height_, radius_, radius_}; }
   [[nodiscard]] inline OutlineNormals outline_normals() const { return {{{1, 0}, {0, 1}, {0, -1}}}; }
   [[nodiscard]] inline InnerBalls inner_balls() const {
     const Real ball = radius_ < half_height_ ? radius_ : half_height_;

@@ -1,0 +1,82 @@
+// How deep a polyhedron overlaps with the convex hull of two discs across one axis: a cylinder or a cone.
+//
+// The least depth is the least support function h of the difference D of both over all unit directions. Where D is smooth or
+// has a face there can be a minimum, which leaves few directions: normals of the faces of either, normals of the side of the
+// discs toward a corner of the polyhedron, and one family for each edge: the directions across it between the normals of its
+// two faces. Within a family only the shadows of both along the edge matter, which are plane: a corner, and two ellipses with
+// all between them. No other direction needs to be tried, so that the least one found is proven (faces of sums of convex
+// bodies: Schneider, "Convex bodies: the Brunn-Minkowski theory", section 1.7).
+export module abut.narrowphase.disc_depth;
+import abut.core.standard;
+import abut.math;
+import abut.shape;
+
+export namespace abut {
+
+// Discs mirrored at the origin: a polyhedron and this, added up, are the difference of both.
+struct MirroredDiscs {
+  Vec3 centre, axis;  // in the frame of the polyhedron; unit axis
+  std::array<Real, 2> height, radius;
+  Real side_out, side_up;  // the unit normal of the side, across the axis and along it
+};
+[[nodiscard]] MirroredDiscs mirrored(const Discs& discs, const Vec3& centre, const Vec3& axis);
+
+// The normal of the side that leads from a point to the axis; of one on the axis any.
+[[nodiscard]] Vec3 normal_of_side(const MirroredDiscs& discs, const Vec3& point);
+
+// The directions across an edge from the normal of one of its faces to that of the other, and both shadows along it.
+struct EdgeArc {
+  Vec3 x, y;                        // orthonormal and across the edge; x is where the arc begins
+  Real end_x, end_y;                // where it ends, less than half a turn on
+  Real corner_x, corner_y;          // the edge, and the centre of the discs
+  Real axis_x, axis_y, axis_along;  // the axis of the discs; its part along the edge
+};
+
+class DiscDepth {
+ public:
+  // Depths that differ by less than `slack` need not be told apart, those that differ by less than `noise` cannot be.
+  DiscDepth(const MirroredDiscs& discs, Real slack, Real noise) : discs_(discs), slack_(slack), noise_(noise) {}
+
+  // Whether no direction has less than the least depth, up to the slack.
+  [[nodiscard]] inline bool is_proven() const { return is_proven_; }
+  [[nodiscard]] inline const MirroredDiscs& discs() const [[clang::lifetimebound]] { return discs_; }
+  [[nodiscard]] inline Real depth() const { return depth_; }
+  [[nodiscard]] inline Real goal() const { return depth_ - slack_; }  // nothing below it is left out
+  [[nodiscard]] inline Real noise() const { return noise_; }
+  // Unit, from the polyhedron to the discs.
+  [[nodiscard]] inline const Vec3& direction() const [[clang::lifetimebound]] { return direction_; }
+
+  [[gnu::always_inline]] inline void offer(Real depth, const Vec3& direction) {
+    if (depth < depth_ - noise_) {
+      depth_ = depth;
+      direction_ = direction;
+    }
+  }
+  // Whether nothing is less between two directions, at the ends of which feet lie whose line passes the origin at the distance
+  // reach / sqrt(square): between the feet it lies in the shadow.
+  [[nodiscard]] [[gnu::always_inline]] inline bool is_excluded(Real reach, Real square) const {
+    return reach >= 0 && reach * reach >= goal() * goal() * square;
+  }
+
+  // The same of four at once: a bit for each that is not excluded.
+  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(Lanes reach, Lanes square) const {
+    using Flags = bool __attribute__((ext_vector_type(4)));
+    const LaneNumbers is_excluded = (reach >= all_lanes(0)) & (reach * reach >= (goal() * goal()) * square);
+    return ~std::uint64_t{std::bit_cast<std::uint8_t>(__builtin_convertvector(is_excluded, Flags))} & 15u;
+  }
+
+  // What is less in the directions of an arc than both ends have.
+  void search(const EdgeArc& arc);
+
+ private:
+  MirroredDiscs discs_;
+  Real slack_, noise_;
+  Real depth_ = infinity;
+  Vec3 direction_{0, 0, 1};
+  bool is_proven_ = true;
+};
+
+// Offers the directions of all faces, corners and edges of a box around the origin.
+void search_box(const Vec3& half, DiscDepth& least);
+
+}  // namespace abut

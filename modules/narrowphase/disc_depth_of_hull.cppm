@@ -1,0 +1,107 @@
+// The directions in which a polytope that lists its faces and edges may overlap least with two discs, four faces at a time.
+export module abut.narrowphase.disc_depth_of_hull;
+import abut.core.standard;
+import abut.math;
+import abut.narrowphase.columns;
+import abut.narrowphase.disc_depth;
+import abut.narrowphase.hull_sat_facets;
+import abut.shape;
+
+export namespace abut {
+
+// Polytopes with more edges than this are left to the expanding polytope, which need not look at all of them (measured).
+inline constexpr std::size_t disc_edge_limit = 640;
+
+// Offers the directions across an edge between the normals of its faces, seen from outside along it.
+inline void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right, DiscDepth& least) {
+  const MirroredDiscs& discs = least.discs();
+  const Vec3 edge = (1 / norm(along)) * along;
+  const Vec3 x = UnitVec3::make(left - dot(left, edge) * edge).value_or(UnitVec3::from_unit_unchecked(left));
+  const Vec3 y = cross(edge, x), corner = from + discs.centre;
+  const Real end_x = dot(right, x), end_y = dot(right, y), length = std::sqrt(end_x * end_x + end_y * end_y);
+  least.search({x, y, end_x / length, end_y / length, dot(corner, x), dot(corner, y), dot(discs.axis, x), dot(discs.axis, y),
+                dot(discs.axis, edge)});
+}
+
+// Offers the directions of all faces, corners and edges.
+template <Faceted S>
+void search_facets(const S& shape, DiscDepth& least) {
+  const auto& facets = shape.facets();
+  const MirroredDiscs& discs = least.discs();
+  const Columns axis = Columns::all(discs.axis), centre = Columns::all(discs.centre);
+  const auto plus = [](const Columns& a, const Columns& b) { return Columns{a.x + b.x, a.y + b.y, a.z + b.z}; };
+
+  // Faces. Of each the point of the discs that reaches furthest.
+  [[clang::uninitialized]] std::array<Lanes, disc_edge_limit> feet;
+  LeastDepths depths;
+  for (std::size_t group = 0; group < facets.planes.size(); ++group) {
+    const auto& plane = facets.planes[group];
+    const Columns normal{plane.x, plane.y, plane.z};
+    const Lanes up = dot(normal, axis);
+    const Columns aside = normal - up * axis;
+    const Lanes out = __builtin_elementwise_sqrt(dot(aside, aside));
+    const Lanes first = discs.height[0] * up + discs.radius[0] * out, second = discs.height[1] * up + discs.radius[1] * out;
+    const LaneNumbers is_first = first > second, is_aside = out > all_lanes(0);
+    const Lanes height = is_first ? all_lanes(discs.height[0]) : all_lanes(discs.height[1]);
+    const Lanes radius = is_first ? all_lanes(discs.radius[0]) : all_lanes(discs.radius[1]);
+    const Lanes per_aside = is_aside ? radius / out : all_lanes(0);
+    depths.consider(plane.reach + dot(normal, centre) + (is_first ? first : second), group);
+    const Columns foot = plus(centre, plus(height * axis, per_aside * aside));
+    for (std::size_t i = 0; i < 4; ++i) {
+      feet[4 * group + i] = lanes_of(foot[i]);
+    }
+  }
+  const std::size_t lane = depths.lane(), group = static_cast<std::size_t>(depths.which[lane]);
+  const auto normal_of = [&](std::size_t face) {
+    const auto& plane = facets.planes[face / 4];
+    return Vec3{plane.x[face % 4], plane.y[face % 4], plane.z[face % 4]};
+  };
+  least.offer(depths.depth[lane], normal_of(4 * group + lane));
+
+  // Ends of the discs.
+  const Real top = std::fmax(discs.height[0], discs.height[1]);
+  for (const Vec3& end : {discs.axis, -discs.axis}) {
+    least.offer(dot(shape.support(end).point + discs.centre, end) + top, end);
+  }
+
+  // The side against corners.
+  const Real side = discs.height[0] * discs.side_up + discs.radius[0] * discs.side_out;
+  for (const auto& block : shape.vertex_blocks()) {
+    const Columns p = plus({block.x, block.y, block.z}, centre);
+    const Lanes up = dot(p, axis);
+    const Columns aside = p - up * axis;
+    const Lanes square = dot(aside, aside), spare = (side - least.depth()) + discs.side_up * up;
+    const Lanes room = spare * absolute(spare) - (discs.side_out * discs.side_out) * square;
+    // Only a corner that reaches further along the normal than the ball inside counts.
+    const Columns from_middle = Columns{block.x, block.y, block.z} - Columns::all(facets.middle);
+    const Lanes length = __builtin_elementwise_sqrt(square);
+    const Lanes short_of = facets.inner * length + discs.side_out * dot(from_middle, aside) - discs.side_up * length * dot(from_middle, axis);
+    for (std::uint64_t lanes = signs_of(room) & ~signs_of(-short_of); lanes != 0; lanes &= lanes - 1) {
+      const Vec3 u = normal_of_side(discs, p[static_cast<std::size_t>(std::countr_zero(lanes))]);
+      least.offer(dot(shape.support(u).point + discs.centre, u) + side, u);
+    }
+  }
+
+  // Edges, four at a time.
+  const std::size_t count = facets.lines.size();
+  const auto edge_at = [&](std::size_t i) { return i < count ? i : count - 1; };
+  for (std::size_t first = 0; first < count; first += 4) {
+    const std::array<std::size_t, 4> edges{first, edge_at(first + 1), edge_at(first + 2), edge_at(first + 3)};
+    const auto left_of = [&](std::size_t i) { return feet[facets.sides[edges[i]].left]; };
+    const auto right_of = [&](std::size_t i) { return feet[facets.sides[edges[i]].right]; };
+    const auto from_of = [&](std::size_t i) { return facets.lines[edges[i]].from; };
+    const auto along_of = [&](std::size_t i) { return facets.lines[edges[i]].along; };
+    const Columns left = Columns::of(left_of(0), left_of(1), left_of(2), left_of(3));
+    const Columns chord = Columns::of(right_of(0), right_of(1), right_of(2), right_of(3)) - left;
+    const Columns along = Columns::of(along_of(0), along_of(1), along_of(2), along_of(3));
+    const Columns foot = plus(Columns::of(from_of(0), from_of(1), from_of(2), from_of(3)), left), across = cross(chord, along);
+    const Lanes reach = dot(along, cross(foot, chord));
+    for (std::uint64_t lanes = least.lanes_left(reach, dot(across, across)); lanes != 0; lanes &= lanes - 1) {
+      const std::size_t edge = edges[static_cast<std::size_t>(std::countr_zero(lanes))];
+      search_edge(vec3_of(facets.lines[edge].from), vec3_of(facets.lines[edge].along), normal_of(facets.sides[edge].left),
+                  normal_of(facets.sides[edge].right), least);
+    }
+  }
+}
+
+}  // namespace abut

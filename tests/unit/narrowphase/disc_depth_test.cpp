@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "../made.hpp"
+#include "random_boxes.hpp"
+
+import abut.core;
+import abut.math;
+import abut.narrowphase.disc_depth_of_pair;
+import abut.shape;
+import abut.shape.box;
+import abut.shape.capsule;
+import abut.shape.cone;
+import abut.shape.cylinder;
+import abut.shape.hull;
+
+namespace {
+
+using abut::Pose;
+using abut::Real;
+using abut::Vec3;
+
+constexpr Real error = 1e-10, noise = 1e-14;
+
+// The body of revolution as a rectangle (top > 0) or a triangle, whatever the module under test thinks of it.
+struct Solid {
+  Real radius, half_height;
+  bool is_cone;
+
+  [[nodiscard]] Real reach(const Vec3& d) const {
+    const Real base = radius * std::hypot(d.x, d.y) + half_height * (is_cone ? -d.z : std::fabs(d.z));
+    return is_cone ? std::max(base, half_height * d.z) : base;
+  }
+};
+
+struct Case {
+  Vec3 half;
+  Solid solid;
+  Pose pose;  // of the solid in the frame of the box
+};
+
+// The overlap along a direction from the box to the solid.
+Real overlap(const Case& c, const Vec3& d) {
+  const abut::Rotation& r = c.pose.rotation;
+  const Real box = c.half.x * std::fabs(d.x) + c.half.y * std::fabs(d.y) + c.half.z * std::fabs(d.z);
+  return (box + c.solid.reach(-r.undo(d)) - dot(d, c.pose.position)) / norm(d);
+}
+
+// The least overlap of directions all over the sphere, and of what a search by ever smaller steps reaches from the best of
+// them: never less than the truth.
+Real least_overlap(const Case& c) {
+  constexpr int count = 3000, kept = 12;
+  const Real golden = std::numbers::pi * (3 - std::sqrt(Real{5}));
+  std::vector<std::pair<Real, Vec3>> tried;
+  for (int i = 0; i < count; ++i) {
+    const Real z = 1 - (2 * i + 1) / Real(count), side = std::sqrt(1 - z * z);
+    const Vec3 d{side * std::cos(golden * i), side * std::sin(golden * i), z};
+    tried.emplace_back(overlap(c, d), d);
+  }
+  std::ranges::partial_sort(tried, tried.begin() + kept, {}, [](const auto& one) { return one.first; });
+  Real least = tried[0].first;
+  for (int i = 0; i < kept; ++i) {
+    auto [here, d] = tried[static_cast<std::size_t>(i)];
+    for (Real step = 0.1; step > 1e-8; step /= 2) {
+      for (bool is_lower = true; is_lower;) {
+        is_lower = false;
+        const abut::Tangents across = abut::tangents_of(d);
+        for (int around = 0; around < 16 && !is_lower; ++around) {
+          const Real angle = std::numbers::pi * around / 8;
+          const Vec3 next = d + step * (std::cos(angle) * across.first + std::sin(angle) * across.second);
+          const Real value = overlap(c, next);
+          if (value < here - 1e-14) {
+            here = value;
+            d = (1 / norm(next)) * next;
+            is_lower = true;
+          }
+        }
+      }
+    }
+    least = std::min(least, here);
+  }
+  return least;
+}
+
+template <class Polyhedron>
+std::optional<abut::ProvenDepth> depth_of(const Polyhedron& polyhedron, const Case& c) {
+  const std::vector<Real> parameters{c.solid.radius, c.solid.half_height};
+  return c.solid.is_cone ? abut::disc_depth(polyhedron, test::made<abut::Cone>(parameters), c.pose, error, noise)
+                         : abut::disc_depth(polyhedron, test::made<abut::Cylinder>(parameters), c.pose, error, noise);
+}
+
+template <class Polyhedron>
+void check(const Polyhedron& polyhedron, const Case& c, int number) {
+  const std::optional<abut::ProvenDepth> found = depth_of(polyhedron, c);
+  const Real least = least_overlap(c);
+  if (!found) {
+    EXPECT_LE(least, error) << number;
+    return;
+  }
+  const Vec3& n = found->normal;
+  EXPECT_NEAR(norm(n), 1, 1e-15) << number;
+  EXPECT_NEAR(overlap(c, n), found->depth, 1e-13) << number;
+  EXPECT_LE(found->depth, least + error) << number;
+  EXPECT_LE(found->lower, least + 1e-13) << number;
+  EXPECT_LE(found->depth - found->lower, error) << number;
+}
+
+TEST(DiscDepth, NoDirectionHasLessThanTheDepthOfABox) {
+  test::Random random(20);
+  for (int i = 0; i < 160; ++i) {
+    const Vec3 half{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)};
+    const Case c{half, {random.uniform(0.05, 1), random.uniform(0.05, 1), i % 2 == 0}, {random.rotation(), random.point(0.7)}};
+    check(test::made<abut::Box>({half.x, half.y, half.z}), c, i);
+  }
+}
+
+TEST(DiscDepth, NoDirectionHasLessThanTheDepthOfASegment) {
+  test::Random random(21);
+  for (int i = 0; i < 80; ++i) {
+    const Vec3 half{0, 0, random.uniform(0.1, 1)};
+    const Case c{half, {random.uniform(0.05, 1), random.uniform(0.05, 1), i % 2 == 0}, {random.rotation(), random.point(0.4)}};
+    check(test::made<abut::Capsule>({0.1, half.z}), c, i);
+  }
+}
+
+// The same box as a hull, whose faces and edges are found another way.
+TEST(DiscDepth, OfAHullIsThatOfTheBoxThatItIs) {
+  test::Random random(24);
+  for (int i = 0; i < 120; ++i) {
+    const Vec3 half{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)};
+    std::vector<Real> corners;
+    for (const Vec3& corner : test::corners_of(half, Pose::identity())) {
+      corners.insert(corners.end(), {corner.x, corner.y, corner.z});
+    }
+    const Case c{half, {random.uniform(0.05, 1), random.uniform(0.05, 1), i % 2 == 0}, {random.rotation(), random.point(0.7)}};
+    const auto of_box = depth_of(test::made<abut::Box>({half.x, half.y, half.z}), c);
+    const auto of_hull = depth_of(test::made<abut::Hull>({}, corners), c);
+    ASSERT_EQ(of_box.has_value(), of_hull.has_value()) << i;
+    if (of_box) {
+      EXPECT_NEAR(of_hull->depth, of_box->depth, error) << i;
+      EXPECT_LE(norm(of_hull->normal - of_box->normal), 1e-6) << i;
+    }
+  }
+}
+
+// Axes along those of the box and across its edges, where seams of arcs meet their ends and shadows are flat.
+TEST(DiscDepth, NoDirectionHasLessWhereAxesAreAligned) {
+  test::Random random(22);
+  const Vec3 half{0.5, 0.6, 0.7};
+  const auto box = test::made<abut::Box>({half.x, half.y, half.z});
+  for (int i = 0; i < 120; ++i) {
+    const Real tilt = i % 4 == 0 ? 0 : i % 4 == 1 ? 1e-13 : i % 4 == 2 ? 1e-7 : std::numbers::pi / 4;
+    const Real c = std::cos(tilt), s = std::sin(tilt);
+    const abut::Rotation turned{{1, 0, 0}, {0, c, s}, {0, -s, c}};
+    const abut::Rotation onto = i % 3 == 0 ? abut::Rotation{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}
+                                : i % 3 == 1 ? abut::Rotation{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}} : abut::Rotation::identity();
+    const Case one{half, {random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), i % 2 == 0}, {turned * onto, random.point(0.6)}};
+    check(box, one, i);
+  }
+}
+
+TEST(DiscDepth, IsTheSameFromTheOtherSide) {
+  test::Random random(23);
+  const auto box = test::made<abut::Box>({0.5, 0.6, 0.7});
+  const auto cone = test::made<abut::Cone>({0.4, 0.8});
+  for (int i = 0; i < 100; ++i) {
+    const Pose ab{random.rotation(), random.point(0.5)};
+    const auto found = abut::disc_depth(box, cone, ab, error, noise), other = abut::disc_depth(cone, box, ab.inverse(), error, noise);
+    ASSERT_EQ(found.has_value(), other.has_value()) << i;
+    if (found) {
+      EXPECT_NEAR(found->depth, other->depth, error) << i;
+      EXPECT_NEAR(norm(found->normal + ab.rotation * other->normal), 0, 1e-6) << i;
+    }
+  }
+}
+
+TEST(DiscDepth, SaysNothingOfBodiesThatDoNotOverlap) {
+  const auto box = test::made<abut::Box>({1, 1, 1});
+  const auto cylinder = test::made<abut::Cylinder>({0.5, 1});
+  const Pose apart{abut::Rotation::identity(), {0, 0, 2.5}}, touching{abut::Rotation::identity(), {1.5, 0, 0}};
+  EXPECT_FALSE(abut::disc_depth(box, cylinder, apart, error, noise));
+  EXPECT_FALSE(abut::disc_depth(box, cylinder, touching, error, noise));
+}
+
+}  // namespace
