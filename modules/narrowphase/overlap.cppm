@@ -36,18 +36,22 @@ concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_ax
   core.points_open = !(found.of_edges && find_edge_witnesses(found.edge_a, found.edge_b, core));
   return core;
 }
+// The lines along both edges may come closest beyond the ends of these: then the points are support points, and open.
+template <Convex A, Convex B>
+inline void leave_edges(const A& a, const B& b, const Pose& ab, const Vec3& point_a, const Vec3& point_b, Real slack, CoreSeparation& core) {
+  if (!core.points_open && (leaves_out(a, core.point_a, slack) || leaves_out(b, ab.undo(core.point_b), slack))) [[unlikely]] {
+    core.point_a = point_a;
+    core.point_b = point_b;
+    core.points_open = true;
+  }
+}
+
 template <Convex A, Convex B>
 [[nodiscard]] CoreSeparation separate_along(const A& a, const B& b, const Pose& ab, const SatResult& found, Real size) {
   const Vec3 point_a = a.support(found.normal).point;
   const Vec3 point_b = placed_support(b, place(b, ab), -found.normal).point;
   CoreSeparation core = separation_under(found, point_a, point_b, size);
-  // The lines along both edges may come closest beyond the ends of these.
-  const Real slack = rounding_of(size);
-  if (!core.points_open && !(holds(a, core.point_a, slack) && holds(b, ab.undo(core.point_b), slack))) [[unlikely]] {
-    core.point_a = point_a;
-    core.point_b = point_b;
-    core.points_open = true;
-  }
+  leave_edges(a, b, ab, point_a, point_b, rounding_of(size), core);
   return core;
 }
 
@@ -116,6 +120,7 @@ template <Convex A, Convex B>
     return found->of_edges && squared_norm(cross(support - on, edge)) > off * off * squared_norm(edge) ? on : support;
   };
   core = separation_under(*found, on_edge(point_a, found->on_a, found->edge_a), on_edge(point_b, found->on_b, found->edge_b), size);
+  leave_edges(a, b, ab, point_a, point_b, noise_of(size), core);
   core.iterations += iterations;
   core.upper += flatness_of(a) + flatness_of(b);
   core.rounding = noise_of(size);  // normals of slender faces are off by more than their corners
