@@ -141,7 +141,7 @@ inline constexpr int cut_limit = 256;
         continue;  // less than a rounding apart
       }
     }
-    FlatSupport cut = shadow.support(disc, across, 1);
+    const FlatSupport cut = shadow.support(disc, across, 1);
     if (is_level_at_most_once) {
       offer(level_between(shadow, disc, stretch, cut, least.noise()));
       continue;

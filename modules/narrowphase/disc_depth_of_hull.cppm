@@ -9,9 +9,6 @@ import abut.shape;
 
 export namespace abut {
 
-// Polytopes with more edges than this are left to the expanding polytope, which need not look at all of them (measured).
-inline constexpr std::size_t disc_edge_limit = 640;
-
 // Offers the directions across an edge between the normals of its faces, seen from outside along it.
 inline void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right, DiscDepth& least) {
   const MirroredDiscs& discs = least.discs();
@@ -23,7 +20,7 @@ inline void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, c
                 dot(discs.axis, edge)});
 }
 
-// Offers the directions of all faces, corners and edges.
+// Offers the directions of all faces, corners and edges of a polytope that has facets (hull_sat_facets.cppm).
 template <Faceted S>
 void search_facets(const S& shape, DiscDepth& least) {
   const auto& facets = shape.facets();
@@ -32,7 +29,7 @@ void search_facets(const S& shape, DiscDepth& least) {
   const auto plus = [](const Columns& a, const Columns& b) { return Columns{a.x + b.x, a.y + b.y, a.z + b.z}; };
 
   // Faces. Of each the point of the discs that reaches furthest.
-  [[clang::uninitialized]] std::array<Lanes, disc_edge_limit> feet;
+  [[clang::uninitialized]] std::array<Lanes, edge_limit> feet;
   LeastDepths depths;
   for (std::size_t group = 0; group < facets.planes.size(); ++group) {
     const auto& plane = facets.planes[group];

@@ -2,6 +2,7 @@
 export module abut.narrowphase.disc_depth_of_pair;
 import abut.core.standard;
 import abut.math;
+import abut.narrowphase.core_separation;
 import abut.narrowphase.disc_depth;
 import abut.narrowphase.disc_depth_of_hull;
 import abut.narrowphase.hull_sat_facets;
@@ -28,12 +29,12 @@ struct ProvenDepth {
 // Nothing where the cores hardly overlap, or no least depth is proven.
 template <Convex A, Convex B>
   requires PolyhedronAndDiscs<A, B>
-[[nodiscard]] std::optional<ProvenDepth> disc_depth(const A& a, const B& b, const Pose& ab, Real error, Real noise) {
+[[nodiscard]] std::optional<ProvenDepth> disc_depth(const A& a, const B& b, const Pose& ab, Real size, Real error) {
   const Real slack = error / 4;
   if constexpr (HullOfDiscs<B>) {
-    DiscDepth least(mirrored(b.discs(), ab.position, ab.rotation.z), slack, noise);
+    DiscDepth least(mirrored(b.discs(), ab.position, ab.rotation.z), slack, 8 * epsilon * size);
     if constexpr (Faceted<A>) {
-      if (a.facets().lines.size() > disc_edge_limit || !has_facets(a, 8 * noise)) {
+      if (!has_facets(a, noise_of(size))) {
         return std::nullopt;
       }
       search_facets(a, least);
@@ -43,7 +44,7 @@ template <Convex A, Convex B>
     return least.is_proven() && least.depth() > slack ? std::optional(ProvenDepth{least.depth(), least.depth() - slack, least.direction()})
                                                       : std::nullopt;
   } else {
-    const std::optional<ProvenDepth> found = disc_depth(b, a, ab.inverse(), error, noise);
+    const std::optional<ProvenDepth> found = disc_depth(b, a, ab.inverse(), size, error);
     return found ? std::optional(ProvenDepth{found->depth, found->lower, -(ab.rotation * found->normal)}) : std::nullopt;
   }
 }

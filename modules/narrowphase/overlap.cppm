@@ -38,7 +38,7 @@ concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_ax
 }
 // The lines along both edges may come closest beyond the ends of these: then the points are support points, and open.
 template <Convex A, Convex B>
-inline void leave_edges(const A& a, const B& b, const Pose& ab, const Vec3& point_a, const Vec3& point_b, Real slack, CoreSeparation& core) {
+inline void open_points_beyond_edges(const A& a, const B& b, const Pose& ab, const Vec3& point_a, const Vec3& point_b, Real slack, CoreSeparation& core) {
   if (!core.points_open && (leaves_out(a, core.point_a, slack) || leaves_out(b, ab.undo(core.point_b), slack))) [[unlikely]] {
     core.point_a = point_a;
     core.point_b = point_b;
@@ -51,7 +51,7 @@ template <Convex A, Convex B>
   const Vec3 point_a = a.support(found.normal).point;
   const Vec3 point_b = placed_support(b, place(b, ab), -found.normal).point;
   CoreSeparation core = separation_under(found, point_a, point_b, size);
-  leave_edges(a, b, ab, point_a, point_b, rounding_of(size), core);
+  open_points_beyond_edges(a, b, ab, point_a, point_b, rounding_of(size), core);
   return core;
 }
 
@@ -120,7 +120,7 @@ template <Convex A, Convex B>
     return found->of_edges && squared_norm(cross(support - on, edge)) > off * off * squared_norm(edge) ? on : support;
   };
   core = separation_under(*found, on_edge(point_a, found->on_a, found->edge_a), on_edge(point_b, found->on_b, found->edge_b), size);
-  leave_edges(a, b, ab, point_a, point_b, noise_of(size), core);
+  open_points_beyond_edges(a, b, ab, point_a, point_b, noise_of(size), core);
   core.iterations += iterations;
   core.upper += flatness_of(a) + flatness_of(b);
   core.rounding = noise_of(size);  // normals of slender faces are off by more than their corners
@@ -144,8 +144,8 @@ template <Convex A, Convex B>
   }
 }
 
-// The record of an answer by a search.
-inline void take(const EpaResult& found, Real size, CoreSeparation& core) {
+// As the record of a separation.
+inline void set_depth(const EpaResult& found, Real size, CoreSeparation& core) {
   core.algorithm = Algorithm::gjk_epa;
   core.iterations += found.iterations;
   core.rounding = noise_of(size);  // normals of slender triangles are off by more than their corners
@@ -160,27 +160,30 @@ inline void take(const EpaResult& found, Real size, CoreSeparation& core) {
 // A polyhedron and a hull of discs, by all directions in which their overlap may be least. False where they hardly overlap, or
 // rounding leaves the answer in doubt.
 template <Convex A, Convex B>
-  requires PolyhedronAndDiscs<A, B>
 [[nodiscard]] [[gnu::noinline]] bool separate_by_discs(const A& a, const B& b, const Pose& ab, Real size, Real error, CoreSeparation& core) {
-  const Real noise = 8 * epsilon * size;
-  if constexpr (Outlined<A> && Outlined<B>) {
-    if (is_coaxial(ab, noise)) {
-      return false;  // one outline in another says which of many directions that are as good
+  if constexpr (PolyhedronAndDiscs<A, B>) {
+    const Real noise = 8 * epsilon * size;
+    if constexpr (Outlined<A> && Outlined<B>) {
+      if (is_coaxial(ab, noise)) {
+        return false;  // one outline in another says which of many directions that are as good
+      }
     }
-  }
-  const std::optional<ProvenDepth> least = disc_depth(a, b, ab, error, noise);
-  if (!least || depth_along(a, b, place(b, ab), least->normal) > least->depth + noise_of(size)) {
+    const std::optional<ProvenDepth> least = disc_depth(a, b, ab, size, error);
+    if (!least || depth_along(a, b, place(b, ab), least->normal) > least->depth + noise_of(size)) {
+      return false;
+    }
+    const Vec3 none{0, 0, 0};
+    const std::optional<EpaResult> found =
+        with_points(a, b, ab, error, noise, {least->depth, least->lower, least->depth, least->normal, none, none, 1});
+    if (!found) {
+      return false;
+    }
+    set_depth(*found, size, core);
+    core.points_open = false;
+    return true;
+  } else {
     return false;
   }
-  const Vec3 none{0, 0, 0};
-  const std::optional<EpaResult> found =
-      with_points(a, b, ab, error, noise, {least->depth, least->lower, least->depth, least->normal, none, none, 1});
-  if (!found) {
-    return false;
-  }
-  take(*found, size, core);
-  core.points_open = false;
-  return true;
 }
 
 // Out of line, here and below: a polytope takes pages of the stack, each of which is touched on the way in.
@@ -204,7 +207,7 @@ template <Convex A, Convex B>
       found = is_open() || least.depth < found.depth - error ? least : found;
     }
   }
-  take(found, size, core);
+  set_depth(found, size, core);
   // The polytope knows one triangle of a face, which need not hold the closest points of both faces. Curved
   // surfaces have no such faces.
   const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;

@@ -6,7 +6,6 @@ import abut.math;
 import abut.narrowphase.box_cores;
 import abut.narrowphase.box_sat;
 export import abut.narrowphase.core_separation;
-import abut.narrowphase.disc_depth_of_pair;
 import abut.narrowphase.gjk;
 import abut.narrowphase.hull_sat;
 export import abut.narrowphase.overlap;
@@ -213,14 +212,7 @@ template <Convex A, Convex B>
   }
   CoreSeparation core{};
   core.iterations = near.iterations;
-  const auto is_tried = [&] {
-    if constexpr (PolyhedronAndDiscs<A, B>) {
-      return settings.algorithm != Algorithm::gjk_epa && separate_by_discs(a, b, ab, size, error, core);
-    } else {
-      return false;
-    }
-  };
-  if (!is_tried()) {
+  if (settings.algorithm == Algorithm::gjk_epa || !separate_by_discs(a, b, ab, size, error, core)) {
     separate_by_epa(a, b, ab, size, error, near.simplex, core);
   }
   if (core.upper - core.lower > error + noise_of(size)) [[unlikely]] {

@@ -26,7 +26,7 @@ using abut::Pose;
 using abut::Real;
 using abut::Vec3;
 
-constexpr Real error = 1e-10, noise = 1e-14;
+constexpr Real error = 1e-10, size = 4;
 
 // The body of revolution as a rectangle (top > 0) or a triangle, whatever the module under test thinks of it.
 struct Solid {
@@ -91,8 +91,8 @@ Real least_overlap(const Case& c) {
 template <class Polyhedron>
 std::optional<abut::ProvenDepth> depth_of(const Polyhedron& polyhedron, const Case& c) {
   const std::vector<Real> parameters{c.solid.radius, c.solid.half_height};
-  return c.solid.is_cone ? abut::disc_depth(polyhedron, test::made<abut::Cone>(parameters), c.pose, error, noise)
-                         : abut::disc_depth(polyhedron, test::made<abut::Cylinder>(parameters), c.pose, error, noise);
+  return c.solid.is_cone ? abut::disc_depth(polyhedron, test::made<abut::Cone>(parameters), c.pose, size, error)
+                         : abut::disc_depth(polyhedron, test::made<abut::Cylinder>(parameters), c.pose, size, error);
 }
 
 template <class Polyhedron>
@@ -171,7 +171,7 @@ TEST(DiscDepth, IsTheSameFromTheOtherSide) {
   const auto cone = test::made<abut::Cone>({0.4, 0.8});
   for (int i = 0; i < 100; ++i) {
     const Pose ab{random.rotation(), random.point(0.5)};
-    const auto found = abut::disc_depth(box, cone, ab, error, noise), other = abut::disc_depth(cone, box, ab.inverse(), error, noise);
+    const auto found = abut::disc_depth(box, cone, ab, size, error), other = abut::disc_depth(cone, box, ab.inverse(), size, error);
     ASSERT_EQ(found.has_value(), other.has_value()) << i;
     if (found) {
       EXPECT_NEAR(found->depth, other->depth, error) << i;
@@ -184,8 +184,8 @@ TEST(DiscDepth, SaysNothingOfBodiesThatDoNotOverlap) {
   const auto box = test::made<abut::Box>({1, 1, 1});
   const auto cylinder = test::made<abut::Cylinder>({0.5, 1});
   const Pose apart{abut::Rotation::identity(), {0, 0, 2.5}}, touching{abut::Rotation::identity(), {1.5, 0, 0}};
-  EXPECT_FALSE(abut::disc_depth(box, cylinder, apart, error, noise));
-  EXPECT_FALSE(abut::disc_depth(box, cylinder, touching, error, noise));
+  EXPECT_FALSE(abut::disc_depth(box, cylinder, apart, size, error));
+  EXPECT_FALSE(abut::disc_depth(box, cylinder, touching, size, error));
 }
 
 }  // namespace
