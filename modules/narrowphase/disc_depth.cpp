@@ -24,7 +24,7 @@ struct FlatSupport {
 
 class Shadow {
  public:
-  Shadow(const MirroredDiscs& discs, const EdgeArc& arc)
+  Shadow(const PlacedDiscs& discs, const EdgeArc& arc)
       : discs_(discs), corner_{arc.corner_x, arc.corner_y}, axis_{arc.axis_x, arc.axis_y}, along_square_(arc.axis_along * arc.axis_along) {}
 
   // `side`: which of the points of a disc that is across the direction: the first one as the direction turns, or the last.
@@ -66,7 +66,7 @@ class Shadow {
   }
 
  private:
-  MirroredDiscs discs_;
+  PlacedDiscs discs_;
   Flat corner_, axis_;
   Real along_square_;
 };
@@ -155,17 +155,21 @@ inline constexpr int cut_limit = 256;
 
 }  // namespace
 
-MirroredDiscs mirrored(const Discs& discs, const Vec3& centre, const Vec3& axis) {
-  const Real out = 2 * discs.half_height, up = discs.top - discs.bottom, length = norm({out, up, 0});
-  return {-centre,
+PlacedDiscs placed(const Discs& discs, const Vec3& centre, const Vec3& axis) {
+  const Real out = 2 * discs.half_height, up = discs.bottom - discs.top, length = norm({out, up, 0});
+  return {centre,
           axis,
           {-discs.half_height, discs.half_height},
-          {discs.top, discs.bottom},
+          {discs.bottom, discs.top},
           length > 0 ? out / length : 1,
           length > 0 ? up / length : 0};
 }
 
-Vec3 normal_of_side(const MirroredDiscs& discs, const Vec3& point) {
+PlacedDiscs mirrored(const Discs& discs, const Vec3& centre, const Vec3& axis) {
+  return placed({discs.half_height, discs.bottom, discs.top}, -centre, axis);
+}
+
+Vec3 normal_of_side(const PlacedDiscs& discs, const Vec3& point) {
   const Vec3& axis = discs.axis;
   const Vec3 aside = point - dot(point, axis) * axis;
   // Of a point near the axis what leads along it is rounding, and large beside the rest.
@@ -198,14 +202,14 @@ void DiscDepth::search(const EdgeArc& arc) {
     const Flat &from = seams[i - 1], &to = seams[i];
     const std::size_t disc = shadow.disc_toward({from.x + to.x, from.y + to.y});
     if (!search_between(shadow, arc, disc, {shadow.support(disc, from, 1), shadow.support(disc, to, -1)}, *this)) {
-      is_proven_ = false;
+      give_up();
       return;
     }
   }
 }
 
 void search_box(const Vec3& half, DiscDepth& least) {
-  const MirroredDiscs& discs = least.discs();
+  const PlacedDiscs& discs = least.discs();
   const Vec3 &axis = discs.axis, &centre = discs.centre;
   const auto component = [](Vec3& v, int i) -> Real& { return i == 0 ? v.x : i == 1 ? v.y : v.z; };
   // Faces. Of each the point of the discs that reaches furthest.
@@ -232,7 +236,7 @@ void search_box(const Vec3& half, DiscDepth& least) {
   least.offer(span + along + top, axis);
   least.offer(span - along + top, -axis);
   // The side against corners.
-  const Real side = discs.height[0] * discs.side_up + discs.radius[0] * discs.side_out;
+  const Real side = discs.side();
   for (unsigned corner = 0; corner < 8; ++corner) {
     const Vec3 p = centre + Vec3{(corner & 1) != 0 ? half.x : -half.x, (corner & 2) != 0 ? half.y : -half.y, (corner & 4) != 0 ? half.z : -half.z};
     const Real up = dot(p, axis);

@@ -1,11 +1,11 @@
-// How deep a polyhedron overlaps with the convex hull of two discs across one axis: a cylinder or a cone.
+// How deep the convex hull of two discs across one axis, a cylinder or a cone, overlaps with a polyhedron or another one.
 //
 // The least depth is the least support function h of the difference D of both over all unit directions. Where D is smooth or
-// has a face there can be a minimum, which leaves few directions: normals of the faces of either, normals of the side of the
-// discs toward a corner of the polyhedron, and one family for each edge: the directions across it between the normals of its
+// has a face there can be a minimum, which leaves few directions. Of a polyhedron: normals of the faces of either, normals of
+// the side of the discs toward a corner, and one family for each edge: the directions across it between the normals of its
 // two faces. Within a family only the shadows of both along the edge matter, which are plane: a corner, and two ellipses with
 // all between them. No other direction needs to be tried, so that the least one found is proven (faces of sums of convex
-// bodies: Schneider, "Convex bodies: the Brunn-Minkowski theory", section 1.7).
+// bodies: Schneider, "Convex bodies: the Brunn-Minkowski theory", section 1.7). Of two hulls of discs: disc_depth_of_discs.cpp.
 export module abut.narrowphase.disc_depth;
 import abut.core.standard;
 import abut.math;
@@ -13,16 +13,21 @@ import abut.shape;
 
 export namespace abut {
 
-// Discs mirrored at the origin: a polyhedron and this, added up, are the difference of both.
-struct MirroredDiscs {
-  Vec3 centre, axis;  // in the frame of the polyhedron; unit axis
+// Discs in the frame of another body.
+struct PlacedDiscs {
+  Vec3 centre, axis;  // unit axis
   std::array<Real, 2> height, radius;
   Real side_out, side_up;  // the unit normal of the side, across the axis and along it
+
+  // How far the side is from the centre.
+  [[nodiscard]] inline Real side() const { return height[0] * side_up + radius[0] * side_out; }
 };
-[[nodiscard]] MirroredDiscs mirrored(const Discs& discs, const Vec3& centre, const Vec3& axis);
+[[nodiscard]] PlacedDiscs placed(const Discs& discs, const Vec3& centre, const Vec3& axis);
+// Mirrored at the origin: the other body and this, added up, are the difference of both.
+[[nodiscard]] PlacedDiscs mirrored(const Discs& discs, const Vec3& centre, const Vec3& axis);
 
 // The normal of the side that leads from a point to the axis; of one on the axis any.
-[[nodiscard]] Vec3 normal_of_side(const MirroredDiscs& discs, const Vec3& point);
+[[nodiscard]] Vec3 normal_of_side(const PlacedDiscs& discs, const Vec3& point);
 
 // The directions across an edge from the normal of one of its faces to that of the other, and both shadows along it.
 struct EdgeArc {
@@ -35,15 +40,16 @@ struct EdgeArc {
 class DiscDepth {
  public:
   // Depths that differ by less than `slack` need not be told apart, those that differ by less than `noise` cannot be.
-  DiscDepth(const MirroredDiscs& discs, Real slack, Real noise) : discs_(discs), slack_(slack), noise_(noise) {}
+  DiscDepth(const PlacedDiscs& discs, Real slack, Real noise) : discs_(discs), slack_(slack), noise_(noise) {}
 
   // Whether no direction has less than the least depth, up to the slack.
   [[nodiscard]] inline bool is_proven() const { return is_proven_; }
-  [[nodiscard]] inline const MirroredDiscs& discs() const [[clang::lifetimebound]] { return discs_; }
+  [[nodiscard]] inline const PlacedDiscs& discs() const [[clang::lifetimebound]] { return discs_; }
   [[nodiscard]] inline Real depth() const { return depth_; }
   [[nodiscard]] inline Real goal() const { return depth_ - slack_; }  // nothing below it is left out
   [[nodiscard]] inline Real noise() const { return noise_; }
-  // Unit, from the polyhedron to the discs.
+  [[nodiscard]] inline Real touch() const { return 4 * slack_ + noise_; }  // bodies that are apart by less may be taken to overlap
+  // Unit, from the other body to the discs.
   [[nodiscard]] inline const Vec3& direction() const [[clang::lifetimebound]] { return direction_; }
 
   [[gnu::always_inline]] inline void offer(Real depth, const Vec3& direction) {
@@ -60,16 +66,15 @@ class DiscDepth {
 
   // The same of four at once: a bit for each that is not excluded.
   [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(Lanes reach, Lanes square) const {
-    using Flags = bool __attribute__((ext_vector_type(4)));
-    const LaneNumbers is_excluded = (reach >= all_lanes(0)) & (reach * reach >= (goal() * goal()) * square);
-    return ~std::uint64_t{std::bit_cast<std::uint8_t>(__builtin_convertvector(is_excluded, Flags))} & 15u;
+    return ~bits_of((reach >= all_lanes(0)) & (reach * reach >= (goal() * goal()) * square)) & 15u;
   }
 
   // What is less in the directions of an arc than both ends have.
   void search(const EdgeArc& arc);
+  inline void give_up() { is_proven_ = false; }
 
  private:
-  MirroredDiscs discs_;
+  PlacedDiscs discs_;
   Real slack_, noise_;
   Real depth_ = infinity;
   Vec3 direction_{0, 0, 1};
@@ -78,5 +83,7 @@ class DiscDepth {
 
 // Offers the directions of all faces, corners and edges of a box around the origin.
 void search_box(const Vec3& half, DiscDepth& least);
+// Offers the directions of all discs, sides and rims of the other body, around Z, and of the discs.
+void search_discs(const Discs& other, DiscDepth& least);
 
 }  // namespace abut

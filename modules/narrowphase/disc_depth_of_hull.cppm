@@ -11,7 +11,7 @@ export namespace abut {
 
 // Offers the directions across an edge between the normals of its faces, seen from outside along it.
 inline void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right, DiscDepth& least) {
-  const MirroredDiscs& discs = least.discs();
+  const PlacedDiscs& discs = least.discs();
   const Vec3 edge = (1 / norm(along)) * along;
   const Vec3 x = UnitVec3::make(left - dot(left, edge) * edge).value_or(UnitVec3::from_unit_unchecked(left));
   const Vec3 y = cross(edge, x), corner = from + discs.centre;
@@ -24,7 +24,7 @@ inline void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, c
 template <Faceted S>
 void search_facets(const S& shape, DiscDepth& least) {
   const auto& facets = shape.facets();
-  const MirroredDiscs& discs = least.discs();
+  const PlacedDiscs& discs = least.discs();
   const Columns axis = Columns::all(discs.axis), centre = Columns::all(discs.centre);
   const auto plus = [](const Columns& a, const Columns& b) { return Columns{a.x + b.x, a.y + b.y, a.z + b.z}; };
 
@@ -62,7 +62,7 @@ void search_facets(const S& shape, DiscDepth& least) {
   }
 
   // The side against corners.
-  const Real side = discs.height[0] * discs.side_up + discs.radius[0] * discs.side_out;
+  const Real side = discs.side();
   for (const auto& block : shape.vertex_blocks()) {
     const Columns p = plus({block.x, block.y, block.z}, centre);
     const Lanes up = dot(p, axis);

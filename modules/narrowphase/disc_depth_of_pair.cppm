@@ -1,4 +1,4 @@
-// How deep a polyhedron and a cylinder or a cone overlap, of any two shapes that can be asked so.
+// How deep a cylinder or a cone and a polyhedron or another one overlap, of any two shapes that can be asked so.
 export module abut.narrowphase.disc_depth_of_pair;
 import abut.core.standard;
 import abut.math;
@@ -19,21 +19,47 @@ concept HullOfDiscs = Convex<S> && requires(const S& shape) {
 template <class S>
 concept TriedOnDiscs = (BoxCored<S> && S::core_axes > 0) || Faceted<S>;
 template <class A, class B>
-concept PolyhedronAndDiscs = (TriedOnDiscs<A> && HullOfDiscs<B>) || (HullOfDiscs<A> && TriedOnDiscs<B>);
+concept WithDiscs = (HullOfDiscs<B> && (TriedOnDiscs<A> || HullOfDiscs<A>)) || (HullOfDiscs<A> && TriedOnDiscs<B>);
+
+// Whether a point of its own frame lies in a core, up to some slack.
+template <HullOfDiscs S>
+[[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {
+  const PlacedDiscs discs = placed(shape.discs(), {0, 0, 0}, {0, 0, 1});
+  const Real out = std::sqrt(point.x * point.x + point.y * point.y);
+  // Without height the side says nothing.
+  return std::fabs(point.z) <= discs.height[1] + slack && out <= std::fmax(discs.radius[0], discs.radius[1]) + slack &&
+         discs.side_out * out + discs.side_up * point.z <= discs.side() + slack;
+}
+// The line of the side from disc to disc that is furthest along a direction.
+template <HullOfDiscs S>
+[[nodiscard]] inline Vec3 side_line(const S& shape, const Vec3& direction) {
+  const Discs discs = shape.discs();
+  const Sideways out = sideways_of(direction);
+  const Real aside = discs.top - discs.bottom;
+  return {aside * out.x, aside * out.y, 2 * discs.half_height};
+}
 
 struct ProvenDepth {
   Real depth, lower;
   Vec3 normal;  // unit, from a to b, in the frame of a
 };
 
-// Nothing where the cores hardly overlap, or no least depth is proven.
+// Squares of squares of lengths below it vanish.
+inline constexpr Real least_size_of_discs = 1e-60;
+
+// Of cores that are not apart by more than the error. Nothing where they hardly overlap, or no least depth is proven.
 template <Convex A, Convex B>
-  requires PolyhedronAndDiscs<A, B>
+  requires WithDiscs<A, B>
 [[nodiscard]] std::optional<ProvenDepth> disc_depth(const A& a, const B& b, const Pose& ab, Real size, Real error) {
   const Real slack = error / 4;
+  if (!(size > least_size_of_discs)) {
+    return std::nullopt;
+  }
   if constexpr (HullOfDiscs<B>) {
     DiscDepth least(mirrored(b.discs(), ab.position, ab.rotation.z), slack, 8 * epsilon * size);
-    if constexpr (Faceted<A>) {
+    if constexpr (HullOfDiscs<A>) {
+      search_discs(a.discs(), least);
+    } else if constexpr (Faceted<A>) {
       if (!has_facets(a, noise_of(size))) {
         return std::nullopt;
       }

@@ -43,12 +43,6 @@ template <Convex S>
   }
 }
 
-// A bit per lane with the sign of its number.
-[[nodiscard]] [[gnu::always_inline]] inline std::uint64_t signs_of(Lanes values) {
-  using Flags = bool __attribute__((ext_vector_type(4)));
-  return std::bit_cast<std::uint8_t>(__builtin_convertvector(values < all_lanes(0), Flags)) & 15u;
-}
-
 // Unit normals across pairs of edges with these products, whose squares are given, to the side of a sign. Of nearly parallel
 // edges products are off by rounding of their lengths: what leads along the second one is taken out, as in sat.cppm.
 [[nodiscard]] [[gnu::noinline, gnu::cold]] inline Columns settled_across(const Columns& n, const Columns& second) {

@@ -157,11 +157,11 @@ inline void set_depth(const EpaResult& found, Real size, CoreSeparation& core) {
   core.point_b = found.point_b;
 }
 
-// A polyhedron and a hull of discs, by all directions in which their overlap may be least. False where they hardly overlap, or
+// A hull of discs and a polyhedron or another one, by all directions in which their overlap may be least. False where they hardly overlap, or
 // rounding leaves the answer in doubt.
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::noinline]] bool separate_by_discs(const A& a, const B& b, const Pose& ab, Real size, Real error, CoreSeparation& core) {
-  if constexpr (PolyhedronAndDiscs<A, B>) {
+  if constexpr (WithDiscs<A, B>) {
     const Real noise = 8 * epsilon * size;
     if constexpr (Outlined<A> && Outlined<B>) {
       if (is_coaxial(ab, noise)) {
@@ -169,16 +169,28 @@ template <Convex A, Convex B>
       }
     }
     const std::optional<ProvenDepth> least = disc_depth(a, b, ab, size, error);
-    if (!least || depth_along(a, b, place(b, ab), least->normal) > least->depth + noise_of(size)) {
+    if (!least) {
       return false;
     }
-    const Vec3 none{0, 0, 0};
-    const std::optional<EpaResult> found =
-        with_points(a, b, ab, error, noise, {least->depth, least->lower, least->depth, least->normal, none, none, 1});
-    if (!found) {
+    const Vec3& n = least->normal;
+    CoreSeparation under = core;
+    under.normal = n;
+    under.distance = -least->depth;
+    under.point_a = a.support(n).point;
+    under.point_b = placed_support(b, place(b, ab), -n).point;
+    if (dot(n, under.point_a - under.point_b) > least->depth + noise_of(size)) {
       return false;
     }
-    set_depth(*found, size, core);
+    EpaResult depth{least->depth, least->lower, least->depth, n, under.point_a, under.point_b, 1};
+    if (find_disc_witnesses(a, b, ab, under)) {
+      depth.point_a = under.point_a;
+      depth.point_b = under.point_b;
+    } else if (const auto found = with_points(a, b, ab, error, noise, depth)) {
+      depth = *found;
+    } else {
+      return false;
+    }
+    set_depth(depth, size, core);
     core.points_open = false;
     return true;
   } else {

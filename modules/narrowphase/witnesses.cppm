@@ -5,6 +5,7 @@ import abut.math;
 import abut.narrowphase.across;
 import abut.narrowphase.clip;
 import abut.narrowphase.core_separation;
+import abut.narrowphase.disc_depth_of_pair;
 import abut.narrowphase.hull_sat;
 import abut.narrowphase.simplex;
 import abut.shape;
@@ -49,9 +50,9 @@ inline void find_points_of_faces(const Face& face_a, const Face& face_b, const C
   core.points_open = false;
 }
 
-// Polyhedra that know whether a point lies in them at little cost.
+// Cores that know whether a point lies in them at little cost.
 template <class A, class B>
-concept BothHold = HullAndSeen<A, B> || (BoxCored<A> && BoxCored<B>);
+concept BothHold = HullAndSeen<A, B> || (BoxCored<A> && BoxCored<B>) || WithDiscs<A, B>;
 
 // Mostly a vertex lies under the inside of a face. False where neither support point does.
 template <Convex A, Convex B>
@@ -68,6 +69,33 @@ template <Convex A, Convex B>
   }
   core.points_open = false;
   return true;
+}
+
+// Under a normal across both sides: where lines of these cross.
+template <HullOfDiscs A, HullOfDiscs B>
+[[nodiscard]] inline bool find_side_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  const Real slack = rounding_of(core_size(a, b, ab));
+  const Vec3 along_a = side_line(a, core.normal), along_b = ab.rotation * side_line(b, ab.rotation.undo(-core.normal));
+  if (!find_edge_witnesses(along_a, along_b, core) || std::fabs(dot(core.normal, core.point_b - core.point_a) - core.distance) > slack ||
+      !holds(a, core.point_a, slack) || !holds(b, ab.undo(core.point_b), slack)) {
+    return false;
+  }
+  core.points_open = false;
+  return true;
+}
+
+// The points of a depth with discs. False where they lie on edges, or where faces rest on each other.
+template <Convex A, Convex B>
+  requires WithDiscs<A, B>
+[[nodiscard]] inline bool find_disc_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  if (find_vertex_witness(a, b, ab, core)) {
+    return true;
+  }
+  if constexpr (HullOfDiscs<A> && HullOfDiscs<B>) {
+    return find_side_witnesses(a, b, ab, core);
+  } else {
+    return false;
+  }
 }
 
 // How far a point of its own frame lies outside of a core, negative inside; infinite where the core cannot tell.

@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "../made.hpp"
+#include "least_overlap.hpp"
 #include "random_boxes.hpp"
 
 import abut.core;
@@ -28,20 +27,9 @@ using abut::Vec3;
 
 constexpr Real error = 1e-10, size = 4;
 
-// The body of revolution as a rectangle (top > 0) or a triangle, whatever the module under test thinks of it.
-struct Solid {
-  Real radius, half_height;
-  bool is_cone;
-
-  [[nodiscard]] Real reach(const Vec3& d) const {
-    const Real base = radius * std::hypot(d.x, d.y) + half_height * (is_cone ? -d.z : std::fabs(d.z));
-    return is_cone ? std::max(base, half_height * d.z) : base;
-  }
-};
-
 struct Case {
   Vec3 half;
-  Solid solid;
+  test::Solid solid;
   Pose pose;  // of the solid in the frame of the box
 };
 
@@ -50,42 +38,6 @@ Real overlap(const Case& c, const Vec3& d) {
   const abut::Rotation& r = c.pose.rotation;
   const Real box = c.half.x * std::fabs(d.x) + c.half.y * std::fabs(d.y) + c.half.z * std::fabs(d.z);
   return (box + c.solid.reach(-r.undo(d)) - dot(d, c.pose.position)) / norm(d);
-}
-
-// The least overlap of directions all over the sphere, and of what a search by ever smaller steps reaches from the best of
-// them: never less than the truth.
-Real least_overlap(const Case& c) {
-  constexpr int count = 3000, kept = 12;
-  const Real golden = std::numbers::pi * (3 - std::sqrt(Real{5}));
-  std::vector<std::pair<Real, Vec3>> tried;
-  for (int i = 0; i < count; ++i) {
-    const Real z = 1 - (2 * i + 1) / Real(count), side = std::sqrt(1 - z * z);
-    const Vec3 d{side * std::cos(golden * i), side * std::sin(golden * i), z};
-    tried.emplace_back(overlap(c, d), d);
-  }
-  std::ranges::partial_sort(tried, tried.begin() + kept, {}, [](const auto& one) { return one.first; });
-  Real least = tried[0].first;
-  for (int i = 0; i < kept; ++i) {
-    auto [here, d] = tried[static_cast<std::size_t>(i)];
-    for (Real step = 0.1; step > 1e-8; step /= 2) {
-      for (bool is_lower = true; is_lower;) {
-        is_lower = false;
-        const abut::Tangents across = abut::tangents_of(d);
-        for (int around = 0; around < 16 && !is_lower; ++around) {
-          const Real angle = std::numbers::pi * around / 8;
-          const Vec3 next = d + step * (std::cos(angle) * across.first + std::sin(angle) * across.second);
-          const Real value = overlap(c, next);
-          if (value < here - 1e-14) {
-            here = value;
-            d = (1 / norm(next)) * next;
-            is_lower = true;
-          }
-        }
-      }
-    }
-    least = std::min(least, here);
-  }
-  return least;
 }
 
 template <class Polyhedron>
@@ -98,7 +50,7 @@ std::optional<abut::ProvenDepth> depth_of(const Polyhedron& polyhedron, const Ca
 template <class Polyhedron>
 void check(const Polyhedron& polyhedron, const Case& c, int number) {
   const std::optional<abut::ProvenDepth> found = depth_of(polyhedron, c);
-  const Real least = least_overlap(c);
+  const Real least = test::least_overlap([&](const Vec3& d) { return overlap(c, d); });
   if (!found) {
     EXPECT_LE(least, error) << number;
     return;

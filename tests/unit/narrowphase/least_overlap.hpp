@@ -1,0 +1,64 @@
+// How deep bodies overlap, by trying directions: what the depths along few proven ones are held against.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+import abut.math;
+
+namespace test {
+
+// A body of revolution around Z, whatever the modules under test think of it.
+struct Solid {
+  abut::Real radius, half_height;
+  bool is_cone;
+
+  [[nodiscard]] abut::Real reach(const abut::Vec3& d) const {
+    const abut::Real base = radius * std::hypot(d.x, d.y) + half_height * (is_cone ? -d.z : std::fabs(d.z));
+    return is_cone ? std::max(base, half_height * d.z) : base;
+  }
+};
+
+// The least overlap of directions all over the sphere, and of what a search by ever smaller steps reaches from the best of
+// them: never less than the truth. `overlap` takes a direction of any length.
+template <class Overlap>
+abut::Real least_overlap(const Overlap& overlap) {
+  using abut::Real;
+  using abut::Vec3;
+  constexpr int count = 3000, kept = 12;
+  const Real golden = std::numbers::pi * (3 - std::sqrt(Real{5}));
+  std::vector<std::pair<Real, Vec3>> tried;
+  for (int i = 0; i < count; ++i) {
+    const Real z = 1 - (2 * i + 1) / Real(count), side = std::sqrt(1 - z * z);
+    const Vec3 d{side * std::cos(golden * i), side * std::sin(golden * i), z};
+    tried.emplace_back(overlap(d), d);
+  }
+  std::ranges::partial_sort(tried, tried.begin() + kept, {}, [](const auto& one) { return one.first; });
+  Real least = tried[0].first;
+  for (int i = 0; i < kept; ++i) {
+    auto [here, d] = tried[static_cast<std::size_t>(i)];
+    for (Real step = 0.1; step > 1e-8; step /= 2) {
+      for (bool is_lower = true; is_lower;) {
+        is_lower = false;
+        const abut::Tangents across = abut::tangents_of(d);
+        for (int around = 0; around < 16 && !is_lower; ++around) {
+          const Real angle = std::numbers::pi * around / 8;
+          const Vec3 next = d + step * (std::cos(angle) * across.first + std::sin(angle) * across.second);
+          const Real value = overlap(next);
+          if (value < here - 1e-14) {
+            here = value;
+            d = (1 / norm(next)) * next;
+            is_lower = true;
+          }
+        }
+      }
+    }
+    least = std::min(least, here);
+  }
+  return least;
+}
+
+}  // namespace test
