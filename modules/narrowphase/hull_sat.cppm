@@ -75,16 +75,5 @@ template <Convex S>
     return is_on_edges(shape.corners(), point, slack);
   }
 }
-// Whether it surely lies outside; of hulls without volume that cannot be told.
-template <Convex S>
-  requires Faceted<S> || Seen<S>
-[[nodiscard]] inline bool leaves_out(const S& shape, const Vec3& point, Real slack) {
-  if constexpr (Faceted<S>) {
-    const Real outside = outside_facets(shape, point);
-    return outside < infinity && outside > slack;
-  } else {
-    return !holds(shape, point, slack);
-  }
-}
 
 }  // namespace abut

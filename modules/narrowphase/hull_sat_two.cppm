@@ -232,7 +232,7 @@ template <Faceted A, Faceted B>
         best.normal = n[i];
         best.of_edges = !is_cut;
         best.edge_a = along[i];
-        best.edge_b = back[i];
+        best.edge_b = -back[i];
         best.on_a = start[i];
         best.on_b = from[i];
       }

@@ -37,13 +37,10 @@ concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_ax
   return core;
 }
 // The lines along both edges may come closest beyond the ends of these: then the points are support points, and open.
-template <Convex A, Convex B>
-inline void open_points_beyond_edges(const A& a, const B& b, const Pose& ab, const Vec3& point_a, const Vec3& point_b, Real slack, CoreSeparation& core) {
-  if (!core.points_open && (leaves_out(a, core.point_a, slack) || leaves_out(b, ab.undo(core.point_b), slack))) [[unlikely]] {
-    core.point_a = point_a;
-    core.point_b = point_b;
-    core.points_open = true;
-  }
+inline void open_points(const Vec3& point_a, const Vec3& point_b, CoreSeparation& core) {
+  core.point_a = point_a;
+  core.point_b = point_b;
+  core.points_open = true;
 }
 
 template <Convex A, Convex B>
@@ -51,7 +48,10 @@ template <Convex A, Convex B>
   const Vec3 point_a = a.support(found.normal).point;
   const Vec3 point_b = placed_support(b, place(b, ab), -found.normal).point;
   CoreSeparation core = separation_under(found, point_a, point_b, size);
-  open_points_beyond_edges(a, b, ab, point_a, point_b, rounding_of(size), core);
+  const Real slack = rounding_of(size);
+  if (!core.points_open && !(holds(a, core.point_a, slack) && holds(b, ab.undo(core.point_b), slack))) [[unlikely]] {
+    open_points(point_a, point_b, core);
+  }
   return core;
 }
 
@@ -120,7 +120,19 @@ template <Convex A, Convex B>
     return found->of_edges && squared_norm(cross(support - on, edge)) > off * off * squared_norm(edge) ? on : support;
   };
   core = separation_under(*found, on_edge(point_a, found->on_a, found->edge_a), on_edge(point_b, found->on_b, found->edge_b), size);
-  open_points_beyond_edges(a, b, ab, point_a, point_b, noise_of(size), core);
+  const Real slack = noise_of(size);
+  const auto is_on = [&]<class S>(const S& shape, const Vec3& own, const Vec3& point, const Vec3& from, const Vec3& edge) {
+    if constexpr (Faceted<S>) {
+      const Real at = dot(point - from, edge), square = squared_norm(edge), room = slack * std::sqrt(square);
+      return at >= -room && at <= square + room;
+    } else {
+      return holds(shape, own, slack);
+    }
+  };
+  if (!core.points_open && !(is_on(a, core.point_a, core.point_a, found->on_a, found->edge_a) &&
+                             is_on(b, ab.undo(core.point_b), core.point_b, found->on_b, found->edge_b))) [[unlikely]] {
+    open_points(point_a, point_b, core);
+  }
   core.iterations += iterations;
   core.upper += flatness_of(a) + flatness_of(b);
   core.rounding = noise_of(size);  // normals of slender faces are off by more than their corners

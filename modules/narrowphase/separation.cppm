@@ -172,6 +172,11 @@ template <Convex A, Convex B>
   if (near.beyond) {
     return separation_of(near, {0, 0, 0}, {0, 0, 0}, size, 0);
   }
+  // The foot on a sliver is off where its normal is: it lies in the plane of the sliver, and not on it.
+  const WeightedPoint reached = near.overlap ? WeightedPoint{} : point_with(near.simplex, weights_of(near.simplex, near.closest));
+  if (!near.overlap && largest_magnitude(reached.w - near.closest) > error + noise_of(size)) [[unlikely]] {
+    near.upper = infinity;
+  }
   const bool is_off = !near.overlap && is_turned(a, b, ab, near, size, error);
   const bool is_unproven = !near.overlap && (!(near.lower > 0) || near.upper - near.lower > error + noise_of(size) ||
                                              (is_off && !Curved<A> && !Curved<B>));
@@ -207,8 +212,7 @@ template <Convex A, Convex B>
     near.iterations += wide.gjk.iterations;
   }
   if (!near.overlap) {
-    const Vec3 point_a = witness_on_a(near.simplex, near.closest);
-    return separation_of(near, point_a, point_a - near.closest, size, 0);
+    return separation_of(near, reached.a, reached.a - near.closest, size, 0);
   }
   CoreSeparation core{};
   core.iterations = near.iterations;
