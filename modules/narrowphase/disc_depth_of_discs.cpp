@@ -263,27 +263,34 @@ struct Pair {
 }
 // That point, by Newton's method; nothing where it is not found.
 [[nodiscard]] std::optional<Point<Real>> nearest_on_rim(const Walk& walk, const SideAim& aim, const Point<Real>& middle) {
+  constexpr int rounds = 8;
+  constexpr Real longest_step = 0.7;
+  // The gradient within the disc, times the radius, where there is one.
   const auto slope_within = [&](const Point<Real>& at) {
-    const Real scale = aim.out / at.out;
+    const Real scale = at.out > 0 ? aim.out / at.out : 0;
     return Pair{scale * at.x * walk.along_x - aim.up * walk.along_z, scale * at.y * walk.radius};
   };
-  if (!(middle.out > 0)) {
-    return std::nullopt;
-  }
   const Pair start = slope_within(middle);
   const Real length = std::sqrt(start.x * start.x + start.y * start.y);
+  if (!(length > 0)) {
+    return std::nullopt;
+  }
   Real cosine = -start.x / length, sine = -start.y / length;
-  for (int round = 0; round < 8; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     const Point<Real> at = point_at(walk, cosine, sine);
+    if (!(at.out > 0)) {
+      return std::nullopt;
+    }
     const Curve<Real> curve = curve_at(walk, at, cosine, sine);
-    const Real turn = -aim.slope(curve) / aim.bend(curve);
-    const Real step = turn > 0.7 ? 0.7 : turn < -0.7 ? -0.7 : turn, scale = 1 / std::sqrt(1 + step * step);
+    const Real slope = aim.slope(curve), bend = aim.bend(curve);
+    const Real turn = bend > 0 ? -slope / bend : std::copysign(longest_step, -slope);
+    const Real step = std::fmin(std::fmax(turn, -longest_step), longest_step), scale = 1 / std::sqrt(1 + step * step);
     const Real next = scale * (cosine - step * sine);
     sine = scale * (sine + step * cosine);
     cosine = next;
     if (std::fabs(turn) < last_step) {
-      const Pair slope = slope_within(at);
-      const bool is_across = slope.x * cosine + slope.y * sine < -1e-6 * walk.radius;
+      const Pair gradient = slope_within(at);
+      const bool is_across = gradient.x * cosine + gradient.y * sine < -1e-6 * walk.radius;
       return is_across ? std::optional(point_at(walk, cosine, sine)) : std::nullopt;
     }
   }
