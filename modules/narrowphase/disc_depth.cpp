@@ -107,7 +107,7 @@ inline constexpr int cut_limit = 256;
 // Between two seams one disc supports, its shadow is smooth, and its radius of curvature rises or falls. Let d be the least depth
 // so far, and h the depth, not less at both ends. h + h'' is the radius.
 // - The chord between the feet of both ends lies in the shadow: nothing is less than the distance of its line.
-// - Where the radius is at most d, h - d has no minimum below zero between ends above it.
+// - Where the radius is at most d + e, h - d is not below -e / 2 between ends at or above zero, as far as a quarter of a turn.
 // - Where it is at least d, h - d is not below zero on either side of a level place where it is not, as far as a quarter of a turn.
 // (Comparison theorem of Sturm.) What is neither is divided.
 [[nodiscard]] bool search_between(const Shadow& shadow, const EdgeArc& arc, std::size_t disc, const Stretch& whole, DiscDepth& least) {
@@ -126,7 +126,8 @@ inline constexpr int cut_limit = 256;
     const auto& [from, to] = stretch;
     const Flat chord = to.foot - from.foot;
     const Real square = dot(chord, chord), least_bend = from.bend < to.bend ? from.bend : to.bend;
-    if (least.is_excluded(cross(from.foot, chord), square) || (from.bend <= least.goal() && to.bend <= least.goal())) {
+    const Real round = 2 * least.depth() - least.goal();
+    if (least.is_excluded(cross(from.foot, chord), square) || (from.bend <= round && to.bend <= round)) {
       continue;
     }
     const bool is_level_at_most_once = least_bend >= least.depth();

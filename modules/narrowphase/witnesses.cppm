@@ -15,10 +15,11 @@ export namespace abut {
 // The deepest pair of points under a normal across an edge of each: the closest points of the lines
 // along both edges through the support points. False where these are so nearly parallel that rounding may take the
 // points beyond the ends of the edges.
-[[nodiscard]] inline bool find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core) {
+inline constexpr Real least_sine_of_edges = 1e-4;
+[[nodiscard]] inline bool find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core, Real least_sine = least_sine_of_edges) {
   const Vec3 across = cross(edge_a, edge_b), between = core.point_b - core.point_a;
   const Real square = squared_norm(across);
-  if (!(square > 1e-8 * squared_norm(edge_a) * squared_norm(edge_b))) [[unlikely]] {
+  if (!(square > least_sine * least_sine * squared_norm(edge_a) * squared_norm(edge_b))) [[unlikely]] {
     return false;
   }
   core.point_a += (dot(across, cross(between, edge_b)) / square) * edge_a;
@@ -71,28 +72,50 @@ template <Convex A, Convex B>
   return true;
 }
 
-// Under a normal across both sides: where lines of these cross.
-template <HullOfDiscs A, HullOfDiscs B>
-[[nodiscard]] inline bool find_side_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
-  const Real slack = rounding_of(core_size(a, b, ab));
-  const Vec3 along_a = side_line(a, core.normal), along_b = ab.rotation * side_line(b, ab.rotation.undo(-core.normal));
-  if (!find_edge_witnesses(along_a, along_b, core) || std::fabs(dot(core.normal, core.point_b - core.point_a) - core.distance) > slack ||
-      !holds(a, core.point_a, slack) || !holds(b, ab.undo(core.point_b), slack)) {
-    return false;
+// Cores that know the lines on them through a support point: edges of a box, one line of a side.
+template <class S>
+concept Lined = (BoxCored<S> && S::core_axes > 0) || HullOfDiscs<S>;
+template <Lined S>
+[[nodiscard]] inline auto lines_toward(const S& shape, const Vec3& direction) {
+  if constexpr (HullOfDiscs<S>) {
+    return std::array{side_line(shape, direction)};
+  } else if constexpr (S::core_axes == 1) {
+    return std::array{Vec3{0, 0, 2 * shape.half().z}};
+  } else {
+    const Vec3 full = 2.0 * shape.half();
+    return std::array{Vec3{full.x, 0, 0}, Vec3{0, full.y, 0}, Vec3{0, 0, full.z}};
   }
-  core.points_open = false;
-  return true;
 }
 
-// The points of a depth with discs. False where they lie on edges, or where faces rest on each other.
+// Under a normal across a line of each: where these cross.
+template <Lined A, Lined B>
+[[nodiscard]] inline bool find_line_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  constexpr Real least_sine = 1e-12;  // whatever rounding does to points, they are looked at
+  const Real slack = rounding_of(core_size(a, b, ab));
+  for (const Vec3& along_a : lines_toward(a, core.normal)) {
+    for (const Vec3& along_b : lines_toward(b, ab.rotation.undo(-core.normal))) {
+      CoreSeparation crossing = core;
+      if (find_edge_witnesses(along_a, ab.rotation * along_b, crossing, least_sine) &&
+          std::fabs(dot(core.normal, crossing.point_b - crossing.point_a) - core.distance) <= slack && holds(a, crossing.point_a, slack) &&
+          holds(b, ab.undo(crossing.point_b), slack)) {
+        core = crossing;
+        core.points_open = false;
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// The points of a depth with discs. False where they lie on edges of a hull, or where faces rest on each other.
 template <Convex A, Convex B>
   requires WithDiscs<A, B>
 [[nodiscard]] inline bool find_disc_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
   if (find_vertex_witness(a, b, ab, core)) {
     return true;
   }
-  if constexpr (HullOfDiscs<A> && HullOfDiscs<B>) {
-    return find_side_witnesses(a, b, ab, core);
+  if constexpr (Lined<A> && Lined<B>) {
+    return find_line_witnesses(a, b, ab, core);
   } else {
     return false;
   }
