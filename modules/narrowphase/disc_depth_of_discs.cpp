@@ -4,111 +4,15 @@
 // - Two rims: where points of both, added up, are nearest to the origin. Only there is the sum curved both ways; it can be
 //   nearest where it is curved less than the ball around the origin, and then it is the surface of all those sums around.
 // Seen in the half plane through the axis of one body, that body is its outline and a rim of the other a closed curve. Asked for
-// is where that curve is nearest to a corner of the outline, or to its axis beside a line. Arcs of the rim are divided until all
-// in them is too far, or a derivative has one sign all along: of the distance, or of its derivative.
+// is where that curve is nearest to a corner of the outline, or to its axis beside a line (rim_walk.cppm).
 module abut.narrowphase.disc_depth;
 import abut.core.standard;
 import abut.math;
+import abut.narrowphase.rim_walk;
 import abut.shape;
 
 namespace abut {
 namespace {
-
-// Four values, with how far each can be from there within an arc.
-struct Around {
-  Lanes middle, spread;
-};
-[[nodiscard]] [[gnu::always_inline]] inline Around operator+(const Around& a, const Around& b) { return {a.middle + b.middle, a.spread + b.spread}; }
-[[nodiscard]] [[gnu::always_inline]] inline Around operator-(const Around& a, const Around& b) { return {a.middle - b.middle, a.spread + b.spread}; }
-[[nodiscard]] [[gnu::always_inline]] inline Around operator+(const Around& a, Real b) { return {a.middle + b, a.spread}; }
-[[nodiscard]] [[gnu::always_inline]] inline Around operator-(const Around& a, Real b) { return {a.middle - b, a.spread}; }
-[[nodiscard]] [[gnu::always_inline]] inline Around operator*(Real a, const Around& b) { return {a * b.middle, std::fabs(a) * b.spread}; }
-[[nodiscard]] [[gnu::always_inline]] inline Around operator*(const Around& a, const Around& b) {
-  return {a.middle * b.middle, absolute(a.middle) * b.spread + a.spread * (absolute(b.middle) + b.spread)};
-}
-// By what is above zero; by what may not be, anything.
-[[nodiscard]] [[gnu::always_inline]] inline Around operator/(const Around& a, const Around& b) {
-  const Lanes middle = a.middle / b.middle, least = b.middle - b.spread;
-  return {middle, least > all_lanes(0) ? (a.spread + absolute(middle) * b.spread) / least : all_lanes(infinity)};
-}
-
-// Half the angle of an arc. Each level divides the arcs of the one before by four.
-struct Opening {
-  Real angle, cosine, sine, cosine_of_three, sine_of_three;
-  Real chord;  // from the middle of an arc of radius one to its ends
-};
-inline constexpr std::size_t level_count = 11;
-inline constexpr std::array<Opening, level_count> openings = [] {
-  constexpr Real right_angle = 1.57079632679489661923;
-  const auto sine_of = [](Real angle) {
-    Real sum = angle, term = angle;
-    for (int i = 2; i < 28; i += 2) {
-      term *= -angle * angle / (i * (i + 1));
-      sum += term;
-    }
-    return sum;
-  };
-  std::array<Opening, level_count> result{};
-  Real angle = right_angle / 6;
-  for (Opening& opening : result) {
-    opening = {angle, sine_of(right_angle - angle), sine_of(angle), sine_of(right_angle - 3 * angle), sine_of(3 * angle), 2 * sine_of(angle / 2)};
-    angle /= 4;
-  }
-  return result;
-}();
-
-// A rim around its middle, in a frame of the other body: z is its axis, and y is across both axes. Its point at an angle t is
-// middle + (along_x cos t, radius sin t, along_z cos t).
-struct Walk {
-  Vec3 middle;
-  Real radius, along_x, along_z;
-};
-
-template <class Number>
-struct Point {
-  Number x, y, z;
-  Number out;  // from the axis of the other body
-};
-
-// The same in the half plane, and its derivatives by the angle.
-template <class Number>
-struct Curve {
-  Number z, dz, ddz, out, d_out;
-  Number half, d_half;  // of half the square of the distance: its derivatives, which are plain waves
-};
-
-[[nodiscard]] inline Real root(Real a) { return std::sqrt(a); }
-[[nodiscard]] [[gnu::always_inline]] inline Lanes root(Lanes a) { return __builtin_elementwise_sqrt(a); }
-
-template <class Number>
-[[nodiscard]] [[gnu::always_inline]] inline Point<Number> point_at(const Walk& walk, Number cosine, Number sine) {
-  const Number x = walk.middle.x + walk.along_x * cosine, y = walk.middle.y + walk.radius * sine;
-  return {x, y, walk.middle.z + walk.along_z * cosine, root(x * x + y * y)};
-}
-template <class Number>
-[[nodiscard]] [[gnu::always_inline]] inline Curve<Number> curve_at(const Walk& walk, const Point<Number>& at, Number cosine, Number sine) {
-  const Real ahead = walk.middle.x * walk.along_x, across = walk.middle.y * walk.radius;
-  const Real twice = walk.radius * walk.radius - walk.along_x * walk.along_x;
-  const Number half = across * cosine - ahead * sine + twice * (cosine * sine);
-  const Number d_half = twice * (cosine * cosine - sine * sine) - ahead * cosine - across * sine;
-  return {at.z, -walk.along_z * sine, -walk.along_z * cosine, at.out, half / at.out, half, d_half};
-}
-// The same all along four arcs.
-[[nodiscard]] [[gnu::always_inline]] inline Curve<Around> curve_around(const Walk& walk, const Curve<Lanes>& at, Lanes cosine, Lanes sine,
-                                                                       const Opening& opening) {
-  const Real ahead = walk.middle.x * walk.along_x, across = walk.middle.y * walk.radius;
-  const Real twice = walk.radius * walk.radius - walk.along_x * walk.along_x;
-  const Real back = 1 - opening.cosine, twice_back = 2 * opening.sine * opening.sine, twice_aside = 2 * opening.sine * opening.cosine;
-  const Lanes once_value = ahead * cosine + across * sine, once_slope = across * cosine - ahead * sine;
-  const Lanes double_sine = twice * (cosine * sine), double_cosine = twice * (cosine * cosine - sine * sine);
-  const Lanes first = absolute(once_value), second = absolute(once_slope), third = absolute(double_sine), fourth = absolute(double_cosine);
-  const Around half{at.half, opening.sine * first + back * second + 0.5 * twice_aside * fourth + twice_back * third};
-  const Around d_half{at.d_half, opening.sine * second + back * first + 2 * twice_aside * third + twice_back * fourth};
-  const Around out{at.out, all_lanes(walk.radius * opening.chord)};
-  const Lanes rise = absolute(at.dz), bow = absolute(at.ddz);
-  return {{at.z, opening.sine * rise + back * bow}, {at.dz, opening.sine * bow + back * rise}, {at.ddz, opening.sine * rise + back * bow},
-          out, half / out, half, d_half};
-}
 
 // The line of the outline, or the one across the axis, where a rim that comes from there is beyond it: a point is
 // side + up * z - turn * out * its distance from the axis below it.
@@ -118,24 +22,24 @@ struct SideAim {
 
   [[nodiscard]] inline Real below(Real z, Real distance) const { return side + up * z - turn * out * distance; }
   // A bit for each arc that may hold what is looked for, whose ends are as far from its middle.
-  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(const Point<Lanes>& at, Real reach, Real goal) const {
+  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(const RimPlace<Lanes>& at, Real reach, Real goal) const {
     const Lanes below = side + up * at.z - (turn * out) * at.out, along = (turn * up) * at.out + out * at.z;
     return signs_of(below - (goal + reach)) & ~(signs_of(below + reach) | signs_of(along - (from - reach)) | signs_of((to + reach) - along));
   }
   // Below zero where the distance from the line beside the axis falls, by a factor above zero; and the derivative of that.
   template <class Number>
-  [[nodiscard]] [[gnu::always_inline]] inline Number slope(const Curve<Number>& at) const {
+  [[nodiscard]] [[gnu::always_inline]] inline Number slope(const RimCurve<Number>& at) const {
     return out * at.half - (turn * up) * (at.dz * at.out);
   }
   template <class Number>
-  [[nodiscard]] [[gnu::always_inline]] inline Number bend(const Curve<Number>& at) const {
+  [[nodiscard]] [[gnu::always_inline]] inline Number bend(const RimCurve<Number>& at) const {
     return out * at.d_half - (turn * up) * (at.ddz * at.out + at.dz * at.d_out);
   }
   [[nodiscard]] static inline Real unit_of_slope(Real size) { return size * size; }
   // What share of the usual last step is short enough.
-  [[nodiscard]] static inline Real shortened(const Point<Real>&, Real) { return 1; }
+  [[nodiscard]] static inline Real shortened(const RimPlace<Real>&, Real) { return 1; }
   // Away from the axis and along it, of the normal of the sum.
-  [[nodiscard]] inline std::pair<Real, Real> normal(const Point<Real>&) const { return {-turn * out, up}; }
+  [[nodiscard]] inline std::pair<Real, Real> normal(const RimPlace<Real>&) const { return {-turn * out, up}; }
 };
 
 // A corner of the outline, where z is -height.
@@ -143,111 +47,28 @@ struct RimAim {
   Real height, radius;
   Real up, out;  // of the normal of the line, away from the rim's own disc
 
-  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(const Point<Lanes>& at, Real reach, Real goal) const {
+  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(const RimPlace<Lanes>& at, Real reach, Real goal) const {
     const Lanes along = at.z + height, beyond = at.out - radius, within = out * along + up * beyond;
     return signs_of(along * along + beyond * beyond - (goal + reach) * (goal + reach)) &
            ~(signs_of(reach - beyond) | signs_of(within + reach));
   }
   template <class Number>
-  [[nodiscard]] [[gnu::always_inline]] inline Number slope(const Curve<Number>& at) const {
+  [[nodiscard]] [[gnu::always_inline]] inline Number slope(const RimCurve<Number>& at) const {
     return at.out * ((at.z + height) * at.dz) + (at.out - radius) * at.half;
   }
   template <class Number>
-  [[nodiscard]] [[gnu::always_inline]] inline Number bend(const Curve<Number>& at) const {
+  [[nodiscard]] [[gnu::always_inline]] inline Number bend(const RimCurve<Number>& at) const {
     const Number along = at.z + height;
     return at.d_out * (along * at.dz + at.half) + at.out * (at.dz * at.dz + along * at.ddz) + (at.out - radius) * at.d_half;
   }
   [[nodiscard]] static inline Real unit_of_slope(Real size) { return size * size * size; }
   // The direction turns the faster the nearer the rims are.
-  [[nodiscard]] inline Real shortened(const Point<Real>& at, Real size) const {
+  [[nodiscard]] inline Real shortened(const RimPlace<Real>& at, Real size) const {
     const Real along = at.z + height, beyond = at.out - radius;
     return std::sqrt(std::sqrt(along * along + beyond * beyond) / size);
   }
-  [[nodiscard]] inline std::pair<Real, Real> normal(const Point<Real>& at) const { return {at.out - radius, at.z + height}; }
+  [[nodiscard]] inline std::pair<Real, Real> normal(const RimPlace<Real>& at) const { return {at.out - radius, at.z + height}; }
 };
-
-struct Arc {
-  Real cosine, sine;  // of its middle
-  std::size_t level;  // of what it is divided into
-};
-
-// Newton's method doubles the digits, and the depth is off by the square of what is left: no step after one as short as this.
-inline constexpr Real last_step = 1e-5;
-
-// Where the slope vanishes in an arc in which it grows, within what is left; an end, where it does not. `turn`: by how much the
-// method would step from the middle.
-template <class Aim>
-[[nodiscard]] Point<Real> lowest_in(const Walk& walk, const Aim& aim, Real cosine, Real sine, const Opening& opening, Real turn, Real size) {
-  // Tangents of half the angle from the middle: sines and cosines without series.
-  const Real end = opening.sine / (1 + opening.cosine);
-  Real low = turn < 0 ? -end : 0, high = turn < 0 ? 0 : end, at = 0;
-  for (int round = 0;; ++round) {
-    constexpr int rounds = 60;
-    Real next = at + 0.5 * (1 + at * at) * turn;
-    if (!(next >= low && next <= high)) {
-      next = round < 3 && next < low ? low : round < 3 && next > high ? high : (low + high) / 2;
-    }
-    const Real step = std::fabs(next - at);
-    at = next;
-    const Real scale = 1 / (1 + at * at), c = (1 - at * at) * scale, s = 2 * at * scale;
-    const Real turned_cosine = cosine * c - sine * s, turned_sine = sine * c + cosine * s;
-    const Point<Real> point = point_at(walk, turned_cosine, turned_sine);
-    if (step < last_step * aim.shortened(point, size) || round == rounds) {
-      return point;
-    }
-    const Curve<Real> curve = curve_at(walk, point, turned_cosine, turned_sine);
-    const Real slope = aim.slope(curve);
-    (slope < 0 ? low : high) = at;
-    turn = -slope / aim.bend(curve);
-  }
-}
-
-// Visits each point of a walk at which it is nearest to what is aimed for, and nearer than the least depth. False where that
-// cannot be told.
-template <class Aim, class Visit>
-[[nodiscard]] bool walk_around(const Walk& walk, const Aim& aim, Real size, const DiscDepth& least, Visit&& visit) {
-  constexpr int cut_limit = 256;
-  const Real noise = 64 * epsilon * aim.unit_of_slope(size);
-  [[clang::uninitialized]] std::array<Arc, 3 * (level_count + 1)> rest;
-  // Twelve arcs at first: what moves as twice the angle falls, rises, or keeps its sign in each.
-  constexpr Real half_root_of_three = 0.86602540378443864676;
-  std::size_t count = 3;
-  rest[0] = {1, 0, 0};
-  rest[1] = {-0.5, half_root_of_three, 0};
-  rest[2] = {-0.5, -half_root_of_three, 0};
-  for (int cuts = 0; count > 0; ++cuts) {
-    const Arc arc = rest[--count];
-    if (cuts == cut_limit || arc.level == level_count) {
-      return false;
-    }
-    const Opening& opening = openings[arc.level];
-    const Lanes across{-opening.sine_of_three, -opening.sine, opening.sine, opening.sine_of_three};
-    const Lanes ahead{opening.cosine_of_three, opening.cosine, opening.cosine, opening.cosine_of_three};
-    const Lanes cosine = arc.cosine * ahead - arc.sine * across, sine = arc.sine * ahead + arc.cosine * across;
-    const Point<Lanes> at = point_at(walk, cosine, sine);
-    const Real reach = walk.radius * opening.chord + least.touch();
-    std::uint64_t left = aim.lanes_left(at, reach, least.goal());
-    if (left == 0) {
-      continue;
-    }
-
-    const Curve<Lanes> curve = curve_at(walk, at, cosine, sine);
-    const Lanes slope = aim.slope(curve);
-    const Around bend = aim.bend(curve_around(walk, curve, cosine, sine, opening));
-    const Lanes change = opening.angle * (absolute(bend.middle) + bend.spread);
-    left &= ~bits_of((absolute(slope) > change + noise) | (bend.middle + bend.spread < all_lanes(-noise)));
-    const std::uint64_t rising = bits_of(bend.middle - bend.spread > all_lanes(noise));
-    for (; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      if ((rising >> lane & 1) != 0) {
-        visit(lowest_in(walk, aim, cosine[lane], sine[lane], opening, -slope[lane] / bend.middle[lane], size));
-      } else {
-        rest[count++] = {cosine[lane], sine[lane], arc.level + 1};
-      }
-    }
-  }
-  return true;
-}
 
 struct Pair {
   Real x, y;
@@ -255,18 +76,18 @@ struct Pair {
 
 // The distance beside the axis is a convex function on the whole disc within a walk, so that on this side of the axis there is at
 // most one point of those that are looked for: the nearest of all, if it has the gradient across the rim. Whether it has not.
-[[nodiscard]] bool is_nearest_within(const Walk& walk, const SideAim& aim) {
+[[nodiscard]] bool is_nearest_within(const RimWalk& walk, const SideAim& aim) {
   const Vec3& middle = walk.middle;
   const Real ahead = middle.x * walk.radius, across = middle.y * walk.along_x;
   return ahead * ahead + across * across < 0.999 * walk.radius * walk.radius * walk.along_x * walk.along_x &&
          std::fabs(aim.up * walk.along_z) < 0.999 * aim.out * std::fabs(walk.along_x);
 }
 // That point, by Newton's method; nothing where it is not found.
-[[nodiscard]] std::optional<Point<Real>> nearest_on_rim(const Walk& walk, const SideAim& aim, const Point<Real>& middle) {
+[[nodiscard]] std::optional<RimPlace<Real>> nearest_on_rim(const RimWalk& walk, const SideAim& aim, const RimPlace<Real>& middle) {
   constexpr int rounds = 8;
   constexpr Real longest_step = 0.7;
   // The gradient within the disc, times the radius, where there is one.
-  const auto slope_within = [&](const Point<Real>& at) {
+  const auto slope_within = [&](const RimPlace<Real>& at) {
     const Real scale = at.out > 0 ? aim.out / at.out : 0;
     return Pair{scale * at.x * walk.along_x - aim.up * walk.along_z, scale * at.y * walk.radius};
   };
@@ -277,11 +98,11 @@ struct Pair {
   }
   Real cosine = -start.x / length, sine = -start.y / length;
   for (int round = 0; round < rounds; ++round) {
-    const Point<Real> at = point_at(walk, cosine, sine);
+    const RimPlace<Real> at = point_at(walk, cosine, sine);
     if (!(at.out > 0)) {
       return std::nullopt;
     }
-    const Curve<Real> curve = curve_at(walk, at, cosine, sine);
+    const RimCurve<Real> curve = curve_at(walk, at, cosine, sine);
     const Real slope = aim.slope(curve), bend = aim.bend(curve);
     const Real turn = bend > 0 ? -slope / bend : std::copysign(longest_step, -slope);
     const Real step = std::fmin(std::fmax(turn, -longest_step), longest_step), scale = 1 / std::sqrt(1 + step * step);
@@ -298,7 +119,7 @@ struct Pair {
 }
 
 // The point of a walk nearest to the point of the axis at -height.
-[[nodiscard]] Point<Real> nearest_to_tip(const Walk& walk, Real height) {
+[[nodiscard]] RimPlace<Real> nearest_to_tip(const RimWalk& walk, Real height) {
   const Real ahead = walk.middle.x * walk.along_x + (walk.middle.z + height) * walk.along_z, across = walk.middle.y * walk.radius;
   const Real length = std::sqrt(ahead * ahead + across * across);
   return length > 0 ? point_at(walk, -ahead / length, -across / length) : point_at(walk, Real{1}, Real{0});
@@ -357,7 +178,7 @@ void search_faces(const Sum& sum, DiscDepth& least) {
   const std::array<Real, 2> ends{end_of(0), end_of(1)};
   const Real slack = least.touch();
   bool is_proven = true;
-  const auto offer = [&](const std::pair<Real, Real>& normal, const Point<Real>& at) {
+  const auto offer = [&](const std::pair<Real, Real>& normal, const RimPlace<Real>& at) {
     const auto [out, up] = normal;
     // Rims that cross, and a rim that meets the axis, have no normal there.
     const Real near = std::fmax(1e5 * least.noise(), least.touch());
@@ -366,19 +187,23 @@ void search_faces(const Sum& sum, DiscDepth& least) {
       return;
     }
     const Real scale = out / at.out;
-    sum.offer(*UnitVec3::make((scale * at.x) * x + (scale * at.y) * y + up * z), least);
+    if (const auto n = UnitVec3::make((scale * at.x) * x + (scale * at.y) * y + up * z)) {
+      sum.offer(*n, least);
+    } else {
+      is_proven = false;
+    }
   };
   for (std::size_t i = 0; i < 2; ++i) {
     const Vec3 middle = walker.centre + walker.height[i] * walker.axis + other.centre;
     const Real radius = walker.radius[i];
-    const Walk walk{{dot(middle, x), dot(middle, y), dot(middle, z)}, radius, radius * dot(along, x), radius * dot(along, z)};
-    const Point<Real> centre{walk.middle.x, walk.middle.y, walk.middle.z, std::sqrt(walk.middle.x * walk.middle.x + walk.middle.y * walk.middle.y)};
+    const RimWalk walk{{dot(middle, x), dot(middle, y), dot(middle, z)}, radius, radius * dot(along, x), radius * dot(along, z)};
+    const RimPlace<Real> centre{walk.middle.x, walk.middle.y, walk.middle.z, std::sqrt(walk.middle.x * walk.middle.x + walk.middle.y * walk.middle.y)};
     const Real rise = std::fabs(walk.along_z), goal = least.goal();
     if (centre.z - rise > top + goal || centre.z + rise < bottom - goal) {
       continue;
     }
     const auto aim_at = [&](const auto& aim) {
-      const auto visit = [&](const Point<Real>& at) { offer(aim.normal(at), at); };
+      const auto visit = [&](const RimPlace<Real>& at) { offer(aim.normal(at), at); };
       if (radius > 0) {
         is_proven = walk_around(walk, aim, sum.size, least, visit) && is_proven;
       } else {
@@ -407,7 +232,7 @@ void search_faces(const Sum& sum, DiscDepth& least) {
       if (rim.radius > 0) {
         aim_at(rim);
       } else {
-        const Point<Real> at = nearest_to_tip(walk, rim.height);
+        const RimPlace<Real> at = nearest_to_tip(walk, rim.height);
         offer(rim.normal(at), at);
       }
     }
