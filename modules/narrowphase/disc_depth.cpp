@@ -278,4 +278,28 @@ void search_box(const Vec3& half, DiscDepth& least) {
   }
 }
 
+void search_triangle(const std::array<Vec3, 3>& corners, const Vec3& normal, DiscDepth& least) {
+  const PlacedDiscs& discs = least.discs();
+  const auto offer = [&](const Vec3& u) {
+    const Real reach = std::fmax(dot(corners[0], u), std::fmax(dot(corners[1], u), dot(corners[2], u)));
+    least.offer(reach + discs.reach(u), u);
+  };
+  for (const Vec3& u : {normal, -normal, discs.axis, -discs.axis}) {
+    offer(u);
+  }
+  for (const Vec3& corner : corners) {
+    offer(normal_of_side(discs, corner + discs.centre));
+  }
+  // Across an edge from the normal of one side outward, and on to that of the other.
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 along = corners[i == 2 ? 0 : i + 1] - corners[i], edge = (1 / norm(along)) * along, corner = corners[i] + discs.centre;
+    const Vec3 outward = *UnitVec3::make(cross(edge, normal)), up = cross(outward, edge);
+    const std::array<Vec3, 3> turns{up, outward, -up};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Vec3 &x = turns[side], &y = turns[side + 1];
+      least.search({x, y, 0, 1, dot(corner, x), dot(corner, y), dot(discs.axis, x), dot(discs.axis, y), dot(discs.axis, edge)});
+    }
+  }
+}
+
 }  // namespace abut

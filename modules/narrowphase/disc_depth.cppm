@@ -21,6 +21,11 @@ struct PlacedDiscs {
 
   // How far the side is from the centre.
   [[nodiscard]] inline Real side() const { return height[0] * side_up + radius[0] * side_out; }
+  // How far they reach along a unit direction.
+  [[nodiscard]] inline Real reach(const Vec3& direction) const {
+    const Real up = dot(axis, direction), out = norm(direction - up * axis);
+    return dot(centre, direction) + std::fmax(height[0] * up + radius[0] * out, height[1] * up + radius[1] * out);
+  }
 };
 [[nodiscard]] PlacedDiscs placed(const Discs& discs, const Vec3& centre, const Vec3& axis);
 // Mirrored at the origin: the other body and this, added up, are the difference of both.
@@ -83,6 +88,8 @@ class DiscDepth {
 
 // Offers the directions of all faces, corners and edges of a box around the origin.
 void search_box(const Vec3& half, DiscDepth& least);
+// The same of a triangle with its unit normal.
+void search_triangle(const std::array<Vec3, 3>& corners, const Vec3& normal, DiscDepth& least);
 // Offers the directions of all discs, sides and rims of the other body, around Z, and of the discs.
 void search_discs(const Discs& other, DiscDepth& least);
 

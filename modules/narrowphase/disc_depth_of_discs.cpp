@@ -125,19 +125,13 @@ struct Pair {
   return length > 0 ? point_at(walk, -ahead / length, -across / length) : point_at(walk, Real{1}, Real{0});
 }
 
-[[nodiscard]] Real reach_along(const PlacedDiscs& discs, const Vec3& direction) {
-  const Real up = dot(discs.axis, direction), out = norm(direction - up * discs.axis);
-  const Real first = discs.height[0] * up + discs.radius[0] * out, second = discs.height[1] * up + discs.radius[1] * out;
-  return dot(discs.centre, direction) + (first > second ? first : second);
-}
-
 // Two bodies to be added up, and the least distance of the sum from the origin so far.
 struct Sum {
   PlacedDiscs a, b;
   Real size;
 
   inline void offer(const Vec3& direction, DiscDepth& least) const {
-    least.offer(reach_along(a, direction) + reach_along(b, direction), direction);
+    least.offer(a.reach(direction) + b.reach(direction), direction);
   }
 };
 

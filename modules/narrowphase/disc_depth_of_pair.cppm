@@ -6,6 +6,7 @@ import abut.narrowphase.core_separation;
 import abut.narrowphase.disc_depth;
 import abut.narrowphase.disc_depth_of_hull;
 import abut.narrowphase.hull_sat_facets;
+import abut.narrowphase.hull_sat_few;
 import abut.shape;
 
 export namespace abut {
@@ -17,7 +18,7 @@ concept HullOfDiscs = Convex<S> && requires(const S& shape) {
 };
 
 template <class S>
-concept TriedOnDiscs = (BoxCored<S> && S::core_axes > 0) || Faceted<S>;
+concept TriedOnDiscs = (BoxCored<S> && S::core_axes > 0) || Faceted<S> || Triangular<S>;
 template <class A, class B>
 concept WithDiscs = (HullOfDiscs<B> && (TriedOnDiscs<A> || HullOfDiscs<A>)) || (HullOfDiscs<A> && TriedOnDiscs<B>);
 
@@ -44,6 +45,14 @@ struct ProvenDepth {
   Vec3 normal;  // unit, from a to b, in the frame of a
 };
 
+// The normals of triangles that are slender beyond this are not trusted.
+inline constexpr Real least_height_of_triangles = 1e-4;  // by the longest edge
+[[nodiscard]] inline bool is_slender(const std::array<Vec3, 3>& corners) {
+  const Vec3 first = corners[1] - corners[0], second = corners[2] - corners[0], third = corners[2] - corners[1];
+  const Real longest = std::fmax(squared_norm(first), std::fmax(squared_norm(second), squared_norm(third)));
+  return !(norm(cross(first, second)) > least_height_of_triangles * longest);
+}
+
 // Squares of squares of lengths below it vanish.
 inline constexpr Real least_size_of_discs = 1e-60;
 
@@ -59,6 +68,11 @@ template <Convex A, Convex B>
     DiscDepth least(mirrored(b.discs(), ab.position, ab.rotation.z), slack, 8 * epsilon * size);
     if constexpr (HullOfDiscs<A>) {
       search_discs(a.discs(), least);
+    } else if constexpr (Triangular<A>) {
+      if (is_slender(a.corners())) {
+        return std::nullopt;
+      }
+      search_triangle(a.corners(), a.normal(), least);
     } else if constexpr (Faceted<A>) {
       if (!has_facets(a, noise_of(size))) {
         return std::nullopt;

@@ -14,7 +14,6 @@
 namespace property {
 
 inline constexpr auto extreme_shortfalls = std::to_array<Shortfall>({
-    {"concentric (curved) gap between the bounds", 2},
     {"faces parallel to 1e-12 rad (by support points) the oracle's distance <= upper", 2},
     {"faces parallel to 1e-9 rad (by support points) error within the limit of the row", 1},
     {"hulls of 10000 points error within the limit of the row", 1},

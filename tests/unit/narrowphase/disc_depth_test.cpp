@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -18,6 +20,7 @@ import abut.shape.capsule;
 import abut.shape.cone;
 import abut.shape.cylinder;
 import abut.shape.hull;
+import abut.shape.triangle;
 
 namespace {
 
@@ -115,6 +118,36 @@ TEST(DiscDepth, NoDirectionHasLessWhereAxesAreAligned) {
     const Case one{half, {random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), i % 2 == 0}, {turned * onto, random.point(0.6)}};
     check(box, one, i);
   }
+}
+
+// Of a triangle: the overlap along a direction is that of its three corners.
+TEST(DiscDepth, NoDirectionHasLessThanTheDepthOfATriangle) {
+  test::Random random(25);
+  int found_count = 0;
+  for (int i = 0; i < 160; ++i) {
+    const std::array<Vec3, 3> corners{random.point(1), random.point(1), random.point(1)};
+    const test::Solid solid{random.uniform(0.05, 1), random.uniform(0.05, 1), i % 2 == 0};
+    const Pose pose{random.rotation(), random.point(0.4)};
+    const auto overlap_along = [&](const Vec3& d) {
+      const Real reach = std::max(dot(corners[0], d), std::max(dot(corners[1], d), dot(corners[2], d)));
+      return (reach + solid.reach(-pose.rotation.undo(d)) - dot(d, pose.position)) / norm(d);
+    };
+    const Real least = test::least_overlap(overlap_along);
+    if (least <= error) {
+      continue;
+    }
+    const auto triangle = test::made<abut::FreeTriangle>(
+        {corners[0].x, corners[0].y, corners[0].z, corners[1].x, corners[1].y, corners[1].z, corners[2].x, corners[2].y, corners[2].z});
+    const std::vector<Real> parameters{solid.radius, solid.half_height};
+    const auto found = solid.is_cone ? abut::disc_depth(triangle, test::made<abut::Cone>(parameters), pose, size, error)
+                                     : abut::disc_depth(triangle, test::made<abut::Cylinder>(parameters), pose, size, error);
+    ASSERT_TRUE(found) << i;
+    ++found_count;
+    EXPECT_NEAR(overlap_along(found->normal), found->depth, 1e-13) << i;
+    EXPECT_LE(found->depth, least + error) << i;
+    EXPECT_LE(found->lower, least + 1e-13) << i;
+  }
+  EXPECT_GT(found_count, 60);
 }
 
 TEST(DiscDepth, IsTheSameFromTheOtherSide) {
