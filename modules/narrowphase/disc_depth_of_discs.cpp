@@ -36,8 +36,8 @@ struct SideAim {
     return out * at.d_half - (turn * up) * (at.ddz * at.out + at.dz * at.d_out);
   }
   [[nodiscard]] static inline Real unit_of_slope(Real size) { return size * size; }
-  // What share of the usual last step is short enough.
-  [[nodiscard]] static inline Real shortened(const RimPlace<Real>&, Real) { return 1; }
+  // What share of the usual last step is short enough: the direction turns the faster the nearer the axis is.
+  [[nodiscard]] static inline Real shortened(const RimPlace<Real>& at, Real size) { return std::sqrt(at.out / size); }
   // Away from the axis and along it, of the normal of the sum.
   [[nodiscard]] inline std::pair<Real, Real> normal(const RimPlace<Real>&) const { return {-turn * out, up}; }
 };
@@ -62,10 +62,10 @@ struct RimAim {
     return at.d_out * (along * at.dz + at.half) + at.out * (at.dz * at.dz + along * at.ddz) + (at.out - radius) * at.d_half;
   }
   [[nodiscard]] static inline Real unit_of_slope(Real size) { return size * size * size; }
-  // The direction turns the faster the nearer the rims are.
+  // And the nearer the rims are to each other.
   [[nodiscard]] inline Real shortened(const RimPlace<Real>& at, Real size) const {
     const Real along = at.z + height, beyond = at.out - radius;
-    return std::sqrt(std::sqrt(along * along + beyond * beyond) / size);
+    return std::sqrt(std::fmin(at.out, std::sqrt(along * along + beyond * beyond)) / size);
   }
   [[nodiscard]] inline std::pair<Real, Real> normal(const RimPlace<Real>& at) const { return {at.out - radius, at.z + height}; }
 };
@@ -83,7 +83,7 @@ struct Pair {
          std::fabs(aim.up * walk.along_z) < 0.999 * aim.out * std::fabs(walk.along_x);
 }
 // That point, by Newton's method; nothing where it is not found.
-[[nodiscard]] std::optional<RimPlace<Real>> nearest_on_rim(const RimWalk& walk, const SideAim& aim, const RimPlace<Real>& middle) {
+[[nodiscard]] std::optional<RimPlace<Real>> nearest_on_rim(const RimWalk& walk, const SideAim& aim, const RimPlace<Real>& middle, Real size) {
   constexpr int rounds = 8;
   constexpr Real longest_step = 0.7;
   // The gradient within the disc, times the radius, where there is one.
@@ -109,7 +109,7 @@ struct Pair {
     const Real next = scale * (cosine - step * sine);
     sine = scale * (sine + step * cosine);
     cosine = next;
-    if (std::fabs(turn) < last_step) {
+    if (std::fabs(turn) < last_step * aim.shortened(at, size)) {
       const Pair gradient = slope_within(at);
       const bool is_across = gradient.x * cosine + gradient.y * sine < -1e-6 * walk.radius;
       return is_across ? std::optional(point_at(walk, cosine, sine)) : std::nullopt;
@@ -176,7 +176,7 @@ void search_faces(const Sum& sum, DiscDepth& least) {
     const auto [out, up] = normal;
     // Rims that cross, and a rim that meets the axis, have no normal there.
     const Real near = std::fmax(1e5 * least.noise(), least.touch());
-    if (!(out * out + up * up > near * near) || !(at.out > 0)) {
+    if (!(out * out + up * up > near * near) || !(at.out > near)) {
       is_proven = false;
       return;
     }
@@ -210,7 +210,7 @@ void search_faces(const Sum& sum, DiscDepth& least) {
       if (!(below + radius >= -slack && below - radius < goal) || (turn > 0 && is_nearest_within(walk, side))) {
         continue;
       }
-      if (const auto nearest = turn > 0 ? nearest_on_rim(walk, side, centre) : std::nullopt) {
+      if (const auto nearest = turn > 0 ? nearest_on_rim(walk, side, centre, sum.size) : std::nullopt) {
         offer(side.normal(*nearest), *nearest);
       } else {
         aim_at(side);

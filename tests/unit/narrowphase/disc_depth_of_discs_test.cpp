@@ -98,6 +98,18 @@ TEST(DiscDepthOfDiscs, NoDirectionHasLessWhereAxesAreAligned) {
   }
 }
 
+// The point of the rim on the axis is as near to the side all around.
+TEST(DiscDepthOfDiscs, NothingWrongIsProvenWhereARimMeetsTheAxis) {
+  for (const Real half_height : {0.0, 0.25, 0.5}) {
+    for (const bool is_cone : {false, true}) {
+      const Case c{{1, 0.9, true}, {1, half_height, is_cone}, {Rotation::identity(), {1, 0, 0.125}}};
+      const Real least = test::least_overlap([&](const Vec3& d) { return overlap(c, d); });
+      const std::optional<abut::ProvenDepth> found = depth_of(c);
+      EXPECT_TRUE(!found || found->depth <= least + error) << half_height << (found ? found->depth : 0) << " " << least;
+    }
+  }
+}
+
 TEST(DiscDepthOfDiscs, IsTheSameFromTheOtherSide) {
   test::Random random(33);
   for (int i = 0; i < 200; ++i) {
