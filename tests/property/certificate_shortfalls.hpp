@@ -18,6 +18,7 @@ inline constexpr auto certificate_shortfalls = std::to_array<Shortfall>({
     {"capsule/ellipsoid concentric gap between the bounds", 1},
     {"capsule/ellipsoid deep gap between the bounds", 1},
     {"cone/cone parallel -upper <= overlap along any direction", 1},
+    {"cone/cone parallel overlapping gap between the bounds", 2},
     {"cone/ellipsoid coincident gap between the bounds", 50},
     {"cone/ellipsoid concentric gap between the bounds", 15},
     {"cone/ellipsoid deep gap between the bounds", 9},
