@@ -181,26 +181,6 @@ Verdict judge_scaled(std::size_t place_a, std::size_t place_b, const Record& rec
   return std::nullopt;
 }
 
-// Our second route must agree. libccd may be wrong; what it says counts when the gap along its own
-// normal is larger than the distance, which cannot be.
-Verdict judge_other_routes(const Scene& scene, const Distance& found) {
-  const Real noise = tolerance(scene);
-  Distance other{};
-  if (distance_of(scene, Algorithm::gjk_epa, other) == Outcome::ok && !(std::fabs(other.distance - found.distance) <= noise)) {
-    return fault("distance by GJK and EPA", other.distance, found.distance);
-  }
-  for (const Algorithm algorithm : {Algorithm::libccd_gjk, Algorithm::libccd_mpr}) {
-    if (distance_of(scene, algorithm, other) != Outcome::ok) {
-      continue;
-    }
-    const std::optional<Real> gap = gap_along(scene, other.normal);
-    if (gap && *gap > found.distance + noise) {
-      return fault("distance although libccd's normal has a larger gap", found.distance, *gap);
-    }
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 // Rounding of the input's largest length, with three digits to spare for badly shaped input.
@@ -255,6 +235,26 @@ Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manif
   }
   if (solid && !found.empty() && std::fabs(deepest - distance.distance) > noise) {
     return fault("distance of the deepest contact", deepest, distance.distance);
+  }
+  return std::nullopt;
+}
+
+Verdict judge_other_routes(const Scene& scene, const Distance& found) {
+  const Real noise = tolerance(scene);
+  Distance other{};
+  if (distance_of(scene, Algorithm::gjk_epa, other) == Outcome::ok &&
+      !(other.lower <= found.distance + noise && found.distance <= other.upper + noise)) {
+    return "the distance " + to_text(found.distance) + " is not within [" + to_text(other.lower) + ", " + to_text(other.upper) +
+           "] of GJK and EPA";
+  }
+  for (const Algorithm algorithm : {Algorithm::libccd_gjk, Algorithm::libccd_mpr}) {
+    if (distance_of(scene, algorithm, other) != Outcome::ok) {
+      continue;
+    }
+    const std::optional<Real> gap = gap_along(scene, other.normal);
+    if (gap && *gap > found.distance + noise) {
+      return fault("distance although libccd's normal has a larger gap", found.distance, *gap);
+    }
   }
   return std::nullopt;
 }

@@ -101,6 +101,19 @@ TEST(FuzzOracle, RefusesADepthThatIsNotTheLeast) {
   EXPECT_NE(judge_distance(scene, found), std::nullopt);
 }
 
+TEST(FuzzOracle, RefusesADistanceThatGjkAndEpaRuleOut) {
+  for (const bool apart : {false, true}) {
+    const Scene scene = boxes(apart);
+    const Distance found = answer(scene);
+    EXPECT_EQ(judge_other_routes(scene, found), std::nullopt);
+    for (const Real change : {0.01, -0.01}) {
+      Distance other = found;
+      other.distance += change;
+      EXPECT_NE(judge_other_routes(scene, other), std::nullopt) << change;
+    }
+  }
+}
+
 // Between points that are not nearest to each other, as contacts beside a hole are.
 TEST(FuzzOracle, TakesAnyContactForTheDistanceOfWhatHolesLeave) {
   for (const char* kind : {"segment", "sphere_hole"}) {

@@ -1,10 +1,11 @@
-// The live target of one pair. ABUT_FUZZ_A and ABUT_FUZZ_B name its kinds.
+// The live target of all pairs. Its name, a link, says which: fuzz_<a>_<b>.
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 import abut.any_shape;
 import abut.fuzz;
@@ -12,13 +13,38 @@ import abut.fuzz;
 extern "C" {
 std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned int seed);
+int LLVMFuzzerInitialize(int* count, char*** arguments);
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 }
 
 namespace {
 
-std::size_t place_a() { return abut::find_kind(std::string_view(ABUT_FUZZ_A)).value(); }
-std::size_t place_b() { return abut::find_kind(std::string_view(ABUT_FUZZ_B)).value(); }
+// Places of the kinds among the registered ones.
+struct Pair {
+  std::size_t a = 0, b = 0;
+};
+
+Pair& pair() {
+  static Pair chosen;
+  return chosen;
+}
+
+// Names of kinds have underscores of their own.
+std::optional<Pair> pair_named(std::string_view program) {
+  constexpr std::string_view prefix = "fuzz_";
+  program.remove_prefix(program.rfind('/') + 1);
+  if (!program.starts_with(prefix)) {
+    return std::nullopt;
+  }
+  const std::string_view kinds = program.substr(prefix.size());
+  for (std::size_t end = kinds.find('_'); end != std::string_view::npos; end = kinds.find('_', end + 1)) {
+    const auto a = abut::find_kind(kinds.substr(0, end)), b = abut::find_kind(kinds.substr(end + 1));
+    if (a && b) {
+      return Pair{*a, *b};
+    }
+  }
+  return std::nullopt;
+}
 
 abut::fuzz::Record record_at(const std::uint8_t* data, std::size_t size) {
   std::array<std::uint8_t, abut::fuzz::record_size> bytes{};
@@ -28,9 +54,19 @@ abut::fuzz::Record record_at(const std::uint8_t* data, std::size_t size) {
 
 }  // namespace
 
+int LLVMFuzzerInitialize(int*, char*** arguments) {
+  const std::optional<Pair> named = pair_named((*arguments)[0]);
+  if (!named) {
+    std::fprintf(stderr, "%s: run this program under the name fuzz_<a>_<b> of two kinds of shapes\n", (*arguments)[0]);
+    std::exit(2);
+  }
+  pair() = *named;
+  return 0;
+}
+
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (const abut::fuzz::Verdict verdict = abut::fuzz::judge(place_a(), place_b(), record_at(data, size))) {
-    std::fprintf(stderr, "%s %s: %s\n", ABUT_FUZZ_A, ABUT_FUZZ_B, verdict->c_str());
+  if (const abut::fuzz::Verdict verdict = abut::fuzz::judge(pair().a, pair().b, record_at(data, size))) {
+    std::fprintf(stderr, "finding: %s\n", verdict->c_str());
     std::abort();
   }
   return 0;
@@ -41,7 +77,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
     return LLVMFuzzerMutate(data, size, max_size);
   }
   abut::fuzz::Record record = record_at(data, size);
-  abut::fuzz::mutate(place_a(), place_b(), record, seed);
+  abut::fuzz::mutate(pair().a, pair().b, record, seed);
   std::ranges::copy(abut::fuzz::bytes_of(record), data);
   return abut::fuzz::record_size;
 }

@@ -209,6 +209,16 @@ void DiscDepth::search(const EdgeArc& arc) {
   }
 }
 
+void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right, DiscDepth& least) {
+  const PlacedDiscs& discs = least.discs();
+  const Vec3 edge = (1 / norm(along)) * along;
+  const Vec3 x = UnitVec3::make(left - dot(left, edge) * edge).value_or(UnitVec3::from_unit_unchecked(left));
+  const Vec3 y = cross(edge, x), corner = from + discs.centre;
+  const Real end_x = dot(right, x), end_y = dot(right, y), length = std::sqrt(end_x * end_x + end_y * end_y);
+  least.search({x, y, end_x / length, end_y / length, dot(corner, x), dot(corner, y), dot(discs.axis, x), dot(discs.axis, y),
+                dot(discs.axis, edge)});
+}
+
 void search_box(const Vec3& half, DiscDepth& least) {
   const PlacedDiscs& discs = least.discs();
   const Vec3 &axis = discs.axis, &centre = discs.centre;
@@ -292,13 +302,10 @@ void search_triangle(const std::array<Vec3, 3>& corners, const Vec3& normal, Dis
   }
   // Across an edge from the normal of one side outward, and on to that of the other.
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 along = corners[i == 2 ? 0 : i + 1] - corners[i], edge = (1 / norm(along)) * along, corner = corners[i] + discs.centre;
-    const Vec3 outward = *UnitVec3::make(cross(edge, normal)), up = cross(outward, edge);
-    const std::array<Vec3, 3> turns{up, outward, -up};
-    for (std::size_t side = 0; side < 2; ++side) {
-      const Vec3 &x = turns[side], &y = turns[side + 1];
-      least.search({x, y, 0, 1, dot(corner, x), dot(corner, y), dot(discs.axis, x), dot(discs.axis, y), dot(discs.axis, edge)});
-    }
+    const Vec3 along = corners[i == 2 ? 0 : i + 1] - corners[i];
+    const Vec3 outward = *UnitVec3::make(cross(along, normal));
+    search_edge(corners[i], along, normal, outward, least);
+    search_edge(corners[i], along, outward, -normal, least);
   }
 }
 

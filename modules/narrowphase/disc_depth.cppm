@@ -86,6 +86,8 @@ class DiscDepth {
   bool is_proven_ = true;
 };
 
+// Offers the directions across an edge between the normals of its faces, seen from outside along it.
+void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right, DiscDepth& least);
 // Offers the directions of all faces, corners and edges of a box around the origin.
 void search_box(const Vec3& half, DiscDepth& least);
 // The same of a triangle with its unit normal.

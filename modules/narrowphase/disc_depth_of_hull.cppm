@@ -9,17 +9,6 @@ import abut.shape;
 
 export namespace abut {
 
-// Offers the directions across an edge between the normals of its faces, seen from outside along it.
-inline void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right, DiscDepth& least) {
-  const PlacedDiscs& discs = least.discs();
-  const Vec3 edge = (1 / norm(along)) * along;
-  const Vec3 x = UnitVec3::make(left - dot(left, edge) * edge).value_or(UnitVec3::from_unit_unchecked(left));
-  const Vec3 y = cross(edge, x), corner = from + discs.centre;
-  const Real end_x = dot(right, x), end_y = dot(right, y), length = std::sqrt(end_x * end_x + end_y * end_y);
-  least.search({x, y, end_x / length, end_y / length, dot(corner, x), dot(corner, y), dot(discs.axis, x), dot(discs.axis, y),
-                dot(discs.axis, edge)});
-}
-
 // Offers the directions of all faces, corners and edges of a polytope that has facets (hull_sat_facets.cppm).
 template <Faceted S>
 void search_facets(const S& shape, DiscDepth& least) {

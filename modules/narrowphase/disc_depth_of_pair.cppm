@@ -24,12 +24,9 @@ concept WithDiscs = (HullOfDiscs<B> && (TriedOnDiscs<A> || HullOfDiscs<A>)) || (
 
 // Whether a point of its own frame lies in a core, up to some slack.
 template <HullOfDiscs S>
+  requires Field<S>
 [[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {
-  const PlacedDiscs discs = placed(shape.discs(), {0, 0, 0}, {0, 0, 1});
-  const Real out = std::sqrt(point.x * point.x + point.y * point.y);
-  // Without height the side says nothing.
-  return std::fabs(point.z) <= discs.height[1] + slack && out <= std::fmax(discs.radius[0], discs.radius[1]) + slack &&
-         discs.side_out * out + discs.side_up * point.z <= discs.side() + slack;
+  return shape.nearest(point).distance <= slack;
 }
 // The line of the side from disc to disc that is furthest along a direction.
 template <HullOfDiscs S>

@@ -44,18 +44,14 @@ std::optional<abut::ProvenDepth> depth_of(const Case& c) {
 
 // Of solids that overlap: whether a depth was found.
 void check(const Case& c, int number) {
-  const Real least = test::least_overlap([&](const Vec3& d) { return overlap(c, d); });
+  const auto overlap_along = [&](const Vec3& d) { return overlap(c, d); };
+  const Real least = test::least_overlap(overlap_along);
   if (least <= error) {
     return;
   }
   const std::optional<abut::ProvenDepth> found = depth_of(c);
   ASSERT_TRUE(found) << number;
-  const Vec3& n = found->normal;
-  EXPECT_NEAR(norm(n), 1, 1e-15) << number;
-  EXPECT_NEAR(overlap(c, n), found->depth, 1e-13) << number;
-  EXPECT_LE(found->depth, least + error) << number;
-  EXPECT_LE(found->lower, least + 1e-13) << number;
-  EXPECT_LE(found->depth - found->lower, error) << number;
+  test::expect_least(*found, least, error, overlap_along, number);
 }
 
 Solid random_solid(test::Random& random, bool is_cone) { return {random.uniform(0.05, 1), random.uniform(0.05, 1), is_cone}; }

@@ -52,18 +52,14 @@ std::optional<abut::ProvenDepth> depth_of(const Polyhedron& polyhedron, const Ca
 
 template <class Polyhedron>
 void check(const Polyhedron& polyhedron, const Case& c, int number) {
+  const auto overlap_along = [&](const Vec3& d) { return overlap(c, d); };
   const std::optional<abut::ProvenDepth> found = depth_of(polyhedron, c);
-  const Real least = test::least_overlap([&](const Vec3& d) { return overlap(c, d); });
+  const Real least = test::least_overlap(overlap_along);
   if (!found) {
     EXPECT_LE(least, error) << number;
     return;
   }
-  const Vec3& n = found->normal;
-  EXPECT_NEAR(norm(n), 1, 1e-15) << number;
-  EXPECT_NEAR(overlap(c, n), found->depth, 1e-13) << number;
-  EXPECT_LE(found->depth, least + error) << number;
-  EXPECT_LE(found->lower, least + 1e-13) << number;
-  EXPECT_LE(found->depth - found->lower, error) << number;
+  test::expect_least(*found, least, error, overlap_along, number);
 }
 
 TEST(DiscDepth, NoDirectionHasLessThanTheDepthOfABox) {
@@ -143,9 +139,7 @@ TEST(DiscDepth, NoDirectionHasLessThanTheDepthOfATriangle) {
                                      : abut::disc_depth(triangle, test::made<abut::Cylinder>(parameters), pose, size, error);
     ASSERT_TRUE(found) << i;
     ++found_count;
-    EXPECT_NEAR(overlap_along(found->normal), found->depth, 1e-13) << i;
-    EXPECT_LE(found->depth, least + error) << i;
-    EXPECT_LE(found->lower, least + 1e-13) << i;
+    test::expect_least(*found, least, error, overlap_along, i);
   }
   EXPECT_GT(found_count, 60);
 }

@@ -1,6 +1,8 @@
 // How deep bodies overlap, by trying directions: what the depths along few proven ones are held against.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -59,6 +61,16 @@ abut::Real least_overlap(const Overlap& overlap) {
     least = std::min(least, here);
   }
   return least;
+}
+
+// A depth with a direction and a lower bound, of bodies that overlap by `least` as the search above found.
+template <class Depth, class Overlap>
+void expect_least(const Depth& found, abut::Real least, abut::Real error, const Overlap& overlap, int number) {
+  EXPECT_NEAR(norm(found.normal), 1, 1e-15) << number;
+  EXPECT_NEAR(overlap(found.normal), found.depth, 1e-13) << number;
+  EXPECT_LE(found.depth, least + error) << number;
+  EXPECT_LE(found.lower, least + 1e-13) << number;
+  EXPECT_LE(found.depth - found.lower, error) << number;
 }
 
 }  // namespace test
