@@ -194,11 +194,15 @@ template <Convex A, Convex B>
       return false;
     }
     EpaResult depth{least->depth, least->lower, least->depth, n, under.point_a, under.point_b, 1};
-    if (find_disc_witnesses(a, b, ab, under)) {
+    const bool is_exact = find_disc_witnesses(a, b, ab, under);
+    const auto minimum = is_exact ? std::nullopt : with_points(a, b, ab, error, noise, depth);
+    // Beside a parallel axis a minimum may lie far away along it.
+    const bool is_held = minimum && holds(a, minimum->point_a, error / 4) && holds(b, ab.undo(minimum->point_b), error / 4);
+    if (is_exact || (!is_held && find_vertex_witness(a, b, ab, error / 256, under))) {
       depth.point_a = under.point_a;
       depth.point_b = under.point_b;
-    } else if (const auto found = with_points(a, b, ab, error, noise, depth)) {
-      depth = *found;
+    } else if (minimum) {
+      depth = *minimum;
     } else {
       return false;
     }

@@ -55,11 +55,10 @@ inline void find_points_of_faces(const Face& face_a, const Face& face_b, const C
 template <class A, class B>
 concept BothHold = HullAndSeen<A, B> || (BoxCored<A> && BoxCored<B>) || WithDiscs<A, B>;
 
-// Mostly a vertex lies under the inside of a face. False where neither support point does.
+// Mostly a vertex lies under the inside of a face. False where neither support point does, up to some slack.
 template <Convex A, Convex B>
   requires BothHold<A, B>
-[[nodiscard]] inline bool find_vertex_witness(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
-  const Real slack = rounding_of(core_size(a, b, ab));
+[[nodiscard]] inline bool find_vertex_witness(const A& a, const B& b, const Pose& ab, Real slack, CoreSeparation& core) {
   const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
   if (holds(a, on_a, slack)) {
     core.point_a = on_a;
@@ -111,7 +110,7 @@ template <Lined A, Lined B>
 template <Convex A, Convex B>
   requires WithDiscs<A, B>
 [[nodiscard]] inline bool find_disc_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
-  if (find_vertex_witness(a, b, ab, core)) {
+  if (find_vertex_witness(a, b, ab, rounding_of(core_size(a, b, ab)), core)) {
     return true;
   }
   if constexpr (Lined<A> && Lined<B>) {
@@ -164,7 +163,7 @@ void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
     core.points_open = false;
   } else {
     if constexpr (BothHold<A, B>) {
-      if (core.overlap && find_vertex_witness(a, b, ab, core)) {
+      if (core.overlap && find_vertex_witness(a, b, ab, rounding_of(core_size(a, b, ab)), core)) {
         return;
       }
     }
