@@ -63,7 +63,7 @@ template <Convex A, Convex B>
     return Outcome::unsupported;
   }
   if (settings.algorithm == Algorithm::libccd_gjk || settings.algorithm == Algorithm::libccd_mpr) {
-    return libccd_distance(a, b, ab, settings.algorithm, out);
+    return libccd_distance(a, b, ab, settings, out);
   }
   CoreSeparation core = separate_for_distance(a, b, ab, settings);
   if (!is_by(settings.algorithm, core)) {
@@ -189,7 +189,7 @@ template <Convex A, Convex B>
   CoreSeparation core{};
   if (settings.algorithm == Algorithm::libccd_gjk || settings.algorithm == Algorithm::libccd_mpr) {
     Distance found{};
-    const Outcome outcome = libccd_distance(a, b, ab, settings.algorithm, found);
+    const Outcome outcome = libccd_distance(a, b, ab, settings, found);
     if (outcome == Outcome::apart || (outcome == Outcome::ok && found.distance > settings.margin)) {
       return Outcome::ok;
     }

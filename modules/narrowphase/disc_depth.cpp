@@ -88,9 +88,9 @@ struct Stretch {
   constexpr int rounds = 64;
   for (int round = 0; round < rounds && std::fabs(at.slope) > noise; ++round) {
     (at.slope < 0 ? rest.from : rest.to) = at;
-    const Real turn = -at.slope / (at.bend - at.depth);
+    const Real rise = at.bend - at.depth, turn = rise > 0 ? -at.slope / rise : 0;
     Flat next = unit({at.direction.x - turn * at.direction.y, at.direction.y + turn * at.direction.x});
-    if (!(at.bend > at.depth) || !is_between(rest.from.direction, next, rest.to.direction)) {
+    if (!(rise > 0) || !is_between(rest.from.direction, next, rest.to.direction)) {
       next = unit({rest.from.direction.x + rest.to.direction.x, rest.from.direction.y + rest.to.direction.y});
       if (!is_between(rest.from.direction, next, rest.to.direction)) {
         break;

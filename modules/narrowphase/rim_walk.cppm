@@ -130,13 +130,13 @@ template <class Aim>
     const Real scale = 1 / (1 + at * at), c = (1 - at * at) * scale, s = 2 * at * scale;
     const Real turned_cosine = cosine * c - sine * s, turned_sine = sine * c + cosine * s;
     const RimPlace<Real> point = point_at(walk, turned_cosine, turned_sine);
-    if (step < last_step * aim.shortened(point, size) || round == rounds) {
+    if (step < last_step * aim.shortened(point, size) || round == rounds || !(point.out > 0)) {
       return point;
     }
     const RimCurve<Real> curve = curve_at(walk, point, turned_cosine, turned_sine);
-    const Real slope = aim.slope(curve);
+    const Real slope = aim.slope(curve), bend = aim.bend(curve);
     (slope < 0 ? low : high) = at;
-    turn = -slope / aim.bend(curve);
+    turn = bend != 0 ? -slope / bend : infinity;
   }
 }
 
