@@ -92,8 +92,8 @@ using Verdict = std::optional<std::string>;
 
 [[nodiscard]] Verdict judge_distance(const Scene& scene, const Distance& found);
 [[nodiscard]] Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manifold& found);
-// What our second route has proven must hold of a distance; where it gives up early, its interval is wide. libccd may be wrong; what
-// it says counts when the gap along its own normal is larger than the distance, which cannot be.
+// Our second route must agree. libccd may be wrong; what it says counts when the gap along its own
+// normal is larger than the distance, which cannot be.
 [[nodiscard]] Verdict judge_other_routes(const Scene& scene, const Distance& found);
 // Asks the library everything about the scene of a record and judges the answers.
 [[nodiscard]] Verdict judge(std::size_t place_a, std::size_t place_b, const Record& record);

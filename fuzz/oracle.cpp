@@ -123,8 +123,8 @@ Verdict judge_record(const Scene& scene, Real distance, const Vec3& point_a, con
   return judge_point(scene.b, scene.ab.undo(point_b), -scene.ab.rotation.undo(normal), must_be_outermost, noise, "point_b");
 }
 
-Outcome distance_of(const Scene& scene, Algorithm algorithm, Distance& out, Real error_bound = 0) {
-  return pair_distance(scene.a, scene.b, scene.ab, {.algorithm = algorithm, .error_bound = error_bound}, out);
+Outcome distance_of(const Scene& scene, Algorithm algorithm, Distance& out) {
+  return pair_distance(scene.a, scene.b, scene.ab, {.algorithm = algorithm}, out);
 }
 
 Verdict judge_swap(const Scene& scene, const Distance& found) {
@@ -242,18 +242,11 @@ Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manif
 Verdict judge_other_routes(const Scene& scene, const Distance& found) {
   const Real noise = tolerance(scene);
   Distance other{};
-  if (distance_of(scene, Algorithm::gjk_epa, other) == Outcome::ok) {
-    // Which contact holes leave depends on which of the deepest points was found: what both have proven must have something in common.
-    const bool is_left_open = has_holes(scene.a) || has_holes(scene.b);
-    const Real lower = is_left_open ? found.lower : found.distance, upper = is_left_open ? found.upper : found.distance;
-    if (!(other.lower <= upper + noise && lower <= other.upper + noise)) {
-      return "the distance " + to_text(found.distance) + " is not within [" + to_text(other.lower) + ", " + to_text(other.upper) +
-             "] of GJK and EPA";
-    }
+  if (distance_of(scene, Algorithm::gjk_epa, other) == Outcome::ok && !(std::fabs(other.distance - found.distance) <= noise)) {
+    return fault("distance by GJK and EPA", other.distance, found.distance);
   }
   for (const Algorithm algorithm : {Algorithm::libccd_gjk, Algorithm::libccd_mpr}) {
-    // Its direction is a witness however coarse it is, and at the usual bound libccd takes most of the time.
-    if (distance_of(scene, algorithm, other, 1e-6) != Outcome::ok) {
+    if (distance_of(scene, algorithm, other) != Outcome::ok) {
       continue;
     }
     const std::optional<Real> gap = gap_along(scene, other.normal);

@@ -12,7 +12,8 @@ export namespace abut {
 using SupportFunction = std::function<Vec3(const Vec3& direction)>;
 
 // Outcome::unsupported in builds without libccd, and for MPR on shapes that do not overlap. libccd compares with numbers that know no
-// unit: it sees lengths by `size`, that of the shapes. Its search ends when a step gains less than `error`.
+// unit: it sees lengths by `size`, that of the shapes. MPR ends when a step gains less than `error`, GJK and EPA when that is so
+// of the gain times the depth.
 [[nodiscard]] Outcome libccd_query(const SupportFunction& support_a, const SupportFunction& support_b, const Vec3& centre_a,
                                    const Vec3& centre_b, Algorithm algorithm, Real size, Real error, Distance& out);
 

@@ -196,7 +196,8 @@ template <Convex A, Convex B>
     EpaResult depth{least->depth, least->lower, least->depth, n, under.point_a, under.point_b, 1};
     const bool is_exact = find_disc_witnesses(a, b, ab, under);
     const auto minimum = is_exact ? std::nullopt : with_points(a, b, ab, error, noise, depth);
-    // Beside a parallel axis a minimum may lie far away along it.
+    // Beside a parallel axis a minimum may lie far away along it. Support points then lie across each other but for the tilt of the
+    // axis, which is far below the error.
     const bool is_held = minimum && holds(a, minimum->point_a, error / 4) && holds(b, ab.undo(minimum->point_b), error / 4);
     if (is_exact || (!is_held && find_vertex_witness(a, b, ab, error / 256, under))) {
       depth.point_a = under.point_a;
