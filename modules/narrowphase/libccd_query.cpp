@@ -12,9 +12,10 @@ import abut.shape;
 namespace abut {
 namespace {
 
-// libccd's expanding polytope knows no limit of its own and may go round in circles. From this many
-// support points on it is shown the origin, which adds nothing to any polytope and so ends it.
-constexpr std::uint32_t support_limit = 5000;
+// libccd's expanding polytope knows no limit of its own, may go round in circles, and each point costs it as long as there
+// are points already: a query would take 30 ms. From this many support points on, twice what pairs of round bodies need, it is
+// shown the origin, which adds nothing to any polytope and so ends it.
+constexpr std::uint32_t support_limit = 1000;
 constexpr Real least_size = 1e-300;  // smaller ones have no inverse
 
 struct Body {
