@@ -1,19 +1,20 @@
-// Convex shapes are cast as they are; meshes, height fields, particles and composites part by part in the order in which
-// the boxes are met, since the normal of the nearest part says nothing of the others; what holes leave of solids in
-// strides.
+// Convex shapes are cast as they are, those that are made of parts by the kernel of the pair, composites child by child in
+// the order in which the boxes are met, and what holes leave of solids in strides.
 module abut.any_shape.shape_cast;
 import abut.any_shape;
+import abut.continuous.cast_search;
 import abut.continuous.linear_cast;
 import abut.continuous.parts_in_order;
 import abut.core;
 import abut.core.standard;
 import abut.math;
-import abut.narrowphase.convex;
 import abut.registry;
 import abut.shape;
 
 namespace abut {
 namespace {
+
+const AnyShape::Variant& variant_of(const AnyShape& shape) { return shape; }
 
 // Bound of the coordinates of a shape in its own frame; nothing is added by shapes without bounds.
 Real coordinates_of(const Aabb& box) {
@@ -23,187 +24,88 @@ Real size_of(const Aabb& a, const Aabb& b, const Pose& ab) {
   return coordinates_of(a) + coordinates_of(b) + largest_magnitude(ab.position);
 }
 
-// The furthest that a convex shape reaches in a direction of length one.
-template <Convex S>
-Real reach(const S& shape, const Pose& pose, const Vec3& direction) {
-  return dot(placed_support(shape, place(shape, pose), direction).point, direction) + shape.radius();
+bool is_convex(const AnyShape& shape) {
+  return std::visit([]<class S>(const S&) { return Convex<S>; }, variant_of(shape));
 }
-
-LinearMotion turned(const LinearMotion& motion, const Rotation& into) {
-  return {UnitVec3::from_unit_unchecked(into.undo(motion.direction)), motion.length};
+// Of a convex shape.
+Real reach(const AnyShape& shape, const Pose& pose, const Vec3& direction) {
+  return std::visit(
+      [&]<class S>(const S& s) -> Real {
+        if constexpr (Convex<S>) {
+          return reach(s, pose, direction);
+        } else {
+          return infinity;
+        }
+      },
+      variant_of(shape));
 }
-[[maybe_unused]] LinearMotion seen_from_b(const LinearMotion& motion, const Pose& ab) {
-  const LinearMotion along = turned(motion, ab.rotation);
-  return {-along.direction, along.length};
-}
-Pose moved(const Pose& pose, const LinearMotion& motion, Real way) {
-  return {pose.rotation, pose.position + way * motion.direction.vec()};
-}
-
-// What of the two shapes is being cast.
-struct Names {
-  Feature feature_a{FeatureKind::whole, 0}, feature_b{FeatureKind::whole, 0};
-  std::uint32_t child_a = 0, child_b = 0;
-};
-
-// Whether a touch is on a side that stops. Of one-sided triangles in which a shape starts, the contacts have told
-// already whether it came from the front. `outward`: the normal, from the part.
-template <class Part>
-bool stops(const Part& part, const FirstTouch& touch, const Vec3& outward) {
-  if constexpr (requires { part.is_one_sided(); }) {
-    // Rounding must not open edges of triangles that stand upright.
-    return !part.is_one_sided() || (touch.travelled > 0 && dot(part.normal(), outward) > -64 * epsilon);
-  } else {
-    return true;
-  }
-}
-
-// Everything is in the frame of the first shape, where the second one moves.
-class ShapeCast {
- public:
-  ShapeCast(const QuerySettings& settings, const LinearMotion& motion, Real size)
-      : settings_(settings), direction_(motion.direction), limit_(motion.length), size_(size) {}
-
-  // The pose of b is that before the motion.
-  void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const Names& names);
-
-  [[nodiscard]] const std::optional<FirstTouch>& best() const [[clang::lifetimebound]] { return best_; }
-  [[nodiscard]] const Names& names() const [[clang::lifetimebound]] { return names_; }
-  // Some children may have no answer, as two terrains; no answer at all is one of the whole.
-  [[nodiscard]] Outcome outcome() const { return any_ok_ ? Outcome::ok : last_.value_or(Outcome::ok); }
-
- private:
-  void note(Outcome outcome) {
-    any_ok_ = any_ok_ || outcome == Outcome::ok;
-    last_ = outcome;
-  }
-  // A touch in the frame that is placed by `frame` at the start: of b where the sides are swapped, which moves.
-  void keep(FirstTouch touch, const Pose& frame, bool swapped, const Names& names) {
-    if (best_ && !(touch.travelled < best_->travelled)) {
-      return;
-    }
-    move_by(touch.contact, swapped ? moved(frame, {direction_, limit_}, touch.travelled) : frame, swapped);
-    best_ = touch;
-    names_ = names;
-    limit_ = std::min(limit_, touch.travelled);
-  }
-
-  template <Assembly A>
-  void cast_children(const A& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, bool swapped, const Names& names);
-  template <class A, class B>
-  void cast_whole(const A& a, const B& b, const AnyShape& any_a, const AnyShape& any_b, const Pose& pose_a, const Pose& ab,
-                  const LinearMotion& motion, const Names& names);
-  void cast_in_strides(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& ab, const LinearMotion& motion,
-                       const Names& names);
-  template <Convex A, Convex B>
-  void cast_part(const A& part, const B& b, const Pose& ab, const LinearMotion& motion, const Pose& frame, bool swapped,
-                 const Names& names);
-  template <HasParts A, class B>
-  void cast_parts(const A& a, const B& b, const Pose& ab, const LinearMotion& motion, const Pose& frame, bool swapped,
-                  const Names& names);
-
-  [[nodiscard]] Real slack() const { return std::max(settings_.margin, Real{0}) + 2 * touching_after(size_, limit_); }
-
-  QuerySettings settings_;
-  UnitVec3 direction_;
-  Real limit_;  // later touches are of no interest
-  Real size_;   // of the coordinates of the whole
-  std::optional<FirstTouch> best_;
-  Names names_;
-  bool any_ok_ = false;
-  std::optional<Outcome> last_;
-};
 
 // Two convex shapes, or one and a half-space, along whose normal everything is as far as the whole.
-template <class A, class B>
-void ShapeCast::cast_whole(const A& a, const B& b, const AnyShape& any_a, const AnyShape& any_b, const Pose& pose_a,
-                           const Pose& ab, const LinearMotion& motion, const Names& names) {
+void cast_whole(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const CastNames& names,
+                CastSearch& search) {
+  const Pose ab = relative(pose_a, pose_b);
+  const LinearMotion motion = search.motion_in(pose_a, false);
+  const bool are_convex = is_convex(a) && is_convex(b);
   Real start = 0;
   const auto distance_at = [&](Real way, Distance& out) {
-    const Outcome outcome = pair_distance(any_a, any_b, moved(ab, motion, way), settings_, out);
+    const Outcome outcome = pair_distance(a, b, moved(ab, motion, way), search.settings(), out);
     start = way == 0 ? out.lower : start;
     return outcome;
   };
   const auto gap_along = [&](const Vec3& normal) {
-    if constexpr (Convex<A> && Convex<B>) {
-      return -reach(b, ab, -normal) - reach(a, Pose::identity(), normal);
-    } else {
-      return start;
-    }
+    return are_convex ? -reach(b, ab, -normal) - reach(a, Pose::identity(), normal) : start;
   };
   std::optional<FirstTouch> touch;
-  note(first_touch({motion.direction, limit_}, size_, settings_.margin, distance_at, gap_along, touch));
-  if (touch) {
-    keep(*touch, pose_a, false, names);
-  }
+  const Outcome outcome = first_touch(motion, search.size(), search.settings().margin, distance_at, gap_along, touch);
+  search.add(outcome, touch, pose_a, false, names);
 }
 
 // Whatever has a distance: what holes leave, and holes by themselves.
-void ShapeCast::cast_in_strides(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& ab,
-                                const LinearMotion& motion, const Names& names) {
+void cast_in_strides(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const CastNames& names,
+                     CastSearch& search) {
   constexpr Real strides_of_shape = 64, most_strides = 1024;
-  const Aabb still = aabb_of(a, Pose::identity()).inflated(slack()), moving = aabb_of(b, ab);
+  const Pose ab = relative(pose_a, pose_b);
+  const LinearMotion motion = search.motion_in(pose_a, false);
+  const Aabb still = aabb_of(a, Pose::identity()).inflated(search.slack()), moving = aabb_of(b, ab);
   const bool are_bounded = still.is_bounded() && moving.is_bounded();
-  const std::optional<Passage> passage = are_bounded ? passage_of(still, moving, motion) : Passage{0, limit_};
+  const std::optional<Passage> passage = are_bounded ? passage_of(still, moving, motion) : Passage{0, motion.length};
   if (!passage) {
-    note(Outcome::ok);
+    search.add(Outcome::ok, std::nullopt, pose_a, false, names);
     return;
   }
   const Real extent = std::min(largest_magnitude(still.high - still.low), largest_magnitude(moving.high - moving.low));
   const Real stride =
       std::max(extent < infinity ? extent / strides_of_shape : 0, (passage->leave - passage->enter) / most_strides);
   std::optional<FirstTouch> touch;
-  note(first_touch_by_strides(
-      *passage, size_, settings_.margin, stride,
-      [&](Real way, Distance& out) { return pair_distance(a, b, moved(ab, motion, way), settings_, out); }, touch));
-  if (touch) {
-    keep(*touch, pose_a, false, names);
-  }
+  const Outcome outcome = first_touch_by_strides(
+      *passage, search.size(), search.settings().margin, stride,
+      [&](Real way, Distance& out) { return pair_distance(a, b, moved(ab, motion, way), search.settings(), out); }, touch);
+  search.add(outcome, touch, pose_a, false, names);
 }
 
-template <Convex A, Convex B>
-void ShapeCast::cast_part(const A& part, const B& b, const Pose& ab, const LinearMotion& motion, const Pose& frame, bool swapped,
-                          const Names& names) {
-  std::optional<FirstTouch> touch;
-  note(first_touch(
-      {motion.direction, limit_}, size_, settings_.margin,
-      [&](Real way, Distance& out) { return convex_distance(part, b, moved(ab, motion, way), settings_, out); },
-      [&](const Vec3& normal) { return -reach(b, ab, -normal) - reach(part, Pose::identity(), normal); }, touch));
-  if (touch && stops(part, *touch, touch->contact.normal) && stops(b, *touch, ab.rotation.undo(-touch->contact.normal))) {
-    keep(*touch, frame, swapped, names);
-  }
+bool is_cut(const AnyShape& any) {
+  return std::visit(
+      []<class S>(const S& shape) {
+        if constexpr (Assembly<S>) {
+          return !shape.holes().empty();
+        } else {
+          return false;
+        }
+      },
+      variant_of(any));
 }
 
-template <HasParts A, class B>
-void ShapeCast::cast_parts(const A& a, const B& b, const Pose& ab, const LinearMotion& motion, const Pose& frame, bool swapped,
-                           const Names& names) {
-  visit_in_order(a, b.aabb(ab), motion, slack(), limit_, [&](const auto& met) {
-    Names of_part = names;
-    Feature& feature = swapped ? of_part.feature_b : of_part.feature_a;
-    std::uint32_t& child = swapped ? of_part.child_b : of_part.child_a;
-    if constexpr (Surface<A>) {
-      feature = {FeatureKind::face, met.index};
-    } else {
-      child = met.index;
-    }
-    const Pose at{frame.rotation, frame * met.place};
-    const Pose from_part{ab.rotation, ab.position - met.place};
-    if constexpr (Convex<B>) {
-      cast_part(met.part, b, from_part, motion, at, swapped, of_part);
-    } else {
-      cast_parts(b, met.part, from_part.inverse(), seen_from_b(motion, ab), at * from_part, !swapped, of_part);
-    }
-  });
-}
+// The pose of b is that before the motion.
+void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const CastNames& names, CastSearch& search);
 
 // Of solids that no hole cuts.
 template <Assembly A>
-void ShapeCast::cast_children(const A& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, bool swapped,
-                              const Names& names) {
+void cast_children_of(const A& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, bool swapped, const CastNames& names,
+                      CastSearch& search) {
   const Pose ab = relative(pose_a, pose_b);
-  const LinearMotion motion = turned({swapped ? -direction_ : direction_, limit_}, pose_a.rotation);
+  const LinearMotion motion = search.motion_in(pose_a, swapped);
   const Aabb moving = aabb_of(b, ab);
-  const Real near = slack();
+  const Real near = search.slack();
   std::vector<std::pair<Real, std::uint32_t>> met;
   a.visit_children(swept(moving, motion, 0, motion.length).inflated(near), [&](std::uint32_t child) {
     const Aabb still = aabb_of(*a.children()[child].shape, a.children()[child].pose).inflated(near);
@@ -214,55 +116,57 @@ void ShapeCast::cast_children(const A& a, const Pose& pose_a, const AnyShape& b,
   });
   std::ranges::sort(met);
   for (const auto& [enter, child] : met) {
-    if (enter > limit_) {
+    if (enter > search.limit()) {
       return;
     }
-    Names of_child = names;
+    CastNames of_child = names;
     (swapped ? of_child.child_b : of_child.child_a) = child;
     const AnyShape& shape = *a.children()[child].shape;
     const Pose pose = pose_a * a.children()[child].pose;
-    swapped ? cast(b, pose_b, shape, pose, of_child) : cast(shape, pose, b, pose_b, of_child);
+    swapped ? cast(b, pose_b, shape, pose, of_child, search) : cast(shape, pose, b, pose_b, of_child, search);
   }
 }
 
-template <class S>
-bool is_cut(const S& shape) {
-  if constexpr (Assembly<S>) {
-    return !shape.holes().empty();
-  } else {
-    return false;
-  }
-}
-
-void ShapeCast::cast(const AnyShape& any_a, const Pose& pose_a, const AnyShape& any_b, const Pose& pose_b, const Names& names) {
-  const Pose ab = relative(pose_a, pose_b);
-  const LinearMotion motion = turned({direction_, limit_}, pose_a.rotation);
-  std::visit(
-      [&]<class A, class B>(const A& a, const B& b) {
-        if constexpr (Assembly<A> || Assembly<B>) {
-          if (is_cut(a) || is_cut(b)) {
-            cast_in_strides(any_a, any_b, pose_a, ab, motion, names);
-          } else if constexpr (Assembly<A>) {
-            cast_children(a, pose_a, any_b, pose_b, false, names);
-          } else {
-            cast_children(b, pose_b, any_a, pose_a, true, names);
-          }
-        } else if constexpr (Hole<A> || Hole<B>) {
-          cast_in_strides(any_a, any_b, pose_a, ab, motion, names);
-        } else if constexpr (HasParts<A> && (Convex<B> || HasParts<B>)) {
-          cast_parts(a, b, ab, motion, pose_a, false, names);
-        } else if constexpr (Convex<A> && HasParts<B>) {
-          cast_parts(b, a, ab.inverse(), seen_from_b(motion, ab), pose_b, true, names);
-        } else {
-          cast_whole(a, b, any_a, any_b, pose_a, ab, motion, names);
+// Whether a has children, all of which are then cast.
+bool cast_children(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, bool swapped,
+                   const CastNames& names, CastSearch& search) {
+  return std::visit(
+      [&]<class A>(const A& assembly) {
+        if constexpr (Assembly<A>) {
+          cast_children_of(assembly, pose_a, b, pose_b, swapped, names, search);
         }
+        return Assembly<A>;
       },
-      static_cast<const AnyShape::Variant&>(any_a), static_cast<const AnyShape::Variant&>(any_b));
+      variant_of(a));
+}
+
+void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const CastNames& names,
+          CastSearch& search) {
+  if (is_cut(a) || is_cut(b)) {
+    cast_in_strides(a, pose_a, b, pose_b, names, search);
+    return;
+  }
+  if (cast_children(a, pose_a, b, pose_b, false, names, search) || cast_children(b, pose_b, a, pose_a, true, names, search)) {
+    return;
+  }
+  if (a.is_hole() || b.is_hole()) {
+    cast_in_strides(a, pose_a, b, pose_b, names, search);
+    return;
+  }
+  const bool from_b = b.index() < a.index();
+  const auto cast_parts = pair_kernels(std::min(a.index(), b.index()), std::max(a.index(), b.index())).cast_parts;
+  if (cast_parts == nullptr) {
+    cast_whole(a, pose_a, b, pose_b, names, search);
+  } else if (from_b) {
+    cast_parts(b, a, pose_b, pose_a, true, names, search);
+  } else {
+    cast_parts(a, b, pose_a, pose_b, false, names, search);
+  }
 }
 
 // Shapes whose contacts at the start say more than a distance: which of their parts overlap, and on which side.
 bool is_made_of_parts(const AnyShape& shape) {
-  return std::visit([]<class S>(const S&) { return HasParts<S> || Assembly<S>; }, static_cast<const AnyShape::Variant&>(shape));
+  return std::visit([]<class S>(const S&) { return HasParts<S> || Assembly<S>; }, variant_of(shape));
 }
 
 // The deepest contact before the motion, in the frame of a.
@@ -299,12 +203,12 @@ Outcome cast_shapes(const AnyShape& a, const Pose& pose_a, const Vec3& displacem
     }
   }
   if (!hit) {
-    ShapeCast search(settings, motion, size_of(box_a, aabb_of(b, Pose::identity()), ab));
-    search.cast(a, Pose::identity(), b, ab, {});
+    CastSearch search(settings, motion, size_of(box_a, aabb_of(b, Pose::identity()), ab));
+    cast(a, Pose::identity(), b, ab, {}, search);
     if (search.outcome() != Outcome::ok || !search.best()) {
       return search.outcome();
     }
-    const Names& names = search.names();
+    const CastNames& names = search.names();
     const Real travelled = search.best()->travelled;
     hit = ShapeCastHit{travelled > 0 ? std::min(travelled / length, most) : 0,
                        search.best()->contact,

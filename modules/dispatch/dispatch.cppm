@@ -1,5 +1,7 @@
 // The table of all pairs of the shapes of a registry. Knows no shape by name.
 export module abut.dispatch;
+import abut.continuous.cast_search;
+import abut.continuous.parts_in_order;
 import abut.core;
 import abut.core.standard;
 export import abut.dispatch.routes;
@@ -69,6 +71,10 @@ struct PairKernels {
                           const QuerySettings& settings, std::span<PairMemory> memories, Manifold& out,
                           std::span<PairResult> results);
   bool gains_from_memory = false;
+  // Casts b against a part by part, the poses being those before the motion; with the sides swapped it is a that moves. Null
+  // where neither is made of parts.
+  void (*cast_parts)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped, const CastNames& names,
+                     CastSearch& search) = nullptr;
 };
 
 // Where closed forms have no answer, or the route is another one. Out of line: a function that only takes closed forms is
@@ -229,6 +235,28 @@ void contacts_of_run_kernel(std::span<const Frozen<Any>> shapes, std::span<const
   }
 }
 
+template <class Any, class A, class B>
+void cast_parts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped, const CastNames& names,
+                       CastSearch& search) {
+  if constexpr (HasParts<A>) {
+    search.cast_parts(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), search.motion_in(pose_a, swapped), pose_a, swapped,
+                      names);
+  } else {
+    search.cast_parts(std::get<B>(b), std::get<A>(a), relative(pose_b, pose_a), search.motion_in(pose_b, !swapped), pose_b,
+                      !swapped, names);
+  }
+}
+
+template <class Any, class A, class B>
+[[nodiscard]] consteval auto cast_parts_of() -> decltype(PairKernels<Any>::cast_parts) {
+  constexpr bool have_parts = HasParts<A> || HasParts<B>, have_others = Convex<A> || Convex<B>;
+  if constexpr (route<A, B>() != Route::unsupported && have_parts && (have_others || (HasParts<A> && HasParts<B>))) {
+    return cast_parts_kernel<Any, A, B>;
+  } else {
+    return nullptr;
+  }
+}
+
 // Pairs of which a side holds shapes of any kind: only who knows the whole table can answer those, so their
 // kernels are handed in.
 template <class Any, class A, class B>
@@ -237,7 +265,7 @@ template <class Any, class A, class B>
     return by_children;
   } else {
     return {route<A, B>(), is_flipped<A, B>(), distance_kernel<Any, A, B>, contacts_kernel<Any, A, B>,
-            contacts_with_memory_kernel<Any, A, B>, contacts_of_run_kernel<Any, A, B>, gains_from_memory<A, B>()};
+            contacts_with_memory_kernel<Any, A, B>, contacts_of_run_kernel<Any, A, B>, gains_from_memory<A, B>(), cast_parts_of<Any, A, B>()};
   }
 }
 
