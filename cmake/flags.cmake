@@ -38,6 +38,14 @@ add_compile_options(
   "$<$<COMPILE_LANGUAGE:CXX>:-Wunsafe-buffer-usage;-Wunsafe-buffer-usage-in-container;-Wold-style-cast;-Wundefined-reinterpret-cast;-Wzero-as-null-pointer-constant>"
   "$<$<COMPILE_LANGUAGE:CXX>:-Wglobal-constructors;-Wexit-time-destructors;-Wnon-virtual-dtor;-Wextra-semi>")
 
+# An interface unit is read once for its object and for what importers see, not once for each, and importers see no bodies of
+# functions that are not inline.
+if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 20)
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fexperimental-modules-reduced-bmi>)
+else()
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fmodules-reduced-bmi>)
+endif()
+
 # The same arithmetic on every target: no fused multiply-add, no reassociation, no errno.
 add_compile_options(-ffp-contract=off -fno-math-errno)
 

@@ -32,7 +32,7 @@ string(REPLACE ";" "\\;" features "${features}")
 run(${CMAKE_COMMAND} -G ${generator} -S ${root} -B ${work}/build -D CMAKE_C_COMPILER=${c} -D CMAKE_CXX_COMPILER=${cxx}
     -D CMAKE_BUILD_TYPE=RelWithDebInfo -D ABUT_SANITIZE=fuzzer "-D ABUT_SHAPES=${shapes}" "-D ABUT_FEATURES=${features}"
     -D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF -D ABUT_FUZZ=ON)
-run(${CMAKE_COMMAND} --build ${work}/build --target abut_fuzz_targets)
+run(${CMAKE_COMMAND} --build ${work}/build --target abut_fuzz_pairs)
 
 set(others ${chosen})
 foreach(a IN LISTS chosen)
