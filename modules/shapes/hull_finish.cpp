@@ -169,7 +169,8 @@ void list_planes(HullData& hull, std::span<const std::uint32_t> order) {
   for (const Vec3& p : hull.vertices) {
     facets.middle += (1 / static_cast<Real>(hull.vertices.size())) * p;
   }
-  facets.inner = order.empty() ? 0 : infinity;
+  // No ball fits between the two sides of a polygon, whose planes may leave rounding between them.
+  facets.inner = order.size() > 2 ? infinity : 0;
   facets.planes.resize((order.size() + 3) / 4);
   for (std::size_t i = 0; i < 4 * facets.planes.size(); ++i) {
     const HullFace& face = hull.faces[order[std::min(i, order.size() - 1)]];

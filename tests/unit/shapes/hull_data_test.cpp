@@ -241,6 +241,16 @@ TEST(HullData, OnlySolidsAndPolygonsHaveFacets) {
 }
 
 // The last block of four vertices is filled up with copies, which win ties against what they are copies of.
+// Whatever rounding does to its planes: where there is a ball inside, the faces are taken to tell what lies in the hull.
+TEST(HullData, NoBallLiesInAPolygon) {
+  test::Random random(169);
+  for (int i = 0; i < 100; ++i) {
+    const HullData hull = abut::build_hull(std::vector<Vec3>{random.point(1), random.point(1), random.point(1)});
+    ASSERT_EQ(hull.faces.size(), 2u);
+    EXPECT_EQ(hull.facets.inner, 0) << "triangle " << i;
+  }
+}
+
 TEST(HullData, SupportNamesAVertexOfEveryCount) {
   test::Random random(167);
   for (std::size_t count = 4; count <= HullData::scan_limit + 2; ++count) {
