@@ -74,6 +74,20 @@ TEST_F(Libccd, TellsThatShapesAreApart) {
   }
 }
 
+// Its polytope knows no limit: where it is to end by no error at all, it would go on for ever.
+TEST_F(Libccd, GivesUpAfterAThousandSupportPoints) {
+  int asked = 0;
+  const Vec3 place{0.1, 0.03, 0.02};
+  const auto ball = [&](const Vec3& direction) {
+    ++asked;
+    return (1 / norm(direction)) * direction;
+  };
+  const auto beside = [&](const Vec3& direction) { return ball(direction) + place; };
+  Distance found{};
+  EXPECT_EQ(abut::libccd_query(ball, beside, {0, 0, 0}, place, Algorithm::libccd_gjk, 2, 0, found), Outcome::not_converged);
+  EXPECT_EQ(asked, 2 * 1000);
+}
+
 TEST_F(Libccd, NeverPassesOnWhatIsNotANumber) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   const auto broken = [&](const Vec3&) { return Vec3{nan, nan, nan}; };
