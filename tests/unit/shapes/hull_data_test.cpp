@@ -240,7 +240,6 @@ TEST(HullData, OnlySolidsAndPolygonsHaveFacets) {
   EXPECT_FALSE(abut::build_hull(std::vector<Vec3>{{0, 0, 0}}).facets.is_closed);
 }
 
-// The last block of four vertices is filled up with copies, which win ties against what they are copies of.
 // Whatever rounding does to its planes: where there is a ball inside, the faces are taken to tell what lies in the hull.
 TEST(HullData, NoBallLiesInAPolygon) {
   test::Random random(169);
@@ -251,6 +250,7 @@ TEST(HullData, NoBallLiesInAPolygon) {
   }
 }
 
+// The last block of four vertices is filled up with copies, which win ties against what they are copies of.
 TEST(HullData, SupportNamesAVertexOfEveryCount) {
   test::Random random(167);
   for (std::size_t count = 4; count <= HullData::scan_limit + 2; ++count) {
