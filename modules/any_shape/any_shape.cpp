@@ -2,7 +2,6 @@ module abut.any_shape;
 import abut.core;
 import abut.core.standard;
 import abut.math;
-import abut.narrowphase.parts;
 import abut.registry;
 import abut.shape;
 
@@ -115,8 +114,6 @@ std::optional<BuildReport> build_report_of(const AnyShape& shape) {
 RouteDescription describe_route(std::size_t place_a, std::size_t place_b) {
   const auto [low, high] = std::minmax(place_a, place_b);
   switch (pair_kernels(low, high).route) {
-    case Route::hand_written:
-      return {"hand-written", "a pair of its own"};
     case Route::half_space:
       return {"support point", "a half-space against a convex shape"};
     case Route::half_space_of_parts:

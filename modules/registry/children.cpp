@@ -2,6 +2,7 @@
 module abut.registry;
 import abut.core;
 import abut.core.standard;
+import abut.dispatch;
 import abut.math;
 import abut.narrowphase.carver;
 import abut.narrowphase.parts;

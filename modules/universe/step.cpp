@@ -5,7 +5,6 @@ import abut.broadphase;
 import abut.broadphase.pair_order;
 import abut.core;
 import abut.core.standard;
-import abut.dispatch;
 import abut.math;
 import abut.narrowphase.pair_memory;
 import abut.universe.checks;

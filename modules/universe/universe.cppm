@@ -4,7 +4,6 @@ import abut.any_shape;
 import abut.broadphase;
 import abut.core;
 import abut.core.standard;
-import abut.dispatch;
 import abut.math;
 import abut.registry;
 import abut.shape;

@@ -1,14 +1,18 @@
 #!/usr/bin/env python3
 """Checks the rules of the tree that no compiler checks.
 
-usage: lint.py [root]
+usage: lint.py [--lower] [root]
 
 Exceptions stand in expect.txt, one per line: `rule path  # reason`. It is a ratchet: a finding that
 is not listed fails, and so does a line whose file has become clean.
+
+What is known and shall only become less stands in ratchet.txt, one per line: `rule path count`. More findings
+in a file fail, and so do fewer; --lower writes the lower counts.
 """
 
 import re
 import sys
+from collections import Counter
 from pathlib import Path
 
 from rules import FILE_RULES, count_unsafe, is_long
@@ -16,6 +20,8 @@ from source import read_tree
 from tree_rules import TREE_RULES
 
 EXPECT = "tools/lint/expect.txt"
+RATCHET = "tools/lint/ratchet.txt"
+RATCHETED = ("line_length", "concept_place", "unused_import", "closed_source")
 
 
 def findings_of(sources):
@@ -60,17 +66,55 @@ def judge(found, expectations):
     return failures
 
 
-def main(root):
+def parse_ratchet(text):
+    """{(rule, path): count}"""
+    lines = [line.split() for line in text.split("\n") if line and not line.startswith("#")]
+    return {(rule, path): int(count) for rule, path, count in lines}
+
+
+def judge_ratchet(found, text):
+    """The lines to print for the rules that are counted; none when the counts are as listed."""
+    listed = parse_ratchet(text)
+    counts = Counter((rule, path) for rule, path, _, _ in found)
+    failures = []
+    for rule, path, line, message in found:
+        if counts[rule, path] > listed.get((rule, path), 0):
+            failures.append(f"{path}:{line}: {rule}: {message}")
+    for (rule, path), count in sorted(listed.items()):
+        if counts[rule, path] < count:
+            failures.append(f"{path}: {rule}: {counts[rule, path]} left of {count}; run scripts/lint --lower")
+    return failures
+
+
+def lowered(found, text):
+    """The list with what has become less; what has become more stays and fails."""
+    comments = [line for line in text.split("\n") if line.startswith("#")]
+    counts = Counter((rule, path) for rule, path, _, _ in found)
+    kept = {key: min(count, counts[key]) for key, count in parse_ratchet(text).items()}
+    return "\n".join(comments + [f"{rule} {path} {count}" for (rule, path), count in sorted(kept.items()) if count > 0]) + "\n"
+
+
+def read_list(root, name):
+    path = Path(root, name)
+    return path.read_text(encoding="utf-8") if path.exists() else ""
+
+
+def main(root, lower):
     sources = read_tree(root)
     if not any(source.path == "include/abut/abut.h" for source in sources):
         print(f"lint: {root} is not the root of the tree", file=sys.stderr)
         return 2
-    expect = Path(root, EXPECT)
-    failures = judge(findings_of(sources), expect.read_text(encoding="utf-8") if expect.exists() else "")
+    found = findings_of(sources)
+    counted = [finding for finding in found if finding[0] in RATCHETED]
+    if lower:
+        Path(root, RATCHET).write_text(lowered(counted, read_list(root, RATCHET)), encoding="utf-8")
+    failures = judge([finding for finding in found if finding[0] not in RATCHETED], read_list(root, EXPECT))
+    failures += judge_ratchet(counted, read_list(root, RATCHET))
     for source in filter(is_long, sources):
         print(f"{source.path}: note: {source.length} lines, more than a file should have")
     unsafe = {source.path: count_unsafe(source) for source in sources if not source.within("tools/lint")}
     print(f"lint: {len(sources)} files, {sum(unsafe.values())} unsafe blocks in {sum(map(bool, unsafe.values()))} files")
+    print("lint: known and to become less: " + ", ".join(f"{rule} {sum(f[0] == rule for f in counted)}" for rule in RATCHETED))
     for failure in failures:
         print(failure)
     if failures:
@@ -79,4 +123,7 @@ def main(root):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]))
+    arguments = sys.argv[1:]
+    is_lowering = "--lower" in arguments
+    roots = [argument for argument in arguments if argument != "--lower"]
+    sys.exit(main(roots[0] if roots else Path(__file__).resolve().parents[2], is_lowering))

@@ -4,6 +4,7 @@ import re
 
 from members import borrowed_members
 
+COLUMNS = 120
 HARD_LENGTH = 600
 SOFT_LENGTH = 300
 RAW = "modules/core/raw"
@@ -123,16 +124,6 @@ def standard_include(source):
                 yield line, f"{match[0].split()[-1]} included, not imported from abut.core.standard"
 
 
-def intersector(source):
-    """Only a shape's, a pair's or a capability's own file says how two shapes meet (the orphan rule)."""
-    if not source.is_cxx:
-        return
-    if not source.within("modules/shapes", "modules/pairs", "modules/narrowphase"):
-        yield from _in_code(source, r"\b(?:struct|class)\s+Intersector\s*<", "{} specialised outside shapes, pairs and narrowphase")
-    if not source.within("modules", "tests/compile_fail", "tests/add_a_shape"):
-        yield from _in_code(source, r"\bIntersector\s*<", "{} outside modules: go through the pair table")
-
-
 def borrowed_member(source):
     """No class stores a view, a pointer or a reference."""
     if source.is_cxx and source.within("modules", "capi"):
@@ -149,7 +140,7 @@ def module_path(source):
         parts = match[1].split(".")
         if parts[0] != "abut" or len(parts) < 2 or not folders:
             continue
-        folder = {"shapes": "shape", "pairs": "pair"}.get(folders[0], folders[0])
+        folder = {"shapes": "shape"}.get(folders[0], folders[0])
         if parts[1] not in (folder, source.stem) or parts[-1] != source.stem:
             yield line, f"module {match[1]} lies in {source.path}"
 
@@ -187,6 +178,20 @@ def is_long(source):
     return limited and SOFT_LENGTH < source.length <= HARD_LENGTH
 
 
+def line_length(source):
+    """Lines fit a screen, and two fit beside each other."""
+    if source.is_cxx or source.is_c:
+        for number, line in enumerate(source.text.split("\n"), 1):
+            if len(line) > COLUMNS:
+                yield number, f"{len(line)} columns; the limit is {COLUMNS}"
+
+
+def concept_place(source):
+    """What a kernel may ask a shape for stands in one room, documented."""
+    if source.is_cxx and source.within("modules") and not source.within("modules/shape"):
+        yield from _in_code(source, r"^\s*(?:export\s+)?concept\s+\w+(?=\s*=)", "{} outside modules/shape")
+
+
 def flag(source):
     """Compiler flags are named by cmake/flags.cmake alone."""
     if not source.is_cmake or source.path == "cmake/flags.cmake":
@@ -210,6 +215,13 @@ def word(source):
         yield line, f"{match[0]}: finish it or leave it out"
 
 
+def closed_source(source):
+    """Sources are papers, standards and files of this tree."""
+    if not source.within("tools/lint"):
+        for line, match in source.find(r"\bSPEC\b(?= [A-Z])", source.text):
+            yield line, f"{match[0]}: a source that no reader can open"
+
+
 def test_name(source):
     """TEST(Subject, FactInPresentTense)."""
     if not source.is_cxx or not source.within("tests", "fuzz"):
@@ -227,14 +239,16 @@ FILE_RULES = [
     silenced_warning,
     library_owner,
     standard_include,
-    intersector,
     borrowed_member,
     module_path,
     interface_linkage,
     include_order,
     macro,
     length,
+    line_length,
+    concept_place,
     flag,
     word,
+    closed_source,
     test_name,
 ]

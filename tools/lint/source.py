@@ -77,9 +77,12 @@ class Source:
     def __init__(self, path, text):
         self.path = str(PurePosixPath(path))
         self.text = text
-        self.suffix = PurePosixPath(path).suffix
-        self.name = PurePosixPath(path).name
-        self.stem = PurePosixPath(path).stem
+        # A template of a source is read as the source.
+        template = self.path.removesuffix(".in")
+        inner = PurePosixPath(template if PurePosixPath(template).suffix in CXX else path)
+        self.suffix = inner.suffix
+        self.name = inner.name
+        self.stem = inner.stem
 
     @property
     def is_cxx(self):

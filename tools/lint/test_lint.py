@@ -3,7 +3,7 @@
 
 import unittest
 
-from lint import findings_of, judge
+from lint import findings_of, judge, judge_ratchet, lowered
 from members import borrowed_members
 from rules import FILE_RULES, HARD_LENGTH, count_unsafe, is_long
 from source import Source, strip_cxx, strip_hash
@@ -56,18 +56,10 @@ SNIPPETS = {
         ("modules/universe/step.cppm", "#include <embree3/rtcore.h>", "#include <vector>"),
         ("modules/shapes/box.cppm", "#include <ccd/ccd.h>", "#include <libqhull_r/qhull_ra.h>"),
     ],
-    "intersector": [
-        (
-            "modules/universe/step.cppm",
-            "template <> struct Intersector<Sphere, Sphere> {};",
-            "template <class A, class B> struct Intersector;",
-        ),
-        ("tests/unit/pairs/a.cpp", "auto c = Intersector<A, B>::contact(a, b);", "auto c = contact(a, b);"),
-    ],
     "module_path": [
         (MODULE, "export module abut.narrowphase.epa;", "export module abut.narrowphase.gjk;"),
         ("modules/core/core.cppm", "export module abut.math;", "export module abut.core;"),
-        ("modules/pairs/a_b.cppm", "export module abut.pairs.a_b;", "export module abut.pair.a_b;"),
+        ("modules/shapes/a_b.cppm", "export module abut.shapes.a_b;", "export module abut.shape.a_b;"),
     ],
     "interface_linkage": [
         (MODULE, "export module abut.narrowphase.gjk;\nnamespace { int x; }", "export module abut.narrowphase.gjk;\nnamespace abut { int x; }"),
@@ -100,6 +92,17 @@ SNIPPETS = {
         ("docs/a.md", "TO" + "DO: more", "todos"),
         (MODULE, "// FIX" + "ME", "// fixed"),
     ],
+    "line_length": [
+        (MODULE, "// " + "x" * 118, "// " + "x" * 117),
+        ("include/abut/a.h", "int a;" + " " * 115, "int a;"),
+    ],
+    "concept_place": [
+        (MODULE, "template <class S>\nconcept Edged = true;", "// concept Edged = true;"),
+        ("modules/dispatch/a.cppm", "template <class S>\nconcept Edged = true;", "concepts();"),
+    ],
+    "closed_source": [
+        (MODULE, "// Source: SPEC VX-07", "// Source: Gottschalk, \"Separating axis theorem\", 1996"),
+    ],
     "test_name": [
         ("tests/unit/a.cpp", "TEST(Sphere, is_round) {}", "TEST(Sphere, IsRound) {}"),
         ("tests/unit/a.cpp", "TYPED_TEST(Shape_All, IsRound) {}", "TYPED_TEST(AllShapes, IsRound) {}"),
@@ -117,11 +120,38 @@ LAYERED = {
     "modules/shapes/box.cppm": "export module abut.shape.box;\nimport abut.shape;",
     "modules/dispatch/dispatch.cppm": "export module abut.dispatch;",
     "modules/abut.cppm": "export module abut;\nexport import abut.registry;",
+    "modules/registry/registry.cppm.in": "export module abut.registry;",
     MODULE: "export module abut.narrowphase.gjk;\nimport :part;\nimport abut.shape;\nimport std;",
+}
+
+TABLE = {
+    "modules/narrowphase/gjk.cppm": "export module abut.narrowphase.gjk;",
+    "modules/narrowphase/pair_memory.cppm": "export module abut.narrowphase.pair_memory;",
+    "modules/continuous/cast.cppm": "export module abut.continuous.cast;\nimport abut.narrowphase.gjk;",
+    "modules/pairs/table.cppm": "export module abut.pairs.table;\nimport abut.narrowphase.pair_memory;",
+    "modules/universe/universe.cppm": "export module abut.universe;\nimport abut.pairs.table;",
+    "modules/dispatch/dispatch.cppm": "export module abut.dispatch;\nimport abut.narrowphase.gjk;",
+}
+
+USED = {
+    "modules/core/core.cppm": "export module abut.core;\nexport namespace abut {\nstruct Pose { int inner; };\ninline int twice(int x) { return 2 * x; }\n}",
+    "modules/math/math.cppm": "export module abut.math;\nexport import abut.core;",
 }
 
 # rule: (bad tree, good tree)
 TREES = {
+    "unused_import": [
+        ({**USED, MODULE: "import abut.core;\nint inner;"}, {**USED, MODULE: "import abut.core;\nPose pose;"}),
+        ({**USED, MODULE: "import abut.math;\n// twice"}, {**USED, MODULE: "import abut.math;\nint x = twice(1);"}),
+    ],
+    "kernel_reach": [
+        ({**TABLE, "modules/pairs/a.cppm": "import abut.continuous.cast;"}, TABLE),
+        ({**TABLE, "capi/a.hpp": "import abut.dispatch;", "capi/a.cpp": ""}, {**TABLE, "capi/a.hpp": "import abut.universe;"}),
+        (
+            {**TABLE, "modules/universe/a.hpp": "", "modules/universe/step.cpp": "module abut.universe;\nimport abut.narrowphase.gjk;"},
+            {**TABLE, "modules/universe/step.cpp": "module abut.universe;\nimport abut.narrowphase.pair_memory;"},
+        ),
+    ],
     "layer_order": [
         ({**LAYERED, MODULE: "import abut.dispatch;"}, LAYERED),
         ({**LAYERED, MODULE: "export import abut.registry;"}, {**LAYERED, "modules/universe/a.cppm": "import abut.registry;"}),
@@ -144,7 +174,7 @@ TREES = {
         ({**BOX, "modules/universe/a.cppm": "class Box;\nBox b;"}, {**BOX, "modules/universe/a.cppm": "class alignas(8) Box {};\nBox b;"}),
         ({**BOX, "modules/universe/a.cppm": "import abut.shape.box;"}, {**BOX, "modules/universe/a.cppm": "import abut.shape;"}),
         ({**BOX, "capi/a.cpp": 'kind("box");'}, {**BOX, "capi/shape.cpp": 'kind("box");'}),
-        ({**BOX, "modules/shapes/ball.cppm": "Box b;"}, {**BOX, "modules/pairs/ball_box.cppm": "Box b;"}),
+        ({**BOX, "modules/shapes/ball.cppm": "Box b;"}, {**BOX, "modules/shapes/box_faces.cppm": "Box b;"}),
     ],
     "header": [
         ({HEADER: "ABUT_API bool f(void);"}, {HEADER: "ABUT_API uint32_t f(void); /* a bool */"}),
@@ -245,6 +275,15 @@ class Lint(unittest.TestCase):
         self.assertIn("has become clean", judge([], "length a.cpp  # one table")[0])
         self.assertIn("expected `rule path  # reason`", judge([], "length a.cpp")[0])
         self.assertIn("there is no rule", judge([], "lenght a.cpp  # one table")[0])
+
+    def test_counts_only_become_less(self):
+        found = [("line_length", "a.cpp", 1, "121 columns"), ("line_length", "a.cpp", 2, "122 columns")]
+        self.assertEqual(judge_ratchet(found, "# why\nline_length a.cpp 2\n"), [])
+        self.assertEqual(len(judge_ratchet(found, "line_length a.cpp 1\n")), 2)
+        self.assertEqual(len(judge_ratchet(found, "")), 2)
+        self.assertIn("2 left of 3", judge_ratchet(found, "line_length a.cpp 3\n")[0])
+        self.assertEqual(lowered(found, "# why\nline_length a.cpp 3\nline_length b.cpp 1\n"), "# why\nline_length a.cpp 2\n")
+        self.assertEqual(lowered(found, "line_length a.cpp 1\n"), "line_length a.cpp 1\n")
 
     def test_counts(self):
         self.assertEqual(count_unsafe(Source("capi/a.cpp", "ABUT_UNSAFE_BEGIN // ABUT_UNSAFE_BEGIN\nABUT_UNSAFE_END")), 1)

@@ -3,14 +3,15 @@ Each is a function of {path: Source} that yields (path, line, message)."""
 
 import re
 
+from imports import kernel_reach, unused_import
+
 REGISTRY = "cmake/registry.cmake"
 SHAPE_LINE = r"^\s*abut_shape\s*\(\s*(\w+)\s+(\w+)\s+(\d+)[^)]*\)"
 HEADERS = {"include/abut/abut.h": "capi/symbols.txt", "include/abut/picking.h": "capi/picking_symbols.txt"}
 PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
 
-# Files below modules and capi that may name shapes, and why: the shape's own file (checked by name),
-# pairs, and the typed shorthands of the C interface.
-MAY_NAME_SHAPES = ("modules/pairs", "capi/shape.cpp")
+# Besides the shape's own file, which is checked by name: the typed shorthands of the C interface may name shapes.
+MAY_NAME_SHAPES = ("capi/shape.cpp",)
 
 DECLARES = r"\b(?:struct|class)\s+(?:alignas\s*\([^)]*\)\s*|\[\[[^\]]*\]\]\s*)*"
 
@@ -29,8 +30,6 @@ LAYERS = [
     ("picking", "response", "gpu"),
 ]
 RANKS = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folders}
-# What the build generates has no file in the tree.
-GENERATED = {"abut.registry": "registry"}
 
 
 def _folder(source):
@@ -42,7 +41,7 @@ def _folder(source):
 def layer_order(sources):
     """Imports run one way."""
     module = r"^\s*(?:export\s+)?{}\s+([\w.]+)\s*;"
-    folders = dict(GENERATED)
+    folders = {}
     for source in sources.values():
         if source.suffix == ".cppm" and source.within("modules"):
             folders.update((match[1], _folder(source)) for _, match in source.find(module.format("module"), source.code))
@@ -155,4 +154,4 @@ def symbol_list(sources):
             yield listed_in, 1, "not sorted, or a name occurs twice"
 
 
-TREE_RULES = [layer_order, registry, shape_name, header, symbol_list]
+TREE_RULES = [layer_order, kernel_reach, unused_import, registry, shape_name, header, symbol_list]

@@ -1,5 +1,5 @@
-// From two types of shapes to an algorithm, at compile time. Knows no shape by name.
-export module abut.dispatch.routes;
+// Asks the kernel of the route of two types of shapes. Knows no shape by name.
+export module abut.dispatch.by_route;
 import abut.core;
 import abut.core.standard;
 import abut.math;
@@ -7,79 +7,10 @@ import abut.narrowphase.convex;
 import abut.narrowphase.half_space;
 import abut.narrowphase.hole;
 import abut.narrowphase.parts;
+import abut.pairs.routes;
 import abut.shape;
 
 export namespace abut {
-
-// A hand-written pair specialises this in modules/pairs; only the generated registry imports those.
-template <class A, class B>
-struct Intersector;
-
-template <class A, class B>
-concept HandWritten = requires(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& distance,
-                               Manifold& manifold) {
-  { Intersector<A, B>::distance(a, b, ab, settings, distance) } -> std::same_as<Outcome>;
-  { Intersector<A, B>::contacts(a, b, ab, settings, manifold) } -> std::same_as<Outcome>;
-};
-
-// How a pair is answered, in the order in which the ways are tried.
-enum class Route : std::uint8_t {
-  unsupported,
-  hand_written,
-  half_space,
-  half_space_of_parts,
-  convex,
-  parts,
-  parts_of_both,
-  scattered,
-  hole,
-  children,
-  none,
-};
-
-// The route of a pair in this order of operands; none when the other order may have one.
-template <class A, class B>
-[[nodiscard]] consteval Route route_one_way() {
-  if constexpr (Terrain<A> && Terrain<B>) {
-    return Route::unsupported;
-  } else if constexpr (Assembly<A> || Assembly<B>) {
-    return Route::children;
-  } else if constexpr (Hole<A> && (Hole<B> || Terrain<B> || Surface<B>)) {
-    return Route::unsupported;
-  } else if constexpr (HandWritten<A, B>) {
-    return Route::hand_written;
-  } else if constexpr (Scattered<A>) {
-    return Route::scattered;
-  } else if constexpr (Scattered<B>) {
-    return Route::none;
-  } else if constexpr (Hole<A> && Convex<B>) {
-    return Route::hole;
-  } else if constexpr (HalfSpace<A> && Convex<B>) {
-    return Route::half_space;
-  } else if constexpr (HalfSpace<A> && Surface<B>) {
-    return Route::half_space_of_parts;
-  } else if constexpr (Convex<A> && Convex<B>) {
-    return Route::convex;
-  } else if constexpr (Surface<A> && Convex<B>) {
-    return Route::parts;
-  } else if constexpr (Surface<A> && Surface<B>) {
-    return Route::parts_of_both;
-  } else {
-    return Route::none;
-  }
-}
-
-template <class A, class B>
-[[nodiscard]] consteval bool is_flipped() {
-  return route_one_way<A, B>() == Route::none || (!HandWritten<A, B> && HandWritten<B, A>);
-}
-
-template <class A, class B>
-[[nodiscard]] consteval Route route() {
-  constexpr Route found = is_flipped<A, B>() ? route_one_way<B, A>() : route_one_way<A, B>();
-  static_assert(found != Route::none, "this pair of shapes has no hand-written pair and no capability in common");
-  return found;
-}
 
 template <Scattered A, class B>
 [[nodiscard]] Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out);
@@ -96,8 +27,6 @@ template <class A, class B>
     const Outcome outcome = distance_by_route(b, a, ab.inverse(), settings, out);
     move_by(out, ab, true);
     return outcome;
-  } else if constexpr (way == Route::hand_written) {
-    return Intersector<A, B>::distance(a, b, ab, settings, out);
   } else if constexpr (way == Route::half_space) {
     return half_space_distance(a, b, ab, settings, out);
   } else if constexpr (way == Route::half_space_of_parts) {
@@ -127,8 +56,6 @@ template <class A, class B>
       move_by(contact, ab, true);
     }
     return outcome;
-  } else if constexpr (way == Route::hand_written) {
-    return Intersector<A, B>::contacts(a, b, ab, settings, out);
   } else if constexpr (way == Route::half_space) {
     return half_space_contacts(a, b, ab, settings, out);
   } else if constexpr (way == Route::half_space_of_parts) {
