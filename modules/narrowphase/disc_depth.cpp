@@ -158,8 +158,11 @@ inline constexpr int cut_limit = 256;
 
 PlacedDiscs placed(const Discs& discs, const Vec3& centre, const Vec3& axis) {
   const Real out = 2 * discs.half_height, up = discs.bottom - discs.top, length = norm({out, up, 0});
+  const Tangents across = tangents_of(axis);
   return {centre,
           axis,
+          across.first,
+          across.second,
           {-discs.half_height, discs.half_height},
           {discs.bottom, discs.top},
           length > 0 ? out / length : 1,
@@ -171,12 +174,9 @@ PlacedDiscs mirrored(const Discs& discs, const Vec3& centre, const Vec3& axis) {
 }
 
 Vec3 normal_of_side(const PlacedDiscs& discs, const Vec3& point) {
-  const Vec3& axis = discs.axis;
-  const Vec3 aside = point - dot(point, axis) * axis;
-  // Of a point near the axis what leads along it is rounding, and large beside the rest.
-  const Vec3 across = UnitVec3::make(aside - dot(aside, axis) * axis).value_or(UnitVec3::from_unit_unchecked(tangents_of(axis).first));
-  const Vec3 settled = across - dot(across, axis) * axis;
-  return UnitVec3::make(discs.side_up * axis - discs.side_out * settled).value_or(UnitVec3::from_unit_unchecked(axis));
+  const Sideways out = discs.across(point);
+  const Vec3 normal = discs.side_up * discs.axis - discs.side_out * (out.x * discs.x + out.y * discs.y);
+  return UnitVec3::make(normal).value_or(UnitVec3::from_unit_unchecked(discs.axis));
 }
 
 void DiscDepth::search(const EdgeArc& arc) {
@@ -227,7 +227,7 @@ void search_box(const Vec3& half, DiscDepth& least) {
   std::array<std::array<Vec3, 2>, 3> feet;
   for (int i = 0; i < 3; ++i) {
     const int j = i == 2 ? 0 : i + 1, k = 3 - i - j;
-    const Real out = std::sqrt(axis[j] * axis[j] + axis[k] * axis[k]), per_out = out > 0 ? 1 / out : 0;
+    const Real out = std::sqrt(axis[j] * axis[j] + axis[k] * axis[k]), per_out = out > least_aside ? 1 / out : 0;
     for (std::size_t side = 0; side < 2; ++side) {
       const Real sign = side == 0 ? -1 : 1, up = sign * axis[i];
       const Real first = discs.height[0] * up + discs.radius[0] * out, second = discs.height[1] * up + discs.radius[1] * out;
@@ -250,18 +250,15 @@ void search_box(const Vec3& half, DiscDepth& least) {
   const Real side = discs.side();
   for (unsigned corner = 0; corner < 8; ++corner) {
     const Vec3 p = centre + Vec3{(corner & 1) != 0 ? half.x : -half.x, (corner & 2) != 0 ? half.y : -half.y, (corner & 4) != 0 ? half.z : -half.z};
-    const Real up = dot(p, axis);
-    const Vec3 aside = p - up * axis;
-    const Real square = squared_norm(aside), spare = side + discs.side_up * up - least.depth();
-    if (discs.side_out * discs.side_out * square < spare * std::fabs(spare)) {
+    const Real out_x = dot(p, discs.x), out_y = dot(p, discs.y), spare = side + discs.side_up * dot(p, axis) - least.depth();
+    if (discs.side_out * discs.side_out * (out_x * out_x + out_y * out_y) < spare * std::fabs(spare)) {
       continue;
     }
     // Only the corner that reaches furthest along the normal counts.
-    const Vec3 toward = (discs.side_up * std::sqrt(square)) * axis - discs.side_out * aside;
-    if (((corner & 1) != 0) != (toward.x >= 0) || ((corner & 2) != 0) != (toward.y >= 0) || ((corner & 4) != 0) != (toward.z >= 0)) {
+    const Vec3 u = normal_of_side(discs, p);
+    if (((corner & 1) != 0) != (u.x >= 0) || ((corner & 2) != 0) != (u.y >= 0) || ((corner & 4) != 0) != (u.z >= 0)) {
       continue;
     }
-    const Vec3 u = normal_of_side(discs, p);
     const Real depth = half.x * std::fabs(u.x) + half.y * std::fabs(u.y) + half.z * std::fabs(u.z) + dot(centre, u) + side;
     least.offer(depth, u);
   }

@@ -15,21 +15,28 @@ export namespace abut {
 
 // Discs in the frame of another body.
 struct PlacedDiscs {
-  Vec3 centre, axis;  // unit axis
+  Vec3 centre;
+  Vec3 axis, x, y;  // orthonormal
   std::array<Real, 2> height, radius;
   Real side_out, side_up;  // the unit normal of the side, across the axis and along it
 
   // How far the side is from the centre.
   [[nodiscard]] inline Real side() const { return height[0] * side_up + radius[0] * side_out; }
+  // The part of a vector across the axis, in terms of x and y. What is left of a vector without its part along the axis would
+  // not do: next to the axis that is rounding, and may lead along it.
+  [[nodiscard]] inline Sideways across(const Vec3& vector) const { return sideways_of({dot(x, vector), dot(y, vector), 0}); }
   // How far they reach along a unit direction.
   [[nodiscard]] inline Real reach(const Vec3& direction) const {
-    const Real up = dot(axis, direction), out = norm(direction - up * axis);
+    const Real up = dot(axis, direction), out = across(direction).length;
     return dot(centre, direction) + std::fmax(height[0] * up + radius[0] * out, height[1] * up + radius[1] * out);
   }
 };
 [[nodiscard]] PlacedDiscs placed(const Discs& discs, const Vec3& centre, const Vec3& axis);
 // Mirrored at the origin: the other body and this, added up, are the difference of both.
 [[nodiscard]] PlacedDiscs mirrored(const Discs& discs, const Vec3& centre, const Vec3& axis);
+
+// A direction with less than this across the axis counts as one along it: squares of less vanish.
+inline constexpr Real least_aside = 1e-140;
 
 // The normal of the side that leads from a point to the axis; of one on the axis any.
 [[nodiscard]] Vec3 normal_of_side(const PlacedDiscs& discs, const Vec3& point);

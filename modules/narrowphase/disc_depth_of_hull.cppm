@@ -14,7 +14,8 @@ template <Faceted S>
 void search_facets(const S& shape, DiscDepth& least) {
   const auto& facets = shape.facets();
   const PlacedDiscs& discs = least.discs();
-  const Columns axis = Columns::all(discs.axis), centre = Columns::all(discs.centre);
+  const Columns axis = Columns::all(discs.axis), x = Columns::all(discs.x), y = Columns::all(discs.y);
+  const Columns centre = Columns::all(discs.centre);
   const auto plus = [](const Columns& a, const Columns& b) { return Columns{a.x + b.x, a.y + b.y, a.z + b.z}; };
 
   // Faces. Of each the point of the discs that reaches furthest.
@@ -23,16 +24,15 @@ void search_facets(const S& shape, DiscDepth& least) {
   for (std::size_t group = 0; group < facets.planes.size(); ++group) {
     const auto& plane = facets.planes[group];
     const Columns normal{plane.x, plane.y, plane.z};
-    const Lanes up = dot(normal, axis);
-    const Columns aside = normal - up * axis;
-    const Lanes out = __builtin_elementwise_sqrt(dot(aside, aside));
+    const Lanes up = dot(normal, axis), out_x = dot(normal, x), out_y = dot(normal, y);
+    const Lanes out = __builtin_elementwise_sqrt(out_x * out_x + out_y * out_y);
     const Lanes first = discs.height[0] * up + discs.radius[0] * out, second = discs.height[1] * up + discs.radius[1] * out;
-    const LaneNumbers is_first = first > second, is_aside = out > all_lanes(0);
+    const LaneNumbers is_first = first > second, is_aside = out > all_lanes(least_aside);
     const Lanes height = is_first ? all_lanes(discs.height[0]) : all_lanes(discs.height[1]);
     const Lanes radius = is_first ? all_lanes(discs.radius[0]) : all_lanes(discs.radius[1]);
     const Lanes per_aside = is_aside ? radius / out : all_lanes(0);
     depths.consider(plane.reach + dot(normal, centre) + (is_first ? first : second), group);
-    const Columns foot = plus(centre, plus(height * axis, per_aside * aside));
+    const Columns foot = plus(plus(centre, height * axis), plus((per_aside * out_x) * x, (per_aside * out_y) * y));
     for (std::size_t i = 0; i < 4; ++i) {
       feet[4 * group + i] = lanes_of(foot[i]);
     }
@@ -54,14 +54,13 @@ void search_facets(const S& shape, DiscDepth& least) {
   const Real side = discs.side();
   for (const auto& block : shape.vertex_blocks()) {
     const Columns p = plus({block.x, block.y, block.z}, centre);
-    const Lanes up = dot(p, axis);
-    const Columns aside = p - up * axis;
-    const Lanes square = dot(aside, aside), spare = (side - least.depth()) + discs.side_up * up;
+    const Lanes up = dot(p, axis), out_x = dot(p, x), out_y = dot(p, y);
+    const Lanes square = out_x * out_x + out_y * out_y, spare = (side - least.depth()) + discs.side_up * up;
     const Lanes room = spare * absolute(spare) - (discs.side_out * discs.side_out) * square;
     // Only a corner that reaches further along the normal than the ball inside counts.
     const Columns from_middle = Columns{block.x, block.y, block.z} - Columns::all(facets.middle);
-    const Lanes length = __builtin_elementwise_sqrt(square);
-    const Lanes short_of = facets.inner * length + discs.side_out * dot(from_middle, aside) - discs.side_up * length * dot(from_middle, axis);
+    const Lanes length = __builtin_elementwise_sqrt(square), toward = out_x * dot(from_middle, x) + out_y * dot(from_middle, y);
+    const Lanes short_of = facets.inner * length + discs.side_out * toward - discs.side_up * length * dot(from_middle, axis);
     for (std::uint64_t lanes = signs_of(room) & ~signs_of(-short_of); lanes != 0; lanes &= lanes - 1) {
       const Vec3 u = normal_of_side(discs, p[static_cast<std::size_t>(std::countr_zero(lanes))]);
       least.offer(dot(shape.support(u).point + discs.centre, u) + side, u);
