@@ -47,6 +47,8 @@ static_assert(is_plain<abut_event>(40));
 static_assert(is_plain<abut_sleep_change>(16));
 static_assert(is_plain<abut_step_stats>(160));
 static_assert(is_plain<abut_finding>(192));
+static_assert(is_plain<abut_island>(16));
+static_assert(is_plain<abut_velocity>(48));
 static_assert(is_plain<abut_layout_entry>(32));
 
 #define ABUT_STRUCT(type) \
@@ -270,6 +272,13 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_step_stats, narrowphase_microseconds),
     ABUT_FIELD(abut_step_stats, contact_microseconds),
     ABUT_FIELD(abut_step_stats, asleep),
+    ABUT_STRUCT(abut_island),
+    ABUT_FIELD(abut_island, id),
+    ABUT_FIELD(abut_island, first_part),
+    ABUT_FIELD(abut_island, part_count),
+    ABUT_STRUCT(abut_velocity),
+    ABUT_FIELD(abut_velocity, linear),
+    ABUT_FIELD(abut_velocity, angular),
     ABUT_STRUCT(abut_finding),
     ABUT_FIELD(abut_finding, code),
     ABUT_FIELD(abut_finding, reserved),

@@ -20,6 +20,7 @@
 import abut.picking;
 
 struct abut_picker {
+  abut::capi::Attachment attachment;
   abut::picking::Picker picker;
 };
 
@@ -110,9 +111,11 @@ abut_status abut_picker_create(abut_universe* universe, abut_picker** out) {
   return guarded([&]() -> abut_status {
     abut::picking::Counters counters;
     if (const abut_status status = abut::capi::borrow_counters(universe, counters); status != ABUT_OK) return status;
+    abut::capi::Attachment attachment;
+    if (const abut_status status = abut::capi::attach(universe, attachment); status != ABUT_OK) return status;
     auto source = std::make_unique<abut::capi::UniverseSource>(universe);
-    auto picker =
-        std::make_unique<abut_picker>(abut_picker{abut::picking::Picker(std::move(source), std::move(counters))});
+    auto picker = std::make_unique<abut_picker>(
+        abut_picker{std::move(attachment), abut::picking::Picker(std::move(source), std::move(counters))});
     *out = picker.release();
     return ABUT_OK;
   });

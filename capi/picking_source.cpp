@@ -63,6 +63,24 @@ std::optional<picking::RoundedSegment> UniverseShape::rounded() const {
   return picking::RoundedSegment{parameters[0], parameters.size() > 1 ? parameters[1] : 0};
 }
 
+namespace {
+
+// By which the universe tells it.
+constexpr const char* extension_name = "picking";
+
+}  // namespace
+
+void Detach::operator()(const abut_universe* universe) const noexcept {
+  // A universe that has failed keeps the count, and answers nothing about it any more.
+  static_cast<void>(abut_universe_detach(universe, extension_name));
+}
+
+abut_status attach(const abut_universe* universe, Attachment& out) noexcept {
+  const abut_status status = abut_universe_attach(universe, extension_name);
+  if (status == ABUT_OK) out.reset(universe);
+  return status;
+}
+
 abut_status borrow_counters(const abut_universe* universe, picking::Counters& out) noexcept {
   const std::uint64_t* geometries = nullptr;
   const std::uint64_t* poses = nullptr;

@@ -35,6 +35,13 @@ class UniverseShape final : public picking::PickableShape {
   std::unique_ptr<abut_shape, ShapeRelease> shape_;
 };
 
+/// That a picker stands on a universe, which abut_universe_explain tells.
+struct Detach {
+  void operator()(const abut_universe* universe) const noexcept;
+};
+using Attachment = std::unique_ptr<const abut_universe, Detach>;
+[[nodiscard]] abut_status attach(const abut_universe* universe, Attachment& out) noexcept;
+
 /// The change counters of a universe.
 [[nodiscard]] abut_status borrow_counters(const abut_universe* universe, picking::Counters& out) noexcept;
 

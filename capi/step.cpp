@@ -16,6 +16,8 @@ abut_status forget_lent(abut_universe& its) {
   its.contacts.forget();
   its.events.forget();
   its.sleep_changes.forget();
+  its.islands.forget();
+  its.island_parts.forget();
   return ABUT_OK;
 }
 

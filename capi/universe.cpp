@@ -82,14 +82,15 @@ void write_text(const std::string& found, std::span<char> out, std::size_t* need
   *needed = found.size() + 1;
 }
 
-abut_status explain(const abut_universe* universe, std::string (abut::Universe::*words)() const, char* text, std::size_t capacity,
-                    std::size_t* needed) {
+using Words = std::string (abut::Universe::*)(std::span<const abut::Plan::Extension>) const;
+
+abut_status explain(const abut_universe* universe, Words words, char* text, std::size_t capacity, std::size_t* needed) {
   return guard(universe, [&](const abut_universe& its) {
     std::span<char> out;
     abut_status status = check_not_null("needed", needed);
     status = status != ABUT_OK ? status : read_span("text", text, "capacity", capacity, out);
     if (status == ABUT_OK) {
-      write_text((its.universe.*words)(), out, needed);
+      write_text((its.universe.*words)(its.extensions.all()), out, needed);
     }
     return status;
   });

@@ -5,6 +5,7 @@
 #include "prelude.hpp"
 
 #include "convert.hpp"
+#include "extension.hpp"
 #include "guard.hpp"
 #include "shape_handle.hpp"
 
@@ -56,6 +57,10 @@ struct abut_universe {
   abut::capi::Lent<abut_contact> contacts;
   abut::capi::Lent<abut_event> events;
   abut::capi::Lent<abut_sleep_change> sleep_changes;
+  abut::capi::Lent<abut_island> islands;
+  abut::capi::Lent<abut_part_id> island_parts;
+  // Changed by [const] calls, together with others.
+  mutable abut::capi::Extensions extensions;
 };
 
 namespace abut::capi {

@@ -74,6 +74,10 @@ MOTION_DYNAMIC = 0
 MOTION_ANIMATED = 1
 MOTION_STATIC = 2
 
+VELOCITY_NONE = 0
+VELOCITY_GIVEN = 1
+VELOCITY_FROM_POSES = 2
+
 PARKING_NONE = 0
 PARKING_SHORT_TERM = 1
 PARKING_LONG_TERM = 2
@@ -308,6 +312,18 @@ class SleepChange(_Struct):
     ]
 
 
+class Island(_Struct):
+    _fields_ = [
+        ("id", c_uint64), ("first_part", c_uint32), ("part_count", c_uint32),
+    ]
+
+
+class Velocity(_Struct):
+    _fields_ = [
+        ("linear", Vec3), ("angular", Vec3),
+    ]
+
+
 class Event(_Struct):
     _fields_ = [
         ("kind", c_uint32), ("flags", c_uint32), ("geometry_a", GeometryId), ("geometry_b", GeometryId),
@@ -490,6 +506,18 @@ FUNCTIONS = {
     "abut_part_wake": (Status, [c_void_p, PartId]),
     "abut_parts_wake": (Status, [c_void_p, POINTER(PartId), c_size_t]),
     "abut_universe_sleep_changes": (Status, [c_void_p, POINTER(POINTER(SleepChange)), POINTER(c_size_t)]),
+    "abut_universe_follow_islands": (Status, [c_void_p, c_uint32]),
+    "abut_universe_islands": (Status, [c_void_p, POINTER(POINTER(Island)), POINTER(c_size_t)]),
+    "abut_universe_island_parts": (Status, [c_void_p, POINTER(POINTER(PartId)), POINTER(c_size_t)]),
+    "abut_part_island": (Status, [c_void_p, PartId, POINTER(Island)]),
+    "abut_part_set_velocity": (Status, [c_void_p, PartId, POINTER(Velocity)]),
+    "abut_parts_set_velocities": (Status, [c_void_p, POINTER(PartId), POINTER(Velocity), c_size_t]),
+    "abut_part_measure_velocity": (Status, [c_void_p, PartId]),
+    "abut_parts_measure_velocities": (Status, [c_void_p, POINTER(PartId), c_size_t]),
+    "abut_part_velocity": (Status, [c_void_p, PartId, POINTER(Velocity), POINTER(c_uint32)]),
+    "abut_parts_velocities": (Status, [c_void_p, POINTER(PartId), c_size_t, POINTER(Velocity)]),
+    "abut_universe_attach": (Status, [c_void_p, c_char_p]),
+    "abut_universe_detach": (Status, [c_void_p, c_char_p]),
     "abut_policy_init": (None, [POINTER(Policy), c_uint32]),
     "abut_policy_set": (Status, [c_void_p, c_uint32, c_uint32, POINTER(Policy)]),
     "abut_policy_get": (Status, [c_void_p, c_uint32, c_uint32, POINTER(Policy)]),

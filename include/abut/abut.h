@@ -1063,6 +1063,117 @@ typedef struct abut_finding {
 ABUT_API abut_status abut_universe_validate(const abut_universe *universe, abut_finding *findings, size_t capacity, size_t *count);
 
 /* ------------------------------------------------------------------------------------------------
+ * Islands
+ * --------------------------------------------------------------------------------------------- */
+
+/**
+ * Dynamic parts that touch each other, directly or through others. A part that touches no other dynamic part is an
+ * island of its own. Animated and static parts are in none, or the ground would join them all. Touches of sensors
+ * and pairs that are treated as boxes join nobody.
+ */
+typedef struct abut_island {
+  uint64_t id;         /**< not 0, and never used again in this universe */
+  uint32_t first_part; /**< index of its first part in abut_universe_island_parts */
+  uint32_t part_count; /**< at least 1 */
+} abut_island;
+
+/**
+ * Says whether steps and detections find islands, 1 or 0; 0 is the default, and costs nothing. Ids stay:
+ *  - the id of an island goes on to the island that has the lowest slot of those parts which were in it;
+ *  - an island that would get several ids so, by merging, keeps the least of them, which is the oldest;
+ *  - an island that gets none is new.
+ * So an island keeps its id while its parts touch, and of one that falls apart the piece with the lowest slot
+ * keeps it. The same for any number of threads. Sleep finds the same islands, whatever this says. Complexity of a
+ * step O(pairs + parts). [exclusive]
+ */
+ABUT_API abut_status abut_universe_follow_islands(abut_universe *universe, uint32_t are_followed);
+
+/**
+ * Islands of the last step or detection, ordered by their lowest slots; none before the first one.
+ * ABUT_UNSUPPORTED while they are not followed. Borrowed until the next [exclusive] call. O(1) after the first
+ * call of a step. [const]
+ */
+ABUT_API abut_status abut_universe_islands(const abut_universe *universe, const abut_island **islands, size_t *count);
+
+/**
+ * Parts of all islands, island by island, each ordered by slot; some may be destroyed since. ABUT_UNSUPPORTED while
+ * islands are not followed. Borrowed until the next [exclusive] call. O(1) after the first call of a step. [const]
+ */
+ABUT_API abut_status abut_universe_island_parts(const abut_universe *universe, const abut_part_id **parts,
+                                                size_t *count);
+
+/**
+ * Island of a part in the last step or detection; zeros for a part that was in none: not dynamic, or created since.
+ * ABUT_UNSUPPORTED while islands are not followed. O(1). [const]
+ */
+ABUT_API abut_status abut_part_island(const abut_universe *universe, abut_part_id part, abut_island *out);
+
+/* ------------------------------------------------------------------------------------------------
+ * Velocities of parts
+ *
+ * Today they are stored, handed out and counted by abut_universe_explain. No contact, event or box depends on
+ * them, nothing is swept between two poses, and sleep goes by poses. They move nothing and wake nobody.
+ * --------------------------------------------------------------------------------------------- */
+
+/** In the world frame. A point p of the part moves by linear + angular x (p - position of the part). */
+typedef struct abut_velocity {
+  abut_vec3 linear;  /**< of the origin of the part, per second */
+  abut_vec3 angular; /**< unit axis times radians per second, by the right-hand rule */
+} abut_velocity;
+
+/** Where the velocity of a part comes from. */
+typedef uint32_t abut_velocity_source;
+enum abut_velocity_source_value ABUT_ENUM(uint32_t) {
+  ABUT_VELOCITY_NONE = 0,      /**< it has none, which reads as zero */
+  ABUT_VELOCITY_GIVEN = 1,     /**< abut_part_set_velocity; stays until it is set again */
+  ABUT_VELOCITY_FROM_POSES = 2 /**< abut_part_measure_velocity */
+};
+
+/**
+ * Gives a part a velocity; null takes it away. Numbers are finite and at most 1e70. O(1). [exclusive]
+ */
+ABUT_API abut_status abut_part_set_velocity(abut_universe *universe, abut_part_id part, const abut_velocity *velocity);
+
+/** The same for `count` parts, all or none; `velocities` is an array of `count`, or null. O(count). [exclusive] */
+ABUT_API abut_status abut_parts_set_velocities(abut_universe *universe, const abut_part_id *parts,
+                                               const abut_velocity *velocities, size_t count);
+
+/**
+ * From now on the velocity of a part follows from its poses. It is zero until abut_universe_step with dt above 0
+ * finds the constant velocity that leads in dt from the pose before to the present one, by the shorter turn. The
+ * pose before is that of the last such step, or that of this call. Steps without time and detections leave it as
+ * it is. Numbers are cut to 1e70. A part that is measured already goes on. O(1), and O(parts that are measured) in
+ * each step. [exclusive]
+ */
+ABUT_API abut_status abut_part_measure_velocity(abut_universe *universe, abut_part_id part);
+
+/** The same for `count` parts, all or none. O(count). [exclusive] */
+ABUT_API abut_status abut_parts_measure_velocities(abut_universe *universe, const abut_part_id *parts, size_t count);
+
+/** Velocity of a part and where it comes from; `source` may be null. O(1). [const] */
+ABUT_API abut_status abut_part_velocity(const abut_universe *universe, abut_part_id part, abut_velocity *out,
+                                        abut_velocity_source *source);
+
+/** Velocities of `count` parts. O(count). [const] */
+ABUT_API abut_status abut_parts_velocities(const abut_universe *universe, const abut_part_id *parts, size_t count,
+                                           abut_velocity *out);
+
+/* ------------------------------------------------------------------------------------------------
+ * Extension libraries of a universe
+ * --------------------------------------------------------------------------------------------- */
+
+/**
+ * For extension libraries: an object of such a library, for example a picker, now stands on a universe. Objects are
+ * counted by name; abut_universe_explain tells the counts, and nothing else depends on them.
+ * @param name  1 to 63 letters, digits, '_', '-' or '.'; copied
+ * Complexity O(log names). [const]
+ */
+ABUT_API abut_status abut_universe_attach(const abut_universe *universe, const char *name);
+
+/** Takes one such object back; ABUT_UNKNOWN_VALUE when none of that name is attached. [const] */
+ABUT_API abut_status abut_universe_detach(const abut_universe *universe, const char *name);
+
+/* ------------------------------------------------------------------------------------------------
  * Queries on a universe
  *
  * They see poses as of the last step or abut_universe_refresh, never a parked geometry, and change nothing: all are

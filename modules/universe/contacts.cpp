@@ -11,6 +11,7 @@ import abut.shape;
 import abut.universe.jobs;
 import abut.universe.pairs;
 import abut.universe.policies;
+import abut.universe.stopwatch;
 
 namespace abut {
 namespace {
@@ -82,7 +83,21 @@ void Universe::find_contacts_of_chunk(std::size_t number) {
 
 // In runs of equal kinds, each pair in the frame of its first shape.
 void Universe::find_contacts() {
-  workers_.for_each(jobs_.chunks().size(), [&](std::size_t chunk) { find_contacts_of_chunk(chunk); });
+  const bool is_timed = are_pairs_timed_.load(std::memory_order_relaxed);
+  workers_.for_each(jobs_.chunks().size(), [&](std::size_t chunk) {
+    Stopwatch watch(is_timed);
+    find_contacts_of_chunk(chunk);
+    jobs_.scratch(chunk).microseconds = watch.lap();
+  });
+}
+
+// What the chunks took, to the tallies of their runs.
+void Universe::time_kinds() {
+  for (std::size_t chunk = 0; chunk < jobs_.chunks().size(); ++chunk) {
+    KindTally& tally = tallies_[jobs_.chunks()[chunk].run];
+    tally.microseconds += jobs_.scratch(chunk).microseconds;
+    tally.is_timed = true;
+  }
 }
 
 // What a pair has found. What it has kept is there already.
@@ -217,6 +232,9 @@ void Universe::collect_contacts() {
     stats_.touching_pairs += task.touching;
     task.first_contact = std::exchange(total, total + task.contacts);
     kept += task.kept;
+  }
+  if (are_pairs_timed_.load(std::memory_order_relaxed)) {
+    time_kinds();
   }
   make_room_for_contacts(total);
   if (kept > 0) {

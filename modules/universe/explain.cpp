@@ -4,11 +4,13 @@ import abut.broadphase;
 import abut.core;
 import abut.core.standard;
 import abut.math;
+import abut.universe.islands;
 import abut.universe.jobs;
 import abut.universe.pairs;
 import abut.universe.plan;
 import abut.universe.policies;
 import abut.universe.rules;
+import abut.universe.velocity;
 
 namespace abut {
 namespace {
@@ -29,9 +31,50 @@ std::vector<Plan::Stage> stages_of(const StepStats& stats, std::uint32_t max_con
   };
 }
 
+Plan::IslandCounts count_of(const IslandList& islands) {
+  std::uint64_t largest = 0;
+  for (const Island& island : islands.islands()) {
+    largest = std::max<std::uint64_t>(largest, island.count);
+  }
+  return {islands.islands().size(), islands.parts().size(), largest};
+}
+
+std::optional<double> time_of_pair(const KindTally& tally) {
+  return tally.is_timed && tally.examined > 0 ? std::optional(tally.microseconds / static_cast<double>(tally.examined))
+                                              : std::nullopt;
+}
+
 }  // namespace
 
-Plan Universe::plan() const {
+std::vector<Plan::LeftOut> Universe::left_out(std::uint64_t never_met, bool has_extensions) const {
+  std::vector<Plan::LeftOut> list;
+  const auto leave_out = [&](bool is_left_out, std::string name, std::string why) {
+    if (is_left_out) {
+      list.push_back({std::move(name), std::move(why)});
+    }
+  };
+  for (const BroadphaseKind kind :
+       {BroadphaseKind::brute, BroadphaseKind::tree, BroadphaseKind::sweep_and_prune, BroadphaseKind::hash_grid}) {
+    leave_out(kind != broadphase_kind_, std::string(name_of(kind)), "another broad phase runs");
+  }
+  leave_out(never_met > 0, count_of(never_met, "pair") + " of kinds", "never met");
+  leave_out(stats_.unsupported_pairs > 0, count_of(stats_.unsupported_pairs, "unsupported pair"),
+            "no algorithm, by declaration");
+  leave_out(stats_.parked > 0, count_of(stats_.parked, "geometry"), "parked");
+  leave_out(rules_.is_empty(), "rules", "none set");
+  leave_out(!filter_, "filter", "none set");
+  leave_out(policies_.size() == 1, "policies", "none set");
+  leave_out(!has_focus_, "focus", "none set");
+  leave_out(!sleep_.is_used(), "sleep", "set for no part");
+  leave_out(!follows_islands_, "islands", sleep_.is_used() ? "connected for sleep, not numbered" : "not asked for");
+  leave_out(velocities_.is_empty(), "velocities", "set for no part");
+  leave_out(workers_.threads() == 1, "threads", "one does it all");
+  leave_out(true, "continuous pass", "none");
+  leave_out(!has_extensions, "extensions", "none attached");
+  return list;
+}
+
+Plan Universe::plan(std::span<const Plan::Extension> extensions) const {
   Plan plan{.stats = stats_,
             .broadphase = name_of(broadphase_kind_),
             .broadphase_reason = broadphase_reason_,
@@ -42,9 +85,16 @@ Plan Universe::plan() const {
             .policies = policies_.size() - 1,
             .stages = stages_of(stats_, options_.max_contacts),
             .kinds = {},
-            .left_out = {}};
+            .left_out = {},
+            .extensions = {extensions.begin(), extensions.end()}};
   if (has_focus_) {
     plan.focus = count_focus();
+  }
+  if (follows_islands_) {
+    plan.islands = count_of(islands_);
+  }
+  if (!velocities_.is_empty()) {
+    plan.velocities = {velocities_.count(VelocitySource::given), velocities_.count(VelocitySource::poses)};
   }
   std::uint64_t never_met = 0;
   for (std::size_t row = 0; row < shape_kind_count; ++row) {
@@ -56,49 +106,21 @@ Plan Universe::plan() const {
       }
       const RouteDescription route = describe_route(row, column);
       plan.kinds.push_back({kind_name(row), kind_name(column), tally.candidates, tally.examined, tally.touching, tally.contacts,
-                            route.algorithm, route.reason});
+                            route.algorithm, route.reason, time_of_pair(tally)});
     }
   }
-  const auto leave_out = [&](std::string name, std::string why) { plan.left_out.push_back({std::move(name), std::move(why)}); };
-  for (const BroadphaseKind kind :
-       {BroadphaseKind::brute, BroadphaseKind::tree, BroadphaseKind::sweep_and_prune, BroadphaseKind::hash_grid}) {
-    if (kind != broadphase_kind_) {
-      leave_out(std::string(name_of(kind)), "another broad phase runs");
-    }
-  }
-  if (never_met > 0) {
-    leave_out(count_of(never_met, "pair") + " of kinds", "never met");
-  }
-  if (stats_.unsupported_pairs > 0) {
-    leave_out(count_of(stats_.unsupported_pairs, "unsupported pair"), "no algorithm, by declaration");
-  }
-  if (stats_.parked > 0) {
-    leave_out(count_of(stats_.parked, "geometry"), "parked");
-  }
-  if (rules_.is_empty()) {
-    leave_out("rules", "none set");
-  }
-  if (!filter_) {
-    leave_out("filter", "none set");
-  }
-  if (policies_.size() == 1) {
-    leave_out("policies", "none set");
-  }
-  if (!has_focus_) {
-    leave_out("focus", "none set");
-  }
-  if (!sleep_.is_used()) {
-    leave_out("sleep", "set for no part");
-  }
-  if (workers_.threads() == 1) {
-    leave_out("threads", "one does it all");
-  }
-  leave_out("continuous pass", "none");
-  leave_out("picking", "not loaded");
+  plan.left_out = left_out(never_met, !extensions.empty());
   return plan;
 }
 
-std::string Universe::explain() const { return to_text(plan()); }
-std::string Universe::explain_json() const { return to_json(plan()); }
+// Whoever asks once may ask again: from the next detection on, times of pairs are measured.
+std::string Universe::explain(std::span<const Plan::Extension> extensions) const {
+  are_pairs_timed_.store(true, std::memory_order_relaxed);
+  return to_text(plan(extensions));
+}
+std::string Universe::explain_json(std::span<const Plan::Extension> extensions) const {
+  are_pairs_timed_.store(true, std::memory_order_relaxed);
+  return to_json(plan(extensions));
+}
 
 }  // namespace abut

@@ -16,6 +16,8 @@ export namespace abut {
 // What happened to the pairs of two kinds in the last detection.
 struct KindTally {
   std::uint64_t candidates = 0, examined = 0, touching = 0, contacts = 0;
+  double microseconds = 0;  // of those examined
+  bool is_timed = false;
 
   KindTally& operator+=(const KindTally& more) {
     candidates += more.candidates;
@@ -46,6 +48,7 @@ struct ChunkScratch {
   Manifold points;
   std::vector<PairResult> results;
   std::vector<std::uint64_t> ids;
+  double microseconds = 0;  // that the jobs of the last detection took, if it measured them
 };
 
 class JobList {

@@ -48,6 +48,9 @@ struct Pair {
 };
 inline constexpr std::uint32_t no_job = 0xffffffff;
 
+// Whether one side may carry the other: what sensors meet, and what is only seen as boxes, holds nothing.
+[[nodiscard]] inline bool bears(const Pair& pair) { return pair.contact_count > 0 && !pair.is_sensor; }
+
 // The kept pairs, in order of their places. A detection merges them with the pairs that the broad phase finds.
 class PairStore {
  public:

@@ -56,6 +56,7 @@ Result<void> Universe::destroy_parts(std::span<const PartId> parts) {
       rules_.forget({CollidableKind::part, part.slot, part.generation});
     }
     sleep_.forget(part.slot);
+    velocities_.forget(part.slot);
     list_bytes_ -= parts_.at(part).geometries.capacity() * sizeof(GeometryId);
     parts_.erase(part);
   }

@@ -16,6 +16,7 @@ struct Plan {
     std::string_view kind_a, kind_b;
     std::uint64_t candidates, examined, touching, contacts;
     std::string_view algorithm, reason;
+    std::optional<double> microseconds = std::nullopt;  // of a pair that was examined
   };
   struct LeftOut {
     std::string name, why;
@@ -24,6 +25,17 @@ struct Plan {
   struct FocusCounts {
     Focus focus;
     std::uint64_t centres, near, far;
+  };
+  // A library that stands on the universe, and how many of its objects do.
+  struct Extension {
+    std::string name;
+    std::uint64_t count;
+  };
+  struct IslandCounts {
+    std::uint64_t islands, parts, largest;
+  };
+  struct VelocityCounts {
+    std::uint64_t given, measured;
   };
 
   StepStats stats;
@@ -35,6 +47,9 @@ struct Plan {
   std::vector<KindPair> kinds;
   std::vector<LeftOut> left_out;
   std::optional<FocusCounts> focus = std::nullopt;
+  std::optional<IslandCounts> islands = std::nullopt;
+  std::optional<VelocityCounts> velocities = std::nullopt;
+  std::vector<Extension> extensions = {};
 };
 
 // A number with its noun: "1 geometry", "2 geometries".

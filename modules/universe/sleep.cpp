@@ -3,42 +3,11 @@ import abut.core;
 import abut.core.standard;
 import abut.math;
 import abut.shape;
+import abut.universe.islands;
 import abut.universe.options;
+import abut.universe.velocity;
 
 namespace abut {
-namespace {
-
-Vec3 over(const Vec3& v, Real divisor) { return {v.x / divisor, v.y / divisor, v.z / divisor}; }
-
-// For |t| below 0.1, where what the series leaves out is below rounding.
-Real small_arc_tangent(Real t) {
-  const Real s = t * t;
-  return t * (1 - s * (1. / 3 - s * (1. / 5 - s * (1. / 7 - s * (1. / 9 - s * (1. / 11 - s * (1. / 13 - s / 15)))))));
-}
-
-}  // namespace
-
-// The quaternion of the turn is (cos h, sin h * axis) for half of its angle, h. The tangent of half an angle is t / (1 + sqrt(1 +
-// t^2)), and square roots are the same on every platform, unlike the functions of the library that would answer at once.
-Vec3 turn_between(const Quat& before, const Quat& after) {
-  const Quat &a = after, &b = before;
-  Real w = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
-  Vec3 v{a.x * b.w - a.w * b.x + (a.z * b.y - a.y * b.z), a.y * b.w - a.w * b.y + (a.x * b.z - a.z * b.x),
-         a.z * b.w - a.w * b.z + (a.y * b.x - a.x * b.y)};
-  if (w < 0) {
-    w = -w;
-    v = -v;
-  }
-  const Real sine = norm(v);
-  if (sine == 0) {
-    return {0, 0, 0};
-  }
-  Real t = sine / (w + std::sqrt(w * w + sine * sine));  // of a quarter of the angle, at most 1
-  for (int i = 0; i < 3; ++i) {
-    t = t / (1 + std::sqrt(1 + t * t));
-  }
-  return (32 * small_arc_tangent(t) / sine) * v;
-}
 
 Fault check_sleep(const Sleep& sleep) {
   if (sleep.steps == 0) {
@@ -80,8 +49,6 @@ void SleepTable::set(PartId part, bool is_dynamic, const std::optional<Sleep>& t
                           .thresholds = *thresholds,
                           .before = {},
                           .velocity = {},
-                          .spin = {},
-                          .island = places_[part.slot - 1],
                           .is_dynamic = is_dynamic});
     }
     return;
@@ -131,34 +98,22 @@ void SleepTable::disturb(const Side& part) {
 
 void SleepTable::measure_one(Member& member, const Placement& placement, Real dt) {
   const Sleep& limits = member.thresholds;
-  const Vec3 velocity = over(placement.position - member.before.position, dt);
-  const Vec3 spin = over(turn_between(member.before.orientation, placement.orientation), dt);
-  const bool is_calm = member.measured == 2 && norm(velocity) <= limits.linear_speed && norm(spin) <= limits.angular_speed &&
-                       norm(velocity - member.velocity) / dt <= limits.linear_acceleration &&
-                       norm(spin - member.spin) / dt <= limits.angular_acceleration;
+  const Velocity now = velocity_between(member.before, placement, dt), &last = member.velocity;
+  const bool is_calm = member.measured == 2 && norm(now.linear) <= limits.linear_speed &&
+                       norm(now.angular) <= limits.angular_speed &&
+                       norm(now.linear - last.linear) / dt <= limits.linear_acceleration &&
+                       norm(now.angular - last.angular) / dt <= limits.angular_acceleration;
   member.calm_steps = is_calm ? std::min(member.calm_steps + 1, limits.steps) : 0;
   member.before = placement;
-  member.velocity = velocity;
-  member.spin = spin;
+  member.velocity = now;
   member.measured = std::min(member.measured + 1, 2u);
 }
 
-void SleepTable::start_islands() {
-  for (std::uint32_t i = 0; i < members_.size(); ++i) {
-    members_[i].island = i;
-    members_[i].is_kept_awake = members_[i].is_island_awake = false;
-  }
-}
-
-// What does not move is in nobody's island, or the ground would be in all of them.
 void SleepTable::touch(const Side& a, const Side& b) {
   const std::uint32_t one = dynamic_member_at(a), other = dynamic_member_at(b);
-  if (one != no_member && other != no_member) {
-    const std::uint32_t low = std::min(island_of(one), island_of(other)), high = std::max(island_of(one), island_of(other));
-    members_[high].island = low;
-  } else if (one != no_member) {
+  if (one != no_member && other == no_member) {
     members_[one].is_kept_awake = members_[one].is_kept_awake || keeps_awake(b);
-  } else if (other != no_member) {
+  } else if (other != no_member && one == no_member) {
     members_[other].is_kept_awake = members_[other].is_kept_awake || keeps_awake(a);
   }
 }
@@ -175,15 +130,17 @@ bool SleepTable::is_ready(const Member& member, bool has_time_passed) {
          (member.is_asleep || has_come_to_rest);
 }
 
-void SleepTable::settle(bool has_time_passed) {
+void SleepTable::settle(bool has_time_passed, IslandLinks& links) {
   changes_.clear();
-  for (std::uint32_t i = 0; i < members_.size(); ++i) {
-    Member& island = members_[island_of(i)];
-    island.is_island_awake = island.is_island_awake || !is_ready(members_[i], has_time_passed);
+  is_island_awake_.assign(places_.size(), false);
+  for (const Member& member : members_) {
+    if (!is_ready(member, has_time_passed)) {
+      is_island_awake_[links.root_of(member.part.slot) - 1] = true;
+    }
   }
-  for (std::uint32_t i = 0; i < members_.size(); ++i) {
-    Member& member = members_[i];
-    turn_to(member, !members_[island_of(i)].is_island_awake);
+  for (Member& member : members_) {
+    turn_to(member, !is_island_awake_[links.root_of(member.part.slot) - 1]);
+    member.is_kept_awake = false;
     if (has_time_passed) {
       // Until then it is remembered, so that nobody falls asleep in the step after a detection that saw it.
       member.calm_steps = member.unrest == Unrest::call ? 0 : member.calm_steps;
@@ -212,7 +169,7 @@ void SleepTable::turn_to(Member& member, bool is_asleep) {
   member.is_asleep = is_asleep;
   member.calm_steps = 0;
   if (is_asleep) {
-    member.velocity = member.spin = {0, 0, 0};
+    member.velocity = {};
     ++asleep_count_;
   } else {
     --asleep_count_;
@@ -239,18 +196,9 @@ bool SleepTable::keeps_awake(const Side& side) const {
   return side.is_dynamic || (side.slot <= has_moved_.size() && has_moved_[side.slot - 1]);
 }
 
-// Each member points to one before it in the list, or to itself. Paths are halved on the way.
-std::uint32_t SleepTable::island_of(std::uint32_t member) {
-  while (members_[member].island != member) {
-    members_[member].island = members_[members_[member].island].island;
-    member = members_[member].island;
-  }
-  return member;
-}
-
 std::size_t SleepTable::bytes() const {
   return members_.capacity() * sizeof(Member) + (places_.capacity() + moved_.capacity()) * sizeof(std::uint32_t) +
-         has_moved_.capacity() / 8 + changes_.capacity() * sizeof(SleepChange);
+         (has_moved_.capacity() + is_island_awake_.capacity()) / 8 + changes_.capacity() * sizeof(SleepChange);
 }
 
 }  // namespace abut

@@ -1,19 +1,17 @@
-// Which parts have come to rest: SPEC 16.16, VX-23.
+// Which parts have come to rest.
 export module abut.universe.sleep;
 import abut.core;
 import abut.core.standard;
 import abut.math;
 import abut.shape;
+import abut.universe.islands;
 import abut.universe.options;
+import abut.universe.velocity;
 
 export namespace abut {
 
-// The turn from one orientation to another as its axis times its angle, which is at most half a turn. Exactly zero for equal
-// orientations; lengths of the quaternions do not matter.
-[[nodiscard]] Vec3 turn_between(const Quat& before, const Quat& after);
-
 // Parts that may fall asleep, by the slot of the part, and what they need for it. A detection calls, in this order, measure if
-// time has passed, start_islands, touch and unsettle for what it found, and settle. A part that was never set costs nothing.
+// time has passed, touch and unsettle for what it found, and settle. A part that was never set costs nothing.
 class SleepTable {
  public:
   // One of two parts that touch.
@@ -50,13 +48,13 @@ class SleepTable {
       }
     }
   }
-  void start_islands();
-  // Two parts that touch: both are of one island when both are dynamic.
+  // Two parts that touch: one that never sleeps, or moves though it is not dynamic, keeps the other awake.
   void touch(const Side& a, const Side& b);
   // A part of which a touch begins or ends.
   void unsettle(std::uint32_t slot);
-  // Decides island by island. Parts only fall asleep in steps in which time passes.
-  void settle(bool has_time_passed);
+  // Decides island by island, for links that hold the slots of all parts. Parts only fall asleep in steps in which
+  // time passes.
+  void settle(bool has_time_passed, IslandLinks& links);
 
   [[nodiscard]] std::size_t bytes() const;
 
@@ -71,22 +69,19 @@ class SleepTable {
     PartId part;
     Sleep thresholds;
     Placement before;      // in the step before
-    Vec3 velocity, spin;   // there
-    std::uint32_t island;  // a member of the same island, or itself
+    Velocity velocity;     // there
     std::uint32_t calm_steps = 0;
     std::uint32_t measured = 0;  // steps, up to two, which it takes to know speeds
     Unrest unrest = Unrest::none;
     bool is_dynamic;
     bool has_thresholds = true;
     bool is_asleep = false;
-    bool is_kept_awake = false;   // by what it touches
-    bool is_island_awake = false; // of the member that stands for an island
+    bool is_kept_awake = false;  // by what it touches
   };
 
   [[nodiscard]] std::uint32_t member_at(std::uint32_t slot) const;
   [[nodiscard]] std::uint32_t dynamic_member_at(const Side& side) const;
   [[nodiscard]] bool keeps_awake(const Side& side) const;
-  [[nodiscard]] std::uint32_t island_of(std::uint32_t member);
   [[nodiscard]] static bool is_ready(const Member& member, bool has_time_passed);
   static void measure_one(Member& member, const Placement& placement, Real dt);
   void turn_to(Member& member, bool is_asleep);
@@ -98,6 +93,7 @@ class SleepTable {
   std::vector<std::uint32_t> places_;  // in members_, by slot less one
   std::vector<bool> has_moved_;        // by slot less one, of parts that are not dynamic, since the last step with time
   std::vector<std::uint32_t> moved_;   // their slots
+  std::vector<bool> is_island_awake_;  // by its lowest slot, less one
   std::vector<SleepChange> changes_;
   std::size_t asleep_count_ = 0;
 };

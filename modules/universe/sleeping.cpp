@@ -61,7 +61,6 @@ void Universe::update_sleep(Real dt) {
   if (dt > 0) {
     sleep_.measure(dt, [&](PartId part) -> const Placement& { return parts_.at(part).placement; });
   }
-  sleep_.start_islands();
   const auto unsettle = [&](std::uint32_t place, std::uint32_t generation) {
     if (infos_[place].generation == generation) {
       sleep_.unsettle(infos_[place].part);
@@ -77,7 +76,7 @@ void Universe::update_sleep(Real dt) {
     }
   }
   for (Pair& pair : pairs_.all()) {
-    const bool is_bearing = pair.contact_count > 0 && !pair.is_sensor;
+    const bool is_bearing = bears(pair);
     if (is_bearing != pair.is_bearing) {
       pair.is_bearing = is_bearing;
       unsettle_both(pair);
@@ -87,7 +86,7 @@ void Universe::update_sleep(Real dt) {
       sleep_.touch({low.part, low.is_moving}, {high.part, high.is_moving});
     }
   }
-  sleep_.settle(dt > 0);
+  sleep_.settle(dt > 0, island_links_);
 }
 
 // The pair touches, but none of its dynamic parts is awake.

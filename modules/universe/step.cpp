@@ -12,26 +12,13 @@ import abut.universe.jobs;
 import abut.universe.pairs;
 import abut.universe.policies;
 import abut.universe.rules;
+import abut.universe.stopwatch;
 
 namespace abut {
 namespace {
 
 // Fewer pairs are looked at, and fewer flags are taken back, faster than a thread is called.
 constexpr std::size_t least_of_task = 2048, least_flags_of_task = 16384;
-
-class Stopwatch {
- public:
-  // Microseconds since it was made or read last.
-  [[nodiscard]] double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double, std::micro> passed = now - last_;
-    last_ = now;
-    return passed.count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace
 
@@ -198,6 +185,7 @@ void Universe::run_stages(const Scope& scope) {
   ++step_;
   pairs_.forget_lost();
   gather_changes();
+  update_velocities(scope.dt);
   stats_.refresh_microseconds = watch.lap();
   update_broadphase();
   if (is_broadphase_changed_) {
@@ -209,6 +197,12 @@ void Universe::run_stages(const Scope& scope) {
   find_contacts();
   stats_.narrowphase_microseconds = watch.lap();
   collect_contacts();
+  if (sleep_.is_used() || follows_islands_) {
+    connect_islands();
+  }
+  if (follows_islands_) {
+    number_islands();
+  }
   if (sleep_.is_used()) {
     update_sleep(scope.dt);
   }

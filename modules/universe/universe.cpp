@@ -121,9 +121,10 @@ std::size_t Universe::bytes() const {
     tasks += task.events.capacity() * sizeof(Event);
   }
   const std::size_t broadphase = std::visit([](const auto& its) { return its.bytes(); }, broadphase_);
-  return sizeof(Universe) + parts_.bytes() + geometries_.bytes() + list_bytes_ + per_geometry + changes + results + tasks + broadphase +
-         rules_.bytes() + policies_.bytes() + focus_.bytes() + switched_.capacity() * sizeof(std::uint32_t) + materials_.bytes() +
-         sleep_.bytes();
+  return sizeof(Universe) + parts_.bytes() + geometries_.bytes() + list_bytes_ + per_geometry + changes + results +
+         tasks + broadphase + rules_.bytes() + policies_.bytes() + focus_.bytes() +
+         switched_.capacity() * sizeof(std::uint32_t) + materials_.bytes() + sleep_.bytes() + velocities_.bytes() +
+         island_links_.bytes() + islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
 }
 
 }  // namespace abut

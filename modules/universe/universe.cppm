@@ -8,11 +8,13 @@ import abut.math;
 import abut.registry;
 import abut.shape;
 export import abut.universe.focus;
+export import abut.universe.islands;
 export import abut.universe.materials;
 export import abut.universe.options;
+export import abut.universe.velocity;
 import abut.universe.jobs;
 import abut.universe.pairs;
-import abut.universe.plan;
+export import abut.universe.plan;
 import abut.universe.policies;
 import abut.universe.rules;
 import abut.universe.sleep;
@@ -40,6 +42,17 @@ class Universe {
   [[nodiscard]] Result<MotionKind> motion(PartId part) const;
   [[nodiscard]] Result<std::uint64_t> user_data(PartId part) const;
   [[nodiscard]] Result<std::vector<GeometryId>> geometries_of(PartId part) const;
+
+  // How fast parts move: stored and handed out. Nothing is swept yet, and sleep goes by poses. None takes a velocity
+  // away.
+  [[nodiscard]] Result<void> set_velocities(std::span<const PartId> parts,
+                                            std::span<const std::optional<Velocity>> velocities);
+  // From now on by the poses: a step with time finds what leads from those of the step with time before to the
+  // present ones.
+  [[nodiscard]] Result<void> measure_velocities(std::span<const PartId> parts);
+  // Zero for a part that has none.
+  [[nodiscard]] Result<Velocity> velocity(PartId part) const;
+  [[nodiscard]] Result<VelocitySource> velocity_source(PartId part) const;
 
   // Geometries. No options means the default ones for each.
   [[nodiscard]] Result<std::vector<GeometryId>> create_geometries(std::span<const PartId> parts, std::span<const ShapeHandle> shapes,
@@ -83,6 +96,12 @@ class Universe {
   // Of the last detection, by slot; parts may have been destroyed since.
   [[nodiscard]] std::span<const SleepChange> sleep_changes() const [[clang::lifetimebound]] { return sleep_.changes(); }
 
+  // From the next detection on, or no longer: each one finds the islands, at a cost of O(pairs + parts).
+  void follow_islands(bool are_followed);
+  [[nodiscard]] bool follows_islands() const { return follows_islands_; }
+  // Of the last detection; parts may have been destroyed since.
+  [[nodiscard]] const IslandList& islands() const [[clang::lifetimebound]] { return islands_; }
+
   // What contacts of two materials are like, in either order: stored and handed out. Nothing takes a row away.
   [[nodiscard]] Result<void> set_material(std::uint32_t a, std::uint32_t b, const std::optional<ContactMaterial>& row);
   [[nodiscard]] ContactMaterial material(std::uint32_t a, std::uint32_t b) const { return materials_.of(a, b); }
@@ -110,8 +129,9 @@ class Universe {
   // but for generations.
   [[nodiscard]] std::uint64_t hash() const;
   [[nodiscard]] const StepStats& stats() const [[clang::lifetimebound]] { return stats_; }
-  [[nodiscard]] std::string explain() const;
-  [[nodiscard]] std::string explain_json() const;
+  // `extensions`: libraries that stand on this universe, which only the caller knows.
+  [[nodiscard]] std::string explain(std::span<const Plan::Extension> extensions = {}) const;
+  [[nodiscard]] std::string explain_json(std::span<const Plan::Extension> extensions = {}) const;
   // What will surprise whoever built the scene, ordered by code, then by slots. O(geometries + kinds squared).
   [[nodiscard]] std::vector<Finding> validate() const;
   [[nodiscard]] bool is_stepping() const { return is_stepping_; }
@@ -138,6 +158,9 @@ class Universe {
   }
   [[nodiscard]] inline const AnyShape& shape_at(std::uint32_t place) const [[clang::lifetimebound]] { return *shapes_[place]; }
   [[nodiscard]] inline const Pose& world_at(std::uint32_t place) const [[clang::lifetimebound]] { return worlds_[place]; }
+  // Of the part; jobs name geometries by the same places. A point p of the geometry moves by
+  // linear + angular x (p - origin of the part).
+  [[nodiscard]] inline Velocity velocity_at(std::uint32_t place) const { return velocities_.of(infos_[place].part); }
   [[nodiscard]] inline GeometryId id_at(std::uint32_t place) const { return geometries_.id_at_slot(place + 1); }
   [[nodiscard]] inline PartId part_at(std::uint32_t place) const { return geometries_.at(id_at(place)).part; }
   [[nodiscard]] inline const GeometryOptions& options_at(std::uint32_t place) const [[clang::lifetimebound]] {
@@ -211,6 +234,7 @@ class Universe {
   [[nodiscard]] bool is_covered(const Pair& pair, const Scope& scope) const;
   void find_contacts();
   void find_contacts_of_chunk(std::size_t chunk);
+  void time_kinds();
   void finish_job(std::size_t job, std::uint32_t chunk, std::size_t first, std::size_t count);
   void collect_contacts();
   void count_contacts(std::size_t begin, std::size_t end, ContactTask& out);
@@ -219,6 +243,9 @@ class Universe {
   void move_kept_contacts();
   void make_room_for_contacts(std::size_t count);
   void disturb(PartId part);
+  void update_velocities(Real dt);
+  void connect_islands();
+  void number_islands();
   void update_sleep(Real dt);
   [[nodiscard]] bool is_asleep(const Pair& pair) const;
   [[nodiscard]] std::uint32_t event_flags_of(const Pair& pair) const;
@@ -230,7 +257,8 @@ class Universe {
   void count_everything();
   [[nodiscard]] Placement world_of(const Geometry& geometry) const;
   [[nodiscard]] std::size_t bytes() const;
-  [[nodiscard]] Plan plan() const;
+  [[nodiscard]] Plan plan(std::span<const Plan::Extension> extensions) const;
+  [[nodiscard]] std::vector<Plan::LeftOut> left_out(std::uint64_t never_met, bool has_extensions) const;
   [[nodiscard]] Plan::FocusCounts count_focus() const;
 
   UniverseOptions options_;
@@ -278,6 +306,12 @@ class Universe {
   std::vector<std::uint32_t> switched_;  // places that the focus has given another tag
   MaterialTable materials_;
   SleepTable sleep_;
+  VelocityTable velocities_;
+  IslandLinks island_links_;
+  IslandList islands_;
+  bool follows_islands_ = false;
+  std::vector<PartId> dynamic_parts_;  // while islands are numbered
+  mutable std::atomic<bool> are_pairs_timed_{false};  // since someone asked for the plan
   bool is_stepping_ = false;
   bool is_torn_ = false;  // while lists do not fit each other
   std::vector<std::pair<GeometryId, Parking>> deferred_parking_;

@@ -219,6 +219,13 @@
   FIELD(abut_step_stats, narrowphase_microseconds, 136, 8) \
   FIELD(abut_step_stats, contact_microseconds, 144, 8)    \
   FIELD(abut_step_stats, asleep, 152, 8)                  \
+  TYPE(abut_island, 16)                                   \
+  FIELD(abut_island, id, 0, 8)                            \
+  FIELD(abut_island, first_part, 8, 4)                    \
+  FIELD(abut_island, part_count, 12, 4)                   \
+  TYPE(abut_velocity, 48)                                 \
+  FIELD(abut_velocity, linear, 0, 24)                     \
+  FIELD(abut_velocity, angular, 24, 24)                   \
   TYPE(abut_finding, 192)                                 \
   FIELD(abut_finding, code, 0, 4)                         \
   FIELD(abut_finding, reserved, 4, 4)                     \

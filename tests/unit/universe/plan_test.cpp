@@ -27,8 +27,11 @@ Plan some_plan() {
           .rules = 5,
           .policies = 6,
           .stages = {{"refresh", 1.25, "one"}, {"a name longer than its column", 0.5, "two"}},
-          .kinds = {{"box", "sphere", 10, 9, 8, 7, "closed form", "it has one"}},
-          .left_out = {{"picking", "not loaded"}}};
+          .kinds = {{"box", "sphere", 10, 9, 8, 7, "closed form", "it has one", 0.25}},
+          .left_out = {{"sleep", "set for no part"}},
+          .islands = Plan::IslandCounts{2, 3, 2},
+          .velocities = Plan::VelocityCounts{1, 4},
+          .extensions = {{"picking", 2}, {"response", 1}}};
 }
 
 TEST(Plan, AsJsonIsWhatItWas) {
@@ -41,7 +44,12 @@ TEST(Plan, AsJsonIsWhatItWas) {
   EXPECT_EQ(json["stages"].size(), 2U);
   EXPECT_EQ(json["stages"][0]["microseconds"], 1.25);
   EXPECT_EQ(json["pairs_of_kinds"][0]["touching"], 8);
-  EXPECT_EQ(json["left_out"][0]["why"], "not loaded");
+  EXPECT_EQ(json["left_out"][0]["why"], "set for no part");
+  EXPECT_EQ(json["islands"]["largest"], 2);
+  EXPECT_EQ(json["velocities"]["from_poses"], 4);
+  EXPECT_EQ(json["extensions"][0]["name"], "picking");
+  EXPECT_EQ(json["extensions"][0]["count"], 2);
+  EXPECT_EQ(json["pairs_of_kinds"][0]["microseconds"], 0.25);
   EXPECT_EQ(json["rules"], 5);
 }
 
@@ -57,10 +65,12 @@ TEST(Plan, AsJsonCanBeEmpty) {
 
 TEST(Plan, AsTextHasALineForEverything) {
   const std::string text = to_text(some_plan());
-  for (const char* line : {"universe: 3 parts, 1 geometry, 12345 bytes\n", "  refresh             1.3 us  one\n",
-                           "broad phase: tree, because of", "threads: 2\n", "tolerance: margin",
-                           "  box - sphere: 10 candidates, 9 examined, 8 touching, 7 contacts; closed form (it has one)\n",
-                           "  picking: not loaded\n"}) {
+  for (const char* line :
+       {"universe: 3 parts, 1 geometry, 12345 bytes\n", "  refresh             1.3 us  one\n",
+        "broad phase: tree, because of", "threads: 2\n", "tolerance: margin",
+        "  box - sphere: 10 candidates, 9 examined, 8 touching, 7 contacts; 0.25 us a pair; closed form (it has one)\n",
+        "islands: 2 of 3 parts, the largest of 2\n", "velocities: 1 given, 4 from poses; nothing is swept\n",
+        "extensions: 2 picking, 1 response\n", "  sleep: set for no part\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
   }
 }

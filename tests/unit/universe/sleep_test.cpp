@@ -1,7 +1,6 @@
 // The table of sleeping parts, without a universe around it.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -10,47 +9,13 @@
 #include <vector>
 
 import abut.math;
+import abut.universe.islands;
 import abut.universe.options;
 import abut.universe.sleep;
 
 namespace {
 
 using namespace abut;
-
-Quat turned(const Vec3& axis, Real angle) {
-  const Real s = std::sin(0.5 * angle);
-  return {std::cos(0.5 * angle), s * axis.x, s * axis.y, s * axis.z};
-}
-Quat product(const Quat& a, const Quat& b) {
-  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
-          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
-}
-
-TEST(TurnBetween, IsTheAxisTimesTheAngle) {
-  const Quat before = turned({0.6, 0, 0.8}, 1.1);
-  const Vec3 axis{2. / 3, -2. / 3, 1. / 3};
-  for (const Real angle : {1e-150, 1e-9, 1e-3, 0.1, 1.0, 2.0, 3.0, 3.14159}) {
-    const Vec3 turn = turn_between(before, product(turned(axis, angle), before));
-    EXPECT_LE(norm(turn - angle * axis), 1e-14 + 4e-16 * angle) << angle;
-    const Vec3 small = turn_between({1, 0, 0, 0}, turned(axis, angle));
-    EXPECT_LE(norm(small - angle * axis), 2e-15 * angle) << angle << ": relative where nothing cancels";
-  }
-}
-
-TEST(TurnBetween, IsZeroOnlyForEqualOrientations) {
-  for (const Quat& q : {Quat{1, 0, 0, 0}, Quat{0.5, 0.5, -0.5, 0.5}, turned({0.6, 0, 0.8}, 1.1), turned({0, 0.28, 0.96}, 0.3)}) {
-    EXPECT_EQ(turn_between(q, q), (Vec3{0, 0, 0}));
-    EXPECT_EQ(turn_between(q, {-q.w, -q.x, -q.y, -q.z}), (Vec3{0, 0, 0})) << "the same rotation";
-    EXPECT_GT(norm(turn_between(q, product(turned({1, 0, 0}, 1e-12), q))), 0);
-  }
-}
-
-TEST(TurnBetween, TakesTheShorterWayAndAnyLength) {
-  const Quat half = turned({0, 0, 1}, 3.5);
-  EXPECT_NEAR(turn_between({1, 0, 0, 0}, half).z, 3.5 - 2 * 3.141592653589793, 1e-14);
-  EXPECT_NEAR(turn_between({1.001, 0, 0, 0}, {0.999 * std::cos(0.5), 0.999 * std::sin(0.5), 0, 0}).x, 1, 1e-14);
-  EXPECT_NEAR(norm(turn_between({1, 0, 0, 0}, {0, 0, 1, 0})), 3.141592653589793, 1e-14);
-}
 
 // Parts by their slots, whose touches a test makes up.
 class Bench {
@@ -65,14 +30,17 @@ class Bench {
     if (dt > 0) {
       table.measure(dt, [&](PartId part) -> const Placement& { return placements[part.slot]; });
     }
-    table.start_islands();
+    links.start(100);
     for (const auto& [a, b] : touches) {
       table.touch(a, b);
+      if (a.is_dynamic && b.is_dynamic) {
+        links.join(a.slot, b.slot);
+      }
     }
     for (const std::uint32_t slot : std::exchange(unsettled, {})) {
       table.unsettle(slot);
     }
-    table.settle(dt > 0);
+    table.settle(dt > 0, links);
     std::string changes;
     for (const SleepChange& change : table.changes()) {
       EXPECT_EQ(table.is_asleep(change.part.slot), change.is_asleep);
@@ -89,6 +57,7 @@ class Bench {
   }
 
   SleepTable table;
+  IslandLinks links;
   std::map<std::uint32_t, Placement> placements;
   std::vector<std::pair<SleepTable::Side, SleepTable::Side>> touches;
   std::vector<std::uint32_t> unsettled;

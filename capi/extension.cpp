@@ -1,0 +1,51 @@
+// Extension libraries of a universe.
+#include "universe_handle.hpp"
+
+import abut.core;
+
+using namespace abut::capi;
+
+namespace {
+
+// Longer names are cut where they are shown, so nobody gets to use one.
+constexpr std::size_t longest_name = 63;
+
+bool is_letter_of_name(char letter) {
+  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') ||
+         letter == '_' || letter == '-' || letter == '.';
+}
+
+abut_status check_name(const char* name) {
+  if (const abut_status status = check_not_null("name", name); status != ABUT_OK) {
+    return status;
+  }
+  const std::string_view text(name);
+  if (text.empty() || text.size() > longest_name || !std::ranges::all_of(text, is_letter_of_name)) {
+    return refuse(ABUT_INVALID_ARGUMENT, "name is \"" + std::string(text.substr(0, longest_name)) + "\", of length " +
+                                             std::to_string(text.size()) + "; it must be 1 to " +
+                                             std::to_string(longest_name) + " letters, digits, '_', '-' or '.'");
+  }
+  return ABUT_OK;
+}
+
+}  // namespace
+
+abut_status abut_universe_attach(const abut_universe* universe, const char* name) {
+  return guard(universe, [&](const abut_universe& its) {
+    const abut_status status = check_name(name);
+    if (status == ABUT_OK) {
+      its.extensions.attach(name);
+    }
+    return status;
+  });
+}
+
+abut_status abut_universe_detach(const abut_universe* universe, const char* name) {
+  return guard(universe, [&](const abut_universe& its) {
+    const abut_status status = check_name(name);
+    if (status != ABUT_OK || its.extensions.detach(name)) {
+      return status;
+    }
+    return refuse(ABUT_UNKNOWN_VALUE, "name is \"" + std::string(name) + "\"; no extension of that name is attached");
+  });
+}
