@@ -1,6 +1,8 @@
 module abut.narrowphase.depth_minimum;
 import abut.core.standard;
 import abut.math;
+import abut.narrowphase.difference;
+import abut.narrowphase.pair_germ;
 import abut.shape;
 import abut.shape.germ;
 
@@ -57,10 +59,11 @@ constexpr std::array<Reach, 16> reaches{{{399.99, 1.002503},
                                          {0.02, 100.009999},
                                          {0.01, 200.004999}}};
 
-constexpr Real parallel_share = 1e-15;  // of the square of a sine, less than which is rounding
 constexpr Real share_slack = 1e-9;
 [[nodiscard]] inline bool is_share(Real share) { return share >= -share_slack && share <= 1 + share_slack; }
 [[nodiscard]] inline Real clamped(Real share) { return share < 0 ? 0 : share > 1 ? 1 : share; }
+
+constexpr int minimum_rounds = 12;
 
 }  // namespace
 
@@ -72,29 +75,6 @@ Weights weights_of(const PairGerm& germ, const Stride& stride) {
     }
   }
   return weights;
-}
-
-void join_parallel_steps(PairGerm& germ) {
-  for (std::size_t i = 0; i < germ.a.step_count; ++i) {
-    InFrame& u = germ.a.steps[i];
-    const Real square = u.n * u.n + u.x * u.x + u.y * u.y;
-    for (std::size_t j = 0; j < germ.b.step_count; ++j) {
-      InFrame v = germ.b.steps[j];
-      const Real along = u.n * v.n + u.x * v.x + u.y * v.y, other = v.n * v.n + v.x * v.x + v.y * v.y;
-      if (square * other - along * along > parallel_share * square * other) {
-        continue;
-      }
-      if (along < 0) {
-        // Across both, where neither end is the further one: from the other end of b.
-        germ.point = {germ.point.n + v.n, germ.point.x + v.x, germ.point.y + v.y};
-        v = {-v.n, -v.x, -v.y};
-      }
-      germ.part_of_a[i] = 1 / (1 + std::sqrt(other / square));
-      u = {u.n + v.n, u.x + v.x, u.y + v.y};
-      germ.b.steps[j] = germ.b.steps[--germ.b.step_count];
-      break;
-    }
-  }
 }
 
 bool stride_to_minimum(const PairGerm& germ, const Weights& weights, Real noise, Real spare, Stride& stride) {
@@ -321,6 +301,72 @@ DepthMinimum points_at(const GermFrame& frame, const PairGerm& germ, const Strid
   found.point_a = on_a.n * frame.n + on_a.x * frame.x + on_a.y * frame.y;
   found.point_b = found.point_a - foot.n * frame.n;
   return found;
+}
+
+bool weighed_stride(const PairGerm& germ, Real noise, Real spare, Stride& stride) {
+  stride = {};
+  if (!stride_to_minimum(germ, {}, noise, spare, stride)) {
+    return false;
+  }
+  const Weights weights = weights_of(germ, stride);
+  if (weights.a == 1 && weights.b == 1) {
+    return true;
+  }
+  stride = {};
+  return stride_to_minimum(germ, weights, noise, spare, stride);
+}
+
+Real error_of_foot(const PairGerm& germ, const Stride& stride) {
+  const InFrame foot = foot_of(germ, stride);
+  Real off = std::sqrt(foot.x * foot.x + foot.y * foot.y);
+  for (std::size_t i = 0; i < stride.count; ++i) {
+    off += std::fabs(germ.step(stride.steps[i]).n);
+  }
+  return off;
+}
+
+std::optional<DepthMinimum> minimum_near(const Difference& cores, const Vec3& direction, Real error, Real noise) {
+  Vec3 n = direction;
+  for (int round = 0; round < minimum_rounds; ++round) {
+    const GermFrame frame = frame_along(n);
+    const PairGerm germ = cores.germ(frame);
+    Stride stride;
+    if (!weighed_stride(germ, noise, error / 16, stride)) {
+      return std::nullopt;
+    }
+    if (error_of_foot(germ, stride) <= error / 16) {
+      return minimum_at(frame, germ, stride, error / 16);
+    }
+    const Real shorten = stride.square > 0.25 ? 0.5 / std::sqrt(stride.square) : 1;
+    const auto next = UnitVec3::make(n + (shorten * stride.x) * frame.x + (shorten * stride.y) * frame.y);
+    if (!next) {
+      return std::nullopt;
+    }
+    n = *next;
+  }
+  return std::nullopt;
+}
+
+std::optional<DepthMinimum> points_under(const Difference& cores, const Vec3& normal, Real error, Real noise) {
+  const GermFrame frame = frame_along(normal);
+  const PairGerm germ = cores.germ(frame);
+  Stride stride;
+  if (germ.a.disc > 0 || germ.b.disc > 0) {
+    stride = stride_on_disc(germ, noise);
+    const InFrame foot = foot_of(germ, stride);
+    if (std::hypot(foot.x, foot.y) > germ.a.disc + germ.b.disc) {
+      return std::nullopt;
+    }
+  } else if (!weighed_stride(germ, noise, error / 16, stride) || error_of_foot(germ, stride) > error / 16) {
+    return std::nullopt;
+  }
+  return points_at(frame, germ, stride);
+}
+
+std::optional<DepthMinimum> minimum_on_disc(const Difference& cores, const Vec3& axis, Real error, Real noise) {
+  const GermFrame frame = frame_along(axis);
+  const PairGerm germ = cores.germ(frame);
+  return minimum_at(frame, germ, stride_on_disc(germ, noise), error / 16);
 }
 
 }  // namespace abut

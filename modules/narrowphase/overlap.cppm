@@ -4,13 +4,13 @@ import abut.core.standard;
 import abut.math;
 import abut.narrowphase.box_sat;
 import abut.narrowphase.capped_epa;
-import abut.narrowphase.coaxial_depth;
 import abut.narrowphase.core_separation;
-import abut.narrowphase.depth_descent;
-import abut.narrowphase.depth_minimum;
+import abut.narrowphase.difference;
 import abut.narrowphase.disc_depth_of_pair;
 import abut.narrowphase.epa;
 import abut.narrowphase.hull_sat;
+import abut.narrowphase.outlines;
+import abut.narrowphase.polytope_depth;
 import abut.narrowphase.sat;
 import abut.narrowphase.simplex;
 import abut.narrowphase.witnesses;
@@ -139,9 +139,6 @@ template <Convex A, Convex B>
   return true;
 }
 
-// Depths below this share of the size are those of needles and plates, or of touching cores: polytopes of slivers prove nothing there.
-inline constexpr Real sliver_share = 3e-8;
-
 // How deep two cores overlap by all axes that may be across it. False where they have too many, or rounding leaves the
 // answer in doubt.
 template <Convex A, Convex B>
@@ -154,19 +151,6 @@ template <Convex A, Convex B>
   } else {
     return false;
   }
-}
-
-// As the record of a separation.
-inline void set_depth(const EpaResult& found, Real size, CoreSeparation& core) {
-  core.algorithm = Algorithm::gjk_epa;
-  core.iterations += found.iterations;
-  core.rounding = noise_of(size);  // normals of slender triangles are off by more than their corners
-  core.normal = found.normal;
-  core.distance = -found.depth;
-  core.lower = -found.upper;
-  core.upper = -found.lower;
-  core.point_a = found.point_a;
-  core.point_b = found.point_b;
 }
 
 // A hull of discs and a polyhedron or another one, by all directions in which their overlap may be least. False where they hardly overlap, or
@@ -195,7 +179,7 @@ template <Convex A, Convex B>
     }
     EpaResult depth{least->depth, least->lower, least->depth, n, under.point_a, under.point_b, 1};
     const bool is_exact = find_disc_witnesses(a, b, ab, under);
-    const auto minimum = is_exact ? std::nullopt : with_points(a, b, ab, error, noise, depth);
+    const auto minimum = is_exact ? std::nullopt : with_difference(a, b, ab, size, [&](const Difference& cores) { return with_points(cores, error, depth); });
     // Beside a parallel axis a minimum may lie far away along it. Support points then lie across each other but for the tilt of the
     // axis, which is far below the error.
     const bool is_held = minimum && holds(a, minimum->point_a, error / 4) && holds(b, ab.undo(minimum->point_b), error / 4);
@@ -213,57 +197,6 @@ template <Convex A, Convex B>
   } else {
     return false;
   }
-}
-
-// Out of line, here and below: a polytope takes pages of the stack, each of which is touched on the way in.
-template <Convex A, Convex B>
-[[gnu::noinline]] void separate_by_epa(const A& a, const B& b, const Pose& ab, Real size, Real error, const Simplex& start, CoreSeparation& core) {
-  EpaResult found;
-  if constexpr (Curved<A> || Curved<B>) {
-    found = capped_epa(a, b, ab, size, error, start);
-  } else {
-    found = epa(a, b, ab, size, error, start);
-  }
-  const auto is_open = [&] { return found.upper - found.lower > error + noise_of(size); };
-  if (is_open()) [[unlikely]] {
-    // A polytope that starts on slivers may not grow to the end; one that starts along the axes then does.
-    const EpaResult again = epa(a, b, ab, size, error, Simplex{});
-    found = again.upper < found.upper ? again : found;
-  }
-  if constexpr (Curved<A> || Curved<B>) {
-    if (is_open() || (found.depth > noise_of(size) && found.depth < sliver_share * size)) [[unlikely]] {
-      const EpaResult least = least_of_descents(a, b, ab, size, error, found);
-      found = is_open() || least.depth < found.depth - error ? least : found;
-    }
-  }
-  set_depth(found, size, core);
-  // The polytope knows one triangle of a face, which need not hold the closest points of both faces. Curved
-  // surfaces have no such faces.
-  const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
-  core.points_open = !(Curved<A> || Curved<B>) && largest_magnitude(aside) > noise_of(size);
-}
-
-// Where the rim of a round core touches, GJK may end on slivers near the common point, which a polytope finds. False unless
-// the cores surely neither overlap nor are apart by more than the error.
-template <Convex A, Convex B>
-[[nodiscard]] [[gnu::noinline, gnu::cold]] bool separate_by_touch(const A& a, const B& b, const Pose& ab, Real size, Real error,
-                                                                  const Simplex& start, CoreSeparation& core) {
-  const EpaResult found = capped_epa(a, b, ab, size, error, start);
-  core.iterations += found.iterations;
-  const Real apart = norm(found.point_b - found.point_a);
-  if (!(std::fabs(found.depth) <= error && found.upper - found.lower <= error && apart <= error)) {
-    return false;
-  }
-  core.rounding = noise_of(size);
-  core.algorithm = Algorithm::gjk_epa;
-  core.overlap = true;
-  core.normal = found.normal;
-  core.distance = -found.depth;
-  core.lower = -found.upper;
-  core.upper = apart > -found.lower ? apart : -found.lower;
-  core.point_a = found.point_a;
-  core.point_b = found.point_b;
-  return true;
 }
 
 }  // namespace abut

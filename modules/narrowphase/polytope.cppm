@@ -3,6 +3,7 @@
 export module abut.narrowphase.polytope;
 import abut.core.standard;
 import abut.math;
+import abut.narrowphase.difference;
 import abut.narrowphase.simplex;
 
 export namespace abut {
@@ -27,8 +28,7 @@ class Polytope {
 
   // Builds a tetrahedron with volume, from the vertices of a simplex where they do, else from support
   // points in the directions that are still missing.
-  template <class VertexToward>
-  [[nodiscard]] FlatDifference start(const Simplex& simplex, Real noise, VertexToward&& vertex_toward);
+  [[nodiscard]] FlatDifference start(const Simplex& simplex, Real noise, const Difference& cores);
 
   // The first one among equals.
   [[nodiscard]] inline std::size_t least_face() const {
@@ -152,69 +152,5 @@ class Polytope {
   std::size_t face_count_ = 0;
   std::size_t free_count_ = 0;
 };
-
-template <class VertexToward>
-FlatDifference Polytope::start(const Simplex& simplex, Real noise, VertexToward&& vertex_toward) {
-  add(simplex.size > 0 ? simplex.vertices[0] : vertex_toward(Vec3{1, 0, 0}));
-
-  // A vertex of the simplex that reaches far enough saves the search along the given directions.
-  const auto grow = [&](auto&& reach_of, const auto& directions, Real threshold) {
-    DifferenceVertex best = vertices_[0];
-    Real best_reach = 0;
-    const auto consider = [&](const DifferenceVertex& candidate) {
-      const Real reach = reach_of(candidate.w);
-      if (reach > best_reach) {
-        best_reach = reach;
-        best = candidate;
-      }
-    };
-    for (std::size_t i = 1; i < simplex.size; ++i) {
-      consider(simplex.vertices[i]);
-    }
-    if (!(best_reach > threshold)) {
-      for (const Vec3& direction : directions) {
-        consider(vertex_toward(direction));
-        consider(vertex_toward(-direction));
-      }
-    }
-    if (best_reach > threshold) {
-      add(best);
-      return true;
-    }
-    return false;
-  };
-
-  const Vec3 origin = vertices_[0].w;
-  const Real wide = 1e3 * noise;  // extents that leave the digits of a normal in order
-  if (!grow([&](const Vec3& w) { return norm(w - origin); }, std::array<Vec3, 3>{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, wide)) {
-    return {true, {0, 0, 1}};
-  }
-  const Vec3 along = UnitVec3::make(vertices_[1].w - origin).value_or(UnitVec3::axis_z());
-  const Tangents across = tangents_of(along);
-  if (!grow([&](const Vec3& w) { return norm(cross(along, w - origin)); },
-            std::array<Vec3, 4>{across.first, across.second, across.first + across.second, across.first - across.second}, wide)) {
-    return {true, across.first};
-  }
-  const Vec3 normal = UnitVec3::make(cross(vertices_[1].w - origin, vertices_[2].w - origin)).value_or(UnitVec3::axis_z());
-  if (!grow([&](const Vec3& w) { return std::fabs(dot(normal, w - origin)); }, std::array<Vec3, 1>{normal}, wide)) {
-    return {true, normal};
-  }
-  const bool above = dot(normal, vertices_[3].w - origin) > 0;
-  const std::uint16_t one = above ? 1 : 2, two = above ? 2 : 1;
-  for (std::size_t i = 0; i < 4; ++i) {
-    [[maybe_unused]] const std::size_t face = new_face();
-  }
-  set_faces({{0, 1, 2, 3}, {0, 0, one, two}, {two, one, two, 0}, {one, 3, 3, 3}}, 4);
-  constexpr std::array<std::array<Edge, 2>, 6> joints{{{edge_of(0, 0), edge_of(3, 0)},
-                                                       {edge_of(0, 1), edge_of(2, 0)},
-                                                       {edge_of(0, 2), edge_of(1, 0)},
-                                                       {edge_of(1, 1), edge_of(2, 2)},
-                                                       {edge_of(1, 2), edge_of(3, 1)},
-                                                       {edge_of(2, 1), edge_of(3, 2)}}};
-  for (const auto& [edge, other] : joints) {
-    join(edge, other);
-  }
-  return {false, normal};
-}
 
 }  // namespace abut

@@ -6,9 +6,11 @@ import abut.math;
 import abut.narrowphase.box_cores;
 import abut.narrowphase.box_sat;
 export import abut.narrowphase.core_separation;
+import abut.narrowphase.difference;
 import abut.narrowphase.gjk;
 import abut.narrowphase.hull_sat;
 export import abut.narrowphase.overlap;
+import abut.narrowphase.polytope_depth;
 import abut.narrowphase.sat;
 import abut.narrowphase.simplex;
 import abut.narrowphase.wide_gjk;
@@ -164,7 +166,10 @@ template <Convex A, Convex B>
     if (is_open() && near.upper <= projection_limit * size) [[unlikely]] {
       CoreSeparation touch{};
       touch.iterations = near.iterations;
-      if (separate_by_touch(a, b, ab, size, error, near.simplex, touch) || separate_by_touch(a, b, ab, size, error, Simplex{}, touch)) {
+      const bool touches = with_difference(a, b, ab, size, [&](const Difference& cores) {
+        return separate_by_touch(cores, error, near.simplex, touch) || separate_by_touch(cores, error, Simplex{}, touch);
+      });
+      if (touches) {
         return touch;
       }
     }
@@ -203,7 +208,7 @@ template <Convex A, Convex B>
     }
   }
   if (!near.overlap && (is_unproven || is_off)) [[unlikely]] {
-    const WideGjkResult wide = wide_gjk(a, b, ab, -near.closest, size, error, limit, unproven);
+    const WideGjkResult wide = with_difference(a, b, ab, size, [&](const Difference& cores) { return wide_gjk(cores, -near.closest, error, limit, unproven); });
     if (!wide.gjk.overlap) {
       return separation_of(wide.gjk, wide.point_a, wide.point_b, size, near.iterations);
     }
@@ -216,13 +221,22 @@ template <Convex A, Convex B>
   }
   CoreSeparation core{};
   core.iterations = near.iterations;
-  if (settings.algorithm == Algorithm::gjk_epa || !separate_by_discs(a, b, ab, size, error, core)) {
-    separate_by_epa(a, b, ab, size, error, near.simplex, core);
-  }
-  if (core.upper - core.lower > error + noise_of(size)) [[unlikely]] {
-    // Rounding may have taken slivers that are apart for ones that overlap.
-    const WideGjkResult wide = wide_gjk(a, b, ab, core.normal, size, error, limit, unproven);
-    if (!wide.gjk.overlap && (wide.gjk.beyond || wide.gjk.upper - wide.gjk.lower <= error + noise_of(size))) {
+  const bool is_proven = settings.algorithm != Algorithm::gjk_epa && separate_by_discs(a, b, ab, size, error, core);
+  const auto is_wide = [&] { return core.upper - core.lower > error + noise_of(size); };
+  if (!is_proven || is_wide()) {
+    WideGjkResult wide{};
+    const bool is_apart = with_difference(a, b, ab, size, [&](const Difference& cores) {
+      if (!is_proven) {
+        separate_by_polytope(cores, error, near.simplex, core);
+      }
+      if (!is_wide()) {
+        return false;
+      }
+      // Rounding may have taken slivers that are apart for ones that overlap.
+      wide = wide_gjk(cores, core.normal, error, limit, unproven);
+      return !wide.gjk.overlap && (wide.gjk.beyond || wide.gjk.upper - wide.gjk.lower <= error + noise_of(size));
+    });
+    if (is_apart) {
       return separation_of(wide.gjk, wide.point_a, wide.point_b, size, core.iterations);
     }
   }

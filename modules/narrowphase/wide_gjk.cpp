@@ -2,6 +2,7 @@ module abut.narrowphase.wide_gjk;
 import abut.core.standard;
 import abut.math;
 import abut.math.wide;
+import abut.narrowphase.difference;
 import abut.narrowphase.gjk;
 import abut.narrowphase.simplex;
 import abut.shape;
@@ -53,13 +54,14 @@ struct WideSimplex {
 
 }  // namespace
 
-WideGjkResult wide_gjk(const SupportPairFunction& support, const Vec3& toward, Real size, Real error, Real limit, Real unproven) {
+WideGjkResult wide_gjk(const Difference& cores, const Vec3& toward, Real error, Real limit, Real unproven) {
+  const Real size = cores.size;
   const Real touching = touching_distance(size);
   unproven = std::fmin(unproven, error);
   WideGjkResult result{};
   GjkResult& gjk = result.gjk;
   WideSimplex simplex;
-  simplex.push(WideVertex(support(toward)));
+  simplex.push(WideVertex(cores.support(toward)));
   WideVec3 v = simplex.vertices[0].w;
   Wide square = squared_norm(v);
   gjk.normal = UnitVec3::axis_z();
@@ -72,7 +74,7 @@ WideGjkResult wide_gjk(const SupportPairFunction& support, const Vec3& toward, R
     }
     // What is asked for is the rounded direction, and the bound is that along it.
     const Vec3 normal = *UnitVec3::make(-rounded(v));  // is there: shapes have no coordinates beyond 1e70
-    const SupportPair newest = support(normal);
+    const SupportPair newest = cores.support(normal);
     const WideVec3 difference = wide_difference(newest.b, newest.a);
     const Real reach = static_cast<Real>(normal.x * difference.x + normal.y * difference.y + normal.z * difference.z);
     if (reach > best) {

@@ -10,6 +10,7 @@
 import abut.core;
 import abut.math;
 import abut.narrowphase.capped_epa;
+import abut.narrowphase.difference;
 import abut.narrowphase.epa;
 import abut.narrowphase.gjk;
 import abut.shape;
@@ -29,7 +30,7 @@ template <class A, class B>
 abut::EpaResult depth_of(const A& a, const B& b, const Pose& ab) {
   const abut::GjkResult start = abut::gjk(a, b, ab, ab.position, 8, error, abut::infinity);
   EXPECT_TRUE(start.overlap);
-  return abut::capped_epa(a, b, ab, 8, error, start.simplex);
+  return abut::with_difference(a, b, ab, 8, [&](const abut::Difference& cores) { return abut::capped_epa(cores, error, start.simplex); });
 }
 
 template <class A, class B>

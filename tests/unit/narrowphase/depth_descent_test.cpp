@@ -12,6 +12,7 @@ import abut.core;
 import abut.math;
 import abut.narrowphase.depth_descent;
 import abut.narrowphase.depth_minimum;
+import abut.narrowphase.difference;
 import abut.narrowphase.separation;
 import abut.shape;
 import abut.shape.box;
@@ -128,7 +129,8 @@ TEST(DepthDescent, NeedleInAFlatBall) {
 TEST(DepthDescent, LeavesARidge) {
   const auto cylinder = test::made<abut::Cylinder>({0.5, 3}), other = test::made<abut::Cylinder>({0.25, 2});
   const Pose ab{abut::Rotation::identity(), {1e-5, 0, 0}};
-  const abut::Descent found = abut::descend(cylinder, other, ab, {-1, 0, 0}, tolerance, 1e-15);
+  const abut::Descent found = abut::with_difference(
+      cylinder, other, ab, 8, [](const abut::Difference& cores) { return abut::descend(cores, {-1, 0, 0}, tolerance, 1e-15); });
   EXPECT_NEAR(overlap_along(cylinder, other, ab, {-1, 0, 0}), 0.75 + 1e-5, tolerance);
   EXPECT_NEAR(found.depth, 0.75 - 1e-5, tolerance);
 }
@@ -139,12 +141,15 @@ TEST(DepthDescent, WalksAroundARing) {
   const Real slant = std::hypot(1.5, 1.0);
   int steps = 0;
   Real last = 0, turned = 0;
-  abut::walk_valley(cone, box, Pose::identity(), Vec3{1.5 / slant, 0, 1 / slant}, [&](const Vec3& n) {
+  const auto visit = [&](const Vec3& n) {
     EXPECT_NEAR(n.z, 1 / slant, 1e-5) << steps;
     const Real around = std::atan2(n.y, n.x), turn = std::remainder(around - last, 2 * std::numbers::pi);
     turned += turn;
     last = around;
     return ++steps < 100;
+  };
+  abut::with_difference(cone, box, Pose::identity(), 8, [&](const abut::Difference& cores) {
+    abut::walk_valley(cores, Vec3{1.5 / slant, 0, 1 / slant}, visit);
   });
   EXPECT_GT(std::fabs(turned), 5.5);
   EXPECT_LE(steps, 32);

@@ -10,6 +10,7 @@
 import abut.core;
 import abut.math;
 import abut.narrowphase.box_sat;
+import abut.narrowphase.difference;
 import abut.narrowphase.epa;
 import abut.narrowphase.gjk;
 import abut.narrowphase.sat;
@@ -28,7 +29,8 @@ abut::Box box(const Vec3& half) {
 abut::EpaResult depth_of(const Vec3& half_a, const Vec3& half_b, const Pose& ab) {
   const abut::GjkResult start = abut::gjk(box(half_a), box(half_b), ab, ab.position, 10, 1e-12, abut::infinity);
   EXPECT_TRUE(start.overlap);
-  return abut::epa(box(half_a), box(half_b), ab, 10, 1e-12, start.simplex);
+  return abut::with_difference(box(half_a), box(half_b), ab, 10,
+                               [&](const abut::Difference& cores) { return abut::epa(cores, 1e-12, start.simplex); });
 }
 
 // The depth of boxes is known exactly from their fifteen axes.

@@ -16,6 +16,7 @@
 
 import abut.core;
 import abut.math;
+import abut.narrowphase.difference;
 import abut.narrowphase.epa;
 import abut.narrowphase.hull_sat;
 import abut.narrowphase.sat;
@@ -269,7 +270,8 @@ TEST(HullSat, DepthIsThatOfTheExpandingPolytope) {
       continue;
     }
     ++deep;
-    const abut::EpaResult expected = abut::epa(a, b, ab, 8, 1e-12, abut::Simplex{});
+    const abut::EpaResult expected = abut::with_difference(
+        a, b, ab, 8, [](const abut::Difference& cores) { return abut::epa(cores, 1e-12, abut::Simplex{}); });
     EXPECT_NEAR(-found->separation, expected.depth, 1e-11) << i;
   }
   EXPECT_GT(deep, 500);

@@ -10,6 +10,7 @@
 
 import abut.core;
 import abut.math;
+import abut.narrowphase.difference;
 import abut.narrowphase.gjk;
 import abut.narrowphase.wide_gjk;
 import abut.shape;
@@ -22,6 +23,14 @@ using abut::Pose;
 using abut::Vec3;
 
 constexpr double giant = 0x1p20, error = 1e-12 * giant, size = 4 * giant;
+
+// Of cores in one frame.
+template <class A, class B>
+abut::WideGjkResult separated(const A& a, const B& b, const Vec3& toward, double size_of_both, double bound, double limit, double unproven) {
+  return abut::with_difference(a, b, Pose::identity(), size_of_both, [&](const abut::Difference& cores) {
+    return abut::wide_gjk(cores, toward, bound, limit, unproven);
+  });
+}
 
 abut::FreeTriangle triangle_of(const std::array<Vec3, 3>& corners) {
   const auto& [p, q, r] = corners;
@@ -80,7 +89,7 @@ TEST(WideGjk, SliversBesideSpecksAreProvenByTheirCorners) {
     const Vec3 toward = b.centre() - a.centre();
     const abut::GjkResult usual = abut::gjk(a, b, Pose::identity(), toward, size, error, abut::infinity);
     left_open += usual.overlap || usual.upper - usual.lower > 8 * error ? 1 : 0;
-    const abut::WideGjkResult found = abut::wide_gjk(a, b, Pose::identity(), toward, size, error, abut::infinity, error);
+    const abut::WideGjkResult found = separated(a, b, toward, size, error, abut::infinity, error);
     if (found.gjk.overlap) {
       continue;
     }
@@ -104,16 +113,16 @@ TEST(WideGjk, TrianglesThatCrossOverlap) {
     const Vec3 middle = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
     const Vec3 across = 1e3 * *abut::UnitVec3::make(cross(corners[1] - corners[0], corners[2] - corners[0]));
     const abut::FreeTriangle a = triangle_of({middle + across, middle - across, random.point(1)}), b = triangle_of(corners);
-    EXPECT_TRUE(abut::wide_gjk(a, b, Pose::identity(), {0, 0, 1}, size, error, abut::infinity, error).gjk.overlap) << i;
+    EXPECT_TRUE(separated(a, b, {0, 0, 1}, size, error, abut::infinity, error).gjk.overlap) << i;
   }
 }
 
 TEST(WideGjk, EndsWhereTheLimitIsExceeded) {
   const abut::FreeTriangle a = triangle_of({Vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), b = triangle_of({Vec3{0, 0, 5}, {1, 0, 5}, {0, 1, 6}});
-  const abut::WideGjkResult far = abut::wide_gjk(a, b, Pose::identity(), {0, 0, 1}, 10, 1e-12, 4, 1e-12);
+  const abut::WideGjkResult far = separated(a, b, {0, 0, 1}, 10, 1e-12, 4, 1e-12);
   EXPECT_TRUE(far.gjk.beyond);
   EXPECT_GT(far.gjk.lower, 4);
-  EXPECT_FALSE(abut::wide_gjk(a, b, Pose::identity(), {0, 0, 1}, 10, 1e-12, 5, 1e-12).gjk.beyond);
+  EXPECT_FALSE(separated(a, b, {0, 0, 1}, 10, 1e-12, 5, 1e-12).gjk.beyond);
 }
 
 TEST(WideGjk, CornersBesideTheRimOfACylinder) {
@@ -125,7 +134,7 @@ TEST(WideGjk, CornersBesideTheRimOfACylinder) {
     const Vec3 normal{std::sin(lean) * std::cos(angle), std::sin(lean) * std::sin(angle), std::cos(lean)};
     const Vec3 rim{std::cos(angle), std::sin(angle), 0.75}, corner = rim + gap * normal;
     const abut::FreeTriangle triangle = triangle_of({corner, corner + normal + 0.3 * random.point(1), corner + normal + 0.3 * random.point(1)});
-    const abut::WideGjkResult found = abut::wide_gjk(cylinder, triangle, Pose::identity(), {1, 0, 0}, 8, 1e-12, abut::infinity, 1e-12);
+    const abut::WideGjkResult found = separated(cylinder, triangle, {1, 0, 0}, 8, 1e-12, abut::infinity, 1e-12);
     ASSERT_FALSE(found.gjk.overlap) << i;
     EXPECT_NEAR(found.gjk.lower, gap, 2e-12) << i;
     EXPECT_NEAR(found.gjk.upper, gap, 2e-12) << i;
