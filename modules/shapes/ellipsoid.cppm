@@ -158,7 +158,9 @@ class Ellipsoid {
                      of(2, side * left, others.z) * radii_.z};
     const Vec3 axis{of(0, side, 0), of(1, side, 0), of(2, side, 0)};
     if (radii_[least] == 0) {
-      const Vec3 out = p - point;
+      // The way out leads across the radii that are not zero: what is left along these is rounding.
+      const auto across = [&](int i) { return radii_[i] == 0 ? p[i] : 0; };
+      const Vec3 out{across(0), across(1), across(2)};
       return {point, UnitVec3::make(out).value_or(UnitVec3::from_unit_unchecked(axis)), norm(out)};
     }
     const auto normal = UnitVec3::make({point.x / (radii_.x * radii_.x), point.y / (radii_.y * radii_.y), point.z / (radii_.z * radii_.z)});

@@ -166,6 +166,24 @@ TEST(Ellipsoid, NearestPointOfFlatAndThinOnes) {
   test::expect_same(with({0, 0, 0}).nearest({3, 0, -4}), {0, 0, 0}, {0.6, 0, -0.8}, 5);
 }
 
+// From points in the ellipsoid and beside it by rounding: whichever way the normal points, nothing lies further out.
+TEST(Ellipsoid, NormalOfFlatOnesIsAcrossThem) {
+  test::Random random(391);
+  for (const Vec3& r : {Vec3{1.5, 0, 1.25}, Vec3{1.3, 1.4, 0}, Vec3{0, 0.3, 7}, Vec3{0, 0, 2}, Vec3{0, 1.3, 0}, Vec3{1e-3, 0, 0}, Vec3{0, 0, 0}}) {
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 ball = random.point(0.57);
+      const double beside = i % 3 == 0 ? 0 : i % 3 == 1 ? 1e-17 : 1e-300;
+      const auto part = [&](int axis) { return r[axis] > 0 ? r[axis] * ball[axis] : beside; };
+      const Vec3 p{part(0), part(1), part(2)};
+      const abut::SurfacePoint found = with(r).nearest(p);
+      ASSERT_NEAR(norm(found.normal), 1, 1e-15) << "seed 391, point " << i;
+      ASSERT_EQ(known(r).reach(found.normal), 0) << "seed 391, point " << i;
+      ASSERT_LE(norm(found.point - p), 4e-15) << "seed 391, point " << i;
+    }
+  }
+  EXPECT_EQ(with({1.5, 0, 1.25}).nearest({1.28, 0, 0.625}).normal, (Vec3{0, 1, 0}));
+}
+
 TEST(Ellipsoid, RaysMeetTheFirstCrossing) {
   test::expect_rays(egg(), known(radii).outside, 1.5, 387);
   test::expect_rays(with({2, 2, 0.5}), known({2, 2, 0.5}).outside, 2, 388);
