@@ -35,10 +35,14 @@ template <Convex A, Convex B>
   }
 }
 
+// The faces of a thin polytope hardly tell where it ends beside them: a point that is off by d is above their planes
+// by about d times the share of the thickness in the extent. Below this share rounding counts for 1e-9 of the extent.
+inline constexpr Real least_thickness = 1e-6;
 // How far a point lies outside of a polytope along the normal of a face, negative inside.
+// Infinite where the faces cannot tell.
 template <Faceted S>
 [[nodiscard]] inline Real outside_facets(const S& shape, const Vec3& point) {
-  if (!shape.facets().is_closed || !(shape.facets().inner > 0)) {
+  if (!shape.facets().is_closed || !(shape.facets().inner > least_thickness * shape.extent())) {
     return infinity;
   }
   Lanes room = infinity;
@@ -61,8 +65,8 @@ template <Faceted S>
   return false;
 }
 
-// Whether a point of its own frame surely lies in a core, up to some slack. Hulls without volume have no faces on
-// their sides that could tell, and triangles tell of their edges alone.
+// Whether a point of its own frame surely lies in a core, up to some slack. Hulls without volume, or nearly, have
+// no faces on their sides that could tell, and triangles tell of their edges alone.
 template <Convex S>
   requires Faceted<S> || Seen<S>
 [[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {

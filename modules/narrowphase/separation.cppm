@@ -147,6 +147,27 @@ template <Convex A, Convex B>
   return core;
 }
 
+// Of cores that are apart axes bound the distance from below, and points of both from above.
+// The points are those under the normal. Between slivers GJK knows better ones.
+template <Convex A, Convex B>
+[[nodiscard]] bool is_apart_along(const A& a, const B& b, const Pose& ab, const GjkResult& near, const WeightedPoint& reached,
+                                  Real size, Real error, CoreSeparation& along) {
+  find_points(a, b, ab, along);
+  const Real slack = noise_of(size), farthest = along.distance + error + slack;
+  const Real apart = norm(along.point_b - along.point_a);
+  Real upper = std::fmin(near.upper, apart);
+  if (!(apart <= farthest && holds(a, along.point_a, slack) && holds(b, ab.undo(along.point_b), slack))) {
+    upper = near.upper;
+    if (!(upper <= farthest)) {
+      return false;
+    }
+    set_points(reached.a, reached.a - near.closest, along);
+  }
+  along.upper = std::fmax(along.upper, upper);
+  along.overlap = false;
+  return true;
+}
+
 // GJK for any cores, whatever they are, from the direction `toward` on, and where they overlap the best
 // way to the depth.
 template <Convex A, Convex B>
@@ -195,13 +216,8 @@ template <Convex A, Convex B>
       if (near.overlap || (along.distance <= error && !(near.lower > error))) {
         return along;
       }
-      // Of cores that are apart axes bound the distance from below, and points of both from above.
       if constexpr ((FewFaced<A> && FewFaced<B>) || HullAndSeen<A, B>) {
-        find_points(a, b, ab, along);
-        const Real slack = noise_of(size), upper = std::fmin(near.upper, norm(along.point_b - along.point_a));
-        if (upper - along.distance <= error + slack && holds(a, along.point_a, slack) && holds(b, ab.undo(along.point_b), slack)) {
-          along.upper = std::fmax(along.upper, upper);
-          along.overlap = false;
+        if (is_apart_along(a, b, ab, near, reached, size, error, along)) {
           return along;
         }
       }

@@ -12,6 +12,14 @@ import abut.shape;
 
 export namespace abut {
 
+// What rounding leaves between points and the distance is shared by both.
+inline void set_points(const Vec3& point_a, const Vec3& point_b, CoreSeparation& core) {
+  const Vec3 half = (0.5 * (core.distance - dot(point_b - point_a, core.normal))) * core.normal;
+  core.point_a = point_a - half;
+  core.point_b = point_b + half;
+  core.points_open = false;
+}
+
 // The deepest pair of points under a normal across an edge of each: the closest points of the lines
 // along both edges through the support points. False where these are so nearly parallel that rounding may take the
 // points beyond the ends of the edges.
@@ -44,11 +52,7 @@ inline void find_points_of_faces(const Face& face_a, const Face& face_b, const C
   if (!(least < deepest)) {
     pair = points_across(face_a, face_b, core.normal, noise_of(size));
   }
-  // What rounding leaves between the points and the distance is shared by both.
-  const Vec3 half = (0.5 * (core.distance - dot(pair.point_b - pair.point_a, core.normal))) * core.normal;
-  core.point_a = pair.point_a - half;
-  core.point_b = pair.point_b + half;
-  core.points_open = false;
+  set_points(pair.point_a, pair.point_b, core);
 }
 
 // Cores that know whether a point lies in them at little cost.
