@@ -17,7 +17,7 @@ export namespace abut {
 }
 
 // Whether a touch is on a side that stops. Of one-sided triangles in which a shape starts, the contacts have told
-// already whether it came from the front. `outward`: the normal, from the part.
+// already whether it came from the front. `outward`: the normal before the touch, from the part.
 template <class Part>
 [[nodiscard]] bool stops(const Part& part, const FirstTouch& touch, const Vec3& outward) {
   if constexpr (requires { part.is_one_sided(); }) {
@@ -36,8 +36,8 @@ void cast_part(CastSearch& search, const A& part, const B& b, const Pose& ab, co
       {motion.direction, search.limit()}, search.size(), search.settings().margin,
       [&](Real way, Distance& out) { return convex_distance(part, b, moved(ab, motion, way), search.settings(), out); },
       [&](const Vec3& normal) { return -reach(b, ab, -normal) - reach(part, Pose::identity(), normal); }, touch);
-  if (touch && !(stops(part, *touch, touch->contact.normal) &&
-                 stops(b, *touch, ab.rotation.undo(-touch->contact.normal)))) {
+  if (touch && !(stops(part, *touch, touch->normal_before) &&
+                 stops(b, *touch, ab.rotation.undo(-touch->normal_before)))) {
     touch.reset();
   }
   search.add(outcome, touch, frame, swapped, names);

@@ -16,7 +16,8 @@ struct LinearMotion {
 // upper bound of their distance says.
 struct FirstTouch {
   Real travelled;
-  Distance contact;  // there
+  Distance contact;    // there
+  Vec3 normal_before;  // of the last distance found before it, if any
 };
 
 // What rounding leaves of coordinates after a way: within it shapes touch.
@@ -27,6 +28,17 @@ struct FirstTouch {
 // Newton's method takes a few steps, and one for each bit of the way when the shapes graze each other. Whoever needs
 // more than these is stopped before the contact.
 inline constexpr std::uint32_t most_cast_steps = 256;
+
+// Where the difference of two shapes has no volume, as of a point and a triangle, both signs of the normal are as good
+// to a distance of zero. What has come from a distance did not move along the normal, but against it.
+[[nodiscard]] inline Distance turned_against(const UnitVec3& direction, Distance contact, Real touching) {
+  if (std::fabs(contact.distance) <= touching && dot(direction, contact.normal) > 0) {
+    contact.normal = -contact.normal;
+    contact.distance = -contact.distance;
+    contact.lower = -std::exchange(contact.upper, -contact.lower);
+  }
+  return contact;
+}
 
 // The distance of convex shapes is a convex function of the way, with the derivative dot(direction, normal): Newton's
 // method from the near side never passes its zero. A step goes to where the plane between the shapes is used up, which
@@ -40,6 +52,7 @@ template <class DistanceAt, class GapAlong>
                                   GapAlong&& gap_along, std::optional<FirstTouch>& out) {
   Real travelled = 0;
   Distance found{};
+  Vec3 normal_before{0, 0, 0};
   for (std::uint32_t step = 0; step < most_cast_steps; ++step) {
     found = {};
     if (const Outcome outcome = distance_at(travelled, found); outcome != Outcome::ok) {
@@ -49,6 +62,7 @@ template <class DistanceAt, class GapAlong>
     if (!(found.distance - margin > touching)) {
       break;
     }
+    normal_before = found.normal;
     const Real approach = -dot(motion.direction, found.normal);
     const Real gap = gap_along(found.normal) - travelled * approach - margin;
     if (gap > touching && approach <= 0) {
@@ -70,7 +84,8 @@ template <class DistanceAt, class GapAlong>
       travelled += step_length;
     }
   }
-  out = FirstTouch{travelled, found};
+  const Real touching = touching_after(size, travelled);
+  out = FirstTouch{travelled, travelled > 0 ? turned_against(motion.direction, found, touching) : found, normal_before};
   return Outcome::ok;
 }
 
@@ -142,7 +157,7 @@ template <class DistanceAt>
       before = middle;
     }
   }
-  out = FirstTouch{before, found};
+  out = FirstTouch{before, found, found.normal};
   return Outcome::ok;
 }
 
