@@ -24,6 +24,11 @@ class Lazy {
     }
     return *value_;
   }
+  // For whoever is alone with the value, after what it was made of has changed.
+  void forget() noexcept {
+    made_.store(false, std::memory_order_relaxed);
+    value_.reset();
+  }
   [[nodiscard]] bool is_made() const noexcept { return made_.load(std::memory_order_acquire); }
 
  private:

@@ -40,7 +40,9 @@ export namespace std {
 using std::FILE;
 using std::abs;
 using std::array;
+using std::as_const;
 using std::atomic;
+using std::atomic_thread_fence;
 using std::binary_search;
 using std::bit_cast;
 using std::bit_ceil;

@@ -61,4 +61,23 @@ TEST(Frozen, ValueIsMovedInOnce) {
   EXPECT_EQ(copy->copies, 0);
 }
 
+TEST(Frozen, TheOnlyHolderChangesTheValueInPlace) {
+  Frozen<std::string> word(std::string("rotor"));
+  const std::string* const before = &*word;
+  word.own() = "motor";
+  EXPECT_EQ(*word, "motor");
+  EXPECT_EQ(&*word, before);
+}
+
+TEST(Frozen, OneOfSeveralHoldersChangesACopy) {
+  Frozen<std::string> word(std::string("rotor"));
+  const Frozen<std::string> other = word;
+  word.own() = "motor";
+  EXPECT_EQ(*word, "motor");
+  EXPECT_EQ(*other, "rotor");
+  const std::string* const copy = &*word;
+  word.own() = "tutor";
+  EXPECT_EQ(&*word, copy) << "the copy has one holder";
+}
+
 }  // namespace

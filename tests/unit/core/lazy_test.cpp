@@ -85,6 +85,14 @@ TEST(Lazy, ExactlyOneOfManyThreadsMakesIt) {
   }
 }
 
+TEST(Lazy, IsMadeAnewAfterItWasForgotten) {
+  Lazy<int> number;
+  EXPECT_EQ(number.get([] { return 1; }), 1);
+  number.forget();
+  EXPECT_FALSE(number.is_made());
+  EXPECT_EQ(number.get([] { return 2; }), 2);
+}
+
 static_assert(!std::is_copy_assignable_v<Lazy<int>>);
 
 }  // namespace
