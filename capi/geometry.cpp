@@ -56,8 +56,10 @@ abut_status create_one(abut_universe& its, const abut_part_id& part, const abut_
   if (!exists(its.universe, part)) {
     return refuse_stale({"part"}, part);
   }
+  const abut::GeometryOptions wanted = to_options(options);
   std::array<abut_geometry_id, 1> created{};
-  status = create(its, {std::array{part}, std::array{shape}, std::array{to_options(options)}}, created);
+  status = check_self_pairs(wanted, shape->handle);
+  status = status != ABUT_OK ? status : create(its, {std::array{part}, std::array{shape}, std::array{wanted}}, created);
   if (status == ABUT_OK) {
     *out = created[0];
   }

@@ -6,6 +6,7 @@ import abut.any_shape;
 import abut.core;
 import abut.shape;
 import abut.universe;
+import abut.universe.checks;
 
 namespace abut::capi {
 
@@ -14,7 +15,7 @@ static_assert(static_cast<abut_parking>(Parking::short_term) == ABUT_PARKING_SHO
 static_assert(static_cast<abut_parking>(Parking::long_term) == ABUT_PARKING_LONG_TERM);
 
 abut_status check_options(const Where& where, const abut_geometry_options& options) {
-  abut_status status = check_bits(where, ".flags", options.flags, ABUT_GEOMETRY_SENSOR);
+  abut_status status = check_bits(where, ".flags", options.flags, ABUT_GEOMETRY_SENSOR | ABUT_GEOMETRY_SELF_PAIRS);
   status = status != ABUT_OK ? status : check_pose({where.name, where.index, ".pose"}, options.pose);
   if (status == ABUT_OK && !(options.tolerance >= 0 && options.tolerance <= largest_coordinate)) {
     return to_status(check_not_negative(where.with(".tolerance"), options.tolerance));
@@ -34,7 +35,13 @@ GeometryOptions to_options(const abut_geometry_options& options) {
           options.exclusion,
           options.label,
           options.tag,
-          options.material};
+          options.material,
+          (options.flags & ABUT_GEOMETRY_SELF_PAIRS) != 0};
+}
+
+abut_status check_self_pairs(const GeometryOptions& options, const ShapeHandle& shape) {
+  const Fault fault = abut::check_self_pairs(options, (*shape).index());
+  return fault ? refuse_field({"options"}, *fault) : static_cast<abut_status>(ABUT_OK);
 }
 
 abut_status read_options(std::span<const abut_geometry_options> given, std::vector<GeometryOptions>& out) {

@@ -15,11 +15,14 @@ namespace abut::capi {
 [[nodiscard]] abut_status check_options(const Where& where, const abut_geometry_options& options);
 // For options that were checked.
 [[nodiscard]] GeometryOptions to_options(const abut_geometry_options& options);
+// Whether the shape of a single geometry can have the self pairs that its options ask for.
+[[nodiscard]] abut_status check_self_pairs(const GeometryOptions& options, const ShapeHandle& shape);
 // Checks and converts those of a batch.
 [[nodiscard]] abut_status read_options(std::span<const abut_geometry_options> given, std::vector<GeometryOptions>& out);
 
 [[nodiscard]] inline abut_geometry_flags flags_of(const GeometryOptions& options) {
-  return options.is_sensor ? std::uint32_t{ABUT_GEOMETRY_SENSOR} : 0;
+  return (options.is_sensor ? std::uint32_t{ABUT_GEOMETRY_SENSOR} : 0) |
+         (options.has_self_pairs ? std::uint32_t{ABUT_GEOMETRY_SELF_PAIRS} : 0);
 }
 
 [[nodiscard]] abut_status check_shapes(std::span<const abut_shape* const> shapes);

@@ -21,7 +21,12 @@ abut_status set_one(abut_universe& its, const abut_geometry_id& geometry, const 
     return refuse_stale({"geometry"}, geometry);
   }
   status = status != ABUT_OK ? status : check_options({"options"}, options);
-  return status != ABUT_OK ? status : set_options(its, std::array{geometry}, std::array{to_options(options)});
+  if (status != ABUT_OK) {
+    return status;
+  }
+  const abut::GeometryOptions wanted = to_options(options);
+  status = check_self_pairs(wanted, its.universe.describe(to_geometry(geometry)).value().shape);
+  return status != ABUT_OK ? status : set_options(its, std::array{geometry}, std::array{wanted});
 }
 
 // The shapes that were lent out are let go only after the universe has taken the others, from when on nothing

@@ -643,7 +643,8 @@ enum abut_parking_value ABUT_ENUM(uint32_t) {
 /** Bits of the flags of a geometry. */
 typedef uint32_t abut_geometry_flags;
 enum abut_geometry_flags_value ABUT_ENUM(uint32_t) {
-  ABUT_GEOMETRY_SENSOR = 1 /**< its contacts carry ABUT_CONTACT_SENSOR */
+  ABUT_GEOMETRY_SENSOR = 1,    /**< its contacts carry ABUT_CONTACT_SENSOR */
+  ABUT_GEOMETRY_SELF_PAIRS = 2 /**< it meets itself; see the section on self pairs */
 };
 
 /**
@@ -1157,6 +1158,26 @@ ABUT_API abut_status abut_part_velocity(const abut_universe *universe, abut_part
 /** Velocities of `count` parts. O(count). [const] */
 ABUT_API abut_status abut_parts_velocities(const abut_universe *universe, const abut_part_id *parts, size_t count,
                                            abut_velocity *out);
+
+/* ------------------------------------------------------------------------------------------------
+ * Self pairs
+ *
+ * A geometry with ABUT_GEOMETRY_SELF_PAIRS in its flags meets itself. It is a pair of its own: contacts and events
+ * have it as geometry_a and as geometry_b, before its pairs with others.
+ *
+ *  - A mesh: each two triangles that have no corner in common, corners being compared by place. Both sides of a
+ *    triangle count. feature_a is the face of the lower number, feature_b that of the higher one.
+ *  - Particles: each two of them; child_a is the lower number, child_b the higher one.
+ *  - Other kinds do not meet themselves: asking for it is ABUT_UNSUPPORTED. A geometry that gets such a shape later
+ *    counts in unsupported_pairs of abut_step_stats.
+ *
+ * Rules, the filter, parking, events, sensors and the policy of the tag with itself apply. Layers, masks and exclusion
+ * bits do not, as they speak of two geometries, and it does not matter how the part moves. The tolerance is twice that
+ * of the geometry. Sleep and islands do not look at self pairs.
+ *
+ * The pair is examined whenever the geometry moves or changes, as one job. Complexity O(n log n + contacts) for n
+ * triangles or particles of about one size. A universe without the flag pays nothing.
+ * --------------------------------------------------------------------------------------------- */
 
 /* ------------------------------------------------------------------------------------------------
  * Extension libraries of a universe

@@ -1,5 +1,7 @@
 // What is wrong with ids and placements that a caller hands over, in words.
 export module abut.universe.checks;
+import abut.any_shape;
+import abut.any_shape.self_contacts;
 import abut.core;
 import abut.core.standard;
 import abut.math;
@@ -50,6 +52,14 @@ template <class Map, class Id>
   if (!(std::fabs(square - 1) <= 2.001e-3)) {
     return Error{Errc::not_unit, name_at(array, index) + " has an orientation of length " + to_text(std::sqrt(square)) +
                                      "; it must be 1 within 1e-3"};
+  }
+  return std::nullopt;
+}
+
+[[nodiscard]] inline Fault check_self_pairs(const GeometryOptions& options, std::size_t kind) {
+  if (options.has_self_pairs && !meets_itself(kind)) {
+    return Error{Errc::unsupported,
+                 "flags asks for self pairs, for which a " + std::string(kind_name(kind)) + " has no algorithm"};
   }
   return std::nullopt;
 }

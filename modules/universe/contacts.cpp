@@ -1,6 +1,7 @@
 // A detection: from pairs to contacts.
 module abut.universe;
 import abut.any_shape;
+import abut.any_shape.self_contacts;
 import abut.contact;
 import abut.core;
 import abut.core.standard;
@@ -58,13 +59,19 @@ void Universe::find_contacts_of_chunk(std::size_t number) {
   const Chunk& chunk = jobs_.chunks()[number];
   ChunkScratch& scratch = jobs_.scratch(number);
   const std::span<const PairJob> jobs = jobs_.jobs().subspan(chunk.begin, chunk.end - chunk.begin);
-  const auto& kernels = pair_kernels(chunk.run / shape_kind_count, chunk.run % shape_kind_count);
   const Policy& policy = policies_.at(chunk.policy);
   const QuerySettings settings{.algorithm = policy.algorithm, .error_bound = policy.error_bound};
   scratch.points.clear();
   scratch.results.resize(jobs.size());
-  const std::span<PairMemory> memories = pairs_.memories();
-  kernels.contacts_of_run(shapes_, worlds_, jobs, settings, memories, scratch.points, scratch.results);
+  const auto run = [&](std::span<const PairJob> some, const QuerySettings& its, std::span<PairResult> results) {
+    if (is_self_run(chunk.run)) {
+      self_contacts_of_run(shapes_, some, its, scratch.points, results);
+    } else {
+      const auto& kernels = pair_kernels(chunk.run / shape_kind_count, chunk.run % shape_kind_count);
+      kernels.contacts_of_run(shapes_, worlds_, some, its, pairs_.memories(), scratch.points, results);
+    }
+  };
+  run(jobs, settings, scratch.results);
   std::size_t begin = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     std::size_t end = scratch.results[i].contacts_end;
@@ -72,8 +79,7 @@ void Universe::find_contacts_of_chunk(std::size_t number) {
     if (scratch.results[i].outcome != Outcome::ok) {
       // The pair does not have the algorithm of the policy, or that gave up.
       begin = scratch.points.size();
-      kernels.contacts_of_run(shapes_, worlds_, jobs.subspan(i, 1), QuerySettings{}, memories, scratch.points,
-                              std::span(scratch.results).subspan(i, 1));
+      run(jobs.subspan(i, 1), QuerySettings{}, std::span(scratch.results).subspan(i, 1));
       end = scratch.points.size();
     }
     finish_job(chunk.begin + i, static_cast<std::uint32_t>(number), begin, end - begin);

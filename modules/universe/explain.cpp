@@ -1,5 +1,6 @@
 module abut.universe;
 import abut.any_shape;
+import abut.any_shape.self_contacts;
 import abut.broadphase;
 import abut.core;
 import abut.core.standard;
@@ -68,6 +69,7 @@ std::vector<Plan::LeftOut> Universe::left_out(std::uint64_t never_met, bool has_
   leave_out(!sleep_.is_used(), "sleep", "set for no part");
   leave_out(!follows_islands_, "islands", sleep_.is_used() ? "connected for sleep, not numbered" : "not asked for");
   leave_out(velocities_.is_empty(), "velocities", "set for no part");
+  leave_out(self_places_.empty(), "self pairs", "switched on for no geometry");
   leave_out(workers_.threads() == 1, "threads", "one does it all");
   leave_out(true, "continuous pass", "none");
   leave_out(!has_extensions, "extensions", "none attached");
@@ -106,6 +108,14 @@ Plan Universe::plan(std::span<const Plan::Extension> extensions) const {
       }
       const RouteDescription route = describe_route(row, column);
       plan.kinds.push_back({kind_name(row), kind_name(column), tally.candidates, tally.examined, tally.touching, tally.contacts,
+                            route.algorithm, route.reason, time_of_pair(tally)});
+    }
+  }
+  for (std::size_t kind = 0; kind < shape_kind_count; ++kind) {
+    const KindTally& tally = tallies_[self_run_of(kind)];
+    if (tally.candidates > 0) {
+      const RouteDescription route = describe_self(kind);
+      plan.kinds.push_back({kind_name(kind), "itself", tally.candidates, tally.examined, tally.touching, tally.contacts,
                             route.algorithm, route.reason, time_of_pair(tally)});
     }
   }

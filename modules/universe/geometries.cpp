@@ -61,6 +61,21 @@ void Universe::settle_parking(GeometryId geometry, Parking parking) {
   }
 }
 
+// Beside the pairs that the broad phase finds.
+void Universe::set_self_pairs(std::uint32_t place, bool has_them) {
+  if (infos_[place].has_self_pairs == has_them) {
+    return;
+  }
+  const auto at = std::lower_bound(self_places_.begin(), self_places_.end(), place);
+  if (has_them) {
+    self_places_.insert(at, place);
+  } else {
+    self_places_.erase(at);
+  }
+  infos_[place].has_self_pairs = has_them;
+  is_broadphase_changed_ = true;
+}
+
 // What pairs ask about a geometry, after its options have changed.
 void Universe::apply_options(GeometryId geometry) {
   Geometry& its = geometries_.at(geometry);
@@ -76,6 +91,7 @@ void Universe::apply_options(GeometryId geometry) {
   info.tag = options.tag;
   info.material = options.material;
   info.is_sensor = options.is_sensor;
+  set_self_pairs(geometry.slot - 1, options.has_self_pairs);
   info.is_refiltered = true;
   info.is_box_stale = true;
 }
@@ -89,6 +105,11 @@ Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const Part
   for (std::size_t i = 0; i < options.size(); ++i) {
     if (Fault fault = check_options(options[i], i)) {
       return *fault;
+    }
+  }
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    if (Fault fault = check_self_pairs(options[i], (*shapes[i]).index())) {
+      return Error{fault->code, name_at("options", i) + "." + fault->message};
     }
   }
   std::vector<GeometryId> created;
@@ -132,6 +153,7 @@ void Universe::forget_geometry(GeometryId geometry) {
   const std::uint32_t place = geometry.slot - 1;
   if (place < presence_.size()) {
     leave_broadphase(place);
+    set_self_pairs(place, false);
   }
   if (place < shapes_.size()) {
     shapes_[place] = vacant_;
@@ -185,7 +207,14 @@ Result<void> Universe::set_options(std::span<const GeometryId> geometries, std::
       return *fault;
     }
   }
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    if (Fault fault = check_self_pairs(options[i], infos_[geometries[i].slot - 1].kind)) {
+      return Error{fault->code, name_at("options", i) + "." + fault->message};
+    }
+  }
   changed_geometries_.reserve(changed_geometries_.size() + geometries.size());
+  self_places_.reserve(self_places_.size() +
+                       static_cast<std::size_t>(std::ranges::count_if(options, &GeometryOptions::has_self_pairs)));
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     settle_parking(geometries[i], options[i].parking);
     geometries_.at(geometries[i]).options = options[i];

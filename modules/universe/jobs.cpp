@@ -1,5 +1,6 @@
 module abut.universe.jobs;
 import abut.any_shape;
+import abut.any_shape.self_contacts;
 import abut.core;
 import abut.core.standard;
 import abut.math;
@@ -17,6 +18,7 @@ JobList::JobList() {
       supported_[run_of(row, column)] = abut::is_supported(row, column);
       gains_from_memory_[run_of(row, column)] = pair_kernels(row, column).gains_from_memory;
     }
+    supported_[self_run_of(row)] = meets_itself(row);
   }
 }
 

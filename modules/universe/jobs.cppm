@@ -28,10 +28,21 @@ struct KindTally {
   }
 };
 
-// The run of two kinds, by their places in the registry, row not above column.
-inline constexpr std::size_t run_count = shape_kind_count * shape_kind_count;
-[[nodiscard]] inline constexpr std::size_t run_of(std::size_t row, std::size_t column) { return row * shape_kind_count + column; }
-[[nodiscard]] inline constexpr std::size_t run_of_kinds(std::size_t a, std::size_t b) { return a <= b ? run_of(a, b) : run_of(b, a); }
+// The run of two kinds, by their places in the registry, row not above column; behind those, the runs of kinds that
+// meet themselves.
+inline constexpr std::size_t pair_run_count = shape_kind_count * shape_kind_count;
+inline constexpr std::size_t run_count = pair_run_count + shape_kind_count;
+[[nodiscard]] inline constexpr std::size_t run_of(std::size_t row, std::size_t column) {
+  return row * shape_kind_count + column;
+}
+[[nodiscard]] inline constexpr std::size_t self_run_of(std::size_t kind) { return pair_run_count + kind; }
+[[nodiscard]] inline constexpr bool is_self_run(std::size_t run) { return run >= pair_run_count; }
+[[nodiscard]] inline std::size_t run_of(const Pair& pair, std::size_t kind_low, std::size_t kind_high) {
+  if (is_self_pair(pair)) {
+    return self_run_of(kind_low);
+  }
+  return kind_low <= kind_high ? run_of(kind_low, kind_high) : run_of(kind_high, kind_low);
+}
 
 // Where the contacts of a job lie in the points of its chunk, after reduction and in the world.
 struct JobResult {

@@ -64,6 +64,7 @@ struct GeometryOptions {
   std::uint32_t label = 0;            // for rules
   std::uint32_t tag = 0;              // for policies, below tag_count
   std::uint32_t material = 0;
+  bool has_self_pairs = false;        // it meets itself
 };
 
 struct Revision {

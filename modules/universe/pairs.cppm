@@ -23,11 +23,12 @@ struct PlaceInfo {
   bool is_box_stale = false;         // moved or changed while it was parked
   bool is_queued = false;            // waits for its box
   bool is_moving = false;            // in the broad phase as a moving one
+  bool has_self_pairs = false;
   bool is_switched = false;          // its tag is another one than in the last detection, by the focus
 };
 
 struct Pair {
-  std::uint32_t low, high;                              // places; low is less
+  std::uint32_t low, high;                              // places; low is less, or both are a geometry that meets itself
   std::uint32_t generation_low, generation_high;        // of the ids that live there
   std::uint32_t first_contact = 0, contact_count = 0;   // in the list of contacts; until they are there, in the chunk
   std::uint32_t first_before = 0, count_before = 0;     // in that of the detection before
@@ -48,8 +49,13 @@ struct Pair {
 };
 inline constexpr std::uint32_t no_job = 0xffffffff;
 
-// Whether one side may carry the other: what sensors meet, and what is only seen as boxes, holds nothing.
-[[nodiscard]] inline bool bears(const Pair& pair) { return pair.contact_count > 0 && !pair.is_sensor; }
+[[nodiscard]] inline bool is_self_pair(const Pair& pair) { return pair.low == pair.high; }
+
+// Whether one side may carry the other: what sensors meet, what is only seen as boxes, and what meets itself holds
+// nothing.
+[[nodiscard]] inline bool bears(const Pair& pair) {
+  return pair.contact_count > 0 && !pair.is_sensor && !is_self_pair(pair);
+}
 
 // The kept pairs, in order of their places. A detection merges them with the pairs that the broad phase finds.
 class PairStore {

@@ -23,11 +23,19 @@ constexpr std::size_t least_of_task = 2048, least_flags_of_task = 16384;
 }  // namespace
 
 // Both geometries are on different parts, one of them dynamic, and not parked, or the broad phase had not found them.
+// Layers, masks and exclusion speak of two geometries, not of one that meets itself.
 bool Universe::is_admitted(const Pair& pair) const {
   const PlaceInfo &low = infos_[pair.low], &high = infos_[pair.high];
+  if (is_self_pair(pair)) {
+    return passes_rules_and_filter(pair);
+  }
   if ((low.exclusion & high.exclusion) != 0 || (low.layers & high.mask) == 0 || (high.layers & low.mask) == 0) {
     return false;
   }
+  return passes_rules_and_filter(pair);
+}
+
+bool Universe::passes_rules_and_filter(const Pair& pair) const {
   const GeometryId a = id_at(pair.low), b = id_at(pair.high);
   if (!rules_.is_empty()) {
     const Geometry &its = geometries_.at(a), &other = geometries_.at(b);
@@ -64,7 +72,7 @@ void Universe::update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lo
     const bool was_admitted = pair.is_admitted;
     pair.is_admitted = is_admitted(pair);
     pair.is_unasked = false;
-    pair.run = static_cast<std::uint16_t>(run_of_kinds(low.kind, high.kind));
+    pair.run = static_cast<std::uint16_t>(run_of(pair, low.kind, high.kind));
     pair.is_supported = jobs_.is_supported(pair.run);
     pair.is_sensor = low.is_sensor || high.is_sensor;
     pair.policy = static_cast<std::uint16_t>(policies_.number_of(low.tag, high.tag));
@@ -97,6 +105,24 @@ void Universe::update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lo
   } else if (pair.is_new || policy.period == 1 || step_ % policy.period == 0 || scope.coverage == Coverage::everything) {
     pair.job = 0;
     pair.is_stale = pair.is_new = false;
+  }
+}
+
+// Among those that the broad phase has found, in order: from the back, so that none is written over before it has gone.
+void Universe::add_self_pairs() {
+  const auto is_shown = [&](std::uint32_t at) { return presence_[at] == Presence::shown; };
+  std::size_t from = near_.size();
+  std::size_t to = from + static_cast<std::size_t>(std::ranges::count_if(self_places_, is_shown));
+  near_.resize(to);
+  for (std::size_t i = self_places_.size(); i-- > 0;) {
+    const std::uint32_t at = self_places_[i];
+    if (!is_shown(at)) {
+      continue;
+    }
+    while (from > 0 && is_before({at, at}, near_[from - 1])) {
+      near_[--to] = near_[--from];
+    }
+    near_[--to] = {at, at};
   }
 }
 
@@ -190,6 +216,7 @@ void Universe::run_stages(const Scope& scope) {
   update_broadphase();
   if (is_broadphase_changed_) {
     std::visit([&](auto& broadphase) { broadphase.find_pairs(workers_, near_); }, broadphase_);
+    add_self_pairs();
   }
   stats_.broadphase_microseconds = watch.lap();
   update_pairs(scope);

@@ -104,7 +104,9 @@ std::size_t Universe::bytes() const {
                                    boxes_.capacity() * sizeof(CompactAabb) + infos_.capacity() * sizeof(PlaceInfo) +
                                    presence_.capacity();
   const std::size_t changes = moved_parts_.capacity() * sizeof(PartId) + changed_geometries_.capacity() * sizeof(GeometryId) +
-                              (fresh_.capacity() + queue_.capacity() + updates_.capacity() + rejoining_.capacity()) * sizeof(std::uint32_t);
+                              (self_places_.capacity() + fresh_.capacity() + queue_.capacity() + updates_.capacity() +
+                               rejoining_.capacity()) *
+                                  sizeof(std::uint32_t);
   const std::size_t results = near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() + jobs_.bytes() +
                               contacts_.capacity() * sizeof(Contact) +
                               (histories_.capacity() + histories_before_.capacity()) * sizeof(ContactHistory) +

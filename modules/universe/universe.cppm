@@ -70,9 +70,10 @@ class Universe {
   [[nodiscard]] std::vector<GeometryId> geometries() const;
   [[nodiscard]] inline const Revision& revision() const [[clang::lifetimebound]] { return revision_; }
 
-  // Who meets whom. In this order: geometries of one part never, two parts of which none is dynamic never, parked
-  // ones never, common exclusion bits never, layers and masks both ways, rules, the filter. Answers are kept per pair until
-  // something that they depend on changes.
+  // Who meets whom. A geometry with self pairs meets itself, however its part moves, unless a rule or the filter
+  // keeps it. Of two, in this order: geometries of one part never, two parts of which none is dynamic never, parked
+  // ones never, common exclusion bits never, layers and masks both ways, rules, the filter. Answers are kept per pair
+  // until something that they depend on changes.
   [[nodiscard]] Result<void> set_rule(const Collidable& a, const Collidable& b, Rule rule);
   void clear_rules();
   // Asked last, once for each pair that comes near, in order. It may ask the universe but not change it.
@@ -226,11 +227,14 @@ class Universe {
   void update_broadphase();
   void detect(const Scope& scope);
   void run_stages(const Scope& scope);
+  void set_self_pairs(std::uint32_t place, bool has_them);
+  void add_self_pairs();
   void update_pairs(const Scope& scope);
   void update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lost);
   void follow_focus();
   void follow_focus(std::uint32_t at);
   [[nodiscard]] bool is_admitted(const Pair& pair) const;
+  [[nodiscard]] bool passes_rules_and_filter(const Pair& pair) const;
   [[nodiscard]] bool is_covered(const Pair& pair, const Scope& scope) const;
   void find_contacts();
   void find_contacts_of_chunk(std::size_t chunk);
@@ -294,6 +298,7 @@ class Universe {
   BroadphaseKind broadphase_kind_ = BroadphaseKind::brute;
   std::string_view broadphase_reason_ = "nothing to look at yet";
   std::vector<ProxyPair> near_;
+  std::vector<std::uint32_t> self_places_;  // of geometries that meet themselves, in order
   PairStore pairs_;
   std::vector<PairTask> pair_tasks_;
   JobList jobs_;

@@ -1,0 +1,21 @@
+// A shape of any kind against itself.
+export module abut.any_shape.self_contacts;
+import abut.any_shape;
+import abut.core;
+import abut.core.standard;
+import abut.math;
+import abut.registry;
+import abut.shape;
+
+export namespace abut {
+
+// Whether the kind at a place of the registry has contacts with itself, and how.
+[[nodiscard]] bool meets_itself(std::size_t place);
+[[nodiscard]] RouteDescription describe_self(std::size_t place);
+
+// As contacts_of_run of the table of pairs, for jobs of which both sides are the same geometry: in the frame of the
+// shape.
+void self_contacts_of_run(std::span<const ShapeHandle> shapes, std::span<const PairJob> jobs,
+                          const QuerySettings& settings, Manifold& out, std::span<PairResult> results);
+
+}  // namespace abut
