@@ -31,6 +31,29 @@ struct Bends {
 
 constexpr Real stiff_share = 1e-3;  // of the depth: less bend than that makes no valley
 
+// The points of both cores under a direction, seen from where the cores are apart along it.
+void find_points_under(const Difference& cores, Real error, EpaResult& found) {
+  const Real apart = 0.25 * cores.size;
+  const Vec3 shift = (found.depth + apart) * found.normal;
+  const auto shifted = [&](const Vec3& direction) {
+    SupportPair pair = cores.support(direction);
+    pair.b += shift;
+    return pair;
+  };
+  Difference parted;
+  parted.support = [&shifted](const Vec3& direction) { return shifted(direction); };
+  parted.size = cores.size + norm(shift);
+  const WideGjkResult near = wide_gjk(parted, found.normal, error, infinity, error);
+  if (near.gjk.overlap) {
+    return;
+  }
+  const Vec3 on_b = near.point_b - shift;
+  // What is left between the points and the depth is shared by both.
+  const Vec3 half = (0.5 * (found.depth + dot(on_b - near.point_a, found.normal))) * found.normal;
+  found.point_a = near.point_a + half;
+  found.point_b = on_b - half;
+}
+
 }  // namespace
 
 Valley valley_of(const PairGerm& germ, Real radius) {
@@ -156,7 +179,6 @@ Descent descend(const Difference& cores, const Vec3& from, Real error, Real nois
 constexpr int walk_steps = 32;
 constexpr Real walk_stride = 0.2;
 
-// Along the bottom of the valley that a direction lies in, as long as `visit` answers true.
 void walk_valley(const Difference& cores, const Vec3& from, const std::function<bool(const Vec3&)>& visit) {
   Vec3 n = from, ahead{0, 0, 0};
   for (int step = 0; step < walk_steps; ++step) {
@@ -177,38 +199,12 @@ void walk_valley(const Difference& cores, const Vec3& from, const std::function<
   }
 }
 
-// The points of both cores under a direction, seen from where the cores are apart along it.
-static void find_points_under(const Difference& cores, Real error, EpaResult& found) {
-  const Real apart = 0.25 * cores.size;
-  const Vec3 shift = (found.depth + apart) * found.normal;
-  const auto shifted = [&](const Vec3& direction) {
-    SupportPair pair = cores.support(direction);
-    pair.b += shift;
-    return pair;
-  };
-  Difference parted;
-  parted.support = [&shifted](const Vec3& direction) { return shifted(direction); };
-  parted.size = cores.size + norm(shift);
-  const WideGjkResult near = wide_gjk(parted, found.normal, error, infinity, error);
-  if (near.gjk.overlap) {
-    return;
-  }
-  const Vec3 on_b = near.point_b - shift;
-  // What is left between the points and the depth is shared by both.
-  const Vec3 half = (0.5 * (found.depth + dot(on_b - near.point_a, found.normal))) * found.normal;
-  found.point_a = near.point_a + half;
-  found.point_b = on_b - half;
-}
-
 constexpr int sweep_reach = 2;
 constexpr std::size_t sweep_size = 98, descent_limit = 8;
 constexpr Real valley_share = 1e-3;  // of the depth, by which the bottom of a valley may rise
 constexpr Real same_start = 0.9;  // cosine between directions that need not both be tried
 
-// The least depth that descents reach from the answer of a search that ended without a proof, from the discs, and from the
-// best of a sweep of directions.
-EpaResult least_of_descents(const Difference& cores, Real error,
-                                                                       const EpaResult& found) {
+EpaResult least_of_descents(const Difference& cores, Real error, const EpaResult& found) {
   const Real noise = cores.noise();
   Descent least{found.normal, infinity, std::nullopt};
   const auto keep = [&](const Descent& tried) {

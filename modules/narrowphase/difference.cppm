@@ -27,13 +27,16 @@ struct SymmetricDirections {
   bool is_coaxial = false;
 };
 
+using SupportPairFunction = std::function<SupportPair(const Vec3& direction)>;
+using PairGermFunction = std::function<PairGerm(const GermFrame& frame)>;
+using AddBallsFunction = std::function<void(Real noise, DirectionCover& cover)>;
+
 struct Difference {
-  // Of a along a direction and of b against it, in the frame of a.
-  std::function<SupportPair(const Vec3& direction)> support;
+  SupportPairFunction support;  // of a along a direction and of b against it, in the frame of a
   // Of curved cores: the support function to second order, their symmetries, and the balls inside.
-  std::function<PairGerm(const GermFrame& frame)> germ;
+  PairGermFunction germ;
   std::function<SymmetricDirections()> symmetries;
-  std::function<void(Real noise, DirectionCover& cover)> add_balls;
+  AddBallsFunction add_balls;
   Real size;           // bounds all coordinates
   Real least_extent;   // of the smaller core
   std::array<Vec3, 6> axes;  // unit: of the frames of both

@@ -1,7 +1,7 @@
 // A detection: from pairs to contacts.
 module abut.universe;
 import abut.any_shape;
-import abut.any_shape.self_contacts;
+import abut.registry.self_contacts;
 import abut.contact;
 import abut.core;
 import abut.core.standard;

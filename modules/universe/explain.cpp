@@ -1,6 +1,6 @@
 module abut.universe;
 import abut.any_shape;
-import abut.any_shape.self_contacts;
+import abut.registry.self_contacts;
 import abut.broadphase;
 import abut.core;
 import abut.core.standard;

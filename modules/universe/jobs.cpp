@@ -1,6 +1,6 @@
 module abut.universe.jobs;
 import abut.any_shape;
-import abut.any_shape.self_contacts;
+import abut.registry.self_contacts;
 import abut.core;
 import abut.core.standard;
 import abut.math;

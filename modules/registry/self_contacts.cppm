@@ -1,6 +1,5 @@
 // A shape of any kind against itself.
-export module abut.any_shape.self_contacts;
-import abut.any_shape;
+export module abut.registry.self_contacts;
 import abut.core;
 import abut.core.standard;
 import abut.math;
@@ -15,7 +14,7 @@ export namespace abut {
 
 // As contacts_of_run of the table of pairs, for jobs of which both sides are the same geometry: in the frame of the
 // shape.
-void self_contacts_of_run(std::span<const ShapeHandle> shapes, std::span<const PairJob> jobs,
+void self_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const PairJob> jobs,
                           const QuerySettings& settings, Manifold& out, std::span<PairResult> results);
 
 }  // namespace abut

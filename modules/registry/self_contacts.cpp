@@ -1,5 +1,4 @@
-module abut.any_shape.self_contacts;
-import abut.any_shape;
+module abut.registry.self_contacts;
 import abut.core;
 import abut.core.standard;
 import abut.math;
@@ -58,7 +57,7 @@ RouteDescription describe_self(std::size_t place) {
   return all[place];
 }
 
-void self_contacts_of_run(std::span<const ShapeHandle> shapes, std::span<const PairJob> jobs,
+void self_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const PairJob> jobs,
                           const QuerySettings& settings, Manifold& out, std::span<PairResult> results) {
   QuerySettings its = settings;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
