@@ -483,6 +483,13 @@ FUNCTIONS = {
         c_void_p, POINTER(GeometryId), POINTER(GeometryOptions), c_size_t]),
     "abut_geometry_set_shape": (Status, [c_void_p, GeometryId, c_void_p]),
     "abut_geometries_set_shapes": (Status, [c_void_p, POINTER(GeometryId), POINTER(c_void_p), c_size_t]),
+    "abut_geometry_set_parameters": (Status, [c_void_p, GeometryId, POINTER(c_double), c_size_t]),
+    "abut_geometries_set_parameters": (Status, [c_void_p, POINTER(GeometryId), POINTER(c_double), c_size_t, c_size_t]),
+    "abut_geometry_set_heights": (
+        Status, [c_void_p, GeometryId, c_uint32, c_uint32, c_uint32, c_uint32, POINTER(c_double)]),
+    "abut_geometry_set_particles": (
+        Status, [c_void_p, GeometryId, c_size_t, POINTER(c_double), POINTER(c_double), c_size_t]),
+    "abut_geometry_shape": (Status, [c_void_p, GeometryId, POINTER(c_void_p)]),
     "abut_geometry_park": (Status, [c_void_p, GeometryId, c_uint32]),
     "abut_geometries_park": (Status, [c_void_p, POINTER(GeometryId), c_size_t, c_uint32]),
     "abut_geometry_info_init": (None, [POINTER(GeometryInfo), c_uint32]),

@@ -17,7 +17,7 @@
  *  - Thread rule of each function: [any] any thread at any time; [const] together with other [const]
  *    calls on the same universe, not during an [exclusive] one; [exclusive] alone on its universe, and
  *    ABUT_BUSY from a callback of it.
- *    Shapes never change after creation, so calls that only read shapes are [any].
+ *    A shape never changes while the caller holds a reference to it, so calls that only read shapes are [any].
  *  - Structs that begin with struct_size grow over time. Fill them with their _init function, which
  *    is told sizeof of the struct as the caller knows it, then change fields. A caller compiled against
  *    an older header stays valid.
@@ -701,6 +701,63 @@ ABUT_API abut_status abut_geometries_set_shapes(abut_universe *universe, const a
                                                 const abut_shape *const *shapes, size_t count);
 
 /**
+ * Changes the parameters of the shape of a geometry, for this geometry alone: handles and geometries that share the
+ * shape keep it as it was. A shape that nobody else holds is changed in place, so release what abut_geometry_create was
+ * given; any other is copied once. What has the same features as before keeps its contacts, with ids, ages and user
+ * data; the next step or detection examines the pairs of the geometry again, and islands that touch it wake. From then
+ * on abut_geometry_describe lends out another handle where the shape was copied.
+ * @param parameters  parameter_count numbers, as abut_shape_desc.parameters takes them, and checked as
+ *                    abut_shape_create does
+ * ABUT_UNSUPPORTED for kinds that are made of more than their parameters: hull, mesh, height_field, particles,
+ * composite.
+ * Complexity O(1). [exclusive]
+ */
+ABUT_API abut_status abut_geometry_set_parameters(abut_universe *universe, abut_geometry_id geometry,
+                                                  const double *parameters, size_t parameter_count);
+
+/**
+ * The same for `count` geometries that take equally many parameters, all or none.
+ * @param parameters  count * parameter_count numbers, geometry by geometry
+ * [exclusive]
+ */
+ABUT_API abut_status abut_geometries_set_parameters(abut_universe *universe, const abut_geometry_id *geometries,
+                                                    const double *parameters, size_t parameter_count, size_t count);
+
+/**
+ * Changes heights of the height field of a geometry, as abut_geometry_set_parameters changes parameters. Where its box
+ * stays the same, only pairs near the changed samples are examined again.
+ * @param column   the first sample along X that changes
+ * @param row      the first sample along Y that changes
+ * @param columns  how many change along X; with 0 nothing changes
+ * @param rows     how many change along Y; with 0 nothing changes
+ * @param heights  columns * rows numbers, X fastest, copied
+ * ABUT_INDEX_OUT_OF_RANGE beyond the field, ABUT_UNSUPPORTED for other kinds.
+ * Complexity O(columns * rows + log(samples)), and O(samples) once where the shape has other holders. [exclusive]
+ */
+ABUT_API abut_status abut_geometry_set_heights(abut_universe *universe, abut_geometry_id geometry, uint32_t column,
+                                               uint32_t row, uint32_t columns, uint32_t rows, const double *heights);
+
+/**
+ * Moves particles of a geometry, as abut_geometry_set_parameters changes parameters.
+ * @param first  the first one that changes
+ * @param xyz    count * 3 numbers, the centres, copied
+ * @param radii  count numbers, not negative, copied, for particles with radii of their own; null: radii stay as they
+ *               are
+ * @param count  how many change; with 0 nothing changes
+ * ABUT_INDEX_OUT_OF_RANGE beyond the last particle, ABUT_UNSUPPORTED for other kinds, and for radii of particles with
+ * one radius in common. Complexity O(particles); the grid is built anew when a query next needs it, in O(particles).
+ * [exclusive]
+ */
+ABUT_API abut_status abut_geometry_set_particles(abut_universe *universe, abut_geometry_id geometry, size_t first,
+                                                 const double *xyz, const double *radii, size_t count);
+
+/**
+ * The shape that a geometry has at present, with a reference that belongs to the caller: release it. While the caller
+ * holds it, the next change of the geometry's shape copies it. [const]
+ */
+ABUT_API abut_status abut_geometry_shape(const abut_universe *universe, abut_geometry_id geometry, abut_shape **out);
+
+/**
  * Parks a geometry, or brings it back. Parking twice changes nothing; changing between short and long term is allowed. The
  * one [exclusive] call that a filter may make: it takes effect when the step is over.
  * Complexity O(1); O(log n) for long term. Source: SPEC VX-07. [exclusive]
@@ -715,7 +772,7 @@ typedef struct abut_geometry_info {
   uint32_t struct_size;
   abut_shape_kind kind;
   abut_part_id part;
-  abut_shape *shape;  /**< borrowed until the geometry is destroyed; retain it to keep it longer */
+  abut_shape *shape;  /**< borrowed until the geometry is destroyed or changes its shape; retain it to keep it */
   abut_pose pose;     /**< in the world */
   abut_pose local;    /**< in the frame of the part */
   double tolerance;

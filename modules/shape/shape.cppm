@@ -3,6 +3,7 @@ export module abut.shape;
 export import abut.shape.checks;
 export import abut.shape.concepts;
 export import abut.shape.cores;
+export import abut.shape.edits;
 export import abut.shape.frames;
 export import abut.shape.part_ball;
 export import abut.shape.part_triangle;

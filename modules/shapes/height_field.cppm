@@ -5,6 +5,7 @@ export module abut.shape.height_field;
 import abut.core;
 import abut.core.standard;
 import abut.math;
+import abut.midphase.range_pyramid;
 import abut.shape;
 
 export namespace abut {
@@ -69,11 +70,17 @@ class HeightField {
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
   [[nodiscard]] Triangles triangles() const;
 
+  // Other heights. O(heights that change + log(all heights)).
+  [[nodiscard]] Fault check(const HeightEdit& edit) const;
+  void own() { static_cast<void>(data_.own()); }
+  [[nodiscard]] Aabb apply(const HeightEdit& edit);
+
  private:
   struct Data {
     std::uint32_t columns, rows;
     Real spacing_x, spacing_y;
     std::vector<Real> heights;
+    RangePyramid ranges;  // of the heights
     Aabb box;
   };
 
@@ -112,6 +119,7 @@ class HeightField {
 
   Frozen<Data> data_;
 };
-static_assert(Shape<HeightField> && Surface<HeightField> && Triangulated<HeightField> && Terrain<HeightField>);
+static_assert(Shape<HeightField> && Surface<HeightField> && Triangulated<HeightField> && Terrain<HeightField> &&
+              Editable<HeightField, HeightEdit>);
 
 }  // namespace abut

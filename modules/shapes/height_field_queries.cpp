@@ -2,6 +2,7 @@ module abut.shape.height_field;
 import abut.core;
 import abut.core.standard;
 import abut.math;
+import abut.midphase.range_pyramid;
 import abut.shape;
 
 namespace abut {
@@ -48,9 +49,11 @@ Result<HeightField> HeightField::make(std::span<const Real> parameters, std::spa
   if (Fault fault = check_all_finite("heights", reals)) {
     return *fault;
   }
-  const auto [low, high] = std::minmax_element(reals.begin(), reals.end());
-  const Aabb box{{0, 0, *low}, {(columns - 1) * parameters[2], (rows - 1) * parameters[3], *high}};
-  return HeightField(Data{columns, rows, parameters[2], parameters[3], {reals.begin(), reals.end()}, box});
+  RangePyramid ranges(reals, columns);
+  const auto [low, high] = ranges.whole();
+  const Aabb box{{0, 0, low}, {(columns - 1) * parameters[2], (rows - 1) * parameters[3], high}};
+  return HeightField(
+      Data{columns, rows, parameters[2], parameters[3], {reals.begin(), reals.end()}, std::move(ranges), box});
 }
 
 std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {

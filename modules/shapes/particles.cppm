@@ -40,6 +40,11 @@ class Particles {
   // Slab by slab of cells along the axis that the ray follows most.
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
 
+  // Other centres and radii. O(particles), and as much again when a query next needs the grid.
+  [[nodiscard]] Fault check(const ParticleEdit& edit) const;
+  void own() { static_cast<void>(data_.own()); }
+  [[nodiscard]] Aabb apply(const ParticleEdit& edit);
+
   // Whether a query has needed the grid so far.
   [[nodiscard]] bool has_grid() const { return data_->grid.is_made(); }
 
@@ -54,6 +59,8 @@ class Particles {
   };
 
   explicit Particles(Data data) : data_(std::move(data)) {}
+  // What follows from places and radii.
+  static void measure(Data& data);
   [[nodiscard]] inline Real radius_of(std::uint32_t index) const {
     return data_->radii.empty() ? data_->common_radius : data_->radii[index];
   }
@@ -63,6 +70,6 @@ class Particles {
 
   Frozen<Data> data_;
 };
-static_assert(Shape<Particles> && Scattered<Particles>);
+static_assert(Shape<Particles> && Scattered<Particles> && Editable<Particles, ParticleEdit>);
 
 }  // namespace abut

@@ -39,16 +39,26 @@ Result<Particles> Particles::make(std::span<const Real> parameters, std::span<co
   for (std::size_t i = 0; i < count; ++i) {
     const std::span<const Real> numbers = reals.subspan(stride * i, stride);
     data.places.push_back({numbers[0], numbers[1], numbers[2]});
-    data.centres.include(data.places.back());
     if (stride == 4) {
       if (Fault fault = check_not_negative("xyz[" + std::to_string(4 * i + 3) + "]", numbers[3])) {
         return *fault;
       }
       data.radii.push_back(numbers[3]);
-      data.largest_radius = std::max(data.largest_radius, numbers[3]);
     }
   }
+  measure(data);
   return Particles(std::move(data));
+}
+
+void Particles::measure(Data& data) {
+  data.centres = Aabb::empty();
+  for (const Vec3& place : data.places) {
+    data.centres.include(place);
+  }
+  data.largest_radius = data.common_radius;
+  for (const Real radius : data.radii) {
+    data.largest_radius = std::max(data.largest_radius, radius);
+  }
 }
 
 std::vector<Particles> Particles::samples() {

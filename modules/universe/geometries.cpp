@@ -10,6 +10,7 @@ import abut.registry;
 import abut.shape;
 import abut.universe.checks;
 import abut.universe.pairs;
+import abut.universe.room;
 
 namespace abut {
 namespace {
@@ -21,8 +22,14 @@ Quat product(const Quat& a, const Quat& b) {
 
 }  // namespace
 
-// Puts a geometry on the list of those that the next detection looks at.
+// Of a geometry that may not be anywhere as it was.
 void Universe::change(GeometryId geometry) {
+  infos_[geometry.slot - 1].patch = no_patch;
+  enlist(geometry);
+}
+
+// Puts a geometry on the list of those that the next detection looks at.
+void Universe::enlist(GeometryId geometry) {
   Geometry& its = geometries_.at(geometry);
   if (!its.is_changed) {
     its.is_changed = true;
@@ -134,7 +141,6 @@ Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const Part
       infos_[id.slot - 1].kind = static_cast<std::uint8_t>((*shapes[i]).index());
       apply_options(id);
       change(id);
-      disturb(parts[i]);
     }
   } catch (...) {
     // The last one first: the next call gets the same slots.
@@ -144,6 +150,7 @@ Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const Part
     }
     throw;
   }
+  std::ranges::for_each(parts, [&](PartId part) { disturb(part); });
   revision_.geometries += parts.empty() ? 0 : 1;
   return created;
 }
@@ -163,7 +170,6 @@ void Universe::forget_geometry(GeometryId geometry) {
   }
   parked_count_ -= geometries_.at(geometry).options.parking != Parking::none ? 1 : 0;
   geometries_.erase(geometry);
-  ++revision_.geometries;
 }
 
 Result<void> Universe::destroy_geometries(std::span<const GeometryId> geometries) {
@@ -175,6 +181,7 @@ Result<void> Universe::destroy_geometries(std::span<const GeometryId> geometries
     std::erase(parts_.at(geometries_.at(geometry).part).geometries, geometry);
     forget_geometry(geometry);
   }
+  revision_.geometries += geometries.size();
   return {};
 }
 
@@ -183,7 +190,7 @@ Result<void> Universe::set_shapes(std::span<const GeometryId> geometries, std::s
   if (std::optional<Error> error = check_ids(geometries_, geometries, "geometries")) {
     return *error;
   }
-  changed_geometries_.reserve(changed_geometries_.size() + geometries.size());
+  make_room(changed_geometries_, geometries.size());
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     const std::uint32_t place = geometries[i].slot - 1;
     shapes_[place] = shapes[i];
@@ -212,7 +219,7 @@ Result<void> Universe::set_options(std::span<const GeometryId> geometries, std::
       return Error{fault->code, name_at("options", i) + "." + fault->message};
     }
   }
-  changed_geometries_.reserve(changed_geometries_.size() + geometries.size());
+  make_room(changed_geometries_, geometries.size());
   self_places_.reserve(self_places_.size() +
                        static_cast<std::size_t>(std::ranges::count_if(options, &GeometryOptions::has_self_pairs)));
   for (std::size_t i = 0; i < geometries.size(); ++i) {
@@ -230,6 +237,8 @@ Result<void> Universe::park(std::span<const GeometryId> geometries, Parking park
   if (std::optional<Error> error = check_ids(geometries_, geometries, "geometries")) {
     return *error;
   }
+  make_room(changed_geometries_, geometries.size());
+  make_room(deferred_parking_, is_stepping_ ? geometries.size() : 0);
   for (const GeometryId geometry : geometries) {
     if (is_stepping_) {
       deferred_parking_.emplace_back(geometry, parking);

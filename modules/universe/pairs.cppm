@@ -9,6 +9,8 @@ import abut.universe.options;
 
 export namespace abut {
 
+inline constexpr std::uint32_t no_patch = 0xffffffff;
+
 // What pairs ask about a geometry, by its place: one cache line.
 struct PlaceInfo {
   std::uint64_t layers = 0, mask = 0, exclusion = 0;
@@ -25,6 +27,16 @@ struct PlaceInfo {
   bool is_moving = false;            // in the broad phase as a moving one
   bool has_self_pairs = false;
   bool is_switched = false;          // its tag is another one than in the last detection, by the focus
+  bool is_edited = false;            // the same shape, but not as it was
+  std::uint32_t patch = no_patch;    // where alone it has changed since the last detection, if that is known
+};
+static_assert(sizeof(PlaceInfo) <= 64);
+
+// Where in the world a geometry that has not moved is not as it was, as far as its box reaches.
+struct Patch {
+  std::uint32_t place;
+  Aabb box;
+  CompactAabb compact_box;
 };
 
 struct Pair {

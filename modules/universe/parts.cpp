@@ -7,6 +7,7 @@ import abut.core.standard;
 import abut.math;
 import abut.shape;
 import abut.universe.checks;
+import abut.universe.room;
 
 namespace abut {
 namespace {
@@ -52,6 +53,7 @@ Result<void> Universe::destroy_parts(std::span<const PartId> parts) {
     for (const GeometryId geometry : parts_.at(part).geometries) {
       forget_geometry(geometry);
     }
+    revision_.geometries += parts_.at(part).geometries.size();
     if (!rules_.is_empty()) {
       rules_.forget({CollidableKind::part, part.slot, part.generation});
     }
@@ -73,7 +75,7 @@ Result<void> Universe::set_poses(std::span<const PartId> parts, std::span<const 
       return *fault;
     }
   }
-  moved_parts_.reserve(moved_parts_.size() + parts.size());
+  make_room(moved_parts_, parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Part& part = parts_.at(parts[i]);
     const Pose before = std::exchange(part.pose, poses[i].pose());
@@ -97,6 +99,12 @@ Result<void> Universe::set_motions(std::span<const PartId> parts, std::span<cons
   if (std::optional<Error> error = check_ids(parts_, parts, "parts")) {
     return *error;
   }
+  std::size_t count = 0;
+  for (const PartId part : parts) {
+    count += parts_.at(part).geometries.size();
+  }
+  make_room(rejoining_, count);
+  make_room(changed_geometries_, count);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Part& part = parts_.at(parts[i]);
     if (part.motion == motions[i]) {

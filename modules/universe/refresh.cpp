@@ -26,16 +26,18 @@ AnyBroadPhase make_broadphase(BroadphaseKind kind) {
 
 }  // namespace
 
+// How far a box goes beyond its shape: the two boxes of a pair reach as far together as its policy does.
+Real Universe::reach_at(std::uint32_t place) const {
+  const Real reach = std::max(infos_[place].tolerance, 0.5 * policies_.largest_tolerance());
+  return options_.tolerance_mode == ToleranceMode::margin ? reach : 0;
+}
+
 // The world pose and the box of a place.
 void Universe::place(std::uint32_t at) {
   const Geometry& geometry = geometries_.at(id_at(at));
   worlds_[at] = parts_.at(geometry.part).pose * geometry.local_pose;
-  Aabb box = aabb_of(*shapes_[at], worlds_[at]);
-  if (options_.tolerance_mode == ToleranceMode::margin) {
-    // The two boxes of a pair reach as far together as its policy does.
-    box = box.inflated(std::max(infos_[at].tolerance, 0.5 * policies_.largest_tolerance()));
-  }
-  boxes_[at] = compact(box, options_.origin);
+  const Aabb box = aabb_of(*shapes_[at], worlds_[at]);
+  boxes_[at] = compact(box.inflated(reach_at(at)), options_.origin);
   infos_[at].is_box_stale = false;
 }
 
@@ -52,6 +54,7 @@ void Universe::gather_moved(std::span<const PartId> parts, ChangeTask& task) {
     for (const GeometryId geometry : part.geometries) {
       const std::uint32_t at = geometry.slot - 1;
       infos_[at].is_box_stale = true;
+      infos_[at].patch = no_patch;
       if (presence_[at] != Presence::shown) {
         continue;
       }

@@ -56,6 +56,11 @@ bool Universe::is_covered(const Pair& pair, const Scope& scope) const {
   return true;
 }
 
+// Whether a geometry has moved, or changed where the box of another one reaches.
+bool Universe::has_changed_for(const PlaceInfo& its, std::uint32_t other) const {
+  return its.is_fresh && (its.patch == no_patch || patches_[its.patch].compact_box.overlaps(boxes_[other]));
+}
+
 void Universe::update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lost) {
   const PlaceInfo &low = infos_[pair.low], &high = infos_[pair.high];
   pair.job = no_job;
@@ -78,9 +83,9 @@ void Universe::update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lo
     pair.policy = static_cast<std::uint16_t>(policies_.number_of(low.tag, high.tag));
     pair.is_new = pair.is_new || is_reshaped || (pair.is_admitted && !was_admitted);
     pair.is_stale = true;
-    if (is_reshaped && pair.memory != no_memory) {
-      pairs_.memories()[pair.memory] = {};
-    }
+  }
+  if ((is_reshaped || low.is_edited || high.is_edited) && pair.memory != no_memory) {
+    pairs_.memories()[pair.memory] = {};
   }
   if (!pair.is_admitted) {
     pair.is_touching = false;
@@ -90,7 +95,8 @@ void Universe::update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lo
   }
   const Policy& policy = policies_.at(pair.policy);
   pair.is_covered = is_covered(pair, scope);
-  pair.is_stale = pair.is_stale || low.is_fresh || high.is_fresh || scope.coverage == Coverage::everything;
+  pair.is_stale = pair.is_stale || has_changed_for(low, pair.high) || has_changed_for(high, pair.low) ||
+                  scope.coverage == Coverage::everything;
   if (!pair.is_stale || !pair.is_covered) {
     return;
   }
@@ -169,9 +175,13 @@ void Universe::finish_detection() {
   const Cuts cuts = workers_.cut(fresh_.size(), least_flags_of_task);
   workers_.for_each(cuts.tasks(), [&](std::size_t task) {
     for (const std::uint32_t at : cuts.of(std::span(fresh_), task)) {
-      infos_[at].is_fresh = infos_[at].is_refiltered = infos_[at].is_reshaped = false;
+      infos_[at].is_fresh = infos_[at].is_refiltered = infos_[at].is_reshaped = infos_[at].is_edited = false;
     }
   });
+  for (const Patch& patch : patches_) {
+    infos_[patch.place].patch = no_patch;
+  }
+  patches_.clear();
   stats_.moved = fresh_.size();
   fresh_.clear();
   must_refilter_ = false;

@@ -104,6 +104,7 @@ std::size_t Universe::bytes() const {
                                    boxes_.capacity() * sizeof(CompactAabb) + infos_.capacity() * sizeof(PlaceInfo) +
                                    presence_.capacity();
   const std::size_t changes = moved_parts_.capacity() * sizeof(PartId) + changed_geometries_.capacity() * sizeof(GeometryId) +
+                              patches_.capacity() * sizeof(Patch) +
                               (self_places_.capacity() + fresh_.capacity() + queue_.capacity() + updates_.capacity() +
                                rejoining_.capacity()) *
                                   sizeof(std::uint32_t);

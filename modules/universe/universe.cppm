@@ -58,6 +58,10 @@ class Universe {
   [[nodiscard]] Result<std::vector<GeometryId>> create_geometries(std::span<const PartId> parts, std::span<const ShapeHandle> shapes,
                                                                   std::span<const GeometryOptions> options);
   [[nodiscard]] Result<void> destroy_geometries(std::span<const GeometryId> geometries);
+  // Changes a shape: for this geometry alone, and in place where nobody else holds it, else by a copy. Contacts live on
+  // where their features do.
+  [[nodiscard]] Result<void> edit_shape(GeometryId geometry, const Edit& edit);
+  [[nodiscard]] Result<void> edit_shapes(std::span<const GeometryId> geometries, std::span<const Edit> edits);
   // Contacts with the shape before do not live on: features of another shape are other features.
   [[nodiscard]] Result<void> set_shapes(std::span<const GeometryId> geometries, std::span<const ShapeHandle> shapes);
   [[nodiscard]] Result<void> set_options(std::span<const GeometryId> geometries, std::span<const GeometryOptions> options);
@@ -158,6 +162,11 @@ class Universe {
         broadphase_);
   }
   [[nodiscard]] inline const AnyShape& shape_at(std::uint32_t place) const [[clang::lifetimebound]] { return *shapes_[place]; }
+  [[nodiscard]] inline const ShapeHandle& handle_at(std::uint32_t place) const [[clang::lifetimebound]] {
+    return shapes_[place];
+  }
+  // A shape that no geometry has of its own.
+  [[nodiscard]] inline const ShapeHandle& vacant_shape() const [[clang::lifetimebound]] { return vacant_; }
   [[nodiscard]] inline const Pose& world_at(std::uint32_t place) const [[clang::lifetimebound]] { return worlds_[place]; }
   // Of the part; jobs name geometries by the same places. A point p of the geometry moves by
   // linear + angular x (p - origin of the part).
@@ -215,6 +224,11 @@ class Universe {
 
   void forget_geometry(GeometryId geometry);
   void change(GeometryId geometry);
+  void enlist(GeometryId geometry);
+  void apply_edits(std::span<const GeometryId> geometries, std::span<const Edit> edits);
+  void patch(GeometryId geometry, const Aabb& changed);
+  [[nodiscard]] Real reach_at(std::uint32_t place) const;
+  [[nodiscard]] bool has_changed_for(const PlaceInfo& its, std::uint32_t other) const;
   void apply_options(GeometryId geometry);
   void settle_parking(GeometryId geometry, Parking parking);
   void leave_broadphase(std::uint32_t place);
@@ -285,6 +299,7 @@ class Universe {
   // What changed since the last detection.
   std::vector<PartId> moved_parts_;
   std::vector<GeometryId> changed_geometries_;
+  std::vector<Patch> patches_;
   std::vector<std::uint32_t> fresh_;  // places whose box was refreshed
   std::vector<std::uint32_t> queue_;  // places whose box is asked for
   std::vector<std::uint32_t> updates_;  // those of them that the broad phase knows

@@ -24,12 +24,17 @@ std::uint64_t hash_of(abut_universe* universe) {
 
 struct Sizes {
   std::size_t parts = 0, geometries = 0;
+  std::uint64_t revision_of_geometries = 0, revision_of_poses = 0;
   bool operator==(const Sizes&) const = default;
 };
 Sizes sizes_of(abut_universe* universe) {
   Sizes sizes;
   require(abut_universe_parts(universe, nullptr, 0, &sizes.parts));
   require(abut_universe_geometries(universe, nullptr, 0, &sizes.geometries));
+  abut_revision revision{};
+  require(abut_universe_revision(universe, &revision));
+  sizes.revision_of_geometries = revision.geometries;
+  sizes.revision_of_poses = revision.poses;
   return sizes;
 }
 
@@ -77,7 +82,59 @@ struct Change {
   std::function<Call(const Crowd&)> prepare;
 };
 
-std::vector<Change> changes() {
+// A geometry of a shape that the call which edits it has to copy, since `held` is another holder.
+struct Shared {
+  Shared(const Crowd& crowd, Shape shape) : held(std::move(shape)) {
+    const abut_part_id part = crowd.parts().front();
+    require(abut_geometry_create(crowd.universe(), part, held, nullptr, &geometry));
+  }
+  Shape held;
+  abut_geometry_id geometry{};
+};
+
+std::vector<Change> edits() {
+  return {
+      {"geometry_set_shape",
+       [](const Crowd& crowd) -> Call {
+         const auto shared = std::make_shared<Shared>(crowd, make_box(1, 1, 1));
+         const auto ball = std::make_shared<Shape>(make_sphere(0.8));
+         return [&crowd, shared, ball] { return abut_geometry_set_shape(crowd.universe(), shared->geometry, *ball); };
+       }},
+      {"geometry_set_parameters",
+       [](const Crowd& crowd) -> Call {
+         const auto shared = std::make_shared<Shared>(crowd, make_box(1, 1, 1));
+         return [&crowd, shared, sizes = std::array<double, 3>{0.5, 2, 1}] {
+           return abut_geometry_set_parameters(crowd.universe(), shared->geometry, sizes.data(), sizes.size());
+         };
+       }},
+      {"geometries_set_parameters",
+       [](const Crowd& crowd) -> Call {
+         const auto one = std::make_shared<Shared>(crowd, make_box(1, 1, 1));
+         const auto other = std::make_shared<Shared>(crowd, make_box(1, 1, 1));
+         one->held = Shape();
+         return [&crowd, one, other, sizes = std::array<double, 6>{0.5, 2, 1, 2, 1, 0.5}] {
+           const std::array ids{one->geometry, other->geometry};
+           return abut_geometries_set_parameters(crowd.universe(), ids.data(), sizes.data(), 3, 2);
+         };
+       }},
+      {"geometry_set_heights",
+       [](const Crowd& crowd) -> Call {
+         const auto shared = std::make_shared<Shared>(crowd, make_terrain(8, 0.5));
+         return [&crowd, shared, heights = std::array<double, 4>{0.5, 1, 1, 0.5}] {
+           return abut_geometry_set_heights(crowd.universe(), shared->geometry, 2, 3, 2, 2, heights.data());
+         };
+       }},
+      {"geometry_set_particles",
+       [](const Crowd& crowd) -> Call {
+         const auto shared = std::make_shared<Shared>(crowd, make_of_kind("particles", {0.5}, {0, 0, 0, 1, 0, 0}));
+         return [&crowd, shared, xyz = std::array<double, 3>{0, 1, 0}] {
+           return abut_geometry_set_particles(crowd.universe(), shared->geometry, 1, xyz.data(), nullptr, 1);
+         };
+       }},
+  };
+}
+
+std::vector<Change> changes_of_parts_and_geometries() {
   return {
       {"part_create",
        [](const Crowd& crowd) -> Call {
@@ -146,7 +203,32 @@ std::vector<Change> changes() {
            return abut_geometries_park(crowd.universe(), geometries.data(), 4, ABUT_PARKING_LONG_TERM);
          };
        }},
+      {"parts_set_motions",
+       [](const Crowd& crowd) -> Call {
+         using Motions = std::array<abut_motion, 3>;
+         return [&crowd, motions = Motions{ABUT_MOTION_STATIC, ABUT_MOTION_ANIMATED, ABUT_MOTION_STATIC}] {
+           return abut_parts_set_motions(crowd.universe(), crowd.parts().data(), motions.data(), motions.size());
+         };
+       }},
+      {"geometries_unpark",
+       [](const Crowd& crowd) -> Call {
+         std::vector<abut_geometry_id> geometries(4);
+         std::size_t count = 0;
+         static_cast<void>(abut_universe_geometries(crowd.universe(), geometries.data(), geometries.size(), &count));
+         require(abut_geometries_park(crowd.universe(), geometries.data(), 4, ABUT_PARKING_LONG_TERM));
+         return [&crowd, geometries] {
+           return abut_geometries_park(crowd.universe(), geometries.data(), 4, ABUT_PARKING_NONE);
+         };
+       }},
   };
+}
+
+std::vector<Change> changes() {
+  std::vector<Change> all = changes_of_parts_and_geometries();
+  for (Change& edit : edits()) {
+    all.push_back(std::move(edit));
+  }
+  return all;
 }
 
 class RefusedChange : public testing::TestWithParam<std::size_t> {};
@@ -160,8 +242,8 @@ TEST_P(RefusedChange, ChangesNothing) {
   granted.step();
   Crowd refused(all_events(), steady::make_moving_shapes(), 2);
   refused.step();
-  const Sizes before = sizes_of(refused.universe());
   const Call call = change.prepare(refused);
+  const Sizes before = sizes_of(refused.universe());
   std::size_t refusals = 0;
   for (abut_status status = ABUT_OUT_OF_MEMORY; status != ABUT_OK; ++refusals) {
     {

@@ -62,6 +62,11 @@ ABUT_BUSY_TEST(GeometrySetOptions, abut_geometry_set_options(scene.universe, sce
 ABUT_BUSY_TEST(GeometriesSetOptions, abut_geometries_set_options(scene.universe, nullptr, nullptr, 0))
 ABUT_BUSY_TEST(GeometrySetShape, abut_geometry_set_shape(scene.universe, scene.geometry, scene.block))
 ABUT_BUSY_TEST(GeometriesSetShapes, abut_geometries_set_shapes(scene.universe, nullptr, nullptr, 0))
+ABUT_BUSY_TEST(GeometrySetParameters, abut_geometry_set_parameters(scene.universe, scene.geometry, nullptr, 0))
+ABUT_BUSY_TEST(GeometriesSetParameters, abut_geometries_set_parameters(scene.universe, nullptr, nullptr, 0, 0))
+ABUT_BUSY_TEST(GeometrySetHeights, abut_geometry_set_heights(scene.universe, scene.geometry, 0, 0, 0, 0, nullptr))
+ABUT_BUSY_TEST(GeometrySetParticles,
+               abut_geometry_set_particles(scene.universe, scene.geometry, 0, nullptr, nullptr, 0))
 ABUT_BUSY_TEST(RuleSet, abut_rule_set(scene.universe, &anything, &anything, ABUT_RULE_DISABLE))
 ABUT_BUSY_TEST(RulesClear, abut_rules_clear(scene.universe))
 ABUT_BUSY_TEST(UniverseSetFilter, abut_universe_set_filter(scene.universe, nullptr, nullptr))

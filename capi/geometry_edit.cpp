@@ -1,0 +1,145 @@
+// Shapes that change while geometries have them.
+#include "border.hpp"
+#include "shape_handle.hpp"
+#include "universe_handle.hpp"
+
+import abut.any_shape;
+import abut.core;
+import abut.shape;
+import abut.universe;
+
+using namespace abut::capi;
+
+namespace {
+
+// A universe changes a shape in place when nobody else holds it. For the time of a change, handles that only the
+// universe holds let go of their shapes. Those that the caller holds as well keep theirs, and others take their place
+// when all went well.
+template <class Change>
+abut_status change_shapes(abut_universe& its, std::span<const abut_geometry_id> ids, Change&& change) {
+  std::vector<std::uint32_t> let_go;
+  std::vector<std::pair<std::uint32_t, ShapeOwner>> others;
+  let_go.reserve(ids.size());
+  for (const abut_geometry_id& id : ids) {
+    if (its.shapes[id.slot - 1]->references.load(std::memory_order_acquire) == 1) {
+      let_go.push_back(id.slot - 1);
+    } else {
+      ShapeOwner other(std::make_unique<abut_shape>(its.universe.vacant_shape()).release());
+      others.emplace_back(id.slot - 1, std::move(other));
+    }
+  }
+  const auto take_back = [&] {
+    for (const std::uint32_t place : let_go) {
+      its.shapes[place]->handle = its.universe.handle_at(place);
+    }
+  };
+  for (const std::uint32_t place : let_go) {
+    its.shapes[place]->handle = its.universe.vacant_shape();
+  }
+  try {
+    const abut::Result<void> done = std::forward<Change>(change)();
+    take_back();
+    if (!done) {
+      return refuse(done.error());
+    }
+  } catch (...) {
+    take_back();
+    throw;
+  }
+  for (auto& [place, handle] : others) {
+    handle->handle = its.universe.handle_at(place);
+    its.shapes[place] = std::move(handle);
+  }
+  return ABUT_OK;
+}
+
+abut_status edit_one(abut_universe& its, const abut_geometry_id& geometry, const abut::Edit& edit) {
+  if (!exists(its.universe, geometry)) {
+    return refuse_stale({"geometry"}, geometry);
+  }
+  return change_shapes(its, std::array{geometry}, [&] { return its.universe.edit_shape(to_geometry(geometry), edit); });
+}
+
+abut_status edit_all(abut_universe& its, std::span<const abut_geometry_id> ids, std::span<const abut::Edit> edits) {
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (!exists(its.universe, ids[i])) {
+      return refuse_stale({"geometries", i}, ids[i]);
+    }
+  }
+  return change_shapes(its, ids, [&] { return its.universe.edit_shapes(to_geometries(ids), edits); });
+}
+
+abut_status set_parameters(abut_universe& its, std::span<const abut_geometry_id> ids, const double* parameters,
+                           std::size_t each) {
+  std::span<const double> numbers;
+  abut_status status = check_size("parameters", "parameter_count", each,
+                                  std::max<std::size_t>(ids.size(), 1) * sizeof(double));
+  status = status != ABUT_OK ? status : read_span("parameters", parameters, "count", each * ids.size(), numbers);
+  if (status != ABUT_OK) {
+    return status;
+  }
+  std::vector<abut::Edit> edits;
+  edits.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    edits.emplace_back(abut::ParameterEdit{numbers.subspan(i * each, each)});
+  }
+  return edit_all(its, ids, edits);
+}
+
+abut_status set_particles(abut_universe& its, const abut_geometry_id& geometry, std::size_t first, const double* xyz,
+                          const double* radii, std::size_t count) {
+  std::span<const double> numbers, given_radii;
+  abut_status status = read_span<3>("xyz", xyz, "count", count, numbers);
+  if (status == ABUT_OK && radii != nullptr) {
+    status = read_span("radii", radii, "count", count, given_radii);
+  }
+  return status != ABUT_OK ? status : edit_one(its, geometry, abut::ParticleEdit{first, numbers, given_radii});
+}
+
+}  // namespace
+
+abut_status abut_geometry_set_parameters(abut_universe* universe, abut_geometry_id geometry, const double* parameters,
+                                         size_t parameter_count) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const double> numbers;
+    const abut_status status = read_span("parameters", parameters, "parameter_count", parameter_count, numbers);
+    return status != ABUT_OK ? status : edit_one(its, geometry, abut::ParameterEdit{numbers});
+  });
+}
+
+abut_status abut_geometries_set_parameters(abut_universe* universe, const abut_geometry_id* geometries,
+                                           const double* parameters, size_t parameter_count, size_t count) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const abut_geometry_id> ids;
+    const abut_status status = read_span("geometries", geometries, "count", count, ids);
+    return status != ABUT_OK ? status : set_parameters(its, ids, parameters, parameter_count);
+  });
+}
+
+abut_status abut_geometry_set_heights(abut_universe* universe, abut_geometry_id geometry, uint32_t column, uint32_t row,
+                                      uint32_t columns, uint32_t rows, const double* heights) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const double> numbers;
+    const std::string product = "columns * rows = " + std::to_string(columns) + " * " + std::to_string(rows);
+    const abut_status status = read_span("heights", heights, product, std::uint64_t{columns} * rows, numbers);
+    return status != ABUT_OK ? status : edit_one(its, geometry, abut::HeightEdit{column, row, columns, rows, numbers});
+  });
+}
+
+abut_status abut_geometry_set_particles(abut_universe* universe, abut_geometry_id geometry, size_t first,
+                                        const double* xyz, const double* radii, size_t count) {
+  return guard(universe, [&](abut_universe& its) { return set_particles(its, geometry, first, xyz, radii, count); });
+}
+
+abut_status abut_geometry_shape(const abut_universe* universe, abut_geometry_id geometry, abut_shape** out) {
+  return guard(universe, [&](const abut_universe& its) {
+    const abut_status status = check_not_null("out", out);
+    if (status == ABUT_OK && !exists(its.universe, geometry)) {
+      return refuse_stale({"geometry"}, geometry);
+    }
+    if (status == ABUT_OK) {
+      *out = share(its.shapes[geometry.slot - 1].get()).release();
+    }
+    return status;
+  });
+}
