@@ -75,11 +75,30 @@ void read_distance(const Json& json, KnownFailure& row) {
   if (!row.distance && expected.contains("signed_distance")) {
     row.distance = quad(expected["signed_distance"].get<double>());
   }
-  if (expected.contains("toi")) {
-    row.way_to_touch = scaled(point_of(expected["vel_a"]), expected["toi"].get<double>());
-  } else if (expected.contains("cast_dir") && expected.contains("distance")) {
-    row.way_to_touch = scaled(point_of(expected["cast_dir"]), expected["distance"].get<double>());
+}
+
+// A direction with a distance is cast twice as far.
+void read_cast(const Json& json, KnownFailure& row) {
+  const Json& expected = json["expected"];
+  FailureCast cast{{}, row.distance && *row.distance < 0, std::nullopt};
+  if (cast.touches) cast.fraction = 0;
+  if (expected.contains("vel_a")) {
+    cast.displacement = point_of(expected["vel_a"]);
+  } else if (expected.contains("cast_dir")) {
+    cast.displacement = point_of(expected["cast_dir"]);
+  } else if (expected.contains("to")) {
+    const Point end = point_of(expected["to"]);
+    for (std::size_t i = 0; i < 3; ++i) cast.displacement.at(i) = end.at(i) - row.pose_a.position.at(i);
+  } else {
+    return;
   }
+  if (expected.contains("toi")) cast.fraction = expected["toi"].get<double>();
+  if (expected.contains("cast_dir") && expected.contains("distance")) {
+    cast.displacement = scaled(cast.displacement, 2 * expected["distance"].get<double>());
+    cast.fraction = 0.5;
+  }
+  cast.touches = cast.fraction.has_value();
+  row.cast = cast;
 }
 
 void read_contacts(const Json& json, KnownFailure& row) {
@@ -118,6 +137,7 @@ KnownFailure read_row(const Json& json) {
     row.b = read_shape(json["b"]);
     row.pose_b = read_pose(json["pose_b"], json["b"]);
     read_distance(json, row);
+    read_cast(json, row);
     read_contacts(json, row);
   }
   if (json.contains("ray_origin")) {

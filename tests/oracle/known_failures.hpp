@@ -48,6 +48,13 @@ struct FailureMotion {
   std::array<Point, 4> end{};
 };
 
+// The first shape moves along a straight way without turning. What its source does not tell is absent.
+struct FailureCast {
+  Point displacement{};
+  bool touches = false;
+  std::optional<double> fraction;  // of the displacement; 0 where the shapes overlap at the start
+};
+
 // A row of the file. What it does not ask for is absent.
 struct KnownFailure {
   std::string id;
@@ -57,7 +64,7 @@ struct KnownFailure {
   FailurePose pose_a;
   FailurePose pose_b;
   std::optional<Quad> distance;       // signed, of the poses as they are; references to 22 digits
-  std::optional<Point> way_to_touch;  // the way of a until it touches b
+  std::optional<FailureCast> cast;
   bool asks_contacts = false;
   std::size_t contacts = 0;           // that the source expects at least; 0 where it does not say
   std::optional<FailureRay> ray;

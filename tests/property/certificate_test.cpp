@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "certificate_checks.hpp"
+#include "certificate_shortfalls.hpp"
 #include "solid_scenes.hpp"
+
+std::span<const property::Shortfall> property::known_shortfalls() { return certificate_shortfalls; }
 
 namespace {
 

@@ -10,6 +10,9 @@
 #include "distance_checks.hpp"
 #include "manifold.hpp"
 #include "record.hpp"
+#include "shortfalls.hpp"
+
+std::span<const property::Shortfall> property::known_shortfalls() { return contact_shortfalls; }
 
 namespace {
 

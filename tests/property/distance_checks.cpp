@@ -41,11 +41,13 @@ std::string text_of(const Case& c) {
 }
 
 void broken(const Case& c, const std::string& fact, double got, double expected, double tolerance) {
-  if (record().fails_as_known(row_of(c) + " " + fact)) return;
+  const Magnitude& m = c.magnitude;
+  const double size = std::abs(got - expected) / std::max(m.size_a + m.size_b + m.apart, 1e-300);
+  if (record().fails_as_known(row_of(c) + " " + fact, size, known_shortfalls())) return;
   std::ostringstream text;
   text.precision(17);
   text << fact << ": got " << got << ", expected " << expected << ", off by " << got - expected << ", tolerance "
-       << tolerance;
+       << tolerance << ", " << size << " of the size";
   ADD_FAILURE() << text.str() << "\n  " << text_of(c);
 }
 

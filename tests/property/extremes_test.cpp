@@ -17,8 +17,11 @@
 #include <sstream>
 
 #include "certificate_checks.hpp"
+#include "extreme_shortfalls.hpp"
 #include "oracle/nearest.hpp"
 #include "record.hpp"
+
+std::span<const property::Shortfall> property::known_shortfalls() { return extreme_shortfalls; }
 
 namespace {
 

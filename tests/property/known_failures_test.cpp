@@ -10,7 +10,10 @@
 #include <set>
 
 #include "record.hpp"
+#include "shortfall.hpp"
 #include "solids.hpp"
+
+std::span<const property::Shortfall> property::known_shortfalls() { return {}; }
 
 namespace {
 
@@ -148,21 +151,39 @@ TEST(KnownFailures, HaveTheirContacts) {
   EXPECT_EQ(asked, 25u);
 }
 
-// The library casts no shapes. At the place where a cast would end the two touch.
+// Asks where the first shape, moved along its way, first touches the second.
+void judge_cast(const KnownFailure& row) {
+  const property::Subject a = subject_of(row.id + " a", *row.a);
+  const property::Subject b = subject_of(row.id + " b", *row.b);
+  const abut_pose pose_a = rounded(row.pose_a);
+  const abut_pose pose_b = rounded(row.pose_b);
+  const Point& way = row.cast->displacement;
+  const abut_vec3 displacement{way[0], way[1], way[2]};
+  const abut_vec3 still{0, 0, 0};
+  abut_cast_hit hit{};
+  std::uint32_t found = 0;
+  ASSERT_EQ(abut_shapes_cast(a.shape.get(), &pose_a, &displacement, b.shape.get(), &pose_b, &still, nullptr, &hit, &found),
+            ABUT_OK)
+      << row.id << ": " << abut_last_error_message();
+  EXPECT_EQ(found == 1, row.cast->touches) << row.id;
+  if (found == 0 || !row.cast->touches) return;
+  const double size = std::max(a.size, b.size);
+  const double length = std::hypot(way[0], way[1], way[2]);
+  std::printf("%-40s %24.17g %24.17g\n", row.id.c_str(), hit.fraction, *row.cast->fraction);
+  EXPECT_NEAR(hit.fraction * length, *row.cast->fraction * length, allowed * size) << row.id;
+  const double there = *row.cast->fraction > 0 ? 0 : static_cast<double>(*row.distance);
+  const double part = is_curved(*row.a) || is_curved(*row.b) ? allowed_depth_of_curved : allowed;
+  EXPECT_NEAR(hit.contact.distance, there, part * size) << row.id;
+}
+
 TEST(KnownFailures, TouchWhereTheirCastsEnd) {
   std::size_t asked = 0;
   for (const KnownFailure& row : rows()) {
-    if (!row.way_to_touch) continue;
+    if (!row.cast) continue;
     ++asked;
-    const property::Subject a = subject_of(row.id + " a", *row.a);
-    const property::Subject b = subject_of(row.id + " b", *row.b);
-    oracle::FailurePose touching = row.pose_a;
-    touching.position = sum(touching.position, *row.way_to_touch);
-    for (const abut_algorithm algorithm : {ABUT_ALGORITHM_AUTO, ABUT_ALGORITHM_GJK_EPA}) {
-      judge({row.id, a, rounded(touching), b, rounded(row.pose_b), 0, false}, algorithm);
-    }
+    judge_cast(row);
   }
-  EXPECT_EQ(asked, 2u);
+  EXPECT_EQ(asked, 6u);
 }
 
 // The two sides of a motion at a time between 0 and 1.
@@ -202,8 +223,9 @@ std::vector<double> telling_times(const oracle::FailureMotion& motion) {
   return times;
 }
 
-// The library knows no motions. Their moments are asked for instead. Whether a motion counts as a collision is not: the
-// sources say yes to one that stays 5e-7 apart and no to one that comes within 4.4e-7.
+// No query follows vertices that move each in a way of its own, so the five rows of motions are not asked as motions: the
+// distances at moments of them are. Whether a motion counts as a collision stays open: the sources say yes to one that
+// stays 5e-7 apart and no to one that comes within 4.4e-7.
 TEST(KnownFailures, HaveTheirDistanceAtAllTimesOfAMotion) {
   const abut_pose here{{0, 0, 0}, {1, 0, 0, 0}};
   std::size_t asked = 0;
@@ -293,16 +315,23 @@ TEST(KnownFailures, HaveTheirHull) {
   EXPECT_EQ(asked, 2u);
 }
 
-// Of 80 rows, two hold nothing to ask: one names a file of points, the other tells of a simulation.
-TEST(KnownFailures, AreAllAskedButTwo) {
-  std::vector<std::string> silent;
+// Of 80 rows, two hold nothing to ask: one names a file of points, the other tells of a simulation. Five more are motions, of
+// which only moments are asked.
+TEST(KnownFailures, AreAllAskedButTwoAndFiveMotions) {
+  std::vector<std::string> silent, motions;
   std::size_t count = 0;
   for (const KnownFailure& row : rows()) {
     ++count;
-    if (!row.distance && !row.way_to_touch && !row.motion && !row.ray && !row.hull) silent.push_back(row.id);
+    if (row.motion) {
+      motions.push_back(row.id);
+    } else if (!row.distance && !row.cast && !row.ray && !row.hull) {
+      silent.push_back(row.id);
+    }
   }
   EXPECT_EQ(count, 80u);
   EXPECT_EQ(silent, (std::vector<std::string>{"parry-convex-hull-big", "gazebo-2388-sphere-heightmap"}));
+  EXPECT_EQ(motions, (std::vector<std::string>{"ipctk-no-zero-toi", "ipctk-bolun-rotating-triangle", "ipctk-ee-double-root-2",
+                                               "ipctk-ee-slow-1", "ipctk-ee-slow-2"}));
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include "record.hpp"
 
-#include "extreme_shortfalls.hpp"
-#include "shortfalls.hpp"
-
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 
@@ -19,9 +17,35 @@ void Record::add(const std::string& row, const std::string& where, double error,
   if (iterations > worst.iterations) worst.iterations = iterations;
 }
 
-bool Record::fails_as_known(const std::string& row) {
+bool Record::fails_as_known(const std::string& row, double size, std::span<const Shortfall> known) {
   ++failures_;
-  return ++rows_[row].failures <= known_shortfall(row) + known_extreme_shortfall(row);
+  ++rows_[row].failures;
+  Offences& offences = offences_[row];
+  ++offences.cases;
+  if (!(size <= offences.most)) offences.most = size;
+  const auto found = std::ranges::find(known, row, &Shortfall::row);
+  return found != known.end() && offences.cases <= found->cases && size <= (1 + headroom) * found->most;
+}
+
+bool Record::is_as_known(std::span<const Shortfall> known) const {
+  bool is_same = true;
+  const auto print = [&](const std::string& row, const Offences& offences) {
+    is_same = false;
+    std::printf("shortfalls should say {\"%s\", %llu, %.2g},\n", row.c_str(),
+                static_cast<unsigned long long>(offences.cases), offences.most);
+  };
+  for (const auto& [row, offences] : offences_) {
+    const auto listed = std::ranges::find(known, row, &Shortfall::row);
+    if (listed == known.end() || listed->cases != offences.cases || offences.most > (1 + headroom) * listed->most ||
+        offences.most < listed->most / 2) {
+      print(row, offences);
+    }
+  }
+  for (const Shortfall& listed : known) {
+    const std::string row(listed.row);
+    if (!offences_.contains(row)) print(row, {});
+  }
+  return is_same;
 }
 
 Worst Record::worst_of(const std::string& row) const {

@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
+
+#include "shortfall.hpp"
 
 namespace property {
 
@@ -21,8 +24,11 @@ class Record {
  public:
   void add(const std::string& row, const std::string& where, double error, double gap, std::uint32_t iterations);
 
-  // Counts a failure of a row; true while there are no more than the known ones.
-  [[nodiscard]] bool fails_as_known(const std::string& row);
+  // Counts an offence of a size against a fact; true while there are no more than the known ones and none is larger.
+  [[nodiscard]] bool fails_as_known(const std::string& row, double size, std::span<const Shortfall> known);
+
+  // Prints the rows of a list that are no longer as they are listed, as they should be; true where there are none.
+  [[nodiscard]] bool is_as_known(std::span<const Shortfall> known) const;
 
   // Of all rows so far, known ones included.
   [[nodiscard]] std::uint64_t failures() const { return failures_; }
@@ -37,7 +43,13 @@ class Record {
   void write_csv(const std::string& path) const;
 
  private:
+  struct Offences {
+    std::uint64_t cases = 0;
+    double most = 0;
+  };
+
   std::map<std::string, Worst> rows_;
+  std::map<std::string, Offences> offences_;
   std::uint64_t failures_ = 0;
 };
 
