@@ -250,7 +250,8 @@ void search_box(const Vec3& half, DiscDepth& least) {
   const Real side = discs.side();
   for (unsigned corner = 0; corner < 8; ++corner) {
     const Vec3 p = centre + Vec3{(corner & 1) != 0 ? half.x : -half.x, (corner & 2) != 0 ? half.y : -half.y, (corner & 4) != 0 ? half.z : -half.z};
-    const Real out_x = dot(p, discs.x), out_y = dot(p, discs.y), spare = side + discs.side_up * dot(p, axis) - least.depth();
+    const Real out_x = dot(p, discs.x), out_y = dot(p, discs.y);
+    const Real spare = side + discs.side_up * dot(p, axis) - least.depth();
     if (discs.side_out * discs.side_out * (out_x * out_x + out_y * out_y) < spare * std::fabs(spare)) {
       continue;
     }

@@ -22,9 +22,11 @@ struct PlacedDiscs {
 
   // How far the side is from the centre.
   [[nodiscard]] inline Real side() const { return height[0] * side_up + radius[0] * side_out; }
-  // The part of a vector across the axis, in terms of x and y. What is left of a vector without its part along the axis would
-  // not do: next to the axis that is rounding, and may lead along it.
-  [[nodiscard]] inline Sideways across(const Vec3& vector) const { return sideways_of({dot(x, vector), dot(y, vector), 0}); }
+  // The part of a vector across the axis, in terms of x and y. To subtract the part along the axis would not do:
+  // next to the axis the rest is rounding, and may lead along it.
+  [[nodiscard]] inline Sideways across(const Vec3& vector) const {
+    return sideways_of({dot(x, vector), dot(y, vector), 0});
+  }
   // How far they reach along a unit direction.
   [[nodiscard]] inline Real reach(const Vec3& direction) const {
     const Real up = dot(axis, direction), out = across(direction).length;

@@ -59,8 +59,9 @@ void search_facets(const S& shape, DiscDepth& least) {
     const Lanes room = spare * absolute(spare) - (discs.side_out * discs.side_out) * square;
     // Only a corner that reaches further along the normal than the ball inside counts.
     const Columns from_middle = Columns{block.x, block.y, block.z} - Columns::all(facets.middle);
-    const Lanes length = __builtin_elementwise_sqrt(square), toward = out_x * dot(from_middle, x) + out_y * dot(from_middle, y);
-    const Lanes short_of = facets.inner * length + discs.side_out * toward - discs.side_up * length * dot(from_middle, axis);
+    const Lanes length = __builtin_elementwise_sqrt(square), forward = dot(from_middle, axis);
+    const Lanes outward = out_x * dot(from_middle, x) + out_y * dot(from_middle, y);
+    const Lanes short_of = facets.inner * length + discs.side_out * outward - discs.side_up * length * forward;
     for (std::uint64_t lanes = signs_of(room) & ~signs_of(-short_of); lanes != 0; lanes &= lanes - 1) {
       const Vec3 u = normal_of_side(discs, p[static_cast<std::size_t>(std::countr_zero(lanes))]);
       least.offer(dot(shape.support(u).point + discs.centre, u) + side, u);

@@ -150,8 +150,8 @@ template <Convex A, Convex B>
 // Of cores that are apart axes bound the distance from below, and points of both from above.
 // The points are those under the normal. Between slivers GJK knows better ones.
 template <Convex A, Convex B>
-[[nodiscard]] bool is_apart_along(const A& a, const B& b, const Pose& ab, const GjkResult& near, const WeightedPoint& reached,
-                                  Real size, Real error, CoreSeparation& along) {
+[[nodiscard]] bool is_apart_along(const A& a, const B& b, const Pose& ab, const GjkResult& near,
+                                  const WeightedPoint& reached, Real size, Real error, CoreSeparation& along) {
   find_points(a, b, ab, along);
   const Real slack = noise_of(size), farthest = along.distance + error + slack;
   const Real apart = norm(along.point_b - along.point_a);

@@ -1,4 +1,4 @@
-// Bodies without thickness, and axes that point along faces and at corners: what rounding of the frame decides must not count.
+// Bodies without thickness, and axes along faces and through corners: what rounding of the frame decides does not count.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,8 +55,8 @@ std::optional<abut::ProvenDepth> depth_of(const Polyhedron& polyhedron, const te
 
 // Turns that leave rounding where right angles were.
 std::vector<Rotation> turns() {
-  std::vector<Rotation> list{Rotation::identity(), Rotation::from({0.6, 0, 0.8, 0}), Rotation::from({0.1, 0.1, 0.7, 0.7}),
-                             Rotation::from({0.6, 0.8, 0, 0})};
+  std::vector<Rotation> list{Rotation::identity(), Rotation::from({0.6, 0, 0.8, 0}),
+                             Rotation::from({0.1, 0.1, 0.7, 0.7}), Rotation::from({0.6, 0.8, 0, 0})};
   test::Random random(31);
   for (int i = 0; i < 3; ++i) {
     list.push_back(random.rotation());
@@ -72,7 +72,8 @@ test::Solid small_solid(test::Random& random, bool is_cone) {
 }
 
 Pose small_pose(test::Random& random, int number) {
-  const std::array<Rotation, 3> onto{Rotation::identity(), Rotation{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, Rotation{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+  const std::array<Rotation, 3> onto{Rotation::identity(), Rotation{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}},
+                                     Rotation{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
   const Rotation& along = onto.at(static_cast<std::size_t>(number % 3));
   return {along, {quarter(random, 1), quarter(random, 1), quarter(random, 1)}};
 }
@@ -110,6 +111,14 @@ Pose turned_together(const Rotation& turn, const Pose& pose) {
   return common.inverse() * (common * pose);
 }
 
+// The same polyhedron in all frames.
+template <class Polyhedron>
+bool check_turned(const Polyhedron& polyhedron, const Case& c, int number) {
+  return check_in_all_frames(c, number, [&](const Rotation& turn) {
+    return depth_of(polyhedron, c.solid, turned_together(turn, c.pose));
+  });
+}
+
 std::vector<Vec3> small_polygon(test::Random& random, int count) {
   std::vector<Vec3> corners;
   for (int i = 0; i < count; ++i) {
@@ -127,12 +136,12 @@ TEST(DiscDepthOfFlatHull, IsTheSameInAllFrames) {
     if (hull.report().dimension != 2) {
       continue;
     }
-    count += check_in_all_frames(c, i, [&](const Rotation& turn) { return depth_of(hull, c.solid, turned_together(turn, c.pose)); });
+    count += check_turned(hull, c, i);
   }
   EXPECT_GT(count, 15);
 }
 
-// Where the corners themselves are turned they lie in no common plane, and the two sides look to opposite sides but for rounding.
+// Turned corners lie in no common plane. The normals of the two sides are opposite but for rounding.
 TEST(DiscDepthOfFlatHull, IsTheSameWhereItsCornersAreTurned) {
   test::Random random(33);
   int count = 0;
@@ -166,7 +175,7 @@ TEST(DiscDepthOfFlatTriangle, IsTheSameInAllFrames) {
       continue;
     }
     const auto triangle = test::made<abut::FreeTriangle>(flat(c.corners));
-    count += check_in_all_frames(c, i, [&](const Rotation& turn) { return depth_of(triangle, c.solid, turned_together(turn, c.pose)); });
+    count += check_turned(triangle, c, i);
   }
   EXPECT_GT(count, 8);
 }
@@ -179,7 +188,7 @@ TEST(DiscDepthOfFlatBox, IsTheSameInAllFrames) {
     const Vec3 half{(i & 1) != 0 ? 0.5 : 0, (i & 2) != 0 ? 0.25 : 0, (i & 4) != 0 ? 0.5 : 0};
     const Case c{test::corners_of(half, Pose::identity()), small_pose(random, i), small_solid(random, i % 2 == 0)};
     const auto box = test::made<abut::Box>({half.x, half.y, half.z});
-    count += check_in_all_frames(c, i, [&](const Rotation& turn) { return depth_of(box, c.solid, turned_together(turn, c.pose)); });
+    count += check_turned(box, c, i);
   }
   EXPECT_GT(count, 12);
 }
@@ -189,22 +198,71 @@ TEST(DiscDepthOfFlatBox, IsThatOfTheSideWhereItLiesOnTheAxis) {
   const Vec3 half{0, 0, 0.5};
   const Case c{test::corners_of(half, Pose::identity()), {Rotation::identity(), {0, 0, 0.5}}, {1, 1, true}};
   const auto box = test::made<abut::Box>({half.x, half.y, half.z});
-  EXPECT_TRUE(check_in_all_frames(c, 0, [&](const Rotation& turn) { return depth_of(box, c.solid, turned_together(turn, c.pose)); }));
+  EXPECT_TRUE(check_turned(box, c, 0));
+}
+
+// Discs, and cylinders and cones that are discs but for rounding.
+TEST(DiscDepthOfThinDiscs, IsTheSameInAllFrames) {
+  test::Random random(36);
+  int count = 0;
+  for (int i = 0; i < 60; ++i) {
+    test::Solid disc = small_solid(random, i % 2 == 0);
+    disc.half_height = std::array{0.0, 1e-16, 1e-12, 1e-7}.at(static_cast<std::size_t>(i % 4));
+    const Case c{small_polygon(random, 3 + i % 3), small_pose(random, i), disc};
+    const auto hull = test::made<abut::Hull>({}, flat(c.corners));
+    if (hull.report().dimension == 2) {
+      count += check_turned(hull, c, i);
+    }
+  }
+  EXPECT_GT(count, 15);
+}
+
+// Two of them, which may be left open, but not be wrong.
+TEST(DiscDepthOfThinDiscs, OfTwoIsLeastInAllFrames) {
+  test::Random random(37);
+  int count = 0;
+  const auto thin = [&](int number) {
+    test::Solid disc = small_solid(random, number % 2 == 0);
+    disc.half_height = std::array{0.0, 1e-16, 1e-9, 0.25, 0.5}.at(static_cast<std::size_t>(number % 5));
+    return disc;
+  };
+  for (int i = 0; i < 75; ++i) {
+    const test::Solid a = thin(i), b = thin(i / 5);
+    const Pose pose = small_pose(random, i);
+    const auto overlap_along = [&](const Vec3& d) {
+      return (a.reach(d) + b.reach(-pose.rotation.undo(d)) - dot(d, pose.position)) / norm(d);
+    };
+    const Real least = test::least_overlap(overlap_along);
+    if (least <= 1e-6) {
+      continue;
+    }
+    for (const Rotation& turn : turns()) {
+      const Pose placed = turned_together(turn, pose);
+      const auto found = a.is_cone ? depth_of(test::made<abut::Cone>({a.radius, a.half_height}), b, placed)
+                                   : depth_of(test::made<abut::Cylinder>({a.radius, a.half_height}), b, placed);
+      if (found) {
+        ++count;
+        test::expect_least(*found, least, error, overlap_along, i);
+      }
+    }
+  }
+  EXPECT_GT(count, 100);
 }
 
 // The tip of a flat cone in a corner of a box, on the diagonal: the side all around is nearer than the base.
 TEST(DiscDepthOfBox, IsThatOfTheSideWhereACornerLiesOnTheAxis) {
   const Real third = 1 / std::sqrt(Real{3});
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 along{(corner & 1) != 0 ? third : -third, (corner & 2) != 0 ? third : -third, (corner & 4) != 0 ? third : -third};
+    const auto part = [&](int bit) { return (corner & bit) != 0 ? third : -third; };
+    const Vec3 along{part(1), part(2), part(4)};
     const abut::Tangents across = abut::tangents_of(along);
     const Pose pose{{across.first, -across.second, -along}, (std::sqrt(Real{3}) + 0.15) * along};
     const test::Solid cone{2, 0.25, true};
     const Case c{test::corners_of({1, 1, 1}, Pose::identity()), pose, cone};
     const auto box = test::made<abut::Box>({1, 1, 1});
     const auto hull = test::made<abut::Hull>({}, flat(c.corners));
-    EXPECT_TRUE(check_in_all_frames(c, corner, [&](const Rotation& turn) { return depth_of(box, cone, turned_together(turn, pose)); }));
-    EXPECT_TRUE(check_in_all_frames(c, corner, [&](const Rotation& turn) { return depth_of(hull, cone, turned_together(turn, pose)); }));
+    EXPECT_TRUE(check_turned(box, c, corner));
+    EXPECT_TRUE(check_turned(hull, c, corner));
   }
 }
 

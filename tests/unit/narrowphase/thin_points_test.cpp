@@ -1,4 +1,4 @@
-// The closest and deepest points of bodies that are thin up to rounding lie on these bodies, as far apart as the distance says.
+// The closest and deepest points of bodies that are thin up to rounding lie on these bodies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -92,8 +92,9 @@ void check_plates(const B& body, const Off& off_body, std::uint64_t seed) {
     const Pose ab{i % 3 == 0 ? abut::Rotation::identity() : i % 3 == 1 ? about_z : random.rotation(),
                   i % 2 == 0 ? Vec3{0, 0, 0} : random.point(0.5)};
     const abut::CoreSeparation core = answer(plate, body, ab);
-    EXPECT_LE(distance_to_plate(points, core.point_a), allowed) << "seed " << seed << ", plate " << i << ", thickness " << thickness;
-    EXPECT_LE(off_body(ab.undo(core.point_b)), allowed) << "seed " << seed << ", plate " << i << ", thickness " << thickness;
+    SCOPED_TRACE(::testing::Message() << "seed " << seed << ", plate " << i << ", thickness " << thickness);
+    EXPECT_LE(distance_to_plate(points, core.point_a), allowed);
+    EXPECT_LE(off_body(ab.undo(core.point_b)), allowed);
   }
 }
 

@@ -169,7 +169,8 @@ TEST(Ellipsoid, NearestPointOfFlatAndThinOnes) {
 // From points in the ellipsoid and beside it by rounding: whichever way the normal points, nothing lies further out.
 TEST(Ellipsoid, NormalOfFlatOnesIsAcrossThem) {
   test::Random random(391);
-  for (const Vec3& r : {Vec3{1.5, 0, 1.25}, Vec3{1.3, 1.4, 0}, Vec3{0, 0.3, 7}, Vec3{0, 0, 2}, Vec3{0, 1.3, 0}, Vec3{1e-3, 0, 0}, Vec3{0, 0, 0}}) {
+  for (const Vec3& r : {Vec3{1.5, 0, 1.25}, Vec3{1.3, 1.4, 0}, Vec3{0, 0.3, 7}, Vec3{0, 0, 2}, Vec3{0, 1.3, 0},
+                        Vec3{1e-3, 0, 0}, Vec3{0, 0, 0}}) {
     for (int i = 0; i < 200; ++i) {
       const Vec3 ball = random.point(0.57);
       const double beside = i % 3 == 0 ? 0 : i % 3 == 1 ? 1e-17 : 1e-300;
