@@ -111,32 +111,6 @@ std::optional<BuildReport> build_report_of(const AnyShape& shape) {
       shape);
 }
 
-RouteDescription describe_route(std::size_t place_a, std::size_t place_b) {
-  const auto [low, high] = std::minmax(place_a, place_b);
-  switch (pair_kernels(low, high).route) {
-    case Route::half_space:
-      return {"support point", "a half-space against a convex shape"};
-    case Route::half_space_of_parts:
-      return {"support point per part", "a half-space against a surface"};
-    case Route::convex:
-      return {"closed form or GJK, SAT or EPA, clipping", "both convex"};
-    case Route::parts:
-      return {"GJK, SAT or EPA, clipping per part", "a surface against a convex shape"};
-    case Route::parts_of_both:
-      return {"GJK, SAT or EPA, clipping per pair of parts", "two surfaces"};
-    case Route::scattered:
-      return {"as for a ball, one by one", "many solids of one kind"};
-    case Route::hole:
-      return {"walls, one by one", "a hole against what is in it"};
-    case Route::children:
-      return {"as for the children, pair by pair", "a composite"};
-    case Route::unsupported:
-    case Route::none:
-      return {"unsupported", "terrain never meets terrain, and holes meet solids only"};
-  }
-  return {};
-}
-
 bool is_supported(std::size_t place_a, std::size_t place_b) {
   const auto [low, high] = std::minmax(place_a, place_b);
   return pair_kernels(low, high).route != Route::unsupported;

@@ -6,6 +6,7 @@ import abut.continuous.parts_in_order;
 import abut.core;
 import abut.core.standard;
 export import abut.dispatch.by_route;
+import abut.dispatch.search_names;
 import abut.math;
 import abut.narrowphase.convex;
 import abut.narrowphase.convex_memory;
@@ -207,7 +208,7 @@ template <class Any, class A, class B>
   } else {
     return {route<A, B>(), is_flipped<A, B>(), distance_kernel<Any, A, B>, contacts_kernel<Any, A, B>,
             contacts_with_memory_kernel<Any, A, B>, contacts_of_run_kernel<Any, A, B>, gains_from_memory<A, B>(),
-            cast_parts_of<Any, A, B>()};
+            cast_parts_of<Any, A, B>(), name_algorithm<A, B>()};
   }
 }
 

@@ -70,6 +70,8 @@ struct PairKernels {
   // Null where neither is made of parts.
   void (*cast_parts)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                      const CastNames& names, CastSearch& search) = nullptr;
+  // Which searches find the distance of the two, for people.
+  std::string_view searches = "unsupported";
 };
 
 }  // namespace abut
