@@ -297,7 +297,7 @@ typedef struct abut_height_field_desc {
 
 ABUT_API void abut_height_field_desc_init(abut_height_field_desc *desc, uint32_t struct_size);
 
-/** Terrain. Complexity O(samples). Source: grid cells found by division, SPEC VX-11. [any] */
+/** Terrain. Complexity O(samples). Source: grid cells found by division. [any] */
 ABUT_API abut_status abut_height_field_create(const abut_height_field_desc *desc, abut_shape **out);
 
 /**
@@ -613,7 +613,7 @@ ABUT_API void abut_sleep_init(abut_sleep *sleep, uint32_t struct_size);
  *  - abut_part_wake says so.
  * Touches of sensors and pairs treated as boxes count for nothing. Sleep changes no contact: detections cover sleeping parts like any
  * others. It tells the caller what need not be simulated.
- * Complexity of a step O(parts that may sleep + pairs). Source: SPEC VX-23. [exclusive]
+ * Complexity of a step O(parts that may sleep + pairs). [exclusive]
  */
 ABUT_API abut_status abut_part_set_sleep(abut_universe *universe, abut_part_id part, const abut_sleep *sleep);
 
@@ -760,7 +760,7 @@ ABUT_API abut_status abut_geometry_shape(const abut_universe *universe, abut_geo
 /**
  * Parks a geometry, or brings it back. Parking twice changes nothing; changing between short and long term is allowed. The
  * one [exclusive] call that a filter may make: it takes effect when the step is over.
- * Complexity O(1); O(log n) for long term. Source: SPEC VX-07. [exclusive]
+ * Complexity O(1); O(log n) for long term. [exclusive]
  */
 ABUT_API abut_status abut_geometry_park(abut_universe *universe, abut_geometry_id geometry, abut_parking parking);
 
@@ -845,7 +845,7 @@ enum abut_rule_value ABUT_ENUM(uint32_t) {
  * then by the other; a geometry before a part, that before a label, that before any. Of two that are equally specific the
  * one that disables wins. Rules end with the geometry or the part that they name. Takes effect at the next step, where
  * pairs that no longer meet end.
- * Complexity O(log rules), and the next step looks at every pair once. Source: SPEC VX-04. [exclusive]
+ * Complexity O(log rules), and the next step looks at every pair once. [exclusive]
  */
 ABUT_API abut_status abut_rule_set(abut_universe *universe, const abut_collidable *a, const abut_collidable *b, abut_rule rule);
 
@@ -887,7 +887,7 @@ ABUT_API void abut_policy_init(abut_policy *policy, uint32_t struct_size);
 
 /**
  * Sets how geometries of two tags (below 64) meet, in either order; null goes back to the default. One broad phase
- * serves all policies. Source: SPEC PL-02. [exclusive]
+ * serves all policies. [exclusive]
  */
 ABUT_API abut_status abut_policy_set(abut_universe *universe, uint32_t tag_a, uint32_t tag_b, const abut_policy *policy);
 
@@ -917,7 +917,7 @@ ABUT_API void abut_focus_init(abut_focus *focus, uint32_t struct_size);
  * the broad phase: in single precision, rounded outwards, inflated in ABUT_TOLERANCE_MARGIN.
  * Null sets none, which is the default, and leaves tags as they are. Without centres everything is far.
  * Complexity O(count), without an allocation unless there are more centres than ever; the next step O(geometries * count) if
- * anything has changed, and O(moved geometries * count) each later one. Source: SPEC FW-2. [exclusive]
+ * anything has changed, and O(moved geometries * count) each later one. [exclusive]
  */
 ABUT_API abut_status abut_universe_set_focus(abut_universe *universe, const abut_focus *focus, const abut_vec3 *centres, size_t count);
 
@@ -942,7 +942,7 @@ ABUT_API void abut_contact_material_init(abut_contact_material *material, uint32
 
 /**
  * Sets the row of two materials, in either order; null takes it away. Numbers are finite and not negative.
- * Complexity O(log rows). Source: SPEC VX-21. [exclusive]
+ * Complexity O(log rows). [exclusive]
  */
 ABUT_API abut_status abut_material_pair_set(abut_universe *universe, uint32_t material_a, uint32_t material_b,
                                             const abut_contact_material *row);
@@ -979,7 +979,7 @@ ABUT_API abut_status abut_universe_detect_changed(abut_universe *universe);
  * more end all the same.
  * @param a      count geometries
  * @param b      count geometries; pair i is a[i] with b[i], in either order; those that cannot meet are passed over
- * Complexity as a step for the given pairs, O(pairs) for the others. Source: SPEC CI-3. [exclusive]
+ * Complexity as a step for the given pairs, O(pairs) for the others. [exclusive]
  */
 ABUT_API abut_status abut_universe_detect_pairs(abut_universe *universe, const abut_geometry_id *a, const abut_geometry_id *b, size_t count);
 
@@ -1022,7 +1022,7 @@ typedef struct abut_event {
 
 /**
  * Events of the last step, ordered by the slots of the two geometries; of one pair, ends of those that had the slots
- * before come first, and the pair before its contacts. Borrowed until the next [exclusive] call. Source: SPEC VX-22. [const]
+ * before come first, and the pair before its contacts. Borrowed until the next [exclusive] call. [const]
  */
 ABUT_API abut_status abut_universe_events(const abut_universe *universe, const abut_event **events, size_t *count);
 
@@ -1116,7 +1116,7 @@ typedef struct abut_finding {
 
 /**
  * Looks for what is odd about a scene, by count-then-fill; ordered by code, then by slots. An empty answer means that nothing
- * was found. Complexity O(geometries + kinds squared). Source: SPEC PL-04. [const]
+ * was found. Complexity O(geometries + kinds squared). [const]
  */
 ABUT_API abut_status abut_universe_validate(const abut_universe *universe, abut_finding *findings, size_t capacity, size_t *count);
 
@@ -1311,7 +1311,7 @@ typedef struct abut_query_hit {
  * Geometries that a ray meets, by count-then-fill; each with its first crossing. A ray that just reaches a surface meets
  * it.
  * @param filter  may be null
- * Complexity O(log n) for each geometry near the ray. Source: SPEC RQ-01. [const]
+ * Complexity O(log n) for each geometry near the ray. [const]
  */
 ABUT_API abut_status abut_universe_cast_ray(const abut_universe *universe, const abut_ray *ray, const abut_query_filter *filter,
                                             abut_hit_mode mode, abut_query_hit *hits, size_t capacity, size_t *count);

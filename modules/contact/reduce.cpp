@@ -7,7 +7,7 @@ import abut.shape;
 namespace abut {
 namespace {
 
-// SPEC VX-08b: contacts whose normals differ by less than 11.5 degrees hold like one patch.
+// Contacts whose normals differ by less than 11.5 degrees hold like one patch.
 constexpr Real same_patch_cosine = 0.98;
 
 bool comes_before(const ContactPoint& a, const ContactPoint& b) {

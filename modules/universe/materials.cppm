@@ -7,7 +7,7 @@ import abut.shape;
 
 export namespace abut {
 
-// Plain numbers that abut stores and hands out; it applies none of them. Defaults are those of SPEC VX-21.
+// Plain numbers that abut stores and hands out; it applies none of them.
 struct ContactMaterial {
   Real friction_primary = 0, friction_secondary = 0;  // coefficients along the two axes of the contact plane
   Real friction_spin = 0, friction_roll = 0;          // about the normal, and about axes of the contact plane
