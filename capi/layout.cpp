@@ -29,7 +29,7 @@ static_assert(is_plain<abut_mesh_options>(8));
 static_assert(is_plain<abut_height_field_desc>(40));
 static_assert(is_plain<abut_shape_desc>(56));
 static_assert(is_plain<abut_ray>(56));
-static_assert(is_plain<abut_ray_hit>(64));
+static_assert(is_plain<abut_ray_hit>(72));
 static_assert(is_plain<abut_query_options>(32));
 static_assert(is_plain<abut_distance>(104));
 static_assert(is_plain<abut_contact>(160));
@@ -118,6 +118,8 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_ray_hit, point),
     ABUT_FIELD(abut_ray_hit, normal),
     ABUT_FIELD(abut_ray_hit, feature),
+    ABUT_FIELD(abut_ray_hit, child),
+    ABUT_FIELD(abut_ray_hit, reserved),
     ABUT_STRUCT(abut_query_options),
     ABUT_FIELD(abut_query_options, struct_size),
     ABUT_FIELD(abut_query_options, algorithm),

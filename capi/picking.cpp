@@ -22,6 +22,7 @@ import abut.picking;
 struct abut_picker {
   abut::capi::Attachment attachment;
   abut::picking::Picker picker;
+  std::unique_ptr<const abut_universe, abut::picking::Borrowed> universe;
 };
 
 namespace {
@@ -31,6 +32,7 @@ using abut::capi::check_finite;
 using abut::capi::check_ray;
 using abut::capi::check_rays;
 using abut::capi::check_size;
+using abut::capi::read_filter;
 using abut::capi::refuse;
 using abut::capi::refuse_null;
 
@@ -115,7 +117,9 @@ abut_status abut_picker_create(abut_universe* universe, abut_picker** out) {
     if (const abut_status status = abut::capi::attach(universe, attachment); status != ABUT_OK) return status;
     auto source = std::make_unique<abut::capi::UniverseSource>(universe);
     auto picker = std::make_unique<abut_picker>(
-        abut_picker{std::move(attachment), abut::picking::Picker(std::move(source), std::move(counters))});
+        abut_picker{.attachment = std::move(attachment),
+                    .picker = abut::picking::Picker(std::move(source), std::move(counters)),
+                    .universe = std::unique_ptr<const abut_universe, abut::picking::Borrowed>(universe)});
     *out = picker.release();
     return ABUT_OK;
   });
@@ -130,20 +134,25 @@ abut_status abut_picker_update(abut_picker* picker) {
   return guarded([&] { return picker->picker.update(); });
 }
 
-abut_status abut_picker_cast_ray(abut_picker* picker, const abut_ray* ray, abut_pick* out) {
+abut_status abut_picker_cast_ray(abut_picker* picker, const abut_ray* ray, const abut_query_filter* filter,
+                                 abut_pick* out) {
   if (picker == nullptr) return refuse_null("picker");
   if (ray == nullptr) return refuse_null("ray");
   if (out == nullptr) return refuse_null("out");
-  // Before the check: a ray that is refused is not usual.
-  if (picker->picker.cast_usual_ray(*ray, *out)) [[likely]]
+  // Before the checks: a ray that is refused is not usual.
+  if (filter == nullptr && picker->picker.cast_usual_ray(*ray, *out)) [[likely]]
     return ABUT_OK;
+  const abut_query_filter* wanted = nullptr;
   if (const abut_status status = check_ray(*ray); status != ABUT_OK) return status;
-  return answer(picker->picker.cast_ray(*ray, *out));
+  if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
+  return answer(picker->picker.cast_ray(*ray, wanted, *out));
 }
 
 abut_status abut_picker_cast_rays(abut_picker* picker, const abut_ray* rays, std::size_t count,
-                                  abut_coherence coherence, abut_pick* out) {
+                                  abut_coherence coherence, const abut_query_filter* filter, abut_pick* out) {
   if (picker == nullptr) return refuse_null("picker");
+  const abut_query_filter* wanted = nullptr;
+  if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
   if (coherence != ABUT_COHERENCE_NONE && coherence != ABUT_COHERENCE_NEIGHBOURS) {
     return refuse(ABUT_UNKNOWN_VALUE, "coherence", coherence, "it must be a value of abut_coherence");
   }
@@ -159,11 +168,11 @@ abut_status abut_picker_cast_rays(abut_picker* picker, const abut_ray* rays, std
   if (const abut_status status = check_rays(all); status != ABUT_OK) return status;
   using abut::picking::Coherence;
   const Coherence similar = coherence == ABUT_COHERENCE_NEIGHBOURS ? Coherence::neighbours : Coherence::none;
-  return answer(picker->picker.cast_rays(all, similar, picks));
+  return answer(picker->picker.cast_rays(all, similar, wanted, picks));
 }
 
-abut_status abut_picker_cast_ray_all(abut_picker* picker, const abut_ray* ray, abut_pick* picks, std::size_t capacity,
-                                     std::size_t* count) {
+abut_status abut_picker_cast_ray_all(abut_picker* picker, const abut_ray* ray, const abut_query_filter* filter,
+                                     abut_pick* picks, std::size_t capacity, std::size_t* count) {
   if (picker == nullptr) return refuse_null("picker");
   if (ray == nullptr) return refuse_null("ray");
   if (count == nullptr) return refuse_null("count");
@@ -172,10 +181,12 @@ abut_status abut_picker_cast_ray_all(abut_picker* picker, const abut_ray* ray, a
     return refuse(ABUT_SIZE_OVERFLOW, "capacity", static_cast<double>(capacity),
                   "that many elements do not fit into memory");
   }
+  const abut_query_filter* wanted = nullptr;
   if (const abut_status status = check_ray(*ray); status != ABUT_OK) return status;
+  if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
   return guarded([&]() -> abut_status {
     std::vector<abut_pick> all;
-    if (const abut_status status = picker->picker.cast_ray_all(*ray, all); status != ABUT_OK) return status;
+    if (const abut_status status = picker->picker.cast_ray_all(*ray, wanted, all); status != ABUT_OK) return status;
     // SAFETY: the caller answers for `capacity` elements.
     ABUT_UNSAFE_BEGIN
     const std::span<abut_pick> out(picks, capacity);
@@ -187,7 +198,7 @@ abut_status abut_picker_cast_ray_all(abut_picker* picker, const abut_ray* ray, a
 }
 
 abut_status abut_picker_pick_pixel(abut_picker* picker, const abut_camera* camera, double x, double y, double radius,
-                                   abut_pick* out) {
+                                   const abut_query_filter* filter, abut_pick* out) {
   if (picker == nullptr) return refuse_null("picker");
   if (camera == nullptr) return refuse_null("camera");
   if (out == nullptr) return refuse_null("out");
@@ -196,10 +207,13 @@ abut_status abut_picker_pick_pixel(abut_picker* picker, const abut_camera* camer
   if (!std::isfinite(y)) return refuse(ABUT_NOT_FINITE, "y", y, "it must be finite");
   if (!std::isfinite(radius)) return refuse(ABUT_NOT_FINITE, "radius", radius, "it must be finite");
   if (radius < 0) return refuse(ABUT_OUT_OF_RANGE, "radius", radius, "it must be at least 0");
-  return guarded([&] { return picker->picker.pick_pixel(*camera, x, y, radius, *out); });
+  const abut_query_filter* wanted = nullptr;
+  if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
+  return guarded([&] { return picker->picker.pick_pixel(*camera, x, y, radius, wanted, *out); });
 }
 
-abut_status abut_picker_render(abut_picker* picker, const abut_camera* camera, abut_pick* out, std::size_t capacity) {
+abut_status abut_picker_render(abut_picker* picker, const abut_camera* camera, const abut_query_filter* filter,
+                               abut_pick* out, std::size_t capacity) {
   if (picker == nullptr) return refuse_null("picker");
   if (camera == nullptr) return refuse_null("camera");
   if (out == nullptr) return refuse_null("out");
@@ -213,9 +227,11 @@ abut_status abut_picker_render(abut_picker* picker, const abut_camera* camera, a
     return refuse(ABUT_OUT_OF_RANGE, "capacity", static_cast<double>(capacity),
                   "it must be at least camera.width * camera.height");
   }
+  const abut_query_filter* wanted = nullptr;
+  if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
   // SAFETY: the caller answers for `capacity` elements, and the picture has no more.
   ABUT_UNSAFE_BEGIN
   const std::span<abut_pick> picture(out, pixels);
   ABUT_UNSAFE_END
-  return guarded([&] { return picker->picker.render(*camera, picture); });
+  return guarded([&] { return picker->picker.render(*camera, wanted, picture); });
 }

@@ -28,8 +28,16 @@ constexpr std::size_t largest_struct = 4096;
   return refuse(status, message.data());
 }
 
+// Coordinates beyond this are refused by all of abut: their squares and cubes would overflow.
+constexpr double largest_coordinate = 1e70;
+
 [[nodiscard]] bool is_finite(const abut_vec3& v) noexcept {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+[[nodiscard]] bool is_position(const abut_vec3& v) noexcept {
+  return std::fabs(v.x) <= largest_coordinate && std::fabs(v.y) <= largest_coordinate &&
+         std::fabs(v.z) <= largest_coordinate;
 }
 
 [[nodiscard]] bool is_zero(const abut_vec3& v) noexcept {
@@ -39,26 +47,51 @@ constexpr std::size_t largest_struct = 4096;
 // Whether four rays are good at a glance: the squares of their directions neither vanish nor overflow.
 [[nodiscard]] bool are_plainly_good(std::span<const abut_ray, 4> rays) noexcept {
   using Four = double __attribute__((ext_vector_type(4)));
-  Four nothing = 0;  // x - x is 0 for a finite x, and NaN, which stays in the sum, for any other
+  Four sum = 0;  // of sizes: too large when one is, and NaN when one is no number
   for (const abut_ray& ray : rays) {
-    const Four origin{ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x};
-    nothing += origin - origin;
+    sum += __builtin_elementwise_abs(Four{ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x});
   }
   const Four x{rays[0].direction.x, rays[1].direction.x, rays[2].direction.x, rays[3].direction.x};
   const Four y{rays[0].direction.y, rays[1].direction.y, rays[2].direction.y, rays[3].direction.y};
   const Four z{rays[0].direction.z, rays[1].direction.z, rays[2].direction.z, rays[3].direction.z};
   const Four limit{rays[0].max_distance, rays[1].max_distance, rays[2].max_distance, rays[3].max_distance};
   const Four square = x * x + y * y + z * z;
-  return __builtin_reduce_and((nothing == 0) & (square > 1e-200) & (square < 1e200) & (limit >= 0)) != 0;
+  return __builtin_reduce_and((sum <= largest_coordinate) & (square > 1e-200) & (square < 1e140) & (limit >= 0)) != 0;
 }
 
 // Calls `refusal` with what is wrong with a ray.
 template <class Refusal> [[nodiscard]] abut_status judge(const abut_ray& ray, const Refusal& refusal) noexcept {
   if (!is_finite(ray.origin)) return refusal(ABUT_NOT_FINITE, "the origin has a coordinate that is not finite");
+  if (!is_position(ray.origin)) return refusal(ABUT_OUT_OF_RANGE, "the origin has a coordinate beyond 1e70");
   if (!is_finite(ray.direction)) return refusal(ABUT_NOT_FINITE, "the direction has a coordinate that is not finite");
   if (is_zero(ray.direction)) return refusal(ABUT_ZERO_VECTOR, "the direction is zero; it must have a length");
   if (std::isnan(ray.max_distance)) return refusal(ABUT_NOT_FINITE, "max_distance is not a number");
   if (ray.max_distance < 0) return refusal(ABUT_OUT_OF_RANGE, "max_distance is negative; it must be at least 0");
+  return ABUT_OK;
+}
+
+// Whether a struct has at least the size of this version, and zeros behind it.
+template <class Struct> [[nodiscard]] bool has_known_size(const Struct& given) noexcept {
+  const std::size_t size = given.struct_size;
+  if (size < sizeof(Struct) || size > largest_struct) return false;
+  // SAFETY: the caller says that the struct has this size.
+  ABUT_UNSAFE_BEGIN
+  const std::span<const unsigned char> bytes(static_cast<const unsigned char*>(static_cast<const void*>(&given)), size);
+  ABUT_UNSAFE_END
+  return std::ranges::all_of(bytes.subspan(sizeof(Struct)), [](unsigned char byte) { return byte == 0; });
+}
+
+// Null ids name nothing; any other has to be there.
+[[nodiscard]] abut_status check_ignored(const abut_universe* universe, const abut_query_filter& filter) noexcept {
+  const abut_part_id& part = filter.ignore_part;
+  abut_pose pose;
+  if ((part.slot != 0 || part.generation != 0) && abut_part_pose(universe, part, &pose) == ABUT_STALE_ID)
+    return refuse(ABUT_STALE_ID, "filter.ignore_part.slot", part.slot, "the part is not in this universe");
+  const abut_geometry_id& geometry = filter.ignore_geometry;
+  if ((geometry.slot != 0 || geometry.generation != 0) &&
+      abut_geometries_poses(universe, &geometry, 1, &pose) == ABUT_STALE_ID) {
+    return refuse(ABUT_STALE_ID, "filter.ignore_geometry.slot", geometry.slot, "the geometry is not in this universe");
+  }
   return ABUT_OK;
 }
 
@@ -87,17 +120,17 @@ abut_status check_finite(const abut_vec3& vector, const char* argument) noexcept
   return ABUT_OK;
 }
 
-abut_status check_size(const abut_camera& camera) noexcept {
-  const std::size_t size = camera.struct_size;
-  if (size >= sizeof(abut_camera) && size <= largest_struct) {
-    // SAFETY: the caller says that the struct has this size.
-    ABUT_UNSAFE_BEGIN
-    const std::span<const unsigned char> bytes(static_cast<const unsigned char*>(static_cast<const void*>(&camera)),
-                                               size);
-    ABUT_UNSAFE_END
-    const auto tail = bytes.subspan(sizeof(abut_camera));
-    if (std::ranges::all_of(tail, [](unsigned char byte) { return byte == 0; })) return ABUT_OK;
+abut_status check_position(const abut_vec3& vector, const char* argument) noexcept {
+  if (const abut_status status = check_finite(vector, argument); status != ABUT_OK) return status;
+  for (const double coordinate : {vector.x, vector.y, vector.z}) {
+    if (std::fabs(coordinate) > largest_coordinate)
+      return refuse(ABUT_OUT_OF_RANGE, argument, coordinate, "its coordinates must be within 1e70");
   }
+  return ABUT_OK;
+}
+
+abut_status check_size(const abut_camera& camera) noexcept {
+  if (has_known_size(camera)) return ABUT_OK;
   return refuse(ABUT_WRONG_STRUCT_SIZE, "camera.struct_size", camera.struct_size,
                 "fill the camera with abut_camera_init");
 }
@@ -107,7 +140,7 @@ abut_status check_camera(const abut_camera& camera) noexcept {
   if (camera.reserved != 0) return refuse(ABUT_INVALID_ARGUMENT, "camera.reserved", camera.reserved, "it must be 0");
   if (camera.width == 0) return refuse(ABUT_OUT_OF_RANGE, "camera.width", 0, "it must be at least 1");
   if (camera.height == 0) return refuse(ABUT_OUT_OF_RANGE, "camera.height", 0, "it must be at least 1");
-  if (const abut_status status = check_finite(camera.pose.position, "camera.pose.position"); status != ABUT_OK)
+  if (const abut_status status = check_position(camera.pose.position, "camera.pose.position"); status != ABUT_OK)
     return status;
   const abut_quat& q = camera.pose.orientation;
   const double norm = std::hypot(std::hypot(q.w, q.x), std::hypot(q.y, q.z));
@@ -124,13 +157,37 @@ abut_status check_camera(const abut_camera& camera) noexcept {
   if (!std::isfinite(camera.near_distance)) {
     return refuse(ABUT_NOT_FINITE, "camera.near_distance", camera.near_distance, "it must be finite");
   }
-  if (camera.near_distance < 0)
-    return refuse(ABUT_OUT_OF_RANGE, "camera.near_distance", camera.near_distance, "it must be at least 0");
+  if (!(camera.near_distance >= 0 && camera.near_distance <= largest_coordinate))
+    return refuse(ABUT_OUT_OF_RANGE, "camera.near_distance", camera.near_distance, "it must lie between 0 and 1e70");
   if (std::isnan(camera.far_distance))
     return refuse(ABUT_NOT_FINITE, "camera.far_distance", camera.far_distance, "it must be a number");
   if (camera.far_distance < camera.near_distance) {
     return refuse(ABUT_OUT_OF_RANGE, "camera.far_distance", camera.far_distance, "it must be at least near_distance");
   }
+  return ABUT_OK;
+}
+
+abut_status read_filter(const abut_universe* universe, const abut_query_filter* filter,
+                        const abut_query_filter*& out) noexcept {
+  out = nullptr;
+  if (filter == nullptr) return ABUT_OK;
+  if (!has_known_size(*filter)) {
+    return refuse(ABUT_WRONG_STRUCT_SIZE, "filter.struct_size", filter->struct_size,
+                  "fill the filter with abut_query_filter_init");
+  }
+  if (filter->reserved != 0) return refuse(ABUT_INVALID_ARGUMENT, "filter.reserved", filter->reserved, "it must be 0");
+  if (filter->flags > ABUT_QUERY_FILTER_SKIP_SENSORS)
+    return refuse(ABUT_UNKNOWN_VALUE, "filter.flags", filter->flags, "it must be bits of abut_query_filter_flags");
+  if (filter->ray_start > ABUT_RAY_START_SKIP)
+    return refuse(ABUT_UNKNOWN_VALUE, "filter.ray_start", filter->ray_start, "it must be a value of abut_ray_start");
+  if (filter->ray_start != ABUT_RAY_START_FAR_SIDE) {
+    return refuse(ABUT_UNSUPPORTED, "filter.ray_start", filter->ray_start,
+                  "a picker knows ABUT_RAY_START_FAR_SIDE only");
+  }
+  if (const abut_status status = check_ignored(universe, *filter); status != ABUT_OK) return status;
+  const bool keeps_all = filter->flags == 0 && filter->ignore_part.slot == 0 && filter->ignore_geometry.slot == 0 &&
+                         filter->layers == ~std::uint64_t{0} && filter->mask == ~std::uint64_t{0};
+  out = keeps_all ? nullptr : filter;
   return ABUT_OK;
 }
 

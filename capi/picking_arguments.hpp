@@ -17,9 +17,15 @@ namespace abut::capi {
 [[nodiscard]] abut_status refuse_null(const char* argument) noexcept;
 
 [[nodiscard]] abut_status check_finite(const abut_vec3& vector, const char* argument) noexcept;
+/// Coordinates are finite and within what abut.h accepts.
+[[nodiscard]] abut_status check_position(const abut_vec3& vector, const char* argument) noexcept;
 /// A camera of a later version is accepted when what this version does not know is zero.
 [[nodiscard]] abut_status check_size(const abut_camera& camera) noexcept;
 [[nodiscard]] abut_status check_camera(const abut_camera& camera) noexcept;
+
+/// A filter of rays of a universe, which may be null. On success `out` is null when it leaves nothing out.
+[[nodiscard]] abut_status read_filter(const abut_universe* universe, const abut_query_filter* filter,
+                                      const abut_query_filter*& out) noexcept;
 
 /// A ray is all finite but its limit, has a direction, and a limit that is not negative.
 [[nodiscard]] abut_status check_ray(const abut_ray& ray) noexcept;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,14 +20,22 @@ UniverseShape::UniverseShape(abut_shape* shape) noexcept : shape_(shape) {
   abut_shape_retain(shape);
 }
 
+std::string_view UniverseShape::kind() const {
+  const char* const name = abut_shape_kind_name(abut_shape_kind_of(shape_.get()));
+  return name == nullptr ? "" : name;
+}
+
 abut_status UniverseShape::bounds(const abut_pose& pose, abut_aabb& out) const {
   return abut_shape_aabb(shape_.get(), &pose, &out);
 }
 
 abut_status UniverseShape::triangle_count(std::size_t& out) const {
   std::size_t vertices = 0;
+  const std::string message = abut_last_error_message();
   const abut_status status = abut_shape_triangles(shape_.get(), nullptr, 0, &vertices, nullptr, 0, &out);
   if (status != ABUT_UNSUPPORTED) return status;
+  // Nothing has failed for the caller, whose last message stays.
+  abut_set_last_error(ABUT_OK, message.c_str());
   out = 0;
   return ABUT_OK;
 }
@@ -44,6 +53,18 @@ abut_status UniverseShape::triangles(picking::TriangleList& out) const {
                               &triangles);
 }
 
+// The faces of a hull have several triangles each. A ray at the middle of a triangle tells which face that is.
+abut_status UniverseShape::faces(const picking::TriangleList& list, std::vector<std::uint32_t>& out) const {
+  out.clear();
+  if (kind() != "hull") return ABUT_OK;
+  constexpr abut_pose unmoved{.position = {0, 0, 0}, .orientation = {1, 0, 0, 0}};
+  for (std::size_t i = 0; i < list.indices.size() / 3; ++i) {
+    const auto hit = cast(unmoved, picking::ray_at_triangle(list, i));
+    out.push_back(hit ? hit->feature.index : (out.empty() ? 0 : out.back()));
+  }
+  return ABUT_OK;
+}
+
 std::optional<abut_ray_hit> UniverseShape::cast(const abut_pose& pose, const abut_ray& ray) const noexcept {
   abut_ray_hit hit;
   std::uint32_t found = 0;
@@ -52,14 +73,15 @@ std::optional<abut_ray_hit> UniverseShape::cast(const abut_pose& pose, const abu
 }
 
 std::optional<picking::RoundedSegment> UniverseShape::rounded() const {
-  const char* const name = abut_shape_kind_name(abut_shape_kind_of(shape_.get()));
-  const std::string_view kind = name == nullptr ? "" : name;
-  if (kind != "sphere" && kind != "capsule") return std::nullopt;
+  const std::string_view its = kind();
+  if (its == "point") return picking::RoundedSegment{0, 0};
+  if (its != "sphere" && its != "capsule" && its != "segment") return std::nullopt;
   std::size_t count = 0;
   if (abut_shape_parameters(shape_.get(), nullptr, 0, &count) != ABUT_OK) return std::nullopt;
   std::vector<double> parameters(count);
   if (abut_shape_parameters(shape_.get(), parameters.data(), count, &count) != ABUT_OK || parameters.empty())
     return std::nullopt;
+  if (its == "segment") return picking::RoundedSegment{0, parameters[0]};
   return picking::RoundedSegment{parameters[0], parameters.size() > 1 ? parameters[1] : 0};
 }
 
@@ -102,7 +124,10 @@ abut_status UniverseSource::describe(abut_geometry_id id, picking::GeometryView&
   abut_geometry_info info;
   abut_geometry_info_init(&info, sizeof info);
   if (const abut_status status = abut_geometry_describe(universe_.get(), id, &info); status != ABUT_OK) return status;
-  out = {std::bit_cast<std::uintptr_t>(info.shape), info.pose};
+  out = {.shape_key = std::bit_cast<std::uintptr_t>(info.shape),
+         .pose = info.pose,
+         .traits = {info.layers, info.mask, info.part, (info.flags & ABUT_GEOMETRY_SENSOR) != 0},
+         .is_parked = info.parking != ABUT_PARKING_NONE};
   return ABUT_OK;
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 import abut.picking;
@@ -28,10 +29,13 @@ class UniverseShape final : public picking::PickableShape {
   [[nodiscard]] abut_status bounds(const abut_pose& pose, abut_aabb& out) const override;
   [[nodiscard]] abut_status triangle_count(std::size_t& out) const override;
   [[nodiscard]] abut_status triangles(picking::TriangleList& out) const override;
+  [[nodiscard]] abut_status faces(const picking::TriangleList& list, std::vector<std::uint32_t>& out) const override;
   [[nodiscard]] std::optional<abut_ray_hit> cast(const abut_pose& pose, const abut_ray& ray) const noexcept override;
   [[nodiscard]] std::optional<picking::RoundedSegment> rounded() const override;
 
  private:
+  [[nodiscard]] std::string_view kind() const;
+
   std::unique_ptr<abut_shape, ShapeRelease> shape_;
 };
 

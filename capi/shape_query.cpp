@@ -5,6 +5,7 @@
 #include "shape_handle.hpp"
 
 import abut.any_shape;
+import abut.any_shape.ray_child;
 import abut.core;
 import abut.math;
 import abut.registry;
@@ -125,7 +126,7 @@ abut_status cast_ray(const abut_shape* shape, const abut_pose& given_pose, const
       abut::cast_ray(shape_of(shape), pose.undo(origin), local_direction, ray.max_distance);
   if (met) {
     *hit = {met->distance, from_vec3(origin + met->distance * direction->vec()), from_vec3(pose.rotation * met->normal),
-            from_feature(met->feature)};
+            from_feature(met->feature), abut::child_on_ray(shape_of(shape), pose.undo(origin), local_direction, met->distance), 0};
   }
   *found = met ? 1 : 0;
   return ABUT_OK;

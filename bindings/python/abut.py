@@ -642,25 +642,27 @@ class Picker(_Owner):
     def update(self):
         picking.abut_picker_update(self.pointer)
 
-    def cast_ray(self, along):
+    def cast_ray(self, along, **filter):
+        """What a ray meets first; the filter is the fields of QueryFilter, here and below."""
         out = c.Pick()
-        picking.abut_picker_cast_ray(self.pointer, byref(along), byref(out))
+        picking.abut_picker_cast_ray(self.pointer, byref(along), _filter(filter), byref(out))
         return out
 
-    def cast_rays(self, rays, coherence=c.COHERENCE_NONE):
+    def cast_rays(self, rays, coherence=c.COHERENCE_NONE, **filter):
         out = (c.Pick * len(rays))()
-        picking.abut_picker_cast_rays(self.pointer, _structs(c.Ray, rays), len(rays), coherence, out)
+        picking.abut_picker_cast_rays(self.pointer, _structs(c.Ray, rays), len(rays), coherence, _filter(filter), out)
         return out
 
-    def cast_ray_all(self, along):
-        return _count_then_fill(c.Pick, lambda *rest: picking.abut_picker_cast_ray_all(self.pointer, byref(along), *rest))
+    def cast_ray_all(self, along, **filter):
+        return _count_then_fill(c.Pick, lambda *rest: picking.abut_picker_cast_ray_all(
+            self.pointer, byref(along), _filter(filter), *rest))
 
-    def pick_pixel(self, through, x, y, radius=0.0):
+    def pick_pixel(self, through, x, y, radius=0.0, **filter):
         out = c.Pick()
-        picking.abut_picker_pick_pixel(self.pointer, byref(through), x, y, radius, byref(out))
+        picking.abut_picker_pick_pixel(self.pointer, byref(through), x, y, radius, _filter(filter), byref(out))
         return out
 
-    def render(self, through):
+    def render(self, through, **filter):
         out = (c.Pick * (through.width * through.height))()
-        picking.abut_picker_render(self.pointer, byref(through), out, len(out))
+        picking.abut_picker_render(self.pointer, byref(through), _filter(filter), out, len(out))
         return out

@@ -201,7 +201,8 @@ class Ray(_Struct):
 
 class RayHit(_Struct):
     _fields_ = [
-        ("distance", c_double), ("point", Vec3), ("normal", Vec3), ("feature", Feature),
+        ("distance", c_double), ("point", Vec3), ("normal", Vec3), ("feature", Feature), ("child", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -379,7 +380,8 @@ class LayoutEntry(_Struct):
 
 class Pick(_Struct):
     _fields_ = [
-        ("geometry", GeometryId), ("feature", Feature), ("distance", c_double), ("point", Vec3), ("normal", Vec3),
+        ("geometry", GeometryId), ("feature", Feature), ("child", c_uint32), ("reserved", c_uint32),
+        ("distance", c_double), ("point", Vec3), ("normal", Vec3),
     ]
 
 
@@ -584,13 +586,14 @@ PICKING_FUNCTIONS = {
     "abut_picker_create": (Status, [c_void_p, POINTER(c_void_p)]),
     "abut_picker_destroy": (None, [c_void_p]),
     "abut_picker_update": (Status, [c_void_p]),
-    "abut_picker_cast_ray": (Status, [c_void_p, POINTER(Ray), POINTER(Pick)]),
-    "abut_picker_cast_rays": (Status, [c_void_p, POINTER(Ray), c_size_t, c_uint32, POINTER(Pick)]),
+    "abut_picker_cast_ray": (Status, [c_void_p, POINTER(Ray), POINTER(QueryFilter), POINTER(Pick)]),
+    "abut_picker_cast_rays": (Status, [
+        c_void_p, POINTER(Ray), c_size_t, c_uint32, POINTER(QueryFilter), POINTER(Pick)]),
     "abut_picker_cast_ray_all": (Status, [
-        c_void_p, POINTER(Ray), POINTER(Pick), c_size_t, POINTER(c_size_t)]),
+        c_void_p, POINTER(Ray), POINTER(QueryFilter), POINTER(Pick), c_size_t, POINTER(c_size_t)]),
     "abut_picker_pick_pixel": (Status, [
-        c_void_p, POINTER(Camera), c_double, c_double, c_double, POINTER(Pick)]),
-    "abut_picker_render": (Status, [c_void_p, POINTER(Camera), POINTER(Pick), c_size_t]),
+        c_void_p, POINTER(Camera), c_double, c_double, c_double, POINTER(QueryFilter), POINTER(Pick)]),
+    "abut_picker_render": (Status, [c_void_p, POINTER(Camera), POINTER(QueryFilter), POINTER(Pick), c_size_t]),
 }
 
 

@@ -380,6 +380,8 @@ typedef struct abut_ray_hit {
   abut_vec3 point;      /**< world frame */
   abut_vec3 normal;     /**< unit, world frame, out of the solid; of a mesh: by winding */
   abut_feature feature; /**< what was hit */
+  uint32_t child;       /**< of a composite; 0 for all other shapes */
+  uint32_t reserved;    /**< zero */
 } abut_ray_hit;
 
 /**
@@ -804,7 +806,7 @@ ABUT_API abut_status abut_universe_geometries(const abut_universe *universe, abu
 
 /** Counters that tell tools what changed since they last looked. */
 typedef struct abut_revision {
-  uint64_t geometries; /**< grows when a geometry is created, destroyed, parked or reshaped */
+  uint64_t geometries; /**< grows when a geometry is created, destroyed, parked, reshaped or given options */
   uint64_t poses;      /**< grows when a pose is set, of a part or with the options of a geometry */
 } abut_revision;
 

@@ -6,6 +6,7 @@ module;
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 export module abut.picking:camera;
 import :vector;
@@ -32,21 +33,29 @@ struct View {
           .right = rotate(frame, {1, 0, 0}),
           .up = rotate(frame, {0, 1, 0}),
           .forward = rotate(frame, {0, 0, -1}),
-          .focal = half_height / std::tan(0.5 * camera.vertical_fov),
+          .focal = std::min(half_height / std::tan(0.5 * camera.vertical_fov), std::numeric_limits<double>::max()),
           .centre_x = 0.5 * static_cast<double>(camera.width),
           .centre_y = half_height,
           .start = camera.near_distance,
           .limit = camera.far_distance - camera.near_distance};
 }
 
-/// Direction through a point of the picture, not yet of unit length.
+/// A point of a picture, and how many pixels around it count.
+struct Aim {
+  View view;
+  double x;
+  double y;
+  double radius;
+};
+
+/// Unit direction through a point of the picture. In pixels and then tamed: a quotient may overflow.
 [[nodiscard]] inline abut_vec3 direction_through(const View& view, double x, double y) {
-  return add(add(scale(view.right, (x - view.centre_x) / view.focal), scale(view.up, (view.centre_y - y) / view.focal)),
-             view.forward);
+  const abut_vec3 seen = tamed({x - view.centre_x, view.centre_y - y, view.focal});
+  return normalized(add(add(scale(view.right, seen.x), scale(view.up, seen.y)), scale(view.forward, seen.z)));
 }
 
 [[nodiscard]] inline abut_ray ray_through(const View& view, double x, double y) {
-  const abut_vec3 direction = normalized(direction_through(view, x, y));
+  const abut_vec3 direction = direction_through(view, x, y);
   return {add(view.eye, scale(direction, view.start)), direction, view.limit};
 }
 

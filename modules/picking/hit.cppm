@@ -6,12 +6,10 @@ module;
 #include "embree.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 module abut.picking:hit;
@@ -58,12 +56,6 @@ inline void write_ray(RTCRayHit& hit, const Four& point, const Four& direction_a
 inline void write_ray(RTCRayHit& hit, const abut_vec3& point, const abut_vec3& direction, double limit) {
   write_ray(hit, Four{point.x, point.y, point.z, 0}, Four{direction.x, direction.y, direction.z, limit});
 }
-
-/// Distance at which a line crosses a triangle, its edges included; none when they are parallel.
-[[nodiscard]] std::optional<double> crossing_of_triangle(const TriangleList& list,
-                                                         const std::array<std::uint32_t, 3>& corners,
-                                                         const abut_vec3& origin, const abut_vec3& direction);
-[[nodiscard]] abut_vec3 normal_of_triangle(const TriangleList& list, const std::array<std::uint32_t, 3>& corners);
 
 /// Sorts crossings by distance and reports those of neighbouring triangles at their edge once.
 void merge_crossings(std::vector<AllHits::Crossing>& crossings, const abut_vec3& direction,

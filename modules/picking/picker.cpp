@@ -48,51 +48,48 @@ bool Picker::cast_usual_ray(const abut_ray& ray, abut_pick& out) const noexcept 
   return tracer_->trace_usual(ray, out);
 }
 
-abut_status Picker::cast_ray(const abut_ray& ray, abut_pick& out) noexcept {
+abut_status Picker::cast_ray(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) noexcept {
   return guarded([&]() -> abut_status {
     if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
-    tracer_->trace(ray, out);
+    tracer_->trace(ray, filter, out);
     return ABUT_OK;
   });
 }
 
-abut_status Picker::cast_rays(std::span<const abut_ray> rays, Coherence coherence, std::span<abut_pick> out) noexcept {
+abut_status Picker::cast_rays(std::span<const abut_ray> rays, Coherence coherence, const abut_query_filter* filter,
+                              std::span<abut_pick> out) noexcept {
   return guarded([&]() -> abut_status {
     if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
     if (coherence == Coherence::neighbours) {
-      tracer_->trace_neighbours(rays, out);
+      tracer_->trace_neighbours(rays, filter, out);
     } else {
-      tracer_->trace_unrelated(rays, out);
+      tracer_->trace_unrelated(rays, filter, out);
     }
     return ABUT_OK;
   });
 }
 
-abut_status Picker::cast_ray_all(const abut_ray& ray, std::vector<abut_pick>& out) noexcept {
+abut_status Picker::cast_ray_all(const abut_ray& ray, const abut_query_filter* filter,
+                                 std::vector<abut_pick>& out) noexcept {
   return guarded([&]() -> abut_status {
     if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
-    return tracer_->trace_all(ray, out) ? ABUT_OK : ABUT_OUT_OF_MEMORY;
+    return tracer_->trace_all(ray, filter, out) ? ABUT_OK : ABUT_OUT_OF_MEMORY;
   });
 }
 
-abut_status Picker::pick_pixel(const abut_camera& camera, double x, double y, double radius, abut_pick& out) noexcept {
+abut_status Picker::pick_pixel(const abut_camera& camera, double x, double y, double radius,
+                               const abut_query_filter* filter, abut_pick& out) noexcept {
   return guarded([&]() -> abut_status {
     if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
-    const View view = view_of(camera);
-    abut_pick pick = nothing();
-    tracer_->trace(ray_through(view, x, y), pick);
-    if (pick.geometry.slot == 0 && radius > 0) {
-      if (const abut_status status = tracer_->pick_near(view, x, y, radius, pick); status != ABUT_OK) return status;
-    }
-    out = pick;
-    return ABUT_OK;
+    return tracer_->pick_pixel({view_of(camera), x, y, radius}, filter, out);
   });
 }
 
-abut_status Picker::render(const abut_camera& camera, std::span<abut_pick> out) noexcept {
+abut_status Picker::render(const abut_camera& camera, const abut_query_filter* filter,
+                           std::span<abut_pick> out) noexcept {
   return guarded([&]() -> abut_status {
     if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
-    tracer_->render(camera, out);
+    tracer_->render(camera, filter, out);
     return ABUT_OK;
   });
 }

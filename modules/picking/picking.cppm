@@ -28,7 +28,7 @@ enum class Coherence : unsigned char { none, neighbours };
 
 /// Rays against one world. Follows its source by itself: each query first compares the counters
 /// with those that it has seen. Queries may run together. Arguments are trusted: finite, directions
-/// not zero, distances not negative.
+/// not zero, distances not negative. A filter may be null, when all geometries count.
 class Picker {
  public:
   /// The counters are there for as long as the picker is.
@@ -40,17 +40,19 @@ class Picker {
   /// negative. False, and nothing is written, for any other.
   [[nodiscard]] bool cast_usual_ray(const abut_ray& ray, abut_pick& out) const noexcept;
   /// First thing that a ray meets; a null geometry when there is none.
-  [[nodiscard]] abut_status cast_ray(const abut_ray& ray, abut_pick& out) noexcept;
+  [[nodiscard]] abut_status cast_ray(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) noexcept;
   /// First things that rays meet; `out` is as long as `rays`.
   [[nodiscard]] abut_status cast_rays(std::span<const abut_ray> rays, Coherence coherence,
-                                      std::span<abut_pick> out) noexcept;
+                                      const abut_query_filter* filter, std::span<abut_pick> out) noexcept;
   /// Everything that a ray meets, nearest first.
-  [[nodiscard]] abut_status cast_ray_all(const abut_ray& ray, std::vector<abut_pick>& out) noexcept;
+  [[nodiscard]] abut_status cast_ray_all(const abut_ray& ray, const abut_query_filter* filter,
+                                         std::vector<abut_pick>& out) noexcept;
   /// What lies at a point of a picture, or nearest to it within a radius in pixels.
   [[nodiscard]] abut_status pick_pixel(const abut_camera& camera, double x, double y, double radius,
-                                       abut_pick& out) noexcept;
+                                       const abut_query_filter* filter, abut_pick& out) noexcept;
   /// One ray per pixel, row by row from the top; `out` holds width * height picks.
-  [[nodiscard]] abut_status render(const abut_camera& camera, std::span<abut_pick> out) noexcept;
+  [[nodiscard]] abut_status render(const abut_camera& camera, const abut_query_filter* filter,
+                                   std::span<abut_pick> out) noexcept;
 
  private:
   std::unique_ptr<Tracer, TracerDeleter> tracer_;

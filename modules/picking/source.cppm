@@ -4,6 +4,7 @@ module;
 
 #include <abut/picking.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -16,7 +17,9 @@ export using ::abut_aabb;
 export using ::abut_camera;
 export using ::abut_geometry_id;
 export using ::abut_pick;
+export using ::abut_part_id;
 export using ::abut_pose;
+export using ::abut_query_filter;
 export using ::abut_ray;
 export using ::abut_ray_hit;
 export using ::abut_status;
@@ -30,7 +33,11 @@ struct TriangleList {
   std::vector<std::uint32_t> indices;
 };
 
+/// A ray from the front of a triangle at its middle.
+[[nodiscard]] abut_ray ray_at_triangle(const TriangleList& list, std::size_t triangle);
+
 /// All points within `radius` of the segment from (0, 0, -half_height) to (0, 0, half_height).
+/// A point or a segment when the radius is 0.
 struct RoundedSegment {
   double radius;
   double half_height;
@@ -50,16 +57,28 @@ class PickableShape {
   [[nodiscard]] virtual abut_status triangle_count(std::size_t& out) const = 0;
   /// Its surface, when triangle_count is not 0.
   [[nodiscard]] virtual abut_status triangles(TriangleList& out) const = 0;
+  /// The face of each triangle, as rays name it; empty when triangle i is face i.
+  [[nodiscard]] virtual abut_status faces(const TriangleList& list, std::vector<std::uint32_t>& out) const = 0;
   /// First crossing with its surface, as abut_shape_cast_ray. Runs on several threads at once.
   [[nodiscard]] virtual std::optional<abut_ray_hit> cast(const abut_pose& pose, const abut_ray& ray) const noexcept = 0;
-  /// Whether the shape is a sphere or a capsule, and which one.
+  /// Whether the shape is a sphere, a capsule, a point or a segment, and which one.
   [[nodiscard]] virtual std::optional<RoundedSegment> rounded() const = 0;
+};
+
+/// What queries are filtered by: see abut_query_filter.
+struct Traits {
+  std::uint64_t layers;
+  std::uint64_t mask;
+  abut_part_id part;
+  bool is_sensor;
 };
 
 /// A geometry: which shape, and where. Equal keys are the same shape.
 struct GeometryView {
   std::uintptr_t shape_key;
   abut_pose pose;
+  Traits traits;
+  bool is_parked;
 };
 
 /// Lent, and not freed with what borrows it.
@@ -67,8 +86,8 @@ struct Borrowed {
   template <class Lent> void operator()(const Lent* /*lent*/) const noexcept {}
 };
 
-/// Numbers that grow with each change of the world: when a geometry comes or goes, and when a pose is set.
-/// Read where they are, since each query looks at them.
+/// Numbers that grow with each change of the world: `geometries` when a geometry comes, goes or changes, `poses` when a
+/// pose is set. Read where they are, since each query looks at them.
 struct Counters {
   std::unique_ptr<const std::uint64_t, Borrowed> geometries;
   std::unique_ptr<const std::uint64_t, Borrowed> poses;

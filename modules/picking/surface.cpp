@@ -99,6 +99,16 @@ struct Quad {
 
 }  // namespace
 
+abut_ray ray_at_triangle(const TriangleList& list, std::size_t triangle) {
+  const Corners corners = corners_of(list, triangle);
+  const abut_vec3 middle = scale(add(add(corners[0], corners[1]), corners[2]), 1.0 / 3);
+  const abut_vec3 normal = unit_or_zero(area_vector(corners));
+  const double away = length(subtract(corners[1], corners[0])) + length(subtract(corners[2], corners[0]));
+  // Without an area there is no front; its corners lie on the borders of faces.
+  if (largest_component(normal) == 0) return {middle, {1, 0, 0}, 0};
+  return {add(middle, scale(normal, away)), scale(normal, -1), infinity};
+}
+
 void add_planes(const TriangleList& list, Surface& out) {
   out.reserve(out.size() + list.indices.size() / 3);
   for (std::size_t i = 0; i < list.indices.size() / 3; ++i) {

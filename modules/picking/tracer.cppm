@@ -5,8 +5,9 @@
 //  - moving:  one box per remaining geometry. A surface has an Embree scene of its own, in the frame
 //             of its shape, that rays enter after their transformation in double: far from the
 //             origin costs no digits. Any other shape is asked in double.
-//  - endless: shapes without bounds, asked one after the other.
+//  - apart:   shapes without bounds, or too far for single precision, asked one after the other.
 //
+// What no query can meet is in none of them: parked geometries, and those without a layer or a mask.
 // Each scene is traced in single precision inside a space of its own (vector.cppm).
 module;
 
@@ -20,6 +21,7 @@ module;
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -36,19 +38,32 @@ inline constexpr std::uint32_t nowhere = ~std::uint32_t{0};
 /// In a hit: the rest of the geometry number is an entry, not the number of a baked surface.
 inline constexpr std::uint32_t entry_flag = std::uint32_t{1} << 31U;
 
-enum class Role : std::uint8_t { baked, instance, exact, endless };
+enum class Role : std::uint8_t { baked, instance, exact, apart };
 
 /// A geometry.
 struct Entry {
   abut_geometry_id id{};
   std::uint32_t shape = nowhere;
-  std::uint32_t place = nowhere;  // in moving_ or endless_
+  std::uint32_t place = nowhere;  // in baked_, moving_ or apart_
   Role role = Role::exact;
   std::uint64_t epoch = 0;  // when it was last listed
+  Traits traits{};
   abut_pose pose{};
   Frame frame;
   abut_aabb box = empty_box;  // world
 };
+
+/// Whether a filter lets rays meet a geometry; null lets them meet all.
+[[nodiscard]] inline bool admits(const abut_query_filter* filter, const Entry& entry) noexcept {
+  if (filter == nullptr) return true;
+  const Traits& its = entry.traits;
+  const auto is = [](const auto& ignored, const auto& id) {
+    return ignored.slot != 0 && ignored.slot == id.slot && ignored.generation == id.generation;
+  };
+  const bool skips_sensors = (filter->flags & ABUT_QUERY_FILTER_SKIP_SENSORS) != 0;
+  return (its.layers & filter->mask) != 0 && (its.mask & filter->layers) != 0 && !(skips_sensors && its.is_sensor) &&
+         !is(filter->ignore_part, its.part) && !is(filter->ignore_geometry, entry.id);
+}
 
 /// A surface in the frame of its shape with a scene of its own.
 struct Instanced {
@@ -64,19 +79,24 @@ struct ShapeRecord {
   std::uint32_t users = 0;
   std::size_t triangle_count = 0;
   bool is_surface = false;
-  bool is_paired = false;                // a surface whose triangles come in pairs
-  abut_aabb local_box = empty_box;       // of a surface
+  bool is_paired = false;            // a surface whose triangles come in pairs
+  abut_aabb local_box = empty_box;   // of a surface
+  std::vector<std::uint32_t> faces;  // of its triangles, of a surface; empty when they are the faces
+  std::optional<RoundedSegment> rounded;
   std::unique_ptr<Instanced> instanced;  // made when first needed
-  TriangleList few;                      // of a shape that has triangles and is asked in double
+
+  [[nodiscard]] bool is_thin() const noexcept { return rounded && rounded->radius == 0; }
 };
 
 /// A surface as it lies in the world. Found by a shift, since each hit asks for it.
 struct alignas(32) Baked {
   abut_geometry_id id{};
   std::uint32_t entry = nowhere;
-  bool has_quads = false;       // of two triangles each
-  std::size_t first_plane = 0;  // in the planes of the still scene
+  std::uint32_t first_face = nowhere;  // in the faces of the still scene; nowhere when its triangles are the faces
+  bool has_quads = false;              // of two triangles each
+  std::size_t first_plane = 0;         // in the planes of the still scene
 };
+static_assert(sizeof(Baked) == 32);
 
 /// The triangle that was hit. The coordinates on a quad are those on its first half, or 1 minus those
 /// on its second one.
@@ -101,12 +121,24 @@ struct Lane {
 /// Context of a query; `width` says which of the types below it is.
 struct Trace : embree::Query {
   std::uint32_t width;
-  Trace(std::uint32_t wide, bool coherent) noexcept : embree::Query(coherent), width(wide) {}
+  bool coherent;
+  std::unique_ptr<const abut_query_filter, Borrowed> wanted;  // null when all geometries count
+  Trace(std::uint32_t wide, bool are_neighbours, const abut_query_filter* given) noexcept
+      : embree::Query(are_neighbours), width(wide), coherent(are_neighbours), wanted(given) {}
 };
 
 template <std::size_t Width> struct FirstHit : Trace {
   std::array<Lane, Width> lanes;
-  explicit FirstHit(bool coherent) noexcept : Trace(static_cast<std::uint32_t>(Width), coherent) {}
+  FirstHit(bool are_neighbours, const abut_query_filter* given) noexcept
+      : Trace(static_cast<std::uint32_t>(Width), are_neighbours, given) {}
+};
+
+/// Filter function of the still scene.
+void reject_hits(const RTCFilterFunctionNArguments* arguments);
+
+/// First hits in the still scene, where Embree asks about each hit only when there is a filter; width 1.
+struct StillHit : Trace {
+  StillHit(bool are_neighbours, const abut_query_filter* given) noexcept;
 };
 
 /// Collects everything that one ray meets; width 0.
@@ -122,7 +154,7 @@ struct AllHits : Trace {
   };
   std::vector<Crossing> crossings;
   double advance = 0;  // where the float ray starts
-  explicit AllHits(const abut_ray& unit_ray) noexcept;
+  AllHits(const abut_ray& unit_ray, const abut_query_filter* given) noexcept;
 };
 
 class Tracer {
@@ -135,13 +167,14 @@ class Tracer {
 
   /// As trace, for the usual ray only; false for any other, and when the scenes are not up to date.
   [[nodiscard]] bool trace_usual(const abut_ray& ray, abut_pick& out) const noexcept;
-  void trace(const abut_ray& ray, abut_pick& out) const;
-  void trace_neighbours(std::span<const abut_ray> rays, std::span<abut_pick> out) const;
-  void trace_unrelated(std::span<const abut_ray> rays, std::span<abut_pick> out) const;
-  void render(const abut_camera& camera, std::span<abut_pick> out) const;
+  void trace(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) const;
+  void trace_neighbours(std::span<const abut_ray> rays, const abut_query_filter* filter,
+                        std::span<abut_pick> out) const;
+  void trace_unrelated(std::span<const abut_ray> rays, const abut_query_filter* filter, std::span<abut_pick> out) const;
+  void render(const abut_camera& camera, const abut_query_filter* filter, std::span<abut_pick> out) const;
   /// False when memory ran out.
-  [[nodiscard]] bool trace_all(const abut_ray& ray, std::vector<abut_pick>& out) const;
-  [[nodiscard]] abut_status pick_near(const View& view, double x, double y, double radius, abut_pick& out) const;
+  [[nodiscard]] bool trace_all(const abut_ray& ray, const abut_query_filter* filter, std::vector<abut_pick>& out) const;
+  [[nodiscard]] abut_status pick_pixel(const Aim& aim, const abut_query_filter* filter, abut_pick& out) const;
 
  private:
   [[nodiscard]] inline bool is_current() const noexcept {
@@ -152,7 +185,9 @@ class Tracer {
   [[nodiscard]] abut_status catch_up();
   [[nodiscard]] abut_status synchronize();
   [[nodiscard]] abut_status list_geometries();
-  [[nodiscard]] abut_status add_entry(abut_geometry_id id);
+  [[nodiscard]] abut_status add_entry(abut_geometry_id id, const GeometryView& view);
+  [[nodiscard]] abut_status take_place(std::uint32_t index);
+  [[nodiscard]] abut_status describe_surface(ShapeRecord& record) const;
   [[nodiscard]] abut_status find_shape(abut_geometry_id id, std::uintptr_t key, std::uint32_t& out);
   [[nodiscard]] abut_status follow_poses();
   [[nodiscard]] abut_status place_box(Entry& entry) const;
@@ -185,17 +220,26 @@ class Tracer {
   static void report_hits(const RTCIntersectFunctionNArguments* arguments);
   static void collect_hit(const RTCFilterFunctionNArguments* arguments);
   static void collect(RTCScene scene, AllHits& query, const Entrance& entrance, const abut_vec3& direction);
+  [[nodiscard]] bool is_nearer(const abut_ray_hit& hit, const Entry& entry, const Lane& lane, std::uint32_t present,
+                               double limit) const;
   template <std::size_t Width> void meet(const RTCIntersectFunctionNArguments& arguments) const;
   void meet_all(AllHits& query, std::uint32_t index) const;
-  void cross_few(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
-  void cross_rounded(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
+  void cross_exact(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
   void cross_surface(AllHits& query, std::uint32_t index, const Instanced& instanced) const;
   // tracer_trace.cpp
-  [[nodiscard]] inline bool has_moving() const noexcept { return !moving_.empty() || !endless_.empty(); }
-  void trace_moving(const abut_ray& ray, abut_pick& out) const;
-  void meet_endless(abut_ray& ray, abut_pick& out) const;
+  [[nodiscard]] inline bool has_moving() const noexcept { return !moving_.empty() || !apart_.empty(); }
+  void trace_moving(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) const;
+  // tracer_near.cpp
+  [[nodiscard]] bool pick_thin(const Aim& aim, const abut_query_filter* filter, abut_pick& out) const;
+  [[nodiscard]] abut_status pick_near(const Aim& aim, const abut_query_filter* filter, abut_pick& out) const;
+  void meet_apart(const abut_query_filter* filter, abut_ray& ray, abut_pick& out) const;
   [[nodiscard]] inline const Facet& plane_of(const Baked& baked, std::uint32_t triangle) const {
     return still_planes_[baked.first_plane + triangle];
+  }
+  [[nodiscard]] inline std::uint32_t face_of(const Baked& baked, std::uint32_t triangle) const {
+    if (baked.first_face == nowhere) [[likely]]
+      return triangle;
+    return still_faces_[std::size_t{baked.first_face} + triangle];
   }
   /// Whether the ray reaches the plane of a triangle on which a hit was found; `from` and `along` are
   /// the halves of a ray with a unit direction, the fourth number of `along` is not looked at.
@@ -208,7 +252,9 @@ class Tracer {
     if (distance > limit) return false;
     const Four end = from + along * distance;
     out.geometry = baked.id;
-    out.feature = {ABUT_FEATURE_FACE, triangle};
+    out.feature = {ABUT_FEATURE_FACE, face_of(baked, triangle)};
+    out.child = 0;
+    out.reserved = 0;
     out.distance = distance;
     out.point = {end[0], end[1], end[2]};
     out.normal = {plane[0], plane[1], plane[2]};
@@ -217,6 +263,7 @@ class Tracer {
   void resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t triangle, double found,
                      abut_pick& out) const;
   friend struct PacketTracer;
+  friend void reject_hits(const RTCFilterFunctionNArguments* arguments);
 
   std::unique_ptr<Source> source_;
   Counters counters_;
@@ -235,13 +282,14 @@ class Tracer {
 
   embree::Device device_;
   embree::Device single_device_;  // for rays one by one; none where the other serves them as well
-  std::size_t widest_ = 4;  // rays in the largest packet that the processor holds in registers
+  std::size_t widest_ = 4;        // rays in the largest packet that the processor holds in registers
   Space still_space_;
   embree::Scene still_;
   embree::Scene single_still_;  // the same, for rays one by one
   std::vector<Baked> baked_;
-  Surface still_planes_;   // relative to the space
-  Four usual_reach_ = -1;  // of the coordinates of a usual ray in the space; none when negative
+  Surface still_planes_;                    // relative to the space
+  std::vector<std::uint32_t> still_faces_;  // of triangles that are not faces themselves
+  Four usual_reach_ = -1;                   // of the coordinates of a usual ray in the space; none when negative
   bool still_changed_ = false;
   Space moving_space_;
   embree::Geometry moving_geometry_;
@@ -249,7 +297,8 @@ class Tracer {
   std::vector<MovingBox> moving_;
   std::vector<std::uint32_t> moved_;  // entries in moving_ whose box changed
   bool moving_changed_ = false;
-  std::vector<std::uint32_t> endless_;
+  std::vector<std::uint32_t> apart_;
+  std::size_t thin_count_ = 0;  // entries that are points or segments
 };
 
 template <std::size_t Width> struct Batch;
@@ -257,29 +306,31 @@ template <std::size_t Width> struct Batch;
 /// Rays in packets (tracer_packet.cpp).
 struct PacketTracer {
   template <std::size_t Width, class Expect, class Fill, class Place>
-  static void trace(const Tracer& tracer, bool coherent, std::size_t count, const Expect& expect, const Fill& fill,
+  static void trace(const Tracer& tracer, Trace& query, std::size_t count, const Expect& expect, const Fill& fill,
                     const Place& place);
   template <std::size_t Width> static void shoot(const Tracer& tracer, embree::Query& query, Batch<Width>& batch);
-  template <std::size_t Width, class Place>
-  static void prefetch_picks(const Batch<Width>& batch, const Place& place);
+  template <std::size_t Width, class Place> static void prefetch_picks(const Batch<Width>& batch, const Place& place);
   template <std::size_t Width> static void prefetch_planes(const Tracer& tracer, const Batch<Width>& batch);
   template <std::size_t Width, class Place>
-  static void finish(const Tracer& tracer, Batch<Width>& batch, const Place& place);
+  static void finish(const Tracer& tracer, const Trace& query, Batch<Width>& batch, const Place& place);
   template <std::size_t Width, class Place>
   static void resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place);
   template <std::size_t Width> static void read(Batch<Width>& batch, std::span<const abut_ray, Width> rays);
   template <std::size_t Width, class Place>
-  static void trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place);
+  static void trace_moving(const Tracer& tracer, const Trace& still_query, Batch<Width>& batch, const Place& place);
   template <std::size_t Width>
-  static void trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, bool coherent,
-                          std::span<abut_pick> out);
+  static void trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, Trace& query, std::span<abut_pick> out);
   template <std::size_t Width>
-  static void render(const Tracer& tracer, const abut_camera& camera, std::span<abut_pick> out);
+  static void render(const Tracer& tracer, const abut_camera& camera, Trace& query, std::span<abut_pick> out);
 };
 
 /// A miss.
 [[nodiscard]] inline abut_pick nothing() {
-  return {{0, 0}, {0, 0}, infinity, {0, 0, 0}, {0, 0, 0}};
+  return {{0, 0}, {0, 0}, 0, 0, infinity, {0, 0, 0}, {0, 0, 0}};
+}
+
+[[nodiscard]] inline abut_pick pick_of(const abut_geometry_id& id, const abut_ray_hit& hit) {
+  return {id, hit.feature, hit.child, 0, hit.distance, hit.point, hit.normal};
 }
 
 }  // namespace abut::picking

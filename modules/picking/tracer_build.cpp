@@ -109,7 +109,7 @@ void Tracer::settle_still_space() {
     if (entry.place != nowhere) continue;
     entry.role = Role::baked;
     entry.place = static_cast<std::uint32_t>(baked_.size());
-    baked_.push_back({.id = entry.id, .entry = index, .has_quads = false, .first_plane = 0});
+    baked_.push_back({.id = entry.id, .entry = index, .first_face = nowhere, .has_quads = false, .first_plane = 0});
     still_changed_ = true;
   }
   std::erase_if(arrivals_, [&](std::uint32_t index) { return entries_[index].place != nowhere; });
@@ -120,6 +120,7 @@ abut_status Tracer::build_still() {
   still_.reset();
   single_still_.reset();
   still_planes_.clear();
+  still_faces_.clear();
   if (baked_.empty()) return ABUT_OK;
   const bool with_quads = prefers_quads();
   still_ = make_still(device_.get(), with_quads);
@@ -142,6 +143,9 @@ abut_status Tracer::build_still() {
     }
     baked.has_quads = with_quads && shapes_[entry.shape].is_paired;
     baked.first_plane = still_planes_.size();
+    const std::vector<std::uint32_t>& faces = shapes_[entry.shape].faces;
+    baked.first_face = faces.empty() ? nowhere : static_cast<std::uint32_t>(still_faces_.size());
+    still_faces_.insert(still_faces_.end(), faces.begin(), faces.end());
     add_planes(list, still_planes_);
     if (!attach(device_.get(), still_.get(), i, list)) return ABUT_OUT_OF_MEMORY;
     if (single_device_ && !attach(single_device_.get(), single_still_.get(), i, list)) return ABUT_OUT_OF_MEMORY;
@@ -182,8 +186,7 @@ bool Tracer::prefers_quads() const {
 template <class Write>
 embree::Geometry Tracer::make_polygons(RTCDevice device, std::size_t count, std::size_t sides, const Write& write) {
   const bool is_triangle = sides == 3;
-  embree::Geometry geometry(
-      rtcNewGeometry(device, is_triangle ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_QUAD));
+  embree::Geometry geometry(rtcNewGeometry(device, is_triangle ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_QUAD));
   if (!geometry) return geometry;
   void* const vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                  3 * sizeof(float), sides * count);

@@ -5,6 +5,7 @@ module;
 
 #include "embree.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -23,6 +24,9 @@ namespace {
 // Boxes of the moving scene are widened by this part of the extent: rays start within 3 * sqrt(3)
 // extents, and the rounding of their points, 2^-24 each, and of the slab test stay below it.
 constexpr double widening = 0x1p-20;
+
+// Smaller scenes are traced in a space of this size, where their boxes are wider than they are, but no subnormals.
+constexpr double least_extent = 1e-15;
 
 [[nodiscard]] float rounded_down(double value) {
   const float nearest = static_cast<float>(value);
@@ -56,7 +60,8 @@ void Tracer::settle_moving_space() {
     extend(box, entries_[moving.entry].box.maximum);
   }
   const double reach = reach_of(box, moving_space_.origin);
-  const Space tight = space_around(box);
+  Space tight = space_around(box);
+  tight.extent = std::max(tight.extent, least_extent);
   if (reach <= moving_space_.extent && 8 * tight.extent >= moving_space_.extent) return;
   moving_space_ = {tight.origin, 2 * tight.extent};
   moved_.clear();

@@ -29,6 +29,23 @@ namespace {
 // own. A box has 12.
 constexpr std::size_t few_triangles = 12;
 
+// Surfaces of these sizes (diagonals) are traced in single precision, where a product of three lengths neither
+// overflows nor vanishes; all others are asked in double.
+constexpr double smallest_surface = 1e-9;
+constexpr double largest_surface = 1e9;
+
+// Boxes with larger coordinates have no place among those in single precision.
+constexpr double farthest_traced = 1e12;
+
+[[nodiscard]] bool is_traceable(const abut_aabb& box) {
+  return is_bounded(box) && reach_of(box, {0, 0, 0}) <= farthest_traced;
+}
+
+// What no filter lets rays meet is left out.
+[[nodiscard]] bool is_met(const GeometryView& view) {
+  return !view.is_parked && view.traits.layers != 0 && view.traits.mask != 0;
+}
+
 template <class Value>
 [[nodiscard]] std::uint32_t take_slot(std::vector<Value>& values, std::vector<std::uint32_t>& free) {
   if (free.empty()) {
@@ -82,28 +99,35 @@ abut_status Tracer::list_geometries() {
   std::vector<abut_geometry_id> ids;
   if (const abut_status status = source_->geometries(ids); status != ABUT_OK) return status;
   ++epoch_;
-  std::vector<abut_geometry_id> added;
+  struct Arrival {
+    abut_geometry_id id;
+    GeometryView view;
+  };
+  std::vector<Arrival> added;
   for (const abut_geometry_id id : ids) {
+    GeometryView view{};
+    if (const abut_status status = source_->describe(id, view); status != ABUT_OK) return status;
+    if (!is_met(view)) continue;
     if (id.slot >= entry_of_slot_.size()) entry_of_slot_.resize(std::size_t{id.slot} + 1, nowhere);
     const std::uint32_t index = entry_of_slot_[id.slot];
-    if (index != nowhere && entries_[index].id.generation == id.generation) {
+    if (index != nowhere && entries_[index].id.generation == id.generation &&
+        shapes_[entries_[index].shape].key == view.shape_key) {
       entries_[index].epoch = epoch_;
+      entries_[index].traits = view.traits;
     } else {
-      added.push_back(id);
+      added.push_back({id, view});
     }
   }
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (entries_[i].id.slot != 0 && entries_[i].epoch != epoch_) remove_entry(static_cast<std::uint32_t>(i));
   }
-  for (const abut_geometry_id id : added) {
-    if (const abut_status status = add_entry(id); status != ABUT_OK) return status;
+  for (const Arrival& arrival : added) {
+    if (const abut_status status = add_entry(arrival.id, arrival.view); status != ABUT_OK) return status;
   }
   return ABUT_OK;
 }
 
-abut_status Tracer::add_entry(abut_geometry_id id) {
-  GeometryView view{};
-  if (const abut_status status = source_->describe(id, view); status != ABUT_OK) return status;
+abut_status Tracer::add_entry(abut_geometry_id id, const GeometryView& view) {
   std::uint32_t shape = nowhere;
   if (const abut_status status = find_shape(id, view.shape_key, shape); status != ABUT_OK) return status;
   const std::uint32_t index = take_slot(entries_, free_entries_);
@@ -112,22 +136,30 @@ abut_status Tracer::add_entry(abut_geometry_id id) {
   entry.id = id;
   entry.shape = shape;
   entry.epoch = epoch_;
+  entry.traits = view.traits;
   entry.pose = view.pose;
   entry.frame = frame_of(view.pose);
   entry_of_slot_[id.slot] = index;
+  thin_count_ += shapes_[shape].is_thin() ? 1 : 0;
   if (const abut_status status = place_box(entry); status != ABUT_OK) return status;
-  if (!is_bounded(entry.box)) {
-    entry.role = Role::endless;
-    entry.place = static_cast<std::uint32_t>(endless_.size());
-    endless_.push_back(index);
-    return ABUT_OK;
-  }
-  if (shapes_[shape].is_surface) {
+  if (shapes_[shape].is_surface && is_traceable(entry.box)) {
     arrivals_.push_back(index);
     return ABUT_OK;
   }
-  entry.role = Role::exact;
-  return become_moving(index);
+  return take_place(index);
+}
+
+// Gives an entry that has none a place among what moves, or apart.
+abut_status Tracer::take_place(std::uint32_t index) {
+  Entry& entry = entries_[index];
+  if (is_traceable(entry.box)) {
+    entry.role = shapes_[entry.shape].is_surface ? Role::instance : Role::exact;
+    return become_moving(index);
+  }
+  entry.role = Role::apart;
+  entry.place = static_cast<std::uint32_t>(apart_.size());
+  apart_.push_back(index);
+  return ABUT_OK;
 }
 
 abut_status Tracer::find_shape(abut_geometry_id id, std::uintptr_t key, std::uint32_t& out) {
@@ -139,21 +171,25 @@ abut_status Tracer::find_shape(abut_geometry_id id, std::uintptr_t key, std::uin
   record.key = key;
   if (const abut_status status = source_->shape(id, record.access); status != ABUT_OK) return status;
   if (const abut_status status = record.access->triangle_count(record.triangle_count); status != ABUT_OK) return status;
-  record.is_surface = record.triangle_count > few_triangles;
-  if (record.triangle_count != 0) {
-    TriangleList list;
-    if (const abut_status status = record.access->triangles(list); status != ABUT_OK) return status;
-    if (record.is_surface) {
-      record.local_box = box_of(list);
-      record.is_paired = is_paired(list);
-    } else {
-      record.few = std::move(list);
-    }
+  if (record.triangle_count > few_triangles) {
+    if (const abut_status status = describe_surface(record); status != ABUT_OK) return status;
   }
+  record.rounded = record.access->rounded();
   out = take_slot(shapes_, free_shapes_);
   shapes_[out] = std::move(record);
   shape_of_key_.emplace(key, out);
   return ABUT_OK;
+}
+
+abut_status Tracer::describe_surface(ShapeRecord& record) const {
+  TriangleList list;
+  if (const abut_status status = record.access->triangles(list); status != ABUT_OK) return status;
+  record.local_box = box_of(list);
+  const double size = diagonal_of(record.local_box);
+  record.is_surface = size >= smallest_surface && size <= largest_surface;
+  if (!record.is_surface) return ABUT_OK;
+  record.is_paired = is_paired(list);
+  return record.access->faces(list, record.faces);
 }
 
 abut_status Tracer::place_box(Entry& entry) const {
@@ -188,11 +224,13 @@ abut_status Tracer::follow_poses() {
     entry.pose = poses[i];
     entry.frame = frame_of(poses[i]);
     if (const abut_status status = place_box(entry); status != ABUT_OK) return status;
-    if (entry.role == Role::baked && entry.place != nowhere) {
+    if (entry.place == nowhere) continue;
+    const bool is_apart = entry.role == Role::apart;
+    if (is_apart && !is_traceable(entry.box)) continue;
+    if (is_apart || entry.role == Role::baked || !is_traceable(entry.box)) {
       leave_place(entry);
-      entry.role = Role::instance;
-      if (const abut_status status = become_moving(indices[i]); status != ABUT_OK) return status;
-    } else if (entry.role != Role::endless && entry.place != nowhere) {
+      if (const abut_status status = take_place(indices[i]); status != ABUT_OK) return status;
+    } else {
       moved_.push_back(indices[i]);
       moving_changed_ = true;
     }
@@ -204,6 +242,7 @@ void Tracer::remove_entry(std::uint32_t index) {
   Entry& entry = entries_[index];
   leave_place(entry);
   std::erase(arrivals_, index);
+  thin_count_ -= shapes_[entry.shape].is_thin() ? 1 : 0;
   if (entry_of_slot_[entry.id.slot] == index) entry_of_slot_[entry.id.slot] = nowhere;
   release_shape(entry.shape);
   free_entries_.push_back(index);
@@ -233,10 +272,10 @@ void Tracer::leave_place(Entry& entry) {
       moving_.pop_back();
       moving_changed_ = true;
       return;
-    case Role::endless:
+    case Role::apart:
       // Kept in order, so that equal distances are always decided alike.
-      endless_.erase(endless_.begin() + static_cast<std::ptrdiff_t>(place));
-      for (std::size_t i = place; i < endless_.size(); ++i) entries_[endless_[i]].place = static_cast<std::uint32_t>(i);
+      apart_.erase(apart_.begin() + static_cast<std::ptrdiff_t>(place));
+      for (std::size_t i = place; i < apart_.size(); ++i) entries_[apart_[i]].place = static_cast<std::uint32_t>(i);
       return;
   }
 }
@@ -260,7 +299,9 @@ void Tracer::forget_everything() {
   still_planes_.clear();
   moving_.clear();
   moved_.clear();
-  endless_.clear();
+  apart_.clear();
+  thin_count_ = 0;
+  still_faces_.clear();
   arrivals_.clear();
   entries_.clear();
   free_entries_.clear();

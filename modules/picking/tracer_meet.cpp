@@ -7,7 +7,6 @@ module;
 #include "embree.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +23,26 @@ import :vector;
 
 namespace abut::picking {
 
-AllHits::AllHits(const abut_ray& unit_ray) noexcept : Trace(0, false), ray(unit_ray), local_ray(unit_ray) {}
+AllHits::AllHits(const abut_ray& unit_ray, const abut_query_filter* given) noexcept
+    : Trace(0, false, given), ray(unit_ray), local_ray(unit_ray) {}
+
+// Rejects the hits on surfaces of the still scene that the filter leaves out.
+void reject_hits(const RTCFilterFunctionNArguments* arguments) {
+  const auto& self = *static_cast<const Tracer*>(arguments->geometryUserPtr);
+  const auto& trace = static_cast<const Trace&>(static_cast<const embree::Query&>(*arguments->context));
+  // SAFETY: Embree hands over N flags, and as many hits.
+  ABUT_UNSAFE_BEGIN
+  for (unsigned i = 0; i < arguments->N; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const Baked& baked = self.baked_[RTCHitN_geomID(arguments->hit, arguments->N, i)];
+    if (!admits(trace.wanted.get(), self.entries_[baked.entry])) arguments->valid[i] = 0;
+  }
+  ABUT_UNSAFE_END
+}
+
+StillHit::StillHit(bool are_neighbours, const abut_query_filter* given) noexcept : Trace(1, are_neighbours, given) {
+  if (given != nullptr) filter_hits(reject_hits);
+}
 
 void Tracer::report_hits(const RTCIntersectFunctionNArguments* arguments) {
   const auto& self = *static_cast<const Tracer*>(arguments->geometryUserPtr);
@@ -71,10 +89,22 @@ struct LocalHit {
 
 }  // namespace
 
+// Whether a hit in double is nearer than the present one: exactly where that is in double, too, and ties go to the lower
+// slot; in single precision where that is on a surface.
+bool Tracer::is_nearer(const abut_ray_hit& hit, const Entry& entry, const Lane& lane, std::uint32_t present,
+                       double limit) const {
+  if (present == RTC_INVALID_GEOMETRY_ID) return true;
+  const Entry& other = entries_[present & ~entry_flag];
+  if (other.role != Role::exact) return hit.distance < limit;
+  if (hit.distance != lane.exact.distance) return hit.distance < lane.exact.distance;
+  return entry.id.slot < other.id.slot;
+}
+
 template <std::size_t Width> void Tracer::meet(const RTCIntersectFunctionNArguments& arguments) const {
   auto& trace = static_cast<FirstHit<Width>&>(static_cast<Trace&>(static_cast<embree::Query&>(*arguments.context)));
   const std::uint32_t index = moving_[arguments.primID].entry;
   const Entry& entry = entries_[index];
+  if (!admits(trace.wanted.get(), entry)) return;
   const ShapeRecord& shape = shapes_[entry.shape];
   const unsigned count = arguments.N;
   RTCRayN* const rays = RTCRayHitN_RayN(arguments.rayhit, count);
@@ -95,19 +125,13 @@ template <std::size_t Width> void Tracer::meet(const RTCIntersectFunctionNArgume
       RTCHitN_primID(hits, count, i) = hit->triangle;
     } else {
       // The limit is blurred by single precision: equal distances must stay in the race.
-      const abut_ray ray{lane.ray.origin, lane.ray.direction, std::min(lane.ray.max_distance, limit * (1 + 0x1p-20))};
+      const double blurred = limit + 0x1p-20 * (limit + moving_space_.extent);
+      const abut_ray ray{lane.ray.origin, lane.ray.direction, std::min(lane.ray.max_distance, blurred)};
       const auto hit = shape.access->cast(entry.pose, ray);
-      if (!hit) continue;
-      const std::uint32_t present = RTCHitN_geomID(hits, count, i);
-      const bool against_exact =
-          present != RTC_INVALID_GEOMETRY_ID && entries_[present & ~entry_flag].role == Role::exact;
-      const bool is_nearer = against_exact ? hit->distance < lane.exact.distance ||
-                                                 (hit->distance == lane.exact.distance &&
-                                                  entry.id.slot < entries_[present & ~entry_flag].id.slot)
-                                           : hit->distance < limit;
-      if (!is_nearer) continue;
+      if (!hit || !is_nearer(*hit, entry, lane, RTCHitN_geomID(hits, count, i), limit)) continue;
       lane.exact = *hit;
-      far = std::min(far, static_cast<float>(hit->distance - lane.advance));
+      // Not below what single precision tells apart here: 0 would hide boxes that begin where the ray does.
+      far = std::min(far, static_cast<float>(std::max(hit->distance - lane.advance, 0x1p-24 * moving_space_.extent)));
       RTCHitN_primID(hits, count, i) = hit->feature.index;
     }
     RTCHitN_geomID(hits, count, i) = entry_flag | index;
@@ -116,15 +140,15 @@ template <std::size_t Width> void Tracer::meet(const RTCIntersectFunctionNArgume
 
 // ---- everything along a ray ----------------------------------------------------------------------
 
-bool Tracer::trace_all(const abut_ray& ray, std::vector<abut_pick>& out) const {
+bool Tracer::trace_all(const abut_ray& ray, const abut_query_filter* filter, std::vector<abut_pick>& out) const {
   const abut_ray unit{ray.origin, normalized(ray.direction), ray.max_distance};
-  AllHits query(unit);
+  AllHits query(unit, filter);
   Entrance entrance{};
   if (!baked_.empty() && enter(still_space_, unit.origin, unit.direction, unit.max_distance, entrance)) {
     query.extent = still_space_.extent;
     collect(still_.get(), query, entrance, unit.direction);
   }
-  for (const std::uint32_t index : endless_) meet_all(query, index);
+  for (const std::uint32_t index : apart_) meet_all(query, index);
   if (!moving_.empty() && enter(moving_space_, unit.origin, unit.direction, unit.max_distance, entrance)) {
     RTCRayHit hit;
     write_ray(hit, entrance.point, unit.direction, unit.max_distance - entrance.advance);
@@ -138,14 +162,13 @@ bool Tracer::trace_all(const abut_ray& ray, std::vector<abut_pick>& out) const {
 // Runs inside Embree, through which no exception may pass.
 void Tracer::meet_all(AllHits& query, std::uint32_t index) const {
   const Entry& entry = entries_[index];
+  if (!admits(query.wanted.get(), entry)) return;
   const ShapeRecord& shape = shapes_[entry.shape];
   try {
     if (entry.role == Role::instance) {
       cross_surface(query, index, *shape.instanced);
-    } else if (!shape.few.indices.empty()) {
-      cross_few(query, entry, shape);
     } else {
-      cross_rounded(query, entry, shape);
+      cross_exact(query, entry, shape);
     }
   } catch (const std::bad_alloc&) {
     query.out_of_memory = true;
@@ -154,7 +177,7 @@ void Tracer::meet_all(AllHits& query, std::uint32_t index) const {
 
 void Tracer::cross_surface(AllHits& query, std::uint32_t index, const Instanced& instanced) const {
   const Frame& frame = entries_[index].frame;
-  AllHits local(query.ray);
+  AllHits local(query.ray, nullptr);
   local.local_ray = {to_local(frame, query.ray.origin), rotate_back(frame, query.ray.direction),
                      query.ray.max_distance};
   local.entry = index;
@@ -185,6 +208,7 @@ void Tracer::collect_hit(const RTCFilterFunctionNArguments* arguments) {
   abut_pick pick = nothing();
   if (query.entry == nowhere) {
     const RTCHit hit = rtcGetHitFromHitN(arguments->hit, 1, 0);
+    if (!admits(query.wanted.get(), self.entries_[self.baked_[hit.geomID].entry])) return;
     (void)self.resolve_still(first_half(query.ray), last_half(query.ray), query.ray.max_distance, hit, found, pick);
   } else {
     const Lane lane{.ray = query.ray, .advance = 0, .exact = {}};
@@ -198,44 +222,32 @@ void Tracer::collect_hit(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-void Tracer::cross_few(AllHits& query, const Entry& entry, const ShapeRecord& shape) const {
-  const abut_vec3 origin = to_local(entry.frame, query.ray.origin);
-  const abut_vec3 direction = rotate_back(entry.frame, query.ray.direction);
-  const std::vector<std::uint32_t>& indices = shape.few.indices;
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    const auto distance =
-        crossing_of_triangle(shape.few, {indices[i], indices[i + 1], indices[i + 2]}, origin, direction);
-    if (!distance || *distance < 0 || *distance > query.ray.max_distance) continue;
-    const abut_vec3 normal = normal_of_triangle(shape.few, {indices[i], indices[i + 1], indices[i + 2]});
-    query.crossings.push_back({.pick = {.geometry = entry.id,
-                                        .feature = {ABUT_FEATURE_FACE, static_cast<std::uint32_t>(i / 3)},
-                                        .distance = *distance,
-                                        .point = add(query.ray.origin, scale(query.ray.direction, *distance)),
-                                        .normal = rotate(entry.frame, normal)},
-                               .blur = crossing_blur * diagonal_of(entry.box)});
-  }
-}
-
-// A rounded solid is crossed at most twice: where the ray meets it, and where the same line met from
-// the far side does. An endless one is asked for its first crossing only.
-void Tracer::cross_rounded(AllHits& query, const Entry& entry, const ShapeRecord& shape) const {
-  const auto note = [&](const abut_ray_hit& hit, double distance) {
-    query.crossings.push_back({.pick = {entry.id, hit.feature, distance, hit.point, hit.normal}, .blur = 0});
-  };
+// Crossing after crossing: each ray starts behind the crossing before, by more than that may be off. A crossing of the
+// same side within the blur is the same one; there the next ray starts further behind, so that this ends also for a ray
+// that runs along a surface.
+void Tracer::cross_exact(AllHits& query, const Entry& entry, const ShapeRecord& shape) const {
+  constexpr double least_step = 0x1p-44;
+  constexpr double blur = 0x1p-38;
   const abut_ray& ray = query.ray;
-  const auto first = shape.access->cast(entry.pose, ray);
-  if (first) note(*first, first->distance);
-  if (entry.role == Role::endless) return;
-  const double diagonal = diagonal_of(entry.box);
-  const double beyond = dot(ray.direction, subtract(centre_of(entry.box), ray.origin)) + diagonal;
-  if (beyond <= 0) return;
-  const abut_ray back{add(ray.origin, scale(ray.direction, beyond)), scale(ray.direction, -1), beyond};
-  const auto last = shape.access->cast(entry.pose, back);
-  if (!last) return;
-  const double distance = beyond - last->distance;
-  // The two are one where the ray starts inside, or only touches.
-  const bool is_same = first && std::fabs(distance - first->distance) <= 1e-12 * (beyond + diagonal);
-  if (!is_same && distance >= 0 && distance <= ray.max_distance) note(*last, distance);
+  const double coordinates = largest_component(ray.origin) + largest_component(entry.pose.position);
+  double start = 0;
+  double step = least_step;
+  double last = -infinity;
+  bool entered = false;
+  while (start <= ray.max_distance) {
+    const abut_ray rest{add(ray.origin, scale(ray.direction, start)), ray.direction, ray.max_distance - start};
+    auto hit = shape.access->cast(entry.pose, rest);
+    if (!hit) return;
+    hit->distance += start;
+    const double size = coordinates + hit->distance;
+    const bool enters = dot(hit->normal, ray.direction) < 0;
+    const bool repeats = enters == entered && hit->distance - last <= blur * size;
+    if (!repeats) query.crossings.push_back({.pick = pick_of(entry.id, *hit), .blur = 0});
+    step = repeats ? 2 * step : least_step;
+    last = hit->distance;
+    entered = enters;
+    start = hit->distance + step * size;
+  }
 }
 
 }  // namespace abut::picking

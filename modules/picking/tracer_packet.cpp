@@ -25,15 +25,9 @@ import :vector;
 namespace abut::picking {
 
 template <std::size_t Width> struct NativePacket;
-template <> struct NativePacket<4> {
-  using Type = RTCRayHit4;
-};
-template <> struct NativePacket<8> {
-  using Type = RTCRayHit8;
-};
-template <> struct NativePacket<16> {
-  using Type = RTCRayHit16;
-};
+template <> struct NativePacket<4> { using Type = RTCRayHit4; };
+template <> struct NativePacket<8> { using Type = RTCRayHit8; };
+template <> struct NativePacket<16> { using Type = RTCRayHit16; };
 
 using FourFloats = float __attribute__((ext_vector_type(4)));
 
@@ -49,11 +43,10 @@ template <std::size_t Width> struct alignas(64) Batch {
   alignas(64) std::array<int, Width> valid;   // -1 for a ray, 0 for none
   alignas(64) std::array<int, Width> active;  // the rays that reach the space being traced
   Doubles<Width> ox, oy, oz, dx, dy, dz, limit, advance;
-  bool coherent;
   bool advances;   // whether some float ray does not start where its ray does
   bool is_traced;  // in the still scene
 
-  explicit Batch(bool are_neighbours) noexcept;
+  Batch() noexcept;
   // Sets four directions of any length.
   inline void point_along(std::size_t k, Four x, Four y, Four z) noexcept;
   // Sets where the rays start in a space. False when none reaches it.
@@ -79,8 +72,7 @@ template <std::size_t Width>
 }
 
 template <std::size_t Width>
-Batch<Width>::Batch(bool are_neighbours) noexcept
-    : native{}, valid{}, active{}, coherent(are_neighbours), advances(false), is_traced(false) {
+Batch<Width>::Batch() noexcept : native{}, valid{}, active{}, advances(false), is_traced(false) {
   for (std::size_t i = 0; i < Width; ++i) {
     native.ray.mask[i] = ~0U;
     native.ray.id[i] = static_cast<unsigned>(i);
@@ -168,14 +160,15 @@ template <std::size_t Width, class Place>
                                                               std::size_t k, const Place& place) {
   const auto& native = batch.native;
   std::array<abut_geometry_id, 4> geometries{};
-  std::array<std::uint32_t, 4> triangles{};
+  std::array<std::uint32_t, 4> faces{};
   const auto row = [&](std::size_t j) __attribute__((always_inline)) {
     const std::uint32_t geometry = native.hit.geomID[4 * k + j];
     if (geometry == RTC_INVALID_GEOMETRY_ID) return Four(0);
     const Baked& baked = tracer.baked_[geometry];
     geometries[j] = baked.id;
-    triangles[j] = batch.triangle(baked, 4 * k + j);
-    return numbers_of(tracer.plane_of(baked, triangles[j]));
+    const std::uint32_t triangle = batch.triangle(baked, 4 * k + j);
+    faces[j] = tracer.face_of(baked, triangle);
+    return numbers_of(tracer.plane_of(baked, triangle));
   };
   const FourRows rows{row(0), row(1), row(2), row(3)};
   const FourRows planes = transposed(rows);
@@ -202,7 +195,9 @@ template <std::size_t Width, class Place>
       return;
     }
     out.geometry = geometries[j];
-    out.feature = {ABUT_FEATURE_FACE, triangles[j]};
+    out.feature = {ABUT_FEATURE_FACE, faces[j]};
+    out.child = 0;
+    out.reserved = 0;
     out.distance = end[0];
     out.point = {end[1], end[2], end[3]};
     out.normal = {plane[0], plane[1], plane[2]};
@@ -243,7 +238,7 @@ template <std::size_t Width>
 
 // From what the still scene answered to picks. `place(i)` is where the pick of ray i goes.
 template <std::size_t Width, class Place>
-void PacketTracer::finish(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
+void PacketTracer::finish(const Tracer& tracer, const Trace& query, Batch<Width>& batch, const Place& place) {
   if (batch.is_traced) {
     for (std::size_t k = 0; k < Width / 4; ++k) resolve_four(tracer, batch, k, place);
   } else {
@@ -252,16 +247,15 @@ void PacketTracer::finish(const Tracer& tracer, Batch<Width>& batch, const Place
     }
   }
   if (tracer.has_moving()) [[unlikely]]
-    trace_moving(tracer, batch, place);
+    trace_moving(tracer, query, batch, place);
 }
 
 // Traces packets that `fill(batch, n)` makes from what `expect(n)` asked for; `place(n)` tells where the
 // pick of ray i of packet n goes. Memory is read and written while Embree computes.
 template <std::size_t Width, class Expect, class Fill, class Place>
-void PacketTracer::trace(const Tracer& tracer, bool coherent, std::size_t count, const Expect& expect,
-                         const Fill& fill, const Place& place) {
-  std::array<Batch<Width>, 2> batches{Batch<Width>(coherent), Batch<Width>(coherent)};
-  embree::Query query(coherent);
+void PacketTracer::trace(const Tracer& tracer, Trace& query, std::size_t count, const Expect& expect, const Fill& fill,
+                         const Place& place) {
+  std::array<Batch<Width>, 2> batches;
   const bool waits = tracer.still_planes_.size() > planes_in_cache;
   for (std::size_t n = 0; n < count; ++n) {
     Batch<Width>& batch = batches[waits ? n % 2 : 0];
@@ -272,23 +266,31 @@ void PacketTracer::trace(const Tracer& tracer, bool coherent, std::size_t count,
     if (waits) prefetch_planes(tracer, batch);
     if (waits && n == 0) continue;
     const std::size_t done = waits ? n - 1 : n;
-    finish(tracer, batches[waits ? done % 2 : 0], place(done));
+    finish(tracer, query, batches[waits ? done % 2 : 0], place(done));
   }
   if (!waits || count == 0) return;
-  finish(tracer, batches[(count - 1) % 2], place(count - 1));
+  finish(tracer, query, batches[(count - 1) % 2], place(count - 1));
 }
 
-// Looks for something nearer than what was found in the still scene.
+// Looks for something nearer than what was found in the still scene. Unrelated rays part at the first boxes, and each
+// box that one of them meets costs a call for the packet: they go on one by one.
 template <std::size_t Width, class Place>
-[[gnu::noinline]] void PacketTracer::trace_moving(const Tracer& tracer, Batch<Width>& batch, const Place& place) {
-  FirstHit<Width> query(batch.coherent);
+[[gnu::noinline]] void PacketTracer::trace_moving(const Tracer& tracer, const Trace& still_query, Batch<Width>& batch,
+                                                  const Place& place) {
+  if (!still_query.coherent) {
+    for (std::size_t i = 0; i < Width; ++i) {
+      if (batch.valid[i] != 0) tracer.trace_moving(batch.ray(i), still_query.wanted.get(), place(i));
+    }
+    return;
+  }
+  FirstHit<Width> query(true, still_query.wanted.get());
   for (std::size_t i = 0; i < Width; ++i) {
     if (batch.valid[i] == 0) continue;
     abut_pick& out = place(i);
     Lane& lane = query.lanes[i];
     lane.ray = batch.ray(i);
     if (out.geometry.slot != 0) lane.ray.max_distance = out.distance;
-    tracer.meet_endless(lane.ray, out);
+    tracer.meet_apart(query.wanted.get(), lane.ray, out);
     batch.limit[i / 4][i % 4] = lane.ray.max_distance;
   }
   if (tracer.moving_.empty() || !batch.write(tracer.moving_space_)) return;
@@ -321,7 +323,7 @@ template <std::size_t Width>
 }
 
 template <std::size_t Width>
-void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, bool coherent,
+void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, Trace& query,
                                std::span<abut_pick> out) {
   const auto fill = [&](Batch<Width>& batch, std::size_t n) {
     const std::span<const abut_ray> left = rays.subspan(n * Width);
@@ -340,14 +342,14 @@ void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> r
     for (const abut_ray& ray : rays.subspan(n * Width, std::min(Width, rays.size() - n * Width)))
       __builtin_prefetch(&ray);
   };
-  trace<Width>(tracer, coherent, (rays.size() + Width - 1) / Width, expect, fill, [&](std::size_t n) {
+  trace<Width>(tracer, query, (rays.size() + Width - 1) / Width, expect, fill, [&](std::size_t n) {
     return [out, first = n * Width](std::size_t i) -> abut_pick& { return out[first + i]; };
   });
 }
 
 // Tiles of four by Width / 4 pixels: their rays stay together longer than those of a row.
 template <std::size_t Width>
-void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::span<abut_pick> out) {
+void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, Trace& query, std::span<abut_pick> out) {
   constexpr std::size_t across = 4;
   constexpr std::size_t down = Width / across;
   const View view = view_of(camera);
@@ -380,46 +382,55 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, std::
       batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
   };
   const auto expect = [](std::size_t /*n*/) {};
-  trace<Width>(tracer, true, columns * rows, expect, fill, [&](std::size_t n) {
+  trace<Width>(tracer, query, columns * rows, expect, fill, [&](std::size_t n) {
     return [out, width, first = n / columns * down * width + n % columns * across](std::size_t i) -> abut_pick& {
       return out[first + i / across * width + i % across];
     };
   });
 }
 
-void Tracer::trace_neighbours(std::span<const abut_ray> rays, std::span<abut_pick> out) const {
+void Tracer::trace_neighbours(std::span<const abut_ray> rays, const abut_query_filter* filter,
+                              std::span<abut_pick> out) const {
+  StillHit query(true, filter);
   switch (widest_) {
     case 16:
-      PacketTracer::trace_batch<16>(*this, rays, true, out);
+      PacketTracer::trace_batch<16>(*this, rays, query, out);
       return;
     case 8:
-      PacketTracer::trace_batch<8>(*this, rays, true, out);
+      PacketTracer::trace_batch<8>(*this, rays, query, out);
       return;
     default:
-      PacketTracer::trace_batch<4>(*this, rays, true, out);
+      PacketTracer::trace_batch<4>(*this, rays, query, out);
       return;
   }
 }
 
-// Unrelated rays part at the first boxes: wide packets do not pay for them.
-void Tracer::trace_unrelated(std::span<const abut_ray> rays, std::span<abut_pick> out) const {
+// Unrelated rays part at the first boxes: wide packets do not pay for them, and none does without surfaces.
+void Tracer::trace_unrelated(std::span<const abut_ray> rays, const abut_query_filter* filter,
+                             std::span<abut_pick> out) const {
+  if (baked_.empty()) {
+    for (std::size_t i = 0; i < rays.size(); ++i) trace(rays[i], filter, out[i]);
+    return;
+  }
+  StillHit query(false, filter);
   if (widest_ >= 8) {
-    PacketTracer::trace_batch<8>(*this, rays, false, out);
+    PacketTracer::trace_batch<8>(*this, rays, query, out);
   } else {
-    PacketTracer::trace_batch<4>(*this, rays, false, out);
+    PacketTracer::trace_batch<4>(*this, rays, query, out);
   }
 }
 
-void Tracer::render(const abut_camera& camera, std::span<abut_pick> out) const {
+void Tracer::render(const abut_camera& camera, const abut_query_filter* filter, std::span<abut_pick> out) const {
+  StillHit query(true, filter);
   switch (widest_) {
     case 16:
-      PacketTracer::render<16>(*this, camera, out);
+      PacketTracer::render<16>(*this, camera, query, out);
       return;
     case 8:
-      PacketTracer::render<8>(*this, camera, out);
+      PacketTracer::render<8>(*this, camera, query, out);
       return;
     default:
-      PacketTracer::render<4>(*this, camera, out);
+      PacketTracer::render<4>(*this, camera, query, out);
       return;
   }
 }

@@ -29,8 +29,8 @@ bool Tracer::trace_usual(const abut_ray& ray, abut_pick& out) const noexcept {
     return false;
   const double square = dot_of_three(last_half(ray), last_half(ray));
   const Four start = first_half(ray) - still_space_.numbers();
-  const bool is_usual = std::fabs(square - 1.0) < nearly_unit && are_within(start, usual_reach_) &&
-                        ray.max_distance >= 0;
+  const bool is_usual =
+      std::fabs(square - 1.0) < nearly_unit && are_within(start, usual_reach_) && ray.max_distance >= 0;
   if (!is_usual) [[unlikely]]
     return false;
   [[clang::uninitialized]] RTCRayHit hit;
@@ -46,30 +46,30 @@ bool Tracer::trace_usual(const abut_ray& ray, abut_pick& out) const noexcept {
   return true;
 }
 
-void Tracer::trace(const abut_ray& any_ray, abut_pick& out) const {
+void Tracer::trace(const abut_ray& any_ray, const abut_query_filter* filter, abut_pick& out) const {
   const abut_ray ray{any_ray.origin, normalized(any_ray.direction), any_ray.max_distance};
   bool is_hit = false;
   Entrance entrance{};
   if (!baked_.empty() && enter(still_space_, ray.origin, ray.direction, ray.max_distance, entrance)) {
     [[clang::uninitialized]] RTCRayHit hit;
     write_ray(hit, entrance.point, ray.direction, ray.max_distance - entrance.advance);
-    embree::Query query(false);
+    StillHit query(false, filter);
     embree::intersect(single_still_.get(), query, hit);
     const double found = entrance.advance + static_cast<double>(hit.ray.tfar);
     is_hit = hit.hit.geomID != RTC_INVALID_GEOMETRY_ID &&
              resolve_still(first_half(ray), last_half(ray), ray.max_distance, hit.hit, found, out);
   }
   if (!is_hit) out = nothing();
-  if (has_moving()) trace_moving(ray, out);
+  if (has_moving()) trace_moving(ray, filter, out);
 }
 
 // Looks for something nearer than `out` holds.
-void Tracer::trace_moving(const abut_ray& ray, abut_pick& out) const {
-  FirstHit<1> query(false);
+void Tracer::trace_moving(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) const {
+  FirstHit<1> query(false, filter);
   Lane& lane = query.lanes[0];
   lane.ray = ray;
   if (out.geometry.slot != 0) lane.ray.max_distance = out.distance;
-  meet_endless(lane.ray, out);
+  meet_apart(filter, lane.ray, out);
   Entrance entrance{};
   if (moving_.empty() || !enter(moving_space_, ray.origin, ray.direction, lane.ray.max_distance, entrance)) return;
   lane.advance = entrance.advance;
@@ -82,12 +82,13 @@ void Tracer::trace_moving(const abut_ray& ray, abut_pick& out) const {
 }
 
 // Shortens the ray to what it meets.
-void Tracer::meet_endless(abut_ray& ray, abut_pick& out) const {
-  for (const std::uint32_t index : endless_) {
+void Tracer::meet_apart(const abut_query_filter* filter, abut_ray& ray, abut_pick& out) const {
+  for (const std::uint32_t index : apart_) {
     const Entry& entry = entries_[index];
+    if (!admits(filter, entry)) continue;
     const auto hit = shapes_[entry.shape].access->cast(entry.pose, ray);
     if (!hit || !(hit->distance < out.distance)) continue;
-    out = {entry.id, hit->feature, hit->distance, hit->point, hit->normal};
+    out = pick_of(entry.id, *hit);
     ray.max_distance = hit->distance;
   }
 }
@@ -97,17 +98,20 @@ void Tracer::resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32
   const Entry& entry = entries_[geometry & ~entry_flag];
   if (entry.role != Role::instance) {
     const abut_ray_hit& hit = lane.exact;
-    if (hit.distance <= lane.ray.max_distance) out = {entry.id, hit.feature, hit.distance, hit.point, hit.normal};
+    if (hit.distance <= lane.ray.max_distance) out = pick_of(entry.id, hit);
     return;
   }
-  const Instanced& instanced = *shapes_[entry.shape].instanced;
+  const ShapeRecord& shape = shapes_[entry.shape];
+  const Instanced& instanced = *shape.instanced;
   const Facet& plane = instanced.surface[triangle];
   const abut_ray local{to_local(entry.frame, lane.ray.origin), rotate_back(entry.frame, lane.ray.direction), 0};
   const double distance =
       distance_to(numbers_of(plane), first_half(local), last_half(local), found, instanced.space.extent);
   if (distance > lane.ray.max_distance) return;
   out = {.geometry = entry.id,
-         .feature = {ABUT_FEATURE_FACE, triangle},
+         .feature = {ABUT_FEATURE_FACE, shape.faces.empty() ? triangle : shape.faces[triangle]},
+         .child = 0,
+         .reserved = 0,
          .distance = distance,
          .point = add(lane.ray.origin, scale(lane.ray.direction, distance)),
          .normal = rotate(entry.frame, plane.normal)};

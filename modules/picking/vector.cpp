@@ -27,14 +27,17 @@ std::optional<Entrance> enter_from_afar(const Space& space, const abut_vec3& ori
       if (std::fabs(point[axis]) > side) return std::nullopt;
       continue;
     }
-    const double inverse = 1 / along[axis];
-    const double a = (-side - point[axis]) * inverse;
-    const double b = (side - point[axis]) * inverse;
+    // Divided, not multiplied by the inverse, which may be infinite.
+    const double a = (-side - point[axis]) / along[axis];
+    const double b = (side - point[axis]) / along[axis];
     first = std::max(first, std::min(a, b));
     last = std::min(last, std::max(a, b));
   }
-  if (first > last) return std::nullopt;
-  return Entrance{add(start, scale(direction, first)), first};
+  if (!(first <= last) || std::isinf(first)) return std::nullopt;
+  // Onto the cube: from very far away rounding alone is larger than it.
+  const abut_vec3 entered = add(start, scale(direction, first));
+  const auto onto = [side](double coordinate) { return std::clamp(coordinate, -side, side); };
+  return Entrance{{onto(entered.x), onto(entered.y), onto(entered.z)}, first};
 }
 
 }  // namespace abut::picking

@@ -44,14 +44,20 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A squared length this close to 1 needs one Newton step only: it is exact to the last bits.
 inline constexpr double nearly_unit = 1e-8;
 
-/// Unit vector of any finite vector but zero. Scaled first: a square may overflow or underflow.
+/// A vector times a power of two, so that its largest component is from 1 to 2. Exact; subnormals included.
+[[nodiscard]] inline abut_vec3 tamed(const abut_vec3& a) {
+  const int exponent = -std::ilogb(largest_component(a));
+  return {std::scalbn(a.x, exponent), std::scalbn(a.y, exponent), std::scalbn(a.z, exponent)};
+}
+
+/// Unit vector of any finite vector but zero. Tamed first where a square may overflow or underflow.
 [[nodiscard]] inline abut_vec3 normalized(const abut_vec3& a) {
   const double square = dot(a, a);
   if (square > 1e-200 && square < 1e200) {
     if (std::fabs(square - 1.0) < nearly_unit) return scale(a, 1.5 - 0.5 * square);
     return scale(a, 1.0 / std::sqrt(square));
   }
-  const abut_vec3 tame = scale(a, 1.0 / largest_component(a));
+  const abut_vec3 tame = tamed(a);
   return scale(tame, 1.0 / length(tame));
 }
 

@@ -229,6 +229,7 @@ Result<void> Universe::set_options(std::span<const GeometryId> geometries, std::
     change(geometries[i]);
     disturb(geometries_.at(geometries[i]).part);
   }
+  revision_.geometries += geometries.empty() ? 0 : 1;
   revision_.poses += geometries.empty() ? 0 : 1;
   return {};
 }

@@ -1,6 +1,7 @@
 // Rays and points against a universe.
 module abut.universe.queries;
 import abut.any_shape;
+import abut.any_shape.ray_child;
 import abut.core;
 import abut.core.standard;
 import abut.math;
@@ -46,32 +47,6 @@ bool holds(const AnyShape& shape, const Vec3& point, Real reach) {
       static_cast<const AnyShape::Variant&>(shape));
 }
 
-// The child of a composite whose surface a ray meets at a way: the one that it meets within rounding of there.
-std::uint32_t child_at(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction, Real way) {
-  return std::visit(
-      [&]<class S>(const S& s) -> std::uint32_t {
-        if constexpr (Assembly<S>) {
-          std::uint32_t nearest = 0;
-          Real least = infinity;
-          const Real slack = 256 * epsilon * (largest_magnitude(origin) + way);
-          const Real start = std::max(way - slack, Real{0});
-          for (std::uint32_t number = 0; number < s.children().size(); ++number) {
-            const auto& child = s.children()[number];
-            const UnitVec3 turned = UnitVec3::make(child.pose.rotation.undo(direction)).value_or(direction);
-            const auto hit = cast_ray(*child.shape, child.pose.undo(origin + start * direction.vec()), turned, 2 * slack);
-            if (hit && std::fabs(start + hit->distance - way) < least) {
-              least = std::fabs(start + hit->distance - way);
-              nearest = number;
-            }
-          }
-          return nearest;
-        } else {
-          return 0;
-        }
-      },
-      static_cast<const AnyShape::Variant&>(shape));
-}
-
 std::optional<RayContact> cast_at(const Universe& universe, std::uint32_t place, const Ray& ray, Real limit, RayStart start) {
   const AnyShape& shape = universe.shape_at(place);
   const Pose& pose = universe.world_at(place);
@@ -88,7 +63,7 @@ std::optional<RayContact> cast_at(const Universe& universe, std::uint32_t place,
   }
   const Real distance = std::min(hit->distance, ray.max_distance);
   return RayContact{universe.id_at(place),       distance,     ray.origin + distance * ray.direction.vec(),
-                    pose.rotation * hit->normal, hit->feature, child_at(shape, origin, direction, hit->distance)};
+                    pose.rotation * hit->normal, hit->feature, child_on_ray(shape, origin, direction, hit->distance)};
 }
 
 }  // namespace

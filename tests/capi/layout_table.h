@@ -60,11 +60,13 @@
   FIELD(abut_ray, origin, 0, 24)                          \
   FIELD(abut_ray, direction, 24, 24)                      \
   FIELD(abut_ray, max_distance, 48, 8)                    \
-  TYPE(abut_ray_hit, 64)                                  \
+  TYPE(abut_ray_hit, 72)                                  \
   FIELD(abut_ray_hit, distance, 0, 8)                     \
   FIELD(abut_ray_hit, point, 8, 24)                       \
   FIELD(abut_ray_hit, normal, 32, 24)                     \
   FIELD(abut_ray_hit, feature, 56, 8)                     \
+  FIELD(abut_ray_hit, child, 64, 4)                       \
+  FIELD(abut_ray_hit, reserved, 68, 4)                    \
   TYPE(abut_query_options, 32)                            \
   FIELD(abut_query_options, struct_size, 0, 4)            \
   FIELD(abut_query_options, algorithm, 4, 4)              \
@@ -267,12 +269,14 @@
   FIELD(abut_layout_entry, size, 24, 8)
 
 #define ABUT_PICKING_LAYOUT(TYPE, FIELD)   \
-  TYPE(abut_pick, 72)                      \
+  TYPE(abut_pick, 80)                      \
   FIELD(abut_pick, geometry, 0, 8)         \
   FIELD(abut_pick, feature, 8, 8)          \
-  FIELD(abut_pick, distance, 16, 8)        \
-  FIELD(abut_pick, point, 24, 24)          \
-  FIELD(abut_pick, normal, 48, 24)         \
+  FIELD(abut_pick, child, 16, 4)           \
+  FIELD(abut_pick, reserved, 20, 4)        \
+  FIELD(abut_pick, distance, 24, 8)        \
+  FIELD(abut_pick, point, 32, 24)          \
+  FIELD(abut_pick, normal, 56, 24)         \
   TYPE(abut_camera, 96)                    \
   FIELD(abut_camera, struct_size, 0, 4)    \
   FIELD(abut_camera, width, 4, 4)          \

@@ -63,9 +63,11 @@ std::array<std::vector<abut_pick>, 3> picks_of(World& world, const std::vector<a
   for (const abut_ray& ray : rays) out[0].push_back(world.pick(ray));
   out[1].resize(rays.size());
   out[2].resize(rays.size());
-  EXPECT_EQ(abut_picker_cast_rays(world.picker(), rays.data(), rays.size(), ABUT_COHERENCE_NONE, out[1].data()),
-            ABUT_OK);
-  EXPECT_EQ(abut_picker_cast_rays(world.picker(), rays.data(), rays.size(), ABUT_COHERENCE_NEIGHBOURS, out[2].data()),
+  EXPECT_EQ(
+      abut_picker_cast_rays(world.picker(), rays.data(), rays.size(), ABUT_COHERENCE_NONE, nullptr, out[1].data()),
+      ABUT_OK);
+  EXPECT_EQ(abut_picker_cast_rays(world.picker(), rays.data(), rays.size(), ABUT_COHERENCE_NEIGHBOURS, nullptr,
+                                  out[2].data()),
             ABUT_OK);
   return out;
 }

@@ -61,11 +61,11 @@ TEST(BadInput, OfCastRayIsRefused) {
   World world;
   abut_pick pick{};
   pick.distance = -7;
-  EXPECT_TRUE(refuses(abut_picker_cast_ray(nullptr, &along_x, &pick), ABUT_NULL_ARGUMENT, "picker"));
-  EXPECT_TRUE(refuses(abut_picker_cast_ray(world.picker(), nullptr, &pick), ABUT_NULL_ARGUMENT, "ray"));
-  EXPECT_TRUE(refuses(abut_picker_cast_ray(world.picker(), &along_x, nullptr), ABUT_NULL_ARGUMENT, "out"));
+  EXPECT_TRUE(refuses(abut_picker_cast_ray(nullptr, &along_x, nullptr, &pick), ABUT_NULL_ARGUMENT, "picker"));
+  EXPECT_TRUE(refuses(abut_picker_cast_ray(world.picker(), nullptr, nullptr, &pick), ABUT_NULL_ARGUMENT, "ray"));
+  EXPECT_TRUE(refuses(abut_picker_cast_ray(world.picker(), &along_x, nullptr, nullptr), ABUT_NULL_ARGUMENT, "out"));
   for (const BadRay& bad : bad_rays())
-    EXPECT_TRUE(refuses(abut_picker_cast_ray(world.picker(), &bad.ray, &pick), bad.status, bad.named));
+    EXPECT_TRUE(refuses(abut_picker_cast_ray(world.picker(), &bad.ray, nullptr, &pick), bad.status, bad.named));
   EXPECT_DOUBLE_EQ(pick.distance, -7);
 }
 
@@ -86,7 +86,7 @@ TEST(BadInput, OfCastRayIsRefusedNearASurface) {
   abut_pick pick{};
   pick.distance = -7;
   for (const BadRay& ray : bad)
-    EXPECT_TRUE(refuses(abut_picker_cast_ray(world.picker(), &ray.ray, &pick), ray.status, ray.named));
+    EXPECT_TRUE(refuses(abut_picker_cast_ray(world.picker(), &ray.ray, nullptr, &pick), ray.status, ray.named));
   EXPECT_DOUBLE_EQ(pick.distance, -7);
 }
 
@@ -102,7 +102,8 @@ TEST(BadInput, OfCastRaysIsNamedWhereverItIs) {
       std::array<abut_pick, 10> picks{};
       picks[0].distance = -7;
       const auto cast = [&] {
-        return abut_picker_cast_rays(world.picker(), rays.data(), rays.size(), ABUT_COHERENCE_NONE, picks.data());
+        return abut_picker_cast_rays(world.picker(), rays.data(), rays.size(), ABUT_COHERENCE_NONE, nullptr,
+                                     picks.data());
       };
       EXPECT_TRUE(refuses(cast(), bad.status, "rays[" + std::to_string(i) + "]"));
       EXPECT_DOUBLE_EQ(picks[0].distance, -7);
@@ -120,39 +121,45 @@ TEST(BadInput, OfCastRaysIsRefused) {
   std::array<abut_pick, 3> picks{};
   picks[0].distance = -7;
   const auto cast = [&](abut_coherence coherence) {
-    return abut_picker_cast_rays(world.picker(), rays.data(), rays.size(), coherence, picks.data());
+    return abut_picker_cast_rays(world.picker(), rays.data(), rays.size(), coherence, nullptr, picks.data());
   };
-  EXPECT_TRUE(refuses(abut_picker_cast_rays(nullptr, rays.data(), 3, 0, picks.data()), ABUT_NULL_ARGUMENT, "picker"));
-  EXPECT_TRUE(refuses(abut_picker_cast_rays(world.picker(), nullptr, 3, 0, picks.data()), ABUT_NULL_ARGUMENT, "rays"));
-  EXPECT_TRUE(refuses(abut_picker_cast_rays(world.picker(), rays.data(), 3, 0, nullptr), ABUT_NULL_ARGUMENT, "out"));
+  EXPECT_TRUE(
+      refuses(abut_picker_cast_rays(nullptr, rays.data(), 3, 0, nullptr, picks.data()), ABUT_NULL_ARGUMENT, "picker"));
+  EXPECT_TRUE(
+      refuses(abut_picker_cast_rays(world.picker(), nullptr, 3, 0, nullptr, picks.data()), ABUT_NULL_ARGUMENT, "rays"));
+  EXPECT_TRUE(
+      refuses(abut_picker_cast_rays(world.picker(), rays.data(), 3, 0, nullptr, nullptr), ABUT_NULL_ARGUMENT, "out"));
   EXPECT_TRUE(refuses(cast(2), ABUT_UNKNOWN_VALUE, "coherence"));
-  EXPECT_TRUE(refuses(
-      abut_picker_cast_rays(world.picker(), rays.data(), std::numeric_limits<std::size_t>::max() / 8, 0, picks.data()),
-      ABUT_SIZE_OVERFLOW, "count"));
+  EXPECT_TRUE(refuses(abut_picker_cast_rays(world.picker(), rays.data(), std::numeric_limits<std::size_t>::max() / 8, 0,
+                                            nullptr, picks.data()),
+                      ABUT_SIZE_OVERFLOW, "count"));
   for (const BadRay& bad : bad_rays()) {
     rays[2] = bad.ray;
     EXPECT_TRUE(refuses(cast(ABUT_COHERENCE_NONE), bad.status, "rays[2]"));
     EXPECT_TRUE(refuses(cast(ABUT_COHERENCE_NEIGHBOURS), bad.status, bad.named));
   }
   EXPECT_DOUBLE_EQ(picks[0].distance, -7);
-  EXPECT_EQ(abut_picker_cast_rays(world.picker(), nullptr, 0, 0, nullptr), ABUT_OK);
+  EXPECT_EQ(abut_picker_cast_rays(world.picker(), nullptr, 0, 0, nullptr, nullptr), ABUT_OK);
 }
 
 TEST(BadInput, OfCastRayAllIsRefused) {
   World world;
   std::size_t count = 77;
   abut_pick pick{};
-  EXPECT_TRUE(refuses(abut_picker_cast_ray_all(nullptr, &along_x, &pick, 1, &count), ABUT_NULL_ARGUMENT, "picker"));
-  EXPECT_TRUE(refuses(abut_picker_cast_ray_all(world.picker(), nullptr, &pick, 1, &count), ABUT_NULL_ARGUMENT, "ray"));
   EXPECT_TRUE(
-      refuses(abut_picker_cast_ray_all(world.picker(), &along_x, nullptr, 1, &count), ABUT_NULL_ARGUMENT, "picks"));
+      refuses(abut_picker_cast_ray_all(nullptr, &along_x, nullptr, &pick, 1, &count), ABUT_NULL_ARGUMENT, "picker"));
   EXPECT_TRUE(
-      refuses(abut_picker_cast_ray_all(world.picker(), &along_x, &pick, 1, nullptr), ABUT_NULL_ARGUMENT, "count"));
-  EXPECT_TRUE(refuses(
-      abut_picker_cast_ray_all(world.picker(), &along_x, &pick, std::numeric_limits<std::size_t>::max() / 4, &count),
-      ABUT_SIZE_OVERFLOW, "capacity"));
+      refuses(abut_picker_cast_ray_all(world.picker(), nullptr, nullptr, &pick, 1, &count), ABUT_NULL_ARGUMENT, "ray"));
+  EXPECT_TRUE(refuses(abut_picker_cast_ray_all(world.picker(), &along_x, nullptr, nullptr, 1, &count),
+                      ABUT_NULL_ARGUMENT, "picks"));
+  EXPECT_TRUE(refuses(abut_picker_cast_ray_all(world.picker(), &along_x, nullptr, &pick, 1, nullptr),
+                      ABUT_NULL_ARGUMENT, "count"));
+  EXPECT_TRUE(refuses(abut_picker_cast_ray_all(world.picker(), &along_x, nullptr, &pick,
+                                               std::numeric_limits<std::size_t>::max() / 4, &count),
+                      ABUT_SIZE_OVERFLOW, "capacity"));
   for (const BadRay& bad : bad_rays()) {
-    EXPECT_TRUE(refuses(abut_picker_cast_ray_all(world.picker(), &bad.ray, &pick, 1, &count), bad.status, bad.named));
+    EXPECT_TRUE(
+        refuses(abut_picker_cast_ray_all(world.picker(), &bad.ray, nullptr, &pick, 1, &count), bad.status, bad.named));
   }
   EXPECT_EQ(count, 77U);
 }
@@ -201,9 +208,10 @@ TEST(BadInput, OfCamerasIsRefused) {
   std::vector<abut_pick> picture(640 * 480, pick);
   for (const BadCamera& bad : bad_cameras()) {
     EXPECT_TRUE(refuses(abut_camera_ray(&bad.camera, 1, 1, &ray), bad.status, bad.named));
-    EXPECT_TRUE(refuses(abut_picker_pick_pixel(world.picker(), &bad.camera, 1, 1, 1, &pick), bad.status, bad.named));
-    EXPECT_TRUE(refuses(abut_picker_render(world.picker(), &bad.camera, picture.data(), picture.size()), bad.status,
-                        bad.named));
+    EXPECT_TRUE(
+        refuses(abut_picker_pick_pixel(world.picker(), &bad.camera, 1, 1, 1, nullptr, &pick), bad.status, bad.named));
+    EXPECT_TRUE(refuses(abut_picker_render(world.picker(), &bad.camera, nullptr, picture.data(), picture.size()),
+                        bad.status, bad.named));
   }
   EXPECT_DOUBLE_EQ(ray.origin.x, -10);
   EXPECT_DOUBLE_EQ(pick.distance, -7);
@@ -263,11 +271,13 @@ TEST(BadInput, OfPickPixelIsRefused) {
   abut_camera_init(&camera, sizeof camera);
   abut_pick pick{};
   const auto pick_at = [&](double x, double y, double radius) {
-    return abut_picker_pick_pixel(world.picker(), &camera, x, y, radius, &pick);
+    return abut_picker_pick_pixel(world.picker(), &camera, x, y, radius, nullptr, &pick);
   };
-  EXPECT_TRUE(refuses(abut_picker_pick_pixel(nullptr, &camera, 1, 1, 1, &pick), ABUT_NULL_ARGUMENT, "picker"));
-  EXPECT_TRUE(refuses(abut_picker_pick_pixel(world.picker(), nullptr, 1, 1, 1, &pick), ABUT_NULL_ARGUMENT, "camera"));
-  EXPECT_TRUE(refuses(abut_picker_pick_pixel(world.picker(), &camera, 1, 1, 1, nullptr), ABUT_NULL_ARGUMENT, "out"));
+  EXPECT_TRUE(refuses(abut_picker_pick_pixel(nullptr, &camera, 1, 1, 1, nullptr, &pick), ABUT_NULL_ARGUMENT, "picker"));
+  EXPECT_TRUE(
+      refuses(abut_picker_pick_pixel(world.picker(), nullptr, 1, 1, 1, nullptr, &pick), ABUT_NULL_ARGUMENT, "camera"));
+  EXPECT_TRUE(
+      refuses(abut_picker_pick_pixel(world.picker(), &camera, 1, 1, 1, nullptr, nullptr), ABUT_NULL_ARGUMENT, "out"));
   EXPECT_TRUE(refuses(pick_at(not_a_number, 1, 1), ABUT_NOT_FINITE, "x"));
   EXPECT_TRUE(refuses(pick_at(1, not_a_number, 1), ABUT_NOT_FINITE, "y"));
   EXPECT_TRUE(refuses(pick_at(1, 1, not_a_number), ABUT_NOT_FINITE, "radius"));
@@ -280,16 +290,17 @@ TEST(BadInput, OfRenderIsRefused) {
   abut_camera camera;
   abut_camera_init(&camera, sizeof camera);
   std::vector<abut_pick> picture(640 * 480);
-  EXPECT_TRUE(
-      refuses(abut_picker_render(nullptr, &camera, picture.data(), picture.size()), ABUT_NULL_ARGUMENT, "picker"));
-  EXPECT_TRUE(refuses(abut_picker_render(world.picker(), nullptr, picture.data(), picture.size()), ABUT_NULL_ARGUMENT,
-                      "camera"));
-  EXPECT_TRUE(refuses(abut_picker_render(world.picker(), &camera, nullptr, picture.size()), ABUT_NULL_ARGUMENT, "out"));
-  EXPECT_TRUE(refuses(abut_picker_render(world.picker(), &camera, picture.data(), picture.size() - 1),
+  EXPECT_TRUE(refuses(abut_picker_render(nullptr, &camera, nullptr, picture.data(), picture.size()), ABUT_NULL_ARGUMENT,
+                      "picker"));
+  EXPECT_TRUE(refuses(abut_picker_render(world.picker(), nullptr, nullptr, picture.data(), picture.size()),
+                      ABUT_NULL_ARGUMENT, "camera"));
+  EXPECT_TRUE(refuses(abut_picker_render(world.picker(), &camera, nullptr, nullptr, picture.size()), ABUT_NULL_ARGUMENT,
+                      "out"));
+  EXPECT_TRUE(refuses(abut_picker_render(world.picker(), &camera, nullptr, picture.data(), picture.size() - 1),
                       ABUT_OUT_OF_RANGE, "capacity"));
   camera.width = camera.height = 0xffffffffU;
-  EXPECT_TRUE(refuses(abut_picker_render(world.picker(), &camera, picture.data(), picture.size()), ABUT_SIZE_OVERFLOW,
-                      "width"));
+  EXPECT_TRUE(refuses(abut_picker_render(world.picker(), &camera, nullptr, picture.data(), picture.size()),
+                      ABUT_SIZE_OVERFLOW, "width"));
 }
 
 }  // namespace

@@ -148,16 +148,17 @@ class World {
   }
   void remove(const Placed& placed) { EXPECT_EQ(abut_geometry_destroy(universe(), placed.geometry), ABUT_OK); }
 
-  abut_pick pick(const abut_ray& ray) {
+  abut_pick pick(const abut_ray& ray, const abut_query_filter* filter = nullptr) {
     abut_pick pick{};
-    EXPECT_EQ(abut_picker_cast_ray(picker(), &ray, &pick), ABUT_OK) << abut_last_error_message();
+    EXPECT_EQ(abut_picker_cast_ray(picker(), &ray, filter, &pick), ABUT_OK) << abut_last_error_message();
     return pick;
   }
-  std::vector<abut_pick> pick_all(const abut_ray& ray) {
+  std::vector<abut_pick> pick_all(const abut_ray& ray, const abut_query_filter* filter = nullptr) {
     std::size_t count = 0;
-    EXPECT_EQ(abut_picker_cast_ray_all(picker(), &ray, nullptr, 0, &count), ABUT_OK) << abut_last_error_message();
+    EXPECT_EQ(abut_picker_cast_ray_all(picker(), &ray, filter, nullptr, 0, &count), ABUT_OK)
+        << abut_last_error_message();
     std::vector<abut_pick> picks(count);
-    EXPECT_EQ(abut_picker_cast_ray_all(picker(), &ray, picks.data(), count, &count), ABUT_OK);
+    EXPECT_EQ(abut_picker_cast_ray_all(picker(), &ray, filter, picks.data(), count, &count), ABUT_OK);
     EXPECT_EQ(count, picks.size());
     return picks;
   }
@@ -168,7 +169,7 @@ class World {
     EXPECT_EQ(abut_universe_geometries(universe_.get(), nullptr, 0, &count), ABUT_OK);
     std::vector<abut_geometry_id> ids(count);
     EXPECT_EQ(abut_universe_geometries(universe_.get(), ids.data(), count, &count), ABUT_OK);
-    abut_pick best{{0, 0}, {0, 0}, infinity, {0, 0, 0}, {0, 0, 0}};
+    abut_pick best{{0, 0}, {0, 0}, 0, 0, infinity, {0, 0, 0}, {0, 0, 0}};
     for (const abut_geometry_id id : ids) {
       abut_geometry_info info;
       abut_geometry_info_init(&info, sizeof info);
@@ -176,7 +177,8 @@ class World {
       abut_ray_hit hit{};
       std::uint32_t found = 0;
       EXPECT_EQ(abut_shape_cast_ray(info.shape, &info.pose, &ray, &hit, &found), ABUT_OK);
-      if (found != 0 && hit.distance < best.distance) best = {id, hit.feature, hit.distance, hit.point, hit.normal};
+      if (found != 0 && hit.distance < best.distance)
+        best = {id, hit.feature, hit.child, 0, hit.distance, hit.point, hit.normal};
     }
     return best;
   }

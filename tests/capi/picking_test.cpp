@@ -1,5 +1,5 @@
 // picking.h: rays against a universe, compared with rays against each shape in double.
-#include "picking_support.hpp"
+#include "picking_scene.hpp"
 
 #include <abut/picking.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -42,23 +41,6 @@ using namespace picking_test;
   return ::testing::AssertionSuccess();
 }
 
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double in(double low, double high) { return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-  abut_vec3 point(double reach) { return {in(-reach, reach), in(-reach, reach), in(-reach, reach)}; }
-  abut_quat turn() {
-    for (;;) {
-      const abut_quat q{in(-1, 1), in(-1, 1), in(-1, 1), in(-1, 1)};
-      const double n = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-      if (n > 0.1 && n < 1) return {q.w / n, q.x / n, q.y / n, q.z / n};
-    }
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
 // Shapes of every kind around `centre`; all but the ground and the plane turned.
 std::vector<Placed> fill(World& world, Random& random, int bodies, const abut_vec3& centre, bool with_plane) {
   std::vector<double> corners;
@@ -85,11 +67,12 @@ void compare(World& world, Random& random, int rays, const abut_vec3& centre, do
   }
   std::vector<abut_pick> unrelated(asked.size());
   std::vector<abut_pick> neighbours(asked.size());
-  ASSERT_EQ(abut_picker_cast_rays(world.picker(), asked.data(), asked.size(), ABUT_COHERENCE_NONE, unrelated.data()),
-            ABUT_OK);
   ASSERT_EQ(
-      abut_picker_cast_rays(world.picker(), asked.data(), asked.size(), ABUT_COHERENCE_NEIGHBOURS, neighbours.data()),
+      abut_picker_cast_rays(world.picker(), asked.data(), asked.size(), ABUT_COHERENCE_NONE, nullptr, unrelated.data()),
       ABUT_OK);
+  ASSERT_EQ(abut_picker_cast_rays(world.picker(), asked.data(), asked.size(), ABUT_COHERENCE_NEIGHBOURS, nullptr,
+                                  neighbours.data()),
+            ABUT_OK);
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const abut_pick expected = world.brute(asked[i]);
     EXPECT_TRUE(agrees(world.pick(asked[i]), expected, size)) << "ray " << i;
@@ -293,7 +276,7 @@ TEST(CastRayAll, WritesNoMoreThanTheCapacity) {
   std::array<abut_pick, 2> picks{};
   picks[1].distance = -7;
   std::size_t count = 0;
-  ASSERT_EQ(abut_picker_cast_ray_all(world.picker(), &along_x, picks.data(), 1, &count), ABUT_OK);
+  ASSERT_EQ(abut_picker_cast_ray_all(world.picker(), &along_x, nullptr, picks.data(), 1, &count), ABUT_OK);
   EXPECT_EQ(count, 2U);
   EXPECT_DOUBLE_EQ(picks[0].distance, 9);
   EXPECT_DOUBLE_EQ(picks[1].distance, -7);
@@ -360,7 +343,7 @@ TEST(Render, GivesWhatTheRaysOfThePixelsGive) {
     camera.width = width;
     camera.height = 37;
     std::vector<abut_pick> picture(std::size_t{width} * 37);
-    ASSERT_EQ(abut_picker_render(world.picker(), &camera, picture.data(), picture.size()), ABUT_OK);
+    ASSERT_EQ(abut_picker_render(world.picker(), &camera, nullptr, picture.data(), picture.size()), ABUT_OK);
     for (std::uint32_t y = 0; y < 37; ++y) {
       for (std::uint32_t x = 0; x < width; ++x) {
         abut_ray ray;
@@ -376,7 +359,7 @@ TEST(PickPixel, PrefersWhatLiesUnderThePoint) {
   const Placed ball = world.add(sphere(1), {0, 0, 0});
   const abut_camera camera = camera_at({-10, 0, 0}, {0, 0, 0});
   abut_pick pick{};
-  ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 240, 20, &pick), ABUT_OK);
+  ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 240, 20, nullptr, &pick), ABUT_OK);
   EXPECT_TRUE(same(pick.geometry, ball.geometry));
   EXPECT_NEAR(pick.distance, 9, 1e-12);
 }
@@ -394,11 +377,11 @@ TEST(PickPixel, FindsThinThings) {
     const Placed thin = world.add(shapes[i], {0, 6.3 * pixel, 0});
     world.add(sphere(0.5), {0, -0.5 - 9 * pixel, 0});
     abut_pick pick{};
-    ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 240, 0, &pick), ABUT_OK);
+    ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 240, 0, nullptr, &pick), ABUT_OK);
     EXPECT_EQ(pick.geometry.slot, 0U);
-    ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 240, 5, &pick), ABUT_OK);
+    ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 240, 5, nullptr, &pick), ABUT_OK);
     EXPECT_EQ(pick.geometry.slot, 0U);
-    ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 240, 20, &pick), ABUT_OK);
+    ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 240, 20, nullptr, &pick), ABUT_OK);
     EXPECT_TRUE(same(pick.geometry, thin.geometry));
     EXPECT_NEAR(pick.distance, 10, 0.1);
   }
@@ -409,13 +392,13 @@ TEST(PickPixel, FindsTheNearestOfManyAndTheHorizon) {
   const abut_camera camera = camera_at({-10, 0, 1}, {0, 0, 1});
   const Placed ground = world.add(plane({0, 0, 1}, 0), {0, 0, 0});
   abut_pick pick{};
-  ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 235, 3, &pick), ABUT_OK);
+  ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 235, 3, nullptr, &pick), ABUT_OK);
   EXPECT_EQ(pick.geometry.slot, 0U);
-  ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 235, 8, &pick), ABUT_OK);
+  ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 235, 8, nullptr, &pick), ABUT_OK);
   EXPECT_TRUE(same(pick.geometry, ground.geometry));
   const double pixel = 10 * std::tan(0.5) / 240;
   const Placed ball = world.add(sphere(0.1 * pixel), {0, 0, 1 + 7 * pixel});
-  ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 235, 8, &pick), ABUT_OK);
+  ASSERT_EQ(abut_picker_pick_pixel(world.picker(), &camera, 320, 235, 8, nullptr, &pick), ABUT_OK);
   EXPECT_TRUE(same(pick.geometry, ball.geometry));
 }
 
@@ -440,7 +423,8 @@ TEST(Picker, AnswersManyThreadsAtOnce) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
           const std::size_t k = (i + static_cast<std::size_t>(t) * 50) % rays.size();
           abut_pick pick{};
-          if (abut_picker_cast_ray(world.picker(), &rays[k], &pick) != ABUT_OK || !agrees(pick, expected[k], 30))
+          if (abut_picker_cast_ray(world.picker(), &rays[k], nullptr, &pick) != ABUT_OK ||
+              !agrees(pick, expected[k], 30))
             ++wrong;
         }
       });

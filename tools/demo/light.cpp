@@ -61,7 +61,7 @@ std::array<Vec3, pattern_count> sun_directions() {
 std::vector<abut_pick> cast(abut_picker* picker, const std::vector<abut_ray>& rays) {
   std::vector<abut_pick> hits(rays.size());
   if (!rays.empty()) {
-    check(abut_picker_cast_rays(picker, rays.data(), rays.size(), ABUT_COHERENCE_NONE, hits.data()),
+    check(abut_picker_cast_rays(picker, rays.data(), rays.size(), ABUT_COHERENCE_NONE, nullptr, hits.data()),
           "cannot cast rays");
   }
   return hits;

@@ -133,7 +133,7 @@ void refine(abut_picker* picker, const Scene& scene, const abut_camera& camera, 
                                  static_cast<double>(edge / image.width()) + (static_cast<double>(k) + 0.5) / 8.0));
     }
     std::vector<abut_pick> picks(rays.size());
-    check(abut_picker_cast_rays(picker, rays.data(), rays.size(), ABUT_COHERENCE_NEIGHBOURS, picks.data()),
+    check(abut_picker_cast_rays(picker, rays.data(), rays.size(), ABUT_COHERENCE_NEIGHBOURS, nullptr, picks.data()),
           "cannot cast rays");
     std::vector<Sample> samples;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -175,7 +175,7 @@ Picture render(abut_picker* picker, const Scene& scene, const abut_camera& camer
   Picture picture{Image(camera.width, camera.height), {}};
   std::vector<abut_pick>& picks = picture.picks;
   picks.resize(std::size_t{camera.width} * camera.height);
-  check(abut_picker_render(picker, &camera, picks.data(), picks.size()), "cannot render");
+  check(abut_picker_render(picker, &camera, nullptr, picks.data(), picks.size()), "cannot render");
   const double pixel = pixel_width(camera);
   const std::vector<Light> lights = light_of_pixels(picker, scene, camera, picks);
   for (std::size_t i = 0; i < picks.size(); ++i) {

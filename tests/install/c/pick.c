@@ -13,7 +13,7 @@ int main(void) {
   if (abut_universe_create(NULL, &universe) != ABUT_OK || abut_sphere_create(1.0, &ball) != ABUT_OK ||
       abut_part_create(universe, NULL, &part) != ABUT_OK ||
       abut_geometry_create(universe, part, ball, NULL, &geometry) != ABUT_OK ||
-      abut_picker_create(universe, &picker) != ABUT_OK || abut_picker_cast_ray(picker, &ray, &pick) != ABUT_OK) {
+      abut_picker_create(universe, &picker) != ABUT_OK || abut_picker_cast_ray(picker, &ray, NULL, &pick) != ABUT_OK) {
     fprintf(stderr, "%s\n", abut_last_error_message());
     return 1;
   }

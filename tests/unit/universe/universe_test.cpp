@@ -238,6 +238,11 @@ TEST(Universe, RevisionGrowsWithEveryChange) {
   EXPECT_GT(universe.revision().poses, last.poses);
   EXPECT_EQ(universe.revision().geometries, last.geometries);
   last = universe.revision();
+  const GeometryOptions options{};
+  ASSERT_TRUE(universe.set_options(std::span(&first, 1), std::span(&options, 1)).has_value());
+  EXPECT_GT(universe.revision().geometries, last.geometries);
+  EXPECT_GT(universe.revision().poses, last.poses);
+  last = universe.revision();
   ASSERT_TRUE(universe.destroy_geometries(std::span(&first, 1)).has_value());
   EXPECT_GT(universe.revision().geometries, last.geometries);
   add_geometry(universe, part, ball(1));
