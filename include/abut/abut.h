@@ -806,7 +806,8 @@ ABUT_API abut_status abut_universe_geometries(const abut_universe *universe, abu
 
 /** Counters that tell tools what changed since they last looked. */
 typedef struct abut_revision {
-  uint64_t geometries; /**< grows when a geometry is created, destroyed, parked, reshaped or given options */
+  uint64_t geometries; /**< grows when a geometry is created, destroyed, parked, given options or another shape, or its
+                            shape changes */
   uint64_t poses;      /**< grows when a pose is set, of a part or with the options of a geometry */
 } abut_revision;
 

@@ -62,6 +62,8 @@ std::vector<Model> make_models(Numbers& random) {
     models.push_back({"box", {random.between(0.1, 0.5), random.between(0.1, 0.5), random.between(0.1, 0.5)}, {},
                       place(), ABUT_MOTION_DYNAMIC});
     models.push_back({"sphere", {random.between(0.1, 0.5)}, {}, place(), ABUT_MOTION_DYNAMIC});
+    models.push_back(
+        {"cylinder", {random.between(0.1, 0.5), random.between(0.1, 0.5)}, {}, place(), ABUT_MOTION_DYNAMIC});
   }
   return models;
 }
