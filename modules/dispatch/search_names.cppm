@@ -7,12 +7,14 @@ import abut.shape;
 
 export namespace abut {
 
-// What finds the distance of two cores that are apart, and the depth of two that overlap. Where a closed form loses its
-// digits, GJK takes over; where SAT finds too many axes or is in doubt, EPA does.
+// What finds the distance of two cores that are apart, and the depth of two that overlap; radii are added to either. Where
+// a closed form loses its digits, GJK takes over; where SAT finds too many axes or is in doubt, EPA does.
 template <Convex A, Convex B>
 [[nodiscard]] consteval std::string_view name_searches() {
   constexpr bool are_boxes = BoxCored<A> && BoxCored<B>;
-  if constexpr (PointAndField<A, B>) {
+  // Points and segments overlap by chance only.
+  constexpr bool are_thin = (PointCored<A> || SegmentCored<A>) && (PointCored<B> || SegmentCored<B>);
+  if constexpr (PointAndField<A, B> || are_thin) {
     return "closed form";
   } else if constexpr (FewFaced<A> && FewFaced<B>) {
     return are_boxes ? "closed form apart, SAT in overlap" : "GJK apart, SAT in overlap";

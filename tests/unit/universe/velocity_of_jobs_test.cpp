@@ -17,7 +17,8 @@ using namespace abut;
 
 TEST(VelocityOfJobs, IsThatOfThisStepByThePlaceOfAGeometry) {
   Universe universe({}, 1);
-  const std::array<PartOptions, 2> options{PartOptions{}, PartOptions{MotionKind::dynamic, {{9, 0, 0}, {1, 0, 0, 0}}, 0}};
+  const Placement far{{9, 0, 0}, {1, 0, 0, 0}};
+  const std::array<PartOptions, 2> options{PartOptions{}, PartOptions{MotionKind::dynamic, far, 0}};
   const std::vector<PartId> parts = universe.create_parts(options).value();
   const ShapeHandle ball(make_shape(find_kind("sphere").value(), std::array{1.0}, {}, {}).value());
   const std::array shapes{ball, ball};
