@@ -1,7 +1,6 @@
 // Extension libraries of a universe.
 #include "universe_handle.hpp"
 
-import abut.core;
 
 using namespace abut::capi;
 

@@ -1,6 +1,5 @@
 // Why a pair of kinds is answered the way it is, in words.
 module abut.any_shape;
-import abut.core;
 import abut.core.standard;
 import abut.registry;
 
@@ -28,7 +27,7 @@ std::string_view reason_of(Route route) {
 RouteDescription describe_route(std::size_t place_a, std::size_t place_b) {
   const auto [low, high] = std::minmax(place_a, place_b);
   const auto& kernels = pair_kernels(low, high);
-  return {kernels.searches, reason_of(kernels.route)};
+  return {kernels.searches(), reason_of(kernels.route)};
 }
 
 }  // namespace abut

@@ -1,6 +1,5 @@
 module abut.any_shape.ray_child;
 import abut.any_shape;
-import abut.core;
 import abut.core.standard;
 import abut.math;
 import abut.registry;

@@ -208,7 +208,7 @@ template <class Any, class A, class B>
   } else {
     return {route<A, B>(), is_flipped<A, B>(), distance_kernel<Any, A, B>, contacts_kernel<Any, A, B>,
             contacts_with_memory_kernel<Any, A, B>, contacts_of_run_kernel<Any, A, B>, gains_from_memory<A, B>(),
-            cast_parts_of<Any, A, B>(), name_algorithm<A, B>()};
+            cast_parts_of<Any, A, B>(), [] { return name_algorithm<A, B>(); }};
   }
 }
 

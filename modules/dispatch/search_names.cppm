@@ -2,6 +2,8 @@
 export module abut.dispatch.search_names;
 import abut.core.standard;
 import abut.narrowphase.convex;
+import abut.narrowphase.disc_depth_of_pair;
+import abut.narrowphase.hull_sat;
 import abut.pairs.routes;
 import abut.shape;
 

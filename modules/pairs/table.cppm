@@ -70,8 +70,8 @@ struct PairKernels {
   // Null where neither is made of parts.
   void (*cast_parts)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                      const CastNames& names, CastSearch& search) = nullptr;
-  // Which searches find the distance of the two, for people.
-  std::string_view searches = "unsupported";
+  // Which searches find the distance of the two, in words.
+  std::string_view (*searches)() = nullptr;
 };
 
 }  // namespace abut

@@ -2,7 +2,6 @@
 export module abut.registry.self_contacts;
 import abut.core;
 import abut.core.standard;
-import abut.math;
 import abut.registry;
 import abut.shape;
 

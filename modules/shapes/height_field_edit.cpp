@@ -2,7 +2,6 @@ module abut.shape.height_field;
 import abut.core;
 import abut.core.standard;
 import abut.math;
-import abut.midphase.range_pyramid;
 import abut.shape;
 
 namespace abut {

@@ -2,7 +2,6 @@
 module abut.universe;
 import abut.core;
 import abut.core.standard;
-import abut.universe.islands;
 import abut.universe.pairs;
 
 namespace abut {

@@ -2,7 +2,6 @@
 module;
 #include "../core/check.hpp"
 module abut.universe;
-import abut.any_shape;
 import abut.any_shape.shape_edit;
 import abut.core;
 import abut.core.standard;

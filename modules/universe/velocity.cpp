@@ -1,5 +1,4 @@
 module abut.universe.velocity;
-import abut.core;
 import abut.core.standard;
 import abut.math;
 import abut.shape;

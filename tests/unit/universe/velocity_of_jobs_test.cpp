@@ -8,7 +8,6 @@
 #include <vector>
 
 import abut.any_shape;
-import abut.math;
 import abut.universe;
 
 namespace {
