@@ -75,6 +75,9 @@ void read_distance(const Json& json, KnownFailure& row) {
   if (!row.distance && expected.contains("signed_distance")) {
     row.distance = quad(expected["signed_distance"].get<double>());
   }
+  if (expected.contains("exact_signed_distance")) {
+    row.distance = quad(expected["exact_signed_distance"].get<double>());
+  }
 }
 
 // A direction with a distance is cast twice as far.

@@ -1,4 +1,4 @@
-// Inputs on which other libraries failed, read from tests/data/known_failures.jsonl.
+// Inputs on which libraries failed, read from tests/data/known_failures.jsonl and tests/data/found.jsonl.
 #pragma once
 
 #include <array>
@@ -16,7 +16,8 @@ namespace oracle {
 
 // A shape of a row, in its local frame; what has an axis lies along Z.
 struct FailureShape {
-  std::string type;                // "box", "sphere", "capsule", "cylinder", "ellipsoid", "disc", "convex", "triangle", "mesh"
+  std::string type;                // "box", "sphere", "capsule", "cylinder", "cone", "ellipsoid", "disc", "convex",
+                                   // "triangle", "mesh"
   std::vector<double> parameters;  // half extents; radius; radius and half length; radii
   Soup soup;                       // the points of a "convex" or a "triangle", the points and triangles of a "mesh"
 };
