@@ -1,4 +1,6 @@
 // Shapes that change while geometries have them: what becomes of contacts, of other holders and of those who sleep.
+#include <cmath>
+
 #include "sleep_room.hpp"
 
 namespace {
@@ -249,6 +251,21 @@ TEST(SetHeights, AllPairsAreExaminedWhereTheFieldHasMovedToo) {
     EXPECT_EQ(scene.universe.stats().examined_pairs, 100U);
     EXPECT_NEAR(scene.universe.contacts().at(0).distance, -0.005, 1e-12);
   }
+}
+
+// On a slope the box of the field holds the ball still, when the highest sample is no longer as high.
+TEST(SetHeights, EndsWhatLayOnAPeakThatIsGone) {
+  const double half = std::sqrt(0.5), cosine = std::sqrt(0.5 + 0.5 * half), sine = std::sqrt(0.5 - 0.5 * half);
+  std::vector<double> heights(41 * 41, 0.0);
+  heights.at(20 * 41 + 20) = 6;
+  Universe universe;
+  const abut_geometry_id slope = universe.add(make_of_kind("height_field", {41, 41, 1, 1}, heights),
+                                              {{0, 0, 0}, {cosine, sine, 0, 0}}, ABUT_MOTION_STATIC);
+  universe.add(make_sphere(0.5), at(20, half * (20 - 6.49), half * (20 + 6.49)));
+  EXPECT_EQ(universe.step().size(), 1U);
+  const double height = 1;
+  ASSERT_TRUE(succeeded(abut_geometry_set_heights(universe, slope, 20, 20, 1, 1, &height)));
+  EXPECT_TRUE(universe.step().empty());
 }
 
 TEST(SetHeights, LeavesOtherHoldersOfTheFieldAsTheyWere) {
