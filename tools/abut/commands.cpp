@@ -3,6 +3,8 @@
 #include <chrono>
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 #include "common/progress.hpp"
 #include "output_file.hpp"
 #include "parameters.hpp"

@@ -1,5 +1,7 @@
 #include "names.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace cli {
 
 void Names::read(const std::optional<Node>& node) {

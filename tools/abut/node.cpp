@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 
+#include <nlohmann/json.hpp>
+
 namespace cli {
 namespace {
 
@@ -35,6 +37,12 @@ void Node::check(abut_status status) const {
   }
   tools::check(status, path_.c_str());
 }
+
+bool Node::is_text() const { return value_->is_string(); }
+bool Node::is_list() const { return value_->is_array(); }
+bool Node::is_object() const { return value_->is_object(); }
+std::size_t Node::size() const { return value_->size(); }
+bool Node::has(const std::string& field) const { return value_->contains(field); }
 
 double Node::number() const {
   if (!value_->is_number()) {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "common/vector.hpp"
 #include "failures.hpp"
@@ -39,9 +39,12 @@ class Node {
   /// Refuses the value with the last message of the library, unless the status blames something else.
   void check(abut_status status) const;
 
-  [[nodiscard]] bool is_text() const { return value_->is_string(); }
-  [[nodiscard]] bool is_list() const { return value_->is_array(); }
-  [[nodiscard]] bool is_object() const { return value_->is_object(); }
+  [[nodiscard]] bool is_text() const;
+  [[nodiscard]] bool is_list() const;
+  [[nodiscard]] bool is_object() const;
+  /// Of a list or an object.
+  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] bool has(const std::string& field) const;
 
   [[nodiscard]] double number() const;
   [[nodiscard]] double positive() const;

@@ -19,7 +19,7 @@ void check_finite(const Node& node, const abut_vec3& position) {
 std::string index_text(std::uint64_t index) { return "[" + std::to_string(index) + "]"; }
 
 std::array<std::uint64_t, 3> read_counts(const Node& node) {
-  if (!node.is_list() || node.json().size() != 3) {
+  if (!node.is_list() || node.size() != 3) {
     node.refuse("three whole numbers, [along x, along y, along z]");
   }
   const std::vector<Node> axes = node.list("counts");

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <nlohmann/json.hpp>
+
 #include "document.hpp"
 #include "part_reader.hpp"
 #include "rule_reader.hpp"

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 #include "common/height_map.hpp"
 #include "common/wavefront.hpp"
 
@@ -42,7 +44,7 @@ std::vector<double> read_points(const Node& node, bool with_radius) {
   std::vector<double> reals;
   for (const Node& point : node.list("points, [x, y, z] each")) {
     const std::size_t wanted = with_radius ? 4 : 3;
-    if (!point.is_list() || point.json().size() != wanted) {
+    if (!point.is_list() || point.size() != wanted) {
       point.refuse(with_radius ? "four numbers, [x, y, z, radius], as the shape has no radius" : "three numbers, [x, y, z]");
     }
     add_numbers(point, reals);
@@ -53,7 +55,7 @@ std::vector<double> read_points(const Node& node, bool with_radius) {
 std::vector<std::uint32_t> read_indices(const Node& node) {
   std::vector<std::uint32_t> indices;
   for (const Node& triangle : node.list("triangles, three indices each")) {
-    if (!triangle.is_list() || triangle.json().size() != 3) {
+    if (!triangle.is_list() || triangle.size() != 3) {
       triangle.refuse("three indices of vertices, from 0");
     }
     for (const Node& index : triangle.list("indices")) {
@@ -66,10 +68,10 @@ std::vector<std::uint32_t> read_indices(const Node& node) {
 // Rows of heights, the first along the X axis.
 void read_heights(const Node& node, ShapeArrays& out) {
   for (const Node& row : node.list("rows of heights")) {
-    if (!row.is_list() || row.json().size() < 2 || (out.rows > 0 && row.json().size() != out.columns)) {
+    if (!row.is_list() || row.size() < 2 || (out.rows > 0 && row.size() != out.columns)) {
       row.refuse("a row of at least two heights, as many as in the row before");
     }
-    out.columns = static_cast<std::uint32_t>(row.json().size());
+    out.columns = static_cast<std::uint32_t>(row.size());
     ++out.rows;
     add_numbers(row, out.reals);
   }
@@ -149,7 +151,7 @@ ShapeArrays read_arrays(Fields& fields, const std::string& kind, const std::file
   const std::string points = is_known ? own : "reals";
   const auto file = is_known ? fields.find("file") : std::nullopt;
   // Kinds without an array of their own do not offer one, so that a message lists what they have.
-  const auto inline_points = is_known || fields.node().json().contains(points) ? fields.find(points) : std::nullopt;
+  const auto inline_points = is_known || fields.node().has(points) ? fields.find(points) : std::nullopt;
   if (file && inline_points) {
     fields.node().refuse("either a file or " + points + ", not both");
   }
@@ -167,7 +169,7 @@ ShapeArrays read_arrays(Fields& fields, const std::string& kind, const std::file
   }
   if (kind == "mesh" && out.indices.empty()) {
     out.indices = read_indices(fields.need("triangles"));
-  } else if (!is_known && fields.node().json().contains("indices")) {
+  } else if (!is_known && fields.node().has("indices")) {
     for (const Node& index : fields.need("indices").list("indices")) {
       out.indices.push_back(index.whole32(0));
     }

@@ -32,7 +32,7 @@ const abut_shape* Shapes::resolve(const Node& node) {
     unnamed_.push_back(make(node));
     return unnamed_.back().get();
   }
-  const bool exists = node.is_text() && declarations_ && declarations_->json().contains(node.text());
+  const bool exists = node.is_text() && declarations_ && declarations_->has(node.text());
   if (!exists) {
     node.refuse("the name of a shape of the scene, or a shape, {\"kind\": ...}");
   }
