@@ -111,37 +111,32 @@ struct MovingBox {
   std::uint32_t entry;
 };
 
-/// What callbacks need to know of one ray.
-struct Lane {
-  abut_ray ray;        // unit direction
-  double advance;      // where the float ray starts, from the origin of the ray
-  abut_ray_hit exact;  // when the hit is one of a shape asked in double
-};
-
-/// Context of a query; `width` says which of the types below it is.
+/// Context of a query; says which of the types below it is.
 struct Trace : embree::Query {
-  std::uint32_t width;
-  bool coherent;
+  bool collects;                                              // it is AllHits
   std::unique_ptr<const abut_query_filter, Borrowed> wanted;  // null when all geometries count
-  Trace(std::uint32_t wide, bool are_neighbours, const abut_query_filter* given) noexcept
-      : embree::Query(are_neighbours), width(wide), coherent(are_neighbours), wanted(given) {}
+  Trace(bool are_neighbours, bool collects_all, const abut_query_filter* given) noexcept
+      : embree::Query(are_neighbours), collects(collects_all), wanted(given) {}
 };
 
-template <std::size_t Width> struct FirstHit : Trace {
-  std::array<Lane, Width> lanes;
-  FirstHit(bool are_neighbours, const abut_query_filter* given) noexcept
-      : Trace(static_cast<std::uint32_t>(Width), are_neighbours, given) {}
+/// The first hit of one ray in the moving scene.
+struct FirstHit : Trace {
+  abut_ray ray;          // unit direction
+  double advance = 0;    // where the float ray starts, from the origin of the ray
+  abut_ray_hit exact{};  // when the hit is one of a shape asked in double
+  FirstHit(const abut_ray& unit_ray, const abut_query_filter* given) noexcept
+      : Trace(false, false, given), ray(unit_ray) {}
 };
 
 /// Filter function of the still scene.
 void reject_hits(const RTCFilterFunctionNArguments* arguments);
 
-/// First hits in the still scene, where Embree asks about each hit only when there is a filter; width 1.
+/// First hits in the still scene, where Embree asks about each hit only when there is a filter.
 struct StillHit : Trace {
   StillHit(bool are_neighbours, const abut_query_filter* given) noexcept;
 };
 
-/// Collects everything that one ray meets; width 0.
+/// Collects everything that one ray meets.
 struct AllHits : Trace {
   abut_ray ray;
   abut_ray local_ray;             // in the frame of `entry`
@@ -168,6 +163,8 @@ class Tracer {
   /// As trace, for the usual ray only; false for any other, and when the scenes are not up to date.
   [[nodiscard]] bool trace_usual(const abut_ray& ray, abut_pick& out) const noexcept;
   void trace(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) const;
+  // Without surfaces in the still scene packets have nothing to share.
+  void trace_each(std::span<const abut_ray> rays, const abut_query_filter* filter, std::span<abut_pick> out) const;
   void trace_neighbours(std::span<const abut_ray> rays, const abut_query_filter* filter,
                         std::span<abut_pick> out) const;
   void trace_unrelated(std::span<const abut_ray> rays, const abut_query_filter* filter, std::span<abut_pick> out) const;
@@ -220,9 +217,9 @@ class Tracer {
   static void report_hits(const RTCIntersectFunctionNArguments* arguments);
   static void collect_hit(const RTCFilterFunctionNArguments* arguments);
   static void collect(RTCScene scene, AllHits& query, const Entrance& entrance, const abut_vec3& direction);
-  [[nodiscard]] bool is_nearer(const abut_ray_hit& hit, const Entry& entry, const Lane& lane, std::uint32_t present,
-                               double limit) const;
-  template <std::size_t Width> void meet(const RTCIntersectFunctionNArguments& arguments) const;
+  [[nodiscard]] bool is_nearer(const abut_ray_hit& hit, const Entry& entry, const FirstHit& query,
+                               std::uint32_t present, double limit) const;
+  void meet(FirstHit& query, const RTCIntersectFunctionNArguments& arguments) const;
   void meet_all(AllHits& query, std::uint32_t index) const;
   void cross_exact(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
   void cross_surface(AllHits& query, std::uint32_t index, const Instanced& instanced) const;
@@ -260,8 +257,8 @@ class Tracer {
     out.normal = {plane[0], plane[1], plane[2]};
     return true;
   }
-  void resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t triangle, double found,
-                     abut_pick& out) const;
+  void resolve_instance(const abut_ray& ray, const Entry& entry, std::uint32_t triangle, double found,
+                        abut_pick& out) const;
   friend struct PacketTracer;
   friend void reject_hits(const RTCFilterFunctionNArguments* arguments);
 
@@ -317,7 +314,7 @@ struct PacketTracer {
   static void resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place);
   template <std::size_t Width> static void read(Batch<Width>& batch, std::span<const abut_ray, Width> rays);
   template <std::size_t Width, class Place>
-  static void trace_moving(const Tracer& tracer, const Trace& still_query, Batch<Width>& batch, const Place& place);
+  static void trace_moving(const Tracer& tracer, const Trace& query, const Batch<Width>& batch, const Place& place);
   template <std::size_t Width>
   static void trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, Trace& query, std::span<abut_pick> out);
   template <std::size_t Width>

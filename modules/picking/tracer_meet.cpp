@@ -24,7 +24,7 @@ import :vector;
 namespace abut::picking {
 
 AllHits::AllHits(const abut_ray& unit_ray, const abut_query_filter* given) noexcept
-    : Trace(0, false, given), ray(unit_ray), local_ray(unit_ray) {}
+    : Trace(false, true, given), ray(unit_ray), local_ray(unit_ray) {}
 
 // Rejects the hits on surfaces of the still scene that the filter leaves out.
 void reject_hits(const RTCFilterFunctionNArguments* arguments) {
@@ -40,29 +40,17 @@ void reject_hits(const RTCFilterFunctionNArguments* arguments) {
   ABUT_UNSAFE_END
 }
 
-StillHit::StillHit(bool are_neighbours, const abut_query_filter* given) noexcept : Trace(1, are_neighbours, given) {
+StillHit::StillHit(bool are_neighbours, const abut_query_filter* given) noexcept : Trace(are_neighbours, false, given) {
   if (given != nullptr) filter_hits(reject_hits);
 }
 
 void Tracer::report_hits(const RTCIntersectFunctionNArguments* arguments) {
   const auto& self = *static_cast<const Tracer*>(arguments->geometryUserPtr);
   auto& trace = static_cast<Trace&>(static_cast<embree::Query&>(*arguments->context));
-  switch (trace.width) {
-    case 0:
-      self.meet_all(static_cast<AllHits&>(trace), self.moving_[arguments->primID].entry);
-      return;
-    case 1:
-      self.meet<1>(*arguments);
-      return;
-    case 4:
-      self.meet<4>(*arguments);
-      return;
-    case 8:
-      self.meet<8>(*arguments);
-      return;
-    default:
-      self.meet<16>(*arguments);
-      return;
+  if (trace.collects) {
+    self.meet_all(static_cast<AllHits&>(trace), self.moving_[arguments->primID].entry);
+  } else {
+    self.meet(static_cast<FirstHit&>(trace), *arguments);
   }
 }
 
@@ -91,51 +79,41 @@ struct LocalHit {
 
 // Whether a hit in double is nearer than the present one: exactly where that is in double, too, and ties go to the lower
 // slot; in single precision where that is on a surface.
-bool Tracer::is_nearer(const abut_ray_hit& hit, const Entry& entry, const Lane& lane, std::uint32_t present,
+bool Tracer::is_nearer(const abut_ray_hit& hit, const Entry& entry, const FirstHit& query, std::uint32_t present,
                        double limit) const {
   if (present == RTC_INVALID_GEOMETRY_ID) return true;
   const Entry& other = entries_[present & ~entry_flag];
   if (other.role != Role::exact) return hit.distance < limit;
-  if (hit.distance != lane.exact.distance) return hit.distance < lane.exact.distance;
+  if (hit.distance != query.exact.distance) return hit.distance < query.exact.distance;
   return entry.id.slot < other.id.slot;
 }
 
-template <std::size_t Width> void Tracer::meet(const RTCIntersectFunctionNArguments& arguments) const {
-  auto& trace = static_cast<FirstHit<Width>&>(static_cast<Trace&>(static_cast<embree::Query&>(*arguments.context)));
+// One ray against one geometry whose box it meets.
+void Tracer::meet(FirstHit& query, const RTCIntersectFunctionNArguments& arguments) const {
   const std::uint32_t index = moving_[arguments.primID].entry;
   const Entry& entry = entries_[index];
-  if (!admits(trace.wanted.get(), entry)) return;
+  if (!admits(query.wanted.get(), entry)) return;
   const ShapeRecord& shape = shapes_[entry.shape];
-  const unsigned count = arguments.N;
-  RTCRayN* const rays = RTCRayHitN_RayN(arguments.rayhit, count);
-  RTCHitN* const hits = RTCRayHitN_HitN(arguments.rayhit, count);
-  for (unsigned i = 0; i < count; ++i) {
-    // SAFETY: Embree hands over `count` flags.
-    ABUT_UNSAFE_BEGIN
-    const bool is_active = arguments.valid[i] != 0;
-    ABUT_UNSAFE_END
-    if (!is_active) continue;
-    Lane& lane = trace.lanes[RTCRayN_id(rays, count, i)];
-    float& far = RTCRayN_tfar(rays, count, i);
-    const double limit = lane.advance + static_cast<double>(far);
-    if (entry.role == Role::instance) {
-      const auto hit = cast_into(*shape.instanced, entry.frame, lane.ray, limit);
-      if (!hit || !(hit->distance < limit)) continue;
-      far = static_cast<float>(hit->distance - lane.advance);
-      RTCHitN_primID(hits, count, i) = hit->triangle;
-    } else {
-      // The limit is blurred by single precision: equal distances must stay in the race.
-      const double blurred = limit + 0x1p-20 * (limit + moving_space_.extent);
-      const abut_ray ray{lane.ray.origin, lane.ray.direction, std::min(lane.ray.max_distance, blurred)};
-      const auto hit = shape.access->cast(entry.pose, ray);
-      if (!hit || !is_nearer(*hit, entry, lane, RTCHitN_geomID(hits, count, i), limit)) continue;
-      lane.exact = *hit;
-      // Not below what single precision tells apart here: 0 would hide boxes that begin where the ray does.
-      far = std::min(far, static_cast<float>(std::max(hit->distance - lane.advance, 0x1p-24 * moving_space_.extent)));
-      RTCHitN_primID(hits, count, i) = hit->feature.index;
-    }
-    RTCHitN_geomID(hits, count, i) = entry_flag | index;
+  float& far = RTCRayN_tfar(RTCRayHitN_RayN(arguments.rayhit, 1), 1, 0);
+  RTCHitN* const met = RTCRayHitN_HitN(arguments.rayhit, 1);
+  const double limit = query.advance + static_cast<double>(far);
+  if (entry.role == Role::instance) {
+    const auto hit = cast_into(*shape.instanced, entry.frame, query.ray, limit);
+    if (!hit || !(hit->distance < limit)) return;
+    far = static_cast<float>(hit->distance - query.advance);
+    RTCHitN_primID(met, 1, 0) = hit->triangle;
+  } else {
+    // The limit is blurred by single precision: equal distances must stay in the race.
+    const double blurred = limit + 0x1p-20 * (limit + moving_space_.extent);
+    const abut_ray ray{query.ray.origin, query.ray.direction, std::min(query.ray.max_distance, blurred)};
+    const auto hit = shape.access->cast(entry.pose, ray);
+    if (!hit || !is_nearer(*hit, entry, query, RTCHitN_geomID(met, 1, 0), limit)) return;
+    query.exact = *hit;
+    // Not below what single precision tells apart here: 0 would hide boxes that begin where the ray does.
+    far = std::min(far, static_cast<float>(std::max(hit->distance - query.advance, 0x1p-24 * moving_space_.extent)));
+    RTCHitN_primID(met, 1, 0) = hit->feature.index;
   }
+  RTCHitN_geomID(met, 1, 0) = entry_flag | index;
 }
 
 // ---- everything along a ray ----------------------------------------------------------------------
@@ -211,8 +189,7 @@ void Tracer::collect_hit(const RTCFilterFunctionNArguments* arguments) {
     if (!admits(query.wanted.get(), self.entries_[self.baked_[hit.geomID].entry])) return;
     (void)self.resolve_still(first_half(query.ray), last_half(query.ray), query.ray.max_distance, hit, found, pick);
   } else {
-    const Lane lane{.ray = query.ray, .advance = 0, .exact = {}};
-    self.resolve_entry(lane, entry_flag | query.entry, RTCHitN_primID(arguments->hit, 1, 0), found, pick);
+    self.resolve_instance(query.ray, self.entries_[query.entry], RTCHitN_primID(arguments->hit, 1, 0), found, pick);
   }
   if (pick.geometry.slot == 0) return;
   try {

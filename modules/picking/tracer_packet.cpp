@@ -272,35 +272,13 @@ void PacketTracer::trace(const Tracer& tracer, Trace& query, std::size_t count, 
   finish(tracer, query, batches[(count - 1) % 2], place(count - 1));
 }
 
-// Looks for something nearer than what was found in the still scene. Unrelated rays part at the first boxes, and each
-// box that one of them meets costs a call for the packet: they go on one by one.
+// Looks for something nearer than what was found in the still scene. One by one: Embree calls back for each box that a
+// packet meets, and a packet meets more boxes than each of its rays.
 template <std::size_t Width, class Place>
-[[gnu::noinline]] void PacketTracer::trace_moving(const Tracer& tracer, const Trace& still_query, Batch<Width>& batch,
+[[gnu::noinline]] void PacketTracer::trace_moving(const Tracer& tracer, const Trace& query, const Batch<Width>& batch,
                                                   const Place& place) {
-  if (!still_query.coherent) {
-    for (std::size_t i = 0; i < Width; ++i) {
-      if (batch.valid[i] != 0) tracer.trace_moving(batch.ray(i), still_query.wanted.get(), place(i));
-    }
-    return;
-  }
-  FirstHit<Width> query(true, still_query.wanted.get());
   for (std::size_t i = 0; i < Width; ++i) {
-    if (batch.valid[i] == 0) continue;
-    abut_pick& out = place(i);
-    Lane& lane = query.lanes[i];
-    lane.ray = batch.ray(i);
-    if (out.geometry.slot != 0) lane.ray.max_distance = out.distance;
-    tracer.meet_apart(query.wanted.get(), lane.ray, out);
-    batch.limit[i / 4][i % 4] = lane.ray.max_distance;
-  }
-  if (tracer.moving_.empty() || !batch.write(tracer.moving_space_)) return;
-  for (std::size_t i = 0; i < Width; ++i) query.lanes[i].advance = batch.advances ? batch.advance[i / 4][i % 4] : 0;
-  auto& native = batch.native;
-  embree::intersect(tracer.moving_scene_.get(), query, batch.active.data(), native);
-  for (std::size_t i = 0; i < Width; ++i) {
-    if (batch.valid[i] == 0 || native.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-    const double found = query.lanes[i].advance + static_cast<double>(native.ray.tfar[i]);
-    tracer.resolve_entry(query.lanes[i], native.hit.geomID[i], native.hit.primID[i], found, place(i));
+    if (batch.valid[i] != 0) tracer.trace_moving(batch.ray(i), query.wanted.get(), place(i));
   }
 }
 
@@ -389,8 +367,17 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, Trace
   });
 }
 
+void Tracer::trace_each(std::span<const abut_ray> rays, const abut_query_filter* filter,
+                        std::span<abut_pick> out) const {
+  for (std::size_t i = 0; i < rays.size(); ++i) trace(rays[i], filter, out[i]);
+}
+
 void Tracer::trace_neighbours(std::span<const abut_ray> rays, const abut_query_filter* filter,
                               std::span<abut_pick> out) const {
+  if (baked_.empty()) {
+    trace_each(rays, filter, out);
+    return;
+  }
   StillHit query(true, filter);
   switch (widest_) {
     case 16:
@@ -405,11 +392,11 @@ void Tracer::trace_neighbours(std::span<const abut_ray> rays, const abut_query_f
   }
 }
 
-// Unrelated rays part at the first boxes: wide packets do not pay for them, and none does without surfaces.
+// Unrelated rays part at the first boxes: wide packets do not pay for them.
 void Tracer::trace_unrelated(std::span<const abut_ray> rays, const abut_query_filter* filter,
                              std::span<abut_pick> out) const {
   if (baked_.empty()) {
-    for (std::size_t i = 0; i < rays.size(); ++i) trace(rays[i], filter, out[i]);
+    trace_each(rays, filter, out);
     return;
   }
   StillHit query(false, filter);

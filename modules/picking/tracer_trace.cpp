@@ -65,20 +65,22 @@ void Tracer::trace(const abut_ray& any_ray, const abut_query_filter* filter, abu
 
 // Looks for something nearer than `out` holds.
 void Tracer::trace_moving(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) const {
-  FirstHit<1> query(false, filter);
-  Lane& lane = query.lanes[0];
-  lane.ray = ray;
-  if (out.geometry.slot != 0) lane.ray.max_distance = out.distance;
-  meet_apart(filter, lane.ray, out);
+  FirstHit query(ray, filter);
+  if (out.geometry.slot != 0) query.ray.max_distance = out.distance;
+  meet_apart(filter, query.ray, out);
   Entrance entrance{};
-  if (moving_.empty() || !enter(moving_space_, ray.origin, ray.direction, lane.ray.max_distance, entrance)) return;
-  lane.advance = entrance.advance;
+  if (moving_.empty() || !enter(moving_space_, ray.origin, ray.direction, query.ray.max_distance, entrance)) return;
+  query.advance = entrance.advance;
   [[clang::uninitialized]] RTCRayHit hit;
-  write_ray(hit, entrance.point, ray.direction, lane.ray.max_distance - entrance.advance);
+  write_ray(hit, entrance.point, ray.direction, query.ray.max_distance - entrance.advance);
   embree::intersect(moving_scene_.get(), query, hit);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
-  const double found = lane.advance + static_cast<double>(hit.ray.tfar);
-  resolve_entry(lane, hit.hit.geomID, hit.hit.primID, found, out);
+  const Entry& entry = entries_[hit.hit.geomID & ~entry_flag];
+  if (entry.role == Role::instance) {
+    resolve_instance(query.ray, entry, hit.hit.primID, query.advance + static_cast<double>(hit.ray.tfar), out);
+  } else if (query.exact.distance <= query.ray.max_distance) {
+    out = pick_of(entry.id, query.exact);
+  }
 }
 
 // Shortens the ray to what it meets.
@@ -93,27 +95,21 @@ void Tracer::meet_apart(const abut_query_filter* filter, abut_ray& ray, abut_pic
   }
 }
 
-void Tracer::resolve_entry(const Lane& lane, std::uint32_t geometry, std::uint32_t triangle, double found,
-                           abut_pick& out) const {
-  const Entry& entry = entries_[geometry & ~entry_flag];
-  if (entry.role != Role::instance) {
-    const abut_ray_hit& hit = lane.exact;
-    if (hit.distance <= lane.ray.max_distance) out = pick_of(entry.id, hit);
-    return;
-  }
+void Tracer::resolve_instance(const abut_ray& ray, const Entry& entry, std::uint32_t triangle, double found,
+                              abut_pick& out) const {
   const ShapeRecord& shape = shapes_[entry.shape];
   const Instanced& instanced = *shape.instanced;
   const Facet& plane = instanced.surface[triangle];
-  const abut_ray local{to_local(entry.frame, lane.ray.origin), rotate_back(entry.frame, lane.ray.direction), 0};
+  const abut_ray local{to_local(entry.frame, ray.origin), rotate_back(entry.frame, ray.direction), 0};
   const double distance =
       distance_to(numbers_of(plane), first_half(local), last_half(local), found, instanced.space.extent);
-  if (distance > lane.ray.max_distance) return;
+  if (distance > ray.max_distance) return;
   out = {.geometry = entry.id,
          .feature = {ABUT_FEATURE_FACE, shape.faces.empty() ? triangle : shape.faces[triangle]},
          .child = 0,
          .reserved = 0,
          .distance = distance,
-         .point = add(lane.ray.origin, scale(lane.ray.direction, distance)),
+         .point = add(ray.origin, scale(ray.direction, distance)),
          .normal = rotate(entry.frame, plane.normal)};
 }
 
