@@ -46,7 +46,7 @@ inline constexpr Real least_aside = 1e-140;
 // The directions across an edge from the normal of one of its faces to that of the other, and both shadows along it.
 struct EdgeArc {
   Vec3 x, y;                        // orthonormal and across the edge; x is where the arc begins
-  Real end_x, end_y;                // where it ends, less than half a turn on
+  Real end_x, end_y;                // where it ends; of a polygon half a turn on up to rounding, else less
   Real corner_x, corner_y;          // the edge, and the centre of the discs
   Real axis_x, axis_y, axis_along;  // the axis of the discs; its part along the edge
 };

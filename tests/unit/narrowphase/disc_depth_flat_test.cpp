@@ -1,4 +1,4 @@
-// Bodies without thickness, and axes along faces and through corners: what rounding of the frame decides does not count.
+// Bodies without thickness, and axes along faces and through corners: rounding of the frame must not count.
 #include <gtest/gtest.h>
 
 #include <algorithm>
