@@ -1087,8 +1087,8 @@ ABUT_API void abut_step_stats_init(abut_step_stats *stats, uint32_t struct_size)
 ABUT_API abut_status abut_universe_stats(const abut_universe *universe, abut_step_stats *out);
 
 /**
- * The plan in words: stages, algorithm per pair of kinds and why, what was left out, counts, bytes
- * and microseconds of the last step.
+ * The plan in words: stages, algorithm per pair of kinds and why, extensions, what was left out, counts, bytes and
+ * microseconds of the last step. Those of pairs of kinds are measured from the first step after the first question on.
  * @param text      capacity bytes, always terminated when capacity > 0; null with capacity 0 asks for the size
  * @param needed    bytes of the whole text with its terminator
  * [const]

@@ -83,6 +83,26 @@ TEST_P(SteadyStep, AllocatesNothingWhereBodiesMove) {
   EXPECT_EQ(found.calls, 0U) << found.first_places;
 }
 
+// Islands, velocities by poses, and a set of particles that meets itself.
+TEST_P(SteadyStep, AllocatesNothingForWhatIsSwitchedOn) {
+  Crowd crowd(options(), steady::make_moving_shapes(), 6);
+  abut_geometry_options meets_itself = default_geometry_options();
+  meets_itself.flags = ABUT_GEOMETRY_SELF_PAIRS;
+  const Shape balls = make_of_kind("particles", {0.3}, {0, 0, 0, 0.5, 0, 0, 0.5, 0.5, 0});
+  abut_geometry_id created{};
+  require(abut_geometry_create(crowd.universe(), crowd.parts().front(), balls, &meets_itself, &created));
+  require(abut_universe_follow_islands(crowd.universe(), 1));
+  require(abut_parts_measure_velocities(crowd.universe(), crowd.parts().data(), crowd.parts().size()));
+  const Allocations found = count_frames(crowd, 4, [&](std::size_t frame) {
+    crowd.move(frame);
+    require(abut_universe_step(crowd.universe(), 0.01));
+    const abut_island* islands = nullptr;
+    std::size_t count = 0;
+    require(abut_universe_islands(crowd.universe(), &islands, &count));
+  });
+  EXPECT_EQ(found.calls, 0U) << found.first_places;
+}
+
 TEST_P(SteadyStep, AllocatesNothingForPartialDetections) {
   Crowd crowd(options(), steady::make_moving_shapes(), 4);
   const abut_vec3 middle = crowd.middle();
