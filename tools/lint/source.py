@@ -1,6 +1,7 @@
 """A file of the tree as the rules see it: raw, without comments, and without comments and strings."""
 
 import functools
+import os
 import re
 from pathlib import Path, PurePosixPath
 
@@ -124,15 +125,15 @@ class Source:
 def read_tree(root):
     """All text files below root that somebody wrote, in order of their paths."""
     root = Path(root)
-    builds = {cache.parent for cache in root.rglob("CMakeCache.txt")}
     sources = []
-    for path in sorted(root.rglob("*")):
-        relative = path.relative_to(root)
-        if SKIPPED_FOLDERS.intersection(relative.parts[:-1]) or builds.intersection(path.parents):
-            continue
-        if not path.is_file() or path.is_symlink():
-            continue
-        if path.suffix not in TEXT and not (path.suffix == "" and path.read_bytes()[:2] == b"#!"):
-            continue
-        sources.append(Source(relative.as_posix(), path.read_text(encoding="utf-8")))
-    return sources
+    for folder, folders, names in os.walk(root):
+        # A folder with a cache of CMake is a build, wherever it lies.
+        is_build = "CMakeCache.txt" in names
+        folders[:] = [] if is_build else sorted(set(folders) - SKIPPED_FOLDERS)
+        for name in [] if is_build else names:
+            path = Path(folder, name)
+            if path.is_symlink() or not path.is_file():
+                continue
+            if path.suffix in TEXT or (path.suffix == "" and path.read_bytes()[:2] == b"#!"):
+                sources.append(Source(path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")))
+    return sorted(sources, key=lambda source: source.path.split("/"))
