@@ -5,6 +5,7 @@ import abut.core.standard;
 import abut.math;
 import abut.narrowphase.convex;
 import abut.narrowphase.half_space;
+import abut.narrowphase.surface_contacts;
 import abut.narrowphase.triangle_contacts;
 import abut.shape;
 
@@ -69,13 +70,10 @@ template <Surface A, Convex B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
-  const std::size_t first = out.size();
-  LeftToNeighbour left;
+  SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
   Aabb query = b.aabb(ab).inflated(std::max(settings.margin, Real{0}));
-  a.visit_parts(query, [&](const typename A::Part& part, std::uint32_t) { triangle_contacts(part, b, 0, ab, settings, left, out); });
-  if (left.deepest) {
-    append_left(*left.deepest, b, ab, settings.margin, first, out);
-  }
+  a.visit_parts(query, [&](const typename A::Part& part, std::uint32_t) { contacts.add(part, b, 0); });
+  contacts.finish();
   return Outcome::ok;
 }
 
@@ -101,30 +99,13 @@ template <Surface A, Surface B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
-  const std::size_t first = out.size();
-  LeftToNeighbour left;
-  std::optional<typename B::Part> part_left;
-  const auto name_part = [&](std::size_t from, std::uint32_t index) {
-    for (ContactPoint& contact : std::span(out).subspan(from)) {
-      contact.id = mixed(contact.id ^ (std::uint64_t{index} << 32));
-      contact.feature_b = {FeatureKind::face, index};
-    }
-  };
+  SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
   Aabb query = a.aabb(ab.inverse()).inflated(std::max(settings.margin, Real{0}));
   b.visit_parts(query, [&](const typename B::Part& part, std::uint32_t index) {
-    const std::size_t from = out.size();
     Aabb box = part.aabb(ab).inflated(std::max(settings.margin, Real{0}));
-    a.visit_parts(box, [&](const typename A::Part& other, std::uint32_t) { triangle_contacts(other, part, index, ab, settings, left, out); });
-    name_part(from, index);
-    if (left.deepest && left.deepest->part_of_b == index) {
-      part_left = part;
-    }
+    a.visit_parts(box, [&](const typename A::Part& other, std::uint32_t) { contacts.add(other, part, index); });
   });
-  if (part_left) {
-    const std::size_t from = out.size();
-    append_left(*left.deepest, *part_left, ab, settings.margin, first, out);
-    name_part(from, left.deepest->part_of_b);
-  }
+  contacts.finish();
   return Outcome::ok;
 }
 

@@ -1,7 +1,6 @@
-// A triangle of a surface against a convex shape, or against a triangle of another surface. Beside the
-// convex pair this knows two things about surfaces: a one-sided triangle only pushes to its front, and
-// at an inner edge, across which the surface goes on, only the normal of the face counts, so that
-// sliding shapes do not trip over seams.
+// A triangle of a surface against a convex shape, or against a triangle of another surface: their separation, and which
+// normals may part them. A one-sided triangle only pushes to its front, and a way out of a triangle is one out of its surface
+// only where no neighbour reaches further.
 export module abut.narrowphase.triangle_contacts;
 import abut.core;
 import abut.core.standard;
@@ -11,25 +10,22 @@ import abut.shape;
 
 export namespace abut {
 
-// Barycentric weights below this put a point on the edge opposite to the corner.
-inline constexpr Real on_edge = 1e-7;
+// The corners of a triangle that lie furthest along a direction, by bit: one of a vertex, two of an edge, three of the face.
+[[nodiscard]] inline unsigned outermost_corners(const Triangle& triangle, const Vec3& direction, Real noise) {
+  const Vec3 origin = triangle.corners()[0];
+  const Real b = dot(direction, triangle.corners()[1] - origin), c = dot(direction, triangle.corners()[2] - origin);
+  const Real outermost = std::max(std::max(b, c), Real{0}) - noise;
+  return (0 >= outermost ? 1u : 0u) | (b >= outermost ? 2u : 0u) | (c >= outermost ? 4u : 0u);
+}
 
-// Whether a point of a triangle lies on inner edges only, so that the surface goes on around it.
-[[nodiscard]] inline bool is_inner_point(const Triangle& triangle, const Vec3& point) {
-  const auto& corners = triangle.corners();
-  const Vec3 scaled = cross(corners[1] - corners[0], corners[2] - corners[0]);
-  const Real square = squared_norm(scaled);
-  if (triangle.inner_edges() == 0 || !(square > 0)) {
-    return false;
+// Whether the way out of a triangle along a direction is one out of its surface. Otherwise a neighbour reaches further.
+template <Surface S>
+[[nodiscard]] bool leads_out(const S& surface, const Triangle& triangle, const Vec3& direction, Real noise) {
+  if (!triangle.has_area() || std::fabs(dot(direction, triangle.normal())) > 1 - 1e-12) {
+    return true;
   }
-  unsigned touched = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Real weight = dot(scaled, cross(corners[(i + 1) % 3] - corners[i], point - corners[i])) / square;
-    if (std::fabs(weight) <= on_edge) {
-      touched |= 1u << i;
-    }
-  }
-  return touched != 0 && (touched & triangle.inner_edges()) == touched;
+  const unsigned corners = outermost_corners(triangle, direction, noise);
+  return corners == 7 || surface.is_crest(triangle.index(), corners, direction, noise);
 }
 
 // Whether a point of the plane of a triangle lies on the triangle, within rounding.
@@ -91,140 +87,34 @@ class Fronts {
   Vec3 a_, b_{0, 0, 0};
 };
 
-// A separation along the normal of a face, and whether its closest points lie on that face: the foot of
-// the lowest point of the other side may be beside it.
-struct Turned {
-  CoreSeparation separation;
-  bool is_over;
-};
-
+// The separation along the normal of a face.
 template <Convex B>
-[[nodiscard]] Turned along_face(const Triangle& triangle, const B& b, const Pose& ab, const CoreSeparation& core, const Vec3& normal) {
+[[nodiscard]] CoreSeparation along_face(const Triangle& triangle, const B& b, const Pose& ab, const CoreSeparation& core,
+                                        const Vec3& normal) {
   CoreSeparation turned = core;
   turned.normal = normal;
   turned.point_b = placed_support(b, place(b, ab), -normal).point;
   turned.distance = turned.lower = turned.upper = dot(normal, turned.point_b - triangle.corners()[0]);
   turned.point_a = turned.point_b - turned.distance * normal;
-  return {turned, is_over(triangle, turned.point_a)};
+  return turned;
 }
 
 // The same with the face on side b.
-[[nodiscard]] inline Turned along_other_face(const Triangle& triangle, const Triangle& b, const Pose& ab, const CoreSeparation& core,
-                                             const Vec3& normal) {
+[[nodiscard]] inline CoreSeparation along_other_face(const Triangle& triangle, const Triangle& b, const Pose& ab,
+                                                     const CoreSeparation& core, const Vec3& normal) {
   CoreSeparation turned = core;
   turned.normal = normal;
   turned.point_a = triangle.support(normal).point;
   turned.distance = turned.lower = turned.upper = dot(normal, ab * b.corners()[0] - turned.point_a);
   turned.point_b = turned.point_a + turned.distance * normal;
-  return {turned, is_over(b, ab.undo(turned.point_b))};
+  return turned;
 }
 
-// A contact that was left to a neighbour across an inner edge. When no neighbour reports one that is as
-// deep, it counts after all.
-struct LeftToNeighbour {
-  struct Pair {
-    Triangle triangle;
-    std::uint32_t part_of_b;
-    CoreSeparation core;
-  };
-  std::optional<Pair> deepest;
-
-  void offer(const Triangle& triangle, std::uint32_t part_of_b, const CoreSeparation& core) {
-    if (!deepest || core.distance < deepest->core.distance) {
-      deepest.emplace(Pair{triangle, part_of_b, core});
-    }
-  }
-};
-
-// Appends the contacts under a given separation, named after the triangle: seen from outside, the
-// feature of a surface is its triangle; the number of the contact still tells the corners and edges of
-// the triangle apart.
+// How far b has to move along a direction to be parted from a triangle.
 template <Convex B>
-void append_contacts(const Triangle& triangle, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
-                     Manifold& out) {
-  const std::size_t first = out.size();
-  contacts_under(triangle, b, ab, core, margin, closest_count, out);
-  for (ContactPoint& contact : std::span(out).subspan(first)) {
-    contact.id = mixed(contact.id + triangle.index());
-    contact.feature_a = {FeatureKind::face, triangle.index()};
-  }
-}
-
-// `part_of_b`: the number of b where it is a part itself.
-template <Convex B>
-void triangle_contacts(const Triangle& triangle, const B& b, std::uint32_t part_of_b, const Pose& ab, const QuerySettings& settings,
-                       LeftToNeighbour& left, Manifold& out) {
-  const Real radii = b.radius();
-  const CoreSeparation core = separate_from_triangle(triangle, b, ab, settings, settings.margin + radii);
-  if (core.beyond || core.distance - radii > settings.margin) {
-    return;
-  }
-  const Fronts<B> fronts(triangle, b, ab);
-  const bool is_allowed = fronts.allows(core.normal);
-  // Of a core that is beside or behind a triangle, only what its rounding has sunk in from the front counts.
-  if (!is_allowed && !core.overlap &&
-      !(core.distance < radii && dot(triangle.normal(), placed_centre(b, ab) - triangle.corners()[0]) >= 0)) {
-    return;
-  }
-  // The normals of faces that may stand in for the normal that was found; the one that parts them sooner does.
-  std::optional<CoreSeparation> turned;
-  bool is_over_face = false, was_turned = false;
-  const bool is_apart = is_allowed && !core.overlap;
-  const auto turn = [&](const Triangle& side, const Vec3& normal, bool is_inner, const auto& separation_along) {
-    const bool is_face_normal = std::fabs(dot(core.normal, normal)) > 1 - 1e-12;
-    if (!side.has_area() || (is_allowed && (!is_inner || is_face_normal))) {
-      return;
-    }
-    was_turned = true;
-    for (const Vec3& direction : {normal, -normal}) {
-      const auto [separation, is_over] = separation_along(direction);
-      // Cores that are apart are on the side that their closest points tell.
-      const bool is_this_side = !is_apart || dot(core.normal, direction) >= 0;
-      if (is_this_side && fronts.nearly_allows(direction) && (!turned || separation.distance > turned->distance)) {
-        turned = separation;
-        is_over_face = is_over;
-      }
-    }
-  };
-  turn(triangle, triangle.normal(), is_inner_point(triangle, core.point_a),
-       [&](const Vec3& direction) { return along_face(triangle, b, ab, core, direction); });
-  if constexpr (std::same_as<B, Triangle>) {
-    turn(b, -(ab.rotation * b.normal()), is_inner_point(b, ab.undo(core.point_b)),
-         [&](const Vec3& direction) { return along_other_face(triangle, b, ab, core, direction); });
-  }
-  if (!was_turned) {
-    append_contacts(triangle, b, ab, core, settings.margin, true, out);
-    return;
-  }
-  if (is_allowed) {
-    left.offer(triangle, part_of_b, core);
-  }
-  // After a turn the closest points may lie beside the triangle, over a neighbour that has them too.
-  if (turned) {
-    const auto first = std::ssize(out);
-    append_contacts(triangle, b, ab, *turned, settings.margin, is_over_face, out);
-    // What passes the plane of the triangle beside it and reaches under it is no overlap.
-    const Real least = is_apart ? core.distance - radii - 4 * core.rounding : -infinity;
-    out.erase(std::remove_if(out.begin() + first, out.end(), [&](const ContactPoint& contact) { return contact.distance < least; }),
-              out.end());
-  }
-}
-
-// The contacts left to neighbours, of which the deepest counts where those from `first` on are less deep.
-// It has a number of its own: the same features may have met under the normal of the face.
-template <Convex B>
-void append_left(const LeftToNeighbour::Pair& left, const B& b, const Pose& ab, Real margin, std::size_t first, Manifold& out) {
-  const Real deep = left.core.distance - b.radius() + 4 * left.core.rounding;
-  if (std::ranges::any_of(std::span(out).subspan(first), [&](const ContactPoint& contact) { return contact.distance <= deep; })) {
-    return;
-  }
-  Manifold found;
-  append_contacts(left.triangle, b, ab, left.core, margin, true, found);
-  const auto deepest = std::ranges::min_element(found, {}, &ContactPoint::distance);
-  if (deepest != found.end()) {
-    deepest->id = mixed(~deepest->id);
-    out.push_back(*deepest);
-  }
+[[nodiscard]] Real overlap_along(const Triangle& triangle, const B& b, const Pose& ab, const Vec3& direction) {
+  const Vec3 lowest = placed_support(b, place(b, ab), -direction).point;
+  return dot(direction, triangle.support(direction).point - lowest) + b.radius();
 }
 
 }  // namespace abut

@@ -12,16 +12,14 @@ class Triangle {
  public:
   static constexpr bool is_symmetric = false;
 
-  inline Triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t index, bool one_sided, std::uint8_t inner_edges)
-      : corners_{a, b, c}, normal_(unit_normal(a, b, c)), index_(index), one_sided_(one_sided), inner_edges_(inner_edges) {}
+  inline Triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t index, bool one_sided)
+      : corners_{a, b, c}, normal_(unit_normal(a, b, c)), index_(index), one_sided_(one_sided) {}
 
   [[nodiscard]] inline const std::array<Vec3, 3>& corners() const [[clang::lifetimebound]] { return corners_; }
   [[nodiscard]] inline const Vec3& normal() const [[clang::lifetimebound]] { return normal_; }  // zero for no area
   [[nodiscard]] inline std::uint32_t index() const { return index_; }
   [[nodiscard]] inline bool is_one_sided() const { return one_sided_; }
   [[nodiscard]] inline bool has_area() const { return squared_norm(normal_) > 0; }
-  // Edges, by bit, across which the surface goes on flat or dips: nothing can rest on them.
-  [[nodiscard]] inline std::uint8_t inner_edges() const { return inner_edges_; }
 
   [[nodiscard]] inline std::uint32_t corner_count() const { return 3; }
   [[nodiscard]] inline Vec3 corner(std::uint32_t index) const { return corners_[index]; }
@@ -121,7 +119,6 @@ class Triangle {
   Vec3 normal_;
   std::uint32_t index_;
   bool one_sided_;
-  std::uint8_t inner_edges_;
 };
 static_assert(FewFaced<Triangle> && RayCastable<Triangle>);
 

@@ -33,8 +33,10 @@ class HeightField {
     const std::uint32_t cell = index / 2, i = cell % (field.columns - 1), j = cell / (field.columns - 1);
     const bool upper = index % 2 != 0;
     return {point(i, j), upper ? point(i + 1, j + 1) : point(i + 1, j), upper ? point(i, j + 1) : point(i + 1, j + 1),
-            index, true, inner_edges(i, j, upper)};
+            index, true};
   }
+  // See Surface.
+  [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
 
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {
@@ -100,23 +102,6 @@ class HeightField {
     const std::uint32_t cell = cell_at(position, samples);
     return cell > 0 && static_cast<Real>(cell) >= position ? cell - 1 : cell;
   }
-  // See Triangle::inner_edges. In a cell with corners a b (lower) and c d (upper), whether the surface
-  // dips across an edge follows from second differences of the heights alone.
-  [[nodiscard]] inline std::uint8_t inner_edges(std::uint32_t i, std::uint32_t j, bool upper) const {
-    const Data& field = *data_;
-    const Real a = height(i, j), b = height(i + 1, j), c = height(i, j + 1), d = height(i + 1, j + 1);
-    const auto dips = [](Real second_difference) { return second_difference >= 0; };
-    const bool diagonal = dips(b + c - a - d);
-    if (upper) {
-      const bool top = j + 2 < field.rows && dips(height(i + 1, j + 2) - d - (c - a));
-      const bool left = i > 0 && dips(height(i - 1, j) + d - c - a);
-      return static_cast<std::uint8_t>((diagonal ? 1 : 0) | (top ? 2 : 0) | (left ? 4 : 0));
-    }
-    const bool bottom = j > 0 && dips(height(i, j - 1) + d - b - a);
-    const bool right = i + 2 < field.columns && dips(height(i + 2, j + 1) - d - (b - a));
-    return static_cast<std::uint8_t>((bottom ? 1 : 0) | (right ? 2 : 0) | (diagonal ? 4 : 0));
-  }
-
   Frozen<Data> data_;
 };
 static_assert(Shape<HeightField> && Surface<HeightField> && Triangulated<HeightField> && Terrain<HeightField> &&

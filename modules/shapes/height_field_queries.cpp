@@ -21,7 +21,39 @@ Fault check_samples(std::string_view name, Real value) {
   return std::nullopt;
 }
 
+// A sample, by column and row.
+struct Sample {
+  std::int64_t i, j;
+};
+
+// Samples are joined along the lines of the grid and along the diagonals that split the cells.
+constexpr auto neighbours = std::to_array<Sample>({{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}});
+
+constexpr bool are_joined(const Sample& a, const Sample& b) {
+  return std::ranges::any_of(neighbours, [&](const Sample& step) { return a.i + step.i == b.i && a.j + step.j == b.j; });
+}
+
 }  // namespace
+
+// The triangles at an edge are those with a third corner that is joined to both ends.
+bool HeightField::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
+  const Data& field = *data_;
+  const std::int64_t cell = index / 2, i = cell % (field.columns - 1), j = cell / (field.columns - 1);
+  const bool upper = index % 2 != 0;
+  const std::array<Sample, 3> own{{{i, j}, {i + 1, j + (upper ? 1 : 0)}, {i + (upper ? 0 : 1), j + 1}}};
+  const unsigned others = corners & (corners - 1);
+  const Sample& sample = own[static_cast<unsigned>(std::countr_zero(corners))];
+  const Sample* second = others != 0 ? &own[static_cast<unsigned>(std::countr_zero(others))] : nullptr;
+  const auto height_along = [&](const Sample& at) {
+    return dot(direction, point(static_cast<std::uint32_t>(at.i), static_cast<std::uint32_t>(at.j)));
+  };
+  const Real highest = height_along(sample) + height;
+  return std::ranges::all_of(neighbours, [&](const Sample& step) {
+    const Sample next{sample.i + step.i, sample.j + step.j};
+    const bool is_there = next.i >= 0 && next.j >= 0 && next.i < field.columns && next.j < field.rows;
+    return !is_there || (second && !are_joined(next, *second)) || height_along(next) <= highest;
+  });
+}
 
 Result<HeightField> HeightField::make(std::span<const Real> parameters, std::span<const Real> reals,
                                       std::span<const std::uint32_t> indices) {

@@ -26,8 +26,10 @@ class Mesh {
     const Data& mesh = *data_;
     const std::size_t first = 3 * std::size_t{index};
     return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]], mesh.vertices[mesh.indices[first + 2]],
-            index, mesh.one_sided, tree().inner_edges[index]};
+            index, mesh.one_sided};
   }
+  // See Surface.
+  [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
 
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {
@@ -60,7 +62,9 @@ class Mesh {
  private:
   struct Tree {
     Bvh bvh;
-    std::vector<std::uint8_t> inner_edges;  // per triangle, see Triangle::inner_edges
+    // The triangles around each vertex: those of vertex v are around[first_around[v]] to around[first_around[v + 1] - 1].
+    std::vector<std::size_t> first_around;
+    std::vector<std::uint32_t> around;
   };
   struct Data {
     std::vector<Vec3> vertices;

@@ -6,16 +6,6 @@ import abut.midphase.bvh;
 import abut.shape;
 
 namespace abut {
-namespace {
-
-struct HalfEdge {
-  std::uint32_t low, high;  // vertices
-  std::uint32_t triangle;
-  std::uint8_t edge;  // 0: from corner 0 to 1, ...
-};
-
-}  // namespace
-
 Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> reals, std::span<const std::uint32_t> indices) {
   if (Fault fault = check_count("parameter_count", parameters.size(), 1)) {
     return *fault;
@@ -61,46 +51,39 @@ Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> 
 
 Mesh::Tree Mesh::make_tree(const Data& data) {
   const std::size_t count = data.indices.size() / 3;
-  const auto corner = [&](std::size_t triangle, std::size_t i) { return data.vertices[data.indices[3 * triangle + i % 3]]; };
   std::vector<Aabb> boxes(count, Aabb::empty());
-  std::vector<HalfEdge> edges;
-  edges.reserve(3 * count);
-  for (std::size_t triangle = 0; triangle < count; ++triangle) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      boxes[triangle].include(corner(triangle, i));
-      const auto [low, high] = std::minmax(data.indices[3 * triangle + i], data.indices[3 * triangle + (i + 1) % 3]);
-      edges.push_back({low, high, static_cast<std::uint32_t>(triangle), static_cast<std::uint8_t>(i)});
-    }
+  // Sorted by counting: where the triangles of each vertex begin, then the triangles.
+  std::vector<std::size_t> first(data.vertices.size() + 1, 0);
+  for (std::size_t i = 0; i < data.indices.size(); ++i) {
+    boxes[i / 3].include(data.vertices[data.indices[i]]);
+    ++first[data.indices[i] + 1];
   }
-  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-    return std::tie(a.low, a.high, a.triangle, a.edge) < std::tie(b.low, b.high, b.triangle, b.edge);
-  });
+  for (std::size_t vertex = 0; vertex < data.vertices.size(); ++vertex) {
+    first[vertex + 1] += first[vertex];
+  }
+  std::vector<std::uint32_t> around(data.indices.size());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (std::size_t i = 0; i < data.indices.size(); ++i) {
+    around[next[data.indices[i]]++] = static_cast<std::uint32_t>(i / 3);
+  }
+  return {Bvh(boxes), std::move(first), std::move(around)};
+}
 
-  // An edge between exactly two triangles is an inner one when the surface goes on flat (within
-  // rounding) across it, or, seen from the only side that counts, dips there.
-  std::vector<std::uint8_t> inner(count, 0);
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    const HalfEdge& a = edges[i];
-    const HalfEdge& b = edges[i + 1];
-    const bool more = i + 2 < edges.size() && edges[i + 2].low == a.low && edges[i + 2].high == a.high;
-    const bool before = i > 0 && edges[i - 1].low == a.low && edges[i - 1].high == a.high;
-    if (a.low != b.low || a.high != b.high || more || before) {
-      continue;
-    }
-    const Vec3 base = corner(a.triangle, a.edge);
-    const Vec3 normal = cross(corner(a.triangle, a.edge + 1u) - base, corner(a.triangle, a.edge + 2u) - base);
-    const Vec3 beyond = corner(b.triangle, b.edge + 2u) - base;
-    const Vec3 inward = cross(normal, corner(a.triangle, a.edge + 1u) - base);
-    const Real rise = dot(normal, beyond);
-    const Real flat = 1e-9 * std::sqrt(squared_norm(normal) * squared_norm(beyond));
-    // Where the other triangle lies back on this one, as a repeated triangle does, the edge is a rim.
-    const bool goes_on = std::fabs(rise) <= flat && dot(inward, beyond) < 0;
-    if (goes_on || (data.one_sided && rise > flat)) {
-      inner[a.triangle] = static_cast<std::uint8_t>(inner[a.triangle] | (1u << a.edge));
-      inner[b.triangle] = static_cast<std::uint8_t>(inner[b.triangle] | (1u << b.edge));
-    }
-  }
-  return {Bvh(boxes), std::move(inner)};
+bool Mesh::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
+  const Data& mesh = *data_;
+  const Tree& tree = this->tree();
+  const auto corners_of = [&](std::uint32_t triangle) { return std::span(mesh.indices).subspan(3 * std::size_t{triangle}, 3); };
+  const auto own = corners_of(index);
+  const auto lowest = static_cast<unsigned>(std::countr_zero(corners));
+  const unsigned others = corners & (corners - 1);
+  const std::uint32_t vertex = own[lowest], second = others != 0 ? own[static_cast<unsigned>(std::countr_zero(others))] : vertex;
+  const Real highest = dot(direction, mesh.vertices[vertex]) + height;
+  const auto around = std::span(tree.around).subspan(tree.first_around[vertex], tree.first_around[vertex + 1] - tree.first_around[vertex]);
+  return std::ranges::all_of(around, [&](std::uint32_t triangle) {
+    const auto next = corners_of(triangle);
+    return std::ranges::find(next, second) == next.end() ||
+           std::ranges::all_of(next, [&](std::uint32_t corner) { return dot(direction, mesh.vertices[corner]) <= highest; });
+  });
 }
 
 std::vector<Mesh> Mesh::samples() {

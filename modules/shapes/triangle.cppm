@@ -43,7 +43,7 @@ class FreeTriangle : public Triangle {
   [[nodiscard]] Triangles triangles() const { return {{corners().begin(), corners().end()}, {0, 1, 2}}; }
 
  private:
-  FreeTriangle(const Vec3& a, const Vec3& b, const Vec3& c) : Triangle(a, b, c, 0, false, 0) {}
+  FreeTriangle(const Vec3& a, const Vec3& b, const Vec3& c) : Triangle(a, b, c, 0, false) {}
 };
 static_assert(Shape<FreeTriangle> && FewFaced<FreeTriangle> && Triangulated<FreeTriangle>);
 

@@ -125,4 +125,88 @@ TEST(Sheets, PointsLieOnTheSheetWhenABoxPushesItSideways) {
   EXPECT_NEAR(found.front().distance, -0.1, 1e-12);
 }
 
+// Found by the box, whose corner is 0.1 over the rim, in a mesh of two triangles: the one that it meets at its tip only has
+// no way of its own out, and must not push it through the sheet.
+TEST(Sheets, BoxOverTheRimIsPushedOffTheRim) {
+  const ShapePtr body = box(1);
+  for (const abut_sides sides : {ABUT_SIDES_BOTH, ABUT_SIDES_FRONT}) {
+    const ShapePtr sheet = square(sides);
+    for (const double y : {-1.9, -1.0, -0.3, 0.0, 0.4, 1.05, 1.5, 1.85}) {
+      for (const double z : {-0.3, 0.07, 0.5}) {
+        const auto found = contacts(sheet, at(0, 0, 0), body, at(1.9, y, z));
+        ASSERT_FALSE(found.empty()) << y << " " << z;
+        EXPECT_NEAR(found.front().distance, -std::min({0.1, 2 - std::abs(y), 1 - z}), 1e-12) << y << " " << z;
+      }
+    }
+  }
+}
+
+ShapePtr cube(abut_sides sides) {
+  return mesh({-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1},
+              {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 2, 3, 7, 2, 7, 6, 1, 2, 6, 1, 6, 5, 3, 0, 4, 3, 4, 7},
+              sides);
+}
+
+TEST(Sheets, CubesThatOverlapAreParted) {
+  for (const abut_sides sides : {ABUT_SIDES_BOTH, ABUT_SIDES_FRONT}) {
+    const ShapePtr first = cube(sides), second = cube(sides);
+    for (const double y : {0.13, 0.4, -0.7, 1.2}) {
+      for (const double z : {0.13, -0.31, 0.9}) {
+        const auto found = contacts(first, at(0, 0, 0), second, at(1.9, y, z));
+        ASSERT_FALSE(found.empty());
+        EXPECT_NEAR(found.front().distance, -0.1, 1e-12) << y << " " << z;
+      }
+    }
+  }
+}
+
+// A ridge of a millionth along the middle.
+TEST(Sheets, RidgeOfAMillionthTurnsNoNormal) {
+  const std::vector<double> xyz{-1, -1, 0, 0, -1, 1e-6, 1, -1, 0, -1, 1, 0, 0, 1, 1e-6, 1, 1, 0};
+  for (const abut_sides sides : {ABUT_SIDES_BOTH, ABUT_SIDES_FRONT}) {
+    const ShapePtr ridge = mesh(xyz, {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4}, sides);
+    const auto of_box = contacts(ridge, at(0, 0, 0), box(0.5), at(0.4995, 0, 0.499));
+    const auto of_sphere = contacts(ridge, at(0, 0, 0), sphere(0.4), at(0.02, 0.1, 0.399));
+    EXPECT_GE(of_box.size(), 4u);
+    EXPECT_EQ(of_sphere.size(), 1u);
+    for (const auto* found : {&of_box, &of_sphere}) {
+      for (const abut_contact& contact : *found) EXPECT_GT(contact.normal.z, 1 - 1e-11);
+    }
+  }
+}
+
+TEST(Sheets, RidgeOfABillionthInAHeightFieldTurnsNoNormal) {
+  const std::vector<double> heights{0, 1e-9, 0, 0, 1e-9, 0};
+  abut_height_field_desc desc;
+  abut_height_field_desc_init(&desc, sizeof desc);
+  desc.columns = 3;
+  desc.rows = 2;
+  desc.spacing_x = 1;
+  desc.spacing_y = 2;
+  desc.heights = heights.data();
+  abut_shape* shape = nullptr;
+  ASSERT_EQ(abut_height_field_create(&desc, &shape), ABUT_OK);
+  const ShapePtr field(shape);
+  const auto found = contacts(field, at(0, 0, 0), sphere(0.4), at(1.02, 1.1, 0.399));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_GT(found.front().normal.z, 1 - 1e-11);
+}
+
+// Over the top of a box, near its side: the side wall is further away than the top, and has no contact.
+TEST(Sheets, BallSunkInABoxIsPushedByTheTopAlone) {
+  for (const abut_sides sides : {ABUT_SIDES_BOTH, ABUT_SIDES_FRONT}) {
+    const ShapePtr body = cube(sides);
+    for (const double sunk : {0.01, 0.042, 0.05, 0.1, 0.2}) {
+      for (const double aside : {0.1, 0.2, 0.25}) {
+        const auto found = contacts(body, at(0, 0, 0), sphere(0.3), at(1 - aside, 0.2, 1.3 - sunk));
+        ASSERT_FALSE(found.empty());
+        for (const abut_contact& contact : found) {
+          EXPECT_GT(contact.normal.z, 1 - 1e-12) << sunk << " " << aside;
+          EXPECT_NEAR(contact.distance, -sunk, 1e-12);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace

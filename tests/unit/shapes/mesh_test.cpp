@@ -81,26 +81,18 @@ TEST(Mesh, RaysMeetTheFirstTriangle) {
   test::expect_first_triangle(sheet(12, true, 177), {0, 0, 0.2}, {1, 1, 0.5}, 178, 500);
 }
 
-TEST(Mesh, InnerEdgesAreFlatOrDip) {
-  for (const bool one_sided : {false, true}) {
-    const Mesh mesh = sheet(10, one_sided, 179);
-    const std::vector<std::uint8_t> expected = test::inner_edges_of(mesh.triangles(), one_sided);
-    int inner = 0, outer = 0;
-    for (std::uint32_t k = 0; k < mesh.triangle_count(); ++k) {
-      EXPECT_EQ(mesh.part(k).inner_edges(), expected[k]) << "triangle " << k;
-      ++(expected[k] != 0 ? inner : outer);
-    }
-    EXPECT_GT(inner, 3);
-    EXPECT_GT(outer, 3);
-  }
+TEST(Mesh, CrestsAreWhereNothingAroundRises) {
+  test::expect_crests(sheet(10, false, 179), 279, 300);
+  test::expect_crests(test::made<Mesh>({0}, {1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1}, {0, 1, 3, 0, 3, 2, 0, 2, 1, 1, 2, 3}), 280, 5);
 }
 
-// An edge of three triangles is a ridge for some of them.
-TEST(Mesh, EdgeOfThreeTrianglesIsNotInner) {
+// All three triangles at the edge count: the third one rises.
+TEST(Mesh, CrestOfThreeTrianglesLooksAtAll) {
   const Mesh mesh = test::made<Mesh>({0}, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, -1, 0, 0, 0, 1}, {0, 1, 2, 1, 0, 3, 0, 1, 4});
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    EXPECT_EQ(mesh.part(k).inner_edges(), 0) << k;
-  }
+  EXPECT_FALSE(mesh.is_crest(0, 3, {0, 0, 1}, 1e-12));
+  EXPECT_FALSE(mesh.is_crest(1, 3, {0, 0, 1}, 1e-12));
+  EXPECT_TRUE(mesh.is_crest(0, 3, {0, 0, -1}, 1e-12));
+  EXPECT_TRUE(mesh.is_crest(2, 4, {0, 0, 1}, 1e-12));
 }
 
 TEST(Mesh, TreeIsMadeWhenItIsNeeded) {

@@ -1,9 +1,9 @@
 // Triangles of surfaces, one by one: what trees and grids must agree with.
 #pragma once
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -113,31 +113,57 @@ void expect_parts(const S& shape, const abut::Vec3& centre, const abut::Vec3& si
   EXPECT_EQ(most, surface.indices.size() / 3);
 }
 
-// Edges between two triangles across which the surface goes on flat or, if one-sided, dips, by triangle.
-inline std::vector<std::uint8_t> inner_edges_of(const abut::Triangles& surface, bool one_sided) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::size_t, std::size_t>>> sharing;
-  const std::size_t count = surface.indices.size() / 3;
-  for (std::size_t k = 0; k < count; ++k) {
-    for (std::size_t edge = 0; edge < 3; ++edge) {
-      const std::uint32_t from = surface.indices[3 * k + edge], to = surface.indices[3 * k + (edge + 1) % 3];
-      sharing[{from < to ? from : to, from < to ? to : from}].emplace_back(k, edge);
+// Whether nothing around some corners of a triangle (by bit) rises over the plane through them: all triangles that have
+// these corners are looked at.
+inline bool lies_behind(const abut::Triangles& surface, std::size_t triangle, unsigned corners, const abut::Vec3& direction) {
+  std::set<std::uint32_t> wanted;
+  for (unsigned i = 0; i < 3; ++i) {
+    if ((corners >> i & 1) != 0) {
+      wanted.insert(surface.indices[3 * triangle + i]);
     }
   }
-  std::vector<std::uint8_t> inner(count, 0);
-  for (const auto& [ends, owners] : sharing) {
-    if (owners.size() != 2) {
-      continue;
+  const double height = dot(direction, surface.vertices[*wanted.begin()]);
+  for (std::size_t first = 0; first < surface.indices.size(); first += 3) {
+    const std::set<std::uint32_t> own{surface.indices[first], surface.indices[first + 1], surface.indices[first + 2]};
+    bool has_all = true;
+    for (const std::uint32_t vertex : wanted) {
+      has_all = has_all && own.contains(vertex);
     }
-    const Corners t = corners_at(surface, owners[0].first);
-    const abut::Vec3 other = surface.vertices[surface.indices[3 * owners[1].first + (owners[1].second + 2) % 3]];
-    const double volume = dot(cross(t.b - t.a, t.c - t.a), other - t.a);  // positive: the other rises in front
-    if (std::fabs(volume) < 1e-12 || (one_sided && volume > 0)) {
-      for (const auto& [triangle, edge] : owners) {
-        inner[triangle] = static_cast<std::uint8_t>(inner[triangle] | (1u << edge));
+    for (const std::uint32_t vertex : own) {
+      if (has_all && dot(direction, surface.vertices[vertex]) > height + 1e-12) {
+        return false;
       }
     }
   }
-  return inner;
+  return true;
+}
+
+// For each vertex and edge of each triangle, and directions in which it is the outermost of the triangle, flat ones too.
+template <class S>
+void expect_crests(const S& shape, std::uint64_t seed, int least) {
+  Random random(seed);
+  const abut::Triangles surface = shape.triangles();
+  int crests = 0, others = 0;
+  for (std::uint32_t k = 0; k < surface.indices.size() / 3; ++k) {
+    const Corners t = corners_at(surface, k);
+    const std::array<abut::Vec3, 3> at{t.a, t.b, t.c};
+    for (int round = 0; round < 30; ++round) {
+      const auto from = static_cast<unsigned>(round % 3);
+      const bool is_edge = round % 2 == 0;
+      abut::Vec3 direction = round < 6 ? cross(t.b - t.a, t.c - t.a) : random.point(1);
+      const abut::Vec3 edge = at[(from + 1) % 3] - at[from];
+      if (is_edge) {
+        direction = direction - (dot(direction, edge) / dot(edge, edge)) * edge;
+      }
+      direction = *abut::UnitVec3::make(direction);
+      const unsigned corners = is_edge ? 1u << from | 1u << (from + 1) % 3 : 1u << from;
+      const bool expected = lies_behind(surface, k, corners, direction);
+      EXPECT_EQ(shape.is_crest(k, corners, direction, 1e-12), expected) << "triangle " << k << ", corners " << corners;
+      ++(expected ? crests : others);
+    }
+  }
+  EXPECT_GT(crests, least);
+  EXPECT_GT(others, least);
 }
 
 // The box of a turned surface holds all of it and is no larger than the turned box of its vertices.

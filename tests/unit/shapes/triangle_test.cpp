@@ -31,7 +31,6 @@ TEST(FreeTriangle, KeepsItsCorners) {
   EXPECT_EQ(kite().corners()[1], b);
   EXPECT_EQ(kite().corners()[2], c);
   EXPECT_FALSE(kite().is_one_sided());
-  EXPECT_EQ(kite().inner_edges(), 0);
   EXPECT_EQ(kite().index(), 0u);
 }
 
