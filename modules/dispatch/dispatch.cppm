@@ -53,8 +53,13 @@ template <class Any, class A, class B>
 // Of two shapes of one kind, which one comes first may change as they move: their numbers are in the order given.
 inline void number_in_order_given(std::span<ContactPoint> contacts) {
   for (ContactPoint& contact : contacts) {
-    if (contact.id == contact_id(contact.feature_b, contact.feature_a)) {
-      contact.id = contact_id(contact.feature_a, contact.feature_b);
+    std::uint64_t found = contact_id(contact.feature_b, contact.feature_a);
+    std::uint64_t given = contact_id(contact.feature_a, contact.feature_b);
+    for (int repeat = 0; repeat < 2; ++repeat, found = mixed(found), given = mixed(given)) {
+      if (contact.id == found) {
+        contact.id = given;
+        break;
+      }
     }
   }
 }

@@ -16,10 +16,9 @@ struct Side {
   int axis, first, second;  // the axis across the face, and those of its plane
   bool is_upper;
 };
-// The one that looks furthest along a direction, the first among equals.
+// The one that looks furthest along a direction, as the shape picks its face.
 [[nodiscard]] inline Side side_toward(const Vec3& d) {
-  const Vec3 magnitude = absolute(d);
-  const int axis = magnitude.x >= magnitude.y && magnitude.x >= magnitude.z ? 0 : magnitude.y >= magnitude.z ? 1 : 2;
+  const int axis = longest_axis(d);
   return {axis, axis == 2 ? 0 : axis + 1, axis == 0 ? 2 : axis - 1, d[axis] >= 0};
 }
 
@@ -172,7 +171,8 @@ bool clip_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, const Ve
   const Lanes v = across(a.second) - heights * all_lanes(normal[a.second]);
   Faces faces{half_a[a.first], half_a[a.second], {u[0], v[0], heights[0]}, {u[1], v[1], heights[1]}, {u[2], v[2], heights[2]}};
 
-  const Real slack = 16 * epsilon * size, doubt = 256 * epsilon * size;
+  const Real tie = tie_share * std::fmin(largest_magnitude(half_a), largest_magnitude(half_b));
+  const Real slack = 16 * epsilon * size + tie, doubt = 256 * epsilon * size + 4 * tie;
   if (std::fabs(faces.first.u) <= slack && std::fabs(faces.second.v) <= slack) {
     std::swap(b.first, b.second);
     std::swap(faces.first, faces.second);

@@ -3,6 +3,7 @@ import abut.core;
 import abut.core.standard;
 import abut.math;
 import abut.narrowphase.across;
+import abut.narrowphase.lift;
 import abut.shape;
 
 namespace abut {
@@ -10,25 +11,6 @@ namespace {
 
 // A face whose normal is further than this from the contact normal is met at an edge or a vertex.
 constexpr Real steepest_cosine = 0.05;
-struct Flat {
-  Real u, v;
-};
-[[nodiscard]] inline Real cross2(const Flat& a, const Flat& b) { return a.u * b.v - a.v * b.u; }
-[[nodiscard]] inline Flat operator-(const Flat& a, const Flat& b) { return {a.u - b.u, a.v - b.v}; }
-[[nodiscard]] inline Flat mix(const Flat& a, const Flat& b, Real t) { return {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)}; }
-
-// Projection along the normal onto its tangents, about a base point that keeps coordinates small.
-struct Projection {
-  Vec3 base;
-  Tangents tangents;
-  Vec3 normal;
-  Real rounding;  // of projected coordinates
-
-  [[nodiscard]] inline Flat operator()(const Vec3& p) const {
-    const Vec3 d = p - base;
-    return {dot(d, tangents.first), dot(d, tangents.second)};
-  }
-};
 
 // The box of a projected face. Corners are kept when they are outside of edges by rounding only, but near
 // a sharp corner, where edges are nearly parallel, even those lie well beyond it.
@@ -47,23 +29,6 @@ class Extent {
 
  private:
   Flat low_{infinity, infinity}, high_{-infinity, -infinity};
-};
-
-// Lifts projected points onto the plane of a polygon.
-struct Lift {
-  Real height, slope_u, slope_v;
-
-  Lift(const Face& face, const Projection& projection) {
-    const Real along = dot(face.normal, projection.normal);
-    slope_u = -dot(face.normal, projection.tangents.first) / along;
-    slope_v = -dot(face.normal, projection.tangents.second) / along;
-    const Vec3 d = face.vertices[0].point - projection.base;
-    height = dot(d, projection.normal) - slope_u * dot(d, projection.tangents.first) - slope_v * dot(d, projection.tangents.second);
-  }
-  [[nodiscard]] inline Vec3 operator()(const Flat& p, const Projection& projection) const {
-    return projection.base + p.u * projection.tangents.first + p.v * projection.tangents.second +
-           (height + slope_u * p.u + slope_v * p.v) * projection.normal;
-  }
 };
 
 [[nodiscard]] bool faces_normal(const Face& face, const Vec3& normal) {
@@ -102,19 +67,24 @@ struct Edge {
   std::uint32_t number, from_vertex, to_vertex;
 };
 
+// How far to the left of a line a place lies, times the length of the direction. What ties with the line is on it, so that faces
+// that meet along an edge have it in common.
+[[nodiscard]] inline Real side_of(const Flat& place, const Flat& direction, Real tie) {
+  const Real side = cross2(direction, place);
+  return side < -tie * (std::fabs(direction.u) + std::fabs(direction.v)) ? side : std::max(side, Real{0});
+}
+
 enum class Cut : std::uint8_t { nothing, everything, some };
 
 // Cuts the corners by the line of an edge; what lies left stays (Sutherland and Hodgman 1974). `out` is
 // written only where the line crosses the region.
-[[nodiscard]] Cut cut(const Corners& in, Corners& out, const Edge& edge, Real rounding, std::uint32_t face_of_b) {
+[[nodiscard]] Cut cut(const Corners& in, Corners& out, const Edge& edge, Real tie, std::uint32_t face_of_b) {
   const Flat direction = edge.to - edge.from;
-  // What touches the line within rounding stays, so that faces that meet along an edge have it in common.
-  const Real slack = rounding * (std::fabs(direction.u) + std::fabs(direction.v));
   const auto corners = in.span();
   [[clang::uninitialized]] SmallVector<Real, 24> sides;
   Real least = infinity, largest = -infinity;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Real side = cross2(direction, corners[i].at - edge.from) + slack;
+    const Real side = side_of(corners[i].at - edge.from, direction, tie);
     sides.push_back(side);
     least = side < least ? side : least;
     largest = side > largest ? side : largest;
@@ -155,6 +125,26 @@ enum class Cut : std::uint8_t { nothing, everything, some };
   return Cut::some;
 }
 
+// Of corners that follow each other at one place, from edges that meet there, the first one, or the first vertex.
+void merge_ties(const Corners& in, Corners& out, Real tie) {
+  const auto is_crossing = [](const Corner& corner) { return corner.feature_a.kind == FeatureKind::edge; };
+  const auto are_tied = [&](const Corner& p, const Corner& q) {
+    const Flat step = q.at - p.at;
+    return std::fabs(step.u) + std::fabs(step.v) <= tie;
+  };
+  const auto merge = [&](Corner& kept, const Corner& corner) { kept = is_crossing(kept) && !is_crossing(corner) ? corner : kept; };
+  out.clear();
+  for (const Corner& corner : in.span()) {
+    if (out.size() > 0 && are_tied(out[out.size() - 1], corner)) {
+      merge(out[out.size() - 1], corner);
+    } else if (out.size() > 1 && are_tied(corner, out[0])) {
+      merge(out[0], corner);
+    } else {
+      out.push_back(corner);
+    }
+  }
+}
+
 void clip_polygons(const Face& a, const Face& b, const Projection& projection, ClipPoints& out) {
   [[clang::uninitialized]] Corners first;
   [[clang::uninitialized]] Corners second;
@@ -177,7 +167,7 @@ void clip_polygons(const Face& a, const Face& b, const Projection& projection, C
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t from = place(i), to = place(i + 1 < count ? i + 1 : 0);
     edge = {edge.to, projection(vertices_a[to].point), vertices_a[a_turns ? from : to].edge, vertices_a[from].vertex, vertices_a[to].vertex};
-    const Cut found = cut(*current, *spare, edge, projection.rounding, b.index);
+    const Cut found = cut(*current, *spare, edge, projection.tie, b.index);
     if (found == Cut::everything) {
       return;
     }
@@ -187,53 +177,56 @@ void clip_polygons(const Face& a, const Face& b, const Projection& projection, C
   }
   const Lift lift_a(a, projection), lift_b(b, projection);
   const Extent extent_a(a, projection), extent_b(b, projection);
-  const auto corners = current->span();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Corner& corner = corners[i];
-    if (!extent_a.holds(corner.at, 4 * projection.rounding) || !extent_b.holds(corner.at, 4 * projection.rounding)) {
-      continue;
+  merge_ties(*current, *spare, 4 * projection.tie);
+  for (const Corner& corner : spare->span()) {
+    if (extent_a.holds(corner.at, 4 * projection.tie) && extent_b.holds(corner.at, 4 * projection.tie)) {
+      out.push_back({lift_a(corner.at, projection), lift_b(corner.at, projection), corner.feature_a, corner.feature_b});
     }
-    const Flat step = corners[i + 1 < corners.size() ? i + 1 : 0].at - corner.at;
-    if (corners.size() > 1 && std::fabs(step.u) + std::fabs(step.v) <= 4 * projection.rounding) {
-      continue;  // the same corner twice, from two edges that meet there
-    }
-    out.push_back({lift_a(corner.at, projection), lift_b(corner.at, projection), corner.feature_a, corner.feature_b});
   }
+}
+
+// The stretch of a segment over a polygon in shares of its length, and the edges that it enters and leaves across, if any.
+struct Stretch {
+  Real enter = 0, leave = 1;
+  std::uint32_t enter_edge = no_index, leave_edge = no_index;
+};
+// `tie`: a share of the segment. Of edges that meet under it the first one counts.
+[[nodiscard]] std::optional<Stretch> stretch_over(const Flat& p, const Flat& q, const Face& polygon, const Projection& projection, Real tie) {
+  const bool turns = dot(polygon.normal, projection.normal) >= 0;
+  const auto vertices = polygon.vertices.span();
+  Stretch found;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::size_t j = (i + 1) % vertices.size();
+    const Flat from = projection(vertices[turns ? i : j].point), direction = projection(vertices[turns ? j : i].point) - from;
+    const Real at_p = side_of(p - from, direction, projection.tie), at_q = side_of(q - from, direction, projection.tie);
+    if (at_p < 0 && at_q < 0) {
+      return std::nullopt;
+    }
+    const Real at = at_p / (at_p - at_q);
+    if (at_p < 0 && at > found.enter + tie) {
+      found.enter = at;
+      found.enter_edge = vertices[i].edge;
+    } else if (at_q < 0 && at < found.leave - tie) {
+      found.leave = at;
+      found.leave_edge = vertices[i].edge;
+    }
+  }
+  return found.enter <= found.leave + tie ? std::optional(found) : std::nullopt;
 }
 
 // The stretch of a segment inside a polygon, by its two ends. `swapped`: the segment is side b.
 void clip_segment(const Face& segment, const Face& polygon, const Projection& projection, bool swapped, ClipPoints& out) {
   const FaceVertex &start = segment.vertices[0], &end = segment.vertices[1];
-  const Flat p = projection(start.point), q = projection(end.point);
-  const bool turns = dot(polygon.normal, projection.normal) >= 0;
-  const auto vertices = polygon.vertices.span();
-  Real enter = 0, leave = 1;
-  std::uint32_t enter_edge = no_index, leave_edge = no_index;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const std::size_t j = (i + 1) % vertices.size();
-    const Flat from = projection(vertices[turns ? i : j].point), to = projection(vertices[turns ? j : i].point);
-    const Flat direction = to - from;
-    const Real slack = projection.rounding * (std::fabs(direction.u) + std::fabs(direction.v));
-    const Real at_p = cross2(direction, p - from) + slack, at_q = cross2(direction, q - from) + slack;
-    if (at_p < 0 && at_q < 0) {
-      return;
-    }
-    if (at_p < 0 && at_p / (at_p - at_q) > enter) {
-      enter = at_p / (at_p - at_q);
-      enter_edge = vertices[i].edge;
-    } else if (at_q < 0 && at_p / (at_p - at_q) < leave) {
-      leave = at_p / (at_p - at_q);
-      leave_edge = vertices[i].edge;
-    }
-  }
-  if (enter > leave) {
+  const Real length = norm(end.point - start.point), tie = length > 0 ? 4 * projection.tie / length : 1;
+  const std::optional<Stretch> stretch = stretch_over(projection(start.point), projection(end.point), polygon, projection, tie);
+  if (!stretch) {
     return;
   }
   const Lift lift(polygon, projection);
   const Extent extent(polygon, projection);
   const auto emit = [&](Real t, std::uint32_t edge, std::uint32_t end_vertex) {
     const Vec3 on_segment = start.point + t * (end.point - start.point);
-    if (!extent.holds(projection(on_segment), 4 * projection.rounding)) {
+    if (!extent.holds(projection(on_segment), 4 * projection.tie)) {
       return;
     }
     const Vec3 on_polygon = lift(projection(on_segment), projection);
@@ -245,9 +238,13 @@ void clip_segment(const Face& segment, const Face& polygon, const Projection& pr
       out.push_back({on_segment, on_polygon, of_segment, of_polygon});
     }
   };
-  emit(enter, enter_edge, start.vertex);
-  if (leave > enter) {
-    emit(leave, leave_edge, end.vertex);
+  const bool is_one_point = stretch->leave <= stretch->enter + tie;
+  const bool is_end = stretch->enter_edge != no_index && stretch->leave_edge == no_index;
+  if (!is_one_point || !is_end) {
+    emit(stretch->enter, stretch->enter_edge, start.vertex);
+  }
+  if (!is_one_point || is_end) {
+    emit(stretch->leave, stretch->leave_edge, end.vertex);
   }
 }
 
@@ -271,16 +268,20 @@ void clip_segments(const Face& a, const Face& b, const Projection& projection, C
   const bool same_way = start_b <= end_b;
   const Feature edge_a{FeatureKind::edge, a0.edge}, edge_b{FeatureKind::edge, b0.edge};
   const auto vertex = [](const FaceVertex& v) { return Feature{FeatureKind::vertex, v.vertex}; };
-  const Real low_b = same_way ? start_b : end_b, high_b = same_way ? end_b : start_b;
-  const End low = low_b > 0 ? End{low_b, edge_a, vertex(same_way ? b0 : b1)} : End{0, vertex(a0), edge_b};
-  const End high = high_b < 1 ? End{high_b, edge_a, vertex(same_way ? b1 : b0)} : End{1, vertex(a1), edge_b};
-  if (low.at > high.at) {
+  const Real low_b = same_way ? start_b : end_b, high_b = same_way ? end_b : start_b, tie = projection.tie / std::sqrt(ee);
+  const End low = low_b > tie ? End{low_b, edge_a, vertex(same_way ? b0 : b1)} : End{0, vertex(a0), edge_b};
+  const End high = high_b < 1 - tie ? End{high_b, edge_a, vertex(same_way ? b1 : b0)} : End{1, vertex(a1), edge_b};
+  if (low.at > high.at + tie) {
     return;
   }
-  for (const End& end : {low, high}) {
+  const auto emit = [&](const End& end) {
     const Vec3 point_a = a0.point + end.at * (a1.point - a0.point);
     const Real t = std::clamp(on_b(projection(point_a)), Real{0}, Real{1});
     out.push_back({point_a, b0.point + t * (b1.point - b0.point), end.feature_a, end.feature_b});
+  };
+  emit(low);
+  if (high.at > low.at + tie) {
+    emit(high);
   }
 }
 
@@ -288,17 +289,25 @@ void clip_segments(const Face& a, const Face& b, const Projection& projection, C
 
 namespace {
 
-// Faces that both look along the normal, or are edges.
-void clip_facing(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out) {
-  const Vec3& base = a.vertices[0].point;
+[[nodiscard]] Real reach_from(const Vec3& base, const Face& face) {
   Real reach = 0;
-  for (const FaceVertex& vertex : b.vertices.span()) {
+  for (const FaceVertex& vertex : face.vertices.span()) {
     reach = std::max(reach, largest_magnitude(vertex.point - base));
   }
-  for (const FaceVertex& vertex : a.vertices.span()) {
-    reach = std::max(reach, largest_magnitude(vertex.point - base));
-  }
-  const Projection projection{base, tangents_of(normal), normal, 16 * epsilon * (reach + largest_magnitude(base))};
+  return reach;
+}
+
+// Within which places of two faces tie: beside rounding of both, by the size of the smaller one.
+[[nodiscard]] Real tie_of(const Face& a, const Face& b) {
+  const Vec3 &of_a = a.vertices[0].point, &of_b = b.vertices[0].point;
+  const Real size_a = reach_from(of_a, a), size_b = reach_from(of_b, b);
+  const Real reach = std::max(size_a, largest_magnitude(of_b - of_a) + size_b) + largest_magnitude(of_a);
+  return 16 * epsilon * reach + tie_share * std::min(size_a, size_b);
+}
+
+// Faces that both look along the normal, or are edges.
+void clip_facing(const Face& a, const Face& b, const Vec3& normal, Real tie, ClipPoints& out) {
+  const Projection projection{a.vertices[0].point, tangents_of(normal), normal, tie};
   const bool edge_a = a.vertices.size() == 2, edge_b = b.vertices.size() == 2;
   if (edge_a && edge_b) {
     clip_segments(a, b, projection, out);
@@ -313,19 +322,22 @@ void clip_facing(const Face& a, const Face& b, const Vec3& normal, ClipPoints& o
 
 [[nodiscard]] inline Real separation(const ClipPoint& point, const Vec3& normal) { return dot(point.point_b - point.point_a, normal); }
 
-// No corner is closer than the faces are: one that is lies beside its face, which a needle lifts it off.
-void drop_too_close(const Vec3& normal, Real closest, ClipPoints& out) {
+// No corner is closer than the faces are. One that ties with the rim of a steep face is brought back; one that is further off
+// lies beside its face, which a needle lifts it off.
+void drop_too_close(const Vec3& normal, Real closest, Real most, ClipPoints& out) {
   [[clang::uninitialized]] ClipPoints kept;
   for (const ClipPoint& point : out.span()) {
-    if (separation(point, normal) >= closest) {
-      kept.push_back(point);
+    const Real excess = closest - separation(point, normal);
+    if (excess <= most) {
+      const Vec3 point_a = point.point_a - std::max(excess, Real{0}) * normal;
+      kept.push_back({point_a, point.point_b, point.feature_a, point.feature_b});
     }
   }
   out = kept;
 }
 
 // A region may miss the closest points, as between edges that cross, or when a face stands steep.
-void settle_closest(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out) {
+void settle_closest(const Face& a, const Face& b, const Vec3& normal, Real tie, ClipPoints& out) {
   Real top = -infinity, bottom = infinity, least = infinity, size = 0;
   for (const FaceVertex& vertex : a.vertices.span()) {
     top = std::max(top, dot(vertex.point, normal));
@@ -344,10 +356,10 @@ void settle_closest(const Face& a, const Face& b, const Vec3& normal, ClipPoints
   };
   find_least();
   if (least < closest - rounding) [[unlikely]] {
-    drop_too_close(normal, closest - rounding, out);
+    drop_too_close(normal, closest, rounding + tie / steepest_cosine, out);
     find_least();
   }
-  if (least <= closest + rounding) {
+  if (least <= closest + rounding + tie) {
     return;
   }
   const AcrossPair pair = points_across(a, b, normal, rounding);
@@ -365,12 +377,13 @@ void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& ou
     return;
   }
   const bool steep_a = count_a > 2 && !faces_normal(a, normal), steep_b = count_b > 2 && !faces_normal(b, normal);
+  const Real tie = tie_of(a, b);
   if (steep_a || steep_b) {
-    clip_facing(steep_a ? outer_edge(a, normal) : a, steep_b ? outer_edge(b, -normal) : b, normal, out);
+    clip_facing(steep_a ? outer_edge(a, normal) : a, steep_b ? outer_edge(b, -normal) : b, normal, tie, out);
   } else {
-    clip_facing(a, b, normal, out);
+    clip_facing(a, b, normal, tie, out);
   }
-  settle_closest(a, b, normal, out);
+  settle_closest(a, b, normal, tie, out);
 }
 
 }  // namespace abut

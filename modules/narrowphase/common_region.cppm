@@ -5,6 +5,7 @@ import abut.core;
 import abut.core.standard;
 import abut.math;
 import abut.narrowphase.clip;
+import abut.narrowphase.core_separation;
 import abut.shape;
 
 export namespace abut {
@@ -46,7 +47,10 @@ concept WithRim = Curved<S> && requires(const S& shape, const Vec3& direction) {
     return true;
   }
   const Real middle = -(from.x * x + from.y * y) / square, half = std::sqrt(under) / square;
-  const Real enter = middle - half > 0 ? middle - half : 0, leave = middle + half < 1 ? middle + half : 1;
+  // An end of the edge that lies on the circle within a tie is one of the stretch, whichever side of the circle rounding puts it on.
+  // Under the normal of a search on curved cores it lies there within the error of that.
+  const Real tie = usual_error_of_curves * std::fmin(rim.radius / std::sqrt(square), Real{1}) + 64 * epsilon;
+  const Real enter = middle - half > tie ? middle - half : 0, leave = middle + half < 1 - tie ? middle + half : 1;
   const auto append = [&](Real t, bool is_end, std::uint32_t vertex) {
     const Vec3 on_edge = edge.vertices[0].point + t * (edge.vertices[1].point - edge.vertices[0].point);
     const Vec3 local{from.x + t * x, from.y + t * y, rim.height};
@@ -56,10 +60,14 @@ concept WithRim = Curved<S> && requires(const S& shape, const Vec3& direction) {
         is_end ? Feature{FeatureKind::face, rim.index} : Feature{FeatureKind::edge, edge_of_rim(rim, local.x, local.y)};
     out.push_back(is_of_a ? ClipPoint{on_rim, on_edge, of_rim, of_edge} : ClipPoint{on_edge, on_rim, of_edge, of_rim});
   };
-  if (enter <= leave) {
+  if (enter > leave + tie) {
+    return true;
+  }
+  const bool is_one_point = leave - enter <= tie;
+  if (!is_one_point || leave < 1) {
     append(enter, enter == 0, edge.vertices[0].vertex);
   }
-  if (enter < leave) {
+  if (!is_one_point || leave == 1) {
     append(leave, leave == 1, edge.vertices[1].vertex);
   }
   return true;

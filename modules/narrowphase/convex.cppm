@@ -12,6 +12,7 @@ import abut.narrowphase.gjk;
 import abut.narrowphase.lane_contact;
 import abut.narrowphase.libccd;
 import abut.narrowphase.pair_proof;
+import abut.narrowphase.round_lift;
 export import abut.narrowphase.separation;
 import abut.shape;
 
@@ -115,22 +116,28 @@ template <Convex A, Convex B>
   const Real radii = a.radius() + b.radius();
   const std::size_t first = out.size();
   Real least = infinity;
-  const auto append = [&](const Vec3& point_a, const Vec3& point_b, const Feature& feature_a, const Feature& feature_b) {
-    const Real distance = dot(point_b - point_a, core.normal) - radii;
+  const auto append = [&](const ClipPoint& point, Real reach_a, Real reach_b) {
+    const Real distance = dot(point.point_b - point.point_a, core.normal) - (reach_a + reach_b);
     if (distance <= margin) {
       least = distance < least ? distance : least;
-      out.push_back({point_a + a.radius() * core.normal, point_b - b.radius() * core.normal, core.normal, distance, feature_a,
-                     feature_b, contact_id(feature_a, feature_b)});
+      out.push_back({point.point_a + reach_a * core.normal, point.point_b - reach_b * core.normal, core.normal, distance,
+                     point.feature_a, point.feature_b, contact_id(point.feature_a, point.feature_b)});
     }
   };
   [[clang::uninitialized]] ClipPoints points;
   find_common_region(a, b, ab, face_a, face_b, core.normal, points);
+  const RoundLift<A> lift_a(a, Pose::identity(), core.normal, true);
+  const RoundLift<B> lift_b(b, ab, -core.normal, false);
   for (const ClipPoint& point : points.span()) {
-    append(point.point_a, point.point_b, point.feature_a, point.feature_b);
+    const std::optional<Real> reach_a = lift_a(point, point.point_a, points.span()), reach_b = lift_b(point, point.point_b, points.span());
+    if (reach_a && reach_b) {
+      append(point, *reach_a, *reach_b);
+    }
   }
   // Where the region misses the closest points, as between edges that cross, they are the contact.
   // What a search on curved cores found is as deep as theirs within its bound only.
-  const Real size = core_size(a, b, ab), blur = Curved<A> || Curved<B> ? curve_blur(size) : noise_of(size);
+  const Real size = core_size(a, b, ab), tie = tie_share * (a.extent() < b.extent() ? a.extent() : b.extent());
+  const Real blur = Curved<A> || Curved<B> ? curve_blur(size) : noise_of(size) + tie;
   if (closest_count && (out.size() == first || least > core.distance - radii + blur)) {
     CoreSeparation closest = core;
     if constexpr (Curved<A> || Curved<B>) {
@@ -140,9 +147,11 @@ template <Convex A, Convex B>
     } else if (closest.points_open) {
       find_points_of_faces(face_a, face_b, points, size, closest);
     }
-    append(closest.point_a, closest.point_b, closest_feature(a, face_a, core.normal),
-           closest_feature(b, face_b, ab.rotation.undo(-core.normal)));
+    append({closest.point_a, closest.point_b, closest_feature(a, face_a, core.normal),
+            closest_feature(b, face_b, ab.rotation.undo(-core.normal))},
+           a.radius(), b.radius());
   }
+  number_apart(std::span(out).subspan(first));
 }
 
 // The same for what faces the normal of a separation.

@@ -53,25 +53,30 @@ template <HalfSpace A>
           contact_id(whole, feature_b)};
 }
 
-// A point or a segment: its ends.
+// A point or a segment: its ends. Where the upper end of a rounded segment would touch with the ball around the lower end,
+// which has a contact already, it has none.
 template <Convex B, class Append>
   requires PointCored<B> || SegmentCored<B>
 [[gnu::always_inline]] inline void ends_on_plane(const PlaneBelow& plane, const B& b, const Pose& pose, Real margin,
                                                  Append&& append) {
   const Lanes centre = lanes_of(pose.position);
-  const auto touch = [&](Lanes end, Real height, std::uint32_t vertex) {
-    if (const Real distance = height - b.radius(); distance <= margin) {
-      append(contact_on_plane(plane, end, b.radius(), distance, {FeatureKind::vertex, vertex}));
+  const auto touch = [&](Lanes end, Real height, Real reach, std::uint32_t vertex) {
+    if (const Real distance = height - reach; distance <= margin) {
+      append(contact_on_plane(plane, end, reach, distance, {FeatureKind::vertex, vertex}));
     }
   };
   if constexpr (PointCored<B>) {
-    touch(centre, plane.height, 0);
+    touch(centre, plane.height, b.radius(), 0);
   } else {
     const Real half = b.half().z, rise = half * plane.local_normal.z;
     const Lanes along = lanes_of(pose.rotation.z);
-    touch(multiply_add(along, all_lanes(-half), centre), plane.height - rise, 0);
-    if (half > 0) {
-      touch(multiply_add(along, all_lanes(half), centre), plane.height + rise, 1);
+    const RoundReach from_low = reach_from_end(half, b.radius(), false, -plane.local_normal);
+    if (!from_low.is_of_other_end) {
+      touch(multiply_add(along, all_lanes(-half), centre), plane.height - rise, from_low.reach, 0);
+    }
+    const RoundReach from_high = reach_from_end(half, b.radius(), true, -plane.local_normal);
+    if (half > 0 && !from_high.is_of_other_end) {
+      touch(multiply_add(along, all_lanes(half), centre), plane.height + rise, from_high.reach, 1);
     }
   }
 }
@@ -86,11 +91,11 @@ using LaneBits = bool __attribute__((ext_vector_type(4)));
 template <class Append>
 [[gnu::always_inline]] inline void corners_on_plane(const PlaneBelow& plane, const Vec3& half, const Pose& pose, Real margin,
                                                     Append&& append) {
-  const Vec3 &n = plane.local_normal, steep = absolute(n), rise{half.x * n.x, half.y * n.y, half.z * n.z}, size = absolute(rise);
+  const Vec3 &n = plane.local_normal, rise{half.x * n.x, half.y * n.y, half.z * n.z}, size = absolute(rise);
   if (plane.height - (size.x + size.y + size.z) > margin) {
     return;
   }
-  const int axis = steep.x >= steep.y && steep.x >= steep.z ? 0 : steep.y >= steep.z ? 1 : 2;
+  const int axis = longest_axis(n);
   const std::size_t across = static_cast<std::size_t>(axis), first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
   // In arrays: which axis it is, is as good as random, and costs a branch each time that it is asked otherwise.
   const std::array<Real, 3> normals{n.x, n.y, n.z}, rises{rise.x, rise.y, rise.z}, halves{half.x, half.y, half.z};
@@ -153,12 +158,11 @@ template <class Rim, class Append>
   }
 }
 
-// A polytope that lists the faces around each of its vertices.
+// A polytope that knows which face at a vertex looks along a direction.
 template <class S>
 concept FacesAtVertices = Convex<S> && requires(const S& shape) {
-  shape.data().first_face;     // of each vertex, into
-  shape.data().faces_at;       // numbers of
-  shape.data().faces;          // with a normal, and where they begin and how many there are in
+  { shape.data().face_along(std::uint32_t{}, Vec3{}) } -> std::same_as<std::uint32_t>;
+  shape.data().faces;          // where they begin and how many there are in
   shape.data().face_vertices;  // numbers of
   shape.data().vertices;
 };
@@ -168,16 +172,8 @@ template <FacesAtVertices B, class Append>
 [[gnu::always_inline]] inline void face_at_vertex_on_plane(const PlaneBelow& plane, const B& b, std::uint32_t lowest,
                                                            const Pose& pose, Real margin, Append&& append) {
   const auto& hull = b.data();
-  std::uint32_t found = hull.faces_at[hull.first_face[lowest]];
-  Real least = infinity;
-  for (std::uint32_t i = hull.first_face[lowest]; i < hull.first_face[lowest + 1]; ++i) {
-    const std::uint32_t face = hull.faces_at[i];
-    const Real upward = dot(hull.faces[face].normal, plane.local_normal);
-    found = upward < least ? face : found;
-    least = upward < least ? upward : least;
-  }
   const LaneMatrix columns = LaneMatrix::columns_of(pose.rotation);
-  const auto& face = hull.faces[found];
+  const auto& face = hull.faces[hull.face_along(lowest, -plane.local_normal)];
   for (std::uint32_t i = face.first; i < face.first + face.count; ++i) {
     const std::uint32_t vertex = hull.face_vertices[i];
     const Vec3& local = hull.vertices[vertex];

@@ -30,6 +30,30 @@ class PointCore {
   [[nodiscard]] inline std::array<Vec3, 0> edge_directions() const { return {}; }
 };
 
+// How far the surface of a rounded core lies from a point of the core, along a direction of length one.
+struct RoundReach {
+  Real reach;
+  bool is_of_other_end;  // the way ends on the ball around an end of the core that is not the point
+};
+// From the point at a height `z` of a segment along Z. Where the direction leans toward an end, the way leaves through the side
+// before the ball around the point ends, or through the ball around that end.
+[[nodiscard]] inline RoundReach reach_of_round_segment(Real half_length, Real radius, Real z, const Vec3& direction) {
+  const Real left = direction.z >= 0 ? half_length - z : half_length + z;
+  if (!(radius > 0 && left > 0)) {
+    return {radius, false};
+  }
+  const Real across = std::sqrt(direction.x * direction.x + direction.y * direction.y), along = std::fabs(direction.z);
+  if (across > 0 && along * radius <= left * across) {
+    return {radius / across, false};
+  }
+  const Real aside = left * across;
+  return {left * along + std::sqrt(radius * radius - aside * aside), true};
+}
+// From an end of the segment.
+[[nodiscard]] inline RoundReach reach_from_end(Real half_length, Real radius, bool is_upper, const Vec3& direction) {
+  return reach_of_round_segment(half_length, radius, is_upper ? half_length : -half_length, direction);
+}
+
 class SegmentCore {
  public:
   static constexpr bool is_symmetric = true;

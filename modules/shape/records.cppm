@@ -116,4 +116,20 @@ struct ContactPoint {
 
 using Manifold = std::vector<ContactPoint>;
 
+// Contacts of one pair in which the same features touch, as where an edge crosses a rim twice, get numbers of their own, in
+// their order.
+inline void number_apart(std::span<ContactPoint> contacts) {
+  std::uint64_t seen = 0;  // a bit for the last digits of each number
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    std::uint64_t& id = contacts[i].id;
+    const auto is_taken = [&] {
+      return (seen >> (id & 63) & 1) != 0 && std::ranges::any_of(contacts.first(i), [&](const ContactPoint& other) { return other.id == id; });
+    };
+    while (is_taken()) {
+      id = mixed(id);
+    }
+    seen |= std::uint64_t{1} << (id & 63);
+  }
+}
+
 }  // namespace abut

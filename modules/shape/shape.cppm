@@ -10,4 +10,5 @@ export import abut.shape.part_triangle;
 export import abut.shape.place;
 export import abut.shape.records;
 export import abut.shape.rim;
+export import abut.shape.ties;
 export import abut.shape.walls;

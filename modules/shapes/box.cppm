@@ -79,14 +79,14 @@ class Box {
   // Faces 0..5 are -x, +x, -y, +y, -z, +z. An edge is numbered by its direction and the octant bits
   // of the two other axes: 4 * axis + bits.
   [[nodiscard]] Face supporting_face(const Vec3& d) const {
-    const int axis = largest_axis(d);
+    const int axis = longest_axis(d);
     [[clang::uninitialized]] const Face side = side_of(axis, d[axis] >= 0);
     const bool flat_first = half_[axis == 0 ? 1 : axis == 1 ? 2 : 0] == 0, flat_second = half_[axis == 0 ? 2 : axis == 1 ? 0 : 1] == 0;
     return flat_first || flat_second ? without_area(side, flat_first, flat_second) : side;
   }
   [[nodiscard]] inline Feature supporting_feature(const Vec3& d) const {
     if (half_.x > 0 && half_.y > 0 && half_.z > 0) [[likely]] {
-      const int axis = largest_axis(d);
+      const int axis = longest_axis(d);
       return {FeatureKind::face, static_cast<std::uint32_t>(2 * axis + (d[axis] >= 0 ? 1 : 0))};
     }
     return feature_of(supporting_face(d));
@@ -195,10 +195,6 @@ class Box {
     return face;
   }
 
-  [[nodiscard]] static inline int largest_axis(const Vec3& d) {
-    const Vec3 magnitude = absolute(d);
-    return magnitude.x >= magnitude.y && magnitude.x >= magnitude.z ? 0 : magnitude.y >= magnitude.z ? 1 : 2;
-  }
   [[nodiscard]] static inline std::uint32_t octant(Real x, Real y, Real z) {
     return (std::signbit(x) ? 0u : 1u) | (std::signbit(y) ? 0u : 2u) | (std::signbit(z) ? 0u : 4u);
   }

@@ -73,15 +73,7 @@ class Hull {
       }
       return face;
     }
-    Real best = -infinity;
-    for (std::uint32_t i = hull.first_face[top.index]; i < hull.first_face[top.index + 1]; ++i) {
-      const std::uint32_t candidate = hull.faces_at[i];
-      const Real alignment = dot(hull.faces[candidate].normal, direction);
-      if (alignment > best) {
-        best = alignment;
-        face.index = candidate;
-      }
-    }
+    face.index = hull.face_along(top.index, direction);
     const HullFace& found = hull.faces[face.index];
     face.normal = found.normal;
     for (std::uint32_t i = found.first; i < found.first + found.count; ++i) {

@@ -79,6 +79,28 @@ struct HullData {
     return first_candidates.empty() ? scan(direction) : look_up(direction);
   }
 
+  // The face that looks along a direction, of those around a vertex that lies furthest that way. Where an edge or a face lies
+  // as far, one that holds all of it: rounding picks the vertex, and must not pick the face.
+  [[nodiscard]] inline std::uint32_t face_along(std::uint32_t vertex, const Vec3& direction) const {
+    const Real scale = largest_magnitude(direction), lowest = dot(vertices[vertex], direction) - tie_share * extent * scale;
+    std::uint32_t found = 0, most = 0;
+    Real best = 0;
+    for (std::uint32_t i = first_face[vertex]; i < first_face[vertex + 1]; ++i) {
+      const HullFace& face = faces[faces_at[i]];
+      std::uint32_t held = 0;
+      for (std::uint32_t j = face.first; j < face.first + face.count; ++j) {
+        held += dot(vertices[face_vertices[j]], direction) >= lowest ? 1 : 0;
+      }
+      const Real alignment = dot(face.normal, direction);
+      if (held > most || (held == most && alignment > best + tie_share * scale)) {
+        found = faces_at[i];
+        most = held;
+        best = alignment;
+      }
+    }
+    return found;
+  }
+
   // Up to this many vertices one pass over all of them is the faster way (measured).
   static constexpr std::size_t scan_limit = 48;
 

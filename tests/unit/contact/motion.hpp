@@ -19,7 +19,21 @@ using Flat = std::array<double, 2>;
 
 inline double turn(const Flat& a, const Flat& b, const Flat& c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
 
-inline std::vector<Flat> hull_of(std::vector<Flat> points) {
+// Without copies up to rounding, as triangles that share a corner make them: an edge between two has no direction.
+inline std::vector<Flat> places_of(const std::vector<Flat>& points) {
+  constexpr double rounding = 1e-13;
+  std::vector<Flat> places;
+  for (const Flat& p : points) {
+    const auto is_copy = [&](const Flat& q) { return std::hypot(p[0] - q[0], p[1] - q[1]) <= rounding; };
+    if (std::ranges::none_of(places, is_copy)) {
+      places.push_back(p);
+    }
+  }
+  return places;
+}
+
+inline std::vector<Flat> hull_of(const std::vector<Flat>& given) {
+  std::vector<Flat> points = places_of(given);
   std::ranges::sort(points);
   if (points.size() < 3) {
     return points;

@@ -193,9 +193,17 @@ TEST(HalfSpace, CapsuleTouchesWithItsEnds) {
   for (int i = 0; i < 500; ++i) {
     SCOPED_TRACE(i);
     const Placed placed = place_near_plane(random, 2);
-    const Vec3 low = placed.pose_b.position - 0.8 * placed.normal, along = 1.2 * placed.pose_b.rotation.z;
-    expect_contacts(placed, made<abut::Capsule>({0.8, 1.2}), {{low - along, 0}, {low + along, 1}});
-    expect_contacts(placed, made<abut::Capsule>({0.8, 0}), {{low, 0}});
+    const Vec3 &centre = placed.pose_b.position, axis = placed.pose_b.rotation.z;
+    // Under the upper end the surface is the side, or the ball around the lower end, which has its own contact.
+    const double rise = abut::dot(axis, placed.normal), sine = abut::norm(abut::cross(axis, placed.normal));
+    const std::uint32_t lower = rise > 0 ? 0 : 1;
+    const Vec3 to_lower = (rise > 0 ? -1.2 : 1.2) * axis;
+    std::vector<Expected> expected{{centre + to_lower - 0.8 * placed.normal, lower}};
+    if (0.8 * std::fabs(rise) <= 2.4 * sine) {
+      expected.push_back({centre - to_lower - (0.8 / sine) * placed.normal, 1 - lower});
+    }
+    expect_contacts(placed, made<abut::Capsule>({0.8, 1.2}), expected);
+    expect_contacts(placed, made<abut::Capsule>({0.8, 0}), {{centre - 0.8 * placed.normal, 0}});
   }
 }
 
