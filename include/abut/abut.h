@@ -414,7 +414,7 @@ typedef struct abut_query_options {
    * 1e-9 where a cylinder, a cone or an ellipsoid takes part. */
   double error_bound;
   double margin;            /**< contacts are reported up to this distance; default 0; may be negative */
-  uint32_t max_contacts;    /**< a manifold of two shapes, or of two children, is reduced to this many, keeping the deepest and the largest area; 0 keeps all; default 4 */
+  uint32_t max_contacts;    /**< a manifold of two shapes, or of two children, is reduced to this many, keeping the deepest exactly and the largest area; 0 keeps all; default 4 */
   uint32_t reserved;        /**< zero */
 } abut_query_options;
 
@@ -438,7 +438,10 @@ enum abut_contact_flags_value ABUT_ENUM(uint32_t) {
   ABUT_CONTACT_SENSOR = 1 /**< a geometry of the pair is a sensor: report it, do not respond to it */
 };
 
-/** One contact point. Swapping a and b swaps points and features and negates the normal. */
+/**
+ * One contact point. Swapping a and b swaps points and features and negates the normal. Two equal shapes at one pose
+ * are the same in both orders, and so is the answer.
+ */
 typedef struct abut_contact {
   abut_geometry_id geometry_a; /**< null in pair queries */
   abut_geometry_id geometry_b;

@@ -120,29 +120,72 @@ namespace {
 
 std::array<Real, 3> numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
 
+// What tells two shapes of one kind apart, in numbers.
+std::vector<Real> form_of(const AnyShape& shape) {
+  std::vector<Real> form = parameters_of(shape);
+  const auto add = [&](const Vec3& v) { form.insert(form.end(), {v.x, v.y, v.z}); };
+  const Aabb box = aabb_of(shape, Pose::identity());
+  add(box.high);
+  add(box.low);
+  if (const std::optional<Triangles> surface = triangles_of(shape)) {
+    for (const Vec3& vertex : surface->vertices) {
+      add(vertex);
+    }
+    form.insert(form.end(), surface->indices.begin(), surface->indices.end());
+  }
+  std::visit(
+      [&]<class S>(const S& s) {
+        if constexpr (Assembly<S>) {
+          for (const auto& child : s.children()) {
+            form.push_back(static_cast<Real>(child.shape->index()));
+            for (const Vec3& part : {child.pose.position, child.pose.rotation.x, child.pose.rotation.y, child.pose.rotation.z}) {
+              add(part);
+            }
+            const std::vector<Real> its = form_of(*child.shape);
+            form.insert(form.end(), its.begin(), its.end());
+          }
+        } else if constexpr (Scattered<S>) {
+          for (std::uint32_t i = 0; i < s.particle_count(); ++i) {
+            add(s.place(i));
+            form.push_back(s.part(i).radius());
+          }
+        }
+      },
+      shape);
+  return form;
+}
+
+// Whether two shapes of one kind are ordered by their first coordinate. Where one is straight above the other that is rounding.
+[[nodiscard]] [[gnu::always_inline]] inline bool are_side_by_side(const Vec3& apart) {
+  return std::fabs(apart.x) > tie_share * (std::fabs(apart.y) + std::fabs(apart.z));
+}
+
 // The rest of the order below, for poses that agree in their first coordinate.
 bool comes_after(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
+  const Vec3 apart = pose_b.position - pose_a.position;
+  if (std::fabs(apart.y) > tie_share * std::fabs(apart.z)) {
+    return apart.y < 0;
+  }
+  if (apart.z != 0) {
+    return apart.z < 0;
+  }
   const auto place = [](const Pose& pose) {
     return std::array{numbers(pose.position), numbers(pose.rotation.x), numbers(pose.rotation.y), numbers(pose.rotation.z)};
   };
   if (place(pose_a) != place(pose_b)) {
     return place(pose_b) < place(pose_a);
   }
-  const auto size = [](const AnyShape& shape) {
-    const Aabb box = aabb_of(shape, Pose::identity());
-    return std::array{numbers(box.high), numbers(box.low)};
-  };
-  return size(b) < size(a);
+  return form_of(b) < form_of(a);
 }
 
-// Whether work starts from b: by kind, else by pose, else by size. Alike in all of these, the shapes are
-// mostly the same one.
+// Whether work starts from b: by kind, else by pose, else by form. Alike in all of these, the shapes are the same one, and no
+// order can be told from the other.
 inline bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
   if (a.index() != b.index()) {
     return b.index() < a.index();
   }
-  if (pose_a.position.x != pose_b.position.x) [[likely]] {
-    return pose_b.position.x < pose_a.position.x;
+  if (const Vec3 apart = pose_b.position - pose_a.position; are_side_by_side(apart)) [[likely]] {
+    return apart.x < 0;
   }
   return comes_after(a, b, pose_a, pose_b);
 }
@@ -157,11 +200,14 @@ template <class Ask>
 template <class Ask>
 [[nodiscard]] [[gnu::always_inline]] inline Outcome ask_in_order(const AnyShape& a, const AnyShape& b, const Pose& pose_a,
                                                                  const Pose& pose_b, const Ask& ask) {
-  const bool are_alike = a.index() == b.index();
-  if (are_alike && pose_a.position.x == pose_b.position.x) [[unlikely]] {
+  if (a.index() != b.index()) {
+    return ask(b.index() < a.index());
+  }
+  const Vec3 apart = pose_b.position - pose_a.position;
+  if (!are_side_by_side(apart)) [[unlikely]] {
     return ask_where_poses_agree(a, b, pose_a, pose_b, ask);
   }
-  return ask(are_alike ? pose_b.position.x < pose_a.position.x : b.index() < a.index());
+  return ask(apart.x < 0);
 }
 
 }  // namespace
