@@ -295,26 +295,31 @@ std::size_t bring_to_front(std::span<ContactPoint> patch, std::span<const std::u
   return order.size();
 }
 
-// Leaves out what runs around rims, where points that are held are as deep; brings the others to the front.
-[[nodiscard]] std::span<ContactPoint> without_running(std::span<ContactPoint> patch) {
-  if (std::ranges::all_of(patch, is_held)) {
-    return patch;
-  }
-  const Real extent = extent_of(patch);
+// Leaves out what runs around rims, where a point that is held is as deep within `slack`; brings the others to the front.
+[[nodiscard]] std::span<ContactPoint> without_running(std::span<ContactPoint> patch, Real slack) {
   const auto end = std::partition(patch.begin(), patch.end(), is_held);
   const std::span<ContactPoint> held = patch.first(static_cast<std::size_t>(end - patch.begin()));
   const Real deepest = std::ranges::min_element(patch, comes_before)->distance;
-  const bool is_as_deep = std::ranges::any_of(held, [&](const ContactPoint& contact) { return contact.distance <= deepest + running_depth * extent; });
+  const bool is_as_deep = std::ranges::any_of(held, [&](const ContactPoint& contact) { return contact.distance <= deepest + slack; });
   return is_as_deep ? held : patch;
 }
 
-std::size_t reduce_patch(std::span<ContactPoint> whole, std::size_t most, Ids before) {
-  const std::span<ContactPoint> patch = without_running(whole);
+// Shares of the extent by which depths may differ and count as the same: of points kept before, and of points of rims.
+struct Ties {
+  Real depth, running;
+  [[nodiscard]] bool are_exact() const { return depth == 0; }
+};
+
+std::size_t reduce_patch(std::span<ContactPoint> whole, std::size_t most, Ids before, const Ties& ties) {
+  if (ties.are_exact() && whole.size() <= most) {
+    return whole.size();
+  }
+  const std::span<ContactPoint> patch = without_running(whole, ties.running * extent_of(whole));
   std::ranges::sort(patch, comes_before);
   if (patch.size() <= most) {
     return patch.size();
   }
-  const Real extent = extent_of(patch), tie = tied_depth * extent;
+  const Real extent = extent_of(patch), tie = ties.depth * extent;
   const std::uint32_t first = deepest_of(patch, tie, before);
   const Flats flats = flattened(patch);
   const std::span<const Flat> points = flats.span();
@@ -331,23 +336,21 @@ std::size_t reduce_patch(std::span<ContactPoint> whole, std::size_t most, Ids be
   return bring_to_front(patch, is_as_good ? same.places() : choose(patch, points, first, most, extent).places());
 }
 
-}  // namespace
-
-std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, Ids before) {
-  if (most == 0 || (contacts.size() <= most && std::ranges::all_of(contacts, is_held))) {
+std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, Ids before, const Ties& ties) {
+  if (most == 0 || (contacts.size() <= most && (ties.are_exact() || std::ranges::all_of(contacts, is_held)))) {
     std::ranges::sort(contacts, comes_before);
     return contacts.size();
   }
   std::size_t kept = 0;
   std::span<ContactPoint> rest = contacts;
   while (!rest.empty()) {
-    std::iter_swap(rest.begin(), rest.begin() + deepest_of(rest, before.empty() ? 0 : tied_depth * extent_of(rest), before));
+    std::iter_swap(rest.begin(), rest.begin() + deepest_of(rest, before.empty() ? 0 : ties.depth * extent_of(rest), before));
     const Vec3 normal = rest[0].normal;
     const auto end = std::partition(rest.begin(), rest.end(), [&](const ContactPoint& contact) {
       return dot(contact.normal, normal) >= same_patch_cosine;
     });
     const auto count = static_cast<std::size_t>(end - rest.begin());
-    const std::size_t kept_of_patch = reduce_patch(rest.first(count), most, before);
+    const std::size_t kept_of_patch = reduce_patch(rest.first(count), most, before, ties);
     for (std::size_t i = 0; i < kept_of_patch; ++i) {
       std::swap(contacts[kept++], rest[i]);
     }
@@ -355,6 +358,13 @@ std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, Ids befor
   }
   std::ranges::sort(contacts.first(kept), comes_before);
   return kept;
+}
+
+}  // namespace
+
+std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most) { return reduce_patches(contacts, most, {}, {0, 0}); }
+std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, Ids before) {
+  return reduce_patches(contacts, most, before, {tied_depth, running_depth});
 }
 
 }  // namespace abut

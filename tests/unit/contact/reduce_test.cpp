@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../narrowphase/random_boxes.hpp"
+#include "reduction.hpp"
 
 import abut.contact;
 import abut.math;
@@ -19,6 +20,7 @@ namespace {
 
 using abut::ContactPoint;
 using abut::Vec3;
+using test::flat_contact;
 
 constexpr Vec3 up{0, 0, 1};
 
@@ -115,6 +117,27 @@ TEST(Reduce, KeepsTheDeepestAndNoMoreThanAskedFor) {
         EXPECT_EQ(contacts[i].distance, given[contacts[i].id].distance);
         EXPECT_EQ(contacts[i].point_a, given[contacts[i].id].point_a);
         EXPECT_TRUE(i == 0 || contacts[i - 1].distance <= contacts[i].distance);
+      }
+    }
+  }
+}
+
+// The corners of a rim are held by features; the point between two of them where it is deepest is not.
+TEST(Reduce, KeepsTheDeepestPointOfARimHoweverLittleDeeper) {
+  for (const double deeper : {1e-4, 1e-6, 1e-9, 1e-15}) {
+    for (const std::size_t count : {3u, 16u}) {
+      std::vector<ContactPoint> given;
+      for (std::uint64_t id = 0; id < count; ++id) {
+        const double angle = static_cast<double>(id) * 2 * std::numbers::pi / static_cast<double>(count);
+        given.push_back(flat_contact(std::cos(angle), std::sin(angle), -1e-3, id));
+        given.back().feature_b = {abut::FeatureKind::vertex, static_cast<std::uint32_t>(id)};
+      }
+      given.push_back(flat_contact(std::cos(0.1), std::sin(0.1), -1e-3 - deeper, 99));
+      for (std::size_t most = 1; most <= 6; ++most) {
+        std::vector<ContactPoint> contacts = given;
+        const std::size_t kept = abut::reduce(contacts, most);
+        EXPECT_EQ(kept, std::min(most, count + 1)) << "from " << count << ", most " << most;
+        EXPECT_EQ(contacts[0].id, 99u) << "from " << count << ", most " << most << ", deeper by " << deeper;
       }
     }
   }
