@@ -77,7 +77,7 @@ std::vector<std::string_view> obligations(const Declaration& declaration) {
   words.emplace_back("Refuses");
   if (has(parameters, {"*"})) words.emplace_back("Null");
   if (takes_numbers(parameters)) words.emplace_back("NonFinite");
-  if (has(parameters, {"abut_part_id part,", "abut_part_id part)", "const abut_part_id *", "abut_geometry_id geometry,",
+  if (has(parameters, {"abut_part_id part,", "abut_part_id part)", "const abut_part_id *parts", "abut_geometry_id geometry,",
                        "abut_geometry_id geometry)", "const abut_geometry_id *", "const abut_collidable *"})) {
     words.emplace_back("Stale");
   }
