@@ -77,8 +77,9 @@ std::vector<std::string_view> obligations(const Declaration& declaration) {
   words.emplace_back("Refuses");
   if (has(parameters, {"*"})) words.emplace_back("Null");
   if (takes_numbers(parameters)) words.emplace_back("NonFinite");
-  if (has(parameters, {"abut_part_id part,", "abut_part_id part)", "const abut_part_id *parts", "abut_geometry_id geometry,",
-                       "abut_geometry_id geometry)", "const abut_geometry_id *", "const abut_collidable *"})) {
+  if (has(parameters, {"abut_part_id part,", "abut_part_id part)", "const abut_part_id *parts",
+                       "abut_geometry_id geometry,", "abut_geometry_id geometry)", "const abut_geometry_id *",
+                       "const abut_collidable *"})) {
     words.emplace_back("Stale");
   }
   if (has(parameters, {"_options *", "_desc *", "_info *", "_stats *", "_report *", "abut_policy *", "abut_focus *", "abut_sleep *"})) words.emplace_back("StructSize");
