@@ -279,6 +279,8 @@ class Picking(unittest.TestCase):
                 self.assertEqual(hit.geometry.slot, geometry.slot)
                 self.assertAlmostEqual(hit.distance, 4.0)
                 self.assertEqual(len(picker.cast_ray_all(abut.ray((-5, 0, 0), (1, 0, 0)))), 2)
+                self.assertEqual(hit.child, 0)
+                self.assertEqual(picker.cast_ray(abut.ray((-5, 0, 0), (1, 0, 0)), mask=2).geometry.slot, 0)
                 view = abut.camera(eye=(-5, 0, 0), target=(0, 0, 0), width=16, height=8)
                 self.assertEqual(picker.pick_pixel(view, 8, 4).geometry.slot, geometry.slot)
                 picture = picker.render(view)

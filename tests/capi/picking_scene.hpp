@@ -57,6 +57,16 @@ inline Shape height_field(std::uint32_t samples, double spacing, double wave) {
   return shape_from([&](abut_shape** out) { return abut_height_field_create(&desc, out); });
 }
 
+// A hull whose ends have as many corners as asked for.
+inline Shape prism(int count) {
+  std::vector<double> corners;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    for (const double z : {-0.6, 0.6}) corners.insert(corners.end(), {0.7 * std::cos(angle), 0.7 * std::sin(angle), z});
+  }
+  return hull(corners);
+}
+
 // One shape of every kind at least; about as large as 1.
 inline std::vector<Shape> shapes_of_every_kind(Random& random) {
   std::vector<double> many;
@@ -71,6 +81,7 @@ inline std::vector<Shape> shapes_of_every_kind(Random& random) {
   shapes.push_back(capsule(0.2, 0.7));
   shapes.push_back(hull(many));
   shapes.push_back(hull(few));
+  shapes.push_back(prism(12));
   shapes.push_back(ball_mesh(0.6, 6));
   shapes.push_back(ground_mesh(1, 6, 0.3));
   shapes.push_back(mesh({-1, -1, 0, 1, -1, 0, 0, 1, 0.3}, {0, 1, 2}));
@@ -86,9 +97,9 @@ inline std::vector<Shape> shapes_of_every_kind(Random& random) {
   const abut_pose here{{0, 0, 0}, no_turn};
   const abut_pose aside{{0.8, 0.2, 0.1}, random.turn()};
   const abut_pose above{{-0.3, 0.1, 0.9}, random.turn()};
-  shapes.push_back(composite(std::array{&shapes[0], &shapes[1], &shapes[6]}, std::array{here, aside, above}));
+  shapes.push_back(composite(std::array{&shapes[0], &shapes[1], &shapes[7]}, std::array{here, aside, above}));
   shapes.push_back(
-      composite(std::array<const Shape*, 3>{&shapes[1], &drill, &shapes[13]}, std::array{here, here, above}));
+      composite(std::array<const Shape*, 3>{&shapes[1], &drill, &shapes[14]}, std::array{here, here, above}));
   return shapes;
 }
 
