@@ -13,6 +13,8 @@
  * Rays meet what they meet in abut_universe_cast_ray, with the same feature, child and normal. Which
  * surface is first is decided in single precision for meshes, height fields and large hulls, and in
  * double for all other shapes; the hit itself is computed in double, on the triangle that was found.
+ *
+ * Coordinates of origins and cameras are at most 1e70 in size, otherwise ABUT_OUT_OF_RANGE.
  */
 #ifndef ABUT_PICKING_H
 #define ABUT_PICKING_H
