@@ -43,7 +43,7 @@ class AbutC final : public Contender {
 
   [[nodiscard]] Answer distance(const Job& job) const {
     abut_distance out;
-    if (abut_shapes_distance(a_[job.a].get(), &job.pose_a, b_[job.b].get(), &job.pose_b, nullptr, &out) != ABUT_OK) {
+    if (abut_pair_distance(a_[job.a].get(), &job.pose_a, b_[job.b].get(), &job.pose_b, nullptr, &out) != ABUT_OK) {
       return {};
     }
     return {out.distance, 1};
@@ -52,8 +52,8 @@ class AbutC final : public Contender {
     std::array<abut_contact, 4> out;
     std::size_t count = 0;
     Answer found;
-    if (abut_shapes_contacts(a_[job.a].get(), &job.pose_a, b_[job.b].get(), &job.pose_b, nullptr, out.data(),
-                             out.size(), &count) == ABUT_OK) {
+    if (abut_pair_contacts(a_[job.a].get(), &job.pose_a, b_[job.b].get(), &job.pose_b, nullptr, out.data(),
+                           out.size(), &count) == ABUT_OK) {
       for (const abut_contact& contact : std::span(out).first(std::min(count, out.size()))) {
         found.distance = std::min(found.distance, contact.distance);
         found.points += contact.distance < 0 ? 1 : 0;

@@ -193,8 +193,8 @@ void abut_query_options_init(abut_query_options* options, uint32_t struct_size) 
   fill_defaults(default_options, struct_size, options);
 }
 
-abut_status abut_shapes_distance(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b, const abut_pose* pose_b,
-                                 const abut_query_options* options, abut_distance* out) {
+abut_status abut_pair_distance(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b, const abut_pose* pose_b,
+                               const abut_query_options* options, abut_distance* out) {
   return guard([&] {
     const abut_status status =
         check_none_null<5>({{{"a", a}, {"pose_a", pose_a}, {"b", b}, {"pose_b", pose_b}, {"out", out}}});
@@ -202,8 +202,8 @@ abut_status abut_shapes_distance(const abut_shape* a, const abut_pose* pose_a, c
   });
 }
 
-abut_status abut_shapes_distances(const abut_shape* a, const abut_pose* poses_a, const abut_shape* b, const abut_pose* poses_b,
-                                  size_t count, const abut_query_options* options, abut_distance* out) {
+abut_status abut_pairs_distance(const abut_shape* a, const abut_pose* poses_a, const abut_shape* b, const abut_pose* poses_b,
+                                size_t count, const abut_query_options* options, abut_distance* out) {
   return guard([&] {
     PoseBatch poses;
     std::span<abut_distance> results;
@@ -215,8 +215,8 @@ abut_status abut_shapes_distances(const abut_shape* a, const abut_pose* poses_a,
   });
 }
 
-abut_status abut_shapes_contacts(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b, const abut_pose* pose_b,
-                                 const abut_query_options* options, abut_contact* contacts_out, size_t capacity, size_t* count) {
+abut_status abut_pair_contacts(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b, const abut_pose* pose_b,
+                               const abut_query_options* options, abut_contact* contacts_out, size_t capacity, size_t* count) {
   return guard([&] {
     std::span<abut_contact> results;
     abut_status status =

@@ -67,9 +67,9 @@ abut_status cast(const abut::AnyShape& a, const Moving& of_a, const abut::AnySha
 
 }  // namespace
 
-abut_status abut_shapes_cast(const abut_shape* a, const abut_pose* pose_a, const abut_vec3* displacement_a, const abut_shape* b,
-                             const abut_pose* pose_b, const abut_vec3* displacement_b, const abut_query_options* options,
-                             abut_cast_hit* hit, uint32_t* found) {
+abut_status abut_pair_cast(const abut_shape* a, const abut_pose* pose_a, const abut_vec3* displacement_a, const abut_shape* b,
+                           const abut_pose* pose_b, const abut_vec3* displacement_b, const abut_query_options* options,
+                           abut_cast_hit* hit, uint32_t* found) {
   return guard([&] {
     const abut_status status = check_none_null<8>({{{"a", a},
                                                     {"pose_a", pose_a},

@@ -1,7 +1,7 @@
 """abut, 3D collision detection, in Python: shapes, distances and contacts of pairs, universes, picking.
 
     with Shape.sphere(1.0) as ball, Shape.box(1.0, 1.0, 1.0) as box:
-        print(distance(ball, pose(), box, pose(3.0, 0.0, 0.0)).distance)
+        print(pair_distance(ball, pose(), box, pose(3.0, 0.0, 0.0)).distance)
 
 Objects are released by `with`, by close(), or when they are collected. Failures raise Error, which carries the status
 and the message. Arrays are any sequences of numbers; buffers of doubles (array.array, NumPy) are not copied on the way
@@ -18,7 +18,8 @@ from abut_c import Error, library, picking
 
 _INNER = ("FUNCTIONS", "Filter", "PICKING_FUNCTIONS", "POINTER")
 __all__ = [name for name in dir(c) if name[0].isupper() and name not in _INNER] + [
-    "Picker", "Shape", "Universe", "camera", "cast", "contacts", "distance", "distances", "pose", "ray", "version"]
+    "Picker", "Shape", "Universe", "camera", "pair_cast", "pair_contacts", "pair_distance", "pairs_distance", "pose",
+    "ray", "version"]
 
 
 def version():
@@ -248,34 +249,34 @@ def _query(options):
     return byref(_options(c.QueryOptions, library.abut_query_options_init, **options))
 
 
-def distance(a, pose_a, b, pose_b, **options):
+def pair_distance(a, pose_a, b, pose_b, **options):
     """Signed distance of two shapes; the options are the fields of QueryOptions."""
     out = c.Distance()
-    library.abut_shapes_distance(a.pointer, byref(pose_a), b.pointer, byref(pose_b), _query(options), byref(out))
+    library.abut_pair_distance(a.pointer, byref(pose_a), b.pointer, byref(pose_b), _query(options), byref(out))
     return out
 
 
-def distances(a, poses_a, b, poses_b, **options):
+def pairs_distance(a, poses_a, b, poses_b, **options):
     """Signed distances of as many pairs of poses of two shapes."""
     if len(poses_a) != len(poses_b):
         raise ValueError("as many poses of a as of b")
     out = (c.Distance * len(poses_a))()
-    library.abut_shapes_distances(a.pointer, _structs(c.Pose, poses_a), b.pointer, _structs(c.Pose, poses_b), len(out),
-                                  _query(options), out)
+    library.abut_pairs_distance(a.pointer, _structs(c.Pose, poses_a), b.pointer, _structs(c.Pose, poses_b), len(out),
+                                _query(options), out)
     return out
 
 
-def contacts(a, pose_a, b, pose_b, **options):
+def pair_contacts(a, pose_a, b, pose_b, **options):
     """Contacts of two shapes, deepest first."""
-    return _count_then_fill(c.Contact, lambda *rest: library.abut_shapes_contacts(
+    return _count_then_fill(c.Contact, lambda *rest: library.abut_pair_contacts(
         a.pointer, byref(pose_a), b.pointer, byref(pose_b), _query(options), *rest))
 
 
-def cast(a, pose_a, displacement_a, b, pose_b, displacement_b=(0.0, 0.0, 0.0), **options):
+def pair_cast(a, pose_a, displacement_a, b, pose_b, displacement_b=(0.0, 0.0, 0.0), **options):
     """When two shapes that move by their displacements first touch, or None."""
     hit, found = c.CastHit(), c_uint32()
-    library.abut_shapes_cast(a.pointer, byref(pose_a), byref(c.Vec3(*displacement_a)), b.pointer, byref(pose_b),
-                             byref(c.Vec3(*displacement_b)), _query(options), byref(hit), byref(found))
+    library.abut_pair_cast(a.pointer, byref(pose_a), byref(c.Vec3(*displacement_a)), b.pointer, byref(pose_b),
+                           byref(c.Vec3(*displacement_b)), _query(options), byref(hit), byref(found))
     return hit if found.value else None
 
 

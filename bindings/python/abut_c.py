@@ -447,12 +447,12 @@ FUNCTIONS = {
     "abut_shape_cast_ray": (Status, [
         c_void_p, POINTER(Pose), POINTER(Ray), POINTER(RayHit), POINTER(c_uint32)]),
     "abut_query_options_init": (None, [POINTER(QueryOptions), c_uint32]),
-    "abut_shapes_distance": (Status, [
+    "abut_pair_distance": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Distance)]),
-    "abut_shapes_distances": (Status, [
+    "abut_pairs_distance": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), c_size_t, POINTER(QueryOptions),
         POINTER(Distance)]),
-    "abut_shapes_contacts": (Status, [
+    "abut_pair_contacts": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Contact),
         c_size_t, POINTER(c_size_t)]),
     "abut_universe_options_init": (None, [POINTER(UniverseOptions), c_uint32]),
@@ -572,7 +572,7 @@ FUNCTIONS = {
         c_void_p, c_void_p, POINTER(Pose), c_double, POINTER(QueryFilter), POINTER(Closest), POINTER(c_uint32)]),
     "abut_universe_closest_to_each": (Status, [
         c_void_p, POINTER(c_void_p), POINTER(Pose), c_size_t, c_double, POINTER(QueryFilter), POINTER(Closest)]),
-    "abut_shapes_cast": (Status, [
+    "abut_pair_cast": (Status, [
         c_void_p, POINTER(Pose), POINTER(Vec3), c_void_p, POINTER(Pose), POINTER(Vec3), POINTER(QueryOptions),
         POINTER(CastHit), POINTER(c_uint32)]),
     "abut_layout_count": (c_size_t, []),

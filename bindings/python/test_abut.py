@@ -53,17 +53,17 @@ class Layout(unittest.TestCase):
 class Queries(unittest.TestCase):
     def test_two_boxes(self):
         with abut.Shape.box(1, 1, 1) as box:
-            apart = abut.distance(box, abut.pose(), box, abut.pose(3.5, 0, 0))
+            apart = abut.pair_distance(box, abut.pose(), box, abut.pose(3.5, 0, 0))
             self.assertAlmostEqual(apart.distance, 1.5, places=12)
             self.assertAlmostEqual(apart.normal.x, 1.0, places=12)
-            touching = abut.contacts(box, abut.pose(), box, abut.pose(0, 0, 1.75))
+            touching = abut.pair_contacts(box, abut.pose(), box, abut.pose(0, 0, 1.75))
             self.assertEqual(len(touching), 4)
             for contact in touching:
                 self.assertAlmostEqual(contact.distance, -0.25, places=12)
                 self.assertAlmostEqual(contact.normal.z, 1.0, places=12)
-            many = abut.distances(box, [abut.pose()] * 3, box, [abut.pose(3 + i, 0, 0) for i in range(3)])
+            many = abut.pairs_distance(box, [abut.pose()] * 3, box, [abut.pose(3 + i, 0, 0) for i in range(3)])
             self.assertEqual([round(each.distance, 9) for each in many], [1.0, 2.0, 3.0])
-            self.assertEqual(len(abut.contacts(box, abut.pose(), box, abut.pose(0, 0, 1.75), max_contacts=1)), 1)
+            self.assertEqual(len(abut.pair_contacts(box, abut.pose(), box, abut.pose(0, 0, 1.75), max_contacts=1)), 1)
 
     def test_shapes(self):
         capsule = abut.Shape.capsule(0.5, 2)

@@ -11,12 +11,12 @@ int main(void) {
   OK(abut_box_create(1.0, 1.0, 1.0, &box));
 
   abut_distance distance;
-  OK(abut_shapes_distance(box, &origin, ball, &above, NULL, &distance));
+  OK(abut_pair_distance(box, &origin, ball, &above, NULL, &distance));
   printf("distance %g, normal (%g, %g, %g)\n", distance.distance, distance.normal.x, distance.normal.y, distance.normal.z);
 
   abut_contact pair[4];
   size_t count;
-  OK(abut_shapes_contacts(box, &origin, box, &above, NULL, pair, 4, &count));
+  OK(abut_pair_contacts(box, &origin, box, &above, NULL, pair, 4, &count));
   printf("two boxes touch in %u points\n", (unsigned)count);
 
   abut_universe *universe;

@@ -199,8 +199,8 @@ ABUT_API const char *abut_shape_kind_parameter_name(abut_shape_kind kind, size_t
 /** What two shapes can be asked. */
 typedef uint32_t abut_query;
 enum abut_query_value ABUT_ENUM(uint32_t) {
-  ABUT_QUERY_DISTANCE = 0, /**< abut_shapes_distance and abut_shapes_distances */
-  ABUT_QUERY_CONTACTS = 1  /**< abut_shapes_contacts, and contacts in a universe */
+  ABUT_QUERY_DISTANCE = 0, /**< abut_pair_distance and abut_pairs_distance */
+  ABUT_QUERY_CONTACTS = 1  /**< abut_pair_contacts, and contacts in a universe */
 };
 
 /**
@@ -468,13 +468,13 @@ typedef struct abut_contact {
  * @param options  may be null
  * Source: GJK with signed volumes (Montanari et al. 2017), EPA (van den Bergen 2001). [any]
  */
-ABUT_API abut_status abut_shapes_distance(const abut_shape *a, const abut_pose *pose_a, const abut_shape *b,
-                                          const abut_pose *pose_b, const abut_query_options *options, abut_distance *out);
+ABUT_API abut_status abut_pair_distance(const abut_shape *a, const abut_pose *pose_a, const abut_shape *b,
+                                        const abut_pose *pose_b, const abut_query_options *options, abut_distance *out);
 
 /** The same for `count` pairs of poses of the same two shapes; the first failure ends it, nothing is written then. [any] */
-ABUT_API abut_status abut_shapes_distances(const abut_shape *a, const abut_pose *poses_a, const abut_shape *b,
-                                           const abut_pose *poses_b, size_t count, const abut_query_options *options,
-                                           abut_distance *out);
+ABUT_API abut_status abut_pairs_distance(const abut_shape *a, const abut_pose *poses_a, const abut_shape *b,
+                                         const abut_pose *poses_b, size_t count, const abut_query_options *options,
+                                         abut_distance *out);
 
 /**
  * Contact points of two shapes by count-then-fill, deepest first; none when they are further apart
@@ -482,9 +482,9 @@ ABUT_API abut_status abut_shapes_distances(const abut_shape *a, const abut_pose 
  * @param options  may be null
  * [any]
  */
-ABUT_API abut_status abut_shapes_contacts(const abut_shape *a, const abut_pose *pose_a, const abut_shape *b,
-                                          const abut_pose *pose_b, const abut_query_options *options,
-                                          abut_contact *contacts, size_t capacity, size_t *count);
+ABUT_API abut_status abut_pair_contacts(const abut_shape *a, const abut_pose *pose_a, const abut_shape *b,
+                                        const abut_pose *pose_b, const abut_query_options *options,
+                                        abut_contact *contacts, size_t capacity, size_t *count);
 
 /* ------------------------------------------------------------------------------------------------
  * Universe
@@ -1414,9 +1414,9 @@ ABUT_API abut_status abut_universe_closest_to_each(const abut_universe *universe
  * @param found    receives 1 or 0
  * Source: as abut_universe_cast_shape. [any]
  */
-ABUT_API abut_status abut_shapes_cast(const abut_shape *a, const abut_pose *pose_a, const abut_vec3 *displacement_a,
-                                      const abut_shape *b, const abut_pose *pose_b, const abut_vec3 *displacement_b,
-                                      const abut_query_options *options, abut_cast_hit *hit, uint32_t *found);
+ABUT_API abut_status abut_pair_cast(const abut_shape *a, const abut_pose *pose_a, const abut_vec3 *displacement_a,
+                                    const abut_shape *b, const abut_pose *pose_b, const abut_vec3 *displacement_b,
+                                    const abut_query_options *options, abut_cast_hit *hit, uint32_t *found);
 
 /* ------------------------------------------------------------------------------------------------
  * Layout report, for bindings that want to check their own structs

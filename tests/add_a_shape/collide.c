@@ -78,16 +78,16 @@ static void collide(const abut_shape *added, const abut_shape *other, const char
   abut_aabb box;
   size_t count = 0;
 
-  expect(abut_shapes_distance(added, &apart, other, &pose, NULL, &distance) == ABUT_OK && distance.distance > 1, "apart", kind);
+  expect(abut_pair_distance(added, &apart, other, &pose, NULL, &distance) == ABUT_OK && distance.distance > 1, "apart", kind);
   expect(abut_shape_aabb(other, &pose, &box) == ABUT_OK && distance.distance >= lowest - box.maximum.z - 1e-9, "below the boxes", kind);
   expect(distance.distance <= lowest - height_under(other, middle, middle) + 1e-9, "beyond the ray", kind);
-  expect(abut_shapes_contacts(added, &apart, other, &pose, NULL, NULL, 0, &count) == ABUT_OK && count == 0, "no contacts", kind);
-  expect(abut_shapes_distance(other, &pose, added, &apart, NULL, &swapped) == ABUT_OK &&
+  expect(abut_pair_contacts(added, &apart, other, &pose, NULL, NULL, 0, &count) == ABUT_OK && count == 0, "no contacts", kind);
+  expect(abut_pair_distance(other, &pose, added, &apart, NULL, &swapped) == ABUT_OK &&
              fabs(swapped.distance - distance.distance) < 1e-9,
          "swapped", kind);
-  expect(abut_shapes_distance(added, &touching, other, &pose, NULL, &distance) == ABUT_OK && distance.distance <= 0,
+  expect(abut_pair_distance(added, &touching, other, &pose, NULL, &distance) == ABUT_OK && distance.distance <= 0,
          "overlapping", kind);
-  expect(abut_shapes_contacts(added, &touching, other, &pose, NULL, NULL, 0, &count) == ABUT_OK && count > 0, "contacts", kind);
+  expect(abut_pair_contacts(added, &touching, other, &pose, NULL, NULL, 0, &count) == ABUT_OK && count > 0, "contacts", kind);
 
   abut_part_options_init(&still, sizeof still);
   still.motion = ABUT_MOTION_STATIC;

@@ -84,13 +84,13 @@ static void expect_spheres(const abut_shape *shape) {
       abut_contact contact;
       size_t count = 0;
       memset(&found, 0, sizeof found);
-      expect(abut_shapes_distance(shape, &pose, sphere, &placed, NULL, &found) == ABUT_OK, places[i].name, "sphere");
+      expect(abut_pair_distance(shape, &pose, sphere, &placed, NULL, &found) == ABUT_OK, places[i].name, "sphere");
       expect(fabs(found.distance - (heights[k] - 0.25)) < tolerance, places[i].name, "distance of a sphere");
       expect(is_near(found.normal, places[i].normal), places[i].name, "normal of a sphere");
       expect(is_near(found.point_a, places[i].point), places[i].name, "point toward a sphere");
       expect(is_near(found.point_b, above(&places[i], heights[k] - 0.25)), places[i].name, "point of a sphere");
       if (heights[k] != 0.25) {
-        expect(abut_shapes_contacts(shape, &pose, sphere, &placed, NULL, &contact, 1, &count) == ABUT_OK &&
+        expect(abut_pair_contacts(shape, &pose, sphere, &placed, NULL, &contact, 1, &count) == ABUT_OK &&
                    count == (heights[k] > 0.25 ? 0u : 1u),
                places[i].name, "contacts of a sphere");
       }
@@ -115,10 +115,10 @@ static void expect_planes(const abut_shape *shape) {
       parameters[3] = -dot(n, places[i].point) - gaps[k];
       plane = make_of("plane", parameters, 4);
       memset(&found, 0, sizeof found);
-      expect(abut_shapes_distance(shape, &pose, plane, &pose, NULL, &found) == ABUT_OK, places[i].name, "plane");
+      expect(abut_pair_distance(shape, &pose, plane, &pose, NULL, &found) == ABUT_OK, places[i].name, "plane");
       expect(fabs(found.distance - gaps[k]) < tolerance, places[i].name, "distance of a plane");
       expect(is_near(found.normal, n), places[i].name, "normal of a plane");
-      expect(abut_shapes_contacts(shape, &pose, plane, &pose, NULL, contacts, 4, &count) == ABUT_OK &&
+      expect(abut_pair_contacts(shape, &pose, plane, &pose, NULL, contacts, 4, &count) == ABUT_OK &&
                  count == (gaps[k] > 0 ? 0u : i == 0 ? 2u : 1u),
              places[i].name, "contacts of a plane");
       for (c = 0; c < count && c < 4; c++) {
@@ -137,7 +137,7 @@ static void expect_ball(double bottom_radius, double top_radius, double height) 
   abut_shape *shape = make_rounded_cone(bottom_radius, top_radius, 0.125), *sphere = make_of("sphere", radius, 1);
   abut_distance found;
   expect_hit(shape, from, down, 4 - height, up, "one ball");
-  expect(abut_shapes_distance(shape, &pose, sphere, &aside, NULL, &found) == ABUT_OK && fabs(found.distance - 3) < tolerance,
+  expect(abut_pair_distance(shape, &pose, sphere, &aside, NULL, &found) == ABUT_OK && fabs(found.distance - 3) < tolerance,
          "one ball", "distance of a sphere");
   abut_shape_release(sphere);
   abut_shape_release(shape);

@@ -19,10 +19,10 @@ static int ask_a_pair(abut_shape *ball, abut_shape *box) {
   abut_distance distance;
   abut_contact contacts[4];
   size_t count = 7;
-  CHECK(abut_shapes_distance(ball, &here, box, &there, NULL, &distance) == ABUT_OK);
+  CHECK(abut_pair_distance(ball, &here, box, &there, NULL, &distance) == ABUT_OK);
   CHECK(is_near(distance.distance, 1.0));
   CHECK(is_near(distance.normal.x, 1.0));
-  CHECK(abut_shapes_contacts(ball, &here, box, &there, NULL, contacts, 4, &count) == ABUT_OK);
+  CHECK(abut_pair_contacts(ball, &here, box, &there, NULL, contacts, 4, &count) == ABUT_OK);
   CHECK(count == 0);
   return 0;
 }

@@ -135,15 +135,15 @@ std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose
   options.max_contacts = 0;
   options.margin = margin;
   std::size_t count = 0;
-  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, nullptr, 0, &count)));
+  EXPECT_TRUE(succeeded(abut_pair_contacts(a, &pose_a, b, &pose_b, &options, nullptr, 0, &count)));
   std::vector<abut_contact> found(count);
-  EXPECT_TRUE(succeeded(abut_shapes_contacts(a, &pose_a, b, &pose_b, &options, found.data(), count, &count)));
+  EXPECT_TRUE(succeeded(abut_pair_contacts(a, &pose_a, b, &pose_b, &options, found.data(), count, &count)));
   return found;
 }
 
 double distance_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b) {
   abut_distance found{};
-  EXPECT_TRUE(succeeded(abut_shapes_distance(a, &pose_a, b, &pose_b, nullptr, &found)));
+  EXPECT_TRUE(succeeded(abut_pair_distance(a, &pose_a, b, &pose_b, nullptr, &found)));
   EXPECT_LE(found.lower, found.distance);
   EXPECT_LE(found.distance, found.upper);
   return found.distance;

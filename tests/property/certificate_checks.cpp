@@ -91,7 +91,7 @@ void check_swapped(const SolidCase& c, const abut_distance& result) {
   const Placement& at = c.base.placement;
   abut_distance other{};
   const abut_status status =
-      abut_shapes_distance(c.b.subject.shape.get(), &at.b, c.a.subject.shape.get(), &at.a, nullptr, &other);
+      abut_pair_distance(c.b.subject.shape.get(), &at.b, c.a.subject.shape.get(), &at.a, nullptr, &other);
   if (status != ABUT_OK) return broken(c.base, "status swapped", status, ABUT_OK, 0);
   const abut_vec3 mirrored{-other.normal.x, -other.normal.y, -other.normal.z};
   const bool is_twin = &c.a == &c.b && is_same(at.a, at.b);

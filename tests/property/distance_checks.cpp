@@ -63,7 +63,7 @@ namespace {
 
 abut_status ask(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
                 abut_distance& out) {
-  return abut_shapes_distance(a, &pose_a, b, &pose_b, nullptr, &out);
+  return abut_pair_distance(a, &pose_a, b, &pose_b, nullptr, &out);
 }
 
 }  // namespace
@@ -172,7 +172,7 @@ void check_support_points(const Case& c) {
   options.algorithm = ABUT_ALGORITHM_GJK_EPA;
   abut_distance other{};
   const abut_status status =
-      abut_shapes_distance(c.a.shape.get(), &c.placement.a, c.b.shape.get(), &c.placement.b, &options, &other);
+      abut_pair_distance(c.a.shape.get(), &c.placement.a, c.b.shape.get(), &c.placement.b, &options, &other);
   if (status == ABUT_UNSUPPORTED) return;
   if (status != ABUT_OK) return broken(c, "status from support points", status, ABUT_OK, 0);
   const double truth = static_cast<double>(c.truth.distance);
@@ -187,7 +187,7 @@ void check_support_points(const Case& c) {
 void check_batch(const Case& c, const abut_distance& result) {
   abut_distance other{};
   const abut_status status =
-      abut_shapes_distances(c.a.shape.get(), &c.placement.a, c.b.shape.get(), &c.placement.b, 1, nullptr, &other);
+      abut_pairs_distance(c.a.shape.get(), &c.placement.a, c.b.shape.get(), &c.placement.b, 1, nullptr, &other);
   if (status != ABUT_OK) return broken(c, "status of a batch", status, ABUT_OK, 0);
   expect_near(c, "distance in a batch", other.distance, result.distance, 0);
 }

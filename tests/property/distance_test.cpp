@@ -89,11 +89,11 @@ TEST(TerrainPairs, AreUnsupported) {
   abut_distance out{};
   for (const Subject* a : {&plane, &field}) {
     for (const Subject* b : {&plane, &field}) {
-      EXPECT_EQ(abut_shapes_distance(a->shape.get(), &identity, b->shape.get(), &identity, nullptr, &out),
+      EXPECT_EQ(abut_pair_distance(a->shape.get(), &identity, b->shape.get(), &identity, nullptr, &out),
                 ABUT_UNSUPPORTED)
           << a->kind << "/" << b->kind;
       std::size_t count = 0;
-      EXPECT_EQ(abut_shapes_contacts(a->shape.get(), &identity, b->shape.get(), &identity, nullptr, nullptr, 0, &count),
+      EXPECT_EQ(abut_pair_contacts(a->shape.get(), &identity, b->shape.get(), &identity, nullptr, nullptr, 0, &count),
                 ABUT_UNSUPPORTED)
           << a->kind << "/" << b->kind;
     }

@@ -129,8 +129,8 @@ void check_support_points(const Extreme& extreme, const Certified& first, const 
   abut_query_options_init(&options, sizeof options);
   options.algorithm = ABUT_ALGORITHM_GJK_EPA;
   const std::uint64_t before = property::record().failures();
-  const abut_status status = abut_shapes_distance(at.a.shape.get(), &at.placement.a, at.b.shape.get(), &at.placement.b,
-                                                  &options, &answer.result);
+  const abut_status status = abut_pair_distance(at.a.shape.get(), &at.placement.a, at.b.shape.get(), &at.placement.b,
+                                                &options, &answer.result);
   if (status != ABUT_OK) {
     property::broken(answer.base, "status", status, ABUT_OK, 0);
   } else {

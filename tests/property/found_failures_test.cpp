@@ -56,7 +56,7 @@ abut_pose turned(const oracle::Pose& turn, const oracle::FailurePose& pose) {
 void judge(const Placed& a, const Placed& b, double truth) {
   abut_distance found{};
   const auto status =
-      abut_shapes_distance(a.shape.subject.shape.get(), &a.pose, b.shape.subject.shape.get(), &b.pose, nullptr, &found);
+      abut_pair_distance(a.shape.subject.shape.get(), &a.pose, b.shape.subject.shape.get(), &b.pose, nullptr, &found);
   ASSERT_EQ(status, ABUT_OK) << abut_last_error_message();
   const double size = a.shape.subject.size + b.shape.subject.size, rounding = 1e-14 * size;
   EXPECT_NEAR(found.distance, truth, allowed * size);

@@ -72,7 +72,7 @@ std::optional<abut_distance> judge(const Question& q, abut_algorithm algorithm) 
   options.algorithm = algorithm;
   abut_distance result{};
   const abut_status status =
-      abut_shapes_distance(q.a.shape.get(), &q.pose_a, q.b.shape.get(), &q.pose_b, &options, &result);
+      abut_pair_distance(q.a.shape.get(), &q.pose_a, q.b.shape.get(), &q.pose_b, &options, &result);
   if (status == ABUT_UNSUPPORTED && algorithm != ABUT_ALGORITHM_AUTO) return std::nullopt;
   EXPECT_EQ(status, ABUT_OK) << q.id << ": " << abut_last_error_message();
   if (status != ABUT_OK) return std::nullopt;
@@ -139,8 +139,8 @@ TEST(KnownFailures, HaveTheirContacts) {
     options.max_contacts = 0;
     std::array<abut_contact, 64> contacts{};
     std::size_t count = 0;
-    ASSERT_EQ(abut_shapes_contacts(a.shape.get(), &pose_a, b.shape.get(), &pose_b, &options, contacts.data(),
-                                   contacts.size(), &count),
+    ASSERT_EQ(abut_pair_contacts(a.shape.get(), &pose_a, b.shape.get(), &pose_b, &options, contacts.data(),
+                                 contacts.size(), &count),
               ABUT_OK)
         << row.id << ": " << abut_last_error_message();
     const double truth = static_cast<double>(*row.distance);
@@ -162,7 +162,7 @@ void judge_cast(const KnownFailure& row) {
   const abut_vec3 still{0, 0, 0};
   abut_cast_hit hit{};
   std::uint32_t found = 0;
-  ASSERT_EQ(abut_shapes_cast(a.shape.get(), &pose_a, &displacement, b.shape.get(), &pose_b, &still, nullptr, &hit, &found),
+  ASSERT_EQ(abut_pair_cast(a.shape.get(), &pose_a, &displacement, b.shape.get(), &pose_b, &still, nullptr, &hit, &found),
             ABUT_OK)
       << row.id << ": " << abut_last_error_message();
   EXPECT_EQ(found == 1, row.cast->touches) << row.id;

@@ -13,12 +13,12 @@ Manifold contacts_of(const Subject& a, const abut_pose& pose_a, const Subject& b
   options.max_contacts = max_contacts;
   Manifold manifold;
   std::size_t count = 0;
-  manifold.status = abut_shapes_contacts(a.shape.get(), &pose_a, b.shape.get(), &pose_b, &options, nullptr, 0, &count);
+  manifold.status = abut_pair_contacts(a.shape.get(), &pose_a, b.shape.get(), &pose_b, &options, nullptr, 0, &count);
   if (manifold.status != ABUT_OK) return manifold;
   manifold.contacts.resize(count);
   std::size_t again = 0;
-  manifold.status = abut_shapes_contacts(a.shape.get(), &pose_a, b.shape.get(), &pose_b, &options,
-                                         manifold.contacts.data(), count, &again);
+  manifold.status = abut_pair_contacts(a.shape.get(), &pose_a, b.shape.get(), &pose_b, &options,
+                                       manifold.contacts.data(), count, &again);
   if (again != count) manifold.status = ABUT_INTERNAL;
   return manifold;
 }

@@ -76,8 +76,8 @@ std::string text_of(const Pair& pair) {
 
 std::optional<abut_distance> distance_of(const Pair& pair) {
   abut_distance distance;
-  const abut_status status = abut_shapes_distance(pair.a.subject.shape.get(), &pair.pose_a, pair.b.subject.shape.get(),
-                                                  &pair.pose_b, nullptr, &distance);
+  const abut_status status = abut_pair_distance(pair.a.subject.shape.get(), &pair.pose_a, pair.b.subject.shape.get(),
+                                                &pair.pose_b, nullptr, &distance);
   return status == ABUT_OK ? std::optional(distance) : std::nullopt;
 }
 

@@ -167,7 +167,7 @@ TEST(Resting, NothingIsWrittenPastTheCapacity) {
   std::vector<abut_contact> contacts(4);
   for (abut_contact& contact : contacts) contact.distance = 77;
   std::size_t count = 0;
-  ASSERT_EQ(abut_shapes_contacts(box.shape.get(), &lower, box.shape.get(), &upper, nullptr, contacts.data(), 2, &count),
+  ASSERT_EQ(abut_pair_contacts(box.shape.get(), &lower, box.shape.get(), &upper, nullptr, contacts.data(), 2, &count),
             ABUT_OK);
   EXPECT_EQ(count, 4u);
   EXPECT_NE(contacts[1].distance, 77);

@@ -51,7 +51,7 @@ std::vector<abut_contact> contacts(const ShapePtr& a, const abut_pose& pose_a, c
   std::vector<abut_contact> found(1000);
   std::size_t count = 0;
   EXPECT_EQ(
-      abut_shapes_contacts(a.get(), &pose_a, b.get(), &pose_b, &options, found.data(), found.size(), &count),
+      abut_pair_contacts(a.get(), &pose_a, b.get(), &pose_b, &options, found.data(), found.size(), &count),
       ABUT_OK);
   found.resize(count);
   return found;
@@ -59,7 +59,7 @@ std::vector<abut_contact> contacts(const ShapePtr& a, const abut_pose& pose_a, c
 
 double distance(const ShapePtr& a, const abut_pose& pose_a, const ShapePtr& b, const abut_pose& pose_b) {
   abut_distance result{};
-  EXPECT_EQ(abut_shapes_distance(a.get(), &pose_a, b.get(), &pose_b, nullptr, &result), ABUT_OK);
+  EXPECT_EQ(abut_pair_distance(a.get(), &pose_a, b.get(), &pose_b, nullptr, &result), ABUT_OK);
   return result.distance;
 }
 

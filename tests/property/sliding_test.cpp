@@ -110,8 +110,8 @@ Count slide(const Body& body, const Ground& ground, double direction, double sun
     abut_query_options options;
     abut_query_options_init(&options, sizeof options);
     options.max_contacts = 0;
-    EXPECT_EQ(abut_shapes_contacts(ground.shape.get(), &ground.pose, body.shape.get(), &pose, &options, contacts.data(),
-                                   contacts.size(), &found),
+    EXPECT_EQ(abut_pair_contacts(ground.shape.get(), &ground.pose, body.shape.get(), &pose, &options, contacts.data(),
+                                 contacts.size(), &found),
               ABUT_OK);
     contacts.resize(found);
     double rise = 0;

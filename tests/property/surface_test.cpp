@@ -55,8 +55,8 @@ void check_swap(const Case& c) {
   abut_distance back{};
   const abut_pose& pose_a = c.placement.a;
   const abut_pose& pose_b = c.placement.b;
-  const abut_status first = abut_shapes_distance(c.a.shape.get(), &pose_a, c.b.shape.get(), &pose_b, nullptr, &there);
-  const abut_status second = abut_shapes_distance(c.b.shape.get(), &pose_b, c.a.shape.get(), &pose_a, nullptr, &back);
+  const abut_status first = abut_pair_distance(c.a.shape.get(), &pose_a, c.b.shape.get(), &pose_b, nullptr, &there);
+  const abut_status second = abut_pair_distance(c.b.shape.get(), &pose_b, c.a.shape.get(), &pose_a, nullptr, &back);
   if (first != ABUT_OK || second != ABUT_OK) return broken(c, "status swapped", second, ABUT_OK, 0);
   const double tolerance = distance_tolerance(c.magnitude);
   if (!(std::abs(there.distance - back.distance) <= tolerance)) {

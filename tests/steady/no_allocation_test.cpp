@@ -182,7 +182,7 @@ TEST(SteadyPair, OfSliversAsksForNothing) {
     const Shape a = triangle(1, 1), b = triangle(giant, 1e-6);
     abut_distance found;
     AllocationCounter counter;
-    require(abut_shapes_distance(a, &identity, b, &identity, &options, &found));
+    require(abut_pair_distance(a, &identity, b, &identity, &options, &found));
     calls += counter.stop().calls;
     most_iterations = std::max(most_iterations, found.iterations);
   }

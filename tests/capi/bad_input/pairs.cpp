@@ -22,13 +22,13 @@ struct PairCall {
   Out<std::size_t> count;
 
   abut_status ask_distance(const abut_query_options* options) {
-    return abut_shapes_distance(a, &pose_a, b, &pose_b, options, distance.address());
+    return abut_pair_distance(a, &pose_a, b, &pose_b, options, distance.address());
   }
   abut_status ask_distances(const abut_query_options* options) {
-    return abut_shapes_distances(a, &pose_a, b, &pose_b, 1, options, distance.address());
+    return abut_pairs_distance(a, &pose_a, b, &pose_b, 1, options, distance.address());
   }
   abut_status ask_contacts(const abut_query_options* options) {
-    return abut_shapes_contacts(a, &pose_a, b, &pose_b, options, contacts.data(), contacts.size(), count.address());
+    return abut_pair_contacts(a, &pose_a, b, &pose_b, options, contacts.data(), contacts.size(), count.address());
   }
   bool is_untouched() const { return distance.is_untouched() && contacts.is_untouched() && count.is_untouched(); }
 };
@@ -117,108 +117,108 @@ TEST(QueryOptionsInit, FillsInTheDefaults) {
   EXPECT_EQ(options.value().reserved, 0U);
 }
 
-TEST(ShapesDistance, RefusesNullPointers) {
+TEST(PairDistance, RefusesNullPointers) {
   PairCall call;
   abut_distance* const out = call.distance.address();
   const abut_pose* const pose = &identity;
-  EXPECT_TRUE(refused(abut_shapes_distance(nullptr, pose, call.b, pose, nullptr, out), ABUT_NULL_ARGUMENT, {"a", "null"}));
-  EXPECT_TRUE(refused(abut_shapes_distance(call.a, pose, nullptr, pose, nullptr, out), ABUT_NULL_ARGUMENT, {"b", "null"}));
-  EXPECT_TRUE(refused(abut_shapes_distance(call.a, pose, call.b, pose, nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(refused(abut_pair_distance(nullptr, pose, call.b, pose, nullptr, out), ABUT_NULL_ARGUMENT, {"a", "null"}));
+  EXPECT_TRUE(refused(abut_pair_distance(call.a, pose, nullptr, pose, nullptr, out), ABUT_NULL_ARGUMENT, {"b", "null"}));
+  EXPECT_TRUE(refused(abut_pair_distance(call.a, pose, call.b, pose, nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(ShapesDistance, RefusesNonFiniteAndOtherBadPoses) {
+TEST(PairDistance, RefusesNonFiniteAndOtherBadPoses) {
   PairCall call;
   expect_pose_checked("pose_a", [&](const abut_pose* pose) {
-    return abut_shapes_distance(call.a, pose, call.b, &identity, nullptr, call.distance.address());
+    return abut_pair_distance(call.a, pose, call.b, &identity, nullptr, call.distance.address());
   });
   expect_pose_checked("pose_b", [&](const abut_pose* pose) {
-    return abut_shapes_distance(call.a, &identity, call.b, pose, nullptr, call.distance.address());
+    return abut_pair_distance(call.a, &identity, call.b, pose, nullptr, call.distance.address());
   });
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(ShapesDistance, RefusesNonFiniteOptions) { refuse_non_finite_options(&PairCall::ask_distance); }
-TEST(ShapesDistance, RefusesBadOptions) { refuse_bad_options(&PairCall::ask_distance); }
-TEST(ShapesDistance, RefusesWrongStructSize) { refuse_wrong_struct_size(&PairCall::ask_distance); }
-TEST(ShapesDistance, RefusesTerrainAgainstTerrain) { refuse_terrain_against_terrain(&PairCall::ask_distance); }
-TEST(ShapesDistance, RefusesMissingAlgorithms) { refuse_algorithms_that_the_pair_lacks(&PairCall::ask_distance); }
+TEST(PairDistance, RefusesNonFiniteOptions) { refuse_non_finite_options(&PairCall::ask_distance); }
+TEST(PairDistance, RefusesBadOptions) { refuse_bad_options(&PairCall::ask_distance); }
+TEST(PairDistance, RefusesWrongStructSize) { refuse_wrong_struct_size(&PairCall::ask_distance); }
+TEST(PairDistance, RefusesTerrainAgainstTerrain) { refuse_terrain_against_terrain(&PairCall::ask_distance); }
+TEST(PairDistance, RefusesMissingAlgorithms) { refuse_algorithms_that_the_pair_lacks(&PairCall::ask_distance); }
 
-TEST(ShapesContacts, RefusesNullPointers) {
+TEST(PairContacts, RefusesNullPointers) {
   PairCall call;
   abut_contact* const out = call.contacts.data();
   std::size_t* const count = call.count.address();
   const abut_pose* const pose = &identity;
-  EXPECT_TRUE(refused(abut_shapes_contacts(nullptr, pose, call.b, pose, nullptr, out, 8, count), ABUT_NULL_ARGUMENT, {"a", "null"}));
-  EXPECT_TRUE(refused(abut_shapes_contacts(call.a, pose, nullptr, pose, nullptr, out, 8, count), ABUT_NULL_ARGUMENT, {"b", "null"}));
-  EXPECT_TRUE(refused(abut_shapes_contacts(call.a, pose, call.b, pose, nullptr, nullptr, 8, count), ABUT_NULL_ARGUMENT,
+  EXPECT_TRUE(refused(abut_pair_contacts(nullptr, pose, call.b, pose, nullptr, out, 8, count), ABUT_NULL_ARGUMENT, {"a", "null"}));
+  EXPECT_TRUE(refused(abut_pair_contacts(call.a, pose, nullptr, pose, nullptr, out, 8, count), ABUT_NULL_ARGUMENT, {"b", "null"}));
+  EXPECT_TRUE(refused(abut_pair_contacts(call.a, pose, call.b, pose, nullptr, nullptr, 8, count), ABUT_NULL_ARGUMENT,
                       {"contacts", "null"}));
-  EXPECT_TRUE(refused(abut_shapes_contacts(call.a, pose, call.b, pose, nullptr, out, 8, nullptr), ABUT_NULL_ARGUMENT,
+  EXPECT_TRUE(refused(abut_pair_contacts(call.a, pose, call.b, pose, nullptr, out, 8, nullptr), ABUT_NULL_ARGUMENT,
                       {"count", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(ShapesContacts, RefusesNonFiniteAndOtherBadPoses) {
+TEST(PairContacts, RefusesNonFiniteAndOtherBadPoses) {
   PairCall call;
   expect_pose_checked("pose_a", [&](const abut_pose* pose) {
-    return abut_shapes_contacts(call.a, pose, call.b, &identity, nullptr, call.contacts.data(), 8, call.count.address());
+    return abut_pair_contacts(call.a, pose, call.b, &identity, nullptr, call.contacts.data(), 8, call.count.address());
   });
   expect_pose_checked("pose_b", [&](const abut_pose* pose) {
-    return abut_shapes_contacts(call.a, &identity, call.b, pose, nullptr, call.contacts.data(), 8, call.count.address());
+    return abut_pair_contacts(call.a, &identity, call.b, pose, nullptr, call.contacts.data(), 8, call.count.address());
   });
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(ShapesContacts, RefusesNonFiniteOptions) { refuse_non_finite_options(&PairCall::ask_contacts); }
-TEST(ShapesContacts, RefusesBadOptions) { refuse_bad_options(&PairCall::ask_contacts); }
-TEST(ShapesContacts, RefusesWrongStructSize) { refuse_wrong_struct_size(&PairCall::ask_contacts); }
-TEST(ShapesContacts, RefusesTerrainAgainstTerrain) { refuse_terrain_against_terrain(&PairCall::ask_contacts); }
-TEST(ShapesContacts, RefusesMissingAlgorithms) { refuse_algorithms_that_the_pair_lacks(&PairCall::ask_contacts); }
+TEST(PairContacts, RefusesNonFiniteOptions) { refuse_non_finite_options(&PairCall::ask_contacts); }
+TEST(PairContacts, RefusesBadOptions) { refuse_bad_options(&PairCall::ask_contacts); }
+TEST(PairContacts, RefusesWrongStructSize) { refuse_wrong_struct_size(&PairCall::ask_contacts); }
+TEST(PairContacts, RefusesTerrainAgainstTerrain) { refuse_terrain_against_terrain(&PairCall::ask_contacts); }
+TEST(PairContacts, RefusesMissingAlgorithms) { refuse_algorithms_that_the_pair_lacks(&PairCall::ask_contacts); }
 
-TEST(ShapesDistances, RefusesNullPointers) {
+TEST(PairsDistance, RefusesNullPointers) {
   PairCall call;
   abut_distance* const out = call.distance.address();
   const abut_pose* const pose = &identity;
-  EXPECT_TRUE(refused(abut_shapes_distances(nullptr, pose, call.b, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"a", "null"}));
-  EXPECT_TRUE(refused(abut_shapes_distances(call.a, nullptr, call.b, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"poses_a", "null"}));
-  EXPECT_TRUE(refused(abut_shapes_distances(call.a, pose, nullptr, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"b", "null"}));
-  EXPECT_TRUE(refused(abut_shapes_distances(call.a, pose, call.b, nullptr, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"poses_b", "null"}));
-  EXPECT_TRUE(refused(abut_shapes_distances(call.a, pose, call.b, pose, 1, nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(refused(abut_pairs_distance(nullptr, pose, call.b, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"a", "null"}));
+  EXPECT_TRUE(refused(abut_pairs_distance(call.a, nullptr, call.b, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"poses_a", "null"}));
+  EXPECT_TRUE(refused(abut_pairs_distance(call.a, pose, nullptr, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"b", "null"}));
+  EXPECT_TRUE(refused(abut_pairs_distance(call.a, pose, call.b, nullptr, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"poses_b", "null"}));
+  EXPECT_TRUE(refused(abut_pairs_distance(call.a, pose, call.b, pose, 1, nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(ShapesDistances, RefusesOverflowingCounts) {
+TEST(PairsDistance, RefusesOverflowingCounts) {
   PairCall call;
   expect_overflow_refused(sizeof(abut_pose), "count", [&](std::size_t count) {
-    return abut_shapes_distances(call.a, &identity, call.b, &identity, count, nullptr, call.distance.address());
+    return abut_pairs_distance(call.a, &identity, call.b, &identity, count, nullptr, call.distance.address());
   });
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(ShapesDistances, RefusesNonFiniteAndOtherBadPosesAndWritesNothing) {
+TEST(PairsDistance, RefusesNonFiniteAndOtherBadPosesAndWritesNothing) {
   PairCall call;
   OutArray<abut_distance> out(3);
   const std::array<abut_pose, 3> good{at(0, 0, 0), at(1, 0, 0), at(2, 0, 0)};
   for (const BadPose& bad : bad_poses()) {
     auto poses = good;
     poses[2] = bad.pose;
-    EXPECT_TRUE(refused(abut_shapes_distances(call.a, poses.data(), call.b, good.data(), 3, nullptr, out.data()), bad.status,
+    EXPECT_TRUE(refused(abut_pairs_distance(call.a, poses.data(), call.b, good.data(), 3, nullptr, out.data()), bad.status,
                         {"poses_a", "2", bad.word}));
-    EXPECT_TRUE(refused(abut_shapes_distances(call.a, good.data(), call.b, poses.data(), 3, nullptr, out.data()), bad.status,
+    EXPECT_TRUE(refused(abut_pairs_distance(call.a, good.data(), call.b, poses.data(), 3, nullptr, out.data()), bad.status,
                         {"poses_b", "2", bad.word}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
 
-TEST(ShapesDistances, AcceptsNoPairs) {
+TEST(PairsDistance, AcceptsNoPairs) {
   PairCall call;
-  EXPECT_TRUE(succeeded(abut_shapes_distances(call.a, nullptr, call.b, nullptr, 0, nullptr, nullptr)));
+  EXPECT_TRUE(succeeded(abut_pairs_distance(call.a, nullptr, call.b, nullptr, 0, nullptr, nullptr)));
 }
 
-TEST(ShapesDistances, RefusesNonFiniteOptions) { refuse_non_finite_options(&PairCall::ask_distances); }
-TEST(ShapesDistances, RefusesBadOptions) { refuse_bad_options(&PairCall::ask_distances); }
-TEST(ShapesDistances, RefusesWrongStructSize) { refuse_wrong_struct_size(&PairCall::ask_distances); }
-TEST(ShapesDistances, RefusesTerrainAgainstTerrain) { refuse_terrain_against_terrain(&PairCall::ask_distances); }
-TEST(ShapesDistances, RefusesMissingAlgorithms) { refuse_algorithms_that_the_pair_lacks(&PairCall::ask_distances); }
+TEST(PairsDistance, RefusesNonFiniteOptions) { refuse_non_finite_options(&PairCall::ask_distances); }
+TEST(PairsDistance, RefusesBadOptions) { refuse_bad_options(&PairCall::ask_distances); }
+TEST(PairsDistance, RefusesWrongStructSize) { refuse_wrong_struct_size(&PairCall::ask_distances); }
+TEST(PairsDistance, RefusesTerrainAgainstTerrain) { refuse_terrain_against_terrain(&PairCall::ask_distances); }
+TEST(PairsDistance, RefusesMissingAlgorithms) { refuse_algorithms_that_the_pair_lacks(&PairCall::ask_distances); }
 
 }  // namespace

@@ -17,12 +17,12 @@ struct CastCall {
   Out<std::uint32_t> found;
 
   abut_status ask(const abut_query_options* options) {
-    return abut_shapes_cast(a, &pose_a, &displacement_a, b, &pose_b, &displacement_b, options, hit.address(), found.address());
+    return abut_pair_cast(a, &pose_a, &displacement_a, b, &pose_b, &displacement_b, options, hit.address(), found.address());
   }
   bool is_untouched() const { return hit.is_untouched() && found.is_untouched(); }
 };
 
-TEST(ShapesCast, RefusesNull) {
+TEST(PairCast, RefusesNull) {
   CastCall call;
   const auto refuses = [](abut_status status, std::string_view name) {
     EXPECT_TRUE(refused(status, ABUT_NULL_ARGUMENT, {name, "null"}));
@@ -31,18 +31,18 @@ TEST(ShapesCast, RefusesNull) {
   std::uint32_t* found = call.found.address();
   const abut_pose* pose = &call.pose_a;
   const abut_vec3* way = &call.displacement_a;
-  refuses(abut_shapes_cast(nullptr, pose, way, call.b, pose, way, nullptr, hit, found), "a");
-  refuses(abut_shapes_cast(call.a, nullptr, way, call.b, pose, way, nullptr, hit, found), "pose_a");
-  refuses(abut_shapes_cast(call.a, pose, nullptr, call.b, pose, way, nullptr, hit, found), "displacement_a");
-  refuses(abut_shapes_cast(call.a, pose, way, nullptr, pose, way, nullptr, hit, found), "b");
-  refuses(abut_shapes_cast(call.a, pose, way, call.b, nullptr, way, nullptr, hit, found), "pose_b");
-  refuses(abut_shapes_cast(call.a, pose, way, call.b, pose, nullptr, nullptr, hit, found), "displacement_b");
-  refuses(abut_shapes_cast(call.a, pose, way, call.b, pose, way, nullptr, nullptr, found), "hit");
-  refuses(abut_shapes_cast(call.a, pose, way, call.b, pose, way, nullptr, hit, nullptr), "found");
+  refuses(abut_pair_cast(nullptr, pose, way, call.b, pose, way, nullptr, hit, found), "a");
+  refuses(abut_pair_cast(call.a, nullptr, way, call.b, pose, way, nullptr, hit, found), "pose_a");
+  refuses(abut_pair_cast(call.a, pose, nullptr, call.b, pose, way, nullptr, hit, found), "displacement_a");
+  refuses(abut_pair_cast(call.a, pose, way, nullptr, pose, way, nullptr, hit, found), "b");
+  refuses(abut_pair_cast(call.a, pose, way, call.b, nullptr, way, nullptr, hit, found), "pose_b");
+  refuses(abut_pair_cast(call.a, pose, way, call.b, pose, nullptr, nullptr, hit, found), "displacement_b");
+  refuses(abut_pair_cast(call.a, pose, way, call.b, pose, way, nullptr, nullptr, found), "hit");
+  refuses(abut_pair_cast(call.a, pose, way, call.b, pose, way, nullptr, hit, nullptr), "found");
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(ShapesCast, RefusesNonFiniteDisplacementsAndOptions) {
+TEST(PairCast, RefusesNonFiniteDisplacementsAndOptions) {
   for (const bool is_first : {true, false}) {
     CastCall call;
     for (const BadVector& bad : non_finite_vectors()) {
@@ -63,7 +63,7 @@ TEST(ShapesCast, RefusesNonFiniteDisplacementsAndOptions) {
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(ShapesCast, RefusesBadPoses) {
+TEST(PairCast, RefusesBadPoses) {
   for (const bool is_first : {true, false}) {
     CastCall call;
     expect_pose_field_checked([&](const abut_pose& bad) {
@@ -74,7 +74,7 @@ TEST(ShapesCast, RefusesBadPoses) {
   }
 }
 
-TEST(ShapesCast, RefusesWrongStructSize) {
+TEST(PairCast, RefusesWrongStructSize) {
   CastCall call;
   abut_query_options options;
   abut_query_options_init(&options, sizeof options);
@@ -83,7 +83,7 @@ TEST(ShapesCast, RefusesWrongStructSize) {
   expect_zero_tail_accepted(options, [&](const abut_query_options* later) { return call.ask(later); });
 }
 
-TEST(ShapesCast, RefusesBadOptions) {
+TEST(PairCast, RefusesBadOptions) {
   CastCall call;
   abut_query_options good;
   abut_query_options_init(&good, sizeof good);
@@ -104,7 +104,7 @@ TEST(ShapesCast, RefusesBadOptions) {
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(ShapesCast, RefusesTerrainAgainstTerrain) {
+TEST(PairCast, RefusesTerrainAgainstTerrain) {
   CastCall call;
   call.a = make_plane({0.0, 0.0, 1.0}, 0.0);
   call.b = make_terrain(3, 1.0);

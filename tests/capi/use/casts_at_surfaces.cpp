@@ -121,8 +121,8 @@ struct Answer {
 Answer ask_pair(const abut_shape* a, const Cast& of_a, const abut_shape* b, const Cast& of_b) {
   Answer answer;
   std::uint32_t found = 0;
-  require(abut_shapes_cast(a, &of_a.pose, &of_a.displacement, b, &of_b.pose, &of_b.displacement, nullptr, &answer.hit,
-                           &found));
+  require(abut_pair_cast(a, &of_a.pose, &of_a.displacement, b, &of_b.pose, &of_b.displacement, nullptr, &answer.hit,
+                         &found));
   answer.is_met = found == 1;
   return answer;
 }

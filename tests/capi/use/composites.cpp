@@ -123,7 +123,7 @@ TEST(Composite, OfTerrainAndSolidsMeetsWhatItCan) {
   EXPECT_NEAR(distance_of(whole, identity, plane, at(0, 0, -5)), 7, 1e-12) << "planes do not meet planes, the ball does";
   const Shape planes = make_composite({plane}, {identity});
   abut_distance found{};
-  EXPECT_TRUE(refused(abut_shapes_distance(planes, &identity, plane, &identity, nullptr, &found), ABUT_UNSUPPORTED, {"composite", "plane"}));
+  EXPECT_TRUE(refused(abut_pair_distance(planes, &identity, plane, &identity, nullptr, &found), ABUT_UNSUPPORTED, {"composite", "plane"}));
 }
 
 TEST(Composite, IsMetByRays) {

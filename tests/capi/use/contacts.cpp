@@ -137,15 +137,15 @@ TEST(Contacts, OfAPairSwapWithItsShapes) {
     for (std::size_t j = 0; j < shapes.size(); ++j) {
       abut_distance ab{};
       abut_distance ba{};
-      const abut_status status = abut_shapes_distance(shapes.at(i), &identity, shapes.at(j), &other, nullptr, &ab);
-      ASSERT_EQ(abut_shapes_distance(shapes.at(j), &other, shapes.at(i), &identity, nullptr, &ba), status);
+      const abut_status status = abut_pair_distance(shapes.at(i), &identity, shapes.at(j), &other, nullptr, &ab);
+      ASSERT_EQ(abut_pair_distance(shapes.at(j), &other, shapes.at(i), &identity, nullptr, &ba), status);
       if (status == ABUT_UNSUPPORTED) continue;
       ASSERT_EQ(status, abut_status{ABUT_OK});
       EXPECT_NEAR(ab.distance, ba.distance, 1e-9) << i << " against " << j;
       std::size_t count_ab = 0;
       std::size_t count_ba = 0;
-      ASSERT_EQ(abut_shapes_contacts(shapes.at(i), &identity, shapes.at(j), &other, nullptr, nullptr, 0, &count_ab), abut_status{ABUT_OK});
-      ASSERT_EQ(abut_shapes_contacts(shapes.at(j), &other, shapes.at(i), &identity, nullptr, nullptr, 0, &count_ba), abut_status{ABUT_OK});
+      ASSERT_EQ(abut_pair_contacts(shapes.at(i), &identity, shapes.at(j), &other, nullptr, nullptr, 0, &count_ab), abut_status{ABUT_OK});
+      ASSERT_EQ(abut_pair_contacts(shapes.at(j), &other, shapes.at(i), &identity, nullptr, nullptr, 0, &count_ba), abut_status{ABUT_OK});
       EXPECT_EQ(count_ab, count_ba) << i << " against " << j;
     }
   }

@@ -42,7 +42,7 @@ TEST(CountThenFill, ContactsOfAPair) {
   const Shape block = make_box(1, 1, 1);
   const abut_pose other = at(0, 0, 1.9);
   check_count_then_fill<abut_contact>(4, [&](auto... rest) {
-    return abut_shapes_contacts(block, &identity, block, &other, nullptr, rest...);
+    return abut_pair_contacts(block, &identity, block, &other, nullptr, rest...);
   });
 }
 
@@ -52,10 +52,10 @@ TEST(CountThenFill, ShortArraysHoldTheDeepestContacts) {
   const abut_pose other{{0, 0, 1.9}, {std::sqrt(1 - 0.0001), 0.01, 0, 0}};
   std::array<abut_contact, 4> all{};
   std::size_t count = 0;
-  ASSERT_TRUE(succeeded(abut_shapes_contacts(block, &identity, block, &other, nullptr, all.data(), 4, &count)));
+  ASSERT_TRUE(succeeded(abut_pair_contacts(block, &identity, block, &other, nullptr, all.data(), 4, &count)));
   ASSERT_GE(count, 2U);
   abut_contact first{};
-  ASSERT_TRUE(succeeded(abut_shapes_contacts(block, &identity, block, &other, nullptr, &first, 1, &count)));
+  ASSERT_TRUE(succeeded(abut_pair_contacts(block, &identity, block, &other, nullptr, &first, 1, &count)));
   using Bytes = std::array<unsigned char, sizeof(abut_contact)>;
   EXPECT_EQ(std::bit_cast<Bytes>(first), std::bit_cast<Bytes>(all[0]));
   for (std::size_t i = 1; i < count; ++i) EXPECT_LE(all.at(i - 1).distance, all.at(i).distance);

@@ -102,14 +102,14 @@ TEST(Tolerance, PairQueriesTakeAMargin) {
   for (const auto& [margin, expected] : {std::pair{0.0, 0U}, std::pair{0.499, 0U}, std::pair{0.501, 1U}}) {
     options.margin = margin;
     std::size_t count = 9;
-    ASSERT_TRUE(succeeded(abut_shapes_contacts(ball, &identity, ball, &other, &options, nullptr, 0, &count)));
+    ASSERT_TRUE(succeeded(abut_pair_contacts(ball, &identity, ball, &other, &options, nullptr, 0, &count)));
     EXPECT_EQ(count, expected) << margin;
   }
   const abut_pose overlapping = at(1.5, 0, 0);
   for (const auto& [margin, expected] : {std::pair{-0.499, 1U}, std::pair{-0.501, 0U}}) {
     options.margin = margin;
     std::size_t count = 9;
-    ASSERT_TRUE(succeeded(abut_shapes_contacts(ball, &identity, ball, &overlapping, &options, nullptr, 0, &count)));
+    ASSERT_TRUE(succeeded(abut_pair_contacts(ball, &identity, ball, &overlapping, &options, nullptr, 0, &count)));
     EXPECT_EQ(count, expected) << margin;
   }
 }

@@ -23,7 +23,7 @@ TEST(Holes, AMarbleInACavityTouchesItsWall) {
     EXPECT_EQ(found[0].child_a, 1U) << "the hole";
     abut_distance distance{};
     const abut_pose place = at(0.5, 0, 0);
-    ASSERT_TRUE(succeeded(abut_shapes_distance(body, &identity, marble, &place, nullptr, &distance)));
+    ASSERT_TRUE(succeeded(abut_pair_distance(body, &identity, marble, &place, nullptr, &distance)));
     EXPECT_NEAR(distance.distance, 0.25, 1e-12);
   }
 }

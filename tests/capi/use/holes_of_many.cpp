@@ -22,7 +22,7 @@ TEST(HolesOfMany, LeaveParticlesOutsideToTheSolid) {
     EXPECT_NEAR(contact.distance, contact.child_b == 0 ? -0.05 : -0.07, 1e-12);
   }
   abut_distance distance{};
-  ASSERT_TRUE(succeeded(abut_shapes_distance(body, &identity, dust, &identity, nullptr, &distance)));
+  ASSERT_TRUE(succeeded(abut_pair_distance(body, &identity, dust, &identity, nullptr, &distance)));
   EXPECT_NEAR(distance.distance, -0.07, 1e-12);
 }
 
@@ -48,7 +48,7 @@ TEST(HolesOfMany, AloneMeetParticlesBesideThem) {
   const Shape dust = make_of_kind("particles", {0.1}, {0, 0, 0, 3, 0, 0, 0, 1.5, 0});
   for (const Shape& hole : {sphere_hole(1), cylinder_hole(1, 1, 0), box_hole(1, 1, 1, 0)}) {
     abut_distance distance{};
-    ASSERT_TRUE(succeeded(abut_shapes_distance(hole, &identity, dust, &identity, nullptr, &distance)));
+    ASSERT_TRUE(succeeded(abut_pair_distance(hole, &identity, dust, &identity, nullptr, &distance)));
     EXPECT_NEAR(distance.distance, -2.1, 1e-12);
     EXPECT_NEAR(deepest(contacts_of(dust, identity, hole, identity)), -2.1, 1e-12);
   }
@@ -65,8 +65,8 @@ TEST(HolesOfMany, OfBothSidesLeaveTheWalls) {
     EXPECT_NEAR(deepest(found), -0.05, 1e-12);
     EXPECT_EQ(is_swapped ? found.at(0).child_b : found.at(0).child_a, 1U) << "the hole of the body";
     abut_distance distance{};
-    ASSERT_TRUE(succeeded(is_swapped ? abut_shapes_distance(bead, &place, body, &identity, nullptr, &distance)
-                                     : abut_shapes_distance(body, &identity, bead, &place, nullptr, &distance)));
+    ASSERT_TRUE(succeeded(is_swapped ? abut_pair_distance(bead, &place, body, &identity, nullptr, &distance)
+                                     : abut_pair_distance(body, &identity, bead, &place, nullptr, &distance)));
     EXPECT_NEAR(distance.distance, -0.05, 1e-12);
     // Where the bead is pierced it has no top that could poke through: the rim does, by the wall and not through the roof.
     const double rim = 0.8 + std::sqrt(0.25 * 0.25 - 0.05 * 0.05);
@@ -91,7 +91,7 @@ TEST(HolesOfMany, FindWhereARimIsDeepest) {
       const double angle = 2 * std::acos(-1.0) * k / 3000;
       const abut_pose place = at(0.6 * std::cos(angle), 0.6 * std::sin(angle), 0.5);
       abut_distance distance{};
-      ASSERT_TRUE(succeeded(abut_shapes_distance(egg, &pose, point, &place, nullptr, &distance)));
+      ASSERT_TRUE(succeeded(abut_pair_distance(egg, &pose, point, &place, nullptr, &distance)));
       least = std::min(least, distance.distance);
     }
     ASSERT_LT(least, 0) << i;

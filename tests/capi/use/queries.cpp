@@ -157,13 +157,13 @@ TEST(QueriesInUse, TwoShapesMayBothMove) {
   const abut_vec3 back{-6, 0, 0};
   Out<abut_cast_hit> hit;
   std::uint32_t found = 7;
-  ASSERT_TRUE(succeeded(abut_shapes_cast(ball, &left, &forth, ball, &right, &back, nullptr, hit.address(), &found)));
+  ASSERT_TRUE(succeeded(abut_pair_cast(ball, &left, &forth, ball, &right, &back, nullptr, hit.address(), &found)));
   ASSERT_EQ(found, 1U);
   EXPECT_NEAR(hit.value().fraction, 0.5, 1e-14);
   EXPECT_NEAR(hit.value().contact.point_a.x, 1, 1e-13);
   EXPECT_TRUE(hit.value().geometry == abut_geometry_id{});
   Out<abut_cast_hit> none;
-  ASSERT_TRUE(succeeded(abut_shapes_cast(ball, &left, &back, ball, &right, &forth, nullptr, none.address(), &found)));
+  ASSERT_TRUE(succeeded(abut_pair_cast(ball, &left, &back, ball, &right, &forth, nullptr, none.address(), &found)));
   EXPECT_EQ(found, 0U);
   EXPECT_TRUE(none.is_untouched());
 }
