@@ -1,7 +1,6 @@
 // Caps the contacts of one pair whose shapes have many parts, as a ball in a mesh, where each normal is a patch of its own.
 export module abut.contact.cap;
 import abut.core.standard;
-import abut.math;
 import abut.shape;
 
 export namespace abut {
