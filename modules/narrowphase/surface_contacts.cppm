@@ -69,7 +69,7 @@ class SurfaceContacts {
       }
       claim(first, true);
     }
-    turned_.push_back({first, out_.size(), triangle.index(), part_of_b, depth_from(first), noise});
+    turned_.push_back({first, out_.size(), triangle.index(), part_of_b, core.normal, depth_from(first), noise});
   }
 
   // To be called after the last part.
@@ -83,6 +83,7 @@ class SurfaceContacts {
   struct Group {
     std::size_t first, last;
     std::uint32_t part_of_a, part_of_b;
+    Vec3 least_way;  // the normal that was found before the turn
     Real depth;      // of the deepest of them
     Real noise;      // of depths
   };
@@ -220,7 +221,7 @@ class SurfaceContacts {
     }
   }
 
-  // How far b has to move to be parted from all parts that it meets, along the best of the normals of the contacts. The search
+  // How far b has to move to be parted from all parts that it meets, along the best of the normals that were found. The search
   // ends where that is the depth of the deepest contact.
   [[nodiscard]] Real depth_of_whole() const {
     const Group* deepest = nullptr;
@@ -243,6 +244,9 @@ class SurfaceContacts {
       if (i == first_ || !(out_[i].normal == out_[i - 1].normal)) {
         consider(out_[i].normal);
       }
+    }
+    for (const Group& group : turned_.span()) {
+      consider(group.least_way);
     }
     return least;
   }
