@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-import abut.core;
 import abut.math;
 import abut.narrowphase.claims;
 
