@@ -18,8 +18,6 @@ constexpr std::size_t cap_limit = 12;
 // are as good, a polytope alone proves none of them.
 constexpr std::uint32_t patience = 30;
 constexpr Real near_least = 1.25;
-// The search ends by itself where a polyhedron has few of its faces near the origin.
-constexpr std::uint32_t plain_rounds = 40;
 using Caps = SmallVector<DepthMinimum, cap_limit>;
 
 // Beside a giant the bound of the search is no small part of a speck: the minimum found within it may be that of other features.
@@ -81,12 +79,6 @@ EpaResult capped_epa(const Difference& cores, Real error, const Simplex& start) 
   const SymmetricDirections symmetries = cores.symmetries();
   if (const auto found = coaxial_minimum(cores, symmetries, error, noise)) {
     return judged({found->depth, found->depth, found->upper, found->normal, found->point_a, found->point_b, 1});
-  }
-  if (cores.has_few_faces) {
-    const EpaResult plain = epa(cores, error, start, plain_rounds);
-    if (plain.upper - plain.lower <= error) {
-      return polished(cores, error, plain);
-    }
   }
   EpaResult result{0, -infinity, infinity, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
 

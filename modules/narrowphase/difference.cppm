@@ -41,7 +41,6 @@ struct Difference {
   Real least_extent;   // of the smaller core
   std::array<Vec3, 6> axes;  // unit: of the frames of both
   bool is_curved;
-  bool has_few_faces;  // a polyhedron and a body with flat discs
 
   // By which vertices and depths may be off.
   [[nodiscard]] inline Real noise() const { return 8 * epsilon * size; }
@@ -55,8 +54,6 @@ struct Difference {
 
 template <class S>
 concept WithDisc = Curved<S> && requires(const S& shape, const Vec3& direction) { shape.supporting_rim(direction); };
-template <class S>
-concept Polyhedral = Convex<S> && !Curved<S> && !PointCored<S> && !SegmentCored<S>;
 
 template <Convex A, Convex B>
 [[nodiscard]] SymmetricDirections symmetric_directions(const A& a, const B& b, const Pose& ab, Real noise) {
@@ -100,7 +97,6 @@ template <Convex A, Convex B, class Use>
   cores.least_extent = std::fmin(a.extent(), b.extent());
   cores.axes = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, ab.rotation.x, ab.rotation.y, ab.rotation.z};
   cores.is_curved = Curved<A> || Curved<B>;
-  cores.has_few_faces = (Polyhedral<A> && WithDisc<B>) || (WithDisc<A> && Polyhedral<B>);
   if constexpr (Curved<A> || Curved<B>) {
     cores.germ = [&germ](const GermFrame& frame) { return germ(frame); };
     cores.symmetries = [&symmetries] { return symmetries(); };

@@ -14,7 +14,7 @@ constexpr std::uint32_t global_rounds = 5 * Polytope::vertex_limit / 8;
 
 }  // namespace
 
-EpaResult epa(const Difference& cores, Real error, const Simplex& start, std::uint32_t rounds) {
+EpaResult epa(const Difference& cores, Real error, const Simplex& start) {
   const Real noise = cores.noise();
 
   [[clang::uninitialized]] Polytope polytope;
@@ -37,7 +37,7 @@ EpaResult epa(const Difference& cores, Real error, const Simplex& start, std::ui
 
   std::size_t face = 0;
   Real reach = 0, distance = 0;
-  for (std::uint32_t iteration = 1; iteration <= rounds; ++iteration) {
+  for (std::uint32_t iteration = 1; iteration <= Polytope::vertex_limit; ++iteration) {
     result.iterations = iteration;
     const bool near_by = iteration > global_rounds;
     const std::size_t next = !near_by                         ? polytope.least_face()

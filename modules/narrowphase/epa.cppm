@@ -8,7 +8,6 @@ export module abut.narrowphase.epa;
 import abut.core.standard;
 import abut.math;
 import abut.narrowphase.difference;
-import abut.narrowphase.polytope;
 import abut.narrowphase.simplex;
 
 export namespace abut {
@@ -21,7 +20,6 @@ struct EpaResult {
   std::uint32_t iterations;
 };
 
-// `rounds`: after so many vertices the answer is what it is.
-[[nodiscard]] EpaResult epa(const Difference& cores, Real error, const Simplex& start, std::uint32_t rounds = Polytope::vertex_limit);
+[[nodiscard]] EpaResult epa(const Difference& cores, Real error, const Simplex& start);
 
 }  // namespace abut
