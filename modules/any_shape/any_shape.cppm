@@ -52,6 +52,9 @@ struct RouteDescription {
   std::string_view reason;
 };
 [[nodiscard]] RouteDescription describe_route(std::size_t place_a, std::size_t place_b);
+// Whether the kind at a place has contacts with itself, and how.
+[[nodiscard]] bool meets_itself(std::size_t place);
+[[nodiscard]] RouteDescription describe_self(std::size_t place);
 [[nodiscard]] bool is_supported(std::size_t place_a, std::size_t place_b);
 
 // Queries on two placed shapes. Results are in the world. The order of work depends on the shapes and

@@ -1,7 +1,9 @@
 // Why a pair of kinds is answered the way it is, in words.
 module abut.any_shape;
 import abut.core.standard;
+import abut.pairs.routes;
 import abut.registry;
+import abut.shape;
 
 namespace abut {
 namespace {
@@ -22,7 +24,31 @@ std::string_view reason_of(Route route) {
   return {};
 }
 
+template <class S>
+constexpr RouteDescription self_description() {
+  if constexpr (!meets_itself<S>()) {
+    return {"unsupported", "solids do not meet themselves"};
+  } else if constexpr (Scattered<S>) {
+    return {"closed form", "each pair of its solids"};
+  } else {
+    return {"SAT, clipping", "each pair of its triangles without a common corner"};
+  }
+}
+
+struct SelfKind {
+  bool meets_itself;
+  RouteDescription description;
+};
+constexpr auto self_kinds = []<std::size_t... Places>(std::index_sequence<Places...>) {
+  return std::array<SelfKind, Shapes::count>{
+      SelfKind{meets_itself<Shapes::At<Places>>(), self_description<Shapes::At<Places>>()}...};
+}(std::make_index_sequence<Shapes::count>{});
+
 }  // namespace
+
+bool meets_itself(std::size_t place) { return self_kinds[place].meets_itself; }
+
+RouteDescription describe_self(std::size_t place) { return self_kinds[place].description; }
 
 RouteDescription describe_route(std::size_t place_a, std::size_t place_b) {
   const auto [low, high] = std::minmax(place_a, place_b);

@@ -8,10 +8,6 @@ import abut.shape;
 
 export namespace abut {
 
-// Terrain has one height above every point, so that it never meets itself.
-template <class A>
-concept MeetsItself = Scattered<A> || (Surface<A> && std::same_as<typename A::Part, Triangle> && !Terrain<A>);
-
 // Neighbours of a mesh, which touch wherever it lies. Corners are compared by place, as meshes come with equal
 // vertices too.
 [[nodiscard]] inline bool have_common_corner(const Triangle& a, const Triangle& b) {

@@ -7,10 +7,6 @@ import abut.shape;
 
 export namespace abut {
 
-// Whether the kind at a place of the registry has contacts with itself, and how.
-[[nodiscard]] bool meets_itself(std::size_t place);
-[[nodiscard]] RouteDescription describe_self(std::size_t place);
-
 // As contacts_of_run of the table of pairs, for jobs of which both sides are the same geometry: in the frame of the
 // shape.
 void self_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const PairJob> jobs,

@@ -1,7 +1,6 @@
 // What is wrong with ids and placements that a caller hands over, in words.
 export module abut.universe.checks;
 import abut.any_shape;
-import abut.registry.self_contacts;
 import abut.core;
 import abut.core.standard;
 import abut.math;

@@ -1,6 +1,5 @@
 module abut.universe;
 import abut.any_shape;
-import abut.registry.self_contacts;
 import abut.broadphase;
 import abut.core;
 import abut.core.standard;

@@ -1,6 +1,5 @@
 module abut.universe.jobs;
 import abut.any_shape;
-import abut.registry.self_contacts;
 import abut.core;
 import abut.core.standard;
 import abut.math;
