@@ -1,7 +1,6 @@
 module abut.registry.self_contacts;
 import abut.core;
 import abut.core.standard;
-import abut.math;
 import abut.narrowphase.self_contacts;
 import abut.pairs.routes;
 import abut.registry;
