@@ -28,6 +28,8 @@ abut_contact from_found(const abut::Contact& contact) {
   return out;
 }
 
+abut_local_points from_local(const abut::LocalPoints& points) { return {from_vec3(points.a), from_vec3(points.b)}; }
+
 abut_event from_event(const abut::Event& event) {
   return {static_cast<abut_event_kind>(event.kind),
           event.flags,
@@ -54,6 +56,21 @@ abut_status abut_universe_contacts(const abut_universe* universe, const abut_con
     if (status == ABUT_OK) {
       const std::span<const abut_contact> lent = its.contacts.get(its.universe.contacts(), from_found);
       *contacts = lent.data();
+      *count = lent.size();
+    }
+    return status;
+  });
+}
+
+abut_status abut_universe_local_points(const abut_universe* universe, const abut_local_points** points, size_t* count) {
+  return guard(universe, [&](const abut_universe& its) {
+    abut_status status = check_none_null<2>({{{"points", points}, {"count", count}}});
+    if (status == ABUT_OK && !its.universe.keeps_local_points()) {
+      status = refuse(ABUT_UNSUPPORTED, "universe keeps no local points; ABUT_UNIVERSE_LOCAL_POINTS in its options.flags is not set");
+    }
+    if (status == ABUT_OK) {
+      const std::span<const abut_local_points> lent = its.local_points.get(its.universe.local_points(), from_local);
+      *points = lent.data();
       *count = lent.size();
     }
     return status;

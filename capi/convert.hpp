@@ -74,6 +74,8 @@ namespace abut::capi {
           0,
           0,
           0,
+          0,
+          from_vec3(tangents_of(contact.normal).first),
           0};
 }
 

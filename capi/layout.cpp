@@ -32,8 +32,9 @@ static_assert(is_plain<abut_ray>(56));
 static_assert(is_plain<abut_ray_hit>(72));
 static_assert(is_plain<abut_query_options>(32));
 static_assert(is_plain<abut_distance>(104));
-static_assert(is_plain<abut_contact>(160));
-static_assert(is_plain<abut_universe_options>(48));
+static_assert(is_plain<abut_contact>(192));
+static_assert(is_plain<abut_local_points>(48));
+static_assert(is_plain<abut_universe_options>(56));
 static_assert(is_plain<abut_part_options>(72));
 static_assert(is_plain<abut_geometry_options>(120));
 static_assert(is_plain<abut_geometry_info>(200));
@@ -154,6 +155,11 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_contact, user_data),
     ABUT_FIELD(abut_contact, material_a),
     ABUT_FIELD(abut_contact, material_b),
+    ABUT_FIELD(abut_contact, tangent),
+    ABUT_FIELD(abut_contact, reserved),
+    ABUT_STRUCT(abut_local_points),
+    ABUT_FIELD(abut_local_points, a),
+    ABUT_FIELD(abut_local_points, b),
     ABUT_STRUCT(abut_universe_options),
     ABUT_FIELD(abut_universe_options, struct_size),
     ABUT_FIELD(abut_universe_options, broadphase),
@@ -162,6 +168,8 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_universe_options, origin),
     ABUT_FIELD(abut_universe_options, threads),
     ABUT_FIELD(abut_universe_options, events),
+    ABUT_FIELD(abut_universe_options, flags),
+    ABUT_FIELD(abut_universe_options, reserved),
     ABUT_STRUCT(abut_part_options),
     ABUT_FIELD(abut_part_options, struct_size),
     ABUT_FIELD(abut_part_options, motion),

@@ -14,6 +14,7 @@ namespace {
 // the way.
 abut_status forget_lent(abut_universe& its) {
   its.contacts.forget();
+  its.local_points.forget();
   its.events.forget();
   its.sleep_changes.forget();
   its.islands.forget();

@@ -25,7 +25,7 @@ constinit std::atomic<std::uint32_t> next_number{1};
 
 constexpr abut_universe_options default_options{
     sizeof(abut_universe_options), ABUT_BROADPHASE_AUTO, ABUT_TOLERANCE_DEAD_BAND, 4, {0, 0, 0}, 1,
-    ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST};
+    ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST, 0, 0};
 
 // No machine runs more at once; a number beyond is a mistake.
 constexpr std::uint32_t most_threads = 1024;
@@ -45,9 +45,11 @@ abut_status check_options(const abut_universe_options& options) {
   status = status != ABUT_OK ? status : check_value(where, ".tolerance_mode", options.tolerance_mode, ABUT_TOLERANCE_MARGIN);
   status = status != ABUT_OK ? status : check_position(where, ".origin", options.origin);
   status = status != ABUT_OK ? status : check_threads(options.threads);
-  return status != ABUT_OK ? status
-                           : check_bits(where, ".events", options.events,
-                                        ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS);
+  status = status != ABUT_OK ? status
+                             : check_bits(where, ".events", options.events,
+                                          ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS);
+  status = status != ABUT_OK ? status : check_bits(where, ".flags", options.flags, ABUT_UNIVERSE_LOCAL_POINTS);
+  return status != ABUT_OK ? status : check_reserved(where, options.reserved);
 }
 
 abut_status create(const abut_universe_options& options, abut_universe** out) {
@@ -61,6 +63,7 @@ abut_status create(const abut_universe_options& options, abut_universe** out) {
   wanted.origin = to_vec3(options.origin);
   wanted.threads = options.threads;
   wanted.events = options.events;
+  wanted.keeps_local_points = (options.flags & ABUT_UNIVERSE_LOCAL_POINTS) != 0;
   *out = std::make_unique<abut_universe>(wanted, next_number.fetch_add(1, std::memory_order_relaxed)).release();
   return ABUT_OK;
 }

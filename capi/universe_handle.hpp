@@ -55,6 +55,7 @@ struct abut_universe {
   std::vector<abut::Vec3> centres;
   // Of the last step.
   abut::capi::Lent<abut_contact> contacts;
+  abut::capi::Lent<abut_local_points> local_points;
   abut::capi::Lent<abut_event> events;
   abut::capi::Lent<abut_sleep_change> sleep_changes;
   abut::capi::Lent<abut_island> islands;

@@ -19,7 +19,7 @@ from abut_c import Error, library, picking
 _INNER = ("FUNCTIONS", "Filter", "PICKING_FUNCTIONS", "POINTER")
 __all__ = [name for name in dir(c) if name[0].isupper() and name not in _INNER] + [
     "Picker", "Shape", "Universe", "camera", "pair_cast", "pair_contacts", "pair_distance", "pairs_distance", "pose",
-    "ray", "version"]
+    "ray", "validate_contact", "version"]
 
 
 def version():
@@ -270,6 +270,11 @@ def pair_contacts(a, pose_a, b, pose_b, **options):
     """Contacts of two shapes, deepest first."""
     return _count_then_fill(c.Contact, lambda *rest: library.abut_pair_contacts(
         a.pointer, byref(pose_a), b.pointer, byref(pose_b), _query(options), *rest))
+
+
+def validate_contact(contact):
+    """Raises Error, which names the field, for a record that no detection would report."""
+    library.abut_contact_validate(byref(contact))
 
 
 def pair_cast(a, pose_a, displacement_a, b, pose_b, displacement_b=(0.0, 0.0, 0.0), **options):
@@ -529,6 +534,10 @@ class Universe(_Owner):
     def contacts(self):
         """A copy of the contacts of the last step."""
         return self._copy(c.Contact, library.abut_universe_contacts)
+
+    def local_points(self):
+        """A copy of the points of the contacts in the frames of their geometries; for UNIVERSE_LOCAL_POINTS in flags."""
+        return self._copy(c.LocalPoints, library.abut_universe_local_points)
 
     def events(self):
         """A copy of the events of the last step."""

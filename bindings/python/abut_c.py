@@ -35,6 +35,8 @@ FEATURE_WHOLE = 0
 FEATURE_VERTEX = 1
 FEATURE_EDGE = 2
 FEATURE_FACE = 3
+FEATURE_CELL = 4
+FEATURE_PARTICLE = 5
 
 QUERY_DISTANCE, QUERY_CONTACTS = 0, 1
 SIDES_BOTH = 0
@@ -68,6 +70,9 @@ EVENT_CONTACT = 2
 EVENT_ASLEEP = 4
 
 CONTACT_SENSOR = 1
+CONTACT_SPECULATIVE = 2
+CONTACT_REDUCED_AWAY = 4
+UNIVERSE_LOCAL_POINTS = 1
 GEOMETRY_SENSOR = 1
 GEOMETRY_SELF_PAIRS = 2
 
@@ -225,14 +230,20 @@ class Contact(_Struct):
         ("geometry_a", GeometryId), ("geometry_b", GeometryId), ("id", c_uint64), ("feature_a", Feature),
         ("feature_b", Feature), ("child_a", c_uint32), ("child_b", c_uint32), ("point_a", Vec3), ("point_b", Vec3),
         ("normal", Vec3), ("distance", c_double), ("toi", c_double), ("flags", c_uint32), ("age", c_uint32),
-        ("user_data", c_uint64), ("material_a", c_uint32), ("material_b", c_uint32),
+        ("user_data", c_uint64), ("material_a", c_uint32), ("material_b", c_uint32), ("tangent", Vec3),
+        ("reserved", c_uint64),
     ]
+
+
+class LocalPoints(_Struct):
+    _fields_ = [("a", Vec3), ("b", Vec3)]
 
 
 class UniverseOptions(_Struct):
     _fields_ = [
         ("struct_size", c_uint32), ("broadphase", c_uint32), ("tolerance_mode", c_uint32),
-        ("max_contacts", c_uint32), ("origin", Vec3), ("threads", c_uint32), ("events", c_uint32),
+        ("max_contacts", c_uint32), ("origin", Vec3), ("threads", c_uint32), ("events", c_uint32), ("flags", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -543,6 +554,8 @@ FUNCTIONS = {
     "abut_universe_hash": (Status, [c_void_p, POINTER(c_uint64)]),
     "abut_contacts_set_user_data": (Status, [c_void_p, POINTER(c_uint64), c_size_t]),
     "abut_universe_contacts": (Status, [c_void_p, POINTER(POINTER(Contact)), POINTER(c_size_t)]),
+    "abut_universe_local_points": (Status, [c_void_p, POINTER(POINTER(LocalPoints)), POINTER(c_size_t)]),
+    "abut_contact_validate": (Status, [POINTER(Contact)]),
     "abut_step_stats_init": (None, [POINTER(StepStats), c_uint32]),
     "abut_universe_stats": (Status, [c_void_p, POINTER(StepStats)]),
     "abut_universe_explain": (Status, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)]),

@@ -156,7 +156,9 @@ enum abut_feature_kind_value ABUT_ENUM(uint32_t) {
   ABUT_FEATURE_WHOLE = 0,  /**< the shape as a whole: spheres, planes, caps */
   ABUT_FEATURE_VERTEX = 1,
   ABUT_FEATURE_EDGE = 2,
-  ABUT_FEATURE_FACE = 3    /**< of a mesh or a height field: the triangle */
+  ABUT_FEATURE_FACE = 3,   /**< of a mesh or a height field: the triangle */
+  ABUT_FEATURE_CELL = 4,   /**< of a grid. Reserved: nothing of this version reports it */
+  ABUT_FEATURE_PARTICLE = 5 /**< of many. Reserved: nothing of this version reports it */
 };
 
 typedef struct abut_feature {
@@ -435,12 +437,17 @@ typedef struct abut_distance {
 /** Bits of the flags of a contact. */
 typedef uint32_t abut_contact_flags;
 enum abut_contact_flags_value ABUT_ENUM(uint32_t) {
-  ABUT_CONTACT_SENSOR = 1 /**< a geometry of the pair is a sensor: report it, do not respond to it */
+  ABUT_CONTACT_SENSOR = 1,      /**< a geometry of the pair is a sensor: report it, do not respond to it */
+  ABUT_CONTACT_SPECULATIVE = 2, /**< ahead of a touch. Reserved: nothing sets it in this version */
+  ABUT_CONTACT_REDUCED_AWAY = 4 /**< a reduction left it out. Reserved: nothing sets it in this version */
 };
 
 /**
- * One contact point. Swapping a and b swaps points and features and negates the normal. Two equal shapes at one pose
- * are the same in both orders, and so is the answer.
+ * One contact point, 192 bytes. Swapping a and b swaps points and features and negates the normal. Two equal shapes at
+ * one pose are the same in both orders, and so is the answer.
+ * The friction frame is (tangent, cross(normal, tangent), normal): orthonormal and right-handed, and a function of the
+ * normal alone, which jumps only where normal.z changes its sign. Source: Duff et al., "Building an orthonormal basis,
+ * revisited" (2017).
  */
 typedef struct abut_contact {
   abut_geometry_id geometry_a; /**< null in pair queries */
@@ -454,13 +461,25 @@ typedef struct abut_contact {
   abut_vec3 point_b;           /**< on the surface of b, world frame */
   abut_vec3 normal;            /**< unit, from a to b */
   double distance;             /**< dot(point_b - point_a, normal); negative: overlapping */
-  double toi;                  /**< fraction of the step at first touch, in [0, 1]; 0 for discrete contacts */
-  uint32_t flags;              /**< bits of abut_contact_flags */
+  double toi;                  /**< fraction of the step at first touch, in [0, 1]; always 0 in this version, which detects at the present poses only */
+  abut_contact_flags flags;
   uint32_t age;                /**< steps in a row before this one that reported it; 0 when it is new, and in pair queries */
   uint64_t user_data;          /**< as abut_contacts_set_user_data left it, while the contact stays; 0 when it is new */
-  uint32_t material_a;         /**< of the geometries; 0 in pair queries. See abut_material_pair */
+  uint32_t material_a;         /**< of the geometries; 0 in pair queries. See abut_material_pair_get */
   uint32_t material_b;
+  abut_vec3 tangent;           /**< unit, at right angles to the normal: the first axis of friction */
+  uint64_t reserved;           /**< zero */
 } abut_contact;
+
+/**
+ * Checks one record, such as one that went through a file or was made by hand:
+ *  - coordinates are finite and within the limit of coordinates, `toi` lies in [0, 1], `reserved` is zero;
+ *  - `normal` and `tangent` are unit and at right angles, within 1e-9;
+ *  - `distance` is dot(point_b - point_a, normal), within 1e-9 of |point_a| + |point_b|;
+ *  - kinds of features and flags are known.
+ * The message names the first field that is wrong, and its value. Every contact that abut reports passes. [any]
+ */
+ABUT_API abut_status abut_contact_validate(const abut_contact *contact);
 
 /**
  * Signed distance, closest or deepest points and normal of two shapes.
@@ -516,6 +535,12 @@ enum abut_event_bits_value ABUT_ENUM(uint32_t) {
   ABUT_EVENTS_CONTACTS = 4 /**< the same of each contact */
 };
 
+/** Bits of the flags of a universe. */
+typedef uint32_t abut_universe_flags;
+enum abut_universe_flags_value ABUT_ENUM(uint32_t) {
+  ABUT_UNIVERSE_LOCAL_POINTS = 1 /**< keeps what abut_universe_local_points lends; steps of many contacts take an eighth longer */
+};
+
 typedef struct abut_universe_options {
   uint32_t struct_size;
   abut_broadphase broadphase;         /**< default ABUT_BROADPHASE_AUTO */
@@ -524,6 +549,8 @@ typedef struct abut_universe_options {
   abut_vec3 origin;                   /**< boxes of the broad phase are stored relative to it; default 0 */
   uint32_t threads;                   /**< of a step; 0: as many as there may be; the most are those that the machine runs at once, or that the process allows oneTBB; default 1. Results are the same bits for any number */
   abut_event_bits events;             /**< which events steps write down; default ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST */
+  abut_universe_flags flags;          /**< default 0 */
+  uint32_t reserved;                  /**< zero */
 } abut_universe_options;
 
 ABUT_API void abut_universe_options_init(abut_universe_options *options, uint32_t struct_size);
@@ -1050,6 +1077,21 @@ ABUT_API abut_status abut_universe_hash(const abut_universe *universe, uint64_t 
 
 /** Contacts of the last step, ordered by the slots of the two geometries, then deepest first. Borrowed until the next [exclusive] call. [const] */
 ABUT_API abut_status abut_universe_contacts(const abut_universe *universe, const abut_contact **contacts, size_t *count);
+
+/**
+ * The points of one contact in the frames of its two geometries, as these lay when it was found. Geometry a at a pose P has its
+ * point at P * a. In the pair queries these are the points under the inverse of pose_a and pose_b.
+ */
+typedef struct abut_local_points {
+  abut_vec3 a;
+  abut_vec3 b;
+} abut_local_points;
+
+/**
+ * Local points of the contacts of the last step, one for each, in their order. ABUT_UNSUPPORTED for a universe without
+ * ABUT_UNIVERSE_LOCAL_POINTS. Borrowed until the next [exclusive] call. [const]
+ */
+ABUT_API abut_status abut_universe_local_points(const abut_universe *universe, const abut_local_points **points, size_t *count);
 
 /**
  * Puts a value of yours on each contact of the last step, in their order. A contact that the next step reports as well,

@@ -29,6 +29,27 @@ JobResult result_of(const Pair& pair) { return {pair.job, pair.first_contact, pa
 // separation to be below the margin.
 bool is_reported(Real distance, Real margin) { return margin == 0 ? distance <= 0 : distance < margin; }
 
+// What belongs to the contacts of pairs that were not examined goes to where it belongs, within the list: a second one would hold as
+// much again. The order stays, so that what goes down, first to last, and what goes up, last to first, runs over nothing that has yet
+// to go.
+template <class Value>
+void move_kept(std::span<const Pair> pairs, std::span<Value> list) {
+  const auto before_of = [&](const Pair& pair) { return list.subspan(pair.first_before, pair.contact_count); };
+  const auto after_of = [&](const Pair& pair) { return list.subspan(pair.first_contact, pair.contact_count); };
+  for (const Pair& pair : pairs) {
+    if (pair.job == no_job && pair.first_contact < pair.first_before) {
+      std::ranges::copy(before_of(pair), after_of(pair).begin());
+    }
+  }
+  for (std::size_t place = pairs.size(); place-- > 0;) {
+    const Pair& pair = pairs[place];
+    if (pair.job == no_job && pair.first_contact > pair.first_before) {
+      const std::span<Value> before = before_of(pair);
+      std::move_backward(before.begin(), before.end(), after_of(pair).end());
+    }
+  }
+}
+
 }  // namespace
 
 // Keeps of the points of a job what is reported, reduced and moved to the world. Jobs come in the order of kinds, so that
@@ -51,6 +72,13 @@ void Universe::finish_job(std::size_t job, std::uint32_t chunk, std::size_t firs
   const bool is_swapped = its.a > its.b;
   for (ContactPoint& contact : found.first(left)) {
     move_by(contact, worlds_[its.a], is_swapped);
+  }
+  if (options_.keeps_local_points) {
+    const Pose &a = worlds_[is_swapped ? its.b : its.a], &b = worlds_[is_swapped ? its.a : its.b];
+    scratch.locals.resize(scratch.points.size());
+    for (std::size_t i = 0; i < left; ++i) {
+      scratch.locals[first + i] = {a.undo(found[i].point_a), b.undo(found[i].point_b)};
+    }
   }
   jobs_.result(job) = {chunk, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(left)};
 }
@@ -179,32 +207,23 @@ void Universe::write_contacts(std::size_t begin, std::size_t end, std::uint32_t 
     if (pair.contact_count > 0) {
       write_contacts_of(pair, pair.job != no_job ? jobs_.found(its) : std::span<const ContactPoint>());
     }
+    if (options_.keeps_local_points && pair.job != no_job) {
+      std::ranges::copy(jobs_.locals(its), locals_.begin() + static_cast<std::ptrdiff_t>(pair.first_contact));
+    }
   }
 }
 
-// Contacts of pairs that were not examined go to where they belong, within the list: a second one would hold as much again. Their order
-// stays, so that what goes down, first to last, and what goes up, last to first, runs over nothing that has yet to go.
+// What the pairs that were not examined have kept moves to its place among the contacts of this detection.
 void Universe::move_kept_contacts() {
   const std::span<Pair> pairs = pairs_.all();
-  const auto before_of = [&](const Pair& pair) { return std::span(contacts_).subspan(pair.first_before, pair.contact_count); };
-  const auto at = [&](std::uint32_t place) { return contacts_.begin() + static_cast<std::ptrdiff_t>(place); };
   std::uint32_t next = 0;
   for (Pair& pair : pairs) {
     const std::uint32_t first = std::exchange(next, next + pair.contact_count);
-    if (pair.job != no_job) {
-      continue;
-    }
-    pair.first_contact = first;
-    if (first < pair.first_before) {
-      std::ranges::copy(before_of(pair), at(first));
-    }
+    pair.first_contact = pair.job == no_job ? first : pair.first_contact;
   }
-  for (std::size_t place = pairs.size(); place-- > 0;) {
-    const Pair& pair = pairs[place];
-    if (pair.job == no_job && pair.first_contact > pair.first_before) {
-      const std::span<Contact> before = before_of(pair);
-      std::move_backward(before.begin(), before.end(), at(pair.first_contact + pair.contact_count));
-    }
+  move_kept<Contact>(pairs, contacts_);
+  if (options_.keeps_local_points) {
+    move_kept<LocalPoints>(pairs, locals_);
   }
 }
 
@@ -245,9 +264,11 @@ void Universe::collect_contacts() {
   make_room_for_contacts(total);
   if (kept > 0) {
     contacts_.resize(std::max<std::size_t>(contacts_.size(), total));
+    locals_.resize(options_.keeps_local_points ? contacts_.size() : 0);
     move_kept_contacts();
   }
   contacts_.resize(total);
+  locals_.resize(options_.keeps_local_points ? total : 0);
   histories_.resize(total);
   workers_.for_each(cuts.tasks(), [&](std::size_t task) { write_contacts(cuts.begin(task), cuts.end(task), tasks[task].first_contact); });
 }

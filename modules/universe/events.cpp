@@ -168,6 +168,10 @@ std::uint64_t Universe::hash() const {
     hash.add(contact.user_data);
     hash.add(contact.material_a, contact.material_b);
   }
+  for (const LocalPoints& points : locals_) {
+    hash.add(points.a);
+    hash.add(points.b);
+  }
   hash.add(std::uint64_t{events_.size()});
   for (const Event& event : events_) {
     hash.add(static_cast<std::uint32_t>(event.kind), event.flags);

@@ -57,6 +57,7 @@ struct Chunk {
 // Memory of a chunk that stays from detection to detection.
 struct ChunkScratch {
   Manifold points;
+  std::vector<LocalPoints> locals;  // of the points, where the universe keeps them
   std::vector<PairResult> results;
   std::vector<std::uint64_t> ids;
   double microseconds = 0;  // that the jobs of the last detection took, if it measured them
@@ -95,6 +96,11 @@ class JobList {
   inline void fetch_result(std::size_t job) const { __builtin_prefetch(&results_[job]); }
   [[nodiscard]] inline std::span<const ContactPoint> found(const JobResult& its) const [[clang::lifetimebound]] {
     return std::span(scratch_[its.chunk].points).subspan(its.first, its.count);
+  }
+  // Empty, but for universes that keep them.
+  [[nodiscard]] inline std::span<const LocalPoints> locals(const JobResult& its) const [[clang::lifetimebound]] {
+    const std::span<const LocalPoints> all(scratch_[its.chunk].locals);
+    return all.empty() ? all : all.subspan(its.first, its.count);
   }
   // Asks the cache for what `found` will return.
   inline void fetch_found(const JobResult& its) const {

@@ -34,6 +34,7 @@ struct UniverseOptions {
   Vec3 origin{0, 0, 0};            // of the compact boxes
   std::uint32_t threads = 1;       // 0: as many as the machine runs at once
   std::uint32_t events = event_pairs | event_persist;
+  bool keeps_local_points = false;  // of contacts; a step that writes many of them takes longer for it
 };
 
 // A position with the quaternion as it was given (normalised), so that poses read back as they were set.
@@ -99,6 +100,11 @@ struct Contact {
   std::uint32_t age = 0;        // steps in a row before this one that reported it
   std::uint64_t user_data = 0;  // stays while the contact does
   std::uint32_t material_a = 0, material_b = 0;
+};
+
+// The points of a contact in the frames of its two geometries, as these lay when it was found.
+struct LocalPoints {
+  Vec3 a, b;
 };
 
 // What the next detection asks about a contact, apart from the rest of it: few bytes, since all of them are read again.

@@ -109,7 +109,7 @@ std::size_t Universe::bytes() const {
                                rejoining_.capacity()) *
                                   sizeof(std::uint32_t);
   const std::size_t results = near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() + jobs_.bytes() +
-                              contacts_.capacity() * sizeof(Contact) +
+                              contacts_.capacity() * sizeof(Contact) + locals_.capacity() * sizeof(LocalPoints) +
                               (histories_.capacity() + histories_before_.capacity()) * sizeof(ContactHistory) +
                               events_.capacity() * sizeof(Event);
   std::size_t tasks = change_tasks_.capacity() * sizeof(ChangeTask) + pair_tasks_.capacity() * sizeof(PairTask) +

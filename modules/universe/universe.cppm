@@ -125,6 +125,9 @@ class Universe {
 
   // Ordered by the slots of the two geometries, of which a has the lower one, then deepest first.
   [[nodiscard]] std::span<const Contact> contacts() const [[clang::lifetimebound]] { return contacts_; }
+  // Of the contacts, in their order; empty where the options do not keep them.
+  [[nodiscard]] std::span<const LocalPoints> local_points() const [[clang::lifetimebound]] { return locals_; }
+  [[nodiscard]] bool keeps_local_points() const { return options_.keeps_local_points; }
   // One value per contact of the last step, in their order.
   [[nodiscard]] Result<void> set_contact_user_data(std::span<const std::uint64_t> user_data);
   // Of the last step: by the slots of the geometries; of one pair what ends comes before what begins, and the pair
@@ -337,6 +340,7 @@ class Universe {
   std::vector<std::pair<GeometryId, Parking>> deferred_parking_;
 
   std::vector<Contact> contacts_;
+  std::vector<LocalPoints> locals_;  // of the contacts, where the universe keeps them; else empty
   std::vector<ContactHistory> histories_, histories_before_;  // of the contacts, and of those of the detection before
   std::vector<Event> events_;
   std::array<KindTally, run_count> tallies_{};

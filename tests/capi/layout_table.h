@@ -83,7 +83,7 @@
   FIELD(abut_distance, normal, 72, 24)                    \
   FIELD(abut_distance, algorithm, 96, 4)                  \
   FIELD(abut_distance, iterations, 100, 4)                \
-  TYPE(abut_contact, 160)                                 \
+  TYPE(abut_contact, 192)                                 \
   FIELD(abut_contact, geometry_a, 0, 8)                   \
   FIELD(abut_contact, geometry_b, 8, 8)                   \
   FIELD(abut_contact, id, 16, 8)                          \
@@ -101,7 +101,12 @@
   FIELD(abut_contact, user_data, 144, 8)                  \
   FIELD(abut_contact, material_a, 152, 4)                 \
   FIELD(abut_contact, material_b, 156, 4)                 \
-  TYPE(abut_universe_options, 48)                         \
+  FIELD(abut_contact, tangent, 160, 24)                   \
+  FIELD(abut_contact, reserved, 184, 8)                   \
+  TYPE(abut_local_points, 48)                             \
+  FIELD(abut_local_points, a, 0, 24)                      \
+  FIELD(abut_local_points, b, 24, 24)                     \
+  TYPE(abut_universe_options, 56)                         \
   FIELD(abut_universe_options, struct_size, 0, 4)         \
   FIELD(abut_universe_options, broadphase, 4, 4)          \
   FIELD(abut_universe_options, tolerance_mode, 8, 4)      \
@@ -109,6 +114,8 @@
   FIELD(abut_universe_options, origin, 16, 24)            \
   FIELD(abut_universe_options, threads, 40, 4)            \
   FIELD(abut_universe_options, events, 44, 4)             \
+  FIELD(abut_universe_options, flags, 48, 4)              \
+  FIELD(abut_universe_options, reserved, 52, 4)           \
   TYPE(abut_part_options, 72)                             \
   FIELD(abut_part_options, struct_size, 0, 4)             \
   FIELD(abut_part_options, motion, 4, 4)                  \

@@ -39,6 +39,14 @@ TEST(UniverseCreate, RefusesUnknownValues) {
     options.events = value & ~7U;
     EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_UNKNOWN_VALUE,
                         {"events", std::to_string(value & ~7U)}));
+    options = default_universe_options();
+    options.flags = value & ~1U;
+    EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_UNKNOWN_VALUE,
+                        {"flags", std::to_string(value & ~1U)}));
+    options = default_universe_options();
+    options.reserved = value;
+    EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_INVALID_ARGUMENT,
+                        {"reserved", std::to_string(value)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
