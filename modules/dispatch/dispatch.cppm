@@ -204,6 +204,12 @@ template <class Any, class A, class B>
   }
 }
 
+template <class A, class B>
+[[nodiscard]] std::string_view name_searches_kernel() {
+  constexpr std::string_view name = name_algorithm<A, B>();
+  return name;
+}
+
 // Pairs of which a side holds shapes of any kind: only who knows the whole table can answer those, so their
 // kernels are handed in.
 template <class Any, class A, class B>
@@ -213,7 +219,7 @@ template <class Any, class A, class B>
   } else {
     return {route<A, B>(), is_flipped<A, B>(), distance_kernel<Any, A, B>, contacts_kernel<Any, A, B>,
             contacts_with_memory_kernel<Any, A, B>, contacts_of_run_kernel<Any, A, B>, gains_from_memory<A, B>(),
-            cast_parts_of<Any, A, B>(), [] { return name_algorithm<A, B>(); }};
+            cast_parts_of<Any, A, B>(), name_searches_kernel<A, B>};
   }
 }
 

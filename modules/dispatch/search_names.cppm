@@ -12,7 +12,7 @@ export namespace abut {
 // What finds the distance of two cores that are apart, and the depth of two that overlap; radii are added to either. Where
 // a closed form loses its digits, GJK takes over; where SAT finds too many axes or is in doubt, EPA does.
 template <Convex A, Convex B>
-[[nodiscard]] consteval std::string_view name_searches() {
+[[nodiscard]] constexpr std::string_view name_searches() {
   constexpr bool are_boxes = BoxCored<A> && BoxCored<B>;
   // Points and segments overlap by chance only.
   constexpr bool are_thin = (PointCored<A> || SegmentCored<A>) && (PointCored<B> || SegmentCored<B>);
@@ -30,7 +30,7 @@ template <Convex A, Convex B>
 }
 
 template <class A, class B>
-[[nodiscard]] consteval std::string_view name_algorithm() {
+[[nodiscard]] constexpr std::string_view name_algorithm() {
   constexpr Route way = route<A, B>();
   if constexpr (way == Route::unsupported) {
     return "unsupported";
