@@ -119,9 +119,11 @@ void move_particles(World& world, std::size_t at, Model& model, Numbers& random)
       random.below(std::min<std::size_t>(particle_count - first, 6) + 1);
   std::vector<double> xyz, radii;
   for (std::size_t i = 0; i < count; ++i) {
-    double* const its = &model.reals.at((has_radii ? 4 : 3) * (first + i));
-    for (int axis = 0; axis < 3; ++axis) xyz.push_back(its[axis] = random.between(-0.8, 0.8));
-    if (changes_radii) radii.push_back(its[3] = random.between(0.02, 0.12));
+    const std::size_t its = (has_radii ? 4 : 3) * (first + i);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      xyz.push_back(model.reals.at(its + axis) = random.between(-0.8, 0.8));
+    }
+    if (changes_radii) radii.push_back(model.reals.at(its + 3) = random.between(0.02, 0.12));
   }
   require(abut_geometry_set_particles(world.universe, world.geometries[at], first, xyz.data(), changes_radii
                                       ? radii.data() : nullptr, count));
