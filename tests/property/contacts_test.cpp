@@ -77,7 +77,7 @@ oracle::Quad depth_along(const Case& c, const std::vector<oracle::Answer>& answe
       const oracle::Quad own = -oracle::separation_along(triangle, pose_a, c.b.measured, pose_b, direction);
       if (c.a.kind == "height_field" && own > tolerance) {
         const oracle::Vec& normal = piece.normals.front();
-        if (oracle::dot(pose_a.rotate_back(direction), normal) * normal.z < -tolerance) return 1e300;
+        if (oracle::dot(pose_a.rotate_back(direction), normal) * normal.z < -tolerance) return oracle::quad(1e300);
       }
       if (own <= depth + tolerance) continue;
       depth = own;
@@ -96,7 +96,7 @@ double depth_of_all(const Case& c) {
     const oracle::Measured triangle{{piece}, c.a.measured.radius, std::nullopt, c.a.measured.size};
     answers.push_back(oracle::signed_distance(triangle, pose_a, c.b.measured, pose_b));
   }
-  oracle::Quad least = 1e300;
+  oracle::Quad least = oracle::quad(1e300);
   for (const oracle::Answer& answer : answers) {
     if (answer.distance <= 0) least = oracle::smaller(least, depth_along(c, answers, answer.normal));
   }
