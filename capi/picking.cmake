@@ -5,4 +5,4 @@ target_link_libraries(abut_picking PUBLIC abut::abut PRIVATE abut_picking_module
 target_include_directories(abut_picking PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/modules)
 abut_limit_exports(abut_picking ${CMAKE_CURRENT_SOURCE_DIR}/picking.map)
 set_target_properties(abut_picking PROPERTIES
-  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  VERSION ${PROJECT_VERSION} SOVERSION ${abut_soversion})

@@ -20,7 +20,9 @@ const char* abut_version_string(void) { return version.data(); }
 
 abut_status abut_check_version(uint32_t major, uint32_t minor) {
   return guard([&]() -> abut_status {
-    if (major == ABUT_VERSION_MAJOR && minor <= ABUT_VERSION_MINOR) {
+    // Before 1.0 each minor version has an ABI of its own.
+    const bool is_known = major == 0 ? minor == ABUT_VERSION_MINOR : minor <= ABUT_VERSION_MINOR;
+    if (major == ABUT_VERSION_MAJOR && is_known) {
       return ABUT_OK;
     }
     return refuse(ABUT_UNSUPPORTED, "the caller was compiled for version " + std::to_string(major) + "." + std::to_string(minor) +

@@ -46,7 +46,7 @@ else()
   add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fmodules-reduced-bmi>)
 endif()
 
-# The same arithmetic on every target: no fused multiply-add, no reassociation, no errno.
+# The same arithmetic on every target: the compiler fuses and reassociates nothing, and sets no errno.
 add_compile_options(-ffp-contract=off -fno-math-errno)
 
 # Hardening, also in release. Large scratch arrays of the kernels are written before they are read

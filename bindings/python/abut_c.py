@@ -628,11 +628,12 @@ def _declare(loaded, functions):
 
 
 def _load(name, variable):
-    return ctypes.CDLL(os.environ.get(variable) or f"{name}.so.{VERSION_MAJOR}")
+    abi = f"0.{VERSION_MINOR}" if VERSION_MAJOR == 0 else f"{VERSION_MAJOR}"
+    return ctypes.CDLL(os.environ.get(variable) or f"{name}.so.{abi}")
 
 
 VERSION_MAJOR = 0
-VERSION_MINOR = 1
+VERSION_MINOR = 2
 
 library = _declare(_load("libabut", "ABUT_LIBRARY"), FUNCTIONS)
 library.abut_check_version(VERSION_MAJOR, VERSION_MINOR)

@@ -10,6 +10,8 @@
  *  - Inputs are borrowed for the call; nothing is kept unless the comment says so.
  *  - No function throws, aborts or exits.
  *  - Right-handed frames. Metres, radians and seconds, or any other consistent units.
+ *  - Coordinates and lengths of inputs are at most 1e70 in magnitude, so that nothing overflows;
+ *    beyond that the answer is ABUT_OUT_OF_RANGE. Where "infinite" is allowed, infinities are.
  *  - Arrays of unknown length are filled by count-then-fill: `capacity` elements fit into the array,
  *    `count` receives how many there are; nothing past `capacity` is written. A null array with
  *    capacity 0 asks for the count only.
@@ -52,7 +54,7 @@ extern "C" {
 
 /** Version of the interface that this header describes. */
 #define ABUT_VERSION_MAJOR 0
-#define ABUT_VERSION_MINOR 1
+#define ABUT_VERSION_MINOR 2
 #define ABUT_VERSION_PATCH 0
 
 /** Status of a call. Values never change; new ones are appended. */
@@ -96,12 +98,13 @@ ABUT_API const char *abut_status_name(abut_status status);
  */
 ABUT_API const char *abut_last_error_message(void);
 
-/** Version of the library that was loaded, such as "0.1.0". Static. [any] */
+/** Version of the library that was loaded, such as "0.2.0". Static. [any] */
 ABUT_API const char *abut_version_string(void);
 
 /**
  * Checks that the loaded library understands the header that the caller was compiled with; pass
- * ABUT_VERSION_MAJOR and ABUT_VERSION_MINOR. ABUT_UNSUPPORTED when it does not. [any]
+ * ABUT_VERSION_MAJOR and ABUT_VERSION_MINOR. ABUT_UNSUPPORTED when it does not: below 1.0 for any other minor
+ * version, since each of them may change structs and functions; from 1.0 on for later ones. [any]
  */
 ABUT_API abut_status abut_check_version(uint32_t major, uint32_t minor);
 
@@ -153,7 +156,7 @@ typedef struct abut_geometry_id {
 /** What of a shape takes part in a contact or is hit by a ray. */
 typedef uint32_t abut_feature_kind;
 enum abut_feature_kind_value ABUT_ENUM(uint32_t) {
-  ABUT_FEATURE_WHOLE = 0,  /**< the shape as a whole: spheres, planes, caps */
+  ABUT_FEATURE_WHOLE = 0,  /**< no corner, edge or face is told apart, as of planes; of spheres it is the centre, vertex 0 */
   ABUT_FEATURE_VERTEX = 1,
   ABUT_FEATURE_EDGE = 2,
   ABUT_FEATURE_FACE = 3,   /**< of a mesh or a height field: the triangle */
@@ -416,7 +419,10 @@ typedef struct abut_query_options {
    * 1e-9 where a cylinder, a cone or an ellipsoid takes part. */
   double error_bound;
   double margin;            /**< contacts are reported up to this distance; default 0; may be negative */
-  uint32_t max_contacts;    /**< a manifold of two shapes, or of two children, is reduced to this many, keeping the deepest exactly and the largest area; 0 keeps all; default 4 */
+  /** How many contacts a patch keeps: exactly the deepest, and those that span the largest area with it. Contacts whose
+   * normals agree (cosine at least 0.98) form a patch, of each pair of children by itself. Two convex shapes mostly have
+   * one patch. A surface has one for every way that it faces. 0 keeps all; default 4. */
+  uint32_t max_contacts;
   uint32_t reserved;        /**< zero */
 } abut_query_options;
 
@@ -545,7 +551,7 @@ typedef struct abut_universe_options {
   uint32_t struct_size;
   abut_broadphase broadphase;         /**< default ABUT_BROADPHASE_AUTO */
   abut_tolerance_mode tolerance_mode; /**< default ABUT_TOLERANCE_DEAD_BAND */
-  uint32_t max_contacts;              /**< per pair of convex shapes or triangle patch; 0 keeps all; default 4 */
+  uint32_t max_contacts;              /**< of a patch, as in abut_query_options, not of a pair; 0 keeps all; default 4 */
   abut_vec3 origin;                   /**< boxes of the broad phase are stored relative to it; default 0 */
   uint32_t threads;                   /**< of a step; 0: as many as there may be; the most are those that the machine runs at once, or that the process allows oneTBB; default 1. Results are the same bits for any number */
   abut_event_bits events;             /**< which events steps write down; default ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST */

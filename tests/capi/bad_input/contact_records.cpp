@@ -47,7 +47,7 @@ TEST(ContactValidate, RefusesDirectionsThatAreNoFrame) {
   EXPECT_TRUE(refuses([](abut_contact& c) { c.normal = {0, 0, 2}; }, ABUT_INVALID_ARGUMENT, {"contact.normal", "length 2"}));
   EXPECT_TRUE(refuses([](abut_contact& c) { c.normal = {0, 0, 0}; }, ABUT_INVALID_ARGUMENT, {"contact.normal", "length 0"}));
   EXPECT_TRUE(refuses([](abut_contact& c) { c.tangent = {0, 0.5, 0}; }, ABUT_INVALID_ARGUMENT, {"contact.tangent", "length 0.5"}));
-  EXPECT_TRUE(refuses([](abut_contact& c) { c.tangent = c.normal; }, ABUT_INVALID_ARGUMENT, {"contact.tangent", "is 1"}));
+  EXPECT_TRUE(refuses([](abut_contact& c) { c.tangent = c.normal; }, ABUT_INVALID_ARGUMENT, {"contact.tangent", "contact.normal", "it must be 0"}));
 }
 
 TEST(ContactValidate, RefusesADistanceOfOtherPoints) {

@@ -75,6 +75,12 @@ TEST(CheckVersion, RefusesOtherVersions) {
   EXPECT_TRUE(refused(abut_check_version(0xFFFFFFFFU, 0xFFFFFFFFU), ABUT_UNSUPPORTED, {"4294967295"}));
 }
 
+TEST(CheckVersion, RefusesEarlierMinorsBeforeTheFirstMajor) {
+  static_assert(ABUT_VERSION_MAJOR == 0);
+  EXPECT_TRUE(refused(abut_check_version(0, ABUT_VERSION_MINOR - 1), ABUT_UNSUPPORTED,
+                      {"0." + std::to_string(ABUT_VERSION_MINOR - 1), abut_version_string()}));
+}
+
 TEST(HasFeature, DeniesNullAndUnknownNames) {
   EXPECT_EQ(abut_has_feature(nullptr), 0U);
   EXPECT_EQ(abut_has_feature(""), 0U);
