@@ -29,12 +29,14 @@ def version():
 
 def pose(x=0.0, y=0.0, z=0.0, orientation=(1.0, 0.0, 0.0, 0.0)):
     """A pose from a position and a unit quaternion, scalar first."""
+    if len(orientation) != 4:
+        raise ValueError(f"orientation has {len(orientation)} numbers; it must have 4")
     return c.Pose(c.Vec3(x, y, z), c.Quat(*orientation))
 
 
 def ray(origin, direction, max_distance=float("inf")):
     """A ray from two triples of numbers."""
-    return c.Ray(c.Vec3(*origin), c.Vec3(*direction), max_distance)
+    return c.Ray(_vec3("origin", origin), _vec3("direction", direction), max_distance)
 
 
 def _array(kind, values):
@@ -47,6 +49,28 @@ def _array(kind, values):
         pass
     flat = list(values)
     return (kind * len(flat))(*flat)
+
+
+def _groups(kind, name, values, size):
+    """An array of groups of numbers, such as x, y, z, and how many groups there are."""
+    flat = _array(kind, values)
+    if len(flat) % size:
+        raise ValueError(f"{name} has {len(flat)} numbers; it must be a multiple of {size}")
+    return flat, len(flat) // size
+
+
+def _vec3(name, values):
+    numbers = tuple(values)
+    if len(numbers) != 3:
+        raise ValueError(f"{name} has {len(numbers)} numbers; it must have 3")
+    return c.Vec3(*numbers)
+
+
+def _expect_as_many(**arrays):
+    """Arrays that belong together have one length."""
+    if len({len(array) for array in arrays.values()}) != 1:
+        lengths = " and ".join(f"{name} has {len(array)}" for name, array in arrays.items())
+        raise ValueError(f"{lengths}; they must have as many elements")
 
 
 def _structs(kind, values):
@@ -163,25 +187,24 @@ class Shape(_Owner):
 
     @classmethod
     def plane(cls, normal, offset):
-        return cls._made_by(library.abut_plane_create, byref(c.Vec3(*normal)), offset)
+        return cls._made_by(library.abut_plane_create, byref(_vec3("normal", normal)), offset)
 
     @classmethod
     def hull(cls, xyz):
         """Convex hull of points: x, y, z, x, y, z, ..."""
-        points = _array(c.c_double, xyz)
-        return cls._made_by(library.abut_hull_create, points, len(points) // 3)
+        return cls._made_by(library.abut_hull_create, *_groups(c.c_double, "xyz", xyz, 3))
 
     @classmethod
     def mesh(cls, xyz, triangles, **options):
-        points, indices = _array(c.c_double, xyz), _array(c_uint32, triangles)
+        points, corners = _groups(c.c_double, "xyz", xyz, 3), _groups(c_uint32, "triangles", triangles, 3)
         filled = _options(c.MeshOptions, library.abut_mesh_options_init, **options)
-        return cls._made_by(library.abut_mesh_create, points, len(points) // 3, indices, len(indices) // 3, byref(filled))
+        return cls._made_by(library.abut_mesh_create, *points, *corners, byref(filled))
 
     @classmethod
     def height_field(cls, columns, rows, heights, spacing_x=1.0, spacing_y=1.0):
         values = _array(c.c_double, heights)
         if len(values) != columns * rows:
-            raise ValueError(f"{len(values)} heights for {columns} x {rows} samples")
+            raise ValueError(f"heights has {len(values)} numbers; it must have {columns} * {rows}")
         desc = _options(c.HeightFieldDesc, library.abut_height_field_desc_init, columns=columns, rows=rows,
                         spacing_x=spacing_x, spacing_y=spacing_y, heights=values)
         return cls._made_by(library.abut_height_field_create, byref(desc))
@@ -189,14 +212,12 @@ class Shape(_Owner):
     @classmethod
     def particles(cls, xyz, radius):
         """Many balls of one radius: x, y, z, x, y, z, ..."""
-        points = _array(c.c_double, xyz)
-        return cls._made_by(library.abut_particles_create, points, len(points) // 3, radius)
+        return cls._made_by(library.abut_particles_create, *_groups(c.c_double, "xyz", xyz, 3), radius)
 
     @classmethod
     def composite(cls, children, poses):
         """Shapes, each at a pose of its own, as one."""
-        if len(children) != len(poses):
-            raise ValueError(f"{len(children)} children with {len(poses)} poses")
+        _expect_as_many(children=children, poses=poses)
         return cls._made_by(library.abut_composite_create, _pointers(children), _structs(c.Pose, poses), len(children))
 
     @classmethod
@@ -258,8 +279,7 @@ def pair_distance(a, pose_a, b, pose_b, **options):
 
 def pairs_distance(a, poses_a, b, poses_b, **options):
     """Signed distances of as many pairs of poses of two shapes."""
-    if len(poses_a) != len(poses_b):
-        raise ValueError("as many poses of a as of b")
+    _expect_as_many(poses_a=poses_a, poses_b=poses_b)
     out = (c.Distance * len(poses_a))()
     library.abut_pairs_distance(a.pointer, _structs(c.Pose, poses_a), b.pointer, _structs(c.Pose, poses_b), len(out),
                                 _query(options), out)
@@ -280,8 +300,8 @@ def validate_contact(contact):
 def pair_cast(a, pose_a, displacement_a, b, pose_b, displacement_b=(0.0, 0.0, 0.0), **options):
     """When two shapes that move by their displacements first touch, or None."""
     hit, found = c.CastHit(), c_uint32()
-    library.abut_pair_cast(a.pointer, byref(pose_a), byref(c.Vec3(*displacement_a)), b.pointer, byref(pose_b),
-                           byref(c.Vec3(*displacement_b)), _query(options), byref(hit), byref(found))
+    library.abut_pair_cast(a.pointer, byref(pose_a), byref(_vec3("displacement_a", displacement_a)), b.pointer, byref(pose_b),
+                           byref(_vec3("displacement_b", displacement_b)), _query(options), byref(hit), byref(found))
     return hit if found.value else None
 
 
@@ -290,8 +310,7 @@ def _filter(fields):
 
 
 def _placed(shapes, poses):
-    if len(shapes) != len(poses):
-        raise ValueError("as many poses as shapes")
+    _expect_as_many(shapes=shapes, poses=poses)
     return _pointers(shapes), _structs(c.Pose, poses)
 
 
@@ -336,8 +355,7 @@ class Universe(_Owner):
         library.abut_geometries_destroy(self.pointer, _structs(c.GeometryId, geometries), len(geometries))
 
     def set_poses(self, parts, poses):
-        if len(parts) != len(poses):
-            raise ValueError("as many poses as parts")
+        _expect_as_many(parts=parts, poses=poses)
         library.abut_parts_set_poses(self.pointer, _structs(c.PartId, parts), _structs(c.Pose, poses), len(parts))
 
     def poses(self, parts):
@@ -367,8 +385,7 @@ class Universe(_Owner):
         return self._copy(c.SleepChange, library.abut_universe_sleep_changes)
 
     def set_motions(self, parts, motions):
-        if len(parts) != len(motions):
-            raise ValueError("as many motions as parts")
+        _expect_as_many(parts=parts, motions=motions)
         library.abut_parts_set_motions(self.pointer, _structs(c.PartId, parts), _array(c_uint32, motions), len(parts))
 
     def motion(self, part):
@@ -403,8 +420,7 @@ class Universe(_Owner):
 
     def set_options(self, geometries, options):
         """Replaces the options of geometries, all of them."""
-        if len(geometries) != len(options):
-            raise ValueError("as many options as geometries")
+        _expect_as_many(geometries=geometries, options=options)
         library.abut_geometries_set_options(self.pointer, _structs(c.GeometryId, geometries),
                                             _structs(c.GeometryOptions, options), len(geometries))
 
@@ -415,8 +431,7 @@ class Universe(_Owner):
         self.set_options([geometry], [options])
 
     def set_shapes(self, geometries, shapes):
-        if len(geometries) != len(shapes):
-            raise ValueError("as many shapes as geometries")
+        _expect_as_many(geometries=geometries, shapes=shapes)
         library.abut_geometries_set_shapes(
             self.pointer, _structs(c.GeometryId, geometries), _pointers(shapes), len(geometries))
 
@@ -466,7 +481,7 @@ class Universe(_Owner):
             library.abut_universe_set_focus(self.pointer, None, None, 0)
             return
         focus = _options(c.Focus, library.abut_focus_init, **fields)
-        places = _structs(c.Vec3, [c.Vec3(*centre) for centre in centres])
+        places = _structs(c.Vec3, [_vec3("centre", centre) for centre in centres])
         library.abut_universe_set_focus(self.pointer, byref(focus), places, len(places))
 
     def set_material(self, material_a, material_b, **fields):
@@ -518,7 +533,8 @@ class Universe(_Owner):
 
     def detect_region(self, minimum, maximum):
         """A step that looks at what meets a box of the world only."""
-        self._detect(library.abut_universe_detect_region, byref(c.Aabb(c.Vec3(*minimum), c.Vec3(*maximum))))
+        box = c.Aabb(_vec3("minimum", minimum), _vec3("maximum", maximum))
+        self._detect(library.abut_universe_detect_region, byref(box))
 
     def refresh(self):
         """Brings the boxes up to date with the poses, for queries."""
@@ -580,14 +596,13 @@ class Universe(_Owner):
     def cast_shape(self, shape, at, displacement, mode=c.HIT_NEAREST, **filter):
         """Hits of a shape that moves, in order."""
         return _count_then_fill(c.CastHit, lambda *rest: library.abut_universe_cast_shape(
-            self.pointer, shape.pointer, byref(at), byref(c.Vec3(*displacement)), _filter(filter), mode, *rest))
+            self.pointer, shape.pointer, byref(at), byref(_vec3("displacement", displacement)), _filter(filter), mode, *rest))
 
     def cast_shapes(self, shapes, poses, displacements, **filter):
         """The nearest hit of each shape; its geometry is null where there is none."""
         pointers, placed = _placed(shapes, poses)
-        if len(displacements) != len(shapes):
-            raise ValueError("as many displacements as shapes")
-        ways = _structs(c.Vec3, [c.Vec3(*way) for way in displacements])
+        _expect_as_many(displacements=displacements, shapes=shapes)
+        ways = _structs(c.Vec3, [_vec3("way", way) for way in displacements])
         out = (c.CastHit * len(shapes))()
         library.abut_universe_cast_shapes(self.pointer, pointers, placed, ways, len(out), _filter(filter), out)
         return out
@@ -605,10 +620,10 @@ class Universe(_Owner):
     def at_point(self, point, **filter):
         """Geometries that hold a point."""
         return _count_then_fill(c.GeometryId, lambda *rest: library.abut_universe_at_point(
-            self.pointer, byref(c.Vec3(*point)), _filter(filter), *rest))
+            self.pointer, byref(_vec3("point", point)), _filter(filter), *rest))
 
     def at_points(self, points, **filter):
-        places = _structs(c.Vec3, [c.Vec3(*point) for point in points])
+        places = _structs(c.Vec3, [_vec3("point", point) for point in points])
         return _each_then_fill(len(points), lambda *rest: library.abut_universe_at_points(
             self.pointer, places, len(points), _filter(filter), *rest))
 
@@ -630,7 +645,8 @@ def camera(eye=None, target=None, up=(0.0, 0.0, 1.0), **fields):
     """A camera; the fields are those of Camera. With eye and target it looks from one to the other."""
     out = _options(c.Camera, picking.abut_camera_init, **fields)
     if eye is not None:
-        picking.abut_camera_look_at(byref(out), byref(c.Vec3(*eye)), byref(c.Vec3(*target)), byref(c.Vec3(*up)))
+        picking.abut_camera_look_at(byref(out), byref(_vec3("eye", eye)), byref(_vec3("target", target)),
+                                    byref(_vec3("up", up)))
     return out
 
 

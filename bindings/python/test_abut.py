@@ -65,6 +65,35 @@ class Queries(unittest.TestCase):
             self.assertEqual([round(each.distance, 9) for each in many], [1.0, 2.0, 3.0])
             self.assertEqual(len(abut.pair_contacts(box, abut.pose(), box, abut.pose(0, 0, 1.75), max_contacts=1)), 1)
 
+    def test_records_are_checked(self):
+        with abut.Shape.sphere(1) as ball:
+            contact, = abut.pair_contacts(ball, abut.pose(), ball, abut.pose(1, 0, 0))
+        abut.validate_contact(contact)
+        contact.toi = 2
+        with self.assertRaisesRegex(abut.Error, "contact.toi is 2"):
+            abut.validate_contact(contact)
+
+    def test_arrays_of_a_wrong_count_are_refused(self):
+        ball, here = abut.Shape.sphere(1), abut.pose()
+        universe = abut.Universe()
+        for name, call in {
+            "xyz has 4 numbers": lambda: abut.Shape.hull([1, 2, 3, 4]),
+            "xyz has 5 numbers": lambda: abut.Shape.particles([1, 2, 3, 4, 5], 1),
+            "xyz has 7 numbers": lambda: abut.Shape.mesh(array.array("d", range(7)), [0, 1, 1]),
+            "triangles has 2 numbers": lambda: abut.Shape.mesh(range(9), [0, 1]),
+            "heights has 3 numbers": lambda: abut.Shape.height_field(2, 2, [0, 0, 0]),
+            "normal has 2 numbers": lambda: abut.Shape.plane([0, 1], 0),
+            "orientation has 3 numbers": lambda: abut.pose(orientation=(1, 0, 0)),
+            "direction has 2 numbers": lambda: abut.ray((0, 0, 0), (1, 0)),
+            "displacement_a has 1 numbers": lambda: abut.pair_cast(ball, here, [1], ball, here),
+            "children has 2 and poses has 1": lambda: abut.Shape.composite([ball, ball], [here]),
+            "poses_a has 1 and poses_b has 2": lambda: abut.pairs_distance(ball, [here], ball, [here] * 2),
+            "shapes has 1 and poses has 0": lambda: universe.overlaps_of_each([ball], []),
+            "point has 2 numbers": lambda: universe.at_point([0, 0]),
+        }.items():
+            with self.assertRaisesRegex(ValueError, name):
+                call()
+
     def test_shapes(self):
         capsule = abut.Shape.capsule(0.5, 2)
         self.assertEqual(capsule.kind, "capsule")
@@ -109,6 +138,8 @@ class Universes(unittest.TestCase):
             self.assertEqual([(each.geometry_a.slot, each.geometry_b.slot) for each in found],
                              [(geometries[0].slot, geometries[1].slot), (geometries[1].slot, geometries[2].slot)])
             self.assertAlmostEqual(found[0].distance, -0.5)
+            with self.assertRaisesRegex(abut.Error, "UNIVERSE_LOCAL_POINTS"):
+                universe.local_points()
             self.assertEqual(universe.stats().contacts, 2)
             self.assertIn("sphere", universe.explain())
             self.assertEqual(universe.user_data(parts[2]), 12)
@@ -136,6 +167,14 @@ class Universes(unittest.TestCase):
         slots = [each.slot for each in self.geometries]
         return [(each.kind, slots.index(each.geometry_a.slot), slots.index(each.geometry_b.slot))
                 for each in self.universe.events()]
+
+    def test_local_points(self):
+        with abut.Universe(flags=abut.UNIVERSE_LOCAL_POINTS) as universe, abut.Shape.sphere(1) as ball:
+            for x in (3, 4.5):
+                universe.add_geometry(universe.add_part(pose=abut.pose(x)), ball)
+            universe.step()
+            points, = universe.local_points()
+            self.assertEqual((points.a.x, points.b.x), (1, -1))
 
     def test_events(self):
         self.assertEqual(self.events_of_a_step(), [(abut.EVENT_BEGIN, 0, 1), (abut.EVENT_BEGIN, 1, 2)])
