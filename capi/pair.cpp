@@ -25,13 +25,11 @@ constexpr std::array<std::string_view, 6> algorithm_names{"ABUT_ALGORITHM_AUTO",
 struct Query {
   abut::QuerySettings settings;
   std::uint32_t max_contacts = default_options.max_contacts;
+  std::uint32_t max_pair_contacts = default_options.max_pair_contacts;
 };
 
 abut_status read_given_options(const abut_query_options& options, Query& query) {
   if (const abut_status status = check_struct_size({"options"}, options); status != ABUT_OK) {
-    return status;
-  }
-  if (const abut_status status = check_reserved({"options"}, options.reserved); status != ABUT_OK) {
     return status;
   }
   if (const abut_status status = check_value({"options"}, ".algorithm", options.algorithm, ABUT_ALGORITHM_LIBCCD_MPR);
@@ -50,6 +48,7 @@ abut_status read_given_options(const abut_query_options& options, Query& query) 
   }
   query.settings.margin = options.margin;
   query.max_contacts = options.max_contacts;
+  query.max_pair_contacts = options.max_pair_contacts;
   return ABUT_OK;
 }
 
@@ -180,7 +179,8 @@ abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_s
     return refuse_outcome(outcome, shape_of(a), shape_of(b), query.settings.algorithm);
   }
   // Most pairs have nothing to choose from.
-  const std::size_t kept = found.size() < 2 ? found.size() : abut::reduce_children(found, query.max_contacts);
+  std::size_t kept = found.size() < 2 ? found.size() : abut::reduce_children(found, query.max_contacts);
+  kept = abut::cap(std::span(found).first(kept), query.max_pair_contacts);
   fill(std::span<const abut::ContactPoint>(found).first(kept), out,
        [](const abut::ContactPoint& contact) { return from_contact(contact); });
   *count = kept;

@@ -17,7 +17,6 @@ abut_status read_options(const abut_query_options* options, abut::QuerySettings&
     return ABUT_OK;
   }
   abut_status status = check_struct_size({"options"}, *options);
-  status = status != ABUT_OK ? status : check_reserved({"options"}, options->reserved);
   status = status != ABUT_OK ? status : check_value({"options"}, ".algorithm", options->algorithm, ABUT_ALGORITHM_LIBCCD_MPR);
   status = status != ABUT_OK ? status : to_status(abut::check_not_negative("options.error_bound", options->error_bound));
   status = status != ABUT_OK ? status : to_status(abut::check_not_negative("options.margin", options->margin));

@@ -48,8 +48,7 @@ abut_status check_options(const abut_universe_options& options) {
   status = status != ABUT_OK ? status
                              : check_bits(where, ".events", options.events,
                                           ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS);
-  status = status != ABUT_OK ? status : check_bits(where, ".flags", options.flags, ABUT_UNIVERSE_LOCAL_POINTS);
-  return status != ABUT_OK ? status : check_reserved(where, options.reserved);
+  return status != ABUT_OK ? status : check_bits(where, ".flags", options.flags, ABUT_UNIVERSE_LOCAL_POINTS);
 }
 
 abut_status create(const abut_universe_options& options, abut_universe** out) {
@@ -60,6 +59,7 @@ abut_status create(const abut_universe_options& options, abut_universe** out) {
   wanted.broadphase = static_cast<abut::BroadphaseKind>(options.broadphase);
   wanted.tolerance_mode = static_cast<abut::ToleranceMode>(options.tolerance_mode);
   wanted.max_contacts = options.max_contacts;
+  wanted.max_pair_contacts = options.max_pair_contacts;
   wanted.origin = to_vec3(options.origin);
   wanted.threads = options.threads;
   wanted.events = options.events;

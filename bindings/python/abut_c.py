@@ -214,7 +214,7 @@ class RayHit(_Struct):
 class QueryOptions(_Struct):
     _fields_ = [
         ("struct_size", c_uint32), ("algorithm", c_uint32), ("error_bound", c_double), ("margin", c_double),
-        ("max_contacts", c_uint32), ("reserved", c_uint32),
+        ("max_contacts", c_uint32), ("max_pair_contacts", c_uint32),
     ]
 
 
@@ -243,7 +243,7 @@ class UniverseOptions(_Struct):
     _fields_ = [
         ("struct_size", c_uint32), ("broadphase", c_uint32), ("tolerance_mode", c_uint32),
         ("max_contacts", c_uint32), ("origin", Vec3), ("threads", c_uint32), ("events", c_uint32), ("flags", c_uint32),
-        ("reserved", c_uint32),
+        ("max_pair_contacts", c_uint32),
     ]
 
 

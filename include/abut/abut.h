@@ -423,7 +423,8 @@ typedef struct abut_query_options {
    * normals agree (cosine at least 0.98) form a patch, of each pair of children by itself. Two convex shapes mostly have
    * one patch. A surface has one for every way that it faces. 0 keeps all; default 4. */
   uint32_t max_contacts;
-  uint32_t reserved;        /**< zero */
+  uint32_t max_pair_contacts; /**< how many all patches of the pair keep together: the deepest, then the deepest of
+                                   patches that face furthest from each other; 0, the default, keeps all */
 } abut_query_options;
 
 ABUT_API void abut_query_options_init(abut_query_options *options, uint32_t struct_size);
@@ -556,7 +557,7 @@ typedef struct abut_universe_options {
   uint32_t threads;                   /**< of a step; 0: as many as there may be; the most are those that the machine runs at once, or that the process allows oneTBB; default 1. Results are the same bits for any number */
   abut_event_bits events;             /**< which events steps write down; default ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST */
   abut_universe_flags flags;          /**< default 0 */
-  uint32_t reserved;                  /**< zero */
+  uint32_t max_pair_contacts;         /**< of all patches of a pair, as in abut_query_options; 0, the default, keeps all */
 } abut_universe_options;
 
 ABUT_API void abut_universe_options_init(abut_universe_options *options, uint32_t struct_size);

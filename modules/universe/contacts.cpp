@@ -68,6 +68,7 @@ void Universe::finish_job(std::size_t job, std::uint32_t chunk, std::size_t firs
     }
   }
   std::size_t left = reduce_children(found.first(kept), options_.max_contacts, scratch.ids);
+  left = cap(found.first(left), options_.max_pair_contacts);
   left = policies_.at(jobs_.chunks()[chunk].policy).detail == Detail::point ? std::min<std::size_t>(left, 1) : left;
   const bool is_swapped = its.a > its.b;
   for (ContactPoint& contact : found.first(left)) {

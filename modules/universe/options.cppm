@@ -30,7 +30,8 @@ enum EventBits : std::uint32_t {
 struct UniverseOptions {
   BroadphaseKind broadphase = BroadphaseKind::automatic;
   ToleranceMode tolerance_mode = ToleranceMode::dead_band;
-  std::uint32_t max_contacts = 4;  // per patch; 0 keeps all
+  std::uint32_t max_contacts = 4;       // per patch; 0 keeps all
+  std::uint32_t max_pair_contacts = 0;  // of all patches of a pair; 0 keeps all
   Vec3 origin{0, 0, 0};            // of the compact boxes
   std::uint32_t threads = 1;       // 0: as many as the machine runs at once
   std::uint32_t events = event_pairs | event_persist;

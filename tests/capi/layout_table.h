@@ -73,7 +73,7 @@
   FIELD(abut_query_options, error_bound, 8, 8)            \
   FIELD(abut_query_options, margin, 16, 8)                \
   FIELD(abut_query_options, max_contacts, 24, 4)          \
-  FIELD(abut_query_options, reserved, 28, 4)              \
+  FIELD(abut_query_options, max_pair_contacts, 28, 4)              \
   TYPE(abut_distance, 104)                                \
   FIELD(abut_distance, distance, 0, 8)                    \
   FIELD(abut_distance, lower, 8, 8)                       \
@@ -115,7 +115,7 @@
   FIELD(abut_universe_options, threads, 40, 4)            \
   FIELD(abut_universe_options, events, 44, 4)             \
   FIELD(abut_universe_options, flags, 48, 4)              \
-  FIELD(abut_universe_options, reserved, 52, 4)           \
+  FIELD(abut_universe_options, max_pair_contacts, 52, 4)           \
   TYPE(abut_part_options, 72)                             \
   FIELD(abut_part_options, struct_size, 0, 4)             \
   FIELD(abut_part_options, motion, 4, 4)                  \

@@ -45,9 +45,6 @@ void refuse_bad_options(Ask ask) {
   options = default_options();
   options.error_bound = -2.5;
   EXPECT_TRUE(refused((call.*ask)(&options), ABUT_OUT_OF_RANGE, {"error_bound", "-2.5"}));
-  options = default_options();
-  options.reserved = 31;
-  EXPECT_TRUE(refused((call.*ask)(&options), ABUT_INVALID_ARGUMENT, {"reserved", "31"}));
   EXPECT_TRUE(call.is_untouched());
 }
 
@@ -114,7 +111,7 @@ TEST(QueryOptionsInit, FillsInTheDefaults) {
   EXPECT_EQ(options.value().error_bound, 0.0);
   EXPECT_EQ(options.value().margin, 0.0);
   EXPECT_EQ(options.value().max_contacts, 4U);
-  EXPECT_EQ(options.value().reserved, 0U);
+  EXPECT_EQ(options.value().max_pair_contacts, 0U);
 }
 
 TEST(PairDistance, RefusesNullPointers) {

@@ -94,9 +94,6 @@ TEST(PairCast, RefusesBadOptions) {
   options.error_bound = -2.5;
   EXPECT_TRUE(refused(call.ask(&options), ABUT_OUT_OF_RANGE, {"error_bound", "-2.5"}));
   options = good;
-  options.reserved = 31;
-  EXPECT_TRUE(refused(call.ask(&options), ABUT_INVALID_ARGUMENT, {"reserved", "31"}));
-  options = good;
   options.algorithm = 77;
   EXPECT_TRUE(refused(call.ask(&options), ABUT_UNKNOWN_VALUE, {"algorithm", "77"}));
   options.algorithm = ABUT_ALGORITHM_SAT;

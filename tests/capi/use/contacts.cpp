@@ -151,4 +151,56 @@ TEST(Contacts, OfAPairSwapWithItsShapes) {
   }
 }
 
+// A sphere of triangles, which faces every way.
+Shape make_globe() {
+  constexpr std::uint32_t around = 16;
+  constexpr std::uint32_t up = 8;
+  std::vector<double> reals;
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t j = 0; j <= up; ++j) {
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const double polar = 3.14159265358979 * j / up;
+      const double turn = 2 * 3.14159265358979 * i / around;
+      reals.insert(reals.end(), {std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar)});
+      const std::uint32_t next = (i + 1) % around;
+      const std::uint32_t row = j * around;
+      if (j < up) indices.insert(indices.end(), {row + i, row + around + i, row + next});
+      if (j < up) indices.insert(indices.end(), {row + next, row + around + i, row + around + next});
+    }
+  }
+  return make_of_kind("mesh", {0}, reals, indices);
+}
+
+double least_distance(const std::vector<abut_contact>& contacts) {
+  double least = HUGE_VAL;
+  for (const abut_contact& contact : contacts) least = std::min(least, contact.distance);
+  return least;
+}
+
+TEST(Contacts, OfOnePairAreCapped) {
+  const Shape globe = make_globe();
+  const Shape ball = make_sphere(1);
+  const std::vector<abut_contact> all = contacts_of(globe, identity, ball, identity);
+  ASSERT_GT(all.size(), 50U);
+
+  abut_query_options options = filled_by(abut_query_options_init);
+  options.max_pair_contacts = 8;
+  std::vector<abut_contact> some(all.size());
+  std::size_t count = 0;
+  ASSERT_TRUE(succeeded(
+      abut_pair_contacts(globe, &identity, ball, &identity, &options, some.data(), some.size(), &count)));
+  EXPECT_EQ(count, 8U);
+  some.resize(count);
+  EXPECT_EQ(least_distance(some), least_distance(all));
+
+  abut_universe_options of_universe = default_universe_options();
+  of_universe.max_pair_contacts = 8;
+  Universe universe(&of_universe);
+  universe.add(globe, identity);
+  universe.add(ball, identity);
+  const std::vector<abut_contact> stepped = universe.step();
+  EXPECT_EQ(stepped.size(), 8U);
+  EXPECT_EQ(least_distance(stepped), least_distance(all));
+}
+
 }  // namespace
