@@ -15,7 +15,7 @@ namespace {
 using abut::Triangle;
 using abut::Vec3;
 
-Triangle triangle(const Vec3& a, const Vec3& b, const Vec3& c) { return {a, b, c, 42, false, 0}; }
+Triangle triangle(const Vec3& a, const Vec3& b, const Vec3& c) { return {a, b, c, 42, false}; }
 std::vector<Vec3> corners_of(const Triangle& t) { return {t.corners().begin(), t.corners().end()}; }
 Triangle drawn(test::Random& random) {
   for (;;) {

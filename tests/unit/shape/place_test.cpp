@@ -36,7 +36,7 @@ TEST(Place, SegmentReachesToItsEnds) {
 TEST(Place, SupportIsThatOfThePlacedCorners) {
   test::Random random(242);
   for (int i = 0; i < 500; ++i) {
-    const abut::Triangle shape(random.point(1), random.point(1), random.point(1), 0, false, 0);
+    const abut::Triangle shape(random.point(1), random.point(1), random.point(1), 0, false);
     const Pose pose{random.rotation(), random.point(5)};
     const Vec3 direction = test::towards(random);
     std::vector<Vec3> corners;
@@ -52,7 +52,7 @@ TEST(Place, SupportIsThatOfThePlacedCorners) {
 TEST(Place, FaceIsMovedWithItsNormal) {
   test::Random random(243);
   for (int i = 0; i < 500; ++i) {
-    const abut::Triangle shape(random.point(1), random.point(1), random.point(1), 0, false, 0);
+    const abut::Triangle shape(random.point(1), random.point(1), random.point(1), 0, false);
     const Pose pose{random.rotation(), random.point(5)};
     const Vec3 direction = test::towards(random);
     const abut::Face face = placed_face(shape, pose, direction);
