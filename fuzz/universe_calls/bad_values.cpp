@@ -50,7 +50,7 @@ Refused spoiled(const Call& call) {
       break;
     case 4:
       bad = {ABUT_UNKNOWN_VALUE, bad.options};
-      bad.options.flags = 2;
+      bad.options.flags = 4;
       break;
     case 5:
       bad = {ABUT_NOT_FINITE, bad.options};

@@ -158,7 +158,7 @@ template <Convex A, Convex B>
   Real upper = std::fmin(near.upper, apart);
   if (!(apart <= farthest && holds(a, along.point_a, slack) && holds(b, ab.undo(along.point_b), slack))) {
     upper = near.upper;
-    if (!(upper <= farthest)) {
+    if (!(upper <= along.distance + slack)) {
       return false;
     }
     set_points(reached.a, reached.a - near.closest, along);

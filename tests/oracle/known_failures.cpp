@@ -75,7 +75,7 @@ void read_distance(const Json& json, KnownFailure& row) {
   if (!row.distance && expected.contains("signed_distance")) {
     row.distance = quad(expected["signed_distance"].get<double>());
   }
-  if (expected.contains("exact_signed_distance")) {
+  if (!row.distance && expected.contains("exact_signed_distance")) {
     row.distance = quad(expected["exact_signed_distance"].get<double>());
   }
 }

@@ -13,7 +13,6 @@
 namespace property {
 
 inline constexpr auto distance_shortfalls = std::to_array<Shortfall>({
-    {"hull/hull far from the origin points lie across each other", 1, 1.1e-07},
 });
 
 inline constexpr auto contact_shortfalls = std::to_array<Shortfall>({
