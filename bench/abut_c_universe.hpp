@@ -25,7 +25,8 @@ struct AbutCBody {
 };
 
 // A part with one geometry.
-inline AbutCBody add_abut_c_body(const AbutCUniverse& universe, const AbutCShape& shape, const abut_pose& pose, abut_motion motion) {
+inline AbutCBody add_abut_c_body(const AbutCUniverse& universe, const AbutCShape& shape, const abut_pose& pose,
+                                 abut_motion motion) {
   abut_part_options options;
   abut_part_options_init(&options, sizeof options);
   options.motion = motion;

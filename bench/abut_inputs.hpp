@@ -24,23 +24,17 @@ namespace bench {
 [[nodiscard]] inline std::vector<double> abut_parameters(const Solid& solid) {
   const Point& s = solid.sizes;
   switch (solid.kind) {
-    case Kind::sphere:
-      return {s[0]};
+    case Kind::sphere: return {s[0]};
     case Kind::capsule:
     case Kind::cylinder:
-    case Kind::cone:
-      return {s[0], s[1]};
+    case Kind::cone: return {s[0], s[1]};
     case Kind::box:
-    case Kind::ellipsoid:
-      return {s[0], s[1], s[2]};
-    case Kind::plane:
-      return {0, 0, 1, 0};
-    case Kind::triangle:
-      return flattened(solid.points);
+    case Kind::ellipsoid: return {s[0], s[1], s[2]};
+    case Kind::plane: return {0, 0, 1, 0};
+    case Kind::triangle: return flattened(solid.points);
     case Kind::hull32:
     case Kind::hull200:
-    case Kind::hull:
-      return {};
+    case Kind::hull: return {};
   }
   return {};
 }

@@ -1,5 +1,5 @@
-// Error against run time: signed distances of abut, Bullet, FCL and libccd beside the float128 oracle of the tests, under
-// conditions from ordinary to extreme.
+// Error against run time: signed distances of abut, Bullet, FCL and libccd beside the float128 oracle of the tests,
+// under conditions from ordinary to extreme.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -75,7 +75,8 @@ void add_rows(const Flags& flags, Query query, Condition condition, AccuracyScen
   for (std::size_t b = 0; b < kinds.size(); ++b) {
     for (std::size_t a = 0; a <= b; ++a) {
       const std::string pair = std::string(kind_name(kinds[a])) + "-" + std::string(kind_name(kinds[b]));
-      const std::string name = std::string(query_name(query)) + "/" + std::string(condition_name(condition)) + "/" + pair;
+      const std::string name =
+          std::string(query_name(query)) + "/" + std::string(condition_name(condition)) + "/" + pair;
       if (name.find(flags.only) == std::string::npos) {
         continue;
       }
@@ -113,7 +114,8 @@ void run(const Flags& flags) {
 
 int main(int argument_count, char** arguments) {
   try {
-    const std::vector<std::string> all(arguments, std::next(arguments, argument_count)), words(all.begin() + 1, all.end());
+    const std::vector<std::string> all(arguments, std::next(arguments, argument_count)),
+        words(all.begin() + 1, all.end());
     if (!words.empty() && (words.front() == "--help" || words.front() == "-h")) {
       std::printf("%s", bench::usage);
       return 0;

@@ -13,23 +13,17 @@ constexpr double enough = 1e-18;
 std::optional<oracle::Body> body_of(const Solid& solid) {
   const Point& s = solid.sizes;
   switch (solid.kind) {
-    case Kind::sphere:
-      return oracle::make_sphere(s[0]);
-    case Kind::capsule:
-      return oracle::make_capsule(s[0], s[1]);
-    case Kind::box:
-      return oracle::make_box(s[0], s[1], s[2]);
+    case Kind::sphere: return oracle::make_sphere(s[0]);
+    case Kind::capsule: return oracle::make_capsule(s[0], s[1]);
+    case Kind::box: return oracle::make_box(s[0], s[1], s[2]);
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:
-    case Kind::triangle:
-      return oracle::make_hull(solid.points);
-    case Kind::cylinder:
-      return std::nullopt;
+    case Kind::triangle: return oracle::make_hull(solid.points);
+    case Kind::cylinder: return std::nullopt;
     case Kind::cone:
     case Kind::ellipsoid:
-    case Kind::plane:
-      break;
+    case Kind::plane: break;
   }
   throw std::runtime_error("a shape without a judge: " + std::string(kind_name(solid.kind)));
 }

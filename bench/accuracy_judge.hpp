@@ -30,7 +30,7 @@ class Judge {
 // Exact to about 1e-18 of the size. Of solids apart, and of rounded ones whose cores are apart, from support points;
 // of other overlapping ones from their features, which takes longer: only where overlaps are asked for. Nothing where a
 // cylinder overlaps the core of the other.
-[[nodiscard]] std::optional<oracle::Quad> true_distance(Judge& a, const Placement& pose_a, Judge& b, const Placement& pose_b,
-                                                        bool with_overlaps);
+[[nodiscard]] std::optional<oracle::Quad> true_distance(Judge& a, const Placement& pose_a, Judge& b,
+                                                        const Placement& pose_b, bool with_overlaps);
 
 }  // namespace bench

@@ -35,27 +35,21 @@ struct Mark {
 };
 
 // In the order of the entrants. Rings of abut's bounds grow with the bound: where they coincide, all are seen.
-constexpr std::array marks{Mark{Form::circle, 3, "#08306b"},   Mark{Form::circle, 11, "#c6dbef"},
-                           Mark{Form::circle, 9.5, "#9ecae1"}, Mark{Form::circle, 8, "#6baed6"},
-                           Mark{Form::circle, 6.5, "#4292c6"}, Mark{Form::circle, 5, "#2171b5"},
-                           Mark{Form::square, 6, "#238b45"},   Mark{Form::square, 6, "#74c476"},
-                           Mark{Form::square, 6, "#b8860b"},   Mark{Form::square, 6, "#7b4fa3"},
-                           Mark{Form::square, 6, "#c994c7"},   Mark{Form::triangle, 7, "#d62728"},
-                           Mark{Form::triangle, 7, "#ff7f0e"}, Mark{Form::pentagon, 6.5, "#7b4fa3"},
-                           Mark{Form::pentagon, 6.5, "#c994c7"}};
+constexpr std::array marks{
+    Mark{Form::circle, 3, "#08306b"},   Mark{Form::circle, 11, "#c6dbef"},    Mark{Form::circle, 9.5, "#9ecae1"},
+    Mark{Form::circle, 8, "#6baed6"},   Mark{Form::circle, 6.5, "#4292c6"},   Mark{Form::circle, 5, "#2171b5"},
+    Mark{Form::square, 6, "#238b45"},   Mark{Form::square, 6, "#74c476"},     Mark{Form::square, 6, "#b8860b"},
+    Mark{Form::square, 6, "#7b4fa3"},   Mark{Form::square, 6, "#c994c7"},     Mark{Form::triangle, 7, "#d62728"},
+    Mark{Form::triangle, 7, "#ff7f0e"}, Mark{Form::pentagon, 6.5, "#7b4fa3"}, Mark{Form::pentagon, 6.5, "#c994c7"}};
 
 void draw(Svg& svg, const Mark& mark, double x, double y, bool is_hollow) {
   const std::string_view fill = is_hollow ? "none" : mark.colour;
   const Stroke stroke{is_hollow ? mark.colour : "#404040", is_hollow ? 2 : 0.6};
   switch (mark.form) {
-    case Form::circle:
-      return svg.circle(x, y, mark.radius, fill, stroke);
-    case Form::square:
-      return svg.polygon(x, y, mark.radius, 4, fill, stroke);
-    case Form::triangle:
-      return svg.polygon(x, y, mark.radius, 3, fill, stroke);
-    case Form::pentagon:
-      return svg.polygon(x, y, mark.radius, 5, fill, stroke);
+    case Form::circle: return svg.circle(x, y, mark.radius, fill, stroke);
+    case Form::square: return svg.polygon(x, y, mark.radius, 4, fill, stroke);
+    case Form::triangle: return svg.polygon(x, y, mark.radius, 3, fill, stroke);
+    case Form::pentagon: return svg.polygon(x, y, mark.radius, 5, fill, stroke);
   }
 }
 
@@ -73,7 +67,9 @@ std::string time_label(int power) {
 struct Panel {
   double x, y;
 
-  [[nodiscard]] double across(double nanoseconds) const { return x + panel_width * share(nanoseconds, first_time, last_time); }
+  [[nodiscard]] double across(double nanoseconds) const {
+    return x + panel_width * share(nanoseconds, first_time, last_time);
+  }
   [[nodiscard]] double up(double error) const { return y + panel_height * (1 - share(error, first_error, last_error)); }
 };
 
@@ -141,7 +137,8 @@ void write_picture(const std::filesystem::path& path, std::span<const Row> rows,
   constexpr double right = left + columns * (panel_width + gap_x);
   constexpr double bottom = top + lines * (panel_height + gap_y);
   Svg svg(right + legend_width, bottom + 10);
-  const std::string_view title = query == Query::distance ? "Distance of separated pairs" : "Depth of overlapping pairs";
+  const std::string_view title =
+      query == Query::distance ? "Distance of separated pairs" : "Depth of overlapping pairs";
   svg.text(left, 26, title, 18, Anchor::start, true);
   for (std::size_t i = 0; i < all_conditions.size(); ++i) {
     const Panel panel{left + static_cast<double>(i % columns) * (panel_width + gap_x),

@@ -44,12 +44,10 @@ Vec inner_point(const oracle::Solid& solid, Random& random) {
 Vec side_normal(const Solid& solid, Random& random) {
   const Point any = random.direction();
   switch (solid.kind) {
-    case Kind::box:
-      return along_an_axis(random.below(3), random);
+    case Kind::box: return along_an_axis(random.below(3), random);
     case Kind::cylinder:
       return random.below(2) == 0 ? along_an_axis(2, random) : oracle::unit({quad(any[0]), quad(any[1]), 0});
-    case Kind::capsule:
-      return oracle::unit({quad(any[0]), quad(any[1]), 0});
+    case Kind::capsule: return oracle::unit({quad(any[0]), quad(any[1]), 0});
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull: {
@@ -61,8 +59,7 @@ Vec side_normal(const Solid& solid, Random& random) {
     case Kind::cone:
     case Kind::ellipsoid:
     case Kind::plane:
-    case Kind::triangle:
-      return oracle::unit(vec_of(any));
+    case Kind::triangle: return oracle::unit(vec_of(any));
   }
   return {};
 }
@@ -72,7 +69,8 @@ Quaternion turn_from(const Vec& u, const Vec& v) {
   const double w = 1 + static_cast<double>(oracle::dot(u, v));
   if (w < 1e-6) {
     const Vec across = oracle::perpendicular(u);
-    const Quaternion half_turn{0, static_cast<double>(across.x), static_cast<double>(across.y), static_cast<double>(across.z)};
+    const Quaternion half_turn{0, static_cast<double>(across.x), static_cast<double>(across.y),
+                               static_cast<double>(across.z)};
     return unit(product(turn_from(-u, v), half_turn));
   }
   return unit({w, static_cast<double>(axis.x), static_cast<double>(axis.y), static_cast<double>(axis.z)});

@@ -22,8 +22,7 @@ double bound_of(const AbutQuery& asked, const JudgedCell& cell) {
   if (asked.error_bound > 0) {
     return asked.error_bound;
   }
-  const bool is_curved =
-      cell.solids_a.front().kind == Kind::cylinder || cell.solids_b.front().kind == Kind::cylinder;
+  const bool is_curved = cell.solids_a.front().kind == Kind::cylinder || cell.solids_b.front().kind == Kind::cylinder;
   return is_curved ? usual_bound_of_curves : usual_bound;
 }
 

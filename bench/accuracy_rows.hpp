@@ -42,8 +42,8 @@ struct Row {
 };
 
 // One row for each entrant that has the query. Their repetitions are interleaved.
-[[nodiscard]] std::vector<Row> measured(Query query, Condition condition, const std::string& pair, const JudgedCell& cell,
-                                        std::size_t repetitions);
+[[nodiscard]] std::vector<Row> measured(Query query, Condition condition, const std::string& pair,
+                                        const JudgedCell& cell, std::size_t repetitions);
 
 // The rows of all pairs as one: the median of their times, and all errors together. They are of one question, one
 // condition and one entrant.

@@ -47,9 +47,7 @@ bool makes_sense(Condition condition, Kind a, Kind b) {
 // Thin along two axes or along one; a sphere stays as it is, and a capsule can only be a needle.
 Solid made_thin(Solid solid, bool is_needle) {
   switch (solid.kind) {
-    case Kind::capsule:
-      solid.sizes[0] = solid.sizes[1] / aspect;
-      return solid;
+    case Kind::capsule: solid.sizes[0] = solid.sizes[1] / aspect; return solid;
     case Kind::cylinder:
       (is_needle ? solid.sizes[0] : solid.sizes[1]) = solid.sizes[is_needle ? 1 : 0] / aspect;
       return solid;
@@ -61,8 +59,7 @@ Solid made_thin(Solid solid, bool is_needle) {
     case Kind::cone:
     case Kind::ellipsoid:
     case Kind::hull:
-    case Kind::triangle:
-      break;
+    case Kind::triangle: break;
   }
   const auto flatten = [is_needle](Point& p) {
     p[2] /= is_needle ? 1 : aspect;
@@ -98,18 +95,12 @@ class Draws {
   // A case that need not lie on the side that is asked for.
   Case next() {
     switch (condition_) {
-      case Condition::ordinary:
-        return random_case(a_.solids, b_.solids, random_);
-      case Condition::thin:
-        return thin();
-      case Condition::size_ratio:
-        return size_ratio();
-      case Condition::far:
-        return far();
-      case Condition::parallel:
-        return parallel();
-      case Condition::touching:
-        return touching();
+      case Condition::ordinary: return random_case(a_.solids, b_.solids, random_);
+      case Condition::thin: return thin();
+      case Condition::size_ratio: return size_ratio();
+      case Condition::far: return far();
+      case Condition::parallel: return parallel();
+      case Condition::touching: return touching();
     }
     return {};
   }
@@ -151,7 +142,8 @@ class Draws {
     }
     Case one = any_two();
     if (query_ == Query::depth && random_.below(2) == 0) {
-      one.pose_b = meeting(a_.judges[one.a].solid(), one.pose_a, b_.judges[one.b].solid(), random_.orientation(), random_);
+      one.pose_b =
+          meeting(a_.judges[one.a].solid(), one.pose_a, b_.judges[one.b].solid(), random_.orientation(), random_);
     } else {
       const double gap = query_ == Query::distance ? power_of_ten(-5, -1, random_) : 0.1 / aspect;
       face(one, random_.orientation(), side_or_any(one), outward(gap * reach(one)), 1e-12);
@@ -210,7 +202,8 @@ void add(JudgedCell& cell, const Case& one, Quad truth) {
   cell.cases.push_back(one);
   cell.truths.push_back(truth);
   cell.sizes.push_back(size);
-  cell.roundings.push_back(64 * std::numeric_limits<double>::epsilon() * (size / 2 + apart));  // as in the property tests
+  cell.roundings.push_back(64 * std::numeric_limits<double>::epsilon() *
+                           (size / 2 + apart));  // as in the property tests
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array questions{Query::distance, Query::depth};
 
-std::string count_text(const std::optional<Broken>& broken, std::size_t Broken::*which) {
+std::string count_text(const std::optional<Broken>& broken, std::size_t Broken::* which) {
   return broken ? std::to_string((*broken).*which) : "-";
 }
 
@@ -56,8 +56,8 @@ void print_table(std::span<const Row> rows, Query query, Condition condition) {
     }
     if (!has_head) {
       std::printf("\n%s, %s\n%-16s %6s %6s %10s %9s %9s %9s %7s %8s %7s %6s\n", std::string(query_name(query)).c_str(),
-                  std::string(condition_title(condition)).c_str(), "", "pairs", "cases", "ns", "median", "99 %", "worst",
-                  "failed", "outside", "beyond", "wide");
+                  std::string(condition_title(condition)).c_str(), "", "pairs", "cases", "ns", "median", "99 %",
+                  "worst", "failed", "outside", "beyond", "wide");
       has_head = true;
     }
     print_row(together(of_pairs));
@@ -106,14 +106,15 @@ void print_prices(std::span<const Row> rows) {
 
 void write_rows(const std::filesystem::path& path, std::span<const Row> rows) {
   std::ofstream file(path);
-  file << "question,condition,pair,contender,nanoseconds,median_error,error_of_99_percent,worst_error,cases,failed,outside,"
+  file << "question,condition,pair,contender,nanoseconds,median_error,error_of_99_percent,worst_error,cases,failed,"
+          "outside,"
           "beyond,wide\n";
   const auto or_nothing = [](const std::string& text) { return text == "-" ? std::string() : text; };
   for (const Row& row : rows) {
     const Errors errors = errors_of(row);
     file << query_name(row.query) << ',' << condition_name(row.condition) << ',' << row.pair << ','
-         << entrants()[row.entrant].name << ',' << number("%.1f", row.nanoseconds) << ',' << or_nothing(errors.median) << ','
-         << or_nothing(errors.tail) << ',' << or_nothing(errors.worst) << ',' << row.cases << ',' << row.failed;
+         << entrants()[row.entrant].name << ',' << number("%.1f", row.nanoseconds) << ',' << or_nothing(errors.median)
+         << ',' << or_nothing(errors.tail) << ',' << or_nothing(errors.worst) << ',' << row.cases << ',' << row.failed;
     for (const auto which : {&Broken::outside, &Broken::beyond, &Broken::wide}) {
       file << ',' << or_nothing(count_text(row.broken, which));
     }

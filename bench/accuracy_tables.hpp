@@ -16,6 +16,7 @@ void print_prices(std::span<const Row> rows);
 void write_rows(const std::filesystem::path& path, std::span<const Row> rows);
 
 // The rows of one question, condition and entrant.
-[[nodiscard]] std::vector<Row> selected(std::span<const Row> rows, Query query, Condition condition, std::size_t entrant);
+[[nodiscard]] std::vector<Row> selected(std::span<const Row> rows, Query query, Condition condition,
+                                        std::size_t entrant);
 
 }  // namespace bench

@@ -17,8 +17,8 @@ namespace bench {
 class Agreements {
  public:
   // Differences are measured by the size of the solids. Returns the part of the asked answers that is far off.
-  double compare(Query query, std::string_view library, const std::string& cell, double size, std::span<const Answer> expected,
-               std::span<const Answer> answers);
+  double compare(Query query, std::string_view library, const std::string& cell, double size,
+                 std::span<const Answer> expected, std::span<const Answer> answers);
   void print() const;
 
  private:

@@ -29,13 +29,15 @@ namespace {
 constexpr std::uint64_t seed = 1;
 // Before pairs are compared or steps are timed.
 constexpr std::size_t steps_at_start = 25;
-// Boxes that were put in together leave their larger boxes together for a while, so that one step takes ten times as long as
-// another: many boxes are timed for several such waves, however long that takes. Few are timed for hundreds of steps anyway.
+// Boxes that were put in together leave their larger boxes together for a while, so that one step takes ten times as
+// long as another: many boxes are timed for several such waves, however long that takes. Few are timed for hundreds of
+// steps anyway.
 constexpr std::size_t many = 100'000, steps_of_many = 75;
 
 class AbutPairs final : public BoxPairs {
  public:
-  AbutPairs(const Boxes& boxes, abut::BroadphaseKind kind, std::uint32_t threads) : workers_(threads), boxes_(boxes.all.size()) {
+  AbutPairs(const Boxes& boxes, abut::BroadphaseKind kind, std::uint32_t threads)
+      : workers_(threads), boxes_(boxes.all.size()) {
     if (kind == abut::BroadphaseKind::automatic) {
       kind = abut::choose_broadphase({boxes.all.size(), boxes.moving}, kind).kind;
     }

@@ -43,7 +43,8 @@ class BoxPairs {
 }
 
 enum class BulletBroadphase : std::uint8_t { dbvt, axis_sweep };
-[[gnu::visibility("default")]] std::unique_ptr<BoxPairs> make_bullet_broadphase(const Boxes& boxes, BulletBroadphase kind, float extent);
+[[gnu::visibility("default")]] std::unique_ptr<BoxPairs> make_bullet_broadphase(const Boxes& boxes,
+                                                                                BulletBroadphase kind, float extent);
 [[gnu::visibility("default")]] std::unique_ptr<BoxPairs> make_fcl_broadphase(const Boxes& boxes);
 
 }  // namespace bench

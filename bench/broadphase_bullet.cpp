@@ -18,15 +18,17 @@ btVector3 vector_of(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; 
 
 class BulletPairs final : public BoxPairs {
  public:
-  BulletPairs(const Boxes& boxes, std::unique_ptr<btBroadphaseInterface> broadphase) : broadphase_(std::move(broadphase)) {
+  BulletPairs(const Boxes& boxes, std::unique_ptr<btBroadphaseInterface> broadphase)
+      : broadphase_(std::move(broadphase)) {
     numbers_.resize(boxes.all.size());
     for (std::size_t i = 0; i < boxes.all.size(); ++i) {
       numbers_[i] = i;
       const bool moves = i < boxes.moving;
       const int group = moves ? btBroadphaseProxy::DefaultFilter : btBroadphaseProxy::StaticFilter;
-      const int mask = moves ? btBroadphaseProxy::AllFilter : btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter;
-      proxies_.push_back(broadphase_->createProxy(vector_of(boxes.all[i].low), vector_of(boxes.all[i].high), 0, &numbers_[i],
-                                                  group, mask, nullptr));
+      const int mask =
+          moves ? btBroadphaseProxy::AllFilter : btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter;
+      proxies_.push_back(broadphase_->createProxy(vector_of(boxes.all[i].low), vector_of(boxes.all[i].high), 0,
+                                                  &numbers_[i], group, mask, nullptr));
     }
   }
   ~BulletPairs() override {
@@ -48,7 +50,9 @@ class BulletPairs final : public BoxPairs {
     const btBroadphasePairArray& found = broadphase_->getOverlappingPairCache()->getOverlappingPairArray();
     std::size_t count = 0;
     for (int i = 0; i < found.size(); ++i) {
-      const auto number = [](const btBroadphaseProxy* proxy) { return *static_cast<const std::size_t*>(proxy->m_clientObject); };
+      const auto number = [](const btBroadphaseProxy* proxy) {
+        return *static_cast<const std::size_t*>(proxy->m_clientObject);
+      };
       count += overlap(all[number(found[i].m_pProxy0)], all[number(found[i].m_pProxy1)]) ? 1 : 0;
     }
     return count;
@@ -68,8 +72,9 @@ std::unique_ptr<BoxPairs> make_bullet_broadphase(const Boxes& boxes, BulletBroad
   }
   // Without the tree for rays that it keeps beside the axes.
   return std::make_unique<BulletPairs>(
-      boxes, std::make_unique<bt32BitAxisSweep3>(btVector3(-extent, -extent, -extent), btVector3(extent, extent, extent),
-                                                 static_cast<unsigned>(boxes.all.size() + 1), nullptr, true));
+      boxes,
+      std::make_unique<bt32BitAxisSweep3>(btVector3(-extent, -extent, -extent), btVector3(extent, extent, extent),
+                                          static_cast<unsigned>(boxes.all.size() + 1), nullptr, true));
 }
 
 }  // namespace bench

@@ -71,7 +71,9 @@ class FclPairs final : public BoxPairs {
 
  private:
   using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
-  [[nodiscard]] static std::size_t number(const Object& object) { return *static_cast<const std::size_t*>(object.getUserData()); }
+  [[nodiscard]] static std::size_t number(const Object& object) {
+    return *static_cast<const std::size_t*>(object.getUserData());
+  }
 
   std::vector<std::size_t> numbers_;
   std::vector<std::unique_ptr<BoxObject>> objects_;

@@ -19,13 +19,15 @@ class Wandering {
   Wandering(std::size_t count, double moving_share, std::uint64_t seed) : random_(seed) {
     // Two boxes with mean side 1 overlap when their centres are within 1 of each other along each axis.
     constexpr double overlaps_of_each = 4, volume_of_overlap = 8;
-    half_extent_ = static_cast<float>(0.5 * std::cbrt(static_cast<double>(count) * volume_of_overlap / overlaps_of_each));
+    half_extent_ =
+        static_cast<float>(0.5 * std::cbrt(static_cast<double>(count) * volume_of_overlap / overlaps_of_each));
     boxes_.moving = static_cast<std::size_t>(std::lround(moving_share * static_cast<double>(count)));
     for (std::size_t i = 0; i < count; ++i) {
       Box box;
       Way way{random_.direction(), 0};
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double side = random_.uniform(0.5, 1.5), centre = static_cast<double>(half_extent_) * random_.uniform(-1, 1);
+        const double side = random_.uniform(0.5, 1.5),
+                     centre = static_cast<double>(half_extent_) * random_.uniform(-1, 1);
         way.step += 0.02 * side / 3;
         box.low[axis] = static_cast<float>(centre - side / 2);
         box.high[axis] = static_cast<float>(centre + side / 2);

@@ -9,12 +9,8 @@
 
 namespace bench {
 
-[[nodiscard]] inline btScalar to_bullet(double value) {
-  return static_cast<btScalar>(value);
-}
-[[nodiscard]] inline btVector3 to_bullet(const Point& p) {
-  return {to_bullet(p[0]), to_bullet(p[1]), to_bullet(p[2])};
-}
+[[nodiscard]] inline btScalar to_bullet(double value) { return static_cast<btScalar>(value); }
+[[nodiscard]] inline btVector3 to_bullet(const Point& p) { return {to_bullet(p[0]), to_bullet(p[1]), to_bullet(p[2])}; }
 
 [[nodiscard]] inline btTransform bullet_transform(const Placement& placement) {
   const auto& q = placement.orientation;
@@ -31,10 +27,8 @@ namespace bench {
     return shape;
   };
   switch (solid.kind) {
-    case Kind::sphere:
-      return std::make_unique<btSphereShape>(to_bullet(solid.sizes[0]));
-    case Kind::box:
-      return with_margin(std::make_unique<btBoxShape>(to_bullet(solid.sizes)));
+    case Kind::sphere: return std::make_unique<btSphereShape>(to_bullet(solid.sizes[0]));
+    case Kind::box: return with_margin(std::make_unique<btBoxShape>(to_bullet(solid.sizes)));
     case Kind::capsule:
       return std::make_unique<btCapsuleShapeZ>(to_bullet(solid.sizes[0]), to_bullet(2 * solid.sizes[1]));
     case Kind::cylinder: {
@@ -43,13 +37,11 @@ namespace bench {
     }
     case Kind::cone:
       return with_margin(std::make_unique<btConeShapeZ>(to_bullet(solid.sizes[0]), to_bullet(2 * solid.sizes[1])));
-    case Kind::ellipsoid:
-      return nullptr;
+    case Kind::ellipsoid: return nullptr;
     case Kind::triangle:
       return with_margin(std::make_unique<btTriangleShape>(to_bullet(solid.points[0]), to_bullet(solid.points[1]),
                                                            to_bullet(solid.points[2])));
-    case Kind::plane:
-      return with_margin(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), to_bullet(0)));
+    case Kind::plane: return with_margin(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), to_bullet(0)));
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull: {

@@ -23,20 +23,13 @@ using FclGeometry = fcl::CollisionGeometry<double>;
 [[nodiscard]] inline std::unique_ptr<FclGeometry> fcl_geometry(const Solid& solid) {
   const Point& s = solid.sizes;
   switch (solid.kind) {
-    case Kind::sphere:
-      return std::make_unique<fcl::Sphere<double>>(s[0]);
-    case Kind::box:
-      return std::make_unique<fcl::Box<double>>(2 * s[0], 2 * s[1], 2 * s[2]);
-    case Kind::capsule:
-      return std::make_unique<fcl::Capsule<double>>(s[0], 2 * s[1]);
-    case Kind::cylinder:
-      return std::make_unique<fcl::Cylinder<double>>(s[0], 2 * s[1]);
-    case Kind::cone:
-      return std::make_unique<fcl::Cone<double>>(s[0], 2 * s[1]);
-    case Kind::ellipsoid:
-      return std::make_unique<fcl::Ellipsoid<double>>(s[0], s[1], s[2]);
-    case Kind::plane:
-      return std::make_unique<fcl::Halfspace<double>>(0, 0, 1, 0);
+    case Kind::sphere: return std::make_unique<fcl::Sphere<double>>(s[0]);
+    case Kind::box: return std::make_unique<fcl::Box<double>>(2 * s[0], 2 * s[1], 2 * s[2]);
+    case Kind::capsule: return std::make_unique<fcl::Capsule<double>>(s[0], 2 * s[1]);
+    case Kind::cylinder: return std::make_unique<fcl::Cylinder<double>>(s[0], 2 * s[1]);
+    case Kind::cone: return std::make_unique<fcl::Cone<double>>(s[0], 2 * s[1]);
+    case Kind::ellipsoid: return std::make_unique<fcl::Ellipsoid<double>>(s[0], s[1], s[2]);
+    case Kind::plane: return std::make_unique<fcl::Halfspace<double>>(0, 0, 1, 0);
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:

@@ -84,7 +84,8 @@ std::vector<KnownCase> read_known_cases(const std::string& path) {
     }
     std::optional<Solid> a = solid_of(json.at("a")), b = solid_of(json.at("b"));
     if (a && b) {
-      const Case placed{0, 0, placement_of(json.at("pose_a"), json.at("a")), placement_of(json.at("pose_b"), json.at("b"))};
+      const Case placed{0, 0, placement_of(json.at("pose_a"), json.at("a")),
+                        placement_of(json.at("pose_b"), json.at("b"))};
       cases.push_back({json.at("id"), std::move(*a), std::move(*b), placed, reference.at("signed_distance")});
     }
   }

@@ -67,14 +67,10 @@ struct OdeConvex {
 [[nodiscard]] inline dGeomID unplaced_ode_geom(const Solid& solid, const OdeConvex& convex) {
   const Point& s = solid.sizes;
   switch (solid.kind) {
-    case Kind::sphere:
-      return dCreateSphere(nullptr, s[0]);
-    case Kind::box:
-      return dCreateBox(nullptr, 2 * s[0], 2 * s[1], 2 * s[2]);
-    case Kind::capsule:
-      return dCreateCapsule(nullptr, s[0], 2 * s[1]);
-    case Kind::cylinder:
-      return dCreateCylinder(nullptr, s[0], 2 * s[1]);
+    case Kind::sphere: return dCreateSphere(nullptr, s[0]);
+    case Kind::box: return dCreateBox(nullptr, 2 * s[0], 2 * s[1], 2 * s[2]);
+    case Kind::capsule: return dCreateCapsule(nullptr, s[0], 2 * s[1]);
+    case Kind::cylinder: return dCreateCylinder(nullptr, s[0], 2 * s[1]);
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:
@@ -84,8 +80,7 @@ struct OdeConvex {
     case Kind::plane:
     case Kind::cone:
     case Kind::ellipsoid:
-    case Kind::triangle:
-      return nullptr;
+    case Kind::triangle: return nullptr;
   }
   return nullptr;
 }

@@ -59,15 +59,17 @@ struct Scene {
   }
 };
 
-std::string scene_name(Kind a, Kind b) {
-  return std::string(kind_name(a)) + "-" + std::string(kind_name(b));
-}
+std::string scene_name(Kind a, Kind b) { return std::string(kind_name(a)) + "-" + std::string(kind_name(b)); }
 
 Scene make_scene(Kind kind_a, Kind kind_b) {
   // A seed of its own for each pair, so that a scene does not depend on which others are made.
   Random random(1 + 16 * static_cast<std::uint64_t>(kind_a) + static_cast<std::uint64_t>(kind_b));
-  Scene scene{scene_name(kind_a, kind_b), random_solids(kind_a, solid_count, random),
-              random_solids(kind_b, solid_count, random), {}, {}, {}};
+  Scene scene{scene_name(kind_a, kind_b),
+              random_solids(kind_a, solid_count, random),
+              random_solids(kind_b, solid_count, random),
+              {},
+              {},
+              {}};
   while (std::min(scene.separated.size(), scene.overlapping.size()) < case_count) {
     std::vector<Case> tried;
     while (tried.size() < case_count) {

@@ -52,8 +52,8 @@ class AbutC final : public Contender {
     std::array<abut_contact, 4> out;
     std::size_t count = 0;
     Answer found;
-    if (abut_pair_contacts(a_[job.a].get(), &job.pose_a, b_[job.b].get(), &job.pose_b, nullptr, out.data(),
-                           out.size(), &count) == ABUT_OK) {
+    if (abut_pair_contacts(a_[job.a].get(), &job.pose_a, b_[job.b].get(), &job.pose_b, nullptr, out.data(), out.size(),
+                           &count) == ABUT_OK) {
       for (const abut_contact& contact : std::span(out).first(std::min(count, out.size()))) {
         found.distance = std::min(found.distance, contact.distance);
         found.points += contact.distance < 0 ? 1 : 0;
@@ -69,8 +69,6 @@ class AbutC final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_abut_c(Query query, const Cell& cell) {
-  return std::make_unique<AbutC>(query, cell);
-}
+std::unique_ptr<Contender> make_abut_c(Query query, const Cell& cell) { return std::make_unique<AbutC>(query, cell); }
 
 }  // namespace bench

@@ -121,7 +121,9 @@ class Contacts final : public Contender {
 }  // namespace
 
 std::unique_ptr<Contender> make_bullet(Query query, const Cell& cell) {
-  const auto has = [&cell](Kind kind) { return cell.solids_a.front().kind == kind || cell.solids_b.front().kind == kind; };
+  const auto has = [&cell](Kind kind) {
+    return cell.solids_a.front().kind == kind || cell.solids_b.front().kind == kind;
+  };
   if (has(Kind::ellipsoid)) {
     return nullptr;
   }

@@ -70,8 +70,6 @@ class Fcl final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_fcl(Query query, const Cell& cell) {
-  return std::make_unique<Fcl>(query, cell);
-}
+std::unique_ptr<Contender> make_fcl(Query query, const Cell& cell) { return std::make_unique<Fcl>(query, cell); }
 
 }  // namespace bench

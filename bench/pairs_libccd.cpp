@@ -31,9 +31,7 @@ Rotation rotation_of(const std::array<double, 4>& q) {
           {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
 }
 
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Point local_support(const Solid& solid, const Point& d) {
   switch (solid.kind) {
@@ -62,8 +60,7 @@ Point local_support(const Solid& solid, const Point& d) {
       return {scale * solid.sizes[0] * stretched[0], scale * solid.sizes[1] * stretched[1],
               scale * solid.sizes[2] * stretched[2]};
     }
-    case Kind::plane:
-      return {};
+    case Kind::plane: return {};
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:

@@ -27,8 +27,8 @@ class Ode final : public Contender {
     constexpr int most_contacts = 4;
     std::array<dContactGeom, most_contacts> contacts;
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
-      const int count = dCollide(jobs_[i].a.get(), jobs_[i].b.get(), most_contacts, contacts.data(),
-                                 sizeof(dContactGeom));
+      const int count =
+          dCollide(jobs_[i].a.get(), jobs_[i].b.get(), most_contacts, contacts.data(), sizeof(dContactGeom));
       Answer found;
       for (const dContactGeom& contact : std::span(contacts).first(static_cast<std::size_t>(count))) {
         found.distance = std::min(found.distance, -contact.depth);
@@ -47,9 +47,7 @@ class Ode final : public Contender {
   std::vector<Job> jobs_;
 };
 
-bool is_known(Kind kind) {
-  return kind != Kind::cone && kind != Kind::ellipsoid && kind != Kind::triangle;
-}
+bool is_known(Kind kind) { return kind != Kind::cone && kind != Kind::ellipsoid && kind != Kind::triangle; }
 
 }  // namespace
 

@@ -5,8 +5,6 @@
 
 namespace bench {
 
-std::unique_ptr<Contender> make_ode(Query, const Cell&) {
-  return nullptr;
-}
+std::unique_ptr<Contender> make_ode(Query, const Cell&) { return nullptr; }
 
 }  // namespace bench

@@ -82,7 +82,8 @@ void add(const std::string& name, Step&& step) {
 }
 
 int run() {
-  Pool alone(0, ABUT_PARKING_NONE), beside_long(pool_count, ABUT_PARKING_LONG_TERM), beside_short(pool_count, ABUT_PARKING_SHORT_TERM);
+  Pool alone(0, ABUT_PARKING_NONE), beside_long(pool_count, ABUT_PARKING_LONG_TERM),
+      beside_short(pool_count, ABUT_PARKING_SHORT_TERM);
   Pool long_pool(pool_count, ABUT_PARKING_LONG_TERM), short_pool(pool_count, ABUT_PARKING_SHORT_TERM);
   add("step/alone", [&] { alone.step(); });
   add("step/long-term", [&] { beside_long.step(); });

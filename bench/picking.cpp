@@ -234,8 +234,8 @@ struct Subject {
   std::map<std::string, Rays> rays;
 };
 
-// One by one against rtcIntersect1; batches and pictures against the best of Embree's packets. The robust mode gives the
-// same guarantee, no cracks between triangles, and is what the ratio is about; the raw rows are its plain mode.
+// One by one against rtcIntersect1; batches and pictures against the best of Embree's packets. The robust mode gives
+// the same guarantee, no cracks between triangles, and is what the ratio is about; the raw rows are its plain mode.
 void register_rows(Subject& subject) {
   for (auto& [kind, rays] : subject.rays) {
     const auto add = [&](const std::string& cell, const std::string& contender, auto function) {

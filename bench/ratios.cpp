@@ -45,9 +45,10 @@ class Collector final : public benchmark::BenchmarkReporter {
     std::vector<std::string> columns{comparison.ours};
     columns.insert(columns.end(), comparison.judged.begin(), comparison.judged.end());
     columns.insert(columns.end(), comparison.others.begin(), comparison.others.end());
-    std::printf("\n%s per item, median of the repetitions (spread: of ours, largest over smallest repetition;"
-                " *: other answers)\n%-40s",
-                comparison.unit.c_str(), "");
+    std::printf(
+        "\n%s per item, median of the repetitions (spread: of ours, largest over smallest repetition;"
+        " *: other answers)\n%-40s",
+        comparison.unit.c_str(), "");
     for (const std::string& column : columns) {
       std::printf(" %12s ", column.c_str());
     }

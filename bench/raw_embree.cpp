@@ -22,7 +22,8 @@ namespace {
 
 constexpr float endless = std::numeric_limits<float>::infinity();
 
-template <class Native, std::size_t Width> std::vector<Native> packed(std::span<const abut_ray> rays) {
+template <class Native, std::size_t Width>
+std::vector<Native> packed(std::span<const abut_ray> rays) {
   std::vector<Native> out(rays.size() / Width);
   for (std::size_t i = 0; i < out.size() * Width; ++i) {
     auto& ray = out[i / Width].ray;

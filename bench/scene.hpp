@@ -20,7 +20,19 @@ using Quaternion = std::array<double, 4>;  // scalar first
           p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1], p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
 }
 
-enum class Kind : std::uint8_t { sphere, box, capsule, plane, hull32, hull200, cylinder, cone, ellipsoid, hull, triangle };
+enum class Kind : std::uint8_t {
+  sphere,
+  box,
+  capsule,
+  plane,
+  hull32,
+  hull200,
+  cylinder,
+  cone,
+  ellipsoid,
+  hull,
+  triangle
+};
 
 [[nodiscard]] constexpr std::string_view kind_name(Kind kind) {
   constexpr std::array<std::string_view, 11> names{"sphere",   "box",  "capsule",   "plane", "hull32",  "hull200",
@@ -94,19 +106,13 @@ class Random {
 [[nodiscard]] inline double bounding_radius(const Solid& solid) {
   double square = 0;
   switch (solid.kind) {
-    case Kind::sphere:
-      return solid.sizes[0];
-    case Kind::box:
-      return std::hypot(solid.sizes[0], solid.sizes[1], solid.sizes[2]);
-    case Kind::capsule:
-      return solid.sizes[0] + solid.sizes[1];
+    case Kind::sphere: return solid.sizes[0];
+    case Kind::box: return std::hypot(solid.sizes[0], solid.sizes[1], solid.sizes[2]);
+    case Kind::capsule: return solid.sizes[0] + solid.sizes[1];
     case Kind::cylinder:
-    case Kind::cone:
-      return std::hypot(solid.sizes[0], solid.sizes[1]);
-    case Kind::ellipsoid:
-      return std::fmax(solid.sizes[0], std::fmax(solid.sizes[1], solid.sizes[2]));
-    case Kind::plane:
-      return 0;
+    case Kind::cone: return std::hypot(solid.sizes[0], solid.sizes[1]);
+    case Kind::ellipsoid: return std::fmax(solid.sizes[0], std::fmax(solid.sizes[1], solid.sizes[2]));
+    case Kind::plane: return 0;
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:

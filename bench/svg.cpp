@@ -22,7 +22,8 @@ std::string attribute(std::string_view name, std::string_view value) {
 std::string attribute(std::string_view name, double value) { return attribute(name, number(value)); }
 
 std::string painted(std::string_view fill, const Stroke& stroke) {
-  return attribute("fill", fill) + attribute("stroke", stroke.colour) + attribute("stroke-width", stroke.width) + "/>\n";
+  return attribute("fill", fill) + attribute("stroke", stroke.colour) + attribute("stroke-width", stroke.width) +
+         "/>\n";
 }
 
 std::string escaped(std::string_view words) {

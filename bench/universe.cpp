@@ -1,5 +1,5 @@
-// A step of a universe with 5,000 moving bodies: abut on one thread and on two, beside Bullet, FCL and ODE on one; and one
-// of 100,000 bodies, for the two threads.
+// A step of a universe with 5,000 moving bodies: abut on one thread and on two, beside Bullet, FCL and ODE on one; and
+// one of 100,000 bodies, for the two threads.
 #include "universe.hpp"
 
 #include <benchmark/benchmark.h>

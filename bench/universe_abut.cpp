@@ -32,7 +32,8 @@ class AbutWorld final : public Detector {
     }
     shapes_.push_back(abut_c_shape(world.ground));
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-      parts_.push_back(add_abut_c_body(universe_, shapes_[world.bodies[i]], frames_.front()[i], ABUT_MOTION_DYNAMIC).part);
+      parts_.push_back(
+          add_abut_c_body(universe_, shapes_[world.bodies[i]], frames_.front()[i], ABUT_MOTION_DYNAMIC).part);
     }
     add_abut_c_body(universe_, shapes_.back(), abut_c_pose(world.ground_at), ABUT_MOTION_STATIC);
   }
@@ -89,14 +90,16 @@ void give_surface(Solid& solid) {
   expect_ok(abut_shape_triangles(shape.get(), nullptr, 0, &vertex_count, nullptr, 0, &triangle_count));
   std::vector<double> xyz(3 * vertex_count);
   std::vector<std::uint32_t> corners(3 * triangle_count);
-  expect_ok(abut_shape_triangles(shape.get(), xyz.data(), vertex_count, &vertex_count, corners.data(), triangle_count, &triangle_count));
+  expect_ok(abut_shape_triangles(shape.get(), xyz.data(), vertex_count, &vertex_count, corners.data(), triangle_count,
+                                 &triangle_count));
   solid.points.clear();
   for (std::size_t i = 0; i < xyz.size(); i += 3) {
     solid.points.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
   }
   solid.triangles.clear();
   for (std::size_t i = 0; i < corners.size(); i += 3) {
-    solid.triangles.push_back({static_cast<int>(corners[i]), static_cast<int>(corners[i + 1]), static_cast<int>(corners[i + 2])});
+    solid.triangles.push_back(
+        {static_cast<int>(corners[i]), static_cast<int>(corners[i + 1]), static_cast<int>(corners[i + 2])});
   }
 }
 

@@ -53,7 +53,8 @@ class FclWorld final : public Detector {
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
       objects_.push_back(std::make_unique<Object>(shapes[world.bodies[i]], frames_.front()[i]));
     }
-    ground_ = std::make_unique<Object>(std::shared_ptr<FclGeometry>(fcl_geometry(world.ground)), fcl_transform(world.ground_at));
+    ground_ = std::make_unique<Object>(std::shared_ptr<FclGeometry>(fcl_geometry(world.ground)),
+                                       fcl_transform(world.ground_at));
     for (const auto& object : objects_) {
       manager_.registerObject(object.get());
     }

@@ -47,7 +47,8 @@ struct Where {
 
 // The first of several pointers that is null.
 template <std::size_t Count>
-[[nodiscard]] inline abut_status check_none_null(const std::array<std::pair<std::string_view, const void*>, Count>& pointers) {
+[[nodiscard]] inline abut_status check_none_null(
+    const std::array<std::pair<std::string_view, const void*>, Count>& pointers) {
   for (const auto& [name, pointer] : pointers) {
     if (pointer == nullptr) [[unlikely]] {
       return check_not_null(name, pointer);
@@ -59,8 +60,9 @@ template <std::size_t Count>
 [[nodiscard]] inline abut_status check_size(std::string_view name, std::string_view count_name, std::uint64_t count,
                                             std::size_t stride) {
   if (count > static_cast<std::uint64_t>(std::numeric_limits<std::ptrdiff_t>::max()) / stride) [[unlikely]] {
-    return refuse(ABUT_SIZE_OVERFLOW, std::string(count_name) + " is " + std::to_string(count) + "; that many elements of " +
-                                          std::string(name) + ", " + std::to_string(stride) + " bytes each, do not fit into memory");
+    return refuse(ABUT_SIZE_OVERFLOW, std::string(count_name) + " is " + std::to_string(count) +
+                                          "; that many elements of " + std::string(name) + ", " +
+                                          std::to_string(stride) + " bytes each, do not fit into memory");
   }
   return ABUT_OK;
 }

@@ -66,7 +66,8 @@ abut_status abut_universe_local_points(const abut_universe* universe, const abut
   return guard(universe, [&](const abut_universe& its) {
     abut_status status = check_none_null<2>({{{"points", points}, {"count", count}}});
     if (status == ABUT_OK && !its.universe.keeps_local_points()) {
-      status = refuse(ABUT_UNSUPPORTED, "universe keeps no local points; ABUT_UNIVERSE_LOCAL_POINTS in its options.flags is not set");
+      status = refuse(ABUT_UNSUPPORTED,
+                      "universe keeps no local points; ABUT_UNIVERSE_LOCAL_POINTS in its options.flags is not set");
     }
     if (status == ABUT_OK) {
       const std::span<const abut_local_points> lent = its.local_points.get(its.universe.local_points(), from_local);

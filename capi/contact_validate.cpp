@@ -38,7 +38,8 @@ abut_status check_vectors(const abut_contact& contact) {
   status = status != ABUT_OK ? status : check_unit(".tangent", contact.tangent);
   const double cosine = abut::dot(to_vec3(contact.normal), to_vec3(contact.tangent));
   if (status == ABUT_OK && std::fabs(cosine) > slack) {
-    status = refuse(ABUT_INVALID_ARGUMENT, "dot(contact.tangent, contact.normal) is " + abut::to_text(cosine) + "; it must be 0 within 1e-9");
+    status = refuse(ABUT_INVALID_ARGUMENT,
+                    "dot(contact.tangent, contact.normal) is " + abut::to_text(cosine) + "; it must be 0 within 1e-9");
   }
   return status;
 }
@@ -67,10 +68,12 @@ abut_status check_toi(double toi) {
 abut_status check_words(const abut_contact& contact) {
   const Where where{"contact"};
   abut_status status = check_value(where, ".feature_a.kind", contact.feature_a.kind, ABUT_FEATURE_PARTICLE);
-  status = status != ABUT_OK ? status : check_value(where, ".feature_b.kind", contact.feature_b.kind, ABUT_FEATURE_PARTICLE);
+  status =
+      status != ABUT_OK ? status : check_value(where, ".feature_b.kind", contact.feature_b.kind, ABUT_FEATURE_PARTICLE);
   status = status != ABUT_OK ? status : check_bits(where, ".flags", contact.flags, known_flags);
   if (status == ABUT_OK && contact.reserved != 0) {
-    status = refuse(error_about(abut::Errc::invalid_argument, "contact.reserved", std::uint64_t{contact.reserved}, "zero"));
+    status =
+        refuse(error_about(abut::Errc::invalid_argument, "contact.reserved", std::uint64_t{contact.reserved}, "zero"));
   }
   return status;
 }

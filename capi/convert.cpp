@@ -31,8 +31,8 @@ abut_status refuse_pose(const Where& where, const abut_pose& pose) {
   const abut_quat& q = pose.orientation;
   for (const Component& component : std::array<Component, 4>{{{".w", q.w}, {".x", q.x}, {".y", q.y}, {".z", q.z}}}) {
     if (!std::isfinite(component.value)) {
-      return refuse(error_about(Errc::not_finite, where.with(".orientation" + std::string(component.name)), component.value,
-                                "finite"));
+      return refuse(error_about(Errc::not_finite, where.with(".orientation" + std::string(component.name)),
+                                component.value, "finite"));
     }
   }
   // hypot neither overflows nor underflows on the way.

@@ -23,7 +23,9 @@ namespace abut::capi {
 [[gnu::cold]] [[nodiscard]] abut_status refuse_pose(const Where& where, const abut_pose& pose);
 
 [[nodiscard]] inline bool is_coordinate(double value) { return std::fabs(value) <= largest_coordinate; }
-[[nodiscard]] inline bool is_position(const abut_vec3& v) { return is_coordinate(v.x) && is_coordinate(v.y) && is_coordinate(v.z); }
+[[nodiscard]] inline bool is_position(const abut_vec3& v) {
+  return is_coordinate(v.x) && is_coordinate(v.y) && is_coordinate(v.z);
+}
 
 // Lengths off 1 by at most 1e-3. False for NaN.
 [[nodiscard]] inline bool is_orientation(const abut_quat& q) {

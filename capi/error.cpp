@@ -6,11 +6,24 @@ namespace {
 // Without a constructor and a destructor, so that a host may unload the library while threads live.
 constinit thread_local std::array<char, 256> last_message{};
 
-constexpr std::array<const char*, 18> status_names{
-    "ABUT_OK",           "ABUT_INVALID_ARGUMENT",   "ABUT_NULL_ARGUMENT", "ABUT_NOT_FINITE",    "ABUT_OUT_OF_RANGE",
-    "ABUT_ZERO_VECTOR",  "ABUT_NOT_UNIT",           "ABUT_INDEX_OUT_OF_RANGE", "ABUT_SIZE_OVERFLOW", "ABUT_EMPTY",
-    "ABUT_STALE_ID",     "ABUT_WRONG_STRUCT_SIZE",  "ABUT_UNKNOWN_VALUE", "ABUT_UNSUPPORTED",   "ABUT_NOT_CONVERGED",
-    "ABUT_OUT_OF_MEMORY", "ABUT_INTERNAL",           "ABUT_BUSY"};
+constexpr std::array<const char*, 18> status_names{"ABUT_OK",
+                                                   "ABUT_INVALID_ARGUMENT",
+                                                   "ABUT_NULL_ARGUMENT",
+                                                   "ABUT_NOT_FINITE",
+                                                   "ABUT_OUT_OF_RANGE",
+                                                   "ABUT_ZERO_VECTOR",
+                                                   "ABUT_NOT_UNIT",
+                                                   "ABUT_INDEX_OUT_OF_RANGE",
+                                                   "ABUT_SIZE_OVERFLOW",
+                                                   "ABUT_EMPTY",
+                                                   "ABUT_STALE_ID",
+                                                   "ABUT_WRONG_STRUCT_SIZE",
+                                                   "ABUT_UNKNOWN_VALUE",
+                                                   "ABUT_UNSUPPORTED",
+                                                   "ABUT_NOT_CONVERGED",
+                                                   "ABUT_OUT_OF_MEMORY",
+                                                   "ABUT_INTERNAL",
+                                                   "ABUT_BUSY"};
 static_assert(ABUT_BUSY + 1 == status_names.size());
 
 static_assert(static_cast<abut_status>(Errc::invalid_argument) == ABUT_INVALID_ARGUMENT);

@@ -1,7 +1,6 @@
 // Extension libraries of a universe.
 #include "universe_handle.hpp"
 
-
 using namespace abut::capi;
 
 namespace {

@@ -19,7 +19,8 @@ namespace {
 
 abut_status check_zero(const Where& where, std::string_view field, std::uint32_t value) {
   if (value != 0) {
-    return refuse(error_about(abut::Errc::invalid_argument, where.with(field), std::uint64_t{value}, "zero for this kind"));
+    return refuse(
+        error_about(abut::Errc::invalid_argument, where.with(field), std::uint64_t{value}, "zero for this kind"));
   }
   return ABUT_OK;
 }
@@ -33,14 +34,12 @@ abut_status check_collidable(const Where& where, const abut::Universe& universe,
       return exists(universe, geometry) ? static_cast<abut_status>(ABUT_OK) : refuse_stale(where, geometry);
     case ABUT_COLLIDABLE_PART:
       return exists(universe, part) ? static_cast<abut_status>(ABUT_OK) : refuse_stale(where, part);
-    case ABUT_COLLIDABLE_LABEL:
-      return check_zero(where, ".generation", given.generation);
+    case ABUT_COLLIDABLE_LABEL: return check_zero(where, ".generation", given.generation);
     case ABUT_COLLIDABLE_ANY: {
       const abut_status status = check_zero(where, ".slot", given.slot);
       return status != ABUT_OK ? status : check_zero(where, ".generation", given.generation);
     }
-    default:
-      return check_value(where, ".kind", given.kind, ABUT_COLLIDABLE_ANY);
+    default: return check_value(where, ".kind", given.kind, ABUT_COLLIDABLE_ANY);
   }
 }
 

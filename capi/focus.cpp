@@ -37,12 +37,13 @@ abut_status set_none(abut_universe& its) {
 
 void abut_focus_init(abut_focus* focus, uint32_t struct_size) {
   constexpr abut::Focus standard;
-  constexpr abut_focus defaults{sizeof(abut_focus), standard.near_tag, standard.far_tag, 0, standard.near_distance,
-                                standard.far_distance};
+  constexpr abut_focus defaults{sizeof(abut_focus),     standard.near_tag,    standard.far_tag, 0,
+                                standard.near_distance, standard.far_distance};
   fill_defaults(defaults, struct_size, focus);
 }
 
-abut_status abut_universe_set_focus(abut_universe* universe, const abut_focus* focus, const abut_vec3* centres, size_t count) {
+abut_status abut_universe_set_focus(abut_universe* universe, const abut_focus* focus, const abut_vec3* centres,
+                                    size_t count) {
   return guard(universe, [&](abut_universe& its) {
     std::span<const abut_vec3> given;
     const abut_status status = read_span("centres", centres, "count", count, given);

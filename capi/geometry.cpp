@@ -14,8 +14,18 @@ using namespace abut::capi;
 
 namespace {
 
-constexpr abut_geometry_options default_options{
-    sizeof(abut_geometry_options), 0, {{0, 0, 0}, {1, 0, 0, 0}}, 0, 0, 1, ~std::uint64_t{0}, 0, 0, 0, 0, ABUT_PARKING_NONE};
+constexpr abut_geometry_options default_options{sizeof(abut_geometry_options),
+                                                0,
+                                                {{0, 0, 0}, {1, 0, 0, 0}},
+                                                0,
+                                                0,
+                                                1,
+                                                ~std::uint64_t{0},
+                                                0,
+                                                0,
+                                                0,
+                                                0,
+                                                ABUT_PARKING_NONE};
 
 struct Batch {
   std::span<const abut_part_id> parts;
@@ -66,8 +76,9 @@ abut_status create_one(abut_universe& its, const abut_part_id& part, const abut_
   return status;
 }
 
-abut_status create_all(abut_universe& its, std::span<const abut_part_id> parts, std::span<const abut_shape* const> shapes,
-                       std::span<const abut_geometry_options> given, std::span<abut_geometry_id> out) {
+abut_status create_all(abut_universe& its, std::span<const abut_part_id> parts,
+                       std::span<const abut_shape* const> shapes, std::span<const abut_geometry_options> given,
+                       std::span<abut_geometry_id> out) {
   std::vector<abut::GeometryOptions> options;
   abut_status status = check_shapes(shapes);
   status = status != ABUT_OK ? status : read_options(given, options);
@@ -124,7 +135,8 @@ abut_status abut_geometry_create(abut_universe* universe, abut_part_id part, con
                                  const abut_geometry_options* options, abut_geometry_id* out) {
   return guard(universe, [&](abut_universe& its) {
     const abut_status status = check_none_null<2>({{{"shape", shape}, {"out", out}}});
-    return status != ABUT_OK ? status : create_one(its, part, shape, options == nullptr ? default_options : *options, out);
+    return status != ABUT_OK ? status
+                             : create_one(its, part, shape, options == nullptr ? default_options : *options, out);
   });
 }
 
@@ -173,7 +185,8 @@ abut_status abut_geometry_describe(const abut_universe* universe, abut_geometry_
   });
 }
 
-abut_status abut_geometries_poses(const abut_universe* universe, const abut_geometry_id* geometries, size_t count, abut_pose* out) {
+abut_status abut_geometries_poses(const abut_universe* universe, const abut_geometry_id* geometries, size_t count,
+                                  abut_pose* out) {
   return guard(universe, [&](const abut_universe& its) {
     std::span<const abut_geometry_id> ids;
     std::span<abut_pose> poses;

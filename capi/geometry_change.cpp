@@ -10,7 +10,8 @@ using namespace abut::capi;
 
 namespace {
 
-abut_status set_options(abut_universe& its, std::span<const abut_geometry_id> ids, std::span<const abut::GeometryOptions> options) {
+abut_status set_options(abut_universe& its, std::span<const abut_geometry_id> ids,
+                        std::span<const abut::GeometryOptions> options) {
   const auto done = its.universe.set_options(to_geometries(ids), options);
   return done ? static_cast<abut_status>(ABUT_OK) : refuse_batch(its.universe, "geometries", ids, done.error());
 }
@@ -31,7 +32,8 @@ abut_status set_one(abut_universe& its, const abut_geometry_id& geometry, const 
 
 // The shapes that were lent out are let go only after the universe has taken the others, from when on nothing
 // can fail any more.
-abut_status set_shapes(abut_universe& its, std::span<const abut_geometry_id> ids, std::span<const abut_shape* const> shapes) {
+abut_status set_shapes(abut_universe& its, std::span<const abut_geometry_id> ids,
+                       std::span<const abut_shape* const> shapes) {
   SharedShapes shared(shapes);
   if (const auto done = its.universe.set_shapes(to_geometries(ids), shared.handles); !done) {
     return refuse_batch(its.universe, "geometries", ids, done.error());
@@ -52,7 +54,8 @@ abut_status park(abut_universe& its, std::span<const abut_geometry_id> ids, abut
 
 }  // namespace
 
-abut_status abut_geometry_set_options(abut_universe* universe, abut_geometry_id geometry, const abut_geometry_options* options) {
+abut_status abut_geometry_set_options(abut_universe* universe, abut_geometry_id geometry,
+                                      const abut_geometry_options* options) {
   return guard(universe, [&](abut_universe& its) {
     const abut_status status = check_not_null("options", options);
     return status != ABUT_OK ? status : set_one(its, geometry, *options);
@@ -97,11 +100,13 @@ abut_status abut_geometries_set_shapes(abut_universe* universe, const abut_geome
 
 abut_status abut_geometry_park(abut_universe* universe, abut_geometry_id geometry, abut_parking parking) {
   return guard_callable_in_step(universe, [&](abut_universe& its) {
-    return exists(its.universe, geometry) ? park(its, std::array{geometry}, parking) : refuse_stale({"geometry"}, geometry);
+    return exists(its.universe, geometry) ? park(its, std::array{geometry}, parking)
+                                          : refuse_stale({"geometry"}, geometry);
   });
 }
 
-abut_status abut_geometries_park(abut_universe* universe, const abut_geometry_id* geometries, size_t count, abut_parking parking) {
+abut_status abut_geometries_park(abut_universe* universe, const abut_geometry_id* geometries, size_t count,
+                                 abut_parking parking) {
   return guard_callable_in_step(universe, [&](abut_universe& its) {
     std::span<const abut_geometry_id> ids;
     const abut_status status = read_span("geometries", geometries, "count", count, ids);

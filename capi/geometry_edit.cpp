@@ -72,8 +72,8 @@ abut_status edit_all(abut_universe& its, std::span<const abut_geometry_id> ids, 
 abut_status set_parameters(abut_universe& its, std::span<const abut_geometry_id> ids, const double* parameters,
                            std::size_t each) {
   std::span<const double> numbers;
-  abut_status status = check_size("parameters", "parameter_count", each,
-                                  std::max<std::size_t>(ids.size(), 1) * sizeof(double));
+  abut_status status =
+      check_size("parameters", "parameter_count", each, std::max<std::size_t>(ids.size(), 1) * sizeof(double));
   status = status != ABUT_OK ? status : read_span("parameters", parameters, "count", each * ids.size(), numbers);
   if (status != ABUT_OK) {
     return status;

@@ -26,7 +26,9 @@ template <class Body>
 template <class Body>
 [[nodiscard]] inline abut_status guard(std::atomic<bool>& poisoned, Body&& body) noexcept {
   if (poisoned.load(std::memory_order_relaxed)) [[unlikely]] {
-    return refuse(ABUT_INTERNAL, "a defect of abut, or lack of memory, ended a step half-way earlier; the universe can only be destroyed");
+    return refuse(
+        ABUT_INTERNAL,
+        "a defect of abut, or lack of memory, ended a step half-way earlier; the universe can only be destroyed");
   }
   try {
     return std::forward<Body>(body)();

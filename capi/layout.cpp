@@ -341,7 +341,7 @@ abut_status abut_layout_at(size_t index, abut_layout_entry* out) {
     }
     if (index >= layout.size()) {
       return refuse(abut::error_about(abut::Errc::index_out_of_range, "index", std::uint64_t{index},
-                                "below " + std::to_string(layout.size())));
+                                      "below " + std::to_string(layout.size())));
     }
     *out = layout[index];
     return ABUT_OK;

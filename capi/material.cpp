@@ -11,9 +11,18 @@ using namespace abut::capi;
 namespace {
 
 abut_contact_material from_material(const abut::ContactMaterial& its) {
-  return {sizeof(abut_contact_material), 0,          its.friction_primary, its.friction_secondary,
-          its.friction_spin,             its.friction_roll, its.static_scale,     its.slip,
-          its.compliance,                its.damping, its.restitution,      its.restitution_threshold,
+  return {sizeof(abut_contact_material),
+          0,
+          its.friction_primary,
+          its.friction_secondary,
+          its.friction_spin,
+          its.friction_roll,
+          its.static_scale,
+          its.slip,
+          its.compliance,
+          its.damping,
+          its.restitution,
+          its.restitution_threshold,
           its.adhesive_force};
 }
 
@@ -31,7 +40,8 @@ abut::ContactMaterial to_material(const abut_contact_material& row) {
           .adhesive_force = row.adhesive_force};
 }
 
-abut_status set(abut_universe& its, std::uint32_t material_a, std::uint32_t material_b, const abut_contact_material* row) {
+abut_status set(abut_universe& its, std::uint32_t material_a, std::uint32_t material_b,
+                const abut_contact_material* row) {
   std::optional<abut::ContactMaterial> wanted;
   if (row != nullptr) {
     const Where where{"row"};

@@ -15,7 +15,8 @@ template <class Struct>
 inline constexpr std::uint32_t first_size = sizeof(Struct);
 
 // What an unknown newer header has appended must be zero: those wishes cannot be met.
-[[nodiscard]] inline abut_status check_tail(const Where& where, std::uint32_t size, std::span<const unsigned char> tail) {
+[[nodiscard]] inline abut_status check_tail(const Where& where, std::uint32_t size,
+                                            std::span<const unsigned char> tail) {
   if (std::any_of(tail.begin(), tail.end(), [](unsigned char byte) { return byte != 0; })) {
     return refuse(ABUT_WRONG_STRUCT_SIZE, where.with(".struct_size is ") + std::to_string(size) +
                                               " and some of its last " + std::to_string(tail.size()) +
@@ -44,9 +45,11 @@ template <class Struct>
 }
 
 // Enumerations whose values are 0 ... last.
-[[nodiscard]] inline abut_status check_value(const Where& where, std::string_view field, std::uint32_t value, std::uint32_t last) {
+[[nodiscard]] inline abut_status check_value(const Where& where, std::string_view field, std::uint32_t value,
+                                             std::uint32_t last) {
   if (value > last) [[unlikely]] {
-    return refuse(error_about(Errc::unknown_value, where.with(field), std::uint64_t{value}, "at most " + std::to_string(last)));
+    return refuse(
+        error_about(Errc::unknown_value, where.with(field), std::uint64_t{value}, "at most " + std::to_string(last)));
   }
   return ABUT_OK;
 }
@@ -55,13 +58,15 @@ template <class Struct>
 [[nodiscard]] inline abut_status check_tag(const Where& where, std::string_view field, std::uint32_t tag) {
   constexpr std::uint32_t tag_count = 64;
   if (tag >= tag_count) [[unlikely]] {
-    return refuse(error_about(Errc::out_of_range, where.with(field), std::uint64_t{tag}, "below " + std::to_string(tag_count)));
+    return refuse(
+        error_about(Errc::out_of_range, where.with(field), std::uint64_t{tag}, "below " + std::to_string(tag_count)));
   }
   return ABUT_OK;
 }
 
 // Sets of flags.
-[[nodiscard]] inline abut_status check_bits(const Where& where, std::string_view field, std::uint32_t bits, std::uint32_t known) {
+[[nodiscard]] inline abut_status check_bits(const Where& where, std::string_view field, std::uint32_t bits,
+                                            std::uint32_t known) {
   if ((bits & ~known) != 0) [[unlikely]] {
     return refuse(error_about(Errc::unknown_value, where.with(field), std::uint64_t{bits},
                               "made of the bits of " + std::to_string(known)));
@@ -74,7 +79,8 @@ template <class Struct>
 class StructArray {
  public:
   // An argument that may be null, for which the answer is an empty array.
-  [[nodiscard]] static abut_status read(std::string_view name, const Struct* structs, std::size_t count, StructArray& out) {
+  [[nodiscard]] static abut_status read(std::string_view name, const Struct* structs, std::size_t count,
+                                        StructArray& out) {
     if (const abut_status status = check_size(name, "count", count, sizeof(Struct));
         status != ABUT_OK || structs == nullptr || count == 0) {
       return status;

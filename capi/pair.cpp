@@ -19,7 +19,7 @@ namespace {
 constexpr abut_query_options default_options{sizeof(abut_query_options), ABUT_ALGORITHM_AUTO, 0, 0, 4, 0};
 
 constexpr std::array<std::string_view, 6> algorithm_names{"ABUT_ALGORITHM_AUTO",       "ABUT_ALGORITHM_ANALYTIC",
-                                                          "ABUT_ALGORITHM_SAT",     "ABUT_ALGORITHM_GJK_EPA",
+                                                          "ABUT_ALGORITHM_SAT",        "ABUT_ALGORITHM_GJK_EPA",
                                                           "ABUT_ALGORITHM_LIBCCD_GJK", "ABUT_ALGORITHM_LIBCCD_MPR"};
 
 struct Query {
@@ -70,14 +70,12 @@ inline abut_status check_poses(const abut_pose& pose_a, const abut_pose& pose_b)
   }
   switch (outcome) {
     case abut::Outcome::apart:
-      return refuse(ABUT_UNSUPPORTED,
-                    "options.algorithm is " + with + ", which only tells how deep shapes overlap; this " + pair + " are apart");
+      return refuse(ABUT_UNSUPPORTED, "options.algorithm is " + with +
+                                          ", which only tells how deep shapes overlap; this " + pair + " are apart");
     case abut::Outcome::unsupported:
       return refuse(ABUT_UNSUPPORTED, "options.algorithm is " + with + "; there is no such way for " + pair);
-    case abut::Outcome::not_converged:
-      return refuse(ABUT_NOT_CONVERGED, with + " gave up on " + pair);
-    case abut::Outcome::ok:
-      break;
+    case abut::Outcome::not_converged: return refuse(ABUT_NOT_CONVERGED, with + " gave up on " + pair);
+    case abut::Outcome::ok: break;
   }
   return ABUT_OK;
 }
@@ -133,8 +131,8 @@ abut_status check_batch(const PoseBatch& poses) {
   return ABUT_OK;
 }
 
-abut_status distances(const abut_shape* a, const abut_shape* b, const PoseBatch& poses, const abut_query_options* options,
-                      std::span<abut_distance> out) {
+abut_status distances(const abut_shape* a, const abut_shape* b, const PoseBatch& poses,
+                      const abut_query_options* options, std::span<abut_distance> out) {
   if (const abut_status status = check_batch(poses); status != ABUT_OK) {
     return status;
   }
@@ -158,8 +156,8 @@ abut_status distances(const abut_shape* a, const abut_shape* b, const PoseBatch&
   return ABUT_OK;
 }
 
-// Room for the contacts of most pairs, made at once: growing would cost more than many a pair takes. Allocators keep blocks of
-// up to a kilobyte at hand for each thread; larger ones take as long as a pair of balls.
+// Room for the contacts of most pairs, made at once: growing would cost more than many a pair takes. Allocators keep
+// blocks of up to a kilobyte at hand for each thread; larger ones take as long as a pair of balls.
 constexpr std::size_t usual_points = 8;
 static_assert(usual_points * sizeof(abut::ContactPoint) <= 1024);
 
@@ -174,7 +172,8 @@ abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_s
   }
   abut::Manifold found;
   found.reserve(usual_points);
-  const abut::Outcome outcome = abut::pair_contacts(shape_of(a), shape_of(b), to_pose(given_a), to_pose(given_b), query.settings, found);
+  const abut::Outcome outcome =
+      abut::pair_contacts(shape_of(a), shape_of(b), to_pose(given_a), to_pose(given_b), query.settings, found);
   if (outcome != abut::Outcome::ok) [[unlikely]] {
     return refuse_outcome(outcome, shape_of(a), shape_of(b), query.settings.algorithm);
   }
@@ -193,8 +192,8 @@ void abut_query_options_init(abut_query_options* options, uint32_t struct_size) 
   fill_defaults(default_options, struct_size, options);
 }
 
-abut_status abut_pair_distance(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b, const abut_pose* pose_b,
-                               const abut_query_options* options, abut_distance* out) {
+abut_status abut_pair_distance(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b,
+                               const abut_pose* pose_b, const abut_query_options* options, abut_distance* out) {
   return guard([&] {
     const abut_status status =
         check_none_null<5>({{{"a", a}, {"pose_a", pose_a}, {"b", b}, {"pose_b", pose_b}, {"out", out}}});
@@ -202,8 +201,9 @@ abut_status abut_pair_distance(const abut_shape* a, const abut_pose* pose_a, con
   });
 }
 
-abut_status abut_pairs_distance(const abut_shape* a, const abut_pose* poses_a, const abut_shape* b, const abut_pose* poses_b,
-                                size_t count, const abut_query_options* options, abut_distance* out) {
+abut_status abut_pairs_distance(const abut_shape* a, const abut_pose* poses_a, const abut_shape* b,
+                                const abut_pose* poses_b, size_t count, const abut_query_options* options,
+                                abut_distance* out) {
   return guard([&] {
     PoseBatch poses;
     std::span<abut_distance> results;
@@ -215,8 +215,9 @@ abut_status abut_pairs_distance(const abut_shape* a, const abut_pose* poses_a, c
   });
 }
 
-abut_status abut_pair_contacts(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b, const abut_pose* pose_b,
-                               const abut_query_options* options, abut_contact* contacts_out, size_t capacity, size_t* count) {
+abut_status abut_pair_contacts(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b,
+                               const abut_pose* pose_b, const abut_query_options* options, abut_contact* contacts_out,
+                               size_t capacity, size_t* count) {
   return guard([&] {
     std::span<abut_contact> results;
     abut_status status =

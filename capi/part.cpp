@@ -115,7 +115,8 @@ abut_status poses_of(const abut_universe& its, std::span<const abut_part_id> ids
   return ABUT_OK;
 }
 
-abut_status geometries_of(const abut_universe& its, const abut_part_id& part, std::span<abut_geometry_id> out, std::size_t* count) {
+abut_status geometries_of(const abut_universe& its, const abut_part_id& part, std::span<abut_geometry_id> out,
+                          std::size_t* count) {
   const auto found = its.universe.geometries_of(to_part(part));
   if (!found) {
     return refuse_stale({"part"}, part);
@@ -138,7 +139,8 @@ abut_status abut_part_create(abut_universe* universe, const abut_part_options* o
   });
 }
 
-abut_status abut_parts_create(abut_universe* universe, const abut_part_options* options, size_t count, abut_part_id* out) {
+abut_status abut_parts_create(abut_universe* universe, const abut_part_options* options, size_t count,
+                              abut_part_id* out) {
   return guard(universe, [&](abut_universe& its) {
     std::span<abut_part_id> ids;
     StructArray<abut_part_options> given;
@@ -178,7 +180,8 @@ abut_status abut_part_set_pose(abut_universe* universe, abut_part_id part, const
   });
 }
 
-abut_status abut_parts_set_poses(abut_universe* universe, const abut_part_id* parts, const abut_pose* poses, size_t count) {
+abut_status abut_parts_set_poses(abut_universe* universe, const abut_part_id* parts, const abut_pose* poses,
+                                 size_t count) {
   return guard(universe, [&](abut_universe& its) {
     std::span<const abut_part_id> ids;
     std::span<const abut_pose> placed;
@@ -222,7 +225,8 @@ abut_status abut_part_set_motion(abut_universe* universe, abut_part_id part, abu
   });
 }
 
-abut_status abut_parts_set_motions(abut_universe* universe, const abut_part_id* parts, const abut_motion* motions, size_t count) {
+abut_status abut_parts_set_motions(abut_universe* universe, const abut_part_id* parts, const abut_motion* motions,
+                                   size_t count) {
   return guard(universe, [&](abut_universe& its) {
     std::span<const abut_part_id> ids;
     std::span<const abut_motion> given;
@@ -260,8 +264,8 @@ abut_status abut_part_user_data(const abut_universe* universe, abut_part_id part
   });
 }
 
-abut_status abut_part_geometries(const abut_universe* universe, abut_part_id part, abut_geometry_id* geometries, size_t capacity,
-                                 size_t* count) {
+abut_status abut_part_geometries(const abut_universe* universe, abut_part_id part, abut_geometry_id* geometries,
+                                 size_t capacity, size_t* count) {
   return guard(universe, [&](const abut_universe& its) {
     std::span<abut_geometry_id> out;
     abut_status status = check_not_null("count", count);

@@ -44,7 +44,8 @@ using abut::capi::refuse_null;
   return status;
 }
 
-template <class Action> [[nodiscard]] abut_status guarded(const Action& action) noexcept {
+template <class Action>
+[[nodiscard]] abut_status guarded(const Action& action) noexcept {
   try {
     return answer(action());
   } catch (const std::bad_alloc&) {
@@ -125,9 +126,7 @@ abut_status abut_picker_create(abut_universe* universe, abut_picker** out) {
   });
 }
 
-void abut_picker_destroy(abut_picker* picker) {
-  const std::unique_ptr<abut_picker> owned(picker);
-}
+void abut_picker_destroy(abut_picker* picker) { const std::unique_ptr<abut_picker> owned(picker); }
 
 abut_status abut_picker_update(abut_picker* picker) {
   if (picker == nullptr) return refuse_null("picker");

@@ -40,9 +40,7 @@ constexpr double largest_coordinate = 1e70;
          std::fabs(v.z) <= largest_coordinate;
 }
 
-[[nodiscard]] bool is_zero(const abut_vec3& v) noexcept {
-  return v.x == 0 && v.y == 0 && v.z == 0;
-}
+[[nodiscard]] bool is_zero(const abut_vec3& v) noexcept { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 // Whether four rays are good at a glance: the squares of their directions neither vanish nor overflow.
 [[nodiscard]] bool are_plainly_good(std::span<const abut_ray, 4> rays) noexcept {
@@ -60,7 +58,8 @@ constexpr double largest_coordinate = 1e70;
 }
 
 // Calls `refusal` with what is wrong with a ray.
-template <class Refusal> [[nodiscard]] abut_status judge(const abut_ray& ray, const Refusal& refusal) noexcept {
+template <class Refusal>
+[[nodiscard]] abut_status judge(const abut_ray& ray, const Refusal& refusal) noexcept {
   if (!is_finite(ray.origin)) return refusal(ABUT_NOT_FINITE, "the origin has a coordinate that is not finite");
   if (!is_position(ray.origin)) return refusal(ABUT_OUT_OF_RANGE, "the origin has a coordinate beyond 1e70");
   if (!is_finite(ray.direction)) return refusal(ABUT_NOT_FINITE, "the direction has a coordinate that is not finite");
@@ -71,7 +70,8 @@ template <class Refusal> [[nodiscard]] abut_status judge(const abut_ray& ray, co
 }
 
 // Whether a struct has at least the size of this version, and zeros behind it.
-template <class Struct> [[nodiscard]] bool has_known_size(const Struct& given) noexcept {
+template <class Struct>
+[[nodiscard]] bool has_known_size(const Struct& given) noexcept {
   const std::size_t size = given.struct_size;
   if (size < sizeof(Struct) || size > largest_struct) return false;
   // SAFETY: the caller says that the struct has this size.
@@ -97,9 +97,7 @@ template <class Struct> [[nodiscard]] bool has_known_size(const Struct& given) n
 
 }  // namespace
 
-abut_status refuse(abut_status status, const char* message) noexcept {
-  return abut_set_last_error(status, message);
-}
+abut_status refuse(abut_status status, const char* message) noexcept { return abut_set_last_error(status, message); }
 
 abut_status refuse(abut_status status, const char* argument, double value, const char* expectation) noexcept {
   Message message{};

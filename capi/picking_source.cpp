@@ -16,9 +16,7 @@ import abut.picking;
 
 namespace abut::capi {
 
-UniverseShape::UniverseShape(abut_shape* shape) noexcept : shape_(shape) {
-  abut_shape_retain(shape);
-}
+UniverseShape::UniverseShape(abut_shape* shape) noexcept : shape_(shape) { abut_shape_retain(shape); }
 
 std::string_view UniverseShape::kind() const {
   const char* const name = abut_shape_kind_name(abut_shape_kind_of(shape_.get()));

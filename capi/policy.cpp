@@ -54,8 +54,8 @@ abut_status get(const abut_universe& its, std::uint32_t tag_a, std::uint32_t tag
     return refuse(found.error());
   }
   const abut::Policy& policy = found.value();
-  write_struct({sizeof(abut_policy), static_cast<abut_algorithm>(policy.algorithm), static_cast<abut_detail>(policy.detail),
-                policy.period, policy.tolerance, policy.error_bound},
+  write_struct({sizeof(abut_policy), static_cast<abut_algorithm>(policy.algorithm),
+                static_cast<abut_detail>(policy.detail), policy.period, policy.tolerance, policy.error_bound},
                out);
   return ABUT_OK;
 }
@@ -65,7 +65,9 @@ abut_status get(const abut_universe& its, std::uint32_t tag_a, std::uint32_t tag
 void abut_policy_init(abut_policy* policy, uint32_t struct_size) { fill_defaults(default_policy, struct_size, policy); }
 
 abut_status abut_policy_set(abut_universe* universe, uint32_t tag_a, uint32_t tag_b, const abut_policy* policy) {
-  return guard(universe, [&](abut_universe& its) { return set(its, tag_a, tag_b, policy == nullptr ? default_policy : *policy); });
+  return guard(universe, [&](abut_universe& its) {
+    return set(its, tag_a, tag_b, policy == nullptr ? default_policy : *policy);
+  });
 }
 
 abut_status abut_policy_get(const abut_universe* universe, uint32_t tag_a, uint32_t tag_b, abut_policy* out) {

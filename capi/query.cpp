@@ -67,9 +67,9 @@ abut_status cast_rays(const abut_universe& its, std::span<const abut_ray> given,
   return ABUT_OK;
 }
 
-abut_status cast_shape(const abut_universe& its, const abut_shape* shape, const abut_pose& pose, const abut_vec3& displacement,
-                       const abut_query_filter* given_filter, abut_hit_mode given_mode, std::span<abut_cast_hit> out,
-                       std::size_t* count) {
+abut_status cast_shape(const abut_universe& its, const abut_shape* shape, const abut_pose& pose,
+                       const abut_vec3& displacement, const abut_query_filter* given_filter, abut_hit_mode given_mode,
+                       std::span<abut_cast_hit> out, std::size_t* count) {
   Filter filter;
   abut::HitMode mode{};
   abut_status status = check_pose({"pose"}, pose);
@@ -77,7 +77,8 @@ abut_status cast_shape(const abut_universe& its, const abut_shape* shape, const 
   status = status != ABUT_OK ? status : read_filter(its.universe, given_filter, filter);
   status = status != ABUT_OK ? status : read_mode(given_mode, mode);
   if (status == ABUT_OK) {
-    const auto hits = abut::cast_shape(its.universe, shape_of(shape), to_pose(pose), to_vec3(displacement), filter.filter, mode);
+    const auto hits =
+        abut::cast_shape(its.universe, shape_of(shape), to_pose(pose), to_vec3(displacement), filter.filter, mode);
     fill(std::span<const abut::CastContact>(hits), out, from_contact_of_cast);
     *count = hits.size();
   }
@@ -92,8 +93,8 @@ abut_status cast_shapes(const abut_universe& its, const PlacedShapes& placed, st
     status = check_position({"displacements", i}, "", displacements[i]);
   }
   for (std::size_t i = 0; status == ABUT_OK && i < displacements.size(); ++i) {
-    const auto hits = abut::cast_shape(its.universe, *placed.shapes[i], placed.poses[i], to_vec3(displacements[i]), filter.filter,
-                                       abut::HitMode::nearest);
+    const auto hits = abut::cast_shape(its.universe, *placed.shapes[i], placed.poses[i], to_vec3(displacements[i]),
+                                       filter.filter, abut::HitMode::nearest);
     out[i] = hits.empty() ? abut_cast_hit{} : from_contact_of_cast(hits.front());
   }
   return status;
@@ -104,7 +105,8 @@ abut_status check_margin(double margin) {
 }
 
 abut_status read_offsets(std::uint64_t* offsets, std::size_t query_count, std::span<std::uint64_t>& out) {
-  if (const abut_status status = check_size("offsets", "query_count", query_count, sizeof(std::uint64_t)); status != ABUT_OK) {
+  if (const abut_status status = check_size("offsets", "query_count", query_count, sizeof(std::uint64_t));
+      status != ABUT_OK) {
     return status;
   }
   return read_span("offsets", offsets, "query_count", std::uint64_t{query_count} + 1, out);
@@ -125,7 +127,8 @@ void write_each(std::span<std::uint64_t> offsets, std::span<abut_geometry_id> ou
 }
 
 abut_status overlaps(const abut_universe& its, const abut_shape* shape, const abut_pose& pose,
-                     const abut_query_filter* given_filter, double margin, std::span<abut_geometry_id> out, std::size_t* count) {
+                     const abut_query_filter* given_filter, double margin, std::span<abut_geometry_id> out,
+                     std::size_t* count) {
   Filter filter;
   abut_status status = check_pose({"pose"}, pose);
   status = status != ABUT_OK ? status : read_filter(its.universe, given_filter, filter);
@@ -156,7 +159,8 @@ abut_status check_max_distance(double max_distance) {
     return refuse(abut::error_about(abut::Errc::not_finite, "max_distance", max_distance, "a number or infinite"));
   }
   if (max_distance < 0) {
-    return refuse(abut::error_about(abut::Errc::out_of_range, "max_distance", max_distance, "zero, positive or infinite"));
+    return refuse(
+        abut::error_about(abut::Errc::out_of_range, "max_distance", max_distance, "zero, positive or infinite"));
   }
   return ABUT_OK;
 }
@@ -216,9 +220,9 @@ abut_status abut_universe_cast_shape(const abut_universe* universe, const abut_s
   });
 }
 
-abut_status abut_universe_cast_shapes(const abut_universe* universe, const abut_shape* const* shapes, const abut_pose* poses,
-                                      const abut_vec3* displacements, size_t count, const abut_query_filter* filter,
-                                      abut_cast_hit* hits) {
+abut_status abut_universe_cast_shapes(const abut_universe* universe, const abut_shape* const* shapes,
+                                      const abut_pose* poses, const abut_vec3* displacements, size_t count,
+                                      const abut_query_filter* filter, abut_cast_hit* hits) {
   return guard(universe, [&](const abut_universe& its) {
     PlacedShapes placed;
     std::span<const abut_vec3> ways;
@@ -231,8 +235,8 @@ abut_status abut_universe_cast_shapes(const abut_universe* universe, const abut_
 }
 
 abut_status abut_universe_overlaps(const abut_universe* universe, const abut_shape* shape, const abut_pose* pose,
-                                   const abut_query_filter* filter, double margin, abut_geometry_id* geometries, size_t capacity,
-                                   size_t* count) {
+                                   const abut_query_filter* filter, double margin, abut_geometry_id* geometries,
+                                   size_t capacity, size_t* count) {
   return guard(universe, [&](const abut_universe& its) {
     std::span<abut_geometry_id> out;
     abut_status status = check_none_null<3>({{{"shape", shape}, {"pose", pose}, {"count", count}}});
@@ -241,9 +245,10 @@ abut_status abut_universe_overlaps(const abut_universe* universe, const abut_sha
   });
 }
 
-abut_status abut_universe_overlaps_of_each(const abut_universe* universe, const abut_shape* const* shapes, const abut_pose* poses,
-                                           size_t query_count, const abut_query_filter* filter, double margin, uint64_t* offsets,
-                                           abut_geometry_id* geometries, size_t capacity, size_t* count) {
+abut_status abut_universe_overlaps_of_each(const abut_universe* universe, const abut_shape* const* shapes,
+                                           const abut_pose* poses, size_t query_count, const abut_query_filter* filter,
+                                           double margin, uint64_t* offsets, abut_geometry_id* geometries,
+                                           size_t capacity, size_t* count) {
   return guard(universe, [&](const abut_universe& its) {
     PlacedShapes placed;
     std::span<std::uint64_t> places;
@@ -264,8 +269,9 @@ abut_status abut_universe_overlaps_of_each(const abut_universe* universe, const 
   });
 }
 
-abut_status abut_universe_at_point(const abut_universe* universe, const abut_vec3* position, const abut_query_filter* filter,
-                                   abut_geometry_id* geometries, size_t capacity, size_t* count) {
+abut_status abut_universe_at_point(const abut_universe* universe, const abut_vec3* position,
+                                   const abut_query_filter* filter, abut_geometry_id* geometries, size_t capacity,
+                                   size_t* count) {
   return guard(universe, [&](const abut_universe& its) {
     std::span<abut_geometry_id> out;
     abut_status status = check_none_null<2>({{{"position", position}, {"count", count}}});
@@ -299,15 +305,17 @@ abut_status abut_universe_at_points(const abut_universe* universe, const abut_ve
 }
 
 abut_status abut_universe_closest(const abut_universe* universe, const abut_shape* shape, const abut_pose* pose,
-                                  double max_distance, const abut_query_filter* filter, abut_closest* out, uint32_t* found) {
+                                  double max_distance, const abut_query_filter* filter, abut_closest* out,
+                                  uint32_t* found) {
   return guard(universe, [&](const abut_universe& its) {
     const abut_status status = check_none_null<4>({{{"shape", shape}, {"pose", pose}, {"out", out}, {"found", found}}});
     return status != ABUT_OK ? status : closest(its, shape, *pose, max_distance, filter, out, found);
   });
 }
 
-abut_status abut_universe_closest_to_each(const abut_universe* universe, const abut_shape* const* shapes, const abut_pose* poses,
-                                          size_t count, double max_distance, const abut_query_filter* filter, abut_closest* out) {
+abut_status abut_universe_closest_to_each(const abut_universe* universe, const abut_shape* const* shapes,
+                                          const abut_pose* poses, size_t count, double max_distance,
+                                          const abut_query_filter* filter, abut_closest* out) {
   return guard(universe, [&](const abut_universe& its) {
     PlacedShapes placed;
     std::span<abut_closest> answers;
@@ -317,7 +325,8 @@ abut_status abut_universe_closest_to_each(const abut_universe* universe, const a
     status = status != ABUT_OK ? status : check_max_distance(max_distance);
     status = status != ABUT_OK ? status : read_filter(its.universe, filter, ready);
     for (std::size_t i = 0; status == ABUT_OK && i < answers.size(); ++i) {
-      const auto near = abut::find_closest(its.universe, *placed.shapes[i], placed.poses[i], max_distance, ready.filter);
+      const auto near =
+          abut::find_closest(its.universe, *placed.shapes[i], placed.poses[i], max_distance, ready.filter);
       answers[i] = near ? from_near(*near) : abut_closest{};
     }
     return status;

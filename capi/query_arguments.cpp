@@ -60,7 +60,8 @@ abut_status read_ray(const Where& where, const abut_ray& ray, std::optional<Ray>
     return refuse(error_about(Errc::not_finite, where.with(".max_distance"), ray.max_distance, "a number or infinite"));
   }
   if (ray.max_distance < 0) {
-    return refuse(error_about(Errc::out_of_range, where.with(".max_distance"), ray.max_distance, "zero, positive or infinite"));
+    return refuse(
+        error_about(Errc::out_of_range, where.with(".max_distance"), ray.max_distance, "zero, positive or infinite"));
   }
   out = Ray{to_vec3(ray.origin), *direction, ray.max_distance};
   return ABUT_OK;
@@ -72,8 +73,8 @@ abut_status read_mode(abut_hit_mode mode, HitMode& out) {
   return status;
 }
 
-abut_status read_placed(const abut_shape* const* shapes, const abut_pose* poses, std::string_view count_name, std::size_t count,
-                        PlacedShapes& out) {
+abut_status read_placed(const abut_shape* const* shapes, const abut_pose* poses, std::string_view count_name,
+                        std::size_t count, PlacedShapes& out) {
   std::span<const abut_shape* const> given;
   std::span<const abut_pose> given_poses;
   abut_status status = read_span("shapes", shapes, count_name, count, given);

@@ -27,8 +27,8 @@ struct PlacedShapes {
   std::vector<ShapeHandle> shapes;
   std::vector<Pose> poses;
 };
-[[nodiscard]] abut_status read_placed(const abut_shape* const* shapes, const abut_pose* poses, std::string_view count_name,
-                                      std::size_t count, PlacedShapes& out);
+[[nodiscard]] abut_status read_placed(const abut_shape* const* shapes, const abut_pose* poses,
+                                      std::string_view count_name, std::size_t count, PlacedShapes& out);
 
 [[nodiscard]] inline abut_distance from_distance(const Distance& found) {
   return {found.distance,
@@ -41,8 +41,9 @@ struct PlacedShapes {
           found.iterations};
 }
 [[nodiscard]] inline abut_cast_hit from_cast(const abut_geometry_id& geometry, const ShapeCastHit& hit) {
-  return {geometry,    hit.fraction, from_distance(hit.contact), from_feature(hit.feature_a), from_feature(hit.feature_b),
-          hit.child_a, hit.child_b};
+  return {
+      geometry,    hit.fraction, from_distance(hit.contact), from_feature(hit.feature_a), from_feature(hit.feature_b),
+      hit.child_a, hit.child_b};
 }
 
 }  // namespace abut::capi

@@ -65,8 +65,8 @@ abut_status create_plane(const abut_vec3& normal, double offset, abut_shape** ou
   return create_named("plane", {parameters, {}, {}}, out);
 }
 
-abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::uint32_t* triangles, std::size_t triangle_count,
-                        const abut_mesh_options* options, abut_shape** out) {
+abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::uint32_t* triangles,
+                        std::size_t triangle_count, const abut_mesh_options* options, abut_shape** out) {
   abut_sides sides = ABUT_SIDES_BOTH;
   if (options != nullptr) {
     if (const abut_status status = check_struct_size({"options"}, *options); status != ABUT_OK) {
@@ -78,10 +78,13 @@ abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::
     }
   }
   Numbers numbers;
-  if (const abut_status status = read_span<3>("xyz", xyz, "vertex_count", vertex_count, numbers.reals); status != ABUT_OK) {
+  if (const abut_status status = read_span<3>("xyz", xyz, "vertex_count", vertex_count, numbers.reals);
+      status != ABUT_OK) {
     return status;
   }
-  if (const abut_status status = read_span<3>("triangles", triangles, "triangle_count", triangle_count, numbers.indices); status != ABUT_OK) {
+  if (const abut_status status =
+          read_span<3>("triangles", triangles, "triangle_count", triangle_count, numbers.indices);
+      status != ABUT_OK) {
     return status;
   }
   const std::array one_sided{sides == ABUT_SIDES_FRONT ? 1.0 : 0.0};
@@ -89,7 +92,8 @@ abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::
   return create_named("mesh", numbers, out);
 }
 
-abut_status create_composite(const abut_shape* const* children, const abut_pose* poses, std::size_t count, abut_shape** out) {
+abut_status create_composite(const abut_shape* const* children, const abut_pose* poses, std::size_t count,
+                             abut_shape** out) {
   std::span<const abut_shape* const> given;
   std::span<const abut_pose> given_poses;
   abut_status status = read_span("children", children, "count", count, given);
@@ -124,12 +128,15 @@ abut_status create_height_field(const abut_height_field_desc& desc, abut_shape**
     return status;
   }
   Numbers numbers;
-  const std::string product = "desc.columns * desc.rows = " + std::to_string(desc.columns) + " * " + std::to_string(desc.rows);
+  const std::string product =
+      "desc.columns * desc.rows = " + std::to_string(desc.columns) + " * " + std::to_string(desc.rows);
   const std::uint64_t samples = std::uint64_t{desc.columns} * desc.rows;
-  if (const abut_status status = read_span("desc.heights", desc.heights, product, samples, numbers.reals); status != ABUT_OK) {
+  if (const abut_status status = read_span("desc.heights", desc.heights, product, samples, numbers.reals);
+      status != ABUT_OK) {
     return status;
   }
-  const std::array parameters{static_cast<double>(desc.columns), static_cast<double>(desc.rows), desc.spacing_x, desc.spacing_y};
+  const std::array parameters{static_cast<double>(desc.columns), static_cast<double>(desc.rows), desc.spacing_x,
+                              desc.spacing_y};
   numbers.parameters = parameters;
   return create_named("height_field", numbers, out);
 }
@@ -140,17 +147,22 @@ abut_status create_from(const abut_shape_desc& desc, abut_shape** out) {
   }
   const std::optional<std::size_t> place = abut::find_kind(desc.kind);
   if (!place) {
-    return refuse(abut::error_about(abut::Errc::unknown_value, "desc.kind", std::uint64_t{desc.kind}, "a kind of this build"));
+    return refuse(
+        abut::error_about(abut::Errc::unknown_value, "desc.kind", std::uint64_t{desc.kind}, "a kind of this build"));
   }
   Numbers numbers;
-  if (const abut_status status = read_span("desc.parameters", desc.parameters, "desc.parameter_count", desc.parameter_count, numbers.parameters);
+  if (const abut_status status = read_span("desc.parameters", desc.parameters, "desc.parameter_count",
+                                           desc.parameter_count, numbers.parameters);
       status != ABUT_OK) {
     return status;
   }
-  if (const abut_status status = read_span("desc.reals", desc.reals, "desc.real_count", desc.real_count, numbers.reals); status != ABUT_OK) {
+  if (const abut_status status = read_span("desc.reals", desc.reals, "desc.real_count", desc.real_count, numbers.reals);
+      status != ABUT_OK) {
     return status;
   }
-  if (const abut_status status = read_span("desc.indices", desc.indices, "desc.index_count", desc.index_count, numbers.indices); status != ABUT_OK) {
+  if (const abut_status status =
+          read_span("desc.indices", desc.indices, "desc.index_count", desc.index_count, numbers.indices);
+      status != ABUT_OK) {
     return status;
   }
   return create(*place, numbers, out, true);
@@ -230,7 +242,8 @@ abut_status abut_particles_create(const double* xyz, size_t count, double radius
   });
 }
 
-abut_status abut_composite_create(const abut_shape* const* children, const abut_pose* poses, size_t count, abut_shape** out) {
+abut_status abut_composite_create(const abut_shape* const* children, const abut_pose* poses, size_t count,
+                                  abut_shape** out) {
   return guard([&] {
     const abut_status status = check_not_null("out", out);
     return status != ABUT_OK ? status : create_composite(children, poses, count, out);

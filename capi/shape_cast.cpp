@@ -17,8 +17,10 @@ abut_status read_options(const abut_query_options* options, abut::QuerySettings&
     return ABUT_OK;
   }
   abut_status status = check_struct_size({"options"}, *options);
-  status = status != ABUT_OK ? status : check_value({"options"}, ".algorithm", options->algorithm, ABUT_ALGORITHM_LIBCCD_MPR);
-  status = status != ABUT_OK ? status : to_status(abut::check_not_negative("options.error_bound", options->error_bound));
+  status = status != ABUT_OK ? status
+                             : check_value({"options"}, ".algorithm", options->algorithm, ABUT_ALGORITHM_LIBCCD_MPR);
+  status =
+      status != ABUT_OK ? status : to_status(abut::check_not_negative("options.error_bound", options->error_bound));
   status = status != ABUT_OK ? status : to_status(abut::check_not_negative("options.margin", options->margin));
   if (status == ABUT_OK && options->algorithm != ABUT_ALGORITHM_AUTO) {
     return refuse(ABUT_UNSUPPORTED, "options.algorithm is " + std::to_string(options->algorithm) +
@@ -51,8 +53,8 @@ abut_status cast(const abut::AnyShape& a, const Moving& of_a, const abut::AnySha
     return status;
   }
   std::optional<abut::ShapeCastHit> met;
-  const abut::Outcome outcome = abut::cast_shapes(a, to_pose(of_a.pose), to_vec3(of_a.displacement), b, to_pose(of_b.pose),
-                                                  to_vec3(of_b.displacement), settings, 1, met);
+  const abut::Outcome outcome = abut::cast_shapes(a, to_pose(of_a.pose), to_vec3(of_a.displacement), b,
+                                                  to_pose(of_b.pose), to_vec3(of_b.displacement), settings, 1, met);
   if (outcome != abut::Outcome::ok) {
     return refuse(ABUT_UNSUPPORTED, "there is no algorithm for " + std::string(abut::kind_name(a.index())) + " and " +
                                         std::string(abut::kind_name(b.index())));
@@ -66,9 +68,9 @@ abut_status cast(const abut::AnyShape& a, const Moving& of_a, const abut::AnySha
 
 }  // namespace
 
-abut_status abut_pair_cast(const abut_shape* a, const abut_pose* pose_a, const abut_vec3* displacement_a, const abut_shape* b,
-                           const abut_pose* pose_b, const abut_vec3* displacement_b, const abut_query_options* options,
-                           abut_cast_hit* hit, uint32_t* found) {
+abut_status abut_pair_cast(const abut_shape* a, const abut_pose* pose_a, const abut_vec3* displacement_a,
+                           const abut_shape* b, const abut_pose* pose_b, const abut_vec3* displacement_b,
+                           const abut_query_options* options, abut_cast_hit* hit, uint32_t* found) {
   return guard([&] {
     const abut_status status = check_none_null<8>({{{"a", a},
                                                     {"pose_a", pose_a},
@@ -78,8 +80,8 @@ abut_status abut_pair_cast(const abut_shape* a, const abut_pose* pose_a, const a
                                                     {"displacement_b", displacement_b},
                                                     {"hit", hit},
                                                     {"found", found}}});
-    return status != ABUT_OK
-               ? status
-               : cast(shape_of(a), {*pose_a, *displacement_a}, shape_of(b), {*pose_b, *displacement_b}, options, hit, found);
+    return status != ABUT_OK ? status
+                             : cast(shape_of(a), {*pose_a, *displacement_a}, shape_of(b), {*pose_b, *displacement_b},
+                                    options, hit, found);
   });
 }

@@ -31,7 +31,8 @@ size_t abut_shape_kind_parameter_count(abut_shape_kind kind) {
 
 const char* abut_shape_kind_parameter_name(abut_shape_kind kind, size_t index) {
   const auto place = abut::find_kind(kind);
-  return place && index < abut::kind_parameter_count(*place) ? c_string(abut::kind_parameter_name(*place, index)) : nullptr;
+  return place && index < abut::kind_parameter_count(*place) ? c_string(abut::kind_parameter_name(*place, index))
+                                                             : nullptr;
 }
 
 abut_status abut_pair_support(abut_shape_kind kind_a, abut_shape_kind kind_b, abut_query query, uint32_t* out) {

@@ -46,11 +46,13 @@ struct TriangleBuffers {
 
 abut_status write_triangles(const abut_shape* shape, const TriangleBuffers& buffers) {
   std::span<double> xyz;
-  if (const abut_status status = read_span<3>("xyz", buffers.xyz, "vertex_capacity", buffers.vertex_capacity, xyz); status != ABUT_OK) {
+  if (const abut_status status = read_span<3>("xyz", buffers.xyz, "vertex_capacity", buffers.vertex_capacity, xyz);
+      status != ABUT_OK) {
     return status;
   }
   std::span<std::uint32_t> triangles;
-  if (const abut_status status = read_span<3>("triangles", buffers.triangles, "triangle_capacity", buffers.triangle_capacity, triangles);
+  if (const abut_status status =
+          read_span<3>("triangles", buffers.triangles, "triangle_capacity", buffers.triangle_capacity, triangles);
       status != ABUT_OK) {
     return status;
   }
@@ -81,8 +83,8 @@ abut_status write_report(const abut_shape* shape, abut_hull_report* out) {
     return refuse(ABUT_UNSUPPORTED, "a " + std::string(abut::kind_name(shape_of(shape).index())) +
                                         " keeps what it is given; only a hull reports what it left out");
   }
-  write_struct({sizeof(abut_hull_report), report->dimension, report->point_count, report->vertex_count, report->edge_count,
-                report->face_count, report->error},
+  write_struct({sizeof(abut_hull_report), report->dimension, report->point_count, report->vertex_count,
+                report->edge_count, report->face_count, report->error},
                out);
   return ABUT_OK;
 }
@@ -91,8 +93,10 @@ abut_status check_ray(const abut_ray& ray, std::optional<abut::UnitVec3>& direct
   if (const abut_status status = check_position({"ray"}, ".origin", ray.origin); status != ABUT_OK) {
     return status;
   }
-  for (const auto& [name, value] : std::array<std::pair<std::string_view, double>, 3>{
-           {{"ray.direction.x", ray.direction.x}, {"ray.direction.y", ray.direction.y}, {"ray.direction.z", ray.direction.z}}}) {
+  for (const auto& [name, value] :
+       std::array<std::pair<std::string_view, double>, 3>{{{"ray.direction.x", ray.direction.x},
+                                                           {"ray.direction.y", ray.direction.y},
+                                                           {"ray.direction.z", ray.direction.z}}}) {
     if (!std::isfinite(value)) {
       return refuse(abut::error_about(abut::Errc::not_finite, name, value, "finite"));
     }
@@ -102,10 +106,12 @@ abut_status check_ray(const abut_ray& ray, std::optional<abut::UnitVec3>& direct
     return refuse(ABUT_ZERO_VECTOR, "ray.direction is (0, 0, 0); it must have a direction");
   }
   if (std::isnan(ray.max_distance)) {
-    return refuse(abut::error_about(abut::Errc::not_finite, "ray.max_distance", ray.max_distance, "a number or infinite"));
+    return refuse(
+        abut::error_about(abut::Errc::not_finite, "ray.max_distance", ray.max_distance, "a number or infinite"));
   }
   if (ray.max_distance < 0) {
-    return refuse(abut::error_about(abut::Errc::out_of_range, "ray.max_distance", ray.max_distance, "zero, positive or infinite"));
+    return refuse(abut::error_about(abut::Errc::out_of_range, "ray.max_distance", ray.max_distance,
+                                    "zero, positive or infinite"));
   }
   return ABUT_OK;
 }
@@ -125,8 +131,12 @@ abut_status cast_ray(const abut_shape* shape, const abut_pose& given_pose, const
   const std::optional<abut::RayHit> met =
       abut::cast_ray(shape_of(shape), pose.undo(origin), local_direction, ray.max_distance);
   if (met) {
-    *hit = {met->distance, from_vec3(origin + met->distance * direction->vec()), from_vec3(pose.rotation * met->normal),
-            from_feature(met->feature), abut::child_on_ray(shape_of(shape), pose.undo(origin), local_direction, met->distance), 0};
+    *hit = {met->distance,
+            from_vec3(origin + met->distance * direction->vec()),
+            from_vec3(pose.rotation * met->normal),
+            from_feature(met->feature),
+            abut::child_on_ray(shape_of(shape), pose.undo(origin), local_direction, met->distance),
+            0};
   }
   *found = met ? 1 : 0;
   return ABUT_OK;
@@ -157,9 +167,9 @@ abut_status abut_shape_triangles(const abut_shape* shape, double* xyz, size_t ve
   return guard([&] {
     const abut_status status =
         check_none_null<3>({{{"shape", shape}, {"vertex_count", vertex_count}, {"triangle_count", triangle_count}}});
-    return status != ABUT_OK
-               ? status
-               : write_triangles(shape, {xyz, vertex_capacity, vertex_count, triangles, triangle_capacity, triangle_count});
+    return status != ABUT_OK ? status
+                             : write_triangles(shape, {xyz, vertex_capacity, vertex_count, triangles, triangle_capacity,
+                                                       triangle_count});
   });
 }
 

@@ -12,15 +12,17 @@ static_assert(static_cast<abut_event_flags>(abut::event_asleep) == ABUT_EVENT_AS
 
 namespace {
 
-constexpr abut_sleep default_sleep{sizeof(abut_sleep), abut::Sleep{}.steps, abut::Sleep{}.linear_speed,
-                                   abut::Sleep{}.linear_acceleration, abut::Sleep{}.angular_speed,
-                                   abut::Sleep{}.angular_acceleration};
+constexpr abut_sleep default_sleep{sizeof(abut_sleep),          abut::Sleep{}.steps,
+                                   abut::Sleep{}.linear_speed,  abut::Sleep{}.linear_acceleration,
+                                   abut::Sleep{}.angular_speed, abut::Sleep{}.angular_acceleration};
 
 abut::Sleep to_sleep(const abut_sleep& sleep) {
   return {sleep.steps, sleep.linear_speed, sleep.linear_acceleration, sleep.angular_speed, sleep.angular_acceleration};
 }
 
-abut_sleep_change from_change(const abut::SleepChange& change) { return {from_part(change.part), change.is_asleep ? 1u : 0u, 0}; }
+abut_sleep_change from_change(const abut::SleepChange& change) {
+  return {from_part(change.part), change.is_asleep ? 1u : 0u, 0};
+}
 
 abut_status set_one(abut_universe& its, const abut_part_id& part, const abut_sleep* sleep) {
   std::optional<abut::Sleep> thresholds;
@@ -62,7 +64,8 @@ abut_status abut_part_set_sleep(abut_universe* universe, abut_part_id part, cons
   return guard(universe, [&](abut_universe& its) { return set_one(its, part, sleep); });
 }
 
-abut_status abut_parts_set_sleep(abut_universe* universe, const abut_part_id* parts, const abut_sleep* sleeps, size_t count) {
+abut_status abut_parts_set_sleep(abut_universe* universe, const abut_part_id* parts, const abut_sleep* sleeps,
+                                 size_t count) {
   return guard(universe, [&](abut_universe& its) {
     std::span<const abut_part_id> ids;
     StructArray<abut_sleep> given;
@@ -100,7 +103,8 @@ abut_status abut_parts_wake(abut_universe* universe, const abut_part_id* parts, 
   });
 }
 
-abut_status abut_universe_sleep_changes(const abut_universe* universe, const abut_sleep_change** changes, size_t* count) {
+abut_status abut_universe_sleep_changes(const abut_universe* universe, const abut_sleep_change** changes,
+                                        size_t* count) {
   return guard(universe, [&](const abut_universe& its) {
     const abut_status status = check_none_null<2>({{{"changes", changes}, {"count", count}}});
     if (status == ABUT_OK) {

@@ -10,8 +10,8 @@ using namespace abut::capi;
 
 namespace {
 
-// What was lent out is that of the step before once a detection has found something else. A filter may have asked for it on
-// the way.
+// What was lent out is that of the step before once a detection has found something else. A filter may have asked for
+// it on the way.
 abut_status forget_lent(abut_universe& its) {
   its.contacts.forget();
   its.local_points.forget();
@@ -55,7 +55,8 @@ abut_status detect_pairs(abut_universe& its, std::span<const abut_geometry_id> a
 abut_status check_side(std::string_view axis, double minimum, double maximum) {
   for (const auto& [name, value] : {std::pair{".minimum", minimum}, std::pair{".maximum", maximum}}) {
     if (std::isnan(value)) {
-      return refuse(error_about(abut::Errc::not_finite, "region" + std::string(name) + std::string(axis), value, "a number or infinite"));
+      return refuse(error_about(abut::Errc::not_finite, "region" + std::string(name) + std::string(axis), value,
+                                "a number or infinite"));
     }
   }
   if (minimum > maximum) {
@@ -125,7 +126,8 @@ abut_status abut_universe_detect_changed(abut_universe* universe) {
   });
 }
 
-abut_status abut_universe_detect_pairs(abut_universe* universe, const abut_geometry_id* a, const abut_geometry_id* b, size_t count) {
+abut_status abut_universe_detect_pairs(abut_universe* universe, const abut_geometry_id* a, const abut_geometry_id* b,
+                                       size_t count) {
   return guard(universe, [&](abut_universe& its) {
     std::span<const abut_geometry_id> first, second;
     abut_status status = read_span("a", a, "count", count, first);

@@ -23,9 +23,15 @@ namespace {
 // Tells the ids of one universe from those of the others.
 constinit std::atomic<std::uint32_t> next_number{1};
 
-constexpr abut_universe_options default_options{
-    sizeof(abut_universe_options), ABUT_BROADPHASE_AUTO, ABUT_TOLERANCE_DEAD_BAND, 4, {0, 0, 0}, 1,
-    ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST, 0, 0};
+constexpr abut_universe_options default_options{sizeof(abut_universe_options),
+                                                ABUT_BROADPHASE_AUTO,
+                                                ABUT_TOLERANCE_DEAD_BAND,
+                                                4,
+                                                {0, 0, 0},
+                                                1,
+                                                ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST,
+                                                0,
+                                                0};
 
 // No machine runs more at once; a number beyond is a mistake.
 constexpr std::uint32_t most_threads = 1024;
@@ -41,8 +47,10 @@ abut_status check_threads(std::uint32_t threads) {
 abut_status check_options(const abut_universe_options& options) {
   const Where where{"options"};
   abut_status status = check_struct_size(where, options);
-  status = status != ABUT_OK ? status : check_value(where, ".broadphase", options.broadphase, ABUT_BROADPHASE_HASH_GRID);
-  status = status != ABUT_OK ? status : check_value(where, ".tolerance_mode", options.tolerance_mode, ABUT_TOLERANCE_MARGIN);
+  status =
+      status != ABUT_OK ? status : check_value(where, ".broadphase", options.broadphase, ABUT_BROADPHASE_HASH_GRID);
+  status =
+      status != ABUT_OK ? status : check_value(where, ".tolerance_mode", options.tolerance_mode, ABUT_TOLERANCE_MARGIN);
   status = status != ABUT_OK ? status : check_position(where, ".origin", options.origin);
   status = status != ABUT_OK ? status : check_threads(options.threads);
   status = status != ABUT_OK ? status
@@ -128,7 +136,8 @@ abut_status abut_universe_parts(const abut_universe* universe, abut_part_id* par
   });
 }
 
-abut_status abut_universe_geometries(const abut_universe* universe, abut_geometry_id* geometries, size_t capacity, size_t* count) {
+abut_status abut_universe_geometries(const abut_universe* universe, abut_geometry_id* geometries, size_t capacity,
+                                     size_t* count) {
   return guard(universe, [&](const abut_universe& its) {
     std::span<abut_geometry_id> out;
     abut_status status = check_not_null("count", count);

@@ -51,7 +51,8 @@ struct abut_universe {
   mutable std::atomic<bool> poisoned{false};
   // By slot of the geometry, less one: what abut_geometry_describe lends out.
   std::vector<abut::capi::ShapeOwner> shapes;
-  // Of the focus that was set last. Stays from call to call, so that centres may move in each step without an allocation.
+  // Of the focus that was set last. Stays from call to call, so that centres may move in each step without an
+  // allocation.
   std::vector<abut::Vec3> centres;
   // Of the last step.
   abut::capi::Lent<abut_contact> contacts;
@@ -87,7 +88,8 @@ template <class Body>
 [[nodiscard]] inline abut_status guard(abut_universe* universe, Body&& body) noexcept {
   const abut_status status = guard_callable_in_step(universe, [&](abut_universe& its) -> abut_status {
     if (its.universe.is_stepping()) [[unlikely]] {
-      return refuse(ABUT_BUSY, "the universe is in a step; functions that are [exclusive] cannot be called from its callbacks");
+      return refuse(ABUT_BUSY,
+                    "the universe is in a step; functions that are [exclusive] cannot be called from its callbacks");
     }
     return std::forward<Body>(body)(its);
   });
@@ -141,8 +143,8 @@ template <class CId>
 
 // An error about a batch in the words of the call: which id was stale, with its numbers.
 template <class CId>
-[[gnu::cold]] [[nodiscard]] abut_status refuse_batch(const Universe& universe, std::string_view name, std::span<const CId> ids,
-                                                     const Error& error) {
+[[gnu::cold]] [[nodiscard]] abut_status refuse_batch(const Universe& universe, std::string_view name,
+                                                     std::span<const CId> ids, const Error& error) {
   if (error.code == Errc::stale_id) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
       if (!exists(universe, ids[i])) {

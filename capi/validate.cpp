@@ -9,14 +9,16 @@ using namespace abut::capi;
 static_assert(static_cast<abut_finding_code>(abut::FindingCode::nothing_moves) == ABUT_FINDING_NOTHING_MOVES);
 static_assert(static_cast<abut_finding_code>(abut::FindingCode::meets_nothing) == ABUT_FINDING_MEETS_NOTHING);
 static_assert(static_cast<abut_finding_code>(abut::FindingCode::kinds_unsupported) == ABUT_FINDING_KINDS_UNSUPPORTED);
-static_assert(static_cast<abut_finding_code>(abut::FindingCode::tolerance_too_large) == ABUT_FINDING_TOLERANCE_TOO_LARGE);
+static_assert(static_cast<abut_finding_code>(abut::FindingCode::tolerance_too_large) ==
+              ABUT_FINDING_TOLERANCE_TOO_LARGE);
 static_assert(static_cast<abut_finding_code>(abut::FindingCode::far_from_origin) == ABUT_FINDING_FAR_FROM_ORIGIN);
 static_assert(static_cast<abut_finding_code>(abut::FindingCode::excluded_from_all) == ABUT_FINDING_EXCLUDED_FROM_ALL);
 
 namespace {
 
 abut_finding from_finding(const abut::Finding& its) {
-  abut_finding out{static_cast<abut_finding_code>(its.code), 0, from_geometry(its.geometry), from_geometry(its.other), {}};
+  abut_finding out{
+      static_cast<abut_finding_code>(its.code), 0, from_geometry(its.geometry), from_geometry(its.other), {}};
   const std::span<char> message(out.message);
   std::copy_n(its.message.begin(), std::min(its.message.size(), message.size() - 1), message.begin());
   return out;
@@ -31,7 +33,8 @@ abut_status validate(const abut::Universe& universe, std::span<abut_finding> out
 
 }  // namespace
 
-abut_status abut_universe_validate(const abut_universe* universe, abut_finding* findings, size_t capacity, size_t* count) {
+abut_status abut_universe_validate(const abut_universe* universe, abut_finding* findings, size_t capacity,
+                                   size_t* count) {
   return guard(universe, [&](const abut_universe& its) {
     std::span<abut_finding> out;
     abut_status status = check_not_null("count", count);

@@ -25,8 +25,8 @@ abut_status abut_check_version(uint32_t major, uint32_t minor) {
     if (major == ABUT_VERSION_MAJOR && is_known) {
       return ABUT_OK;
     }
-    return refuse(ABUT_UNSUPPORTED, "the caller was compiled for version " + std::to_string(major) + "." + std::to_string(minor) +
-                                        ", the library is " + std::string(version));
+    return refuse(ABUT_UNSUPPORTED, "the caller was compiled for version " + std::to_string(major) + "." +
+                                        std::to_string(minor) + ", the library is " + std::string(version));
   });
 }
 

@@ -27,7 +27,8 @@ inline std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   std::vector<std::uint8_t> bytes;
-  std::ranges::transform(text, std::back_inserter(bytes), [](char c) { return static_cast<std::uint8_t>(static_cast<unsigned char>(c)); });
+  std::ranges::transform(text, std::back_inserter(bytes),
+                         [](char c) { return static_cast<std::uint8_t>(static_cast<unsigned char>(c)); });
   return bytes;
 }
 

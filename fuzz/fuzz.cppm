@@ -23,7 +23,8 @@ inline constexpr std::size_t number_count = 8 + 8 + 4 + 3 + 2;
 inline constexpr std::size_t record_size = 2 + 8 * number_count;
 
 // Bits of Record::flags. They shape the kinds that are made from buffers, and the pose.
-inline constexpr std::uint8_t flat_a = 1, doubled_a = 2, flat_b = 4, doubled_b = 8, lattice = 16, one_sided = 32, parallel = 64;
+inline constexpr std::uint8_t flat_a = 1, doubled_a = 2, flat_b = 4, doubled_b = 8, lattice = 16, one_sided = 32,
+                              parallel = 64;
 
 struct Record {
   std::uint8_t version = 1;
@@ -52,7 +53,9 @@ class Random {
     return mixed(state_);
   }
   [[nodiscard]] std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
-  [[nodiscard]] Real between(Real low, Real high) { return low + (high - low) * static_cast<Real>(bits() >> 11) * 0x1p-53; }
+  [[nodiscard]] Real between(Real low, Real high) {
+    return low + (high - low) * static_cast<Real>(bits() >> 11) * 0x1p-53;
+  }
 
  private:
   std::uint64_t state_;

@@ -26,28 +26,16 @@ void mutate(std::size_t place_a, std::size_t place_b, Record& record, std::uint6
   const std::size_t field = random.below(number_count);
   const Real value = number_at(record, field);
   switch (random.below(8)) {
-    case 0:
-      set_number(record, field, -value);
-      break;
-    case 1:
-      set_number(record, field, std::nextafter(value, random.below(2) == 0 ? infinity : -infinity));
-      break;
+    case 0: set_number(record, field, -value); break;
+    case 1: set_number(record, field, std::nextafter(value, random.below(2) == 0 ? infinity : -infinity)); break;
     case 2:
       // The same number of the other shape, or for the pose a number of a shape.
       set_number(record, field, number_at(record, field < 16 ? (field + 8) % 16 : random.below(16)));
       break;
-    case 3:
-      set_number(record, field, std::copysign(std::exp2(static_cast<Real>(random.below(41)) - 20), value));
-      break;
-    case 4:
-      set_number(record, field, 0);
-      break;
-    case 5:
-      record.flags = static_cast<std::uint8_t>(record.flags ^ (1u << random.below(7)));
-      break;
-    default:
-      snap_to_touching(place_a, place_b, record);
-      break;
+    case 3: set_number(record, field, std::copysign(std::exp2(static_cast<Real>(random.below(41)) - 20), value)); break;
+    case 4: set_number(record, field, 0); break;
+    case 5: record.flags = static_cast<std::uint8_t>(record.flags ^ (1u << random.below(7))); break;
+    default: snap_to_touching(place_a, place_b, record); break;
   }
 }
 

@@ -40,8 +40,8 @@ bool has_back(const AnyShape& shape) {
       shape);
 }
 
-// What holes leave is as far away as the nearest contact that they leave (docs/shapes.md), which may lie beside the nearest points
-// of the solids.
+// What holes leave is as far away as the nearest contact that they leave (docs/shapes.md), which may lie beside the
+// nearest points of the solids.
 bool has_holes(const AnyShape& shape) {
   return std::visit(
       []<class S>(const S& s) {
@@ -82,7 +82,8 @@ std::span<const Vec3> sweep() {
 }
 
 // A point in the frame of the shape must lie in it, and in what bounds it along the outward direction.
-Verdict judge_point(const AnyShape& shape, const Vec3& point, const Vec3& outward, bool must_be_outermost, Real noise, std::string_view name) {
+Verdict judge_point(const AnyShape& shape, const Vec3& point, const Vec3& outward, bool must_be_outermost, Real noise,
+                    std::string_view name) {
   // The walls of a cavity go on beyond the box of what is cut out.
   if (!shape.is_hole() && !aabb_of(shape, Pose::identity()).inflated(noise).overlaps({point, point})) {
     return std::string(name) + " is outside the box of its shape";
@@ -120,7 +121,8 @@ Verdict judge_record(const Scene& scene, Real distance, const Vec3& point_a, con
   if (Verdict verdict = judge_point(scene.a, point_a, normal, must_be_outermost, noise, "point_a")) {
     return verdict;
   }
-  return judge_point(scene.b, scene.ab.undo(point_b), -scene.ab.rotation.undo(normal), must_be_outermost, noise, "point_b");
+  return judge_point(scene.b, scene.ab.undo(point_b), -scene.ab.rotation.undo(normal), must_be_outermost, noise,
+                     "point_b");
 }
 
 Outcome distance_of(const Scene& scene, Algorithm algorithm, Distance& out) {
@@ -166,7 +168,8 @@ Verdict judge_parted(const Scene& scene, const Distance& found) {
   return std::nullopt;
 }
 
-Verdict judge_scaled(std::size_t place_a, std::size_t place_b, const Record& record, const Scene& scene, const Distance& found) {
+Verdict judge_scaled(std::size_t place_a, std::size_t place_b, const Record& record, const Scene& scene,
+                     const Distance& found) {
   const Result<Scene> larger = make_scene(place_a, place_b, record, 2);
   if (!larger) {
     return "the doubled scene is refused: " + larger.error().message;
@@ -187,18 +190,22 @@ Verdict judge_scaled(std::size_t place_a, std::size_t place_b, const Record& rec
 Real tolerance(const Scene& scene) { return 1e-9 * scene.size; }
 
 std::optional<Real> gap_along(const Scene& scene, const Vec3& direction) {
-  const std::optional<Real> a = reach_along(scene.a, direction), b = reach_along(scene.b, -scene.ab.rotation.undo(direction));
+  const std::optional<Real> a = reach_along(scene.a, direction),
+                            b = reach_along(scene.b, -scene.ab.rotation.undo(direction));
   return a && b ? std::optional(dot(direction, scene.ab.position) - *a - *b) : std::nullopt;
 }
 
 Verdict judge_distance(const Scene& scene, const Distance& found) {
   const bool must_be_outermost = !has_holes(scene.a) && !has_holes(scene.b);
-  if (Verdict verdict = judge_record(scene, found.distance, found.point_a, found.point_b, found.normal, must_be_outermost)) {
+  if (Verdict verdict =
+          judge_record(scene, found.distance, found.point_a, found.point_b, found.normal, must_be_outermost)) {
     return verdict;
   }
   const Real noise = tolerance(scene);
-  if (!(found.lower <= found.upper) || !(found.lower <= found.distance + noise) || !(found.distance <= found.upper + noise)) {
-    return "the distance " + to_text(found.distance) + " is not within [" + to_text(found.lower) + ", " + to_text(found.upper) + "]";
+  if (!(found.lower <= found.upper) || !(found.lower <= found.distance + noise) ||
+      !(found.distance <= found.upper + noise)) {
+    return "the distance " + to_text(found.distance) + " is not within [" + to_text(found.lower) + ", " +
+           to_text(found.upper) + "]";
   }
   if (const std::optional<Real> gap = gap_along(scene, found.normal)) {
     if (std::fabs(*gap - found.distance) > noise) {
@@ -225,7 +232,8 @@ Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manif
   }
   Real deepest = std::numeric_limits<Real>::infinity();
   for (const ContactPoint& contact : found) {
-    if (Verdict verdict = judge_record(scene, contact.distance, contact.point_a, contact.point_b, contact.normal, false)) {
+    if (Verdict verdict =
+            judge_record(scene, contact.distance, contact.point_a, contact.point_b, contact.normal, false)) {
       return "contact: " + *verdict;
     }
     if (contact.distance > scene.margin + noise) {
@@ -246,7 +254,8 @@ Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manif
 Verdict judge_other_routes(const Scene& scene, const Distance& found) {
   const Real noise = tolerance(scene);
   Distance other{};
-  if (distance_of(scene, Algorithm::gjk_epa, other) == Outcome::ok && !(std::fabs(other.distance - found.distance) <= noise)) {
+  if (distance_of(scene, Algorithm::gjk_epa, other) == Outcome::ok &&
+      !(std::fabs(other.distance - found.distance) <= noise)) {
     return fault("distance by GJK and EPA", other.distance, found.distance);
   }
   for (const Algorithm algorithm : {Algorithm::libccd_gjk, Algorithm::libccd_mpr}) {

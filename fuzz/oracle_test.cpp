@@ -82,8 +82,14 @@ TEST(FuzzOracle, RefusesANormalThatIsNotUnit) {
 }
 
 TEST(FuzzOracle, RefusesPointsOffTheSurface) {
-  expect_refused([](Distance& found) { found.point_a.y += 3; found.point_b.y += 3; });
-  expect_refused([](Distance& found) { found.point_a.x -= 0.1; found.point_b.x -= 0.1; });
+  expect_refused([](Distance& found) {
+    found.point_a.y += 3;
+    found.point_b.y += 3;
+  });
+  expect_refused([](Distance& found) {
+    found.point_a.x -= 0.1;
+    found.point_b.x -= 0.1;
+  });
 }
 
 TEST(FuzzOracle, RefusesBoundsThatMissTheDistance) {
@@ -121,7 +127,8 @@ TEST(FuzzOracle, TakesAnyContactForTheDistanceOfWhatHolesLeave) {
   }
   const AnyShape solid = make_shape(box(), std::array{1.0, 1.0, 1.0}, {}, {}).value();
   const AnyShape hole = make_shape(find_kind(std::string_view("sphere_hole")).value(), std::array{0.5}, {}, {}).value();
-  const PlacedShape placed_solid{Frozen<AnyShape>(solid), Pose::identity()}, placed_hole{Frozen<AnyShape>(hole), {Rotation::identity(), {1, 0, 0}}};
+  const PlacedShape placed_solid{Frozen<AnyShape>(solid), Pose::identity()},
+      placed_hole{Frozen<AnyShape>(hole), {Rotation::identity(), {1, 0, 0}}};
   // A needle over the hole, askew, and from beside the hole to the end that is further away.
   const AnyShape needle = make_shape(find_kind(std::string_view("segment")).value(), std::array{0.5}, {}, {}).value();
   const Pose askew{Rotation::from({0.9, 0, 0.2, 0}), {2, 0, 0}};

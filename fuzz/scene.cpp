@@ -41,9 +41,9 @@ ShapeInput hull_input(const Numbers& numbers, bool flat, bool doubled, bool on_l
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Real place = coordinate(random, on_lattice);
       const bool repeats = doubled && i % 3 == 2;
-      input.reals.push_back(repeats               ? input.reals[3 * (i - 2) + axis]
-                            : flat && axis == 2   ? 0
-                                                  : size_or_one(numbers[axis]) * place);
+      input.reals.push_back(repeats             ? input.reals[3 * (i - 2) + axis]
+                            : flat && axis == 2 ? 0
+                                                : size_or_one(numbers[axis]) * place);
     }
   }
   return input;
@@ -56,7 +56,8 @@ ShapeInput tetrahedron_input(const Numbers& numbers, bool flat) {
 
 ShapeInput sheet_input(const Numbers& numbers, bool flat, bool on_lattice) {
   Random random = random_of(numbers);
-  const std::uint32_t columns = 2 + static_cast<std::uint32_t>(random.below(4)), rows = 2 + static_cast<std::uint32_t>(random.below(4));
+  const std::uint32_t columns = 2 + static_cast<std::uint32_t>(random.below(4)),
+                      rows = 2 + static_cast<std::uint32_t>(random.below(4));
   ShapeInput input{{0}, {}, {}};
   for (std::uint32_t j = 0; j < rows; ++j) {
     for (std::uint32_t i = 0; i < columns; ++i) {
@@ -66,7 +67,8 @@ ShapeInput sheet_input(const Numbers& numbers, bool flat, bool on_lattice) {
       input.reals.push_back(numbers[2] * height);
       if (i + 1 < columns && j + 1 < rows) {
         const std::uint32_t corner = j * columns + i;
-        input.indices.insert(input.indices.end(), {corner, corner + 1, corner + columns + 1, corner, corner + columns + 1, corner + columns});
+        input.indices.insert(input.indices.end(), {corner, corner + 1, corner + columns + 1, corner,
+                                                   corner + columns + 1, corner + columns});
       }
     }
   }
@@ -100,7 +102,8 @@ void append_child(ShapeInput& input, std::uint32_t kind, const std::array<Real, 
 ShapeInput height_field_input(const Numbers& numbers, bool flat, bool on_lattice) {
   Random random = random_of(numbers);
   const std::size_t columns = 3 + random.below(4), rows = 3 + random.below(3);
-  ShapeInput input{{static_cast<Real>(columns), static_cast<Real>(rows), size_or_one(numbers[0]), size_or_one(numbers[1])}, {}, {}};
+  ShapeInput input{
+      {static_cast<Real>(columns), static_cast<Real>(rows), size_or_one(numbers[0]), size_or_one(numbers[1])}, {}, {}};
   for (std::size_t i = 0; i < columns * rows; ++i) {
     input.reals.push_back(flat ? 0 : numbers[2] * coordinate(random, on_lattice));
   }
@@ -227,7 +230,8 @@ ShapeInput shape_input(std::size_t place, const std::array<Real, 8>& raw, bool f
       continue;
     }
     // A half extent may be zero; a radius may not.
-    input.parameters.push_back(kind_parameter_name(place, i).starts_with("half") ? std::fabs(value) : size_or_one(value));
+    input.parameters.push_back(kind_parameter_name(place, i).starts_with("half") ? std::fabs(value)
+                                                                                 : size_or_one(value));
   }
   return input;
 }
@@ -249,7 +253,8 @@ Result<Scene> make_scene(std::size_t place_a, std::size_t place_b, const Record&
   }
   const std::array<Real, 4>& q = record.rotation;
   const Quat upright{1, 0, 0, 0};
-  const Quat rotation = has(parallel) ? upright : normalized(Quat{tamed(q[0]), tamed(q[1]), tamed(q[2]), tamed(q[3])}).value_or(upright);
+  const Quat rotation =
+      has(parallel) ? upright : normalized(Quat{tamed(q[0]), tamed(q[1]), tamed(q[2]), tamed(q[3])}).value_or(upright);
   const Vec3 position = by * Vec3{tamed(record.position[0]), tamed(record.position[1]), tamed(record.position[2])};
   Scene scene{std::move(a).value(), std::move(b).value(), {Rotation::from(rotation), position}, 0, 0};
   scene.size = std::max({reach(scene.a), reach(scene.b), largest_magnitude(position)});

@@ -1,7 +1,8 @@
 // Judges the committed records of all pairs, and random ones, without a fuzzing engine.
 // Findings named in open.txt of the folder are known defects: they are expected to be refused still, and to be off by
 // no more than the list says.
-// usage: abut_fuzz_replay <folder with corpus/ and regress/> [random records per pair] [seed] [only pairs with this kind]
+// usage: abut_fuzz_replay <folder with corpus/ and regress/> [random records per pair] [seed] [only pairs with this
+// kind]
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -115,7 +116,8 @@ int replay(const std::filesystem::path& root, std::size_t random_count, std::uin
       report(pair, "random record " + std::to_string(seed + i), judge_safely(pair, record));
     }
   }
-  std::printf("%zu findings in %zu records (%zu files), seed %llu\n", findings, judged, files, static_cast<unsigned long long>(seed));
+  std::printf("%zu findings in %zu records (%zu files), seed %llu\n", findings, judged, files,
+              static_cast<unsigned long long>(seed));
   // A kind may have no files yet, but then has random records.
   const bool is_empty = kind.empty() ? files == 0 : judged == 0;
   if (is_empty) {

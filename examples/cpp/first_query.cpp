@@ -17,7 +17,8 @@ int main() {
   const abut::Pose above{abut::Rotation::identity(), {0.0, 0.0, 1.75}};
   abut::Distance distance{};
   if (abut::pair_distance(box, ball, above, {}, distance) != abut::Outcome::ok) return 1;
-  std::printf("distance %g, normal (%g, %g, %g)\n", distance.distance, distance.normal.x, distance.normal.y, distance.normal.z);
+  std::printf("distance %g, normal (%g, %g, %g)\n", distance.distance, distance.normal.x, distance.normal.y,
+              distance.normal.z);
 
   abut::Manifold manifold;
   if (abut::pair_contacts(box, box, above, {}, manifold) != abut::Outcome::ok) return 1;

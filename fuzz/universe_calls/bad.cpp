@@ -99,7 +99,9 @@ abut_status Play::bad_id(const Call& call, abut_universe* its, abut_status& expe
     case 7: status = abut_part_user_data(its, part, &data); break;
     case 8: status = abut_part_geometries(its, part, &made, 1, &count); break;
     case 9: status = abut_geometry_create(its, part, shape, &options, &made); break;
-    case 10: status = abut_geometries_create(its, parts.data(), all_shapes.data(), nullptr, parts.size(), out.data()); break;
+    case 10:
+      status = abut_geometries_create(its, parts.data(), all_shapes.data(), nullptr, parts.size(), out.data());
+      break;
     case 11: return abut_geometry_destroy(its, geometry);
     case 12: return abut_geometries_destroy(its, geometries.data(), geometries.size());
     case 13: return abut_geometry_set_options(its, geometry, &options);

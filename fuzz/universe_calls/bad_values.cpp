@@ -86,7 +86,9 @@ abut_status Play::bad_struct(const Call& call, abut_universe* its, abut_status& 
   const auto living = world_.living_geometries();
   const auto lasting = living.empty() ? geometry : world_.geometries[living[0]].ids.at(u);
   switch (call.pick(3, 8)) {
-    case 0: part_options.struct_size = wrong_size(call, sizeof part_options); return abut_part_create(its, &part_options, &part);
+    case 0:
+      part_options.struct_size = wrong_size(call, sizeof part_options);
+      return abut_part_create(its, &part_options, &part);
     case 1: {
       const Longer<abut_part_options> future = longer(part_options);
       return abut_part_create(its, &future.known, &part);

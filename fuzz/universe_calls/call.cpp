@@ -8,8 +8,8 @@ namespace {
 
 using enum Operation;
 
-// How often each operation comes up in random bytes. An operation that is added takes entries of others, so that the others
-// keep their bytes.
+// How often each operation comes up in random bytes. An operation that is added takes entries of others, so that the
+// others keep their bytes.
 constexpr std::array<std::pair<Operation, int>, 29> weights{{
     {create_part, 8},
     {destroy_part, 1},
@@ -102,7 +102,9 @@ std::uint64_t Random::bits() {
 
 Operation Call::operation() const { return operations.at(bytes[0] % weight_sum); }
 
-int Call::number(std::size_t byte, int low, int high) const { return low + static_cast<int>(bytes.at(byte)) % (high - low + 1); }
+int Call::number(std::size_t byte, int low, int high) const {
+  return low + static_cast<int>(bytes.at(byte)) % (high - low + 1);
+}
 
 Sequence read_sequence(std::span<const std::uint8_t> bytes) {
   Sequence sequence;

@@ -36,7 +36,8 @@ abut_contact place_of(abut_contact contact) {
 
 void compare_runs(const Found& a, const Found& b, const char* what) {
   require(a.hash == b.hash, std::string("hashes differ: ") + what);
-  require(a.contacts.size() == b.contacts.size() && a.events.size() == b.events.size(), std::string("counts differ: ") + what);
+  require(a.contacts.size() == b.contacts.size() && a.events.size() == b.events.size(),
+          std::string("counts differ: ") + what);
   for (std::size_t i = 0; i < a.contacts.size(); ++i) {
     require(is_same_but_ids(a.contacts[i], b.contacts[i]), std::string("contacts differ: ") + what);
   }
@@ -63,8 +64,8 @@ void Play::detect(const Call& call) {
     const std::vector<std::size_t> living = world_.living_geometries();
     for (std::size_t i = 0; i < call.pick(1, 7) && !living.empty(); ++i) {
       pairs.emplace_back(living[call.pick(2 + 2 * i, living.size())], living[call.pick(3 + 2 * i, living.size())]);
-      scope.pairs.push_back(
-          std::minmax(world_.geometries[pairs.back().first].ids[0].slot, world_.geometries[pairs.back().second].ids[0].slot));
+      scope.pairs.push_back(std::minmax(world_.geometries[pairs.back().first].ids[0].slot,
+                                        world_.geometries[pairs.back().second].ids[0].slot));
     }
   } else if (operation == Operation::detect_region) {
     scope.coverage = Coverage::region;
@@ -132,9 +133,11 @@ void Play::follow_focus() {
     if (!tag) {
       abut_geometry_info info;
       abut_geometry_info_init(&info, sizeof info);
-      require(abut_geometry_describe(universes_.at(0), geometry.ids[0], &info) == ABUT_OK, "a geometry that lives cannot be described");
+      require(abut_geometry_describe(universes_.at(0), geometry.ids[0], &info) == ABUT_OK,
+              "a geometry that lives cannot be described");
       tag = info.tag;
-      require(*tag == world_.focus->focus.near_tag || *tag == world_.focus->focus.far_tag, "the focus gave a tag that is not its own");
+      require(*tag == world_.focus->focus.near_tag || *tag == world_.focus->focus.far_tag,
+              "the focus gave a tag that is not its own");
     }
     geometry.is_switched = *tag != geometry.options.tag;
     geometry.options.tag = *tag;
@@ -160,7 +163,8 @@ void Play::settle_filters() {
     const Geometry &a = world_.geometries[living[low]], &b = world_.geometries[living[high]];
     require(world_.is_admitted_before_filter(a, b), "the filter was asked about a pair that was left out before");
     require(world_.is_near(a, b) != Answer::no, "the filter was asked about a pair that is not near");
-    if (const std::optional<abut_parking> parking = world_.filter.parking_of(a.options.user_data, b.options.user_data)) {
+    if (const std::optional<abut_parking> parking =
+            world_.filter.parking_of(a.options.user_data, b.options.user_data)) {
       parked.emplace_back(living[high], *parking);
     }
   }
@@ -210,7 +214,8 @@ void Play::compare_part(std::size_t place) const {
     std::uint64_t user_data = 0;
     std::array<abut_geometry_id, 64> geometries{};
     std::size_t count = 0;
-    require(abut_part_pose(its, part.ids.at(u), &pose) == ABUT_OK && abut_part_motion(its, part.ids.at(u), &motion) == ABUT_OK &&
+    require(abut_part_pose(its, part.ids.at(u), &pose) == ABUT_OK &&
+                abut_part_motion(its, part.ids.at(u), &motion) == ABUT_OK &&
                 abut_part_user_data(its, part.ids.at(u), &user_data) == ABUT_OK &&
                 abut_part_geometries(its, part.ids.at(u), geometries.data(), geometries.size(), &count) == ABUT_OK,
             "a part that lives cannot be asked");
@@ -219,7 +224,8 @@ void Play::compare_part(std::size_t place) const {
     require(motion == part.motion && user_data == part.user_data, "a part has another motion or user data");
     require(count == part.geometries.size(), "a part has other geometries");
     for (std::size_t i = 0; i < count; ++i) {
-      require(geometries.at(i).slot == world_.geometries[part.geometries[i]].ids.at(u).slot, "a part has other geometries");
+      require(geometries.at(i).slot == world_.geometries[part.geometries[i]].ids.at(u).slot,
+              "a part has other geometries");
     }
   }
 }
@@ -260,7 +266,8 @@ void Play::compare_state() const {
     require(part_count == parts.size() && count == geometries.size(), "a universe lists other parts or geometries");
     for (std::size_t i = 0; i < count; ++i) {
       const abut_geometry_id wanted = world_.geometries[geometries[i]].ids.at(u);
-      require(ids.at(i).slot == wanted.slot && ids.at(i).generation == wanted.generation, "geometries are not listed by slot");
+      require(ids.at(i).slot == wanted.slot && ids.at(i).generation == wanted.generation,
+              "geometries are not listed by slot");
     }
     for (std::size_t i = 0; i < part_count; ++i) {
       const abut_part_id wanted = world_.parts[parts[i]].ids.at(u);

@@ -67,9 +67,9 @@ void Play::create_geometries(const Call& call, std::size_t count) {
       ids.push_back(world_.parts[part].ids.at(u));
     }
     std::vector<abut_geometry_id> out(parts.size());
-    const abut_status status = count == 1
-                                   ? abut_geometry_create(its, ids[0], made_of[0], all.data(), out.data())
-                                   : abut_geometries_create(its, ids.data(), made_of.data(), all.data(), ids.size(), out.data());
+    const abut_status status =
+        count == 1 ? abut_geometry_create(its, ids[0], made_of[0], all.data(), out.data())
+                   : abut_geometries_create(its, ids.data(), made_of.data(), all.data(), ids.size(), out.data());
     for (std::size_t i = 0; i < out.size(); ++i) {
       made[i].ids.at(u) = out[i];
     }
@@ -142,9 +142,10 @@ void Play::set_shape(const Call& call) {
 
 void Play::park(const Call& call, std::size_t count) {
   const std::vector<std::size_t> parked = picked(world_.living_geometries(), call, count);
-  const abut_parking parking = std::array<abut_parking, 6>{ABUT_PARKING_NONE, ABUT_PARKING_NONE,       ABUT_PARKING_NONE,
-                                                           ABUT_PARKING_NONE, ABUT_PARKING_SHORT_TERM, ABUT_PARKING_LONG_TERM}
-                                   .at(call.pick(2, 6));
+  const abut_parking parking =
+      std::array<abut_parking, 6>{ABUT_PARKING_NONE, ABUT_PARKING_NONE,       ABUT_PARKING_NONE,
+                                  ABUT_PARKING_NONE, ABUT_PARKING_SHORT_TERM, ABUT_PARKING_LONG_TERM}
+          .at(call.pick(2, 6));
   on_each("abut_geometries_park", [&](std::size_t u, abut_universe* its) {
     std::vector<abut_geometry_id> ids;
     for (const std::size_t geometry : parked) {

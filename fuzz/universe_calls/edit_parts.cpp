@@ -40,7 +40,8 @@ void Play::create_part(const Call& call) {
     return call.has(7, 2) && !has_defaults ? abut_parts_create(its, &options, 1, &part.ids.at(u))
                                            : abut_part_create(its, has_defaults ? nullptr : &options, &part.ids.at(u));
   });
-  require(part.ids[0].slot == part.ids[1].slot && part.ids[0].slot == part.ids[2].slot, "the same calls gave parts other slots");
+  require(part.ids[0].slot == part.ids[1].slot && part.ids[0].slot == part.ids[2].slot,
+          "the same calls gave parts other slots");
   world_.parts.push_back(part);
   compare_part(world_.parts.size() - 1);
 }

@@ -49,9 +49,9 @@ void Play::set_policy(const Call& call) {
   const bool is_reset = call.pick(3, 4) == 0;
   abut_policy policy = default_policy();
   if (!is_reset) {
-    policy.algorithm =
-        std::array<abut_algorithm, 4>{ABUT_ALGORITHM_AUTO, ABUT_ALGORITHM_AUTO, ABUT_ALGORITHM_SAT, ABUT_ALGORITHM_ANALYTIC}.at(
-            call.pick(4, 4));
+    policy.algorithm = std::array<abut_algorithm, 4>{ABUT_ALGORITHM_AUTO, ABUT_ALGORITHM_AUTO, ABUT_ALGORITHM_SAT,
+                                                     ABUT_ALGORITHM_ANALYTIC}
+                           .at(call.pick(4, 4));
     policy.detail = static_cast<abut_detail>(call.pick(5, 3));
     if (policy.detail == ABUT_DETAIL_BOX && (world_.events & ABUT_EVENTS_PAIRS) == 0) {
       policy.detail = ABUT_DETAIL_POINT;  // the touch of two boxes shows in its events alone

@@ -105,7 +105,8 @@ class Judge {
     }
     for (const abut_contact& contact : present) {
       const abut_contact* old = find(before.contacts, contact.id);
-      if (contact.age != (old != nullptr ? old->age + 1 : 0) || contact.user_data != (old != nullptr ? old->user_data : 0)) {
+      if (contact.age != (old != nullptr ? old->age + 1 : 0) ||
+          contact.user_data != (old != nullptr ? old->user_data : 0)) {
         return "a wrong age or user data";
       }
       try {
@@ -122,9 +123,10 @@ class Judge {
     const bool was_known = known != world_.pairs.end();
     const auto low = living_.find(slots.first), high = living_.find(slots.second);
     const bool lives = low != living_.end() && high != living_.end();
-    const bool is_same_pair = was_known && lives && known->second.low == low->second && known->second.high == high->second;
-    const bool is_reshaped =
-        is_same_pair && (world_.geometries.at(low->second).is_reshaped || world_.geometries.at(high->second).is_reshaped);
+    const bool is_same_pair =
+        was_known && lives && known->second.low == low->second && known->second.high == high->second;
+    const bool is_reshaped = is_same_pair && (world_.geometries.at(low->second).is_reshaped ||
+                                              world_.geometries.at(high->second).is_reshaped);
     Pair before;
     if (lives) {
       before.low = low->second;
@@ -189,8 +191,8 @@ class Judge {
     judge_change(slots, before, covered, pair);
     if (covered == Answer::maybe) {
       // Silent where a covered pair would have spoken, if it touches.
-      const bool must_speak =
-          pair.is_touching && reader_.has(ABUT_EVENTS_PAIRS) && (reader_.has(ABUT_EVENTS_PERSIST) || !before.is_touching);
+      const bool must_speak = pair.is_touching && reader_.has(ABUT_EVENTS_PAIRS) &&
+                              (reader_.has(ABUT_EVENTS_PERSIST) || !before.is_touching);
       covered = must_speak ? Answer::no : covered;
     }
     if (covered == Answer::yes || (covered == Answer::maybe && reader_.next_is_of(slots))) {
@@ -206,8 +208,8 @@ class Judge {
     const std::uint32_t period = world_.policy_of(a, b).period;
     const bool is_box = world_.policy_of(a, b).detail == ABUT_DETAIL_BOX;
     const bool is_stale = before.is_stale || a.is_moved || b.is_moved;
-    const bool may_wait =
-        period > 1 && !is_box && !before.is_new && scope_.coverage != Coverage::everything && before.waiting + 1 < period;
+    const bool may_wait = period > 1 && !is_box && !before.is_new && scope_.coverage != Coverage::everything &&
+                          before.waiting + 1 < period;
     const bool may_keep = covered != Answer::yes || !is_stale || may_wait;
     const bool may_be_fresh = covered != Answer::no && is_stale;
     std::optional<std::string> kept = differs_from_kept(before, pair.contacts, covered);
@@ -232,12 +234,13 @@ class Judge {
     require(stats.parts == world_.living_parts().size() && stats.geometries == living_.size(),
             "the statistics count other parts or geometries");
     require(stats.parked == world_.parked_count(), "the statistics count other parked geometries");
-    require(stats.candidate_pairs == stats.examined_pairs + stats.kept_pairs, "examined and kept pairs are not the candidates");
-    const auto touching =
-        static_cast<std::uint64_t>(std::ranges::count_if(after, [](const auto& entry) { return entry.second.is_touching; }));
-    require(
-        !reader_.has(ABUT_EVENTS_PAIRS) || stats.touching_pairs == touching,
-        "the statistics count " + std::to_string(stats.touching_pairs) + " touching pairs, expected " + std::to_string(touching));
+    require(stats.candidate_pairs == stats.examined_pairs + stats.kept_pairs,
+            "examined and kept pairs are not the candidates");
+    const auto touching = static_cast<std::uint64_t>(
+        std::ranges::count_if(after, [](const auto& entry) { return entry.second.is_touching; }));
+    require(!reader_.has(ABUT_EVENTS_PAIRS) || stats.touching_pairs == touching,
+            "the statistics count " + std::to_string(stats.touching_pairs) + " touching pairs, expected " +
+                std::to_string(touching));
   }
 
   World& world_;

@@ -17,7 +17,8 @@ bool same(const abut_collidable& a, const abut_collidable& b) {
 bool speaks_of(const World& world, const abut_collidable& rule, const Geometry& geometry) {
   const abut_part_id part = world.parts.at(geometry.part).ids[0];
   switch (rule.kind) {
-    case ABUT_COLLIDABLE_GEOMETRY: return rule.slot == geometry.ids[0].slot && rule.generation == geometry.ids[0].generation;
+    case ABUT_COLLIDABLE_GEOMETRY:
+      return rule.slot == geometry.ids[0].slot && rule.generation == geometry.ids[0].generation;
     case ABUT_COLLIDABLE_PART: return rule.slot == part.slot && rule.generation == part.generation;
     case ABUT_COLLIDABLE_LABEL: return rule.slot == geometry.options.label;
     default: return true;
@@ -26,7 +27,9 @@ bool speaks_of(const World& world, const abut_collidable& rule, const Geometry& 
 
 // The more specific side first, then the other; kinds are numbered from the
 // most specific one.
-std::pair<abut_collidable_kind, abut_collidable_kind> rank(const Rule& rule) { return std::minmax(rule.a.kind, rule.b.kind); }
+std::pair<abut_collidable_kind, abut_collidable_kind> rank(const Rule& rule) {
+  return std::minmax(rule.a.kind, rule.b.kind);
+}
 
 bool rules_allow(const World& world, const Geometry& a, const Geometry& b) {
   std::pair<abut_collidable_kind, abut_collidable_kind> best{4, 4};
@@ -120,8 +123,9 @@ bool World::may_meet(const Geometry& a, const Geometry& b) const {
 }
 
 bool World::is_admitted_before_filter(const Geometry& a, const Geometry& b) const {
-  return may_meet(a, b) && (a.options.exclusion & b.options.exclusion) == 0 && (a.options.layers & b.options.mask) != 0 &&
-         (b.options.layers & a.options.mask) != 0 && rules_allow(*this, a, b);
+  return may_meet(a, b) && (a.options.exclusion & b.options.exclusion) == 0 &&
+         (a.options.layers & b.options.mask) != 0 && (b.options.layers & a.options.mask) != 0 &&
+         rules_allow(*this, a, b);
 }
 
 bool World::is_admitted(const Geometry& a, const Geometry& b) const {
@@ -154,7 +158,8 @@ Answer World::is_near(const Geometry& a, const Geometry& b) const {
 
 bool World::is_focused(const Geometry& geometry) const {
   const std::uint32_t tag = geometry.options.tag;
-  return focus && geometry.options.parking == ABUT_PARKING_NONE && (tag == focus->focus.near_tag || tag == focus->focus.far_tag);
+  return focus && geometry.options.parking == ABUT_PARKING_NONE &&
+         (tag == focus->focus.near_tag || tag == focus->focus.far_tag);
 }
 
 std::optional<std::uint32_t> World::focused_tag(const Geometry& geometry) const {

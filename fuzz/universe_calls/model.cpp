@@ -52,7 +52,9 @@ std::vector<std::size_t> living(const std::vector<Thing>& things) {
 // A rule ends with what it names.
 template <class Id>
 void forget_rules(std::vector<Rule>& rules, abut_collidable_kind kind, const Id& id) {
-  const auto names = [&](const abut_collidable& c) { return c.kind == kind && c.slot == id.slot && c.generation == id.generation; };
+  const auto names = [&](const abut_collidable& c) {
+    return c.kind == kind && c.slot == id.slot && c.generation == id.generation;
+  };
   std::erase_if(rules, [&](const Rule& rule) { return names(rule.a) || names(rule.b); });
 }
 
@@ -74,7 +76,8 @@ Placed loosely_placed(const Triple& position, double fraction, double angle) {
   const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
   Placed placed;
   placed.is_exact = false;
-  placed.pose = {{position[0] + fraction, position[1] - fraction, position[2] + 0.5 * fraction}, {c, 0.6 * s, 0, 0.8 * s}};
+  placed.pose = {{position[0] + fraction, position[1] - fraction, position[2] + 0.5 * fraction},
+                 {c, 0.6 * s, 0, 0.8 * s}};
   return placed;
 }
 
@@ -96,8 +99,8 @@ std::vector<std::size_t> World::living_parts() const { return living(parts); }
 std::vector<std::size_t> World::living_geometries() const { return living(geometries); }
 
 std::size_t World::parked_count() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(geometries, [](const Geometry& g) { return g.is_alive && g.options.parking != ABUT_PARKING_NONE; }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      geometries, [](const Geometry& g) { return g.is_alive && g.options.parking != ABUT_PARKING_NONE; }));
 }
 
 void World::forget_geometry(std::size_t geometry) {

@@ -76,7 +76,7 @@ struct Geometry {
   abut_geometry_options options{};  // as set last
   bool is_moved = true;             // since the last detection
   bool is_reshaped = false;
-  bool is_switched = false;         // by the focus, in this detection
+  bool is_switched = false;  // by the focus, in this detection
 };
 
 struct Rule {
@@ -108,7 +108,9 @@ using Slots = std::pair<std::uint32_t, std::uint32_t>;
 struct FilterRule {
   std::uint32_t modulus = 0;  // 0: there is no filter
   std::uint32_t parks = 0;    // 0: it parks nothing
-  bool keeps(std::uint64_t data_a, std::uint64_t data_b) const { return modulus == 0 || (data_a + data_b) % modulus != 0; }
+  bool keeps(std::uint64_t data_a, std::uint64_t data_b) const {
+    return modulus == 0 || (data_a + data_b) % modulus != 0;
+  }
   std::optional<abut_parking> parking_of(std::uint64_t data_a, std::uint64_t data_b) const;
 };
 

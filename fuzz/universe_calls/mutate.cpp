@@ -7,7 +7,9 @@ namespace universe_calls {
 void mutate(Sequence& sequence, std::uint64_t seed, std::size_t most) {
   Random random(seed);
   std::vector<Call>& calls = sequence.calls;
-  const auto place = [&](std::size_t limit) { return calls.begin() + static_cast<std::ptrdiff_t>(random.below(limit)); };
+  const auto place = [&](std::size_t limit) {
+    return calls.begin() + static_cast<std::ptrdiff_t>(random.below(limit));
+  };
   const auto any_call = [&] {
     Call call;
     std::ranges::generate(call.bytes, [&] { return static_cast<std::uint8_t>(random.bits() & 0xff); });

@@ -52,7 +52,8 @@ void Play::call(const Call& call) {
     case Operation::set_sleep: return set_sleep(call);
     case Operation::set_filter: return set_filter(call);
     case Operation::refilter:
-      return on_each("abut_universe_refilter", [](std::size_t, abut_universe* its) { return abut_universe_refilter(its); });
+      return on_each("abut_universe_refilter",
+                     [](std::size_t, abut_universe* its) { return abut_universe_refilter(its); });
     case Operation::set_policy: return set_policy(call);
     case Operation::set_focus: return set_focus(call);
     case Operation::step:
@@ -60,14 +61,16 @@ void Play::call(const Call& call) {
     case Operation::detect_pairs:
     case Operation::detect_region: return detect(call);
     case Operation::refresh:
-      return on_each("abut_universe_refresh", [](std::size_t, abut_universe* its) { return abut_universe_refresh(its); });
+      return on_each("abut_universe_refresh",
+                     [](std::size_t, abut_universe* its) { return abut_universe_refresh(its); });
     case Operation::mark_contacts: return mark_contacts(call);
     case Operation::bad: return bad(call);
   }
 }
 
 // Up to `count` different ones, from where the call says.
-std::vector<std::size_t> Play::picked(const std::vector<std::size_t>& living, const Call& call, std::size_t count) const {
+std::vector<std::size_t> Play::picked(const std::vector<std::size_t>& living, const Call& call,
+                                      std::size_t count) const {
   std::vector<std::size_t> out;
   const std::size_t first = call.pick(1, living.size());
   for (std::size_t i = 0; i < std::min(count, living.size()); ++i) {

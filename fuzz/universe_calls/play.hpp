@@ -13,7 +13,8 @@
 namespace universe_calls {
 
 struct Counts {
-  std::size_t calls = 0, detections = 0, contacts = 0, events = 0, refusals = 0, filtered = 0, switched = 0, sleeps = 0, wakes = 0;
+  std::size_t calls = 0, detections = 0, contacts = 0, events = 0, refusals = 0, filtered = 0, switched = 0, sleeps = 0,
+              wakes = 0;
 };
 
 // Changes what was found before it is judged: for tests of the judge.
@@ -77,7 +78,8 @@ class Play {
   void on_each(const char* name, Body&& body) {
     for (std::size_t universe = 0; universe < universe_count; ++universe) {
       const abut_status status = body(universe, universes_.at(universe));
-      require(status == ABUT_OK, std::string(name) + " answered " + abut_status_name(status) + ": " + abut_last_error_message());
+      require(status == ABUT_OK,
+              std::string(name) + " answered " + abut_status_name(status) + ": " + abut_last_error_message());
     }
   }
   std::vector<std::size_t> picked(const std::vector<std::size_t>& living, const Call& call, std::size_t count) const;

@@ -11,7 +11,9 @@ Slots slots_of(const abut_geometry_id& a, const abut_geometry_id& b) { return {a
 
 std::string name_of(const Slots& slots) { return std::to_string(slots.first) + "-" + std::to_string(slots.second); }
 
-bool is_same(const abut_geometry_id& a, const abut_geometry_id& b) { return a.slot == b.slot && a.generation == b.generation; }
+bool is_same(const abut_geometry_id& a, const abut_geometry_id& b) {
+  return a.slot == b.slot && a.generation == b.generation;
+}
 
 const abut_contact* find(const std::vector<abut_contact>& contacts, std::uint64_t id) {
   const auto found = std::ranges::find(contacts, id, &abut_contact::id);
@@ -21,7 +23,8 @@ const abut_contact* find(const std::vector<abut_contact>& contacts, std::uint64_
 void Reader::expect_event(abut_event_kind kind, const Pair& pair, const abut_contact* contact, std::size_t first,
                           std::size_t count) {
   const Geometry &a = world_.geometries.at(pair.low), &b = world_.geometries.at(pair.high);
-  const std::string what = "event of " + name_of({a.ids[0].slot, b.ids[0].slot}) + (contact != nullptr ? " (contact)" : "");
+  const std::string what =
+      "event of " + name_of({a.ids[0].slot, b.ids[0].slot}) + (contact != nullptr ? " (contact)" : "");
   require(next_event_ < found_.events.size(), "missing " + what);
   const abut_event& event = found_.events[next_event_++];
   require(is_same(event.geometry_a, a.ids[0]) && is_same(event.geometry_b, b.ids[0]),
@@ -107,7 +110,8 @@ bool Reader::next_is_of(const Slots& slots) const {
 }
 
 void Reader::expect_nothing_left() const {
-  require(next_contact_ == found_.contacts.size(), "contacts are not in the order of slots, or of no pair that is alive");
+  require(next_contact_ == found_.contacts.size(),
+          "contacts are not in the order of slots, or of no pair that is alive");
   require(next_event_ == found_.events.size(), "events are not in the order of slots, or too many");
 }
 

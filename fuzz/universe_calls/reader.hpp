@@ -35,7 +35,8 @@ class Reader {
 
  private:
   // The next event has to be this one.
-  void expect_event(abut_event_kind kind, const Pair& pair, const abut_contact* contact, std::size_t first, std::size_t count);
+  void expect_event(abut_event_kind kind, const Pair& pair, const abut_contact* contact, std::size_t first,
+                    std::size_t count);
 
   const World& world_;
   const Found& found_;

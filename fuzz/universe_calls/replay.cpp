@@ -44,10 +44,10 @@ class Replay {
   int report() const {
     std::printf(
         "%zu findings in %zu sequences: %zu calls, %zu detections, %zu "
-         "contacts, %zu events, %zu refused calls, %zu questions to filters, "
-         "%zu switches of tags, %zu times asleep\n",
-         findings_, sequences_, sum_.calls, sum_.detections, sum_.contacts, sum_.events, sum_.refusals, sum_.filtered,
-         sum_.switched, sum_.sleeps);
+        "contacts, %zu events, %zu refused calls, %zu questions to filters, "
+        "%zu switches of tags, %zu times asleep\n",
+        findings_, sequences_, sum_.calls, sum_.detections, sum_.contacts, sum_.events, sum_.refusals, sum_.filtered,
+        sum_.switched, sum_.sleeps);
     return findings_ == 0 && sequences_ > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
   }
 

@@ -38,7 +38,8 @@ void Play::set_sleep(const Call& call) {
       return ids.size() == 1 ? abut_part_wake(its, ids[0]) : abut_parts_wake(its, ids.data(), ids.size());
     }
     const abut_sleep* given = kind == 1 ? nullptr : sleeps.data();
-    return ids.size() == 1 ? abut_part_set_sleep(its, ids[0], given) : abut_parts_set_sleep(its, ids.data(), given, ids.size());
+    return ids.size() == 1 ? abut_part_set_sleep(its, ids[0], given)
+                           : abut_parts_set_sleep(its, ids.data(), given, ids.size());
   });
   for (const std::size_t part : parts) {
     world_.parts[part].may_sleep = kind == 0 ? world_.parts[part].may_sleep : kind != 1;
@@ -65,13 +66,15 @@ void Play::judge_sleep_of(std::size_t universe) {
   for (const std::size_t i : world_.living_parts()) {
     Part& part = world_.parts[i];
     std::uint32_t asleep = 77;
-    require(abut_part_is_asleep(its, part.ids.at(universe), &asleep) == ABUT_OK && asleep <= 1, "abut_part_is_asleep failed");
+    require(abut_part_is_asleep(its, part.ids.at(universe), &asleep) == ABUT_OK && asleep <= 1,
+            "abut_part_is_asleep failed");
     const bool is_asleep = asleep == 1, was_asleep = part.is_asleep.at(universe);
     asleep_count += asleep;
     require(!is_asleep || (part.may_sleep && part.motion == ABUT_MOTION_DYNAMIC), "a part sleeps that must not");
     if (is_asleep != was_asleep) {
       require(next < changes.size() && changes[next].part.slot == part.ids.at(universe).slot &&
-                  changes[next].part.generation == part.ids.at(universe).generation && changes[next].is_asleep == asleep,
+                  changes[next].part.generation == part.ids.at(universe).generation &&
+                  changes[next].is_asleep == asleep,
               "a part fell asleep or woke, and the next change is another one");
       ++next;
       (is_asleep ? counts_.sleeps : counts_.wakes) += 1;
@@ -96,7 +99,8 @@ void Play::judge_sleep_of(std::size_t universe) {
     const Part &one = world_.parts[a.part], &other = world_.parts[b.part];
     const bool is_sensor = ((a.options.flags | b.options.flags) & ABUT_GEOMETRY_SENSOR) != 0;
     const bool is_joined = one.motion == ABUT_MOTION_DYNAMIC && other.motion == ABUT_MOTION_DYNAMIC && !is_sensor;
-    require(!is_joined || one.is_asleep.at(universe) == other.is_asleep.at(universe), "one of two parts that touch sleeps, the other does not");
+    require(!is_joined || one.is_asleep.at(universe) == other.is_asleep.at(universe),
+            "one of two parts that touch sleeps, the other does not");
   }
 }
 

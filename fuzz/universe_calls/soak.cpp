@@ -71,7 +71,8 @@ class Soak {
         other = {};
         ++created_;
       } else if (other.slot == 0) {
-        expect_ok(abut_geometry_create(universe_, parts_.at(place), shapes().at(random_.below(27)).shape, nullptr, &other));
+        expect_ok(
+            abut_geometry_create(universe_, parts_.at(place), shapes().at(random_.below(27)).shape, nullptr, &other));
         ++created_;
       }
     }
@@ -104,7 +105,8 @@ int soak(std::size_t steps) {
   require(steps >= 4 * round, "expected at least 4000 steps: fewer are over before memory can be compared");
   const std::size_t warm = std::max(2 * round, steps / 10 / round * round);
   std::size_t warm_bytes = 0, warm_resident = 0, last_bytes = 0, last_resident = 0;
-  std::printf("%10s %12s %18s %10s %14s %14s\n", "steps", "park calls", "created/destroyed", "contacts", "bytes", "resident KiB");
+  std::printf("%10s %12s %18s %10s %14s %14s\n", "steps", "park calls", "created/destroyed", "contacts", "bytes",
+              "resident KiB");
   for (std::size_t done = 0; done < steps;) {
     soak.restart();
     for (std::size_t i = 0; i < round && done < steps; ++i, ++done) {

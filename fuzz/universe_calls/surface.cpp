@@ -36,7 +36,8 @@ void judge_point(const World& world, const Geometry& geometry, const abut_vec3& 
   }
   const abut_vec3 local = into(geometry.local.pose, into(world.parts.at(geometry.part).placed.pose, point));
   const Triple& half = geometry.shape.half;
-  const double outside = std::max({std::fabs(local.x) - half[0], std::fabs(local.y) - half[1], std::fabs(local.z) - half[2]});
+  const double outside =
+      std::max({std::fabs(local.x) - half[0], std::fabs(local.y) - half[1], std::fabs(local.z) - half[2]});
   require(std::fabs(outside) <= tolerance, std::string(name) + " is " + std::to_string(outside) + " off its box");
 }
 
@@ -53,12 +54,15 @@ void judge_points(const World& world, const Geometry& a, const Geometry& b, cons
   const abut_policy& policy = world.policy_of(a, b);
   const double reach = policy.tolerance < 0 ? a.options.tolerance + b.options.tolerance : policy.tolerance;
   const double limit = world.mode == ABUT_TOLERANCE_MARGIN ? reach : -reach;
-  require(reach == 0 ? contact.distance <= 0 : contact.distance < limit, "a contact is reported that the tolerance rules out");
+  require(reach == 0 ? contact.distance <= 0 : contact.distance < limit,
+          "a contact is reported that the tolerance rules out");
   judge_point(world, a, contact.point_a, "point_a");
   judge_point(world, b, contact.point_b, "point_b");
   const auto flags = (a.options.flags | b.options.flags) & ABUT_GEOMETRY_SENSOR;
-  require(contact.flags == (flags != 0 ? std::uint32_t{ABUT_CONTACT_SENSOR} : 0), "the sensor flag of a contact is wrong");
-  require(contact.material_a == a.options.material && contact.material_b == b.options.material, "a contact has other materials");
+  require(contact.flags == (flags != 0 ? std::uint32_t{ABUT_CONTACT_SENSOR} : 0),
+          "the sensor flag of a contact is wrong");
+  require(contact.material_a == a.options.material && contact.material_b == b.options.material,
+          "a contact has other materials");
 }
 
 }  // namespace universe_calls

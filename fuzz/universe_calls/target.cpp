@@ -10,7 +10,8 @@
 extern "C" {
 std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned int seed);
 std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data, std::size_t size, const std::uint8_t* other,
-                                      std::size_t other_size, std::uint8_t* out, std::size_t max_size, unsigned int seed);
+                                      std::size_t other_size, std::uint8_t* out, std::size_t max_size,
+                                      unsigned int seed);
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 }
 
@@ -54,6 +55,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
 
 // The beginning of one sequence and the end of the other.
 std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data, std::size_t size, const std::uint8_t* other,
-                                      std::size_t other_size, std::uint8_t* out, std::size_t max_size, unsigned int seed) {
+                                      std::size_t other_size, std::uint8_t* out, std::size_t max_size,
+                                      unsigned int seed) {
   return write(spliced(sequence_at(data, size), sequence_at(other, other_size), seed), out, max_size);
 }

@@ -82,7 +82,8 @@ TEST(UniverseCalls, JudgeRefusesWrongAnswers) {
       Play play(loud_sequence(seed), tamper);
       const std::optional<std::string> finding = play.run();
       changed += is_changed ? 1 : 0;
-      EXPECT_EQ(finding.has_value(), is_changed) << wrong.name << ", seed " << seed << ": " << finding.value_or("no finding");
+      EXPECT_EQ(finding.has_value(), is_changed)
+          << wrong.name << ", seed " << seed << ": " << finding.value_or("no finding");
     }
     EXPECT_GT(changed, 3) << wrong.name;
   }

@@ -8,7 +8,8 @@ namespace universe_calls {
 namespace {
 
 void expect_ok(abut_status status, const char* call) {
-  require(status == ABUT_OK, std::string(call) + " answered " + abut_status_name(status) + ": " + abut_last_error_message());
+  require(status == ABUT_OK,
+          std::string(call) + " answered " + abut_status_name(status) + ": " + abut_last_error_message());
 }
 
 template <class Value>
@@ -122,10 +123,11 @@ Snapshot snapshot_of(const abut_universe* universe) {
 bool is_same(const abut_contact& a, const abut_contact& b) { return has_same_bits(a, b); }
 
 bool is_same(const Snapshot& a, const Snapshot& b) {
-  return has_same_bits(a.parts, b.parts) && has_same_bits(a.geometries, b.geometries) && has_same_bits(a.infos, b.infos) &&
-         has_same_bits(a.poses, b.poses) && has_same_bits(a.motions, b.motions) && has_same_bits(a.policies, b.policies) &&
-         has_same_bits(a.found.contacts, b.found.contacts) && has_same_bits(a.found.events, b.found.events) &&
-         has_same_bits(a.found.stats, b.found.stats) && a.found.hash == b.found.hash && has_same_bits(a.revision, b.revision);
+  return has_same_bits(a.parts, b.parts) && has_same_bits(a.geometries, b.geometries) &&
+         has_same_bits(a.infos, b.infos) && has_same_bits(a.poses, b.poses) && has_same_bits(a.motions, b.motions) &&
+         has_same_bits(a.policies, b.policies) && has_same_bits(a.found.contacts, b.found.contacts) &&
+         has_same_bits(a.found.events, b.found.events) && has_same_bits(a.found.stats, b.found.stats) &&
+         a.found.hash == b.found.hash && has_same_bits(a.revision, b.revision);
 }
 
 Universes::Universes(const Call& setup) {

@@ -75,8 +75,10 @@ enum abut_status_value ABUT_ENUM(int32_t) {
   ABUT_UNKNOWN_VALUE = 12,        /**< an enumeration value, kind, flag or name that does not exist */
   ABUT_UNSUPPORTED = 13,          /**< a shape, feature, pair or algorithm that is not available */
   ABUT_NOT_CONVERGED = 14,        /**< an algorithm of another library gave up or returned nonsense */
-  ABUT_OUT_OF_MEMORY = 15,        /**< nothing has changed; but a universe in a step, detection or refresh answers ABUT_INTERNAL from now on */
-  ABUT_INTERNAL = 16,             /**< a defect of abut; the universe answers only this from now on, as after a step without memory */
+  ABUT_OUT_OF_MEMORY = 15,        /**< nothing has changed; but a universe in a step, detection or refresh answers
+                                       ABUT_INTERNAL from now on */
+  ABUT_INTERNAL = 16,             /**< a defect of abut; the universe answers only this from now on, as after a step
+                                       without memory */
   ABUT_BUSY = 17                  /**< an [exclusive] call from a callback of the same universe */
 };
 
@@ -156,7 +158,8 @@ typedef struct abut_geometry_id {
 /** What of a shape takes part in a contact or is hit by a ray. */
 typedef uint32_t abut_feature_kind;
 enum abut_feature_kind_value ABUT_ENUM(uint32_t) {
-  ABUT_FEATURE_WHOLE = 0,  /**< no corner, edge or face is told apart, as of planes; of spheres it is the centre, vertex 0 */
+  ABUT_FEATURE_WHOLE = 0,  /**< no corner, edge or face is told apart, as of planes; of spheres it is the centre,
+                                vertex 0 */
   ABUT_FEATURE_VERTEX = 1,
   ABUT_FEATURE_EDGE = 2,
   ABUT_FEATURE_FACE = 3,   /**< of a mesh or a height field: the triangle */
@@ -349,7 +352,9 @@ ABUT_API abut_status abut_shape_create(const abut_shape_desc *desc, abut_shape *
 /** One more reference to a shape. Null is allowed. [any] */
 ABUT_API void abut_shape_retain(abut_shape *shape);
 
-/** One reference less; the last one destroys the shape. Geometries hold references of their own. Null is allowed. [any] */
+/**
+ * One reference less; the last one destroys the shape. Geometries hold references of their own. Null is allowed. [any]
+ */
 ABUT_API void abut_shape_release(abut_shape *shape);
 
 /** Kind of a shape; 0 for null. [any] */
@@ -370,8 +375,9 @@ ABUT_API abut_status abut_shape_aabb(const abut_shape *shape, const abut_pose *p
  * @param triangles  triangle_capacity * 3 indices
  * [any]
  */
-ABUT_API abut_status abut_shape_triangles(const abut_shape *shape, double *xyz, size_t vertex_capacity, size_t *vertex_count,
-                                          uint32_t *triangles, size_t triangle_capacity, size_t *triangle_count);
+ABUT_API abut_status abut_shape_triangles(const abut_shape *shape, double *xyz, size_t vertex_capacity,
+                                          size_t *vertex_count, uint32_t *triangles, size_t triangle_capacity,
+                                          size_t *triangle_count);
 
 /** A ray. The direction has any length but zero; distances are measured in world units. */
 typedef struct abut_ray {
@@ -420,8 +426,8 @@ typedef struct abut_query_options {
   double error_bound;
   double margin;            /**< contacts are reported up to this distance; default 0; may be negative */
   /** How many contacts a patch keeps: exactly the deepest, and those that span the largest area with it. Contacts whose
-   * normals agree (cosine at least 0.98) form a patch, of each pair of children by itself. Two convex shapes mostly have
-   * one patch. A surface has one for every way that it faces. 0 keeps all; default 4. */
+   * normals agree (cosine at least 0.98) form a patch, of each pair of children by itself. Two convex shapes mostly
+   * have one patch. A surface has one for every way that it faces. 0 keeps all; default 4. */
   uint32_t max_contacts;
   uint32_t max_pair_contacts; /**< how many all patches of the pair keep together: the deepest, then the deepest of
                                    patches that face furthest from each other; 0, the default, keeps all */
@@ -468,9 +474,11 @@ typedef struct abut_contact {
   abut_vec3 point_b;           /**< on the surface of b, world frame */
   abut_vec3 normal;            /**< unit, from a to b */
   double distance;             /**< dot(point_b - point_a, normal); negative: overlapping */
-  double toi;                  /**< fraction of the step at first touch, in [0, 1]; always 0 in this version, which detects at the present poses only */
+  double toi;                  /**< fraction of the step at first touch, in [0, 1]; always 0 in this version, which
+                                    detects at the present poses only */
   abut_contact_flags flags;
-  uint32_t age;                /**< steps in a row before this one that reported it; 0 when it is new, and in pair queries */
+  uint32_t age;                /**< steps in a row before this one that reported it; 0 when it is new, and in pair
+                                    queries */
   uint64_t user_data;          /**< as abut_contacts_set_user_data left it, while the contact stays; 0 when it is new */
   uint32_t material_a;         /**< of the geometries; 0 in pair queries. See abut_material_pair_get */
   uint32_t material_b;
@@ -497,7 +505,9 @@ ABUT_API abut_status abut_contact_validate(const abut_contact *contact);
 ABUT_API abut_status abut_pair_distance(const abut_shape *a, const abut_pose *pose_a, const abut_shape *b,
                                         const abut_pose *pose_b, const abut_query_options *options, abut_distance *out);
 
-/** The same for `count` pairs of poses of the same two shapes; the first failure ends it, nothing is written then. [any] */
+/**
+ * The same for `count` pairs of poses of the same two shapes; the first failure ends it, nothing is written then. [any]
+ */
 ABUT_API abut_status abut_pairs_distance(const abut_shape *a, const abut_pose *poses_a, const abut_shape *b,
                                          const abut_pose *poses_b, size_t count, const abut_query_options *options,
                                          abut_distance *out);
@@ -525,7 +535,8 @@ enum abut_broadphase_value ABUT_ENUM(uint32_t) {
   ABUT_BROADPHASE_BRUTE = 1,           /**< every pair of boxes; for a few dozen geometries */
   ABUT_BROADPHASE_TREE = 2,            /**< dynamic box trees, one of what moves and one of what does not */
   ABUT_BROADPHASE_SWEEP_AND_PRUNE = 3, /**< sorted ends on three axes, kept from step to step */
-  ABUT_BROADPHASE_HASH_GRID = 4        /**< grids of cells, each four times as coarse as the one before; for many boxes of about one size */
+  ABUT_BROADPHASE_HASH_GRID = 4        /**< grids of cells, each four times as coarse as the one before; for many
+                                            boxes of about one size */
 };
 
 typedef uint32_t abut_tolerance_mode;
@@ -545,19 +556,26 @@ enum abut_event_bits_value ABUT_ENUM(uint32_t) {
 /** Bits of the flags of a universe. */
 typedef uint32_t abut_universe_flags;
 enum abut_universe_flags_value ABUT_ENUM(uint32_t) {
-  ABUT_UNIVERSE_LOCAL_POINTS = 1 /**< keeps what abut_universe_local_points lends; steps of many contacts take an eighth longer */
+  ABUT_UNIVERSE_LOCAL_POINTS = 1 /**< keeps what abut_universe_local_points lends; steps of many contacts take an
+                                      eighth longer */
 };
 
 typedef struct abut_universe_options {
   uint32_t struct_size;
   abut_broadphase broadphase;         /**< default ABUT_BROADPHASE_AUTO */
   abut_tolerance_mode tolerance_mode; /**< default ABUT_TOLERANCE_DEAD_BAND */
-  uint32_t max_contacts;              /**< of a patch, as in abut_query_options, but that the deepest point of a rim gives way to corners that are as deep within 1e-4 of the extent, so that it does not run around the rim from step to step; 0 keeps all; default 4 */
+  uint32_t max_contacts;              /**< of a patch, as in abut_query_options, but that the deepest point of a rim
+                                           gives way to corners that are as deep within 1e-4 of the extent, so that
+                                           it does not run around the rim from step to step; 0 keeps all; default 4 */
   abut_vec3 origin;                   /**< boxes of the broad phase are stored relative to it; default 0 */
-  uint32_t threads;                   /**< of a step; 0: as many as there may be; the most are those that the machine runs at once, or that the process allows oneTBB; default 1. Results are the same bits for any number */
-  abut_event_bits events;             /**< which events steps write down; default ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST */
+  uint32_t threads;                   /**< of a step; 0: as many as there may be; the most are those that the machine
+                                           runs at once, or that the process allows oneTBB; default 1. Results are
+                                           the same bits for any number */
+  abut_event_bits events;             /**< which events steps write down; default ABUT_EVENTS_PAIRS |
+                                           ABUT_EVENTS_PERSIST */
   abut_universe_flags flags;          /**< default 0 */
-  uint32_t max_pair_contacts;         /**< of all patches of a pair, as in abut_query_options; 0, the default, keeps all */
+  uint32_t max_pair_contacts;         /**< of all patches of a pair, as in abut_query_options; 0, the default, keeps
+                                           all */
 } abut_universe_options;
 
 ABUT_API void abut_universe_options_init(abut_universe_options *options, uint32_t struct_size);
@@ -565,7 +583,10 @@ ABUT_API void abut_universe_options_init(abut_universe_options *options, uint32_
 /** Creates a universe; the caller frees it with abut_universe_destroy. `options` may be null. [any] */
 ABUT_API abut_status abut_universe_create(const abut_universe_options *options, abut_universe **out);
 
-/** Destroys a universe and everything in it. Null is allowed. From a callback of the universe it does nothing. [exclusive] */
+/**
+ * Destroys a universe and everything in it. Null is allowed. From a callback of the universe it does nothing.
+ * [exclusive]
+ */
 ABUT_API void abut_universe_destroy(abut_universe *universe);
 
 /** How a part moves. Pairs of parts of which neither is dynamic are never examined. */
@@ -589,7 +610,8 @@ ABUT_API void abut_part_options_init(abut_part_options *options, uint32_t struct
 ABUT_API abut_status abut_part_create(abut_universe *universe, const abut_part_options *options, abut_part_id *out);
 
 /** Creates `count` parts, all or none; `options` is an array of `count`. [exclusive] */
-ABUT_API abut_status abut_parts_create(abut_universe *universe, const abut_part_options *options, size_t count, abut_part_id *out);
+ABUT_API abut_status abut_parts_create(abut_universe *universe, const abut_part_options *options, size_t count,
+                                       abut_part_id *out);
 
 /** Destroys a part and its geometries. [exclusive] */
 ABUT_API abut_status abut_part_destroy(abut_universe *universe, abut_part_id part);
@@ -601,19 +623,22 @@ ABUT_API abut_status abut_parts_destroy(abut_universe *universe, const abut_part
 ABUT_API abut_status abut_part_set_pose(abut_universe *universe, abut_part_id part, const abut_pose *pose);
 
 /** Places `count` parts, all or none. [exclusive] */
-ABUT_API abut_status abut_parts_set_poses(abut_universe *universe, const abut_part_id *parts, const abut_pose *poses, size_t count);
+ABUT_API abut_status abut_parts_set_poses(abut_universe *universe, const abut_part_id *parts, const abut_pose *poses,
+                                          size_t count);
 
 /** Pose of a part. [const] */
 ABUT_API abut_status abut_part_pose(const abut_universe *universe, abut_part_id part, abut_pose *out);
 
 /** Poses of `count` parts. [const] */
-ABUT_API abut_status abut_parts_poses(const abut_universe *universe, const abut_part_id *parts, size_t count, abut_pose *out);
+ABUT_API abut_status abut_parts_poses(const abut_universe *universe, const abut_part_id *parts, size_t count,
+                                      abut_pose *out);
 
 /** How a part moves, for a part that exists; takes effect at the next step. [exclusive] */
 ABUT_API abut_status abut_part_set_motion(abut_universe *universe, abut_part_id part, abut_motion motion);
 
 /** The same for `count` parts, all or none. [exclusive] */
-ABUT_API abut_status abut_parts_set_motions(abut_universe *universe, const abut_part_id *parts, const abut_motion *motions, size_t count);
+ABUT_API abut_status abut_parts_set_motions(abut_universe *universe, const abut_part_id *parts,
+                                            const abut_motion *motions, size_t count);
 
 /** How a part moves. [const] */
 ABUT_API abut_status abut_part_motion(const abut_universe *universe, abut_part_id part, abut_motion *out);
@@ -622,12 +647,12 @@ ABUT_API abut_status abut_part_motion(const abut_universe *universe, abut_part_i
 ABUT_API abut_status abut_part_user_data(const abut_universe *universe, abut_part_id part, uint64_t *out);
 
 /** Geometries of a part by count-then-fill, in order of creation. [const] */
-ABUT_API abut_status abut_part_geometries(const abut_universe *universe, abut_part_id part, abut_geometry_id *geometries,
-                                          size_t capacity, size_t *count);
+ABUT_API abut_status abut_part_geometries(const abut_universe *universe, abut_part_id part,
+                                          abut_geometry_id *geometries, size_t capacity, size_t *count);
 
 /**
- * When a part has come to rest. It is calm in a step when its speeds and accelerations are at most these; they follow from its
- * poses in this step and the two before. Zeros: it has to stand still.
+ * When a part has come to rest. It is calm in a step when its speeds and accelerations are at most these; they follow
+ * from its poses in this step and the two before. Zeros: it has to stand still.
  */
 typedef struct abut_sleep {
   uint32_t struct_size;
@@ -641,23 +666,26 @@ typedef struct abut_sleep {
 ABUT_API void abut_sleep_init(abut_sleep *sleep, uint32_t struct_size);
 
 /**
- * Lets a part fall asleep; null: it never does by itself, which is the default. Dynamic parts that touch fall asleep together, in
- * the step in which each of them has been calm for its steps, unless one of their touches begins or ends there or one is a dynamic
- * part that never sleeps, or an animated or static one that has moved. Only abut_universe_step with dt above 0 measures, counts and
- * sends to sleep. A sleeping part wakes in the next step or detection, with all dynamic parts that it touches, directly or through
- * others, when
- *  - its pose changes in any way, or its motion, its thresholds, or the geometries that it has, their shapes or options;
- *  - a touch of it begins or ends, by moving, parking, destruction, filters or anything else: removing a support wakes what it carried;
+ * Lets a part fall asleep; null: it never does by itself, which is the default. Dynamic parts that touch fall asleep
+ * together, in the step in which each of them has been calm for its steps, unless one of their touches begins or ends
+ * there or one is a dynamic part that never sleeps, or an animated or static one that has moved. Only
+ * abut_universe_step with dt above 0 measures, counts and sends to sleep. A sleeping part wakes in the next step or
+ * detection, with all dynamic parts that it touches, directly or through others, when
+ *  - its pose changes in any way, or its motion, its thresholds, or the geometries that it has, their shapes or
+ *  options;
+ *  - a touch of it begins or ends, by moving, parking, destruction, filters or anything else: removing a support wakes
+ *  what it carried;
  *  - an animated or static part that it touches moves, or changes its motion or geometries;
  *  - abut_part_wake says so.
- * Touches of sensors and pairs treated as boxes count for nothing. Sleep changes no contact: detections cover sleeping parts like any
- * others. It tells the caller what need not be simulated.
+ * Touches of sensors and pairs treated as boxes count for nothing. Sleep changes no contact: detections cover sleeping
+ * parts like any others. It tells the caller what need not be simulated.
  * Complexity of a step O(parts that may sleep + pairs). [exclusive]
  */
 ABUT_API abut_status abut_part_set_sleep(abut_universe *universe, abut_part_id part, const abut_sleep *sleep);
 
 /** The same for `count` parts, all or none; `sleeps` is an array of `count`, or null. [exclusive] */
-ABUT_API abut_status abut_parts_set_sleep(abut_universe *universe, const abut_part_id *parts, const abut_sleep *sleeps, size_t count);
+ABUT_API abut_status abut_parts_set_sleep(abut_universe *universe, const abut_part_id *parts, const abut_sleep *sleeps,
+                                          size_t count);
 
 /** Whether a part slept at the end of the last step or detection; `out` becomes 1 or 0. [const] */
 ABUT_API abut_status abut_part_is_asleep(const abut_universe *universe, abut_part_id part, uint32_t *out);
@@ -676,7 +704,8 @@ typedef uint32_t abut_parking;
 enum abut_parking_value ABUT_ENUM(uint32_t) {
   ABUT_PARKING_NONE = 0,
   ABUT_PARKING_SHORT_TERM = 1, /**< keeps its place in the broad phase: parking and coming back are quick */
-  ABUT_PARKING_LONG_TERM = 2   /**< leaves the broad phase: a step costs nothing for it, coming back costs an insertion */
+  ABUT_PARKING_LONG_TERM = 2   /**< leaves the broad phase: a step costs nothing for it, coming back costs an
+                                    insertion */
 };
 
 /** Bits of the flags of a geometry. */
@@ -688,8 +717,8 @@ enum abut_geometry_flags_value ABUT_ENUM(uint32_t) {
 
 /**
  * Two geometries are examined when all of this holds, in this order: they are on different parts, of which one is
- * dynamic; neither is parked; they have no exclusion bit in common; each one's layers meet the other one's mask; the most
- * specific rule does not disable the pair (abut_rule_set); the filter keeps it (abut_universe_set_filter).
+ * dynamic; neither is parked; they have no exclusion bit in common; each one's layers meet the other one's mask; the
+ * most specific rule does not disable the pair (abut_rule_set); the filter keeps it (abut_universe_set_filter).
  */
 typedef struct abut_geometry_options {
   uint32_t struct_size;
@@ -713,8 +742,9 @@ ABUT_API abut_status abut_geometry_create(abut_universe *universe, abut_part_id 
                                           const abut_geometry_options *options, abut_geometry_id *out);
 
 /** Puts `count` shapes on `count` parts, all or none; `options` is an array of `count`, or null. [exclusive] */
-ABUT_API abut_status abut_geometries_create(abut_universe *universe, const abut_part_id *parts, const abut_shape *const *shapes,
-                                            const abut_geometry_options *options, size_t count, abut_geometry_id *out);
+ABUT_API abut_status abut_geometries_create(abut_universe *universe, const abut_part_id *parts,
+                                            const abut_shape *const *shapes, const abut_geometry_options *options,
+                                            size_t count, abut_geometry_id *out);
 
 /** Takes a geometry away. [exclusive] */
 ABUT_API abut_status abut_geometry_destroy(abut_universe *universe, abut_geometry_id geometry);
@@ -723,7 +753,8 @@ ABUT_API abut_status abut_geometry_destroy(abut_universe *universe, abut_geometr
 ABUT_API abut_status abut_geometries_destroy(abut_universe *universe, const abut_geometry_id *geometries, size_t count);
 
 /** Replaces the options of a geometry, all of them; describe it first to change one. [exclusive] */
-ABUT_API abut_status abut_geometry_set_options(abut_universe *universe, abut_geometry_id geometry, const abut_geometry_options *options);
+ABUT_API abut_status abut_geometry_set_options(abut_universe *universe, abut_geometry_id geometry,
+                                               const abut_geometry_options *options);
 
 /** The same for `count` geometries, all or none; `options` is an array of `count`. [exclusive] */
 ABUT_API abut_status abut_geometries_set_options(abut_universe *universe, const abut_geometry_id *geometries,
@@ -733,7 +764,8 @@ ABUT_API abut_status abut_geometries_set_options(abut_universe *universe, const 
  * Gives a geometry another shape. Its contacts of the step before end, since features of another shape are other
  * features. The shape that abut_geometry_describe lent out is let go. [exclusive]
  */
-ABUT_API abut_status abut_geometry_set_shape(abut_universe *universe, abut_geometry_id geometry, const abut_shape *shape);
+ABUT_API abut_status abut_geometry_set_shape(abut_universe *universe, abut_geometry_id geometry,
+                                             const abut_shape *shape);
 
 /** The same for `count` geometries, all or none. [exclusive] */
 ABUT_API abut_status abut_geometries_set_shapes(abut_universe *universe, const abut_geometry_id *geometries,
@@ -797,14 +829,15 @@ ABUT_API abut_status abut_geometry_set_particles(abut_universe *universe, abut_g
 ABUT_API abut_status abut_geometry_shape(const abut_universe *universe, abut_geometry_id geometry, abut_shape **out);
 
 /**
- * Parks a geometry, or brings it back. Parking twice changes nothing; changing between short and long term is allowed. The
- * one [exclusive] call that a filter may make: it takes effect when the step is over.
+ * Parks a geometry, or brings it back. Parking twice changes nothing; changing between short and long term is allowed.
+ * The one [exclusive] call that a filter may make: it takes effect when the step is over.
  * Complexity O(1); O(log n) for long term. [exclusive]
  */
 ABUT_API abut_status abut_geometry_park(abut_universe *universe, abut_geometry_id geometry, abut_parking parking);
 
 /** The same for `count` geometries, all or none. [exclusive] */
-ABUT_API abut_status abut_geometries_park(abut_universe *universe, const abut_geometry_id *geometries, size_t count, abut_parking parking);
+ABUT_API abut_status abut_geometries_park(abut_universe *universe, const abut_geometry_id *geometries, size_t count,
+                                          abut_parking parking);
 
 /** What a geometry is and where. Set struct_size, or use the _init function, before asking. */
 typedef struct abut_geometry_info {
@@ -830,16 +863,20 @@ typedef struct abut_geometry_info {
 ABUT_API void abut_geometry_info_init(abut_geometry_info *info, uint32_t struct_size);
 
 /** Describes a geometry. [const] */
-ABUT_API abut_status abut_geometry_describe(const abut_universe *universe, abut_geometry_id geometry, abut_geometry_info *out);
+ABUT_API abut_status abut_geometry_describe(const abut_universe *universe, abut_geometry_id geometry,
+                                            abut_geometry_info *out);
 
 /** World poses of `count` geometries. [const] */
-ABUT_API abut_status abut_geometries_poses(const abut_universe *universe, const abut_geometry_id *geometries, size_t count, abut_pose *out);
+ABUT_API abut_status abut_geometries_poses(const abut_universe *universe, const abut_geometry_id *geometries,
+                                           size_t count, abut_pose *out);
 
 /** All parts by count-then-fill, ordered by slot. [const] */
-ABUT_API abut_status abut_universe_parts(const abut_universe *universe, abut_part_id *parts, size_t capacity, size_t *count);
+ABUT_API abut_status abut_universe_parts(const abut_universe *universe, abut_part_id *parts, size_t capacity,
+                                         size_t *count);
 
 /** All geometries by count-then-fill, ordered by slot. [const] */
-ABUT_API abut_status abut_universe_geometries(const abut_universe *universe, abut_geometry_id *geometries, size_t capacity, size_t *count);
+ABUT_API abut_status abut_universe_geometries(const abut_universe *universe, abut_geometry_id *geometries,
+                                              size_t capacity, size_t *count);
 
 /** Counters that tell tools what changed since they last looked. */
 typedef struct abut_revision {
@@ -856,7 +893,8 @@ ABUT_API abut_status abut_universe_revision(const abut_universe *universe, abut_
  * abut_universe_revision, good for as long as the universe is there. Reading them counts as a [const]
  * call. [const]
  */
-ABUT_API abut_status abut_universe_counters(const abut_universe *universe, const uint64_t **geometries, const uint64_t **poses);
+ABUT_API abut_status abut_universe_counters(const abut_universe *universe, const uint64_t **geometries,
+                                            const uint64_t **poses);
 
 /** What a rule speaks of. */
 typedef uint32_t abut_collidable_kind;
@@ -882,12 +920,13 @@ enum abut_rule_value ABUT_ENUM(uint32_t) {
 
 /**
  * Says whether two collidables meet. The most specific rule that fits a pair counts: first by its more specific side,
- * then by the other; a geometry before a part, that before a label, that before any. Of two that are equally specific the
- * one that disables wins. Rules end with the geometry or the part that they name. Takes effect at the next step, where
- * pairs that no longer meet end.
+ * then by the other; a geometry before a part, that before a label, that before any. Of two that are equally specific
+ * the one that disables wins. Rules end with the geometry or the part that they name. Takes effect at the next step,
+ * where pairs that no longer meet end.
  * Complexity O(log rules), and the next step looks at every pair once. [exclusive]
  */
-ABUT_API abut_status abut_rule_set(abut_universe *universe, const abut_collidable *a, const abut_collidable *b, abut_rule rule);
+ABUT_API abut_status abut_rule_set(abut_universe *universe, const abut_collidable *a, const abut_collidable *b,
+                                   abut_rule rule);
 
 /** Takes all rules away. [exclusive] */
 ABUT_API abut_status abut_rules_clear(abut_universe *universe);
@@ -897,9 +936,13 @@ ABUT_API abut_status abut_rules_clear(abut_universe *universe);
  * comes near and is not left out before, ordered by slots. It may make [const] calls, and park; contacts and events are
  * those of the step before then. It must not throw: what gets out of it makes the step answer ABUT_INTERNAL.
  */
-typedef uint32_t (*abut_filter)(void *context, const abut_universe *universe, abut_geometry_id geometry_a, abut_geometry_id geometry_b);
+typedef uint32_t (*abut_filter)(void *context, const abut_universe *universe, abut_geometry_id geometry_a,
+                                abut_geometry_id geometry_b);
 
-/** Sets the filter; null for none. `context` is kept and handed to it. All pairs are asked about at the next step. [exclusive] */
+/**
+ * Sets the filter; null for none. `context` is kept and handed to it. All pairs are asked about at the next step.
+ * [exclusive]
+ */
 ABUT_API abut_status abut_universe_set_filter(abut_universe *universe, abut_filter filter, void *context);
 
 /** Asks the filter about all pairs again at the next step. [exclusive] */
@@ -916,9 +959,11 @@ enum abut_detail_value ABUT_ENUM(uint32_t) {
 /** How the pairs of two tags are treated: their algorithm, precision and rate. */
 typedef struct abut_policy {
   uint32_t struct_size;
-  abut_algorithm algorithm; /**< default ABUT_ALGORITHM_AUTO, which also takes pairs that do not have the one asked for, or where it gives up */
+  abut_algorithm algorithm; /**< default ABUT_ALGORITHM_AUTO, which also takes pairs that do not have the one asked
+                                 for, or where it gives up */
   abut_detail detail;       /**< default ABUT_DETAIL_MANIFOLD */
-  uint32_t period;          /**< at least 1: found anew once in so many steps, kept in between; new pairs at once; default 1 */
+  uint32_t period;          /**< at least 1: found anew once in so many steps, kept in between; new pairs at once;
+                                 default 1 */
   double tolerance;         /**< of a pair; negative: the sum of both geometries; default -1 */
   double error_bound;       /**< as in abut_query_options; default 0 */
 } abut_policy;
@@ -929,14 +974,15 @@ ABUT_API void abut_policy_init(abut_policy *policy, uint32_t struct_size);
  * Sets how geometries of two tags (below 64) meet, in either order; null goes back to the default. One broad phase
  * serves all policies. [exclusive]
  */
-ABUT_API abut_status abut_policy_set(abut_universe *universe, uint32_t tag_a, uint32_t tag_b, const abut_policy *policy);
+ABUT_API abut_status abut_policy_set(abut_universe *universe, uint32_t tag_a, uint32_t tag_b,
+                                     const abut_policy *policy);
 
 /** How geometries of two tags meet. Set struct_size, or use the _init function, before asking. [const] */
 ABUT_API abut_status abut_policy_get(const abut_universe *universe, uint32_t tag_a, uint32_t tag_b, abut_policy *out);
 
 /**
- * Two tags that follow the distance of geometries from centres, such as those of a camera and of what is held: near ones
- * and far ones may then have policies of their own.
+ * Two tags that follow the distance of geometries from centres, such as those of a camera and of what is held: near
+ * ones and far ones may then have policies of their own.
  */
 typedef struct abut_focus {
   uint32_t struct_size;
@@ -950,16 +996,17 @@ typedef struct abut_focus {
 ABUT_API void abut_focus_init(abut_focus *focus, uint32_t struct_size);
 
 /**
- * From the next step or detection on, a geometry that has one of the two tags gets near_tag when its box comes nearer than
- * near_distance to a centre, far_tag when it is farther than far_distance from all of them, and in between keeps the tag that it
- * has. abut_geometry_describe shows it. Pairs of a geometry whose tag changes are found anew in that step, whatever their period,
- * if it covers them; the filter is not asked again. Parked geometries keep their tag until they come back. Boxes are those of
- * the broad phase: in single precision, rounded outwards, inflated in ABUT_TOLERANCE_MARGIN.
- * Null sets none, which is the default, and leaves tags as they are. Without centres everything is far.
- * Complexity O(count), without an allocation unless there are more centres than ever; the next step O(geometries * count) if
- * anything has changed, and O(moved geometries * count) each later one. [exclusive]
+ * From the next step or detection on, a geometry that has one of the two tags gets near_tag when its box comes nearer
+ * than near_distance to a centre, far_tag when it is farther than far_distance from all of them, and in between keeps
+ * the tag that it has. abut_geometry_describe shows it. Pairs of a geometry whose tag changes are found anew in that
+ * step, whatever their period, if it covers them; the filter is not asked again. Parked geometries keep their tag until
+ * they come back. Boxes are those of the broad phase: in single precision, rounded outwards, inflated in
+ * ABUT_TOLERANCE_MARGIN. Null sets none, which is the default, and leaves tags as they are. Without centres everything
+ * is far. Complexity O(count), without an allocation unless there are more centres than ever; the next step
+ * O(geometries * count) if anything has changed, and O(moved geometries * count) each later one. [exclusive]
  */
-ABUT_API abut_status abut_universe_set_focus(abut_universe *universe, const abut_focus *focus, const abut_vec3 *centres, size_t count);
+ABUT_API abut_status abut_universe_set_focus(abut_universe *universe, const abut_focus *focus, const abut_vec3 *centres,
+                                             size_t count);
 
 /** What the contacts of two materials are like: plain numbers that abut stores and hands out, and applies none of. */
 typedef struct abut_contact_material {
@@ -988,10 +1035,10 @@ ABUT_API abut_status abut_material_pair_set(abut_universe *universe, uint32_t ma
                                             const abut_contact_material *row);
 
 /**
- * What contacts of two materials are like. Without a row of their own they are combined from the rows of each material with
- * itself, where one that has none counts as the default: geometric mean of frictions and static scales, sum of slips,
- * compliances and adhesive forces, the greater of damping, restitution and threshold. Set struct_size, or use the _init
- * function, before asking. [const]
+ * What contacts of two materials are like. Without a row of their own they are combined from the rows of each material
+ * with itself, where one that has none counts as the default: geometric mean of frictions and static scales, sum of
+ * slips, compliances and adhesive forces, the greater of damping, restitution and threshold. Set struct_size, or use
+ * the _init function, before asking. [const]
  */
 ABUT_API abut_status abut_material_pair_get(const abut_universe *universe, uint32_t material_a, uint32_t material_b,
                                             abut_contact_material *out);
@@ -1005,8 +1052,8 @@ ABUT_API abut_status abut_material_pair_get(const abut_universe *universe, uint3
 ABUT_API abut_status abut_universe_step(abut_universe *universe, double dt);
 
 /**
- * A step that finds every pair anew. Where max_contacts is 0, contacts are the same bits as those of any other way to get there;
- * else points that are as good as each other win when the detection before has kept them. [exclusive]
+ * A step that finds every pair anew. Where max_contacts is 0, contacts are the same bits as those of any other way to
+ * get there; else points that are as good as each other win when the detection before has kept them. [exclusive]
  */
 ABUT_API abut_status abut_universe_detect_all(abut_universe *universe);
 
@@ -1021,9 +1068,13 @@ ABUT_API abut_status abut_universe_detect_changed(abut_universe *universe);
  * @param b      count geometries; pair i is a[i] with b[i], in either order; those that cannot meet are passed over
  * Complexity as a step for the given pairs, O(pairs) for the others. [exclusive]
  */
-ABUT_API abut_status abut_universe_detect_pairs(abut_universe *universe, const abut_geometry_id *a, const abut_geometry_id *b, size_t count);
+ABUT_API abut_status abut_universe_detect_pairs(abut_universe *universe, const abut_geometry_id *a,
+                                                const abut_geometry_id *b, size_t count);
 
-/** The same for the pairs whose boxes both meet a region, and so for every contact in it. Its sides may be infinite. [exclusive] */
+/**
+ * The same for the pairs whose boxes both meet a region, and so for every contact in it. Its sides may be infinite.
+ * [exclusive]
+ */
 ABUT_API abut_status abut_universe_detect_region(abut_universe *universe, const abut_aabb *region);
 
 /**
@@ -1057,7 +1108,8 @@ typedef struct abut_event {
   abut_geometry_id geometry_b;
   uint64_t contact_id;         /**< of the contact; 0 for a pair */
   uint32_t first_contact;      /**< index of the first contact of the pair, or of the contact; 0 at an end */
-  uint32_t contact_count;      /**< of the pair; 1 for a contact; 0 at an end, and for pairs that are treated as boxes */
+  uint32_t contact_count;      /**< of the pair; 1 for a contact; 0 at an end, and for pairs that are treated as
+                                    boxes */
 } abut_event;
 
 /**
@@ -1073,21 +1125,29 @@ typedef struct abut_sleep_change {
   uint32_t reserved;  /**< zero */
 } abut_sleep_change;
 
-/** Parts that fell asleep or woke in the last step or detection, ordered by slot. Borrowed until the next [exclusive] call. [const] */
-ABUT_API abut_status abut_universe_sleep_changes(const abut_universe *universe, const abut_sleep_change **changes, size_t *count);
+/**
+ * Parts that fell asleep or woke in the last step or detection, ordered by slot. Borrowed until the next [exclusive]
+ * call. [const]
+ */
+ABUT_API abut_status abut_universe_sleep_changes(const abut_universe *universe, const abut_sleep_change **changes,
+                                                 size_t *count);
 
 /**
- * Hash of every bit of the contacts, events and sleep changes of the last step, but of generations and times: equal runs have
- * equal hashes. [const]
+ * Hash of every bit of the contacts, events and sleep changes of the last step, but of generations and times: equal
+ * runs have equal hashes. [const]
  */
 ABUT_API abut_status abut_universe_hash(const abut_universe *universe, uint64_t *out);
 
-/** Contacts of the last step, ordered by the slots of the two geometries, then deepest first. Borrowed until the next [exclusive] call. [const] */
-ABUT_API abut_status abut_universe_contacts(const abut_universe *universe, const abut_contact **contacts, size_t *count);
+/**
+ * Contacts of the last step, ordered by the slots of the two geometries, then deepest first. Borrowed until the next
+ * [exclusive] call. [const]
+ */
+ABUT_API abut_status abut_universe_contacts(const abut_universe *universe, const abut_contact **contacts,
+                                            size_t *count);
 
 /**
- * The points of one contact in the frames of its two geometries, as these lay when it was found. Geometry a at a pose P has its
- * point at P * a. In the pair queries these are the points under the inverse of pose_a and pose_b.
+ * The points of one contact in the frames of its two geometries, as these lay when it was found. Geometry a at a pose P
+ * has its point at P * a. In the pair queries these are the points under the inverse of pose_a and pose_b.
  */
 typedef struct abut_local_points {
   abut_vec3 a;
@@ -1098,7 +1158,8 @@ typedef struct abut_local_points {
  * Local points of the contacts of the last step, one for each, in their order. ABUT_UNSUPPORTED for a universe without
  * ABUT_UNIVERSE_LOCAL_POINTS. Borrowed until the next [exclusive] call. [const]
  */
-ABUT_API abut_status abut_universe_local_points(const abut_universe *universe, const abut_local_points **points, size_t *count);
+ABUT_API abut_status abut_universe_local_points(const abut_universe *universe, const abut_local_points **points,
+                                                size_t *count);
 
 /**
  * Puts a value of yours on each contact of the last step, in their order. A contact that the next step reports as well,
@@ -1148,7 +1209,8 @@ ABUT_API abut_status abut_universe_stats(const abut_universe *universe, abut_ste
 ABUT_API abut_status abut_universe_explain(const abut_universe *universe, char *text, size_t capacity, size_t *needed);
 
 /** The same as JSON; docs/universe.md lists the fields. [const] */
-ABUT_API abut_status abut_universe_explain_json(const abut_universe *universe, char *text, size_t capacity, size_t *needed);
+ABUT_API abut_status abut_universe_explain_json(const abut_universe *universe, char *text, size_t capacity,
+                                                size_t *needed);
 
 /** What will surprise whoever built a scene. */
 typedef uint32_t abut_finding_code;
@@ -1170,10 +1232,11 @@ typedef struct abut_finding {
 } abut_finding;
 
 /**
- * Looks for what is odd about a scene, by count-then-fill; ordered by code, then by slots. An empty answer means that nothing
- * was found. Complexity O(geometries + kinds squared). [const]
+ * Looks for what is odd about a scene, by count-then-fill; ordered by code, then by slots. An empty answer means that
+ * nothing was found. Complexity O(geometries + kinds squared). [const]
  */
-ABUT_API abut_status abut_universe_validate(const abut_universe *universe, abut_finding *findings, size_t capacity, size_t *count);
+ABUT_API abut_status abut_universe_validate(const abut_universe *universe, abut_finding *findings, size_t capacity,
+                                            size_t *count);
 
 /* ------------------------------------------------------------------------------------------------
  * Islands
@@ -1363,28 +1426,30 @@ typedef struct abut_query_hit {
 } abut_query_hit;
 
 /**
- * Geometries that a ray meets, by count-then-fill; each with its first crossing. A ray that just reaches a surface meets
- * it.
+ * Geometries that a ray meets, by count-then-fill; each with its first crossing. A ray that just reaches a surface
+ * meets it.
  * @param filter  may be null
  * Complexity O(log n) for each geometry near the ray. [const]
  */
-ABUT_API abut_status abut_universe_cast_ray(const abut_universe *universe, const abut_ray *ray, const abut_query_filter *filter,
-                                            abut_hit_mode mode, abut_query_hit *hits, size_t capacity, size_t *count);
+ABUT_API abut_status abut_universe_cast_ray(const abut_universe *universe, const abut_ray *ray,
+                                            const abut_query_filter *filter, abut_hit_mode mode, abut_query_hit *hits,
+                                            size_t capacity, size_t *count);
 
 /** The nearest hit of each of `count` rays; its geometry is null where there is none. [const] */
 ABUT_API abut_status abut_universe_cast_rays(const abut_universe *universe, const abut_ray *rays, size_t count,
                                              const abut_query_filter *filter, abut_query_hit *hits);
 
 /**
- * Where a moving shape (a) first touches another (b). It does not touch before `fraction`, and there it is no further away
- * than contact.upper. Shapes that touch at the start have fraction 0 and the deepest contact. Meshes with
+ * Where a moving shape (a) first touches another (b). It does not touch before `fraction`, and there it is no further
+ * away than contact.upper. Shapes that touch at the start have fraction 0 and the deepest contact. Meshes with
  * ABUT_SIDES_FRONT and height fields let through what comes from behind.
  */
 typedef struct abut_cast_hit {
   abut_geometry_id geometry; /**< what is met (b); null for two shapes alone, and in a batch where nothing is met */
   double fraction;           /**< of the displacement, in [0, 1] */
   abut_distance contact;     /**< at that time, in the world */
-  abut_feature feature_a;    /**< the triangle of a mesh or a height field; of others ABUT_FEATURE_WHOLE, or what touches at the start */
+  abut_feature feature_a;    /**< the triangle of a mesh or a height field; of others ABUT_FEATURE_WHOLE, or what
+                                  touches at the start */
   abut_feature feature_b;
   uint32_t child_a;          /**< of a composite, or the particle; 0 for all other shapes */
   uint32_t child_b;
@@ -1396,14 +1461,15 @@ typedef struct abut_cast_hit {
  * Complexity O(log n) for each geometry near its way, and some distances each. Source: conservative advancement along
  * separating planes (van den Bergen 2004). [const]
  */
-ABUT_API abut_status abut_universe_cast_shape(const abut_universe *universe, const abut_shape *shape, const abut_pose *pose,
-                                              const abut_vec3 *displacement, const abut_query_filter *filter, abut_hit_mode mode,
-                                              abut_cast_hit *hits, size_t capacity, size_t *count);
+ABUT_API abut_status abut_universe_cast_shape(const abut_universe *universe, const abut_shape *shape,
+                                              const abut_pose *pose, const abut_vec3 *displacement,
+                                              const abut_query_filter *filter, abut_hit_mode mode, abut_cast_hit *hits,
+                                              size_t capacity, size_t *count);
 
 /** The nearest hit of each of `count` shapes, each with a pose and a displacement of its own. [const] */
-ABUT_API abut_status abut_universe_cast_shapes(const abut_universe *universe, const abut_shape *const *shapes, const abut_pose *poses,
-                                               const abut_vec3 *displacements, size_t count, const abut_query_filter *filter,
-                                               abut_cast_hit *hits);
+ABUT_API abut_status abut_universe_cast_shapes(const abut_universe *universe, const abut_shape *const *shapes,
+                                               const abut_pose *poses, const abut_vec3 *displacements, size_t count,
+                                               const abut_query_filter *filter, abut_cast_hit *hits);
 
 /**
  * Geometries with which a shape has contacts up to a distance, by count-then-fill, ordered by slot.
@@ -1411,28 +1477,31 @@ ABUT_API abut_status abut_universe_cast_shapes(const abut_universe *universe, co
  * @param margin  as in abut_query_options; 0 for what touches, may be negative
  * [const]
  */
-ABUT_API abut_status abut_universe_overlaps(const abut_universe *universe, const abut_shape *shape, const abut_pose *pose,
-                                            const abut_query_filter *filter, double margin, abut_geometry_id *geometries,
-                                            size_t capacity, size_t *count);
+ABUT_API abut_status abut_universe_overlaps(const abut_universe *universe, const abut_shape *shape,
+                                            const abut_pose *pose, const abut_query_filter *filter, double margin,
+                                            abut_geometry_id *geometries, size_t capacity, size_t *count);
 
 /**
- * The same for each of `query_count` shapes. Those of query i are geometries[offsets[i]] up to geometries[offsets[i + 1]].
+ * The same for each of `query_count` shapes. Those of query i are geometries[offsets[i]] up to geometries[offsets[i +
+ * 1]].
  * @param offsets     query_count + 1 numbers, always all written
  * @param count       the last of them; `geometries` is filled as far as `capacity`
  * [const]
  */
-ABUT_API abut_status abut_universe_overlaps_of_each(const abut_universe *universe, const abut_shape *const *shapes, const abut_pose *poses,
-                                                    size_t query_count, const abut_query_filter *filter, double margin, uint64_t *offsets,
+ABUT_API abut_status abut_universe_overlaps_of_each(const abut_universe *universe, const abut_shape *const *shapes,
+                                                    const abut_pose *poses, size_t query_count,
+                                                    const abut_query_filter *filter, double margin, uint64_t *offsets,
                                                     abut_geometry_id *geometries, size_t capacity, size_t *count);
 
 /** Solids that hold a point, and surfaces that it lies on, by count-then-fill, ordered by slot. [const] */
-ABUT_API abut_status abut_universe_at_point(const abut_universe *universe, const abut_vec3 *position, const abut_query_filter *filter,
-                                            abut_geometry_id *geometries, size_t capacity, size_t *count);
+ABUT_API abut_status abut_universe_at_point(const abut_universe *universe, const abut_vec3 *position,
+                                            const abut_query_filter *filter, abut_geometry_id *geometries,
+                                            size_t capacity, size_t *count);
 
 /** The same for each of `query_count` points, answered as by abut_universe_overlaps_of_each. [const] */
-ABUT_API abut_status abut_universe_at_points(const abut_universe *universe, const abut_vec3 *positions, size_t query_count,
-                                             const abut_query_filter *filter, uint64_t *offsets, abut_geometry_id *geometries,
-                                             size_t capacity, size_t *count);
+ABUT_API abut_status abut_universe_at_points(const abut_universe *universe, const abut_vec3 *positions,
+                                             size_t query_count, const abut_query_filter *filter, uint64_t *offsets,
+                                             abut_geometry_id *geometries, size_t capacity, size_t *count);
 
 /** What is closest to a shape. */
 typedef struct abut_closest {
@@ -1448,12 +1517,14 @@ typedef struct abut_closest {
  * @param found         receives 1 or 0
  * [const]
  */
-ABUT_API abut_status abut_universe_closest(const abut_universe *universe, const abut_shape *shape, const abut_pose *pose,
-                                           double max_distance, const abut_query_filter *filter, abut_closest *out, uint32_t *found);
+ABUT_API abut_status abut_universe_closest(const abut_universe *universe, const abut_shape *shape,
+                                           const abut_pose *pose, double max_distance, const abut_query_filter *filter,
+                                           abut_closest *out, uint32_t *found);
 
 /** The same for each of `count` shapes; the geometry is null where nothing is near. [const] */
-ABUT_API abut_status abut_universe_closest_to_each(const abut_universe *universe, const abut_shape *const *shapes, const abut_pose *poses,
-                                                   size_t count, double max_distance, const abut_query_filter *filter, abut_closest *out);
+ABUT_API abut_status abut_universe_closest_to_each(const abut_universe *universe, const abut_shape *const *shapes,
+                                                   const abut_pose *poses, size_t count, double max_distance,
+                                                   const abut_query_filter *filter, abut_closest *out);
 
 /**
  * When two shapes that both move without turning first touch, or come as near as options->margin.

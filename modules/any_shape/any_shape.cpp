@@ -44,7 +44,9 @@ std::optional<std::size_t> find_kind(std::string_view name) {
 
 std::string_view kind_name(std::size_t place) { return kind_entries[place].name; }
 std::size_t kind_parameter_count(std::size_t place) { return kind_entries[place].parameter_names.size(); }
-std::string_view kind_parameter_name(std::size_t place, std::size_t index) { return kind_entries[place].parameter_names[index]; }
+std::string_view kind_parameter_name(std::size_t place, std::size_t index) {
+  return kind_entries[place].parameter_names[index];
+}
 
 Result<AnyShape> make_shape(std::size_t place, std::span<const Real> parameters, std::span<const Real> reals,
                             std::span<const std::uint32_t> indices) {
@@ -82,7 +84,8 @@ std::vector<Real> parameters_of(const AnyShape& shape) {
   return std::visit([](const auto& s) { return s.parameters(); }, shape);
 }
 
-std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction, Real max_distance) {
+std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction,
+                               Real max_distance) {
   return std::visit([&](const auto& s) { return s.cast_ray(origin, direction, max_distance); }, shape);
 }
 
@@ -103,7 +106,8 @@ std::optional<BuildReport> build_report_of(const AnyShape& shape) {
       [](const auto& s) -> std::optional<BuildReport> {
         if constexpr (requires { s.report(); }) {
           const auto& its = s.report();
-          return BuildReport{its.dimension, its.point_count, its.vertex_count, its.edge_count, its.face_count, its.error};
+          return BuildReport{its.dimension,  its.point_count, its.vertex_count,
+                             its.edge_count, its.face_count,  its.error};
         } else {
           return std::nullopt;
         }
@@ -135,7 +139,8 @@ std::vector<Real> form_of(const AnyShape& shape) {
         if constexpr (Assembly<S>) {
           for (const auto& child : s.children()) {
             form.push_back(static_cast<Real>(child.shape->index()));
-            for (const Vec3& part : {child.pose.position, child.pose.rotation.x, child.pose.rotation.y, child.pose.rotation.z}) {
+            for (const Vec3& part :
+                 {child.pose.position, child.pose.rotation.x, child.pose.rotation.y, child.pose.rotation.z}) {
               add(part);
             }
             const std::vector<Real> its = form_of(*child.shape);
@@ -152,7 +157,8 @@ std::vector<Real> form_of(const AnyShape& shape) {
   return form;
 }
 
-// Whether two shapes of one kind are ordered by their first coordinate. Where one is straight above the other that is rounding.
+// Whether two shapes of one kind are ordered by their first coordinate. Where one is straight above the other that is
+// rounding.
 [[nodiscard]] [[gnu::always_inline]] inline bool are_side_by_side(const Vec3& apart) {
   return std::fabs(apart.x) > tie_share * (std::fabs(apart.y) + std::fabs(apart.z));
 }
@@ -167,7 +173,8 @@ bool comes_after(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const
     return apart.z < 0;
   }
   const auto place = [](const Pose& pose) {
-    return std::array{numbers(pose.position), numbers(pose.rotation.x), numbers(pose.rotation.y), numbers(pose.rotation.z)};
+    return std::array{numbers(pose.position), numbers(pose.rotation.x), numbers(pose.rotation.y),
+                      numbers(pose.rotation.z)};
   };
   if (place(pose_a) != place(pose_b)) {
     return place(pose_b) < place(pose_a);
@@ -180,8 +187,8 @@ bool comes_after(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const
   return size(a) != size(b) ? size(b) < size(a) : form_of(b) < form_of(a);
 }
 
-// Whether work starts from b: by kind, else by pose, else by form. Alike in all of these, the shapes are the same one, and no
-// order can be told from the other.
+// Whether work starts from b: by kind, else by pose, else by form. Alike in all of these, the shapes are the same one,
+// and no order can be told from the other.
 inline bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
   if (a.index() != b.index()) {
     return b.index() < a.index();
@@ -200,8 +207,9 @@ template <class Ask>
 }
 // Asks with whether work starts from b.
 template <class Ask>
-[[nodiscard]] [[gnu::always_inline]] inline Outcome ask_in_order(const AnyShape& a, const AnyShape& b, const Pose& pose_a,
-                                                                 const Pose& pose_b, const Ask& ask) {
+[[nodiscard]] [[gnu::always_inline]] inline Outcome ask_in_order(const AnyShape& a, const AnyShape& b,
+                                                                 const Pose& pose_a, const Pose& pose_b,
+                                                                 const Ask& ask) {
   if (a.index() != b.index()) {
     return ask(b.index() < a.index());
   }
@@ -214,8 +222,8 @@ template <class Ask>
 
 }  // namespace
 
-Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
-                      Distance& out) {
+Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                      const QuerySettings& settings, Distance& out) {
   return ask_in_order(a, b, pose_a, pose_b, [&](bool from_b) __attribute__((always_inline)) {
     const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
     return pair_kernels(first.index(), second.index())
@@ -223,8 +231,8 @@ Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
   });
 }
 
-Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
-                      Manifold& out) {
+Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                      const QuerySettings& settings, Manifold& out) {
   return ask_in_order(a, b, pose_a, pose_b, [&](bool from_b) __attribute__((always_inline)) {
     const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
     return pair_kernels(first.index(), second.index())
@@ -232,17 +240,17 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
   });
 }
 
-Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
-                      PairMemory& memory, Manifold& out) {
+Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                      const QuerySettings& settings, PairMemory& memory, Manifold& out) {
   const bool from_b = starts_from_b(a, b, pose_a, pose_b);
   const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
   if (memory.is_from_b != from_b) {
     memory = {};
     memory.is_from_b = from_b;
   }
-  const Outcome outcome =
-      pair_kernels(first.index(), second.index())
-          .contacts_with_memory(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, memory, out);
+  const Outcome outcome = pair_kernels(first.index(), second.index())
+                              .contacts_with_memory(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b,
+                                                    from_b, settings, memory, out);
   memory.is_from_b = from_b;
   return outcome;
 }

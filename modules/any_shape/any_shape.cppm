@@ -21,8 +21,8 @@ inline constexpr std::size_t shape_kind_count = Shapes::count;
 [[nodiscard]] std::string_view kind_parameter_name(std::size_t place, std::size_t index);
 
 // A shape of the kind at a place from checked numbers.
-[[nodiscard]] Result<AnyShape> make_shape(std::size_t place, std::span<const Real> parameters, std::span<const Real> reals,
-                                          std::span<const std::uint32_t> indices);
+[[nodiscard]] Result<AnyShape> make_shape(std::size_t place, std::span<const Real> parameters,
+                                          std::span<const Real> reals, std::span<const std::uint32_t> indices);
 
 // Shapes, each at a pose of its own, as one; an error in a build without such a kind.
 struct PlacedShape {
@@ -33,12 +33,13 @@ struct PlacedShape {
 
 [[nodiscard]] Aabb aabb_of(const AnyShape& shape, const Pose& pose);
 [[nodiscard]] std::vector<Real> parameters_of(const AnyShape& shape);
-[[nodiscard]] std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction, Real max_distance);
+[[nodiscard]] std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction,
+                                             Real max_distance);
 // Nothing for shapes without a surface of plane triangles.
 [[nodiscard]] std::optional<Triangles> triangles_of(const AnyShape& shape);
 
-// What making a shape of points left of them, and how far a given point is from the shape at most. Nothing for kinds that
-// keep what they are given.
+// What making a shape of points left of them, and how far a given point is from the shape at most. Nothing for kinds
+// that keep what they are given.
 struct BuildReport {
   std::uint32_t dimension;
   std::size_t point_count, vertex_count, edge_count, face_count;
@@ -63,18 +64,18 @@ struct RouteDescription {
                                     const QuerySettings& settings, Distance& out);
 [[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
                                     const QuerySettings& settings, Manifold& out);
-// With what earlier calls for the same two shapes in this order have left in `memory`, which begins all zero: the answer is
-// the same bit by bit, sooner where the bodies have moved little.
+// With what earlier calls for the same two shapes in this order have left in `memory`, which begins all zero: the
+// answer is the same bit by bit, sooner where the bodies have moved little.
 [[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
                                     const QuerySettings& settings, PairMemory& memory, Manifold& out);
 
 // The same, b being placed by ab in the frame of a. Results are in the frame of a.
-[[nodiscard]] inline Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
-                                           Distance& out) {
+[[nodiscard]] inline Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab,
+                                           const QuerySettings& settings, Distance& out) {
   return pair_distance(a, b, Pose::identity(), ab, settings, out);
 }
-[[nodiscard]] inline Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
-                                           Manifold& out) {
+[[nodiscard]] inline Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab,
+                                           const QuerySettings& settings, Manifold& out) {
   return pair_contacts(a, b, Pose::identity(), ab, settings, out);
 }
 

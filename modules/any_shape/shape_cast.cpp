@@ -1,5 +1,5 @@
-// Convex shapes are cast as they are, those that are made of parts by the kernel of the pair, composites child by child in
-// the order in which the boxes are met, and what holes leave of solids in strides.
+// Convex shapes are cast as they are, those that are made of parts by the kernel of the pair, composites child by child
+// in the order in which the boxes are met, and what holes leave of solids in strides.
 module abut.any_shape.shape_cast;
 import abut.any_shape;
 import abut.continuous.cast_search;
@@ -61,8 +61,8 @@ void cast_whole(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const 
 }
 
 // Whatever has a distance: what holes leave, and holes by themselves.
-void cast_in_strides(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const CastNames& names,
-                     CastSearch& search) {
+void cast_in_strides(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b,
+                     const CastNames& names, CastSearch& search) {
   constexpr Real strides_of_shape = 64, most_strides = 1024;
   const Pose ab = relative(pose_a, pose_b);
   const LinearMotion motion = search.motion_in(pose_a, false);
@@ -79,7 +79,8 @@ void cast_in_strides(const AnyShape& a, const Pose& pose_a, const AnyShape& b, c
   std::optional<FirstTouch> touch;
   const Outcome outcome = first_touch_by_strides(
       *passage, search.size(), search.settings().margin, stride,
-      [&](Real way, Distance& out) { return pair_distance(a, b, moved(ab, motion, way), search.settings(), out); }, touch);
+      [&](Real way, Distance& out) { return pair_distance(a, b, moved(ab, motion, way), search.settings(), out); },
+      touch);
   search.add(outcome, touch, pose_a, false, names);
 }
 
@@ -96,12 +97,13 @@ bool is_cut(const AnyShape& any) {
 }
 
 // The pose of b is that before the motion.
-void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const CastNames& names, CastSearch& search);
+void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const CastNames& names,
+          CastSearch& search);
 
 // Of solids that no hole cuts.
 template <Assembly A>
-void cast_children_of(const A& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, bool swapped, const CastNames& names,
-                      CastSearch& search) {
+void cast_children_of(const A& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, bool swapped,
+                      const CastNames& names, CastSearch& search) {
   const Pose ab = relative(pose_a, pose_b);
   const LinearMotion motion = search.motion_in(pose_a, swapped);
   const Aabb moving = aabb_of(b, ab);
@@ -146,7 +148,8 @@ void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& 
     cast_in_strides(a, pose_a, b, pose_b, names, search);
     return;
   }
-  if (cast_children(a, pose_a, b, pose_b, false, names, search) || cast_children(b, pose_b, a, pose_a, true, names, search)) {
+  if (cast_children(a, pose_a, b, pose_b, false, names, search) ||
+      cast_children(b, pose_b, a, pose_a, true, names, search)) {
     return;
   }
   if (a.is_hole() || b.is_hole()) {
@@ -185,8 +188,9 @@ Outcome touch_at_start(const AnyShape& a, const AnyShape& b, const Pose& ab, con
 
 }  // namespace
 
-Outcome cast_shapes(const AnyShape& a, const Pose& pose_a, const Vec3& displacement_a, const AnyShape& b, const Pose& pose_b,
-                    const Vec3& displacement_b, const QuerySettings& settings, Real most, std::optional<ShapeCastHit>& out) {
+Outcome cast_shapes(const AnyShape& a, const Pose& pose_a, const Vec3& displacement_a, const AnyShape& b,
+                    const Pose& pose_b, const Vec3& displacement_b, const QuerySettings& settings, Real most,
+                    std::optional<ShapeCastHit>& out) {
   if (!is_supported(a.index(), b.index())) {
     return Outcome::unsupported;
   }

@@ -15,11 +15,11 @@ struct ShapeCastHit {
   std::uint32_t child_a = 0, child_b = 0;  // of a composite, or the particle; else 0
 };
 
-// When two shapes that move by their displacements first come as near as settings.margin, up to the fraction `most`. What
-// touches at the start has fraction 0 and the deepest contact. One-sided triangles let through what comes from behind.
-// Nothing is written when they do not touch.
+// When two shapes that move by their displacements first come as near as settings.margin, up to the fraction `most`.
+// What touches at the start has fraction 0 and the deepest contact. One-sided triangles let through what comes from
+// behind. Nothing is written when they do not touch.
 [[nodiscard]] Outcome cast_shapes(const AnyShape& a, const Pose& pose_a, const Vec3& displacement_a, const AnyShape& b,
-                                  const Pose& pose_b, const Vec3& displacement_b, const QuerySettings& settings, Real most,
-                                  std::optional<ShapeCastHit>& out);
+                                  const Pose& pose_b, const Vec3& displacement_b, const QuerySettings& settings,
+                                  Real most, std::optional<ShapeCastHit>& out);
 
 }  // namespace abut

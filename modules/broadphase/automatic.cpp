@@ -4,9 +4,9 @@ import abut.core.standard;
 namespace abut {
 namespace {
 
-// Where brute force and the tree took the same time when measured (docs/broadphases.md): brute force looks at all pairs,
-// eight at once, whatever moves; a step of the tree costs as much for each moving box as brute force for about so many
-// pairs.
+// Where brute force and the tree took the same time when measured (docs/broadphases.md): brute force looks at all
+// pairs, eight at once, whatever moves; a step of the tree costs as much for each moving box as brute force for about
+// so many pairs.
 constexpr std::size_t pairs_of_moving = 200;
 
 // So few boxes never make the difference worth a change.

@@ -155,7 +155,8 @@ void BoxGrid::erase(std::uint32_t leaf) {
 bool BoxGrid::moved_in_place(std::uint32_t leaf, const CompactAabb& box) {
   const std::uint32_t block = places_[leaf] / width;
   const BoxSides s = blocks_[block].sides_of_lane(places_[leaf] % width);
-  if (links_[block].key != key_of_box(box) || exponent_of({{s[0], s[1], s[2]}, {-s[3], -s[4], -s[5]}}) != exponent_of(box)) {
+  if (links_[block].key != key_of_box(box) ||
+      exponent_of({{s[0], s[1], s[2]}, {-s[3], -s[4], -s[5]}}) != exponent_of(box)) {
     return false;
   }
   blocks_[block].set_sides(places_[leaf] % width, sides_of(box));

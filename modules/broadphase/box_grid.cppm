@@ -62,8 +62,8 @@ class BoxGrid {
   void tidy();
 
   [[nodiscard]] std::size_t bytes() const {
-    return blocks_.capacity() * sizeof(EightBoxes) + links_.capacity() * sizeof(Link) + places_.capacity() * sizeof(std::uint32_t) +
-           (slots_.capacity() + old_slots_.capacity()) * sizeof(Slot);
+    return blocks_.capacity() * sizeof(EightBoxes) + links_.capacity() * sizeof(Link) +
+           places_.capacity() * sizeof(std::uint32_t) + (slots_.capacity() + old_slots_.capacity()) * sizeof(Slot);
   }
 
  private:
@@ -92,7 +92,9 @@ class BoxGrid {
     }
     return key;
   }
-  [[nodiscard]] static inline std::uint32_t level_of_key(std::uint64_t key) { return static_cast<std::uint32_t>(key >> 60); }
+  [[nodiscard]] static inline std::uint32_t level_of_key(std::uint64_t key) {
+    return static_cast<std::uint32_t>(key >> 60);
+  }
   [[nodiscard]] inline std::int32_t coordinate(std::uint32_t level, Real value) const {
     const Real scaled = value * cells_per_unit_[level];
     const Real clamped = std::clamp(scaled, static_cast<Real>(-most_coordinate), static_cast<Real>(most_coordinate));

@@ -25,7 +25,8 @@ class BoxSweep {
 
   // The same for one number or for a vector of them for each side.
   template <class Value>
-  [[nodiscard]] [[gnu::always_inline]] inline Value entries(const std::array<Value, 3>& low, const std::array<Value, 3>& high, Real most) const {
+  [[nodiscard]] [[gnu::always_inline]] inline Value entries(const std::array<Value, 3>& low,
+                                                            const std::array<Value, 3>& high, Real most) const {
     Value enter = Value(0.0), leave = Value(most);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Real centre = centres_[axis], half = halves_[axis], displacement = displacements_[axis];
@@ -51,7 +52,8 @@ class BoxSweep {
   template <class Value>
   [[nodiscard]] [[gnu::always_inline]] static inline Value outward(const Value& value, Real direction) {
     const Real grow = 1 + 4 * epsilon, shrink = 1 - 4 * epsilon;
-    return direction < 0 ? (value > 0.0 ? value * shrink : value * grow) : (value > 0.0 ? value * grow : value * shrink);
+    return direction < 0 ? (value > 0.0 ? value * shrink : value * grow)
+                         : (value > 0.0 ? value * grow : value * shrink);
   }
 
   std::array<Real, 3> centres_, halves_, displacements_;

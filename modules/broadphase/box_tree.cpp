@@ -12,7 +12,8 @@ constexpr std::size_t usual_fill = 6;
 // Nodes of leaves with fewer are given up, their leaves put elsewhere.
 constexpr std::size_t least_fill = 3;
 
-// The tree is made anew after this many changes per leaf, and never for fewer. When all leaves are new it is time for that.
+// The tree is made anew after this many changes per leaf, and never for fewer. When all leaves are new it is time for
+// that.
 constexpr std::size_t most_changes_of_each = 3;
 constexpr std::size_t least_changes = 64;
 constexpr std::size_t changes_of_new = most_changes_of_each + 1;
@@ -66,7 +67,8 @@ std::size_t BoxTree::cheapest_lane(const EightBoxes& node, std::size_t count, co
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const EightBoxes::Floats low = node.side(axis), high = node.side(axis + 3);
     present[axis] = low + high;
-    whole[axis] = (low < sides[axis] ? low : EightBoxes::Floats(sides[axis])) + (high < sides[axis + 3] ? high : EightBoxes::Floats(sides[axis + 3]));
+    whole[axis] = (low < sides[axis] ? low : EightBoxes::Floats(sides[axis])) +
+                  (high < sides[axis + 3] ? high : EightBoxes::Floats(sides[axis + 3]));
   }
   const EightBoxes::Floats before = present[0] * present[1] + present[1] * present[2] + present[2] * present[0];
   const EightBoxes::Floats growth = whole[0] * whole[1] + whole[1] * whole[2] + whole[2] * whole[0] - before;
@@ -108,8 +110,8 @@ void BoxTree::add(std::uint32_t node, const Entry& entry) {
   }
 }
 
-// Both halves have at least three children. Of all cuts along the axes it takes the one with the least surfaces, counted
-// once for each child.
+// Both halves have at least three children. Of all cuts along the axes it takes the one with the least surfaces,
+// counted once for each child.
 void BoxTree::split(std::uint32_t node, const Entry& entry) {
   std::array<Entry, width + 1> best{}, sorted{};
   for (std::size_t lane = 0; lane < width; ++lane) {

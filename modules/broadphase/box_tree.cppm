@@ -106,8 +106,8 @@ class BoxTree {
   void tidy();
 
   [[nodiscard]] std::size_t bytes() const {
-    return nodes_.capacity() * sizeof(EightBoxes) + links_.capacity() * sizeof(Link) + places_.capacity() * sizeof(std::uint32_t) +
-           entries_.capacity() * sizeof(Entry);
+    return nodes_.capacity() * sizeof(EightBoxes) + links_.capacity() * sizeof(Link) +
+           places_.capacity() * sizeof(std::uint32_t) + entries_.capacity() * sizeof(Entry);
   }
 
  private:
@@ -159,7 +159,7 @@ class BoxTree {
   std::uint32_t root_ = 0;
   std::uint32_t free_ = none;
   std::size_t size_ = 0;
-  std::size_t changes_ = 0;  // since the tree was made
+  std::size_t changes_ = 0;     // since the tree was made
   std::vector<Entry> entries_;  // scratch of tidy
 };
 

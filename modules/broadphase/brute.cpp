@@ -28,8 +28,8 @@ Brute::Entry Brute::entry_at(std::size_t place) const {
   const Block& block = blocks_[place / width];
   const std::size_t lane = place % width;
   const auto has = [&](std::uint32_t mask) { return (mask >> lane & 1) != 0; };
-  return {block.boxes.sides_of_lane(lane), block.boxes.numbers[lane], std::bit_cast<std::uint32_t>(block.groups[lane]), has(block.moving),
-          has(block.shown)};
+  return {block.boxes.sides_of_lane(lane), block.boxes.numbers[lane], std::bit_cast<std::uint32_t>(block.groups[lane]),
+          has(block.moving), has(block.shown)};
 }
 
 void Brute::set_shown(std::size_t place, bool is_shown, const BoxSides& sides) {
@@ -80,7 +80,8 @@ void Brute::update(std::uint32_t proxy, const CompactAabb& box) {
   blocks_[place / width].boxes.set_sides(place % width, sides_of(box));
 }
 
-void Brute::update_all(const Workers&, std::span<const std::uint32_t> proxies, std::span<const CompactAabb> boxes_by_proxy) {
+void Brute::update_all(const Workers&, std::span<const std::uint32_t> proxies,
+                       std::span<const CompactAabb> boxes_by_proxy) {
   for (const std::uint32_t proxy : proxies) {
     update(proxy, boxes_by_proxy[proxy]);
   }
@@ -117,7 +118,8 @@ void Brute::find_pairs_of(std::size_t first_block, std::vector<ProxyPair>& out) 
       if (met != 0) {
         met &= ~EightBoxes::mask_of(block.groups == group);
         for (; met != 0; met &= met - 1) {
-          out.push_back({first.boxes.numbers[lane], block.boxes.numbers[static_cast<std::size_t>(std::countr_zero(met))]});
+          out.push_back(
+              {first.boxes.numbers[lane], block.boxes.numbers[static_cast<std::size_t>(std::countr_zero(met))]});
         }
       }
     }

@@ -16,7 +16,8 @@ class Brute {
   void insert(std::uint32_t proxy, const CompactAabb& box, Mobility mobility, std::uint32_t group);
   void erase(std::uint32_t proxy);
   void update(std::uint32_t proxy, const CompactAabb& box);
-  void update_all(const Workers& workers, std::span<const std::uint32_t> proxies, std::span<const CompactAabb> boxes_by_proxy);
+  void update_all(const Workers& workers, std::span<const std::uint32_t> proxies,
+                  std::span<const CompactAabb> boxes_by_proxy);
   void hide(std::uint32_t proxy);
   void show(std::uint32_t proxy, const CompactAabb& box);
 
@@ -64,7 +65,9 @@ class Brute {
     bool is_moving, is_shown;
   };
   [[nodiscard]] std::size_t place_of(std::uint32_t proxy) const;
-  [[nodiscard]] std::uint32_t proxy_at(std::size_t place) const { return blocks_[place / width].boxes.numbers[place % width]; }
+  [[nodiscard]] std::uint32_t proxy_at(std::size_t place) const {
+    return blocks_[place / width].boxes.numbers[place % width];
+  }
   [[nodiscard]] Entry entry_at(std::size_t place) const;
   void set_entry(std::size_t place, const Entry& entry);
   void set_shown(std::size_t place, bool is_shown, const BoxSides& sides);

@@ -6,8 +6,8 @@ import abut.math;
 
 export namespace abut {
 
-// The low sides and the negated high sides of a box. That way a box around two others has the lesser of each side, and two
-// boxes overlap when no side of one is beyond the opposite side of the other.
+// The low sides and the negated high sides of a box. That way a box around two others has the lesser of each side, and
+// two boxes overlap when no side of one is beyond the opposite side of the other.
 using BoxSides = std::array<float, 6>;
 
 [[nodiscard]] inline BoxSides sides_of(const CompactAabb& box) {
@@ -44,8 +44,8 @@ struct alignas(32) EightBoxes {
   using Numbers = std::int32_t __attribute__((ext_vector_type(8)));
   static constexpr std::size_t width = 8;
 
-  // One side of all boxes. Kept as numbers, not as a vector: writing one of a vector writes them all, and several threads
-  // give boxes of one block new sides at once.
+  // One side of all boxes. Kept as numbers, not as a vector: writing one of a vector writes them all, and several
+  // threads give boxes of one block new sides at once.
   struct alignas(32) Side {
     std::array<float, width> of;
 

@@ -34,7 +34,8 @@ class FollowedBoxes {
     ABUT_CHECK(!record.is(BoxRecord::present));
     record.set_box(box);
     record.group = group;
-    record.state = (record.state & BoxRecord::touched) | BoxRecord::present | (mobility == Mobility::moving ? BoxRecord::moving : 0);
+    record.state = (record.state & BoxRecord::touched) | BoxRecord::present |
+                   (mobility == Mobility::moving ? BoxRecord::moving : 0);
     ++size_;
     ++came_;
     larger_[proxy] = enlarged(box, box);
@@ -60,7 +61,8 @@ class FollowedBoxes {
   }
 
   // Each number comes once; its box is at that place of the others.
-  void update_all(const Workers& workers, std::span<const std::uint32_t> proxies, std::span<const CompactAabb> boxes_by_proxy) {
+  void update_all(const Workers& workers, std::span<const std::uint32_t> proxies,
+                  std::span<const CompactAabb> boxes_by_proxy) {
     constexpr std::size_t least_of_task = 1024;
     const Cuts cuts = workers.cut(proxies.size(), least_of_task);
     make_parts(cuts.tasks());
@@ -153,9 +155,10 @@ class FollowedBoxes {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t hidden() const { return hidden_; }
   [[nodiscard]] std::size_t bytes() const {
-    std::size_t sum = records_.capacity() * sizeof(BoxRecord) + larger_.capacity() * sizeof(CompactAabb) + moving_.bytes() +
-                      still_.bytes() + kept_.bytes() + (unbounded_.capacity() + touched_.capacity()) * sizeof(std::uint32_t) +
-                      found_.bytes() + order_.bytes() + scratch_.bytes();
+    std::size_t sum = records_.capacity() * sizeof(BoxRecord) + larger_.capacity() * sizeof(CompactAabb) +
+                      moving_.bytes() + still_.bytes() + kept_.bytes() +
+                      (unbounded_.capacity() + touched_.capacity()) * sizeof(std::uint32_t) + found_.bytes() +
+                      order_.bytes() + scratch_.bytes();
     for (const Part& part : parts_) {
       sum += sizeof(Part) + (part.found.capacity() + part.leaving.capacity()) * sizeof(ProxyPair);
     }
@@ -287,8 +290,9 @@ class FollowedBoxes {
     }
   }
 
-  // Brings the index up to date with those whose larger box is another one: first what may be done for several at once, then the
-  // rest. What is left to do for each is written where its place in the index was, so that there is no list to grow.
+  // Brings the index up to date with those whose larger box is another one: first what may be done for several at once,
+  // then the rest. What is left to do for each is written where its place in the index was, so that there is no list to
+  // grow.
   enum Left : std::uint32_t { nothing, to_remember, to_move };
   void follow_all(const Workers& workers) {
     constexpr std::size_t least_of_task = 256;

@@ -22,10 +22,11 @@ void reserve_some(std::vector<ProxyPair>& list, std::size_t count) {
   }
 }
 
-// Merges both ranges. Each pair is written to both lists and stays if it counts: no branch to predict, and none on which range
-// comes next. Room is made for a block at a time: nearly all that is found was kept before, and the lists need no room for both.
-void merge(std::span<const ProxyPair> before, std::span<const ProxyPair> found, std::span<const BoxRecord> records, Keeping keeping,
-           std::vector<ProxyPair>& kept, std::vector<ProxyPair>& out) {
+// Merges both ranges. Each pair is written to both lists and stays if it counts: no branch to predict, and none on
+// which range comes next. Room is made for a block at a time: nearly all that is found was kept before, and the lists
+// need no room for both.
+void merge(std::span<const ProxyPair> before, std::span<const ProxyPair> found, std::span<const BoxRecord> records,
+           Keeping keeping, std::vector<ProxyPair>& kept, std::vector<ProxyPair>& out) {
   reserve_some(kept, std::max(before.size(), found.size()));
   reserve_some(out, std::max(before.size(), found.size()));
   // The boxes of the higher numbers lie anywhere; those of a few pairs to come are asked for ahead.
@@ -84,12 +85,13 @@ void merge(std::span<const ProxyPair> before, std::span<const ProxyPair> found, 
 
 }  // namespace
 
-void KeptPairs::renew(const Workers& workers, std::span<const BoxRecord> records, Keeping keeping, std::vector<ProxyPair>& found,
-                      std::vector<ProxyPair>& out) {
+void KeptPairs::renew(const Workers& workers, std::span<const BoxRecord> records, Keeping keeping,
+                      std::vector<ProxyPair>& found, std::vector<ProxyPair>& out) {
   put_in_order(found, sorted_.all);
   sorted_.end_call();
-  const std::size_t tasks =
-      workers.threads() == 1 ? 1 : std::clamp<std::size_t>(kept_.size() / least_of_task, 1, tasks_of_thread * workers.threads());
+  const std::size_t tasks = workers.threads() == 1 ? 1
+                                                   : std::clamp<std::size_t>(kept_.size() / least_of_task, 1,
+                                                                             tasks_of_thread * workers.threads());
   if (tasks == 1) {
     merge(kept_, found, records, keeping, next_, out);
     kept_.swap(next_);
@@ -106,10 +108,12 @@ void KeptPairs::renew(const Workers& workers, std::span<const BoxRecord> records
       if (i == 0 || i == tasks) {
         return i == 0 ? 0 : added.size();
       }
-      return static_cast<std::size_t>(std::lower_bound(added.begin(), added.end(), kept[kept_at(i)], is_before) - added.begin());
+      return static_cast<std::size_t>(std::lower_bound(added.begin(), added.end(), kept[kept_at(i)], is_before) -
+                                      added.begin());
     };
     merge(kept.subspan(kept_at(task), kept_at(task + 1) - kept_at(task)),
-          added.subspan(added_at(task), added_at(task + 1) - added_at(task)), records, keeping, parts_[task].kept, parts_[task].out);
+          added.subspan(added_at(task), added_at(task + 1) - added_at(task)), records, keeping, parts_[task].kept,
+          parts_[task].out);
   };
   workers.for_each(tasks, [&](std::size_t task) { merge_part(task); });
   std::size_t kept_count = 0, out_count = 0;

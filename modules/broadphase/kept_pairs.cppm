@@ -17,7 +17,8 @@ enum class Keeping : std::uint8_t {
 class KeptPairs {
  public:
   // Drops what is not to be kept, adds what has been found unless both boxes are of one group, and writes those whose
-  // boxes overlap and are not hidden to `out`, by (low, high). What was found may come in any order and more than once; it is lost.
+  // boxes overlap and are not hidden to `out`, by (low, high). What was found may come in any order and more than once;
+  // it is lost.
   void renew(const Workers& workers, std::span<const BoxRecord> records, Keeping keeping, std::vector<ProxyPair>& found,
              std::vector<ProxyPair>& out);
 

@@ -23,7 +23,8 @@ inline constexpr float largest_bounded = 1e18f;
   if (!is_bounded(box)) {
     return box;
   }
-  const float side = (1.0f / 3.0f) * ((box.high[0] - box.low[0]) + (box.high[1] - box.low[1]) + (box.high[2] - box.low[2]));
+  const float side =
+      (1.0f / 3.0f) * ((box.high[0] - box.low[0]) + (box.high[1] - box.low[1]) + (box.high[2] - box.low[2]));
   const bool has_motion = is_bounded(before);
   CompactAabb larger;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -21,7 +21,8 @@ std::uint32_t bits_of_lower(std::span<const ProxyPair> pairs) {
 }
 
 // By some bits of the lower number. Those in which they are the same stay in the order in which they come.
-void count_by_digit(std::vector<ProxyPair>& pairs, std::vector<ProxyPair>& scratch, std::uint32_t shift, std::uint32_t bits) {
+void count_by_digit(std::vector<ProxyPair>& pairs, std::vector<ProxyPair>& scratch, std::uint32_t shift,
+                    std::uint32_t bits) {
   if (scratch.capacity() < pairs.size()) {
     scratch.reserve(pairs.capacity());
   }

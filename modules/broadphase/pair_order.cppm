@@ -9,8 +9,8 @@ export namespace abut {
   return a.low < b.low || (a.low == b.low && a.high < b.high);
 }
 
-// Each pair once. In time that depends on the number of pairs alone, not on their numbers. Both lists keep their memory, and may
-// swap it.
+// Each pair once. In time that depends on the number of pairs alone, not on their numbers. Both lists keep their
+// memory, and may swap it.
 void put_in_order(std::vector<ProxyPair>& pairs, std::vector<ProxyPair>& scratch);
 
 // In order of the highest bits of the lower numbers, which is as much as one pass can do: some thousand runs.

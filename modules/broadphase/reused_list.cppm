@@ -4,8 +4,8 @@ import abut.core.standard;
 
 export namespace abut {
 
-// It keeps its memory for the calls to come. What a rare call needed is given back once many after it have done with much
-// less: calls that need much and little in turn ask for nothing.
+// It keeps its memory for the calls to come. What a rare call needed is given back once many after it have done with
+// much less: calls that need much and little in turn ask for nothing.
 template <class Element>
 class ReusedList {
  public:

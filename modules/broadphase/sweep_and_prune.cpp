@@ -51,7 +51,8 @@ void SweepAndPrune::insert(std::uint32_t proxy, const CompactAabb& box, Mobility
   record.set_box(box);
   record.group = group;
   // Touched: the pairs of who had the number before go.
-  record.state = (record.state & in_order) | fresh | BoxRecord::present | (mobility == Mobility::moving ? BoxRecord::moving : 0);
+  record.state =
+      (record.state & in_order) | fresh | BoxRecord::present | (mobility == Mobility::moving ? BoxRecord::moving : 0);
   places_[proxy] = static_cast<std::uint32_t>(proxies_.size());
   proxies_.push_back(proxy);
   if (!was_fresh) {
@@ -87,7 +88,8 @@ void SweepAndPrune::update(std::uint32_t proxy, const CompactAabb& box) {
   place(proxy);
 }
 
-void SweepAndPrune::update_all(const Workers&, std::span<const std::uint32_t> proxies, std::span<const CompactAabb> boxes_by_proxy) {
+void SweepAndPrune::update_all(const Workers&, std::span<const std::uint32_t> proxies,
+                               std::span<const CompactAabb> boxes_by_proxy) {
   for (const std::uint32_t proxy : proxies) {
     update(proxy, boxes_by_proxy[proxy]);
   }
@@ -166,7 +168,8 @@ void SweepAndPrune::add_if_overlapping(std::uint32_t a, std::uint32_t b) {
 // False when it would cost more than sorting anew.
 bool SweepAndPrune::sort_by_swaps(std::size_t axis) {
   std::vector<End>& ends = axes_[axis];
-  const std::size_t budget = swaps_ + swaps_of_sorting * ends.size() * static_cast<std::size_t>(std::bit_width(ends.size()));
+  const std::size_t budget =
+      swaps_ + swaps_of_sorting * ends.size() * static_cast<std::size_t>(std::bit_width(ends.size()));
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const End end = ends[i];
     std::size_t to = i;
@@ -281,12 +284,14 @@ void SweepAndPrune::find_pairs(const Workers& workers, std::vector<ProxyPair>& o
 }
 
 std::size_t SweepAndPrune::bytes() const {
-  std::size_t sum = records_.capacity() * sizeof(BoxRecord) + kept_.bytes() + found_.bytes() + added_.capacity() * sizeof(End);
+  std::size_t sum =
+      records_.capacity() * sizeof(BoxRecord) + kept_.bytes() + found_.bytes() + added_.capacity() * sizeof(End);
   for (const std::vector<End>& ends : axes_) {
     sum += ends.capacity() * sizeof(End);
   }
-  return sum + (places_.capacity() + proxies_.capacity() + unbounded_.capacity() + fresh_.capacity() + open_.capacity() + open_fresh_.capacity() +
-                open_places_.capacity()) * sizeof(std::uint32_t);
+  return sum + (places_.capacity() + proxies_.capacity() + unbounded_.capacity() + fresh_.capacity() +
+                open_.capacity() + open_fresh_.capacity() + open_places_.capacity()) *
+                   sizeof(std::uint32_t);
 }
 
 }  // namespace abut

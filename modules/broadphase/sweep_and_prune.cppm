@@ -12,16 +12,18 @@ import abut.math;
 
 export namespace abut {
 
-// The ends stay sorted from call to call (Baraff, "Dynamic simulation of non-penetrating rigid bodies", 1992): where the low
-// end of a box comes to stand before the high end of another they have begun to overlap along that axis. When more ends
-// change places than sorting them anew would cost, as after teleports or when much lies on one plane, they are sorted
-// anew and one sweep along the axis of the widest spread finds all pairs. Boxes without bounds are in no order.
+// The ends stay sorted from call to call (Baraff, "Dynamic simulation of non-penetrating rigid bodies", 1992): where
+// the low end of a box comes to stand before the high end of another they have begun to overlap along that axis. When
+// more ends change places than sorting them anew would cost, as after teleports or when much lies on one plane, they
+// are sorted anew and one sweep along the axis of the widest spread finds all pairs. Boxes without bounds are in no
+// order.
 class SweepAndPrune {
  public:
   void insert(std::uint32_t proxy, const CompactAabb& box, Mobility mobility, std::uint32_t group);
   void erase(std::uint32_t proxy);
   void update(std::uint32_t proxy, const CompactAabb& box);
-  void update_all(const Workers& workers, std::span<const std::uint32_t> proxies, std::span<const CompactAabb> boxes_by_proxy);
+  void update_all(const Workers& workers, std::span<const std::uint32_t> proxies,
+                  std::span<const CompactAabb> boxes_by_proxy);
   // A hidden box keeps its ends and its pairs, which are not reported.
   void hide(std::uint32_t proxy);
   void show(std::uint32_t proxy, const CompactAabb& box);
@@ -72,7 +74,9 @@ class SweepAndPrune {
       return {(std::uint64_t{ordered} << 32) | (is_high ? std::uint64_t{1} << number_bits : 0) | proxy};
     }
     [[nodiscard]] bool is_high() const { return (key >> number_bits & 1) != 0; }
-    [[nodiscard]] std::uint32_t proxy() const { return static_cast<std::uint32_t>(key & ((std::uint64_t{1} << number_bits) - 1)); }
+    [[nodiscard]] std::uint32_t proxy() const {
+      return static_cast<std::uint32_t>(key & ((std::uint64_t{1} << number_bits) - 1));
+    }
     friend bool operator<(const End& a, const End& b) { return a.key < b.key; }
   };
   static constexpr std::uint32_t in_order = 64, fresh = 128;  // of the state of a record

@@ -10,7 +10,8 @@ constexpr Real same_cluster_cosine = 0.98;
 
 bool comes_before(const ContactPoint& a, const ContactPoint& b) {
   const auto key = [](const ContactPoint& c) {
-    return std::tie(c.distance, c.child_a, c.child_b, c.id, c.point_a.x, c.point_a.y, c.point_a.z, c.point_b.x, c.point_b.y, c.point_b.z);
+    return std::tie(c.distance, c.child_a, c.child_b, c.id, c.point_a.x, c.point_a.y, c.point_a.z, c.point_b.x,
+                    c.point_b.y, c.point_b.z);
   };
   return key(a) < key(b);
 }
@@ -28,7 +29,9 @@ void bring(std::span<T> items, std::size_t from, std::size_t to) {
 std::size_t bring_heads(std::span<ContactPoint> contacts) {
   std::size_t heads = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const auto agrees = [&](const ContactPoint& head) { return dot(head.normal, contacts[i].normal) >= same_cluster_cosine; };
+    const auto agrees = [&](const ContactPoint& head) {
+      return dot(head.normal, contacts[i].normal) >= same_cluster_cosine;
+    };
     if (std::ranges::none_of(contacts.first(heads), agrees)) {
       bring(contacts, i, heads++);
     }

@@ -49,8 +49,11 @@ Real twice_hull_of_four(const Flat& a, const Flat& b, const Flat& c, const Flat&
 // Not so where a rim that rests on its face is deepest: no feature holds that point.
 [[nodiscard]] bool is_held(const ContactPoint& contact) {
   const auto is_whole = [](const Feature& feature) { return feature.kind == FeatureKind::whole; };
-  const auto is_wide = [](const Feature& feature) { return feature.kind == FeatureKind::whole || feature.kind == FeatureKind::face; };
-  return !((is_whole(contact.feature_a) && is_wide(contact.feature_b)) || (is_wide(contact.feature_a) && is_whole(contact.feature_b)));
+  const auto is_wide = [](const Feature& feature) {
+    return feature.kind == FeatureKind::whole || feature.kind == FeatureKind::face;
+  };
+  return !((is_whole(contact.feature_a) && is_wide(contact.feature_b)) ||
+           (is_wide(contact.feature_a) && is_whole(contact.feature_b)));
 }
 
 using Ids = std::span<const std::uint64_t>;
@@ -295,12 +298,14 @@ std::size_t bring_to_front(std::span<ContactPoint> patch, std::span<const std::u
   return order.size();
 }
 
-// Leaves out what runs around rims, where a point that is held is as deep within `slack`; brings the others to the front.
+// Leaves out what runs around rims, where a point that is held is as deep within `slack`; brings the others to the
+// front.
 [[nodiscard]] std::span<ContactPoint> without_running(std::span<ContactPoint> patch, Real slack) {
   const auto end = std::partition(patch.begin(), patch.end(), is_held);
   const std::span<ContactPoint> held = patch.first(static_cast<std::size_t>(end - patch.begin()));
   const Real deepest = std::ranges::min_element(patch, comes_before)->distance;
-  const bool is_as_deep = std::ranges::any_of(held, [&](const ContactPoint& contact) { return contact.distance <= deepest + slack; });
+  const bool is_as_deep =
+      std::ranges::any_of(held, [&](const ContactPoint& contact) { return contact.distance <= deepest + slack; });
   return is_as_deep ? held : patch;
 }
 
@@ -344,7 +349,8 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, I
   std::size_t kept = 0;
   std::span<ContactPoint> rest = contacts;
   while (!rest.empty()) {
-    std::iter_swap(rest.begin(), rest.begin() + deepest_of(rest, before.empty() ? 0 : ties.depth * extent_of(rest), before));
+    std::iter_swap(rest.begin(),
+                   rest.begin() + deepest_of(rest, before.empty() ? 0 : ties.depth * extent_of(rest), before));
     const Vec3 normal = rest[0].normal;
     const auto end = std::partition(rest.begin(), rest.end(), [&](const ContactPoint& contact) {
       return dot(contact.normal, normal) >= same_patch_cosine;
@@ -362,7 +368,9 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, I
 
 }  // namespace
 
-std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most) { return reduce_patches(contacts, most, {}, {0, 0}); }
+std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most) {
+  return reduce_patches(contacts, most, {}, {0, 0});
+}
 std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, Ids before) {
   return reduce_patches(contacts, most, before, {tied_depth, running_depth});
 }

@@ -7,12 +7,14 @@ import abut.shape;
 namespace abut {
 namespace {
 
-bool have_same_children(const ContactPoint& a, const ContactPoint& b) { return a.child_a == b.child_a && a.child_b == b.child_b; }
+bool have_same_children(const ContactPoint& a, const ContactPoint& b) {
+  return a.child_a == b.child_a && a.child_b == b.child_b;
+}
 
 template <class Reduce>
 std::size_t reduce_each_pair(std::span<ContactPoint> contacts, Reduce&& reduce_pair) {
-  const bool are_of_one_pair =
-      std::ranges::all_of(contacts, [&](const ContactPoint& contact) { return have_same_children(contact, contacts.front()); });
+  const bool are_of_one_pair = std::ranges::all_of(
+      contacts, [&](const ContactPoint& contact) { return have_same_children(contact, contacts.front()); });
   if (are_of_one_pair) {
     return reduce_pair(contacts);
   }
@@ -26,7 +28,8 @@ std::size_t reduce_each_pair(std::span<ContactPoint> contacts, Reduce&& reduce_p
       ++end;
     }
     const std::size_t count = reduce_pair(contacts.subspan(begin, end - begin));
-    std::swap_ranges(contacts.begin() + static_cast<std::ptrdiff_t>(begin), contacts.begin() + static_cast<std::ptrdiff_t>(begin + count),
+    std::swap_ranges(contacts.begin() + static_cast<std::ptrdiff_t>(begin),
+                     contacts.begin() + static_cast<std::ptrdiff_t>(begin + count),
                      contacts.begin() + static_cast<std::ptrdiff_t>(kept));
     kept += count;
     begin = end;

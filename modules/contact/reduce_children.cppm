@@ -6,9 +6,10 @@ import abut.shape;
 
 export namespace abut {
 
-// As reduce, without or with what was kept before, for each pair of children by itself. What is kept comes first, deepest first
-// of all.
+// As reduce, without or with what was kept before, for each pair of children by itself. What is kept comes first,
+// deepest first of all.
 [[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most);
-[[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most, std::span<const std::uint64_t> before);
+[[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most,
+                                          std::span<const std::uint64_t> before);
 
 }  // namespace abut

@@ -36,8 +36,8 @@ void cast_part(CastSearch& search, const A& part, const B& b, const Pose& ab, co
       {motion.direction, search.limit()}, search.size(), search.settings().margin,
       [&](Real way, Distance& out) { return convex_distance(part, b, moved(ab, motion, way), search.settings(), out); },
       [&](const Vec3& normal) { return -reach(b, ab, -normal) - reach(part, Pose::identity(), normal); }, touch);
-  if (touch && !(stops(part, *touch, touch->normal_before) &&
-                 stops(b, *touch, ab.rotation.undo(-touch->normal_before)))) {
+  if (touch &&
+      !(stops(part, *touch, touch->normal_before) && stops(b, *touch, ab.rotation.undo(-touch->normal_before)))) {
     touch.reset();
   }
   search.add(outcome, touch, frame, swapped, names);

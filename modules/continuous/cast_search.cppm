@@ -34,7 +34,8 @@ class CastSearch {
   [[nodiscard]] Real size() const { return size_; }
   // Later touches are of no interest. A reference, as it shrinks while the parts of a shape are visited.
   [[nodiscard]] const Real& limit() const [[clang::lifetimebound]] { return limit_; }
-  // What is left of the motion, in the frame that is placed by `frame`; the other shape moves where the sides are swapped.
+  // What is left of the motion, in the frame that is placed by `frame`; the other shape moves where the sides are
+  // swapped.
   [[nodiscard]] LinearMotion motion_in(const Pose& frame, bool swapped) const {
     const UnitVec3 direction = swapped ? -direction_ : direction_;
     return {UnitVec3::from_unit_unchecked(frame.rotation.undo(direction)), limit_};
@@ -47,9 +48,10 @@ class CastSearch {
   // Some children may have no answer, as two terrains; no answer at all is one of the whole.
   [[nodiscard]] Outcome outcome() const { return any_ok_ ? Outcome::ok : last_.value_or(Outcome::ok); }
 
-  // How a cast went, and its touch in the frame that is placed by `frame` at the start: of b where the sides are swapped, which
-  // moves.
-  void add(Outcome outcome, const std::optional<FirstTouch>& touch, const Pose& frame, bool swapped, const CastNames& names) {
+  // How a cast went, and its touch in the frame that is placed by `frame` at the start: of b where the sides are
+  // swapped, which moves.
+  void add(Outcome outcome, const std::optional<FirstTouch>& touch, const Pose& frame, bool swapped,
+           const CastNames& names) {
     any_ok_ = any_ok_ || outcome == Outcome::ok;
     last_ = outcome;
     if (!touch || (best_ && !(touch->travelled < best_->travelled))) {

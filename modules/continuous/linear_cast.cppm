@@ -21,9 +21,7 @@ struct FirstTouch {
 };
 
 // What rounding leaves of coordinates after a way: within it shapes touch.
-[[nodiscard]] inline Real touching_after(Real size, Real travelled) {
-  return 4 * epsilon * (size + travelled);
-}
+[[nodiscard]] inline Real touching_after(Real size, Real travelled) { return 4 * epsilon * (size + travelled); }
 
 // Newton's method takes a few steps, and one for each bit of the way when the shapes graze each other. Whoever needs
 // more than these is stopped before the contact.
@@ -93,7 +91,8 @@ template <class DistanceAt, class GapAlong>
 struct Passage {
   Real enter, leave;
 };
-[[nodiscard]] inline std::optional<Passage> passage_of(const Aabb& still, const Aabb& moving, const LinearMotion& motion) {
+[[nodiscard]] inline std::optional<Passage> passage_of(const Aabb& still, const Aabb& moving,
+                                                       const LinearMotion& motion) {
   Passage passage{0, motion.length};
   const Vec3 direction = motion.direction;
   for (int axis = 0; axis < 3; ++axis) {
@@ -118,16 +117,18 @@ struct Passage {
 }
 
 // The same for shapes that are not convex, on a part of the way that begins without a touch: no step is longer than the
-// distance, nor shorter than a stride, and the stride that ends in a touch is halved until rounding is left. A touch that
-// comes and goes within a stride is not seen. An upper bound of infinity says that nothing is there that could be touched,
-// and then the distance is only a lower bound.
+// distance, nor shorter than a stride, and the stride that ends in a touch is halved until rounding is left. A touch
+// that comes and goes within a stride is not seen. An upper bound of infinity says that nothing is there that could be
+// touched, and then the distance is only a lower bound.
 inline constexpr int most_halvings = 64;
 
 template <class DistanceAt>
 [[nodiscard]] Outcome first_touch_by_strides(const Passage& passage, Real size, Real margin, Real stride,
                                              DistanceAt&& distance_at, std::optional<FirstTouch>& out) {
   const Real touching = touching_after(size, passage.leave);
-  const auto touches = [&](const Distance& found) { return found.upper < infinity && found.distance - margin <= touching; };
+  const auto touches = [&](const Distance& found) {
+    return found.upper < infinity && found.distance - margin <= touching;
+  };
   Distance found{};
   Real travelled = passage.enter, before = passage.enter;
   for (;;) {

@@ -20,7 +20,8 @@ struct PartMet {
 };
 
 // Calls visit(met) for the parts whose boxes a moving box meets, in order, as long as they are met before `limit`,
-// which visit may shrink. The way goes in stretches, so that the box around each is not much larger than the moving one.
+// which visit may shrink. The way goes in stretches, so that the box around each is not much larger than the moving
+// one.
 template <HasParts S, class Visitor>
 void visit_in_order(const S& shape, const Aabb& moving, const LinearMotion& motion, Real slack, const Real& limit,
                     Visitor&& visit) {
@@ -52,8 +53,8 @@ void visit_in_order(const S& shape, const Aabb& moving, const LinearMotion& moti
     } else {
       shape.visit_places(box, [&](const Vec3& place, std::uint32_t index) { add(shape.part(index), place, index); });
     }
-    std::ranges::sort(met,
-                      [](const auto& a, const auto& b) { return std::pair(a.enter, a.index) < std::pair(b.enter, b.index); });
+    std::ranges::sort(
+        met, [](const auto& a, const auto& b) { return std::pair(a.enter, a.index) < std::pair(b.enter, b.index); });
     for (const auto& each : met) {
       if (each.enter > limit) {
         break;

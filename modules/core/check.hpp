@@ -8,11 +8,11 @@
 
 // An invariant of ours. A broken one leaves by an exception that only the C border catches, which
 // then poisons the universe: a defect of ours must not end the program of our host.
-#define ABUT_CHECK(condition)                                   \
-  do {                                                          \
-    if (!(condition)) [[unlikely]] {                            \
-      ::abut::report_bug(#condition, __FILE_NAME__, __LINE__);  \
-    }                                                           \
+#define ABUT_CHECK(condition)                                  \
+  do {                                                         \
+    if (!(condition)) [[unlikely]] {                           \
+      ::abut::report_bug(#condition, __FILE_NAME__, __LINE__); \
+    }                                                          \
   } while (false)
 
 #endif

@@ -55,7 +55,8 @@ class [[nodiscard]] Result {
   }
 
  private:
-  // No variant: clang 19 rejects its friends where a program includes <variant> and the name comes from a module as well.
+  // No variant: clang 19 rejects its friends where a program includes <variant> and the name comes from a module as
+  // well.
   std::optional<T> value_;
   Error error_;
 };

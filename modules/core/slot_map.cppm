@@ -58,8 +58,9 @@ class SlotMap {
 
   // The id of whatever lives in a slot now, or null.
   [[nodiscard]] Id<Tag> id_at_slot(std::uint32_t slot) const {
-    return slot != 0 && slot <= entries_.size() && entries_[slot - 1].value ? Id<Tag>{slot, entries_[slot - 1].generation}
-                                                                             : Id<Tag>{};
+    return slot != 0 && slot <= entries_.size() && entries_[slot - 1].value
+               ? Id<Tag>{slot, entries_[slot - 1].generation}
+               : Id<Tag>{};
   }
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }

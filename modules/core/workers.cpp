@@ -17,8 +17,8 @@ struct Workers::Arena {
 
 namespace {
 
-// Tasks come after what was done before all of them, and before what comes after all; not one after the other. oneTBB sees to
-// that where ThreadSanitizer cannot look, so it has to be told.
+// Tasks come after what was done before all of them, and before what comes after all; not one after the other. oneTBB
+// sees to that where ThreadSanitizer cannot look, so it has to be told.
 struct Order {
 #ifdef ABUT_TSAN
   char begun = 0, ended = 0;
@@ -40,8 +40,8 @@ struct Turn {
   Turn& operator=(const Turn&) = delete;
 };
 
-// More threads than the process admits to oneTBB would not come, and oneTBB complains about them aloud. That is as many as
-// the machine runs at once, unless the process has said otherwise with a tbb::global_control.
+// More threads than the process admits to oneTBB would not come, and oneTBB complains about them aloud. That is as many
+// as the machine runs at once, unless the process has said otherwise with a tbb::global_control.
 std::uint32_t possible(std::uint32_t threads) {
   const std::size_t most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   return static_cast<std::uint32_t>(threads == 0 ? most : std::min<std::size_t>(threads, most));

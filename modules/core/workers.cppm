@@ -34,8 +34,8 @@ class Workers {
 
   [[nodiscard]] inline std::uint32_t threads() const noexcept { return threads_; }
 
-  // Tasks of at least so many elements, as far as there are, and enough of them for threads to end at the same time. On one
-  // thread it is one task.
+  // Tasks of at least so many elements, as far as there are, and enough of them for threads to end at the same time. On
+  // one thread it is one task.
   [[nodiscard]] inline Cuts cut(std::size_t length, std::size_t least_of_task) const {
     constexpr std::size_t tasks_of_thread = 8;
     return {length, threads_ == 1 ? 1 : std::clamp<std::size_t>(length / least_of_task, 1, tasks_of_thread * threads_)};

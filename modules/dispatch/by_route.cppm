@@ -13,9 +13,11 @@ import abut.shape;
 export namespace abut {
 
 template <Scattered A, class B>
-[[nodiscard]] Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out);
+[[nodiscard]] Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                         Distance& out);
 template <Scattered A, class B>
-[[nodiscard]] Outcome scattered_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out);
+[[nodiscard]] Outcome scattered_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                         Manifold& out);
 
 template <class A, class B>
 [[nodiscard]] [[gnu::always_inline]] inline Outcome distance_by_route(const A& a, const B& b, const Pose& ab,
@@ -45,7 +47,8 @@ template <class A, class B>
 }
 
 template <class A, class B>
-[[nodiscard]] Outcome contacts_by_route(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+[[nodiscard]] Outcome contacts_by_route(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                        Manifold& out) {
   constexpr Route way = route<A, B>();
   if constexpr (way == Route::unsupported) {
     return Outcome::unsupported;
@@ -128,7 +131,8 @@ inline void keep_deepest_of_directions(Manifold& contacts, std::size_t first) {
   std::size_t kept = first;
   for (std::size_t i = first; i < contacts.size() && kept - first < most; ++i) {
     const auto before = std::span(contacts).subspan(first, kept - first);
-    if (std::ranges::none_of(before, [&](const ContactPoint& k) { return dot(k.normal, contacts[i].normal) > same_direction; })) {
+    if (std::ranges::none_of(
+            before, [&](const ContactPoint& k) { return dot(k.normal, contacts[i].normal) > same_direction; })) {
       contacts[kept] = contacts[i];
       ++kept;
     }

@@ -19,11 +19,12 @@ import abut.shape;
 
 export namespace abut {
 
-// Where closed forms have no answer, or the route is another one. Out of line: a function that only takes closed forms is
-// entered at less cost.
+// Where closed forms have no answer, or the route is another one. Out of line: a function that only takes closed forms
+// is entered at less cost.
 template <class Any, class A, class B>
-[[nodiscard]] [[gnu::noinline]] Outcome distance_in_frame(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b,
-                                                          bool swapped, const QuerySettings& settings, Distance& out) {
+[[nodiscard]] [[gnu::noinline]] Outcome distance_in_frame(const Any& a, const Any& b, const Pose& pose_a,
+                                                          const Pose& pose_b, bool swapped,
+                                                          const QuerySettings& settings, Distance& out) {
   const Pose ab = relative(pose_a, pose_b);
   [[clang::uninitialized]] Distance found;
   Outcome outcome{};
@@ -76,8 +77,9 @@ void place_contacts(std::span<ContactPoint> contacts, const Pose& pose_a, bool s
 }
 
 template <class Any, class A, class B>
-[[nodiscard]] [[gnu::noinline]] Outcome contacts_in_frame(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b,
-                                                          bool swapped, const QuerySettings& settings, Manifold& out) {
+[[nodiscard]] [[gnu::noinline]] Outcome contacts_in_frame(const Any& a, const Any& b, const Pose& pose_a,
+                                                          const Pose& pose_b, bool swapped,
+                                                          const QuerySettings& settings, Manifold& out) {
   const std::size_t first = out.size();
   const Pose ab = relative(pose_a, pose_b);
   Outcome outcome{};
@@ -134,7 +136,8 @@ template <class Any, class A, class B>
                                                   [[maybe_unused]] PairMemory& memory, Manifold& out) {
   if constexpr (gains_from_memory<A, B>()) {
     const std::size_t first = out.size();
-    const Outcome outcome = convex_contacts(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, memory, out);
+    const Outcome outcome =
+        convex_contacts(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, memory, out);
     place_contacts<A, B>(std::span(out).subspan(first), pose_a, swapped);
     return outcome;
   } else {
@@ -155,9 +158,9 @@ template <class A, class B>
 }
 
 template <class Any, class A, class B>
-void contacts_of_run_kernel(std::span<const Frozen<Any>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
-                            const QuerySettings& common, std::span<PairMemory> memories, Manifold& out,
-                            std::span<PairResult> results) {
+void contacts_of_run_kernel(std::span<const Frozen<Any>> shapes, std::span<const Pose> poses,
+                            std::span<const PairJob> jobs, const QuerySettings& common, std::span<PairMemory> memories,
+                            Manifold& out, std::span<PairResult> results) {
   QuerySettings settings = common;
   // Poses and memories of the pairs of a run lie anywhere.
   constexpr std::size_t ahead = 4;
@@ -183,14 +186,14 @@ void contacts_of_run_kernel(std::span<const Frozen<Any>> shapes, std::span<const
 }
 
 template <class Any, class A, class B>
-void cast_parts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped, const CastNames& names,
-                       CastSearch& search) {
+void cast_parts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                       const CastNames& names, CastSearch& search) {
   if constexpr (HasParts<A>) {
-    cast_parts(search, std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), search.motion_in(pose_a, swapped), pose_a, swapped,
-                      names);
+    cast_parts(search, std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), search.motion_in(pose_a, swapped),
+               pose_a, swapped, names);
   } else {
-    cast_parts(search, std::get<B>(b), std::get<A>(a), relative(pose_b, pose_a), search.motion_in(pose_b, !swapped), pose_b,
-                      !swapped, names);
+    cast_parts(search, std::get<B>(b), std::get<A>(a), relative(pose_b, pose_a), search.motion_in(pose_b, !swapped),
+               pose_b, !swapped, names);
   }
 }
 
@@ -217,9 +220,15 @@ template <class Any, class A, class B>
   if constexpr (route<A, B>() == Route::children) {
     return by_children;
   } else {
-    return {route<A, B>(), is_flipped<A, B>(), distance_kernel<Any, A, B>, contacts_kernel<Any, A, B>,
-            contacts_with_memory_kernel<Any, A, B>, contacts_of_run_kernel<Any, A, B>, gains_from_memory<A, B>(),
-            cast_parts_of<Any, A, B>(), name_searches_kernel<A, B>};
+    return {route<A, B>(),
+            is_flipped<A, B>(),
+            distance_kernel<Any, A, B>,
+            contacts_kernel<Any, A, B>,
+            contacts_with_memory_kernel<Any, A, B>,
+            contacts_of_run_kernel<Any, A, B>,
+            gains_from_memory<A, B>(),
+            cast_parts_of<Any, A, B>(),
+            name_searches_kernel<A, B>};
   }
 }
 
@@ -232,7 +241,8 @@ template <class Shapes, std::size_t Row>
   std::array<PairKernels<Any>, Shapes::count> row{};
   [&]<std::size_t... Offsets>(std::index_sequence<Offsets...>) {
     ((row[Row + Offsets] =
-          make_kernels<Any, typename Shapes::template At<Row>, typename Shapes::template At<Row + Offsets>>(by_children)),
+          make_kernels<Any, typename Shapes::template At<Row>, typename Shapes::template At<Row + Offsets>>(
+              by_children)),
      ...);
   }(std::make_index_sequence<Shapes::count - Row>{});
   return row;

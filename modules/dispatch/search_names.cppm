@@ -9,8 +9,8 @@ import abut.shape;
 
 export namespace abut {
 
-// What finds the distance of two cores that are apart, and the depth of two that overlap; radii are added to either. Where
-// a closed form loses its digits, GJK takes over; where SAT finds too many axes or is in doubt, EPA does.
+// What finds the distance of two cores that are apart, and the depth of two that overlap; radii are added to either.
+// Where a closed form loses its digits, GJK takes over; where SAT finds too many axes or is in doubt, EPA does.
 template <Convex A, Convex B>
 [[nodiscard]] constexpr std::string_view name_searches() {
   constexpr bool are_boxes = BoxCored<A> && BoxCored<B>;

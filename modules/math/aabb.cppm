@@ -32,7 +32,9 @@ struct Aabb {
     return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
            low.z <= other.high.z && other.low.z <= high.z;
   }
-  [[nodiscard]] inline constexpr Aabb inflated(Real by) const { return {low - Vec3{by, by, by}, high + Vec3{by, by, by}}; }
+  [[nodiscard]] inline constexpr Aabb inflated(Real by) const {
+    return {low - Vec3{by, by, by}, high + Vec3{by, by, by}};
+  }
   [[nodiscard]] inline constexpr Vec3 centre() const { return 0.5 * (low + high); }
   [[nodiscard]] inline bool is_bounded() const { return is_finite(low) && is_finite(high); }
   [[nodiscard]] inline constexpr Real squared_distance(const Vec3& p) const {
@@ -58,8 +60,9 @@ struct CompactAabb {
 
   [[nodiscard]] inline bool overlaps(const CompactAabb& other) const {
     // Without short circuits the six comparisons become two vector instructions.
-    return static_cast<bool>(int{low[0] <= other.high[0]} & int{other.low[0] <= high[0]} & int{low[1] <= other.high[1]} &
-                             int{other.low[1] <= high[1]} & int{low[2] <= other.high[2]} & int{other.low[2] <= high[2]});
+    return static_cast<bool>(int{low[0] <= other.high[0]} & int{other.low[0] <= high[0]} &
+                             int{low[1] <= other.high[1]} & int{other.low[1] <= high[1]} &
+                             int{low[2] <= other.high[2]} & int{other.low[2] <= high[2]});
   }
   [[nodiscard]] inline bool contains(const CompactAabb& other) const {
     return low[0] <= other.low[0] && low[1] <= other.low[1] && low[2] <= other.low[2] && high[0] >= other.high[0] &&
@@ -70,8 +73,8 @@ static_assert(sizeof(CompactAabb) == 24);
 
 using SingleLanes = float __attribute__((ext_vector_type(4)));
 
-// The greatest single numbers that are not above numbers. Single numbers of one sign are ordered as their bits are; with all bits
-// but the sign turned over in negative ones, all are.
+// The greatest single numbers that are not above numbers. Single numbers of one sign are ordered as their bits are;
+// with all bits but the sign turned over in negative ones, all are.
 [[nodiscard]] [[gnu::always_inline]] inline SingleLanes round_down(Lanes values) {
   using Bits = std::int32_t __attribute__((ext_vector_type(4)));
   const auto in_order = [](Bits bits) { return bits ^ ((bits >> 31) & std::numeric_limits<std::int32_t>::max()); };

@@ -22,15 +22,21 @@ using LaneNumbers = std::int64_t __attribute__((ext_vector_type(4)));
 [[nodiscard]] [[gnu::always_inline]] inline Lanes minimum(Lanes a, Lanes b) { return a < b ? a : b; }
 [[nodiscard]] [[gnu::always_inline]] inline Lanes maximum(Lanes a, Lanes b) { return a > b ? a : b; }
 // The nearest value within -limit and limit.
-[[nodiscard]] [[gnu::always_inline]] inline Lanes clamp(Lanes a, Lanes limit) { return minimum(maximum(a, -limit), limit); }
-[[nodiscard]] [[gnu::always_inline]] inline Lanes multiply_add(Lanes a, Lanes b, Lanes c) { return __builtin_elementwise_fma(a, b, c); }
+[[nodiscard]] [[gnu::always_inline]] inline Lanes clamp(Lanes a, Lanes limit) {
+  return minimum(maximum(a, -limit), limit);
+}
+[[nodiscard]] [[gnu::always_inline]] inline Lanes multiply_add(Lanes a, Lanes b, Lanes c) {
+  return __builtin_elementwise_fma(a, b, c);
+}
 
 // A bit per lane of a comparison, and with the sign of each number.
 [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t bits_of(LaneNumbers flags) {
   using Flags = bool __attribute__((ext_vector_type(4)));
   return std::bit_cast<std::uint8_t>(__builtin_convertvector(flags, Flags)) & 15u;
 }
-[[nodiscard]] [[gnu::always_inline]] inline std::uint64_t signs_of(Lanes values) { return bits_of(values < all_lanes(0)); }
+[[nodiscard]] [[gnu::always_inline]] inline std::uint64_t signs_of(Lanes values) {
+  return bits_of(values < all_lanes(0));
+}
 
 [[nodiscard]] [[gnu::always_inline]] inline Real sum(Lanes a) {
   const auto pairs = a.lo + a.hi;

@@ -16,8 +16,12 @@ struct Vec3 {
   [[nodiscard]] inline constexpr Real operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 };
 
-[[nodiscard]] inline constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-[[nodiscard]] inline constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+[[nodiscard]] inline constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+[[nodiscard]] inline constexpr Vec3 operator-(const Vec3& a, const Vec3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 [[nodiscard]] inline constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
 [[nodiscard]] inline constexpr Vec3 operator*(Real s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
 [[nodiscard]] inline constexpr Vec3 operator*(const Vec3& a, Real s) { return {s * a.x, s * a.y, s * a.z}; }
@@ -40,7 +44,9 @@ inline constexpr Vec3& operator+=(Vec3& a, const Vec3& b) { return a = a + b; }
   const Real larger = sizes.x > sizes.y ? sizes.x : sizes.y;
   return larger > sizes.z ? larger : sizes.z;
 }
-[[nodiscard]] inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+[[nodiscard]] inline bool is_finite(const Vec3& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 
 // Length without overflow or underflow of the squares; for vectors of extreme length.
 [[nodiscard]] inline Real norm(const Vec3& a) {

@@ -1,5 +1,6 @@
-// Numbers of twice the digits, each the sum of two that do not overlap: error-free sums by Knuth (1969), products by a fused
-// multiply-add, the rest as in Hida, Li, Bailey, "Algorithms for quad-double precision floating point arithmetic", 2001.
+// Numbers of twice the digits, each the sum of two that do not overlap: error-free sums by Knuth (1969), products by a
+// fused multiply-add, the rest as in Hida, Li, Bailey, "Algorithms for quad-double precision floating point
+// arithmetic", 2001.
 export module abut.math.wide;
 import abut.core.standard;
 import abut.math.vec3;
@@ -51,7 +52,9 @@ struct Wide {
   return a.high < b.high || (a.high == b.high && a.low < b.low);
 }
 [[nodiscard]] inline constexpr bool operator>(const Wide& a, const Wide& b) { return b < a; }
-[[nodiscard]] inline constexpr bool operator<=(const Wide& a, const Wide& b) { return a < b || (a.high == b.high && a.low == b.low); }
+[[nodiscard]] inline constexpr bool operator<=(const Wide& a, const Wide& b) {
+  return a < b || (a.high == b.high && a.low == b.low);
+}
 [[nodiscard]] inline constexpr bool operator>=(const Wide& a, const Wide& b) { return b <= a; }
 
 struct WideVec3 {

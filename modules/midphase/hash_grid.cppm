@@ -60,7 +60,8 @@ class HashGrid {
     return {along(from.x), along(from.y), along(from.z)};
   }
   [[nodiscard]] static inline std::uint64_t row_hash(std::int64_t y, std::int64_t z) {
-    return (static_cast<std::uint64_t>(y) * 0x9e3779b97f4a7c15u) ^ (static_cast<std::uint64_t>(z) * 0xc2b2ae3d27d4eb4fu);
+    return (static_cast<std::uint64_t>(y) * 0x9e3779b97f4a7c15u) ^
+           (static_cast<std::uint64_t>(z) * 0xc2b2ae3d27d4eb4fu);
   }
   [[nodiscard]] inline std::uint64_t bucket_of(const Cell& cell) const {
     const std::uint64_t row = row_hash(cell.y, cell.z);

@@ -19,7 +19,8 @@ using Corners = SmallVector<Corner, 16>;
 }
 
 // The vertices that reach furthest along a direction, in the order of the face.
-void outermost(const Face& face, const Vec3& direction, Real slack, const Vec3& base, const Tangents& tangents, Corners& out) {
+void outermost(const Face& face, const Vec3& direction, Real slack, const Vec3& base, const Tangents& tangents,
+               Corners& out) {
   Real most = -infinity;
   for (const FaceVertex& vertex : face.vertices.span()) {
     most = std::max(most, dot(vertex.point - base, direction));
@@ -32,8 +33,8 @@ void outermost(const Face& face, const Vec3& direction, Real slack, const Vec3& 
   }
 }
 
-// Whether a polygon holds a point further than `slack` from its edges. Those of a needle, and of a polygon without area,
-// are all nearer, and rounding would take what lies beyond its ends for inside.
+// Whether a polygon holds a point further than `slack` from its edges. Those of a needle, and of a polygon without
+// area, are all nearer, and rounding would take what lies beyond its ends for inside.
 [[nodiscard]] bool holds(std::span<const Corner> polygon, const Corner& p, Real slack) {
   bool left = polygon.size() > 2, right = left;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -53,7 +54,8 @@ void outermost(const Face& face, const Vec3& direction, Real slack, const Vec3& 
 [[nodiscard]] Corner nearest_on(const Corner& from, const Corner& to, const Corner& p) {
   const Real u = to.u - from.u, v = to.v - from.v;
   const Real square = u * u + v * v;
-  return square > 0 ? at(from, to, std::clamp(((p.u - from.u) * u + (p.v - from.v) * v) / square, Real{0}, Real{1})) : from;
+  return square > 0 ? at(from, to, std::clamp(((p.u - from.u) * u + (p.v - from.v) * v) / square, Real{0}, Real{1}))
+                    : from;
 }
 
 class Search {

@@ -31,8 +31,14 @@ struct Side {
     return Feature{FeatureKind::edge, 4 * static_cast<std::uint32_t>(along) + others};
   };
   return {Feature{FeatureKind::face, 2 * static_cast<std::uint32_t>(side.axis) + (side.is_upper ? 1 : 0)},
-          corner(base), corner(base | first), corner(base | first | second), corner(base | second),
-          edge(side.second, base), edge(side.second, base | first), edge(side.first, base), edge(side.first, base | second)};
+          corner(base),
+          corner(base | first),
+          corner(base | first | second),
+          corner(base | second),
+          edge(side.second, base),
+          edge(side.second, base | first),
+          edge(side.first, base),
+          edge(side.first, base | second)};
 }
 
 [[nodiscard]] inline const Vec3& column(const Rotation& r, int axis) { return axis == 0 ? r.x : axis == 1 ? r.y : r.z; }
@@ -67,12 +73,14 @@ struct Candidates {
 };
 [[nodiscard]] inline Candidates turned(const Candidates& c) { return {c.v, c.u, c.distance, c.are_corners}; }
 
-// The edges of the rectangle at both ends of u, and both edges of the parallelogram along `run`, at the ends of `fixed`.
+// The edges of the rectangle at both ends of u, and both edges of the parallelogram along `run`, at the ends of
+// `fixed`.
 [[nodiscard]] inline Candidates crossings(const Faces& f, const Projected& run, const Projected& fixed) {
   const Lanes u = first_ends * f.half_u;
   const Lanes at = (u - (f.centre.u + second_ends * fixed.u)) / all_lanes(run.u);
   const Lanes v = f.centre.v + second_ends * fixed.v + at * run.v;
-  return {u, v, f.centre.height + second_ends * fixed.height + at * run.height, (absolute(at) < 1) & (absolute(v) < f.half_v)};
+  return {u, v, f.centre.height + second_ends * fixed.height + at * run.height,
+          (absolute(at) < 1) & (absolute(v) < f.half_v)};
 }
 
 inline void write(const Candidates& candidates, std::size_t group, Real margin, BoxRegion& out) {
@@ -84,7 +92,8 @@ inline void write(const Candidates& candidates, std::size_t group, Real margin, 
   out.corners |= bits_of(candidates.are_corners & (candidates.distance <= margin)) << (4 * group);
 }
 
-// Returns the least distance of a corner. Infinite where a corner of one face is closer than `doubt` to an edge of the other.
+// Returns the least distance of a corner. Infinite where a corner of one face is closer than `doubt` to an edge of the
+// other.
 [[nodiscard]] inline Real clip_parallelogram(const Faces& f, Real doubt, Real margin, BoxRegion& out) {
   const auto [half_u, half_v, centre, first, second] = f;
   Candidates of_b;
@@ -114,8 +123,12 @@ inline void write(const Candidates& candidates, std::size_t group, Real margin, 
   }
   of_a.distance = centre.height + along_first * (first.height / turn) + along_second * (second.height / turn);
   const Faces t = turned(f);
-  const std::array<Candidates, 6> all{of_b, of_a, crossings(f, first, second), crossings(f, second, first),
-                                      turned(crossings(t, t.first, t.second)), turned(crossings(t, t.second, t.first))};
+  const std::array<Candidates, 6> all{of_b,
+                                      of_a,
+                                      crossings(f, first, second),
+                                      crossings(f, second, first),
+                                      turned(crossings(t, t.first, t.second)),
+                                      turned(crossings(t, t.second, t.first))};
   Lanes least = Lanes(infinity);
   for (std::size_t group = 0; group < all.size(); ++group) {
     least = minimum(all[group].are_corners ? all[group].distance : Lanes(infinity), least);
@@ -124,8 +137,8 @@ inline void write(const Candidates& candidates, std::size_t group, Real margin, 
   return -largest(-least);
 }
 
-// The same where the sides of the face of b run along the axes of a, as in a stack, `first` along u: the region is as wide as
-// the narrower of both is on each side. Where edges lie on each other, within `slack`, those of b count.
+// The same where the sides of the face of b run along the axes of a, as in a stack, `first` along u: the region is as
+// wide as the narrower of both is on each side. Where edges lie on each other, within `slack`, those of b count.
 [[nodiscard]] inline Real clip_rectangle(const Faces& f, Real slack, Real doubt, Real margin, BoxRegion& out) {
   const Real long_u = std::fabs(f.first.u), long_v = std::fabs(f.second.v);
   const Real side_u = std::copysign(1.0, f.first.u), side_v = std::copysign(1.0, f.second.v);
@@ -144,8 +157,9 @@ inline void write(const Candidates& candidates, std::size_t group, Real margin, 
     const Real distance = f.centre.height + along_first * f.first.height + along_second * f.second.height;
     // The ends of the sides of b, and which candidate has these edges.
     const Real end_first = end_u * side_u, end_second = end_v * side_v;
-    const std::size_t candidate = u_of_b ? (v_of_b ? corner_at(end_first, end_second) : 20 + corner_at(end_v, end_first))
-                                         : (v_of_b ? 8 + corner_at(end_u, end_second) : 4 + i);
+    const std::size_t candidate = u_of_b
+                                      ? (v_of_b ? corner_at(end_first, end_second) : 20 + corner_at(end_v, end_first))
+                                      : (v_of_b ? 8 + corner_at(end_u, end_second) : 4 + i);
     out.along_first[candidate] = u;
     out.along_second[candidate] = v;
     out.distance[candidate] = distance;
@@ -157,19 +171,21 @@ inline void write(const Candidates& candidates, std::size_t group, Real margin, 
 
 }  // namespace
 
-bool clip_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, const Vec3& normal, Real separation, Real margin,
-                Real size, BoxRegion& out) {
+bool clip_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, const Vec3& normal, Real separation,
+                Real margin, Real size, BoxRegion& out) {
   const Side a = side_toward(normal);
   Side b = side_toward(ab.rotation.undo(-normal));
   const Real plane = a.is_upper ? half_a[a.axis] : -half_a[a.axis];
   const Vec3 centre = ab.position + (b.is_upper ? half_b[b.axis] : -half_b[b.axis]) * column(ab.rotation, b.axis);
-  const Vec3 first = half_b[b.first] * column(ab.rotation, b.first), second = half_b[b.second] * column(ab.rotation, b.second);
+  const Vec3 first = half_b[b.first] * column(ab.rotation, b.first),
+             second = half_b[b.second] * column(ab.rotation, b.second);
 
   const auto across = [&](int axis) { return Lanes{centre[axis], first[axis], second[axis], 0}; };
   const Lanes heights = (across(a.axis) - Lanes{plane, 0, 0, 0}) * all_lanes(1 / normal[a.axis]);
   const Lanes u = across(a.first) - heights * all_lanes(normal[a.first]);
   const Lanes v = across(a.second) - heights * all_lanes(normal[a.second]);
-  Faces faces{half_a[a.first], half_a[a.second], {u[0], v[0], heights[0]}, {u[1], v[1], heights[1]}, {u[2], v[2], heights[2]}};
+  Faces faces{
+      half_a[a.first], half_a[a.second], {u[0], v[0], heights[0]}, {u[1], v[1], heights[1]}, {u[2], v[2], heights[2]}};
 
   const Real tie = tie_share * std::fmin(largest_magnitude(half_a), largest_magnitude(half_b));
   const Real slack = 16 * epsilon * size + tie, doubt = 256 * epsilon * size + 4 * tie;

@@ -13,8 +13,8 @@ import abut.shape;
 
 export namespace abut {
 
-// The features of a face of a box, numbered as the shape numbers them: itself, its four corners, its edges at the lower and
-// at the upper end of its first axis and of its second.
+// The features of a face of a box, numbered as the shape numbers them: itself, its four corners, its edges at the lower
+// and at the upper end of its first axis and of its second.
 using BoxFaceFeatures = std::array<Feature, 9>;
 
 inline constexpr std::size_t candidate_count = 24;
@@ -29,8 +29,8 @@ struct BoxRegion {
 
 // The part within the margin of the region under the normal along which two boxes are `separation` apart: one of half
 // extents `half_a` and one of `half_b` placed by ab. False where there is doubt. `size`: of the coordinates.
-[[nodiscard]] bool clip_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, const Vec3& normal, Real separation,
-                              Real margin, Real size, BoxRegion& out);
+[[nodiscard]] bool clip_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, const Vec3& normal,
+                              Real separation, Real margin, Real size, BoxRegion& out);
 
 // What a candidate is on each side.
 struct CandidateFeatures {
@@ -41,23 +41,23 @@ inline constexpr std::array<CandidateFeatures, candidate_count> candidate_featur
     {1, 0}, {2, 0}, {3, 0}, {4, 0},  // corners of a
     {5, 7}, {6, 7}, {6, 8}, {5, 8},  // edges across the first axis of a and across the second one of b
     {5, 5}, {6, 5}, {6, 6}, {5, 6},  // and so on
-    {7, 7}, {8, 7}, {8, 8}, {7, 8},
-    {7, 5}, {8, 5}, {8, 6}, {7, 6},
+    {7, 7}, {8, 7}, {8, 8}, {7, 8}, {7, 5}, {8, 5}, {8, 6}, {7, 6},
 }};
 
 // Hands over a contact for each corner of a region of two boxes that are rounded off by their radii.
 template <class Append>
-[[gnu::always_inline]] inline void contacts_of_region(const BoxRegion& region, const Vec3& normal, Real radius_a, Real radius_b,
-                                                      Append&& append) {
+[[gnu::always_inline]] inline void contacts_of_region(const BoxRegion& region, const Vec3& normal, Real radius_a,
+                                                      Real radius_b, Append&& append) {
   for (std::uint32_t left = region.corners; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
     const Lanes on_a = multiply_add(region.second, all_lanes(region.along_second[i]),
                                     multiply_add(region.first, all_lanes(region.along_first[i]), region.base));
     const Lanes point_a = multiply_add(lanes_of(normal), all_lanes(radius_a), on_a);
     const Lanes point_b = multiply_add(lanes_of(normal), all_lanes(region.distance[i] - radius_b), on_a);
-    const Feature feature_a = region.of_a[candidate_features[i].of_a], feature_b = region.of_b[candidate_features[i].of_b];
-    append(LaneContact{point_a, point_b, lanes_of(normal), region.distance[i] - (radius_a + radius_b), feature_a, feature_b,
-                       contact_id(feature_a, feature_b)});
+    const Feature feature_a = region.of_a[candidate_features[i].of_a],
+                  feature_b = region.of_b[candidate_features[i].of_b];
+    append(LaneContact{point_a, point_b, lanes_of(normal), region.distance[i] - (radius_a + radius_b), feature_a,
+                       feature_b, contact_id(feature_a, feature_b)});
   }
 }
 

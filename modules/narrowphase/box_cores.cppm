@@ -36,9 +36,9 @@ inline constexpr std::uint32_t projection_rounds = 6;
 
 // Two boxes, the second one placed in the frame of the first.
 struct BoxPair {
-  Lanes a, b;     // half extents
-  Lanes centre;   // of b
-  Lanes back;     // centre of a in the frame of b
+  Lanes a, b;    // half extents
+  Lanes centre;  // of b
+  Lanes back;    // centre of a in the frame of b
   LaneMatrix columns, rows;
 
   [[gnu::always_inline]] inline BoxPair(const Vec3& half_a, const Vec3& half_b, const Pose& ab)
@@ -92,12 +92,13 @@ struct BoxPair {
 };
 
 // A box of half extents `half_a` and one of `half_b` placed by ab. Points that are nearer than `least` will do.
-[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_of_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab,
-                                                                            Real error, Real least) {
+[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_of_boxes(const Vec3& half_a, const Vec3& half_b,
+                                                                            const Pose& ab, Real error, Real least) {
   const BoxPair boxes(half_a, half_b, ab);
   [[clang::uninitialized]] NearPoints near;
   boxes.project<false>(clamp(boxes.centre, boxes.a), near);
-  for (near.rounds = 1; !is_proven(near, error) && near.square >= least * least && near.rounds < projection_rounds; ++near.rounds) {
+  for (near.rounds = 1; !is_proven(near, error) && near.square >= least * least && near.rounds < projection_rounds;
+       ++near.rounds) {
     boxes.project<true>(near.on_a, near);
   }
   return near;
@@ -107,7 +108,8 @@ struct BoxPair {
 inline constexpr std::uint32_t newton_rounds = 3;
 
 // A box of half extents `half` and the segment centre +- half_length * axis, the axis of length one.
-[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_of_segment(const Vec3& half, Lanes centre, Lanes axis, Real half_length,
+[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_of_segment(const Vec3& half, Lanes centre,
+                                                                              Lanes axis, Real half_length,
                                                                               Real error) {
   const Lanes box = lanes_of(half);
   const auto limited = [&](Real s) { return s < -half_length ? -half_length : s > half_length ? half_length : s; };
@@ -138,8 +140,8 @@ inline constexpr std::uint32_t newton_rounds = 3;
 
 // The nearest points of a point or a segment placed by ab and of a box of half extents `half` in its frame.
 template <BoxCored B>
-[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_in_box(const Vec3& half, const B& b, Lanes position, Lanes axis,
-                                                                          Real error) {
+[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_in_box(const Vec3& half, const B& b, Lanes position,
+                                                                          Lanes axis, Real error) {
   if constexpr (PointCored<B>) {
     return near_points_of_point(half, position);
   } else {
@@ -149,7 +151,8 @@ template <BoxCored B>
 
 // `least`: who cannot use points that are nearer to each other does not need the nearest.
 template <BoxCored A, BoxCored B>
-[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points(const A& a, const B& b, const Pose& ab, Real error, Real least = 0) {
+[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points(const A& a, const B& b, const Pose& ab, Real error,
+                                                                   Real least = 0) {
   if constexpr (PointCored<A> && PointCored<B>) {
     const Lanes between = lanes_of(ab.position);
     return {Lanes(0), between, between, dot(between, between), 0, 1};

@@ -57,7 +57,8 @@ SatResult sat_of_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, R
   // The axis across edge i of a and edge j of b, in lane j, has the components -q and p along the two
   // other axes of a. What of b reaches along it are minors of p and q: they stay exact for edges that are
   // nearly parallel, where entries of the matrix would drown in rounding.
-  const auto across = [&](Lanes p, Lanes q, Lanes wide_p, Lanes wide_q, Real half_p, Real half_q, Real at_p, Real at_q) {
+  const auto across = [&](Lanes p, Lanes q, Lanes wide_p, Lanes wide_q, Real half_p, Real half_q, Real at_p,
+                          Real at_q) {
     const Lanes square = multiply_add(p, p, q * q);
     const Lanes offset = absolute(multiply_add(p, all_lanes(at_q), q * all_lanes(-at_p)));
     const Lanes of_first = multiply_add(wide_q, all_lanes(half_p), wide_p * all_lanes(half_q));

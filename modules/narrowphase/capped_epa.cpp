@@ -14,13 +14,14 @@ namespace abut {
 namespace {
 
 constexpr std::size_t cap_limit = 12;
-// After so many vertices caps are also looked for from where the depth is larger by up to this factor: where many directions
-// are as good, a polytope alone proves none of them.
+// After so many vertices caps are also looked for from where the depth is larger by up to this factor: where many
+// directions are as good, a polytope alone proves none of them.
 constexpr std::uint32_t patience = 30;
 constexpr Real near_least = 1.25;
 using Caps = SmallVector<DepthMinimum, cap_limit>;
 
-// Beside a giant the bound of the search is no small part of a speck: the minimum found within it may be that of other features.
+// Beside a giant the bound of the search is no small part of a speck: the minimum found within it may be that of other
+// features.
 constexpr Real speck_share = 1e-6;
 
 // The points under one triangle of a polytope need not lie across each other; those of the minimum near its normal do.
@@ -28,8 +29,11 @@ constexpr Real speck_share = 1e-6;
   return with_points(cores, error, found).value_or(found);
 }
 
-// Of bodies of revolution around one axis, along the outlines. Nothing for others, or where no points are found under the normal.
-[[nodiscard]] std::optional<DepthMinimum> coaxial_minimum(const Difference& cores, const SymmetricDirections& symmetries, Real error, Real noise) {
+// Of bodies of revolution around one axis, along the outlines. Nothing for others, or where no points are found under
+// the normal.
+[[nodiscard]] std::optional<DepthMinimum> coaxial_minimum(const Difference& cores,
+                                                          const SymmetricDirections& symmetries, Real error,
+                                                          Real noise) {
   Vec3 best{0, 0, 0};
   Real least = infinity;
   for (const Vec3& n : symmetries.outlines.span()) {
@@ -49,7 +53,9 @@ constexpr Real speck_share = 1e-6;
 
 std::optional<EpaResult> with_points(const Difference& cores, Real error, const EpaResult& found) {
   const Real noise = cores.noise();
-  const auto is_same = [&](const std::optional<DepthMinimum>& minimum) { return minimum && std::fabs(minimum->depth - found.depth) <= error; };
+  const auto is_same = [&](const std::optional<DepthMinimum>& minimum) {
+    return minimum && std::fabs(minimum->depth - found.depth) <= error;
+  };
   EpaResult better = found;
   if (const auto under = points_under(cores, found.normal, error, noise); is_same(under)) {
     better.point_a = under->point_a;
@@ -71,7 +77,8 @@ std::optional<EpaResult> with_points(const Difference& cores, Real error, const 
 
 EpaResult capped_epa(const Difference& cores, Real error, const Simplex& start) {
   const Real noise = cores.noise();
-  // A depth that is not the overlap along its normal comes from a minimum that went astray: the polytope alone decides then.
+  // A depth that is not the overlap along its normal comes from a minimum that went astray: the polytope alone decides
+  // then.
   const auto judged = [&](const EpaResult& found) {
     const bool is_overlap = cores.depth_along(found.normal) <= found.depth + error + noise;
     return is_overlap ? found : polished(cores, error, epa(cores, error, start));
@@ -170,7 +177,8 @@ EpaResult capped_epa(const Difference& cores, Real error, const Simplex& start) 
       const Vec3 normal = polytope.normal(face);
       const DifferenceVertex vertex = cores.vertex_toward(normal);
       const Real reach = dot(normal, vertex.w);
-      const bool may_be_least = reach < result.upper + error || (iteration > patience && reach < near_least * result.upper);
+      const bool may_be_least =
+          reach < result.upper + error || (iteration > patience && reach < near_least * result.upper);
       if (caps.size() < cap_limit && may_be_least && descend(normal)) {
         // The foot of the minimum, where it is in sight, is worth more than the end of the body.
         const DepthMinimum& top = caps[caps.size() - 1];
@@ -181,7 +189,8 @@ EpaResult capped_epa(const Difference& cores, Real error, const Simplex& start) 
         }
         continue;
       }
-      if (reach - polytope.distance(face) <= noise || polytope.contains(vertex) || !polytope.expand(face, vertex, noise)) {
+      if (reach - polytope.distance(face) <= noise || polytope.contains(vertex) ||
+          !polytope.expand(face, vertex, noise)) {
         break;
       }
     }

@@ -3,9 +3,9 @@
 //
 // A polytope alone comes nearer to a round surface by a constant factor per vertex, and proves nothing where many
 // directions are as good. Here Newton's method finds a least depth d among nearby directions and a cap of them in which
-// nothing is less. A direction v outside all caps with less than d has d v outside the polytope, beyond one of its faces:
-// within the angle of cosine distance / d from the normal of that face. Faces all of whose such directions lie in a cap
-// need no vertex. When none is left, d is the depth.
+// nothing is less. A direction v outside all caps with less than d has d v outside the polytope, beyond one of its
+// faces: within the angle of cosine distance / d from the normal of that face. Faces all of whose such directions lie
+// in a cap need no vertex. When none is left, d is the depth.
 export module abut.narrowphase.capped_epa;
 import abut.core.standard;
 import abut.math;

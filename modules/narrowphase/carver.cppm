@@ -15,9 +15,9 @@ struct RimSeed {
   Vec3 place;
 };
 
-// One composite against one other shape that is neither a composite nor scattered. Everything is in one frame, in which the
-// composite lies at `pose` and the other shape at `other_pose`. The other shape knows its box, its distance to a point of its own
-// frame, and what it has to do with a hole around it.
+// One composite against one other shape that is neither a composite nor scattered. Everything is in one frame, in which
+// the composite lies at `pose` and the other shape at `other_pose`. The other shape knows its box, its distance to a
+// point of its own frame, and what it has to do with a hole around it.
 template <class Composite, class Other>
 class Carver {
  public:
@@ -30,8 +30,8 @@ class Carver {
     noise_ = 256 * epsilon * size_;
   }
 
-  // Contacts with the solids become those of what is left of them, and then those that walls and rims add: normals from the
-  // composite to the other shape.
+  // Contacts with the solids become those of what is left of them, and then those that walls and rims add: normals from
+  // the composite to the other shape.
   void carve(const QuerySettings& settings, Manifold& contacts, Manifold& added) {
     for (const auto& hole : composite_.holes()) {
       add_walls(hole, settings, contacts, added);
@@ -44,7 +44,9 @@ class Carver {
   using Hole = typename Composite::Hole;
 
   [[nodiscard]] Pose child_pose(std::uint32_t child) const { return pose_ * composite_.children()[child].pose; }
-  [[nodiscard]] const auto& child(std::uint32_t number) const [[clang::lifetimebound]] { return *composite_.children()[number].shape; }
+  [[nodiscard]] const auto& child(std::uint32_t number) const [[clang::lifetimebound]] {
+    return *composite_.children()[number].shape;
+  }
   [[nodiscard]] bool holds(std::uint32_t hole, const Vec3& point, Real inset) const {
     return child(hole).cavity_holds(child_pose(hole).undo(point), inset);
   }
@@ -89,7 +91,9 @@ class Carver {
         other_.distance_in(child(hole.child), placed, other_pose_, own, whole) != Outcome::ok) {
       return;
     }
-    const auto is_of_hole = [&](const ContactPoint& contact) { return hole.begin <= contact.child_a && contact.child_a < hole.end; };
+    const auto is_of_hole = [&](const ContactPoint& contact) {
+      return hole.begin <= contact.child_a && contact.child_a < hole.end;
+    };
     if (whole.distance > 0) {
       std::erase_if(solids, is_of_hole);
     }
@@ -154,17 +158,21 @@ class Carver {
   void add_seeds(const Hole& hole, const Vec3& place) {
     for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
       const auto is_of_both = [&](const RimSeed& seed) { return seed.solid == solid && seed.hole == hole.child; };
-      const auto is_known = [&](const RimSeed& seed) { return is_of_both(seed) && largest_magnitude(seed.place - place) == 0; };
+      const auto is_known = [&](const RimSeed& seed) {
+        return is_of_both(seed) && largest_magnitude(seed.place - place) == 0;
+      };
       if (!child(solid).is_hole() && std::ranges::none_of(seeds_, is_known)) {
-        seeds_.push_back({solid, hole.child, static_cast<std::uint32_t>(std::ranges::count_if(seeds_, is_of_both)), place});
+        seeds_.push_back(
+            {solid, hole.child, static_cast<std::uint32_t>(std::ranges::count_if(seeds_, is_of_both)), place});
       }
     }
   }
 
-  // From every seed and from places around it, as far as the hole is wide; then the deepest of those down to where the rim is
-  // deepest.
+  // From every seed and from places around it, as far as the hole is wide; then the deepest of those down to where the
+  // rim is deepest.
   void add_rims(const QuerySettings& settings, Manifold& contacts) {
-    constexpr std::array<Vec3, 7> around{{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+    constexpr std::array<Vec3, 7> around{
+        {{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
     const std::size_t first = contacts.size();
     for (const RimSeed& seed : seeds_) {
       const Aabb box = std::visit([](const auto& shape) { return shape.aabb(Pose::identity()); }, child(seed.hole));
@@ -173,7 +181,8 @@ class Carver {
       std::array<std::optional<RimContact>, around.size()> found;
       std::optional<RimContact> best;
       for (std::size_t i = 0; i < around.size(); ++i) {
-        found[i] = rim_contact_near(seed, seed.place + turned * Vec3{around[i].x * half.x, around[i].y * half.y, around[i].z * half.z});
+        found[i] = rim_contact_near(
+            seed, seed.place + turned * Vec3{around[i].x * half.x, around[i].y * half.y, around[i].z * half.z});
         if (found[i] && (!best || found[i]->found.distance < best->found.distance)) {
           best = found[i];
         }
@@ -181,7 +190,8 @@ class Carver {
       if (best) {
         const auto rim_near = [&](const Vec3& place) { return rim_point(seed, place); };
         const auto to_other = [&](const Vec3& place) { return distance_to_other(place); };
-        add_rim(seed, nearest_on_rim(*best, reach_, noise_, rim_near, to_other), around.size(), settings, contacts, first);
+        add_rim(seed, nearest_on_rim(*best, reach_, noise_, rim_near, to_other), around.size(), settings, contacts,
+                first);
       }
       for (std::size_t i = 0; i < around.size(); ++i) {
         if (found[i]) {
@@ -191,7 +201,8 @@ class Carver {
     }
   }
 
-  // The point of the rim near a place, and from it to the other shape. Apart, points of both that are nearest to each other.
+  // The point of the rim near a place, and from it to the other shape. Apart, points of both that are nearest to each
+  // other.
   [[nodiscard]] std::optional<RimContact> rim_contact_near(const RimSeed& seed, const Vec3& place) const {
     constexpr int rounds = 8;
     std::optional<RimContact> contact;
@@ -212,17 +223,21 @@ class Carver {
   }
 
   // `start`: which of the places around the seed led there.
-  void add_rim(const RimSeed& seed, const RimContact& rim, std::size_t start, const QuerySettings& settings, Manifold& contacts,
-               std::size_t first) const {
+  void add_rim(const RimSeed& seed, const RimContact& rim, std::size_t start, const QuerySettings& settings,
+               Manifold& contacts, std::size_t first) const {
     const Vec3& place = rim.rim.place;
-    const auto is_same = [&](const ContactPoint& other) { return largest_magnitude(other.point_a - place) <= 1e-6 * size_; };
+    const auto is_same = [&](const ContactPoint& other) {
+      return largest_magnitude(other.point_a - place) <= 1e-6 * size_;
+    };
     if (!(rim.found.distance <= settings.margin) || is_in_hole_of(seed.solid, place, seed.hole) ||
         std::ranges::any_of(std::span(contacts).subspan(first), is_same)) {
       return;
     }
     constexpr std::uint32_t starts = 8;
-    const Feature edge{FeatureKind::edge, starts * seed.number + static_cast<std::uint32_t>(start)}, whole{FeatureKind::whole, 0};
-    ContactPoint contact{place, rim.found.point_b, rim.found.normal, rim.found.distance, edge, whole, contact_id(edge, whole)};
+    const Feature edge{FeatureKind::edge, starts * seed.number + static_cast<std::uint32_t>(start)},
+        whole{FeatureKind::whole, 0};
+    ContactPoint contact{place, rim.found.point_b,      rim.found.normal, rim.found.distance, edge,
+                         whole, contact_id(edge, whole)};
     contact.child_a = seed.hole;
     contact.id = contact_id_of_child(contact_id_of_child(contact.id, seed.hole), seed.solid);
     contacts.push_back(contact);
@@ -250,14 +265,16 @@ class Carver {
   std::vector<RimSeed> seeds_;
 };
 
-// Whether a hole of a composite took the place of a contact, whose normal points from the composite on. What lies in a hole
-// overlaps nothing.
+// Whether a hole of a composite took the place of a contact, whose normal points from the composite on. What lies in a
+// hole overlaps nothing.
 template <class Composite>
 [[nodiscard]] bool is_in_hole(const Composite& composite, const Pose& pose, const ContactPoint& contact) {
   const Real noise = 256 * epsilon * (largest_magnitude(contact.point_a) + largest_magnitude(pose.position));
   return std::ranges::any_of(composite.holes(), [&](const auto& hole) {
     const auto& cavity = composite.children()[hole.child];
-    const auto holds = [&](const Vec3& point) { return cavity.shape->cavity_holds((pose * cavity.pose).undo(point), noise); };
+    const auto holds = [&](const Vec3& point) {
+      return cavity.shape->cavity_holds((pose * cavity.pose).undo(point), noise);
+    };
     return hole.begin <= contact.child_a && contact.child_a < hole.end && hole.child != contact.child_a &&
            (holds(contact.point_a) || (contact.distance < 0 && holds(contact.point_b)));
   });

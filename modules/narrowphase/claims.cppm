@@ -1,6 +1,6 @@
-// Which contacts of a surface may stand beside each other. A contact claims that its depth along its normal is needed to part
-// the two sides. A triangle whose least way out is another one's says more than it knows: where a claim of the other parts this
-// triangle as well, and leaves less than this triangle claims, the contact is left to the other.
+// Which contacts of a surface may stand beside each other. A contact claims that its depth along its normal is needed
+// to part the two sides. A triangle whose least way out is another one's says more than it knows: where a claim of the
+// other parts this triangle as well, and leaves less than this triangle claims, the contact is left to the other.
 export module abut.narrowphase.claims;
 import abut.core;
 import abut.core.standard;
@@ -29,10 +29,11 @@ class Claims {
     }
   }
 
-  // The depth along a normal that a triangle may claim, where its contacts there are as deep as `depth`. `overlap_along` tells
-  // how far b has to move along a direction to be parted from the triangle.
+  // The depth along a normal that a triangle may claim, where its contacts there are as deep as `depth`.
+  // `overlap_along` tells how far b has to move along a direction to be parted from the triangle.
   template <class OverlapAlong>
-  [[nodiscard]] Real allowed_depth(const Vec3& normal, Real depth, Real noise, const OverlapAlong& overlap_along) const {
+  [[nodiscard]] Real allowed_depth(const Vec3& normal, Real depth, Real noise,
+                                   const OverlapAlong& overlap_along) const {
     const Real blur = claim_blur * depth + noise;
     Real allowed = infinity;
     for (const Claim& claim : claims_.span()) {

@@ -67,8 +67,8 @@ struct Edge {
   std::uint32_t number, from_vertex, to_vertex;
 };
 
-// How far to the left of a line a place lies, times the length of the direction. What ties with the line is on it, so that faces
-// that meet along an edge have it in common.
+// How far to the left of a line a place lies, times the length of the direction. What ties with the line is on it, so
+// that faces that meet along an edge have it in common.
 [[nodiscard]] inline Real side_of(const Flat& place, const Flat& direction, Real tie) {
   const Real side = cross2(direction, place);
   return side < -tie * (std::fabs(direction.u) + std::fabs(direction.v)) ? side : std::max(side, Real{0});
@@ -132,7 +132,9 @@ void merge_ties(const Corners& in, Corners& out, Real tie) {
     const Flat step = q.at - p.at;
     return std::fabs(step.u) + std::fabs(step.v) <= tie;
   };
-  const auto merge = [&](Corner& kept, const Corner& corner) { kept = is_crossing(kept) && !is_crossing(corner) ? corner : kept; };
+  const auto merge = [&](Corner& kept, const Corner& corner) {
+    kept = is_crossing(kept) && !is_crossing(corner) ? corner : kept;
+  };
   out.clear();
   for (const Corner& corner : in.span()) {
     if (out.size() > 0 && are_tied(out[out.size() - 1], corner)) {
@@ -157,8 +159,11 @@ void clip_polygons(const Face& a, const Face& b, const Projection& projection, C
   for (std::size_t i = 0; i < vertices_b.size(); ++i) {
     const std::size_t k = b_turns ? i : vertices_b.size() - 1 - i;
     const std::size_t edge = b_turns ? k : (k > 0 ? k : vertices_b.size()) - 1;
-    current->push_back({projection(vertices_b[k].point), {FeatureKind::face, a.index}, {FeatureKind::vertex, vertices_b[k].vertex},
-                        true, vertices_b[edge].edge});
+    current->push_back({projection(vertices_b[k].point),
+                        {FeatureKind::face, a.index},
+                        {FeatureKind::vertex, vertices_b[k].vertex},
+                        true,
+                        vertices_b[edge].edge});
   }
   const std::size_t count = vertices_a.size();
   const auto place = [&](std::size_t i) { return a_turns ? i : count - 1 - i; };
@@ -166,7 +171,8 @@ void clip_polygons(const Face& a, const Face& b, const Projection& projection, C
   edge.to = projection(vertices_a[place(0)].point);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t from = place(i), to = place(i + 1 < count ? i + 1 : 0);
-    edge = {edge.to, projection(vertices_a[to].point), vertices_a[a_turns ? from : to].edge, vertices_a[from].vertex, vertices_a[to].vertex};
+    edge = {edge.to, projection(vertices_a[to].point), vertices_a[a_turns ? from : to].edge, vertices_a[from].vertex,
+            vertices_a[to].vertex};
     const Cut found = cut(*current, *spare, edge, projection.tie, b.index);
     if (found == Cut::everything) {
       return;
@@ -185,19 +191,22 @@ void clip_polygons(const Face& a, const Face& b, const Projection& projection, C
   }
 }
 
-// The stretch of a segment over a polygon in shares of its length, and the edges that it enters and leaves across, if any.
+// The stretch of a segment over a polygon in shares of its length, and the edges that it enters and leaves across, if
+// any.
 struct Stretch {
   Real enter = 0, leave = 1;
   std::uint32_t enter_edge = no_index, leave_edge = no_index;
 };
 // `tie`: a share of the segment. Of edges that meet under it the first one counts.
-[[nodiscard]] std::optional<Stretch> stretch_over(const Flat& p, const Flat& q, const Face& polygon, const Projection& projection, Real tie) {
+[[nodiscard]] std::optional<Stretch> stretch_over(const Flat& p, const Flat& q, const Face& polygon,
+                                                  const Projection& projection, Real tie) {
   const bool turns = dot(polygon.normal, projection.normal) >= 0;
   const auto vertices = polygon.vertices.span();
   Stretch found;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::size_t j = (i + 1) % vertices.size();
-    const Flat from = projection(vertices[turns ? i : j].point), direction = projection(vertices[turns ? j : i].point) - from;
+    const Flat from = projection(vertices[turns ? i : j].point),
+               direction = projection(vertices[turns ? j : i].point) - from;
     const Real at_p = side_of(p - from, direction, projection.tie), at_q = side_of(q - from, direction, projection.tie);
     if (at_p < 0 && at_q < 0) {
       return std::nullopt;
@@ -215,10 +224,12 @@ struct Stretch {
 }
 
 // The stretch of a segment inside a polygon, by its two ends. `swapped`: the segment is side b.
-void clip_segment(const Face& segment, const Face& polygon, const Projection& projection, bool swapped, ClipPoints& out) {
+void clip_segment(const Face& segment, const Face& polygon, const Projection& projection, bool swapped,
+                  ClipPoints& out) {
   const FaceVertex &start = segment.vertices[0], &end = segment.vertices[1];
   const Real length = norm(end.point - start.point), tie = length > 0 ? 4 * projection.tie / length : 1;
-  const std::optional<Stretch> stretch = stretch_over(projection(start.point), projection(end.point), polygon, projection, tie);
+  const std::optional<Stretch> stretch =
+      stretch_over(projection(start.point), projection(end.point), polygon, projection, tie);
   if (!stretch) {
     return;
   }
@@ -230,8 +241,10 @@ void clip_segment(const Face& segment, const Face& polygon, const Projection& pr
       return;
     }
     const Vec3 on_polygon = lift(projection(on_segment), projection);
-    const Feature of_segment = edge == no_index ? Feature{FeatureKind::vertex, end_vertex} : Feature{FeatureKind::edge, start.edge};
-    const Feature of_polygon = edge == no_index ? Feature{FeatureKind::face, polygon.index} : Feature{FeatureKind::edge, edge};
+    const Feature of_segment =
+        edge == no_index ? Feature{FeatureKind::vertex, end_vertex} : Feature{FeatureKind::edge, start.edge};
+    const Feature of_polygon =
+        edge == no_index ? Feature{FeatureKind::face, polygon.index} : Feature{FeatureKind::edge, edge};
     if (swapped) {
       out.push_back({on_polygon, on_segment, of_polygon, of_segment});
     } else {
@@ -268,7 +281,8 @@ void clip_segments(const Face& a, const Face& b, const Projection& projection, C
   const bool same_way = start_b <= end_b;
   const Feature edge_a{FeatureKind::edge, a0.edge}, edge_b{FeatureKind::edge, b0.edge};
   const auto vertex = [](const FaceVertex& v) { return Feature{FeatureKind::vertex, v.vertex}; };
-  const Real low_b = same_way ? start_b : end_b, high_b = same_way ? end_b : start_b, tie = projection.tie / std::sqrt(ee);
+  const Real low_b = same_way ? start_b : end_b, high_b = same_way ? end_b : start_b,
+             tie = projection.tie / std::sqrt(ee);
   const End low = low_b > tie ? End{low_b, edge_a, vertex(same_way ? b0 : b1)} : End{0, vertex(a0), edge_b};
   const End high = high_b < 1 - tie ? End{high_b, edge_a, vertex(same_way ? b1 : b0)} : End{1, vertex(a1), edge_b};
   if (low.at > high.at + tie) {
@@ -320,10 +334,12 @@ void clip_facing(const Face& a, const Face& b, const Vec3& normal, Real tie, Cli
   }
 }
 
-[[nodiscard]] inline Real separation(const ClipPoint& point, const Vec3& normal) { return dot(point.point_b - point.point_a, normal); }
+[[nodiscard]] inline Real separation(const ClipPoint& point, const Vec3& normal) {
+  return dot(point.point_b - point.point_a, normal);
+}
 
-// No corner is closer than the faces are. One that ties with the rim of a steep face is brought back; one that is further off
-// lies beside its face, which a needle lifts it off.
+// No corner is closer than the faces are. One that ties with the rim of a steep face is brought back; one that is
+// further off lies beside its face, which a needle lifts it off.
 void drop_too_close(const Vec3& normal, Real closest, Real most, ClipPoints& out) {
   [[clang::uninitialized]] ClipPoints kept;
   for (const ClipPoint& point : out.span()) {

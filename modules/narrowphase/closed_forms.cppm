@@ -18,11 +18,13 @@ export namespace abut {
 template <class A, class B>
 concept ClosedForm = PointAndField<A, B> || (BoxCored<A> && BoxCored<B>);
 
-// False where closed forms leave the pair to a search. Those of cores that are too near for them end as soon as that shows.
+// False where closed forms leave the pair to a search. Those of cores that are too near for them end as soon as that
+// shows.
 template <Convex A, Convex B>
   requires ClosedForm<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool separate_in_closed_form(const A& a, const B& b, const Pose& ab,
-                                                                         const QuerySettings& settings, CoreSeparation& core) {
+                                                                         const QuerySettings& settings,
+                                                                         CoreSeparation& core) {
   const Real size = core_size(a, b, ab);
   if constexpr (PointAndField<A, B>) {
     core = separate_point(a, b, ab, size);
@@ -57,8 +59,8 @@ concept TouchInAPoint = ClosedForm<A, B> && (PointCored<A> || PointCored<B> || (
 template <class A, class B>
 concept ClosedContacts = TouchInAPoint<A, B> || TwoBoxes<A, B>;
 
-// What the square of the distance of two cores exceeds only where they are beyond the margin in spite of all rounding. It tells
-// most pairs that do not touch: the root that would say how far they are takes as long as all the rest.
+// What the square of the distance of two cores exceeds only where they are beyond the margin in spite of all rounding.
+// It tells most pairs that do not touch: the root that would say how far they are takes as long as all the rest.
 [[nodiscard]] [[gnu::always_inline]] inline Real square_beyond(Real margin, Real radii) {
   const Real reach = margin + radii + 8 * epsilon * (std::fabs(margin) + radii);
   return reach * std::fabs(reach);
@@ -72,12 +74,14 @@ concept Bounding = Field<S> && requires(const S& shape, const Vec3& point, Real 
 
 // Hands over the one contact under a separation, if it is within the margin.
 template <Convex A, Convex B, class Append>
-[[gnu::always_inline]] inline void contact_under(const A& a, const B& b, const CoreSeparation& core, const Feature& feature_a,
-                                                 const Feature& feature_b, Real margin, Append&& append) {
+[[gnu::always_inline]] inline void contact_under(const A& a, const B& b, const CoreSeparation& core,
+                                                 const Feature& feature_a, const Feature& feature_b, Real margin,
+                                                 Append&& append) {
   const Real distance = core.distance - (a.radius() + b.radius());
   if (distance <= margin) {
-    append(LaneContact{lanes_of(core.point_a + a.radius() * core.normal), lanes_of(core.point_b - b.radius() * core.normal),
-                       lanes_of(core.normal), distance, feature_a, feature_b, contact_id(feature_a, feature_b)});
+    append(LaneContact{lanes_of(core.point_a + a.radius() * core.normal),
+                       lanes_of(core.point_b - b.radius() * core.normal), lanes_of(core.normal), distance, feature_a,
+                       feature_b, contact_id(feature_a, feature_b)});
   }
 }
 
@@ -99,7 +103,8 @@ template <Convex A, Convex B>
 template <Convex A, Convex B, class Append>
   requires TouchInAPoint<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool contacts_in_closed_form(const A& a, const B& b, const Pose& ab,
-                                                                         const QuerySettings& settings, Append&& append) {
+                                                                         const QuerySettings& settings,
+                                                                         Append&& append) {
   if (!takes_closed_forms(settings.algorithm) || !meet_in_a_point<A, B>(ab)) {
     return false;
   }
@@ -130,7 +135,8 @@ template <Convex A, Convex B, class Append>
 template <Convex A, Convex B, class Append>
   requires TwoBoxes<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool contacts_in_closed_form(const A& a, const B& b, const Pose& ab,
-                                                                         const QuerySettings& settings, Append&& append) {
+                                                                         const QuerySettings& settings,
+                                                                         Append&& append) {
   if (settings.algorithm != Algorithm::automatic) {
     return false;
   }

@@ -19,12 +19,16 @@ struct Columns {
     return {__builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5), __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5),
             __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7)};
   }
-  [[nodiscard]] [[gnu::always_inline]] inline Vec3 operator[](std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+  [[nodiscard]] [[gnu::always_inline]] inline Vec3 operator[](std::size_t lane) const {
+    return {x[lane], y[lane], z[lane]};
+  }
 };
 [[nodiscard]] [[gnu::always_inline]] inline Columns operator-(const Columns& a, const Columns& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-[[nodiscard]] [[gnu::always_inline]] inline Columns operator*(Lanes s, const Columns& a) { return {s * a.x, s * a.y, s * a.z}; }
+[[nodiscard]] [[gnu::always_inline]] inline Columns operator*(Lanes s, const Columns& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
 [[nodiscard]] [[gnu::always_inline]] inline Lanes dot(const Columns& a, const Columns& b) {
   return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
 }

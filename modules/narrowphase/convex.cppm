@@ -46,7 +46,8 @@ template <Convex A, Convex B>
 }
 
 template <Convex A, Convex B>
-[[nodiscard]] inline CoreSeparation separate_for_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings) {
+[[nodiscard]] inline CoreSeparation separate_for_distance(const A& a, const B& b, const Pose& ab,
+                                                          const QuerySettings& settings) {
   if constexpr (CurvedFields<A, B>) {
     if (settings.algorithm == Algorithm::automatic) {
       if (const std::optional<CoreSeparation> found = separate_fields(a, b, ab, settings)) {
@@ -98,7 +99,8 @@ template <Convex A, Convex B>
 
 // What a core touches with where it is closest. `direction` in its own frame, unit.
 template <Convex S>
-[[nodiscard]] [[gnu::always_inline]] inline Feature closest_feature(const S& shape, const Face& face, const Vec3& direction) {
+[[nodiscard]] [[gnu::always_inline]] inline Feature closest_feature(const S& shape, const Face& face,
+                                                                    const Vec3& direction) {
   if constexpr (requires { shape.supporting_rim(direction)->first; }) {
     if (const auto rim = shape.supporting_rim(direction)) {
       return feature_where_deepest(rim->first, direction.x * direction.x + direction.y * direction.y);
@@ -107,8 +109,8 @@ template <Convex S>
   return feature_of(face);
 }
 
-// Appends the corners of the region that two supporting faces share under a given separation, and the closest points where
-// the region misses them, unless those are known not to count.
+// Appends the corners of the region that two supporting faces share under a given separation, and the closest points
+// where the region misses them, unless those are known not to count.
 template <Convex A, Convex B>
 [[gnu::always_inline]] inline void contacts_between(const A& a, const B& b, const Pose& ab, const Face& face_a,
                                                     const Face& face_b, const CoreSeparation& core, Real margin,
@@ -120,8 +122,8 @@ template <Convex A, Convex B>
     const Real distance = dot(point.point_b - point.point_a, core.normal) - (reach_a + reach_b);
     if (distance <= margin) {
       least = distance < least ? distance : least;
-      out.push_back({point.point_a + reach_a * core.normal, point.point_b - reach_b * core.normal, core.normal, distance,
-                     point.feature_a, point.feature_b, contact_id(point.feature_a, point.feature_b)});
+      out.push_back({point.point_a + reach_a * core.normal, point.point_b - reach_b * core.normal, core.normal,
+                     distance, point.feature_a, point.feature_b, contact_id(point.feature_a, point.feature_b)});
     }
   };
   [[clang::uninitialized]] ClipPoints points;
@@ -129,7 +131,8 @@ template <Convex A, Convex B>
   const RoundLift<A> lift_a(a, Pose::identity(), core.normal, true);
   const RoundLift<B> lift_b(b, ab, -core.normal, false);
   for (const ClipPoint& point : points.span()) {
-    const std::optional<Real> reach_a = lift_a(point, point.point_a, points.span()), reach_b = lift_b(point, point.point_b, points.span());
+    const std::optional<Real> reach_a = lift_a(point, point.point_a, points.span()),
+                              reach_b = lift_b(point, point.point_b, points.span());
     if (reach_a && reach_b) {
       append(point, *reach_a, *reach_b);
     }
@@ -169,15 +172,16 @@ void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation
     if (distance <= margin) {
       const Feature feature_a = supporting_feature(a, core.normal);
       const Feature feature_b = supporting_feature(b, ab.rotation.undo(-core.normal));
-      out.push_back({closest.point_a + a.radius() * core.normal, closest.point_b - b.radius() * core.normal, core.normal,
-                     distance, feature_a, feature_b, contact_id(feature_a, feature_b)});
+      out.push_back({closest.point_a + a.radius() * core.normal, closest.point_b - b.radius() * core.normal,
+                     core.normal, distance, feature_a, feature_b, contact_id(feature_a, feature_b)});
     }
   }
 }
 
 // The separation that contacts are made from.
 template <Convex A, Convex B>
-[[nodiscard]] inline CoreSeparation separate_for_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings) {
+[[nodiscard]] inline CoreSeparation separate_for_contacts(const A& a, const B& b, const Pose& ab,
+                                                          const QuerySettings& settings) {
   CoreSeparation core = separate_cores(a, b, ab, settings, settings.margin + (a.radius() + b.radius()));
   if constexpr (Featured<A, B>) {
     if (settings.algorithm == Algorithm::automatic && core.overlap && core.algorithm == Algorithm::gjk_epa) {

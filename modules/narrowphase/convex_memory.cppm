@@ -1,5 +1,5 @@
-// Contacts of two convex shapes with what is remembered of the pair. Where the memory proves the answer no search is made;
-// else the search is the same as without, and the memory keeps what it found.
+// Contacts of two convex shapes with what is remembered of the pair. Where the memory proves the answer no search is
+// made; else the search is the same as without, and the memory keeps what it found.
 export module abut.narrowphase.convex_memory;
 import abut.core;
 import abut.core.standard;

@@ -13,8 +13,8 @@ struct CoreSeparation {
   Vec3 normal;    // unit, from a to b
   Vec3 point_a, point_b;
   bool points_open;  // the points are any support points so far: find_points has to look for them
-  bool beyond;   // only `lower` was found, and exceeds the limit asked for
-  bool overlap;  // the cores overlap or touch
+  bool beyond;       // only `lower` was found, and exceeds the limit asked for
+  bool overlap;      // the cores overlap or touch
   Algorithm algorithm;
   std::uint32_t iterations;
 };
@@ -34,7 +34,8 @@ inline constexpr Real usual_error = 1e-12, usual_error_of_curves = 2e-10;
 
 // The bound asked for, on shapes of their own size, and no finer than coordinates are.
 template <Convex A, Convex B>
-[[nodiscard]] [[gnu::always_inline]] inline Real error_of(const A& a, const B& b, Real size, const QuerySettings& settings) {
+[[nodiscard]] [[gnu::always_inline]] inline Real error_of(const A& a, const B& b, Real size,
+                                                          const QuerySettings& settings) {
   const Real shape_size = 2 * (a.extent() + b.extent()) + a.radius() + b.radius();
   constexpr Real usual = Curved<A> || Curved<B> ? usual_error_of_curves : usual_error;
   return (settings.error_bound > 0 ? settings.error_bound : usual) * shape_size + 4 * epsilon * size;

@@ -21,7 +21,8 @@ struct Bends {
   Move along_stiff, along_soft;  // of length one
 };
 [[nodiscard]] Bends bends_of(const PairGerm& germ) {
-  const Real xx = germ.a.xx + germ.b.xx - germ.point.n, xy = germ.a.xy + germ.b.xy, yy = germ.a.yy + germ.b.yy - germ.point.n;
+  const Real xx = germ.a.xx + germ.b.xx - germ.point.n, xy = germ.a.xy + germ.b.xy,
+             yy = germ.a.yy + germ.b.yy - germ.point.n;
   const Real mean = 0.5 * (xx + yy), half = 0.5 * (xx - yy), spread = std::sqrt(half * half + xy * xy);
   const Move along = half >= 0 ? Move{half + spread, xy} : Move{xy, spread - half};
   const Real length = length_of(along.x, along.y);
@@ -202,14 +203,15 @@ void walk_valley(const Difference& cores, const Vec3& from, const std::function<
 constexpr int sweep_reach = 2;
 constexpr std::size_t sweep_size = 98, descent_limit = 8;
 constexpr Real valley_share = 1e-3;  // of the depth, by which the bottom of a valley may rise
-constexpr Real same_start = 0.9;  // cosine between directions that need not both be tried
+constexpr Real same_start = 0.9;     // cosine between directions that need not both be tried
 
 EpaResult least_of_descents(const Difference& cores, Real error, const EpaResult& found) {
   const Real noise = cores.noise();
   Descent least{found.normal, infinity, std::nullopt};
   const auto keep = [&](const Descent& tried) {
     // Of equal depths the one whose points are known.
-    const bool is_better = tried.minimum && !least.minimum ? tried.depth < least.depth + error / 16 : tried.depth < least.depth - error / 16;
+    const bool is_better = tried.minimum && !least.minimum ? tried.depth < least.depth + error / 16
+                                                           : tried.depth < least.depth - error / 16;
     if (is_better || !(least.depth < infinity)) {
       least = tried;
     }

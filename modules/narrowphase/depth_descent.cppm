@@ -1,9 +1,10 @@
-// Least depths of two cores where many directions are nearly as good: bodies of revolution that almost share an axis, a speck
-// inside a round core.
+// Least depths of two cores where many directions are nearly as good: bodies of revolution that almost share an axis, a
+// speck inside a round core.
 //
-// The support function of their difference D then has a long valley whose bottom hardly falls. A straight step along it leaves the
-// bottom by more than it gains, so each step is brought back to the bottom before it is judged, by the depth itself (second-order
-// corrections against the Maratos effect: Nocedal and Wright, "Numerical optimization", 2006, chapters 15 and 18).
+// The support function of their difference D then has a long valley whose bottom hardly falls. A straight step along it
+// leaves the bottom by more than it gains, so each step is brought back to the bottom before it is judged, by the depth
+// itself (second-order corrections against the Maratos effect: Nocedal and Wright, "Numerical optimization", 2006,
+// chapters 15 and 18).
 export module abut.narrowphase.depth_descent;
 import abut.core;
 import abut.core.standard;
@@ -20,7 +21,8 @@ struct Move {
   Real x, y;
 };
 
-// The valley around a direction: across it to the bottom, none where the bottom is farther than a radius; and along it, of length one.
+// The valley around a direction: across it to the bottom, none where the bottom is farther than a radius; and along it,
+// of length one.
 struct Valley {
   Move to_bottom, along;
 };
@@ -42,8 +44,8 @@ struct Descent {
 // Along the bottom of the valley that a direction lies in, as long as `visit` answers true.
 void walk_valley(const Difference& cores, const Vec3& from, const std::function<bool(const Vec3&)>& visit);
 
-// The least depth that descents reach from the answer of a search that ended without a proof, from the discs, and from the
-// best of a sweep of directions.
+// The least depth that descents reach from the answer of a search that ended without a proof, from the discs, and from
+// the best of a sweep of directions.
 [[nodiscard]] EpaResult least_of_descents(const Difference& cores, Real error, const EpaResult& found);
 
 }  // namespace abut

@@ -14,9 +14,7 @@ struct Form {
   Real xx, xy, yy;
   [[nodiscard]] inline Real along(Real x, Real y) const { return x * x * xx + 2 * x * y * xy + y * y * yy; }
   // Its least value on vectors of length one.
-  [[nodiscard]] inline Real least() const {
-    return 0.5 * (xx + yy - std::sqrt((xx - yy) * (xx - yy) + 4 * xy * xy));
-  }
+  [[nodiscard]] inline Real least() const { return 0.5 * (xx + yy - std::sqrt((xx - yy) * (xx - yy) + 4 * xy * xy)); }
   // Whether that is no less than a number.
   [[nodiscard]] inline bool is_at_least(Real value) const {
     const Real x = xx - value, y = yy - value;
@@ -187,7 +185,8 @@ Stride stride_on_disc(const PairGerm& germ, Real noise) {
       stride.shares[i] = clamped(stride.shares[i] - (foot.x * step.x + foot.y * step.y) / square);
     }
   }
-  if (stride.count == 2 && !germ.owner(stride.steps[0]).is_sum && germ.is_of_a(stride.steps[0]) == germ.is_of_a(stride.steps[1])) {
+  if (stride.count == 2 && !germ.owner(stride.steps[0]).is_sum &&
+      germ.is_of_a(stride.steps[0]) == germ.is_of_a(stride.steps[1])) {
     const Real sum = stride.shares[0] + stride.shares[1];
     if (sum > 1) {
       stride.shares = {stride.shares[0] / sum, stride.shares[1] / sum};

@@ -2,8 +2,9 @@
 // nearby unit directions, and in what cap of directions around it surely nothing is less.
 //
 // Newton's method for the support function on the sphere, whose pieces meet in creases (Hessians of support functions:
-// Schneider, "Convex bodies: the Brunn-Minkowski theory", section 2.5). At the minimum n the point d n belongs to D, and
-// D reaches beyond that point by at least a quadratic form; where the form exceeds d |w|^2 the ball of radius d is in D.
+// Schneider, "Convex bodies: the Brunn-Minkowski theory", section 2.5). At the minimum n the point d n belongs to D,
+// and D reaches beyond that point by at least a quadratic form; where the form exceeds d |w|^2 the ball of radius d is
+// in D.
 export module abut.narrowphase.depth_minimum;
 import abut.core.standard;
 import abut.math;
@@ -15,7 +16,7 @@ import abut.shape.germ;
 export namespace abut {
 
 struct DepthMinimum {
-  Vec3 normal;  // unit
+  Vec3 normal;        // unit
   Real depth, upper;  // along the normal; rounding and what the search has left lie between them
   Real lower;         // no direction in the cap has less
   Real cosine;        // of the angle of the cap, at most a right one
@@ -37,7 +38,8 @@ struct Weights {
 [[nodiscard]] Weights weights_of(const PairGerm& germ, const Stride& stride);
 
 // To the nearest direction that is a minimum of the second-order model, within `spare`; false where there is none.
-[[nodiscard]] bool stride_to_minimum(const PairGerm& germ, const Weights& weights, Real noise, Real spare, Stride& stride);
+[[nodiscard]] bool stride_to_minimum(const PairGerm& germ, const Weights& weights, Real noise, Real spare,
+                                     Stride& stride);
 
 // How far from the direction the cap reaches, as a tangent, for what is left of the point aside of n; none: 0.
 struct CapReach {
@@ -60,7 +62,8 @@ struct CapReach {
 }
 
 // The minimum in a direction where a stride has ended; nothing where no cap around it is proven.
-[[nodiscard]] std::optional<DepthMinimum> minimum_at(const GermFrame& frame, const PairGerm& germ, const Stride& stride, Real spare);
+[[nodiscard]] std::optional<DepthMinimum> minimum_at(const GermFrame& frame, const PairGerm& germ, const Stride& stride,
+                                                     Real spare);
 
 // The points of both bodies there, whatever is around.
 [[nodiscard]] DepthMinimum points_at(const GermFrame& frame, const PairGerm& germ, const Stride& stride);
@@ -72,12 +75,15 @@ struct CapReach {
 [[nodiscard]] Real error_of_foot(const PairGerm& germ, const Stride& stride);
 
 // The minimum that Newton's method comes to from a unit direction.
-[[nodiscard]] std::optional<DepthMinimum> minimum_near(const Difference& cores, const Vec3& direction, Real error, Real noise);
+[[nodiscard]] std::optional<DepthMinimum> minimum_near(const Difference& cores, const Vec3& direction, Real error,
+                                                       Real noise);
 
 // The points of both bodies under a direction that is already a minimum within the error.
-[[nodiscard]] std::optional<DepthMinimum> points_under(const Difference& cores, const Vec3& normal, Real error, Real noise);
+[[nodiscard]] std::optional<DepthMinimum> points_under(const Difference& cores, const Vec3& normal, Real error,
+                                                       Real noise);
 
 // The one along the axis of a disc.
-[[nodiscard]] std::optional<DepthMinimum> minimum_on_disc(const Difference& cores, const Vec3& axis, Real error, Real noise);
+[[nodiscard]] std::optional<DepthMinimum> minimum_on_disc(const Difference& cores, const Vec3& axis, Real error,
+                                                          Real noise);
 
 }  // namespace abut

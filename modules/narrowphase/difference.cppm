@@ -37,8 +37,8 @@ struct Difference {
   PairGermFunction germ;
   std::function<SymmetricDirections()> symmetries;
   AddBallsFunction add_balls;
-  Real size;           // bounds all coordinates
-  Real least_extent;   // of the smaller core
+  Real size;                 // bounds all coordinates
+  Real least_extent;         // of the smaller core
   std::array<Vec3, 6> axes;  // unit: of the frames of both
   bool is_curved;
 

@@ -90,7 +90,9 @@ template <Convex S>
     const Vec3 half = shape.half();
     const Real ball = half.x < half.y ? (half.x < half.z ? half.x : half.z) : (half.y < half.z ? half.y : half.z);
     const Real longest = largest_magnitude(half);
-    const Vec3 along = half.x == longest ? Vec3{longest - ball, 0, 0} : half.y == longest ? Vec3{0, longest - ball, 0} : Vec3{0, 0, longest - ball};
+    const Vec3 along = half.x == longest   ? Vec3{longest - ball, 0, 0}
+                       : half.y == longest ? Vec3{0, longest - ball, 0}
+                                           : Vec3{0, 0, longest - ball};
     return {{0, 0, 0}, along, ball};
   } else if constexpr (requires { shape.facets().inner; }) {
     return {shape.facets().middle, {0, 0, 0}, shape.facets().inner};

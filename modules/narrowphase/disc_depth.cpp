@@ -25,17 +25,26 @@ struct FlatSupport {
 class Shadow {
  public:
   Shadow(const PlacedDiscs& discs, const EdgeArc& arc)
-      : discs_(discs), corner_{arc.corner_x, arc.corner_y}, axis_{arc.axis_x, arc.axis_y}, along_square_(arc.axis_along * arc.axis_along) {}
+      : discs_(discs),
+        corner_{arc.corner_x, arc.corner_y},
+        axis_{arc.axis_x, arc.axis_y},
+        along_square_(arc.axis_along * arc.axis_along) {}
 
-  // `side`: which of the points of a disc that is across the direction: the first one as the direction turns, or the last.
+  // `side`: which of the points of a disc that is across the direction: the first one as the direction turns, or the
+  // last.
   [[nodiscard]] inline FlatSupport support(std::size_t disc, const Flat& direction, Real side) const {
-    const Real up = dot(axis_, direction), turn = cross(direction, axis_), height = discs_.height[disc], radius = discs_.radius[disc];
+    const Real up = dot(axis_, direction), turn = cross(direction, axis_), height = discs_.height[disc],
+               radius = discs_.radius[disc];
     const Real square = along_square_ + turn * turn, out = std::sqrt(square);
     const Real lean = out > 0 ? turn / out : side * up;
     const Real depth = dot(corner_, direction) + height * up + radius * out;
     const Real slope = cross(direction, corner_) + height * turn - radius * up * lean;
     const Real bend = out > 0 ? radius * along_square_ / (square * out) : 0;
-    return {direction, {depth * direction.x - slope * direction.y, depth * direction.y + slope * direction.x}, depth, slope, bend};
+    return {direction,
+            {depth * direction.x - slope * direction.y, depth * direction.y + slope * direction.x},
+            depth,
+            slope,
+            bend};
   }
   // The disc that reaches further along a direction of any length.
   [[nodiscard]] inline std::size_t disc_toward(const Flat& direction) const {
@@ -83,8 +92,10 @@ struct Stretch {
   FlatSupport from, to;
 };
 
-// Where the slope vanishes that is negative at one end and positive at the other, by Newton's method within what is left.
-[[nodiscard]] inline FlatSupport level_between(const Shadow& shadow, std::size_t disc, Stretch rest, FlatSupport at, Real noise) {
+// Where the slope vanishes that is negative at one end and positive at the other, by Newton's method within what is
+// left.
+[[nodiscard]] inline FlatSupport level_between(const Shadow& shadow, std::size_t disc, Stretch rest, FlatSupport at,
+                                               Real noise) {
   constexpr int rounds = 64;
   for (int round = 0; round < rounds && std::fabs(at.slope) > noise; ++round) {
     (at.slope < 0 ? rest.from : rest.to) = at;
@@ -104,14 +115,18 @@ struct Stretch {
 inline constexpr std::size_t seam_limit = 8;
 inline constexpr int cut_limit = 256;
 
-// Between two seams one disc supports, its shadow is smooth, and its radius of curvature rises or falls. Let d be the least depth
-// so far, and h the depth, not less at both ends. h + h'' is the radius.
+// Between two seams one disc supports, its shadow is smooth, and its radius of curvature rises or falls. Let d be the
+// least depth so far, and h the depth, not less at both ends. h + h'' is the radius.
 // - The chord between the feet of both ends lies in the shadow: nothing is less than the distance of its line.
-// - Where the radius is at most d + e, h - d is not below -e / 2 between ends at or above zero, as far as a quarter of a turn.
-// - Where it is at least d, h - d is not below zero on either side of a level place where it is not, as far as a quarter of a turn.
-// (Comparison theorem of Sturm.) What is neither is divided.
-[[nodiscard]] bool search_between(const Shadow& shadow, const EdgeArc& arc, std::size_t disc, const Stretch& whole, DiscDepth& least) {
-  const auto offer = [&](const FlatSupport& found) { least.offer(found.depth, found.direction.x * arc.x + found.direction.y * arc.y); };
+// - Where the radius is at most d + e, h - d is not below -e / 2 between ends at or above zero, as far as a quarter of
+// a turn.
+// - Where it is at least d, h - d is not below zero on either side of a level place where it is not, as far as a
+// quarter of a turn. (Comparison theorem of Sturm.) What is neither is divided.
+[[nodiscard]] bool search_between(const Shadow& shadow, const EdgeArc& arc, std::size_t disc, const Stretch& whole,
+                                  DiscDepth& least) {
+  const auto offer = [&](const FlatSupport& found) {
+    least.offer(found.depth, found.direction.x * arc.x + found.direction.y * arc.y);
+  };
   offer(whole.from);
   offer(whole.to);
   [[clang::uninitialized]] std::array<Stretch, 64> rest;
@@ -215,8 +230,8 @@ void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, const Ve
   const Vec3 x = UnitVec3::make(left - dot(left, edge) * edge).value_or(UnitVec3::from_unit_unchecked(left));
   const Vec3 y = cross(edge, x), corner = from + discs.centre;
   const Real end_x = dot(right, x), end_y = dot(right, y), length = std::sqrt(end_x * end_x + end_y * end_y);
-  least.search({x, y, end_x / length, end_y / length, dot(corner, x), dot(corner, y), dot(discs.axis, x), dot(discs.axis, y),
-                dot(discs.axis, edge)});
+  least.search({x, y, end_x / length, end_y / length, dot(corner, x), dot(corner, y), dot(discs.axis, x),
+                dot(discs.axis, y), dot(discs.axis, edge)});
 }
 
 void search_box(const Vec3& half, DiscDepth& least) {
@@ -230,7 +245,8 @@ void search_box(const Vec3& half, DiscDepth& least) {
     const Real out = std::sqrt(axis[j] * axis[j] + axis[k] * axis[k]), per_out = out > least_aside ? 1 / out : 0;
     for (std::size_t side = 0; side < 2; ++side) {
       const Real sign = side == 0 ? -1 : 1, up = sign * axis[i];
-      const Real first = discs.height[0] * up + discs.radius[0] * out, second = discs.height[1] * up + discs.radius[1] * out;
+      const Real first = discs.height[0] * up + discs.radius[0] * out,
+                 second = discs.height[1] * up + discs.radius[1] * out;
       const std::size_t disc = first > second ? 0 : 1;
       const Real along = discs.height[disc] - discs.radius[disc] * up * per_out;
       Vec3 foot = centre + along * axis;
@@ -243,13 +259,15 @@ void search_box(const Vec3& half, DiscDepth& least) {
   }
   // Ends of the discs.
   const Vec3 reach = {half.x * std::fabs(axis.x), half.y * std::fabs(axis.y), half.z * std::fabs(axis.z)};
-  const Real along = dot(centre, axis), span = reach.x + reach.y + reach.z, top = std::fmax(discs.height[0], discs.height[1]);
+  const Real along = dot(centre, axis), span = reach.x + reach.y + reach.z,
+             top = std::fmax(discs.height[0], discs.height[1]);
   least.offer(span + along + top, axis);
   least.offer(span - along + top, -axis);
   // The side against corners.
   const Real side = discs.side();
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const Vec3 p = centre + Vec3{(corner & 1) != 0 ? half.x : -half.x, (corner & 2) != 0 ? half.y : -half.y, (corner & 4) != 0 ? half.z : -half.z};
+    const Vec3 p = centre + Vec3{(corner & 1) != 0 ? half.x : -half.x, (corner & 2) != 0 ? half.y : -half.y,
+                                 (corner & 4) != 0 ? half.z : -half.z};
     const Real out_x = dot(p, discs.x), out_y = dot(p, discs.y);
     const Real spare = side + discs.side_up * dot(p, axis) - least.depth();
     if (discs.side_out * discs.side_out * (out_x * out_x + out_y * out_y) < spare * std::fabs(spare)) {
@@ -260,7 +278,8 @@ void search_box(const Vec3& half, DiscDepth& least) {
     if (((corner & 1) != 0) != (u.x >= 0) || ((corner & 2) != 0) != (u.y >= 0) || ((corner & 4) != 0) != (u.z >= 0)) {
       continue;
     }
-    const Real depth = half.x * std::fabs(u.x) + half.y * std::fabs(u.y) + half.z * std::fabs(u.z) + dot(centre, u) + side;
+    const Real depth =
+        half.x * std::fabs(u.x) + half.y * std::fabs(u.y) + half.z * std::fabs(u.z) + dot(centre, u) + side;
     least.offer(depth, u);
   }
   // Edges. Of one without length no direction across it is a minimum.
@@ -281,7 +300,8 @@ void search_box(const Vec3& half, DiscDepth& least) {
       Vec3 x{0, 0, 0}, y{0, 0, 0};
       component(x, j) = sign_j;
       component(y, k) = sign_k;
-      least.search({x, y, 0, 1, half[j] + sign_j * centre[j], half[k] + sign_k * centre[k], sign_j * axis[j], sign_k * axis[k], axis[i]});
+      least.search({x, y, 0, 1, half[j] + sign_j * centre[j], half[k] + sign_k * centre[k], sign_j * axis[j],
+                    sign_k * axis[k], axis[i]});
     }
   }
 }

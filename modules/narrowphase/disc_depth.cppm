@@ -1,11 +1,13 @@
-// How deep the convex hull of two discs across one axis, a cylinder or a cone, overlaps with a polyhedron or another one.
+// How deep the convex hull of two discs across one axis, a cylinder or a cone, overlaps with a polyhedron or another
+// one.
 //
-// The least depth is the least support function h of the difference D of both over all unit directions. Where D is smooth or
-// has a face there can be a minimum, which leaves few directions. Of a polyhedron: normals of the faces of either, normals of
-// the side of the discs toward a corner, and one family for each edge: the directions across it between the normals of its
-// two faces. Within a family only the shadows of both along the edge matter, which are plane: a corner, and two ellipses with
-// all between them. No other direction needs to be tried, so that the least one found is proven (faces of sums of convex
-// bodies: Schneider, "Convex bodies: the Brunn-Minkowski theory", section 1.7). Of two hulls of discs: disc_depth_of_discs.cpp.
+// The least depth is the least support function h of the difference D of both over all unit directions. Where D is
+// smooth or has a face there can be a minimum, which leaves few directions. Of a polyhedron: normals of the faces of
+// either, normals of the side of the discs toward a corner, and one family for each edge: the directions across it
+// between the normals of its two faces. Within a family only the shadows of both along the edge matter, which are
+// plane: a corner, and two ellipses with all between them. No other direction needs to be tried, so that the least one
+// found is proven (faces of sums of convex bodies: Schneider, "Convex bodies: the Brunn-Minkowski theory",
+// section 1.7). Of two hulls of discs: disc_depth_of_discs.cpp.
 export module abut.narrowphase.disc_depth;
 import abut.core.standard;
 import abut.math;
@@ -62,7 +64,9 @@ class DiscDepth {
   [[nodiscard]] inline Real depth() const { return depth_; }
   [[nodiscard]] inline Real goal() const { return depth_ - slack_; }  // nothing below it is left out
   [[nodiscard]] inline Real noise() const { return noise_; }
-  [[nodiscard]] inline Real touch() const { return 4 * slack_ + noise_; }  // bodies that are apart by less may be taken to overlap
+  [[nodiscard]] inline Real touch() const {
+    return 4 * slack_ + noise_;
+  }  // bodies that are apart by less may be taken to overlap
   // Unit, from the other body to the discs.
   [[nodiscard]] inline const Vec3& direction() const [[clang::lifetimebound]] { return direction_; }
 
@@ -72,8 +76,8 @@ class DiscDepth {
       direction_ = direction;
     }
   }
-  // Whether nothing is less between two directions, at the ends of which feet lie whose line passes the origin at the distance
-  // reach / sqrt(square): between the feet it lies in the shadow.
+  // Whether nothing is less between two directions, at the ends of which feet lie whose line passes the origin at the
+  // distance reach / sqrt(square): between the feet it lies in the shadow.
   [[nodiscard]] [[gnu::always_inline]] inline bool is_excluded(Real reach, Real square) const {
     return reach >= 0 && reach * reach >= goal() * goal() * square;
   }

@@ -1,10 +1,12 @@
-// Two hulls of discs, added up. Their sum has flat faces, along the axes and where lines of both sides meet, and two families
-// of places at which it may be nearest to the origin:
+// Two hulls of discs, added up. Their sum has flat faces, along the axes and where lines of both sides meet, and two
+// families of places at which it may be nearest to the origin:
 // - A side and a rim of the other body: where the rim is deepest under the side, or, beyond the axis, least deep.
-// - Two rims: where points of both, added up, are nearest to the origin. Only there is the sum curved both ways; it can be
-//   nearest where it is curved less than the ball around the origin, and then it is the surface of all those sums around.
-// Seen in the half plane through the axis of one body, that body is its outline and a rim of the other a closed curve. Asked for
-// is where that curve is nearest to a corner of the outline, or to its axis beside a line (rim_walk.cppm).
+// - Two rims: where points of both, added up, are nearest to the origin. Only there is the sum curved both ways; it can
+// be
+//   nearest where it is curved less than the ball around the origin, and then it is the surface of all those sums
+//   around.
+// Seen in the half plane through the axis of one body, that body is its outline and a rim of the other a closed curve.
+// Asked for is where that curve is nearest to a corner of the outline, or to its axis beside a line (rim_walk.cppm).
 module abut.narrowphase.disc_depth;
 import abut.core.standard;
 import abut.math;
@@ -22,11 +24,14 @@ struct SideAim {
 
   [[nodiscard]] inline Real below(Real z, Real distance) const { return side + up * z - turn * out * distance; }
   // A bit for each arc that may hold what is looked for, whose ends are as far from its middle.
-  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(const RimPlace<Lanes>& at, Real reach, Real goal) const {
+  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(const RimPlace<Lanes>& at, Real reach,
+                                                                       Real goal) const {
     const Lanes below = side + up * at.z - (turn * out) * at.out, along = (turn * up) * at.out + out * at.z;
-    return signs_of(below - (goal + reach)) & ~(signs_of(below + reach) | signs_of(along - (from - reach)) | signs_of((to + reach) - along));
+    return signs_of(below - (goal + reach)) &
+           ~(signs_of(below + reach) | signs_of(along - (from - reach)) | signs_of((to + reach) - along));
   }
-  // Below zero where the distance from the line beside the axis falls, by a factor above zero; and the derivative of that.
+  // Below zero where the distance from the line beside the axis falls, by a factor above zero; and the derivative of
+  // that.
   template <class Number>
   [[nodiscard]] [[gnu::always_inline]] inline Number slope(const RimCurve<Number>& at) const {
     return out * at.half - (turn * up) * (at.dz * at.out);
@@ -47,7 +52,8 @@ struct RimAim {
   Real height, radius;
   Real up, out;  // of the normal of the line, away from the rim's own disc
 
-  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(const RimPlace<Lanes>& at, Real reach, Real goal) const {
+  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(const RimPlace<Lanes>& at, Real reach,
+                                                                       Real goal) const {
     const Lanes along = at.z + height, beyond = at.out - radius, within = out * along + up * beyond;
     return signs_of(along * along + beyond * beyond - (goal + reach) * (goal + reach)) &
            ~(signs_of(reach - beyond) | signs_of(within + reach));
@@ -59,7 +65,8 @@ struct RimAim {
   template <class Number>
   [[nodiscard]] [[gnu::always_inline]] inline Number bend(const RimCurve<Number>& at) const {
     const Number along = at.z + height;
-    return at.d_out * (along * at.dz + at.half) + at.out * (at.dz * at.dz + along * at.ddz) + (at.out - radius) * at.d_half;
+    return at.d_out * (along * at.dz + at.half) + at.out * (at.dz * at.dz + along * at.ddz) +
+           (at.out - radius) * at.d_half;
   }
   [[nodiscard]] static inline Real unit_of_slope(Real size) { return size * size * size; }
   // And the nearer the rims are to each other.
@@ -67,15 +74,18 @@ struct RimAim {
     const Real along = at.z + height, beyond = at.out - radius;
     return std::sqrt(std::fmin(at.out, std::sqrt(along * along + beyond * beyond)) / size);
   }
-  [[nodiscard]] inline std::pair<Real, Real> normal(const RimPlace<Real>& at) const { return {at.out - radius, at.z + height}; }
+  [[nodiscard]] inline std::pair<Real, Real> normal(const RimPlace<Real>& at) const {
+    return {at.out - radius, at.z + height};
+  }
 };
 
 struct Pair {
   Real x, y;
 };
 
-// The distance beside the axis is a convex function on the whole disc within a walk, so that on this side of the axis there is at
-// most one point of those that are looked for: the nearest of all, if it has the gradient across the rim. Whether it has not.
+// The distance beside the axis is a convex function on the whole disc within a walk, so that on this side of the axis
+// there is at most one point of those that are looked for: the nearest of all, if it has the gradient across the rim.
+// Whether it has not.
 [[nodiscard]] bool is_nearest_within(const RimWalk& walk, const SideAim& aim) {
   const Vec3& middle = walk.middle;
   const Real ahead = middle.x * walk.radius, across = middle.y * walk.along_x;
@@ -83,7 +93,8 @@ struct Pair {
          std::fabs(aim.up * walk.along_z) < 0.999 * aim.out * std::fabs(walk.along_x);
 }
 // That point, by Newton's method; nothing where it is not found.
-[[nodiscard]] std::optional<RimPlace<Real>> nearest_on_rim(const RimWalk& walk, const SideAim& aim, const RimPlace<Real>& middle, Real size) {
+[[nodiscard]] std::optional<RimPlace<Real>> nearest_on_rim(const RimWalk& walk, const SideAim& aim,
+                                                           const RimPlace<Real>& middle, Real size) {
   constexpr int rounds = 8;
   constexpr Real longest_step = 0.7;
   // The gradient within the disc, times the radius, where there is one.
@@ -120,7 +131,8 @@ struct Pair {
 
 // The point of a walk nearest to the point of the axis at -height.
 [[nodiscard]] RimPlace<Real> nearest_to_tip(const RimWalk& walk, Real height) {
-  const Real ahead = walk.middle.x * walk.along_x + (walk.middle.z + height) * walk.along_z, across = walk.middle.y * walk.radius;
+  const Real ahead = walk.middle.x * walk.along_x + (walk.middle.z + height) * walk.along_z,
+             across = walk.middle.y * walk.radius;
   const Real length = std::sqrt(ahead * ahead + across * across);
   return length > 0 ? point_at(walk, -ahead / length, -across / length) : point_at(walk, Real{1}, Real{0});
 }
@@ -148,7 +160,8 @@ void search_faces(const Sum& sum, DiscDepth& least) {
     return;  // lines along each other end in rims
   }
   // The difference of both parts would lose digits where the axes are nearly parallel.
-  const Real turn = std::copysign(Real{1}, cosine), shared = (a.side_up - turn * b.side_up) / square, apart = turn / (1 + std::fabs(cosine));
+  const Real turn = std::copysign(Real{1}, cosine), shared = (a.side_up - turn * b.side_up) / square,
+             apart = turn / (1 + std::fabs(cosine));
   const Real along_a = shared + apart * b.side_up, along_b = apart * a.side_up - turn * shared;
   const Real rest = 1 - (along_a * a.side_up + along_b * b.side_up);
   if (rest < 0) {
@@ -163,7 +176,8 @@ void search_faces(const Sum& sum, DiscDepth& least) {
 }
 
 // Rims of one body against the side of the other, and, where asked, against its rims.
-[[nodiscard]] bool search_walks(const Sum& sum, const PlacedDiscs& walker, const PlacedDiscs& other, bool with_rims, DiscDepth& least) {
+[[nodiscard]] bool search_walks(const Sum& sum, const PlacedDiscs& walker, const PlacedDiscs& other, bool with_rims,
+                                DiscDepth& least) {
   const Vec3& z = other.axis;
   const Vec3 y = UnitVec3::make(cross(z, walker.axis)).value_or(UnitVec3::from_unit_unchecked(tangents_of(z).first));
   const Vec3 x = cross(y, z), along = cross(y, walker.axis);
@@ -190,8 +204,10 @@ void search_faces(const Sum& sum, DiscDepth& least) {
   for (std::size_t i = 0; i < 2; ++i) {
     const Vec3 middle = walker.centre + walker.height[i] * walker.axis + other.centre;
     const Real radius = walker.radius[i];
-    const RimWalk walk{{dot(middle, x), dot(middle, y), dot(middle, z)}, radius, radius * dot(along, x), radius * dot(along, z)};
-    const RimPlace<Real> centre{walk.middle.x, walk.middle.y, walk.middle.z, std::sqrt(walk.middle.x * walk.middle.x + walk.middle.y * walk.middle.y)};
+    const RimWalk walk{
+        {dot(middle, x), dot(middle, y), dot(middle, z)}, radius, radius * dot(along, x), radius * dot(along, z)};
+    const RimPlace<Real> centre{walk.middle.x, walk.middle.y, walk.middle.z,
+                                std::sqrt(walk.middle.x * walk.middle.x + walk.middle.y * walk.middle.y)};
     const Real rise = std::fabs(walk.along_z), goal = least.goal();
     if (centre.z - rise > top + goal || centre.z + rise < bottom - goal) {
       continue;
@@ -205,7 +221,12 @@ void search_faces(const Sum& sum, DiscDepth& least) {
       }
     };
     for (const Real turn : {1.0, -1.0}) {
-      const SideAim side{other.side(), other.side_up, other.side_out, turn, std::fmin(ends[0], ends[1]) - slack, std::fmax(ends[0], ends[1]) + slack};
+      const SideAim side{other.side(),
+                         other.side_up,
+                         other.side_out,
+                         turn,
+                         std::fmin(ends[0], ends[1]) - slack,
+                         std::fmax(ends[0], ends[1]) + slack};
       const Real below = side.below(centre.z, centre.out);
       if (!(below + radius >= -slack && below - radius < goal) || (turn > 0 && is_nearest_within(walk, side))) {
         continue;

@@ -1,4 +1,5 @@
-// The directions in which a polytope that lists its faces and edges may overlap least with two discs, four faces at a time.
+// The directions in which a polytope that lists its faces and edges may overlap least with two discs, four faces at a
+// time.
 export module abut.narrowphase.disc_depth_of_hull;
 import abut.core.standard;
 import abut.math;
@@ -26,7 +27,8 @@ void search_facets(const S& shape, DiscDepth& least) {
     const Columns normal{plane.x, plane.y, plane.z};
     const Lanes up = dot(normal, axis), out_x = dot(normal, x), out_y = dot(normal, y);
     const Lanes out = __builtin_elementwise_sqrt(out_x * out_x + out_y * out_y);
-    const Lanes first = discs.height[0] * up + discs.radius[0] * out, second = discs.height[1] * up + discs.radius[1] * out;
+    const Lanes first = discs.height[0] * up + discs.radius[0] * out,
+                second = discs.height[1] * up + discs.radius[1] * out;
     const LaneNumbers is_first = first > second, is_aside = out > all_lanes(least_aside);
     const Lanes height = is_first ? all_lanes(discs.height[0]) : all_lanes(discs.height[1]);
     const Lanes radius = is_first ? all_lanes(discs.radius[0]) : all_lanes(discs.radius[1]);
@@ -80,12 +82,13 @@ void search_facets(const S& shape, DiscDepth& least) {
     const Columns left = Columns::of(left_of(0), left_of(1), left_of(2), left_of(3));
     const Columns chord = Columns::of(right_of(0), right_of(1), right_of(2), right_of(3)) - left;
     const Columns along = Columns::of(along_of(0), along_of(1), along_of(2), along_of(3));
-    const Columns foot = plus(Columns::of(from_of(0), from_of(1), from_of(2), from_of(3)), left), across = cross(chord, along);
+    const Columns foot = plus(Columns::of(from_of(0), from_of(1), from_of(2), from_of(3)), left),
+                  across = cross(chord, along);
     const Lanes reach = dot(along, cross(foot, chord));
     for (std::uint64_t lanes = least.lanes_left(reach, dot(across, across)); lanes != 0; lanes &= lanes - 1) {
       const std::size_t edge = edges[static_cast<std::size_t>(std::countr_zero(lanes))];
-      search_edge(vec3_of(facets.lines[edge].from), vec3_of(facets.lines[edge].along), normal_of(facets.sides[edge].left),
-                  normal_of(facets.sides[edge].right), least);
+      search_edge(vec3_of(facets.lines[edge].from), vec3_of(facets.lines[edge].along),
+                  normal_of(facets.sides[edge].left), normal_of(facets.sides[edge].right), least);
     }
   }
 }

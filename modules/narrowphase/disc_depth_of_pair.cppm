@@ -78,11 +78,13 @@ template <Convex A, Convex B>
     } else {
       search_box(a.half(), least);
     }
-    return least.is_proven() && least.depth() > slack ? std::optional(ProvenDepth{least.depth(), least.depth() - slack, least.direction()})
-                                                      : std::nullopt;
+    return least.is_proven() && least.depth() > slack
+               ? std::optional(ProvenDepth{least.depth(), least.depth() - slack, least.direction()})
+               : std::nullopt;
   } else {
     const std::optional<ProvenDepth> found = disc_depth(b, a, ab.inverse(), size, error);
-    return found ? std::optional(ProvenDepth{found->depth, found->lower, -(ab.rotation * found->normal)}) : std::nullopt;
+    return found ? std::optional(ProvenDepth{found->depth, found->lower, -(ab.rotation * found->normal)})
+                 : std::nullopt;
   }
 }
 

@@ -13,9 +13,9 @@ import abut.narrowphase.simplex;
 export namespace abut {
 
 struct EpaResult {
-  Real depth;           // not negative for cores that overlap
-  Real lower, upper;    // the depth lies between them
-  Vec3 normal;          // unit: moving b along it by the depth parts the cores
+  Real depth;         // not negative for cores that overlap
+  Real lower, upper;  // the depth lies between them
+  Vec3 normal;        // unit: moving b along it by the depth parts the cores
   Vec3 point_a, point_b;
   std::uint32_t iterations;
 };

@@ -1,9 +1,9 @@
-// Closest points of two cores that are apart, where each knows its point nearest to any other and one is curved, without a
-// simplex.
+// Closest points of two cores that are apart, where each knows its point nearest to any other and one is curved,
+// without a simplex.
 //
-// A point is projected on one core and back (von Neumann's alternating projections). The moves end up shrinking by constant
-// factors, which the last of them tell, so that all to come are taken at once. Ends as GJK does, by the duality gap; cores
-// that overlap, and pairs that creep, are left to the caller.
+// A point is projected on one core and back (von Neumann's alternating projections). The moves end up shrinking by
+// constant factors, which the last of them tell, so that all to come are taken at once. Ends as GJK does, by the
+// duality gap; cores that overlap, and pairs that creep, are left to the caller.
 export module abut.narrowphase.field_cores;
 import abut.core.standard;
 import abut.math;
@@ -35,8 +35,8 @@ template <Convex S>
 struct Projection {
   Vec3 point, move;
 };
-// Where the moves end, told from the last three, the latest first: what combination of them moves least (Anderson, "Iterative
-// procedures for nonlinear integral equations", 1965).
+// Where the moves end, told from the last three, the latest first: what combination of them moves least (Anderson,
+// "Iterative procedures for nonlinear integral equations", 1965).
 [[nodiscard]] inline Vec3 end_of_moves(const std::array<Projection, 3>& last, std::uint32_t count) {
   const auto& [one, two, three] = last;
   const Vec3 later = one.move - two.move, earlier = two.move - three.move;
@@ -62,7 +62,8 @@ inline constexpr std::uint32_t overlap_rounds = 2;
 // Nothing where that leaves the pair open.
 template <Convex A, Convex B>
   requires CurvedFields<A, B>
-[[nodiscard]] std::optional<CoreSeparation> separate_fields(const A& a, const B& b, const Pose& ab, const QuerySettings& settings) {
+[[nodiscard]] std::optional<CoreSeparation> separate_fields(const A& a, const B& b, const Pose& ab,
+                                                            const QuerySettings& settings) {
   const Real size = core_size(a, b, ab), error = error_of(a, b, size, settings), least = projection_limit * size;
   const auto placement = place(b, ab);
   CoreSeparation core{};
@@ -80,7 +81,8 @@ template <Convex A, Convex B>
       return std::nullopt;
     }
     core.distance = core.upper = std::sqrt(square);
-    // The gap is about the square of what is left to move over the distance: not yet worth a look where that is far more.
+    // The gap is about the square of what is left to move over the distance: not yet worth a look where that is far
+    // more.
     if (core.iterations == overlap_rounds || squared_norm(move) <= 1e4 * error * core.distance) {
       core.normal = (1 / core.distance) * between;
       const Vec3 end_of_a = a.support(core.normal).point, end_of_b = placed_support(b, placement, -core.normal).point;

@@ -13,11 +13,11 @@ import abut.shape;
 export namespace abut {
 
 struct GjkResult {
-  bool overlap;         // the cores overlap or touch within rounding; the rest is then undefined but the simplex
-  bool beyond;          // stopped early: the distance is at least `lower`, which exceeds the limit asked for
-  Real lower, upper;    // the distance of the cores lies between them
-  Vec3 closest;         // the closest point of the difference: from b to a; where it stopped early, along what bounds it
-  Vec3 normal;          // unit, from a to b
+  bool overlap;       // the cores overlap or touch within rounding; the rest is then undefined but the simplex
+  bool beyond;        // stopped early: the distance is at least `lower`, which exceeds the limit asked for
+  Real lower, upper;  // the distance of the cores lies between them
+  Vec3 closest;       // the closest point of the difference: from b to a; where it stopped early, along what bounds it
+  Vec3 normal;        // unit, from a to b
   Simplex simplex;
   std::uint32_t iterations;
 };
@@ -51,8 +51,8 @@ inline constexpr Real unproven_limit = 1e4;
 // soon as the distance is known to exceed it; `unproven`: a smaller gap that is allowed as long as nothing
 // proves the cores apart.
 template <Convex A, Convex B>
-[[nodiscard]] GjkResult gjk(const A& a, const B& b, const Pose& ab, const Vec3& toward, Real size, Real error, Real limit,
-                            Real unproven = infinity) {
+[[nodiscard]] GjkResult gjk(const A& a, const B& b, const Pose& ab, const Vec3& toward, Real size, Real error,
+                            Real limit, Real unproven = infinity) {
   unproven = unproven < error ? unproven : error;
   const auto placement = place(b, ab);
   [[clang::uninitialized]] GjkResult result;

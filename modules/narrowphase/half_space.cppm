@@ -1,7 +1,7 @@
 // A half-space against what has support points: exact in one step.
 //
-// Heights over the plane are the same in every frame. Those of the points of a shape come from the normal in the frame of
-// the shape, so that only points that touch are placed, and at once where the contacts are wanted.
+// Heights over the plane are the same in every frame. Those of the points of a shape come from the normal in the frame
+// of the shape, so that only points that touch are placed, and at once where the contacts are wanted.
 export module abut.narrowphase.half_space;
 import abut.core;
 import abut.core.standard;
@@ -12,7 +12,8 @@ import abut.shape;
 export namespace abut {
 
 template <HalfSpace A, Convex B>
-[[nodiscard]] Outcome half_space_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+[[nodiscard]] Outcome half_space_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                          Distance& out) {
   if (!takes_closed_forms(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -40,8 +41,9 @@ template <HalfSpace A>
 }
 
 // The contact of a point of a core that is rounded off by a radius. `distance`: of the rounded point.
-[[nodiscard]] [[gnu::always_inline]] inline LaneContact contact_on_plane(const PlaneBelow& plane, Lanes core_point, Real radius,
-                                                                         Real distance, const Feature& feature_b) {
+[[nodiscard]] [[gnu::always_inline]] inline LaneContact contact_on_plane(const PlaneBelow& plane, Lanes core_point,
+                                                                         Real radius, Real distance,
+                                                                         const Feature& feature_b) {
   constexpr Feature whole{FeatureKind::whole, 0};
   const Lanes normal = lanes_of(plane.normal);
   return {multiply_add(normal, all_lanes(-(distance + radius)), core_point),
@@ -53,8 +55,8 @@ template <HalfSpace A>
           contact_id(whole, feature_b)};
 }
 
-// A point or a segment: its ends. Where the upper end of a rounded segment would touch with the ball around the lower end,
-// which has a contact already, it has none.
+// A point or a segment: its ends. Where the upper end of a rounded segment would touch with the ball around the lower
+// end, which has a contact already, it has none.
 template <Convex B, class Append>
   requires PointCored<B> || SegmentCored<B>
 [[gnu::always_inline]] inline void ends_on_plane(const PlaneBelow& plane, const B& b, const Pose& pose, Real margin,
@@ -89,8 +91,8 @@ using LaneBits = bool __attribute__((ext_vector_type(4)));
 
 // A box with extents in all directions: the corners of the face that looks down, four to a vector register.
 template <class Append>
-[[gnu::always_inline]] inline void corners_on_plane(const PlaneBelow& plane, const Vec3& half, const Pose& pose, Real margin,
-                                                    Append&& append) {
+[[gnu::always_inline]] inline void corners_on_plane(const PlaneBelow& plane, const Vec3& half, const Pose& pose,
+                                                    Real margin, Append&& append) {
   const Vec3 &n = plane.local_normal, rise{half.x * n.x, half.y * n.y, half.z * n.z}, size = absolute(rise);
   if (plane.height - (size.x + size.y + size.z) > margin) {
     return;
@@ -120,15 +122,16 @@ template <class Append>
 template <class S>
 concept Rimmed = Curved<S> && requires(const S& shape, const Vec3& direction) {
   { shape.supporting_rim(direction)->radius } -> std::convertible_to<Real>;
-  { shape.supporting_rim(direction)->height } -> std::convertible_to<Real>;  // along Z
+  { shape.supporting_rim(direction)->height } -> std::convertible_to<Real>;          // along Z
   { shape.supporting_rim(direction)->index } -> std::convertible_to<std::uint32_t>;  // of the face
   { shape.supporting_rim(direction)->first } -> std::convertible_to<std::uint32_t>;  // of its corners
 };
 
 // The corners of a disc that looks down, and its lowest point where it is between two of them.
 template <class Rim, class Append>
-[[gnu::always_inline]] inline void rim_on_plane(const PlaneBelow& plane, const Rim& rim, const Vec3& lowest, Real radius,
-                                                Real noise, const Pose& pose, Real margin, Append&& append) {
+[[gnu::always_inline]] inline void rim_on_plane(const PlaneBelow& plane, const Rim& rim, const Vec3& lowest,
+                                                Real radius, Real noise, const Pose& pose, Real margin,
+                                                Append&& append) {
   const Real level = plane.height_of({0, 0, rim.height}) - radius;
   const Real x = rim.radius * plane.local_normal.x, y = rim.radius * plane.local_normal.y;
   // Corners of a quarter and of the next one, those of the other two being opposite.
@@ -184,7 +187,8 @@ template <FacesAtVertices B, class Append>
   }
 }
 
-// The corners of the face that looks down, and the lowest point where it is none of them, as on a rim between its corners.
+// The corners of the face that looks down, and the lowest point where it is none of them, as on a rim between its
+// corners.
 template <Convex B, class Append>
 [[gnu::always_inline]] inline void face_on_plane(const PlaneBelow& plane, const B& b, const Pose& pose, Real margin,
                                                  Append&& append) {
@@ -234,7 +238,8 @@ template <Convex B, class Append>
 // Hands over the contacts one by one, in the frame that both shapes are placed in.
 template <HalfSpace A, Convex B, class Append>
 [[nodiscard]] [[gnu::always_inline]] inline Outcome half_space_contacts(const A& a, const B& b, const Pose& pose_a,
-                                                                        const Pose& pose_b, const QuerySettings& settings,
+                                                                        const Pose& pose_b,
+                                                                        const QuerySettings& settings,
                                                                         Append&& append) {
   if (!takes_closed_forms(settings.algorithm)) {
     return Outcome::unsupported;
@@ -256,7 +261,8 @@ template <HalfSpace A, Convex B, class Append>
 
 // The same in the frame of a.
 template <HalfSpace A, Convex B>
-[[nodiscard]] Outcome half_space_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+[[nodiscard]] Outcome half_space_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                          Manifold& out) {
   const auto append = [&](const LaneContact& contact) { append_contact(contact, out); };
   return half_space_contacts(a, b, Pose::identity(), ab, settings, append);
 }

@@ -50,8 +50,8 @@ void visit_outermost(const RoundWall& wall, const B& b, const Pose& ab, Visitor&
               point = next;
               break;
             }
-            // Strides shrink by about the same factor, slowly where the core is nearly round about the wall: the sum of all
-            // to come leads to the end (Aitken's extrapolation).
+            // Strides shrink by about the same factor, slowly where the core is nearly round about the wall: the sum of
+            // all to come leads to the end (Aitken's extrapolation).
             Real length = norm(stride);
             if (length < before) {
               const Vec3 ahead = top_along(wall.radial(next + (length / (before - length)) * stride));
@@ -75,17 +75,24 @@ void visit_outermost(const RoundWall& wall, const B& b, const Pose& ab, Visitor&
 }
 
 // One point of a core against a round wall, as a contact from the wall to the rounded core.
-[[nodiscard]] inline ContactPoint contact_at(const RoundWall& wall, const Vec3& core_point, Real radius, const Feature& feature) {
+[[nodiscard]] inline ContactPoint contact_at(const RoundWall& wall, const Vec3& core_point, Real radius,
+                                             const Feature& feature) {
   const Vec3 radial = wall.radial(core_point);
   const Real far = norm(radial);
   const Vec3 outward = UnitVec3::make(radial).value_or(UnitVec3::from_unit_unchecked({1, 0, 0}));
   const Feature of_wall{FeatureKind::face, wall.face};
-  return {core_point + (wall.radius - far) * outward, core_point + radius * outward, -outward, wall.radius - far - radius,
-          of_wall, feature, contact_id(of_wall, feature)};
+  return {core_point + (wall.radius - far) * outward,
+          core_point + radius * outward,
+          -outward,
+          wall.radius - far - radius,
+          of_wall,
+          feature,
+          contact_id(of_wall, feature)};
 }
 
 template <Hole A, Convex B>
-[[nodiscard]] Outcome hole_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+[[nodiscard]] Outcome hole_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                    Distance& out) {
   if (!takes_closed_forms(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -109,7 +116,8 @@ template <Hole A, Convex B>
   if (const auto wall = a.round_wall()) {
     visit_outermost(*wall, b, ab, [&](const Vec3& point, const Feature& feature) {
       const ContactPoint found = contact_at(*wall, point, b.radius(), feature);
-      keep_least({found.distance, found.distance, found.distance, found.point_a, found.point_b, found.normal, Algorithm::analytic, 1});
+      keep_least({found.distance, found.distance, found.distance, found.point_a, found.point_b, found.normal,
+                  Algorithm::analytic, 1});
     });
     if constexpr (!Cornered<B>) {
       // Climbs may miss the highest top; no point is further out than this.
@@ -121,7 +129,8 @@ template <Hole A, Convex B>
 }
 
 template <Hole A, Convex B>
-[[nodiscard]] Outcome hole_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+[[nodiscard]] Outcome hole_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                    Manifold& out) {
   if (!takes_closed_forms(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -147,7 +156,9 @@ template <Hole A, Convex B>
       // Only a point that no other one of the core hides in its own direction.
       const Vec3 outward = -found.normal;
       const Real most = dot(outward, ab * b.support(ab.rotation.undo(outward)).point);
-      const auto is_same = [&](const ContactPoint& other) { return largest_magnitude(other.point_b - found.point_b) <= noise; };
+      const auto is_same = [&](const ContactPoint& other) {
+        return largest_magnitude(other.point_b - found.point_b) <= noise;
+      };
       if (dot(outward, point) >= most - noise && std::ranges::none_of(std::span(out).subspan(first), is_same)) {
         out.push_back(found);
       }

@@ -30,7 +30,8 @@ template <Convex A, Convex B>
     }
     const HullSatResult found = sat_of_hull(b, seen_from(a, ab.inverse()), noise);
     const Rotation& r = ab.rotation;
-    const SatResult axis{found.separation, -(r * found.normal), found.axes, found.of_edges, r * found.edge_b, r * found.edge_a};
+    const SatResult axis{found.separation, -(r * found.normal), found.axes,
+                         found.of_edges,   r * found.edge_b,    r * found.edge_a};
     return HullSatResult{axis, ab * found.on_b, ab * found.on_a};
   }
 }

@@ -43,14 +43,15 @@ template <Convex S>
   }
 }
 
-// Unit normals across pairs of edges with these products, whose squares are given, to the side of a sign. Of nearly parallel
-// edges products are off by rounding of their lengths: what leads along the second one is taken out, as in sat.cppm.
+// Unit normals across pairs of edges with these products, whose squares are given, to the side of a sign. Of nearly
+// parallel edges products are off by rounding of their lengths: what leads along the second one is taken out, as in
+// sat.cppm.
 [[nodiscard]] [[gnu::noinline, gnu::cold]] inline Columns settled_across(const Columns& n, const Columns& second) {
   const Columns across = n - (dot(n, second) / dot(second, second)) * second;
   return (1 / __builtin_elementwise_sqrt(dot(across, across))) * across;
 }
-[[nodiscard]] [[gnu::always_inline]] inline Columns unit_across(const Columns& first, const Columns& second, const Columns& products,
-                                                                Lanes squares, Lanes signs) {
+[[nodiscard]] [[gnu::always_inline]] inline Columns unit_across(const Columns& first, const Columns& second,
+                                                                const Columns& products, Lanes squares, Lanes signs) {
   const Columns n = (signs / __builtin_elementwise_sqrt(squares)) * products;
   const Lanes room = squares - 1e-6 * dot(first, first) * dot(second, second);
   if (signs_of(room) == 0) [[likely]] {
@@ -61,8 +62,8 @@ template <Convex S>
   return {is_thin ? settled.x : n.x, is_thin ? settled.y : n.y, is_thin ? settled.z : n.z};
 }
 
-// With a point of each edge that the normal is across: support points need not lie on them where more of a core is as near. The edge
-// of a hull leads from there to its other end.
+// With a point of each edge that the normal is across: support points need not lie on them where more of a core is as
+// near. The edge of a hull leads from there to its other end.
 struct HullSatResult : SatResult {
   Vec3 on_a, on_b;
 };

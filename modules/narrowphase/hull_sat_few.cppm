@@ -56,7 +56,8 @@ struct SeenTriangle {
   std::array<Vec3, 1> normals;
 
   [[nodiscard]] [[gnu::always_inline]] inline Lanes least(const Columns& n) const {
-    return minimum(minimum(dot(n, Columns::all(corners[0])), dot(n, Columns::all(corners[1]))), dot(n, Columns::all(corners[2])));
+    return minimum(minimum(dot(n, Columns::all(corners[0])), dot(n, Columns::all(corners[1]))),
+                   dot(n, Columns::all(corners[2])));
   }
   // Whether an edge comes as near.
   [[nodiscard]] [[gnu::always_inline]] inline bool leads(std::size_t edge, const Vec3& n, Real noise) const {
@@ -76,7 +77,8 @@ template <Seen S>
     const Vec3 half = shape.half();
     if constexpr (count == 3) {
       box.arms = {half.x * r.x, half.y * r.y, half.z * r.z};
-      box.edges = {half.x > 0 ? r.x : Vec3{0, 0, 0}, half.y > 0 ? r.y : Vec3{0, 0, 0}, half.z > 0 ? r.z : Vec3{0, 0, 0}};
+      box.edges = {half.x > 0 ? r.x : Vec3{0, 0, 0}, half.y > 0 ? r.y : Vec3{0, 0, 0},
+                   half.z > 0 ? r.z : Vec3{0, 0, 0}};
       box.normals = {r.x, r.y, r.z};
     } else if constexpr (count == 1) {
       box.arms = {half.z * r.z};

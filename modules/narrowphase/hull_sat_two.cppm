@@ -74,7 +74,8 @@ struct FaceSearch {
   // The first vertices, which lie far from each other, often show that a face is no less deep than `most`.
   static constexpr std::size_t first_vertices = 8;
   template <bool with_vertices, class Planes>
-  [[gnu::always_inline]] inline void look(const Planes& planes, std::size_t group, const SeenVertices& others, Real most) {
+  [[gnu::always_inline]] inline void look(const Planes& planes, std::size_t group, const SeenVertices& others,
+                                          Real most) {
     const Columns n{planes.x, planes.y, planes.z};
     SeenVertices::Least least;
     const std::size_t some = others.count < first_vertices ? others.count : first_vertices;
@@ -211,7 +212,8 @@ template <Faceted A, Faceted B>
     const Lanes reach = dot(n, start) + maximum(dot(n, along), all_lanes(0));
     const Lanes lower = reach - dot(n, from);
     // Vertices that lie behind each other along the edge are one for its arc.
-    const Lanes above = square > 1e-28 * dot(along, along) * dot(back, back) ? lower - all_lanes(least_of_edges) : all_lanes(0);
+    const Lanes above =
+        square > 1e-28 * dot(along, along) * dot(back, back) ? lower - all_lanes(least_of_edges) : all_lanes(0);
     if (signs_of(above) == 0) {
       continue;
     }
@@ -225,8 +227,8 @@ template <Faceted A, Faceted B>
       const auto vertex = static_cast<std::uint16_t>(found.vertex[i]);
       const bool is_cut = depth[i] > lower[i] + noise && vertex != taken[i].from && vertex != taken[i].to;
       if (depth[i] < least_of_edges) {
-        // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its parts:
-        // it must not be passed over as no less deep.
+        // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its
+        // parts: it must not be passed over as no less deep.
         least_of_edges = is_cut ? std::fmin(least_of_edges, depth[i] + noise) : depth[i];
         best.separation = -depth[i];
         best.normal = n[i];

@@ -11,14 +11,16 @@ export namespace abut {
 // libccd sees whole shapes through this: a support point in the frame of a, and an inner point.
 using SupportFunction = std::function<Vec3(const Vec3& direction)>;
 
-// Outcome::unsupported in builds without libccd, and for MPR on shapes that do not overlap. libccd compares with numbers that know no
-// unit: it sees lengths by `size`, that of the shapes. MPR ends when a step gains less than `error`, GJK and EPA when that is so
-// of the gain times the depth.
-[[nodiscard]] Outcome libccd_query(const SupportFunction& support_a, const SupportFunction& support_b, const Vec3& centre_a,
-                                   const Vec3& centre_b, Algorithm algorithm, Real size, Real error, Distance& out);
+// Outcome::unsupported in builds without libccd, and for MPR on shapes that do not overlap. libccd compares with
+// numbers that know no unit: it sees lengths by `size`, that of the shapes. MPR ends when a step gains less than
+// `error`, GJK and EPA when that is so of the gain times the depth.
+[[nodiscard]] Outcome libccd_query(const SupportFunction& support_a, const SupportFunction& support_b,
+                                   const Vec3& centre_a, const Vec3& centre_b, Algorithm algorithm, Real size,
+                                   Real error, Distance& out);
 
 template <Convex A, Convex B>
-[[nodiscard]] Outcome libccd_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+[[nodiscard]] Outcome libccd_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                      Distance& out) {
   QuerySettings asked = settings;
   // It does not know polytopes from curved shapes.
   asked.error_bound = asked.error_bound > 0 ? asked.error_bound : usual_error_of_curves;

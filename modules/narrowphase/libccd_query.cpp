@@ -12,9 +12,9 @@ import abut.shape;
 namespace abut {
 namespace {
 
-// libccd's expanding polytope knows no limit of its own, may go round in circles, and each point costs it as long as there
-// are points already: a query would take 30 ms. From this many support points on, twice what pairs of round bodies need, it is
-// shown the origin, which adds nothing to any polytope and so ends it.
+// libccd's expanding polytope knows no limit of its own, may go round in circles, and each point costs it as long as
+// there are points already: a query would take 30 ms. From this many support points on, twice what pairs of round
+// bodies need, it is shown the origin, which adds nothing to any polytope and so ends it.
 constexpr std::uint32_t support_limit = 1000;
 constexpr Real least_size = 1e-300;  // smaller ones have no inverse
 
@@ -23,7 +23,8 @@ struct Body {
   Vec3 centre;
   Real size;
   mutable std::uint32_t supports_asked = 0;
-  mutable bool is_lost = false;  // what is not a number came in or out: it would reach for vertices that it does not have
+  mutable bool is_lost =
+      false;  // what is not a number came in or out: it would reach for vertices that it does not have
 
   [[nodiscard]] bool is_over() const { return is_lost || supports_asked > support_limit; }
   [[nodiscard]] Vec3 support_toward(const Vec3& direction) const {

@@ -13,7 +13,9 @@ struct Flat {
 [[nodiscard]] inline Real cross2(const Flat& a, const Flat& b) { return a.u * b.v - a.v * b.u; }
 [[nodiscard]] inline Real dot2(const Flat& a, const Flat& b) { return a.u * b.u + a.v * b.v; }
 [[nodiscard]] inline Flat operator-(const Flat& a, const Flat& b) { return {a.u - b.u, a.v - b.v}; }
-[[nodiscard]] inline Flat mix(const Flat& a, const Flat& b, Real t) { return {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)}; }
+[[nodiscard]] inline Flat mix(const Flat& a, const Flat& b, Real t) {
+  return {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)};
+}
 
 // Projection along the normal onto its tangents, about a base point that keeps coordinates small.
 struct Projection {
@@ -28,8 +30,8 @@ struct Projection {
   }
 };
 
-// Lifts projected points onto a polygon: onto its plane, or, where that misses the corners, onto chords between its edges. The
-// plane of a sliver is rounding along the short way, and that of a merged face is a mean.
+// Lifts projected points onto a polygon: onto its plane, or, where that misses the corners, onto chords between its
+// edges. The plane of a sliver is rounding along the short way, and that of a merged face is a mean.
 class Lift {
  public:
   Lift(const Face& face, const Projection& projection) {
@@ -38,7 +40,8 @@ class Lift {
     slope_v_ = -dot(face.normal, projection.tangents.second) / along;
     for (const FaceVertex& vertex : face.vertices.span()) {
       const Vec3 d = vertex.point - projection.base;
-      corners_.push_back({{dot(d, projection.tangents.first), dot(d, projection.tangents.second)}, dot(d, projection.normal)});
+      corners_.push_back(
+          {{dot(d, projection.tangents.first), dot(d, projection.tangents.second)}, dot(d, projection.normal)});
     }
     height_ = corners_[0].height - slope_u_ * corners_[0].at.u - slope_v_ * corners_[0].at.v;
     for (const Corner& corner : corners_.span()) {
@@ -47,7 +50,8 @@ class Lift {
   }
   [[nodiscard]] inline Vec3 operator()(const Flat& p, const Projection& projection) const {
     const Real height = is_plane_ ? height_on_plane(p) : height_on_chord(p);
-    return projection.base + p.u * projection.tangents.first + p.v * projection.tangents.second + height * projection.normal;
+    return projection.base + p.u * projection.tangents.first + p.v * projection.tangents.second +
+           height * projection.normal;
   }
 
  private:
@@ -76,7 +80,8 @@ class Lift {
       if ((start <= 0) == (end <= 0)) {
         continue;
       }
-      const Real t = start / (start - end), at = cross2(edge, mix(from.at, to.at, t) - p), here = from.height + t * (to.height - from.height);
+      const Real t = start / (start - end), at = cross2(edge, mix(from.at, to.at, t) - p),
+                 here = from.height + t * (to.height - from.height);
       height_low = at < low ? here : height_low;
       height_high = at > high ? here : height_high;
       low = std::min(low, at);

@@ -1,4 +1,5 @@
-// Bodies of revolution by their outlines, which are polygons: around one axis two of them overlap least across an edge of one.
+// Bodies of revolution by their outlines, which are polygons: around one axis two of them overlap least across an edge
+// of one.
 export module abut.narrowphase.outlines;
 import abut.core.standard;
 import abut.math;
@@ -10,8 +11,8 @@ export namespace abut {
 // A segment along Z counts as a cylinder without radius.
 template <class S>
 concept Outlined = SegmentCored<S> || (Convex<S> && requires(const S& shape) {
-  { shape.outline_normals() } -> std::same_as<OutlineNormals>;
-});
+                     { shape.outline_normals() } -> std::same_as<OutlineNormals>;
+                   });
 template <Outlined S>
 [[nodiscard]] inline OutlineNormals outline_normals_of(const S& shape) {
   if constexpr (SegmentCored<S>) {

@@ -1,4 +1,5 @@
-// How deep two cores overlap: all separating axes, or the expanding polytope, which also answers for cores that GJK leaves open.
+// How deep two cores overlap: all separating axes, or the expanding polytope, which also answers for cores that GJK
+// leaves open.
 export module abut.narrowphase.overlap;
 import abut.core.standard;
 import abut.math;
@@ -23,7 +24,8 @@ template <class A, class B>
 concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_axes == 3;
 
 // Under the normal found, with the support points along it.
-[[nodiscard]] inline CoreSeparation separation_under(const SatResult& found, const Vec3& point_a, const Vec3& point_b, Real size) {
+[[nodiscard]] inline CoreSeparation separation_under(const SatResult& found, const Vec3& point_a, const Vec3& point_b,
+                                                     Real size) {
   CoreSeparation core{};
   core.rounding = rounding_of(size);
   core.overlap = true;
@@ -101,7 +103,8 @@ template <FewFaced A, FewFaced B>
 // False where there are too many axes, or rounding leaves the answer in doubt.
 template <Convex A, Convex B>
   requires HullAndSeen<A, B>
-[[nodiscard]] [[gnu::noinline]] bool separate_by_hull_sat(const A& a, const B& b, const Pose& ab, Real size, CoreSeparation& core) {
+[[nodiscard]] [[gnu::noinline]] bool separate_by_hull_sat(const A& a, const B& b, const Pose& ab, Real size,
+                                                          CoreSeparation& core) {
   std::optional<HullSatResult> found = hull_sat(a, b, ab, noise_of(size));
   if (!found) {
     return false;
@@ -119,9 +122,11 @@ template <Convex A, Convex B>
     const Real off = noise_of(size);
     return found->of_edges && squared_norm(cross(support - on, edge)) > off * off * squared_norm(edge) ? on : support;
   };
-  core = separation_under(*found, on_edge(point_a, found->on_a, found->edge_a), on_edge(point_b, found->on_b, found->edge_b), size);
+  core = separation_under(*found, on_edge(point_a, found->on_a, found->edge_a),
+                          on_edge(point_b, found->on_b, found->edge_b), size);
   const Real slack = noise_of(size);
-  const auto is_on = [&]<class S>(const S& shape, const Vec3& own, const Vec3& point, const Vec3& from, const Vec3& edge) {
+  const auto is_on = [&]<class S>(const S& shape, const Vec3& own, const Vec3& point, const Vec3& from,
+                                  const Vec3& edge) {
     if constexpr (Faceted<S>) {
       const Real at = dot(point - from, edge), square = squared_norm(edge), room = slack * std::sqrt(square);
       return at >= -room && at <= square + room;
@@ -153,10 +158,11 @@ template <Convex A, Convex B>
   }
 }
 
-// A hull of discs and a polyhedron or another one, by all directions in which their overlap may be least. False where they hardly overlap, or
-// rounding leaves the answer in doubt.
+// A hull of discs and a polyhedron or another one, by all directions in which their overlap may be least. False where
+// they hardly overlap, or rounding leaves the answer in doubt.
 template <Convex A, Convex B>
-[[nodiscard]] [[gnu::noinline]] bool separate_by_discs(const A& a, const B& b, const Pose& ab, Real size, Real error, CoreSeparation& core) {
+[[nodiscard]] [[gnu::noinline]] bool separate_by_discs(const A& a, const B& b, const Pose& ab, Real size, Real error,
+                                                       CoreSeparation& core) {
   if constexpr (WithDiscs<A, B>) {
     const Real noise = 8 * epsilon * size;
     if constexpr (Outlined<A> && Outlined<B>) {
@@ -179,10 +185,13 @@ template <Convex A, Convex B>
     }
     EpaResult depth{least->depth, least->lower, least->depth, n, under.point_a, under.point_b, 1};
     const bool is_exact = find_disc_witnesses(a, b, ab, under);
-    const auto minimum = is_exact ? std::nullopt : with_difference(a, b, ab, size, [&](const Difference& cores) { return with_points(cores, error, depth); });
-    // Beside a parallel axis a minimum may lie far away along it. Support points then lie across each other but for the tilt of the
-    // axis, which is far below the error.
-    const bool is_held = minimum && holds(a, minimum->point_a, error / 4) && holds(b, ab.undo(minimum->point_b), error / 4);
+    const auto minimum = is_exact ? std::nullopt : with_difference(a, b, ab, size, [&](const Difference& cores) {
+      return with_points(cores, error, depth);
+    });
+    // Beside a parallel axis a minimum may lie far away along it. Support points then lie across each other but for the
+    // tilt of the axis, which is far below the error.
+    const bool is_held =
+        minimum && holds(a, minimum->point_a, error / 4) && holds(b, ab.undo(minimum->point_b), error / 4);
     if (is_exact || (!is_held && find_vertex_witness(a, b, ab, error / 256, under))) {
       depth.point_a = under.point_a;
       depth.point_b = under.point_b;

@@ -16,7 +16,8 @@ export namespace abut {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec3& from = vertices[i].point;
     const Vec3 along = vertices[i + 1 < vertices.size() ? i + 1 : 0].point - from;
-    const Real side = dot(cross(face.normal, along), point - from), square = side * std::fabs(side) / squared_norm(along);
+    const Real side = dot(cross(face.normal, along), point - from),
+               square = side * std::fabs(side) / squared_norm(along);
     least = square < least ? square : least;
   }
   return least > 0 ? std::sqrt(least) : least;
@@ -30,7 +31,8 @@ export namespace abut {
 // Of both edges at their crossing, which is `on_a` and `on_b` in the frame of a. Nothing is left of an edge that is no
 // longer what its body has furthest out: `noise` behind the support point.
 template <Faceted S>
-[[nodiscard]] inline Real room_on_line(const S& hull, std::uint16_t number, const Vec3& point, const Vec3& outward, Real noise) {
+[[nodiscard]] inline Real room_on_line(const S& hull, std::uint16_t number, const Vec3& point, const Vec3& outward,
+                                       Real noise) {
   const auto& line = hull.facets().lines[number];
   const Vec3 from = vec3_of(line.from);
   return std::fabs(dot(outward, point - from)) <= noise ? room_within(from, vec3_of(line.along), point) : -infinity;
@@ -47,7 +49,8 @@ template <FlatEnded S>
   return is_straight ? top->height - std::fabs(point.z) : -infinity;
 }
 template <Edged S>
-[[nodiscard]] inline Real room_on_edge(const S& shape, std::uint16_t number, const Vec3& point, const Vec3& outward, Real noise) {
+[[nodiscard]] inline Real room_on_edge(const S& shape, std::uint16_t number, const Vec3& point, const Vec3& outward,
+                                       Real noise) {
   if constexpr (Faceted<S>) {
     return room_on_line(shape, number, point, outward, noise);
   } else if constexpr (BoxCored<S>) {
@@ -57,12 +60,13 @@ template <Edged S>
   }
 }
 template <Edged A, Edged B>
-[[nodiscard]] inline Real room_on_edges(const A& a, const B& b, const Pose& ab, const PairFeatures& features, const Vec3& normal,
-                                        const Vec3& on_a, const Vec3& on_b, Real noise) {
+[[nodiscard]] inline Real room_on_edges(const A& a, const B& b, const Pose& ab, const PairFeatures& features,
+                                        const Vec3& normal, const Vec3& on_a, const Vec3& on_b, Real noise) {
   const auto& numbers = features.numbers;
   const Vec3 local = ab.undo(on_b), outward = ab.rotation.undo(-normal);
   if constexpr (FlatEnded<A> || FlatEnded<B>) {
-    return std::fmin(room_on_edge(a, numbers[0], on_a, normal, noise), room_on_edge(b, numbers[1], local, outward, noise));
+    return std::fmin(room_on_edge(a, numbers[0], on_a, normal, noise),
+                     room_on_edge(b, numbers[1], local, outward, noise));
   } else if constexpr (Faceted<A> && Faceted<B>) {
     const auto& points = b.facets().points;
     const Vec3 from = vec3_of(points[numbers[1]]);

@@ -108,8 +108,8 @@ struct CrossedEdges {
   Vec3 normal, edge_a, edge_b;
 };
 
-// Two hulls: a line of a, and the vertices of b at the ends of its edge. A hull and a box or a segment: a line of the hull,
-// and an axis of the other one.
+// Two hulls: a line of a, and the vertices of b at the ends of its edge. A hull and a box or a segment: a line of the
+// hull, and an axis of the other one.
 template <Edged A, Edged B>
   requires HullAndSeen<A, B>
 [[nodiscard]] inline CrossedEdges crossed_edges(const A& a, const B& b, const Pose& ab, const PairFeatures& features) {
@@ -144,7 +144,8 @@ template <Edged S>
 template <Edged A, Edged B>
   requires(FlatEnded<A> || FlatEnded<B>)
 [[nodiscard]] inline CrossedEdges crossed_edges(const A& a, const B& b, const Pose& ab, const PairFeatures& features) {
-  const Vec3 along = edge_direction(a, features.numbers[0]), other = ab.rotation * edge_direction(b, features.numbers[1]);
+  const Vec3 along = edge_direction(a, features.numbers[0]),
+             other = ab.rotation * edge_direction(b, features.numbers[1]);
   return {unit_across(along, other, features.side == 1 ? 1 : -1), along, other};
 }
 
@@ -175,7 +176,8 @@ template <Faceted S>
     const std::size_t place = height > most[0] ? 0 : 1;
     if (height > most[place]) {
       most = {place == 0 ? height : most[0], place == 0 ? most[0] : height};
-      found = {place == 0 ? static_cast<std::uint16_t>(i) : found[0], place == 0 ? found[0] : static_cast<std::uint16_t>(i)};
+      found = {place == 0 ? static_cast<std::uint16_t>(i) : found[0],
+               place == 0 ? found[0] : static_cast<std::uint16_t>(i)};
     }
   }
   return found;
@@ -185,14 +187,10 @@ template <Faceted S>
 template <Edged A, Edged B>
 [[nodiscard]] inline CrossedEdges normal_of(const A& a, const B& b, const Pose& ab, const PairFeatures& features) {
   switch (features.kind) {
-    case PairFeatures::Kind::face_of_a:
-      return {normal_of_face_of_a(a, b, ab, features.numbers[0]), {}, {}};
-    case PairFeatures::Kind::face_of_b:
-      return {normal_of_face_of_b(a, b, ab, features.numbers[0]), {}, {}};
-    case PairFeatures::Kind::edges:
-      return crossed_edges(a, b, ab, features);
-    case PairFeatures::Kind::none:
-      break;
+    case PairFeatures::Kind::face_of_a: return {normal_of_face_of_a(a, b, ab, features.numbers[0]), {}, {}};
+    case PairFeatures::Kind::face_of_b: return {normal_of_face_of_b(a, b, ab, features.numbers[0]), {}, {}};
+    case PairFeatures::Kind::edges: return crossed_edges(a, b, ab, features);
+    case PairFeatures::Kind::none: break;
   }
   return {};
 }

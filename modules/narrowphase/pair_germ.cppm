@@ -13,7 +13,9 @@ struct PairGerm {
   InFrame point;
   std::array<Real, 3> part_of_a;  // of each step of a: less than 1 where a parallel one of b is added to it
   [[nodiscard]] inline std::size_t step_count() const { return a.step_count + b.step_count; }
-  [[nodiscard]] inline const InFrame& step(std::size_t i) const { return i < a.step_count ? a.steps[i] : b.steps[i - a.step_count]; }
+  [[nodiscard]] inline const InFrame& step(std::size_t i) const {
+    return i < a.step_count ? a.steps[i] : b.steps[i - a.step_count];
+  }
   [[nodiscard]] inline bool is_of_a(std::size_t i) const { return i < a.step_count; }
   [[nodiscard]] inline const Germ& owner(std::size_t i) const { return is_of_a(i) ? a : b; }
 };
@@ -28,7 +30,8 @@ template <Convex S>
     return shape.germ(frame);
   } else if constexpr (BoxCored<S>) {
     const Vec3 half = shape.half();
-    const Vec3 corner{std::copysign(half.x, frame.n.x), std::copysign(half.y, frame.n.y), std::copysign(half.z, frame.n.z)};
+    const Vec3 corner{std::copysign(half.x, frame.n.x), std::copysign(half.y, frame.n.y),
+                      std::copysign(half.z, frame.n.z)};
     Germ germ = germ_of_point(in_frame(frame, corner));
     const auto step_along = [&](Real full, Real n, Real x, Real y) {
       if (full != 0) {
@@ -62,7 +65,8 @@ template <Convex S>
 }
 
 template <Convex A, Convex B>
-[[nodiscard]] [[gnu::always_inline]] inline PairGerm pair_germ(const A& a, const B& b, const Pose& ab, const GermFrame& frame) {
+[[nodiscard]] [[gnu::always_inline]] inline PairGerm pair_germ(const A& a, const B& b, const Pose& ab,
+                                                               const GermFrame& frame) {
   const GermFrame frame_b{ab.rotation.undo(-frame.n), ab.rotation.undo(-frame.x), ab.rotation.undo(-frame.y)};
   PairGerm germ;
   germ.a = germ_of(a, frame);

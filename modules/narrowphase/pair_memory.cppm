@@ -24,15 +24,15 @@ struct PairFeatures {
 // taken off where they are stored. A cache line of its own: threads write memories of neighbours at once.
 struct alignas(64) PairMemory {
   enum class State : std::uint8_t { nothing, apart, touching, touching_with_ball };
-  std::array<float, 3> vector;           // apart: from a to b, about unit; else where the ball would be with the pivot at zero
-  float length;                          // apart: the gap with the pivot at zero; else the radius of the ball
-  std::array<float, 3> turn_x, turn_y;   // of b, as it was
-  float reach;                           // no point of the core of b is further from the pivot
+  std::array<float, 3> vector;  // apart: from a to b, about unit; else where the ball would be with the pivot at zero
+  float length;                 // apart: the gap with the pivot at zero; else the radius of the ball
+  std::array<float, 3> turn_x, turn_y;  // of b, as it was
+  float reach;                          // no point of the core of b is further from the pivot
   PairFeatures features;
   State state;
-  std::uint8_t debts;                    // searches that balls have yet to spare to be worth their cost
-  std::uint8_t waits;                    // searches to go before the next ball is looked for
-  bool is_from_b;                        // for callers that choose which shape comes first: whether it was the second one
+  std::uint8_t debts;  // searches that balls have yet to spare to be worth their cost
+  std::uint8_t waits;  // searches to go before the next ball is looked for
+  bool is_from_b;      // for callers that choose which shape comes first: whether it was the second one
 };
 static_assert(sizeof(PairMemory) <= 64 && std::is_trivially_copyable_v<PairMemory>);
 
@@ -41,7 +41,9 @@ inline constexpr std::uint32_t no_memory = 0xffffffff;
 // Larger than the relative rounding of single precision.
 inline constexpr Real single_rounding = 1.5e-7;
 
-[[nodiscard]] inline Vec3 vec3_of(const std::array<float, 3>& v) { return {static_cast<Real>(v[0]), static_cast<Real>(v[1]), static_cast<Real>(v[2])}; }
+[[nodiscard]] inline Vec3 vec3_of(const std::array<float, 3>& v) {
+  return {static_cast<Real>(v[0]), static_cast<Real>(v[1]), static_cast<Real>(v[2])};
+}
 [[nodiscard]] inline std::array<float, 3> singles_of(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -63,7 +65,8 @@ inline void keep_turn(const Rotation& now, Real reach, PairMemory& memory) {
 // A lower bound of the gap along the kept direction; `pivot` of b in the frame of a.
 [[nodiscard]] inline Real gap_kept(const PairMemory& memory, const Rotation& now, const Vec3& pivot) {
   const Vec3 direction = vec3_of(memory.vector);
-  const Real gap = static_cast<Real>(memory.length) + dot(direction, pivot) - (1 + 4 * single_rounding) * turned_by(memory, now);
+  const Real gap =
+      static_cast<Real>(memory.length) + dot(direction, pivot) - (1 + 4 * single_rounding) * turned_by(memory, now);
   return gap * (1 - 4 * single_rounding);
 }
 // `gap`: along the kept direction, measured.
@@ -99,7 +102,8 @@ inline constexpr Real disc_share = 0.9;
 // holds all directions away from that of the facet at `depth` at least, away from it by more than `margin`: then no
 // other facet is nearer. In the plane of the normal and any other direction the disc reaches `depth` up to the angle
 // with the tangent of half of it clearance / depth; from there on the ball has to.
-[[nodiscard]] inline bool is_least_depth(Real depth, const Vec3& normal, Real clearance, const InnerBall& ball, Real margin) {
+[[nodiscard]] inline bool is_least_depth(Real depth, const Vec3& normal, Real clearance, const InnerBall& ball,
+                                         Real margin) {
   if (!(clearance > 0 && ball.radius > 0)) {
     return false;
   }
@@ -108,8 +112,8 @@ inline constexpr Real disc_share = 0.9;
   const Real aside = std::sqrt(std::max(squared_norm(ball.centre) - along * along, Real{0}));
   const Real squares = 1 / (depth * depth + disc * disc);
   const Real cosine = (depth * depth - disc * disc) * squares, sine = 2 * depth * disc * squares;
-  // Of the directions with this angle the worst one leads away from the ball, and those beyond it are better, unless the
-  // direction straight away from the ball is one of them.
+  // Of the directions with this angle the worst one leads away from the ball, and those beyond it are better, unless
+  // the direction straight away from the ball is one of them.
   const bool is_growing = -along * sine - aside * cosine >= 0;
   const Real least = is_growing ? along * cosine - aside * sine : -norm(ball.centre);
   return least + ball.radius >= depth + margin;

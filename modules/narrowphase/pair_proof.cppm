@@ -33,7 +33,9 @@ template <Convex S>
 }
 
 // Below this distance or depth searches may take a touch for an overlap, or the other way round.
-[[nodiscard]] inline Real doubt_of(Real size, Real error) { return 2 * (error + unproven_limit * touching_distance(size)); }
+[[nodiscard]] inline Real doubt_of(Real size, Real error) {
+  return 2 * (error + unproven_limit * touching_distance(size));
+}
 
 // Whether the direction that is kept shows that the cores are further apart than `limit`.
 template <Convex A, Convex B>
@@ -59,8 +61,8 @@ inline constexpr Real gap_share = 0.1;
 
 // Looks for a direction that shows cores to be apart, and keeps it.
 template <Convex A, Convex B>
-[[nodiscard]] [[gnu::noinline]] bool find_apart(const A& a, const B& b, const Pose& ab, Real size, Real error, Real limit,
-                                                PairMemory& memory) {
+[[nodiscard]] [[gnu::noinline]] bool find_apart(const A& a, const B& b, const Pose& ab, Real size, Real error,
+                                                Real limit, PairMemory& memory) {
   const Vec3 pivot = placed_centre(b, ab);
   const Real wanted = std::max(limit, Real{0}) + gap_share * (a.extent() + b.extent());
   const GjkResult near = gjk(a, b, ab, pivot - a.centre(), size, gap_share * wanted, wanted);
@@ -120,13 +122,14 @@ template <Edged A, Edged B>
     return false;
   }
   const bool of_edges = features.kind == PairFeatures::Kind::edges;
-  core = separation_under({separation, crossed.normal, 0, of_edges, crossed.edge_a, crossed.edge_b}, point_a, point_b, size);
+  core = separation_under({separation, crossed.normal, 0, of_edges, crossed.edge_a, crossed.edge_b}, point_a, point_b,
+                          size);
   return true;
 }
 
-// The room in the facet that the features make of the Minkowski difference, around its point nearest to the origin; both
-// supporting faces in the frame of a. Nothing where another face of nearly the same normal is as deep within rounding, so
-// that the search may prefer it.
+// The room in the facet that the features make of the Minkowski difference, around its point nearest to the origin;
+// both supporting faces in the frame of a. Nothing where another face of nearly the same normal is as deep within
+// rounding, so that the search may prefer it.
 template <Edged A, Edged B>
   requires Featured<A, B>
 [[nodiscard]] inline Real clearance_of(const A& a, const B& b, const Pose& ab, Real size, Real error,
@@ -161,20 +164,23 @@ template <Edged A, Edged B>
                                          PairMemory& memory) {
   const Real clearance = clearance_of(a, b, ab, size, error, memory.features, core, face_a, face_b);
   const Real margin = 4 * blur_of(a, b, size, error), depth = -core.distance;
-  bool is_least = memory.state == PairMemory::State::touching_with_ball &&
-                  is_least_depth(depth, core.normal, clearance, ball_kept(memory, ab.rotation, placed_centre(b, ab)), margin);
+  bool is_least =
+      memory.state == PairMemory::State::touching_with_ball &&
+      is_least_depth(depth, core.normal, clearance, ball_kept(memory, ab.rotation, placed_centre(b, ab)), margin);
   if (!is_least) {
     const InnerBall of_a = inner_ball(a), of_b = inner_ball(b);
-    is_least = is_least_depth(depth, core.normal, clearance, {of_a.centre - ab * of_b.centre, of_a.radius + of_b.radius}, margin);
+    is_least = is_least_depth(depth, core.normal, clearance,
+                              {of_a.centre - ab * of_b.centre, of_a.radius + of_b.radius}, margin);
   }
   memory.debts = is_least && memory.debts > 0 ? static_cast<std::uint8_t>(memory.debts - 1) : memory.debts;
   return is_least;
 }
 
-// Whether a face has a point that is as deep as the cores are along its normal. One that a round core leans beyond has none,
-// and another normal is as good within the bound.
+// Whether a face has a point that is as deep as the cores are along its normal. One that a round core leans beyond has
+// none, and another normal is as good within the bound.
 template <Convex A, Convex B>
-[[nodiscard]] [[gnu::noinline]] bool meets_on_face(const A& a, const B& b, const Pose& ab, const CoreSeparation& along) {
+[[nodiscard]] [[gnu::noinline]] bool meets_on_face(const A& a, const B& b, const Pose& ab,
+                                                   const CoreSeparation& along) {
   CoreSeparation core = along;
   if (find_round_witness(a, b, ab, core)) {
     return true;
@@ -184,14 +190,17 @@ template <Convex A, Convex B>
   [[clang::uninitialized]] ClipPoints region;
   find_common_region(a, b, ab, face_a, face_b, along.normal, region);
   const Real deepest = along.distance + curve_blur(core_size(a, b, ab));
-  return std::ranges::any_of(region.span(), [&](const ClipPoint& point) { return dot(point.point_b - point.point_a, along.normal) <= deepest; });
+  return std::ranges::any_of(region.span(), [&](const ClipPoint& point) {
+    return dot(point.point_b - point.point_a, along.normal) <= deepest;
+  });
 }
 
-// An expanding polytope comes near the normal of features, within its bound; what the features themselves give is exact,
-// and the same whatever the search went through.
+// An expanding polytope comes near the normal of features, within its bound; what the features themselves give is
+// exact, and the same whatever the search went through.
 template <Convex A, Convex B>
   requires Featured<A, B>
-[[gnu::noinline]] void settle_on_features(const A& a, const B& b, const Pose& ab, Real size, Real error, CoreSeparation& core) {
+[[gnu::noinline]] void settle_on_features(const A& a, const B& b, const Pose& ab, Real size, Real error,
+                                          CoreSeparation& core) {
   const Real noise = noise_of(size);
   if (!has_features(a, noise) || !has_features(b, noise)) {
     return;
@@ -233,18 +242,19 @@ template <Convex A, Convex B>
   }
 }
 
-// How far beyond the facet the centre of a ball is looked for: in part of the cores' own balls and of the depth (measured).
+// How far beyond the facet the centre of a ball is looked for: in part of the cores' own balls and of the depth
+// (measured).
 inline constexpr Real ball_share_of_cores = 0.1, ball_share_of_depth = 0.5;
-// A ball costs about as much as two searches that are spared pay back. Each one that is owed doubles the number of searches
-// that the next ball waits for.
+// A ball costs about as much as two searches that are spared pay back. Each one that is owed doubles the number of
+// searches that the next ball waits for.
 inline constexpr std::uint8_t debts_of_a_ball = 2, most_debts = 7;
 
 // Keeps the features of an overlap that a search has found. Where they are the same as before, the proof has failed for
 // want of a ball: the depth of a point deeper inside the difference is the radius of one.
 template <Edged A, Edged B>
   requires Featured<A, B>
-[[gnu::noinline]] void keep_overlap(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Real size, Real error,
-                                    const CoreSeparation& core, PairMemory& memory) {
+[[gnu::noinline]] void keep_overlap(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Real size,
+                                    Real error, const CoreSeparation& core, PairMemory& memory) {
   const bool have_features = has_features(a, noise_of(size)) && has_features(b, noise_of(size));
   const PairFeatures features = have_features ? features_of(a, b, ab, core.normal) : PairFeatures{};
   if (features.kind == PairFeatures::Kind::none) {
@@ -275,7 +285,8 @@ template <Edged A, Edged B>
   if (!(clearance > 0)) {
     return;
   }
-  const CoreSeparation deeper = separate_cores(a, b, {ab.rotation, ab.position - beyond * core.normal}, settings, infinity);
+  const CoreSeparation deeper =
+      separate_cores(a, b, {ab.rotation, ab.position - beyond * core.normal}, settings, infinity);
   const InnerBall ball{-beyond * core.normal, -deeper.upper - deeper.rounding - noise_of(size)};
   if (is_least_depth(depth, core.normal, clearance, ball, 4 * blur_of(a, b, size, error))) {
     keep_ball(ball, ab.rotation, placed_centre(b, ab), core_reach(b), memory);

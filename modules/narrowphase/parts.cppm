@@ -56,7 +56,8 @@ void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
 }
 
 template <Surface A, Convex B>
-[[nodiscard]] Outcome parts_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+[[nodiscard]] Outcome parts_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                     Distance& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -66,7 +67,8 @@ template <Surface A, Convex B>
 }
 
 template <Surface A, Convex B>
-[[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+[[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                     Manifold& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -79,7 +81,8 @@ template <Surface A, Convex B>
 
 // Two surfaces: the parts of b one by one, each a convex shape to a.
 template <Surface A, Surface B>
-[[nodiscard]] Outcome surfaces_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+[[nodiscard]] Outcome surfaces_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                        Distance& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -95,7 +98,8 @@ template <Surface A, Surface B>
 }
 
 template <Surface A, Surface B>
-[[nodiscard]] Outcome surfaces_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+[[nodiscard]] Outcome surfaces_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                        Manifold& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -111,7 +115,8 @@ template <Surface A, Surface B>
 
 // A half-space against every part: what lies behind the plane counts.
 template <HalfSpace A, Surface B>
-[[nodiscard]] Outcome half_space_parts_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+[[nodiscard]] Outcome half_space_parts_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                                Distance& out) {
   out = no_distance();
   Aabb everything = Aabb::everything();
   Outcome outcome = Outcome::ok;
@@ -126,7 +131,8 @@ template <HalfSpace A, Surface B>
 }
 
 template <HalfSpace A, Surface B>
-[[nodiscard]] Outcome half_space_parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+[[nodiscard]] Outcome half_space_parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                                Manifold& out) {
   Aabb everything = Aabb::everything();
   Outcome outcome = Outcome::ok;
   b.visit_parts(everything, [&](const typename B::Part& part, std::uint32_t index) {

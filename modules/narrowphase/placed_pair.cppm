@@ -1,5 +1,6 @@
-// Closed forms of two convex shapes that are both placed in the world. A point looks the same from everywhere and a segment
-// is known by its axis, so that such pairs are answered without turning one into the frame of the other and back.
+// Closed forms of two convex shapes that are both placed in the world. A point looks the same from everywhere and a
+// segment is known by its axis, so that such pairs are answered without turning one into the frame of the other and
+// back.
 export module abut.narrowphase.placed_pair;
 import abut.core;
 import abut.core.standard;
@@ -50,13 +51,15 @@ template <Convex A, Convex B, class Append>
                                                                       const Pose& pose_b, const QuerySettings& settings,
                                                                       Append&& append) {
   const Pose ab = shifted(pose_a, pose_b);
-  const Lanes axis_a = lanes_of(pose_a.rotation.z), axis_b = lanes_of(pose_b.rotation.z), across = cross(axis_a, axis_b);
+  const Lanes axis_a = lanes_of(pose_a.rotation.z), axis_b = lanes_of(pose_b.rotation.z),
+              across = cross(axis_a, axis_b);
   const Real square = dot(across, across);
   if (!takes_closed_forms(settings.algorithm) || !(square > parallel_sine * parallel_sine)) {
     return false;
   }
   const Real size = core_size(a, b, ab), error = error_of(a, b, size, settings);
-  const NearPoints near = near_points_of_segments({axis_a, a.half().z}, {axis_b, b.half().z}, lanes_of(ab.position), square);
+  const NearPoints near =
+      near_points_of_segments({axis_a, a.half().z}, {axis_b, b.half().z}, lanes_of(ab.position), square);
   if (!is_settled(near, size, error)) {
     return false;
   }

@@ -172,16 +172,20 @@ FlatDifference Polytope::start(const Simplex& simplex, Real noise, const Differe
 
   const Vec3 origin = vertices_[0].w;
   const Real wide = 1e3 * noise;  // extents that leave the digits of a normal in order
-  if (!grow([&](const Vec3& w) { return norm(w - origin); }, std::array<Vec3, 3>{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, wide)) {
+  if (!grow([&](const Vec3& w) { return norm(w - origin); },
+            std::array<Vec3, 3>{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, wide)) {
     return {true, {0, 0, 1}};
   }
   const Vec3 along = UnitVec3::make(vertices_[1].w - origin).value_or(UnitVec3::axis_z());
   const Tangents across = tangents_of(along);
-  if (!grow([&](const Vec3& w) { return norm(cross(along, w - origin)); },
-            std::array<Vec3, 4>{across.first, across.second, across.first + across.second, across.first - across.second}, wide)) {
+  if (!grow(
+          [&](const Vec3& w) { return norm(cross(along, w - origin)); },
+          std::array<Vec3, 4>{across.first, across.second, across.first + across.second, across.first - across.second},
+          wide)) {
     return {true, across.first};
   }
-  const Vec3 normal = UnitVec3::make(cross(vertices_[1].w - origin, vertices_[2].w - origin)).value_or(UnitVec3::axis_z());
+  const Vec3 normal =
+      UnitVec3::make(cross(vertices_[1].w - origin, vertices_[2].w - origin)).value_or(UnitVec3::axis_z());
   if (!grow([&](const Vec3& w) { return std::fabs(dot(normal, w - origin)); }, std::array<Vec3, 1>{normal}, wide)) {
     return {true, normal};
   }

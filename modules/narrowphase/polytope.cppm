@@ -111,8 +111,12 @@ class Polytope {
   // Edge i of a face leads from its corner i to the next one; as a number it is 4 face + i.
   using Edge = std::uint16_t;
   [[nodiscard]] static constexpr std::size_t face_of(Edge edge) { return edge / 4u; }
-  [[nodiscard]] static constexpr Edge edge_of(std::size_t face, std::size_t i) { return static_cast<Edge>(4 * face + i); }
-  [[nodiscard]] static constexpr Edge after(Edge edge) { return static_cast<Edge>(edge % 4 == 2 ? edge - 2 : edge + 1); }
+  [[nodiscard]] static constexpr Edge edge_of(std::size_t face, std::size_t i) {
+    return static_cast<Edge>(4 * face + i);
+  }
+  [[nodiscard]] static constexpr Edge after(Edge edge) {
+    return static_cast<Edge>(edge % 4 == 2 ? edge - 2 : edge + 1);
+  }
   [[nodiscard]] inline std::uint16_t start_of(Edge edge) const { return corners_[edge / 4u][edge % 4u]; }
   [[nodiscard]] inline Edge across(Edge edge) const { return neighbours_[edge / 4u][edge % 4u]; }
   inline void join(Edge edge, Edge other) {
@@ -141,13 +145,13 @@ class Polytope {
   }
 
   std::array<DifferenceVertex, vertex_limit> vertices_;
-  std::array<Lanes, vertex_limit> points_;            // their w
-  std::array<Lanes, face_limit> planes_;              // normal and distance; of a face that any point sees: 0, -infinity
-  std::array<Lanes, face_limit / 4> distances_;       // infinity where there is no face, or none with area
+  std::array<Lanes, vertex_limit> points_;       // their w
+  std::array<Lanes, face_limit> planes_;         // normal and distance; of a face that any point sees: 0, -infinity
+  std::array<Lanes, face_limit / 4> distances_;  // infinity where there is no face, or none with area
   std::array<std::array<std::uint16_t, 4>, face_limit> corners_;  // the fourth is not used, here and below
   std::array<std::array<Edge, 4>, face_limit> neighbours_;        // the same edge as edge of the face beyond
   std::array<std::uint8_t, face_limit> visible_;
-  std::array<std::uint16_t, face_limit> free_;        // faces below face_count_ that are not in use
+  std::array<std::uint16_t, face_limit> free_;  // faces below face_count_ that are not in use
   std::size_t vertex_count_ = 0;
   std::size_t face_count_ = 0;
   std::size_t free_count_ = 0;

@@ -12,7 +12,8 @@ import abut.shape;
 namespace abut {
 namespace {
 
-// Depths below this share of the size are those of needles and plates, or of touching cores: polytopes of slivers prove nothing there.
+// Depths below this share of the size are those of needles and plates, or of touching cores: polytopes of slivers prove
+// nothing there.
 constexpr Real sliver_share = 3e-8;
 
 [[nodiscard]] EpaResult depth_by_polytope(const Difference& cores, Real error, const Simplex& start) {

@@ -1,5 +1,6 @@
-// The rim where the surfaces of two bodies cross: its point near a place, and its point nearest to a third body or deepest in it.
-// Bodies are functions from a point to the signed distance from the body to it, nothing where that has no answer.
+// The rim where the surfaces of two bodies cross: its point near a place, and its point nearest to a third body or
+// deepest in it. Bodies are functions from a point to the signed distance from the body to it, nothing where that has
+// no answer.
 export module abut.narrowphase.rim_point;
 import abut.core.standard;
 import abut.math;
@@ -14,7 +15,8 @@ struct RimPoint {
 
 // On both surfaces by Newton steps within their tangent planes, and along the rim towards the place.
 template <class ToFirst, class ToSecond>
-[[nodiscard]] std::optional<RimPoint> rim_point_near(const Vec3& place, Real noise, const ToFirst& to_first, const ToSecond& to_second) {
+[[nodiscard]] std::optional<RimPoint> rim_point_near(const Vec3& place, Real noise, const ToFirst& to_first,
+                                                     const ToSecond& to_second) {
   constexpr int steps = 48;
   Vec3 at = place;
   for (int step = 0; step < steps; ++step) {
@@ -45,11 +47,12 @@ struct RimContact {
   Distance found;
 };
 
-// Down the signed distance along the rim from one of its points, in strides that double until it rises, then between the last two
-// by where it falls and rises. `rim_near`: the point of the rim near a place; `to_body`: the distance from a point to the body;
-// `reach`: about how large the body is.
+// Down the signed distance along the rim from one of its points, in strides that double until it rises, then between
+// the last two by where it falls and rises. `rim_near`: the point of the rim near a place; `to_body`: the distance from
+// a point to the body; `reach`: about how large the body is.
 template <class RimNear, class ToBody>
-[[nodiscard]] RimContact nearest_on_rim(const RimContact& start, Real reach, Real noise, const RimNear& rim_near, const ToBody& to_body) {
+[[nodiscard]] RimContact nearest_on_rim(const RimContact& start, Real reach, Real noise, const RimNear& rim_near,
+                                        const ToBody& to_body) {
   constexpr int strides = 16, cuts = 48;
   struct Side {
     RimContact contact;
@@ -100,10 +103,13 @@ template <class RimNear, class ToBody>
     if (!(std::fmax(-before.slope, after->slope) * length > noise)) {
       break;
     }
-    // Where the tangents meet finds corners at once, where the slope would vanish round bottoms; the middle bounds the work.
-    const Real meet = (after->slope + (left.found.distance - right.found.distance) / length) / bend, zero = -before.slope / bend;
+    // Where the tangents meet finds corners at once, where the slope would vanish round bottoms; the middle bounds the
+    // work.
+    const Real meet = (after->slope + (left.found.distance - right.found.distance) / length) / bend,
+               zero = -before.slope / bend;
     const Real cut = i % 3 == 0 ? meet : i % 3 == 1 ? zero : Real{0.5};
-    const std::optional<Side> middle = look(left.rim.place + std::clamp(cut, Real{0.01}, Real{0.99}) * chord, left.rim.along);
+    const std::optional<Side> middle =
+        look(left.rim.place + std::clamp(cut, Real{0.01}, Real{0.99}) * chord, left.rim.along);
     if (!middle) {
       break;
     }

@@ -1,6 +1,6 @@
-// A rim around a body, seen from the axis of another one: in the half plane through that axis it is a closed curve. Its points that
-// are nearest to a corner or to a line there are found by dividing arcs of the rim until all in them is too far, or a derivative
-// has one sign all along: of the distance, or of its derivative.
+// A rim around a body, seen from the axis of another one: in the half plane through that axis it is a closed curve. Its
+// points that are nearest to a corner or to a line there are found by dividing arcs of the rim until all in them is too
+// far, or a derivative has one sign all along: of the distance, or of its derivative.
 export module abut.narrowphase.rim_walk;
 import abut.core.standard;
 import abut.math;
@@ -12,11 +12,21 @@ export namespace abut {
 struct Around {
   Lanes middle, spread;
 };
-[[nodiscard]] [[gnu::always_inline]] inline Around operator+(const Around& a, const Around& b) { return {a.middle + b.middle, a.spread + b.spread}; }
-[[nodiscard]] [[gnu::always_inline]] inline Around operator-(const Around& a, const Around& b) { return {a.middle - b.middle, a.spread + b.spread}; }
-[[nodiscard]] [[gnu::always_inline]] inline Around operator+(const Around& a, Real b) { return {a.middle + b, a.spread}; }
-[[nodiscard]] [[gnu::always_inline]] inline Around operator-(const Around& a, Real b) { return {a.middle - b, a.spread}; }
-[[nodiscard]] [[gnu::always_inline]] inline Around operator*(Real a, const Around& b) { return {a * b.middle, std::fabs(a) * b.spread}; }
+[[nodiscard]] [[gnu::always_inline]] inline Around operator+(const Around& a, const Around& b) {
+  return {a.middle + b.middle, a.spread + b.spread};
+}
+[[nodiscard]] [[gnu::always_inline]] inline Around operator-(const Around& a, const Around& b) {
+  return {a.middle - b.middle, a.spread + b.spread};
+}
+[[nodiscard]] [[gnu::always_inline]] inline Around operator+(const Around& a, Real b) {
+  return {a.middle + b, a.spread};
+}
+[[nodiscard]] [[gnu::always_inline]] inline Around operator-(const Around& a, Real b) {
+  return {a.middle - b, a.spread};
+}
+[[nodiscard]] [[gnu::always_inline]] inline Around operator*(Real a, const Around& b) {
+  return {a * b.middle, std::fabs(a) * b.spread};
+}
 [[nodiscard]] [[gnu::always_inline]] inline Around operator*(const Around& a, const Around& b) {
   return {a.middle * b.middle, absolute(a.middle) * b.spread + a.spread * (absolute(b.middle) + b.spread)};
 }
@@ -45,14 +55,19 @@ inline constexpr std::array<Opening, level_count> openings = [] {
   std::array<Opening, level_count> result{};
   Real angle = right_angle / 6;
   for (Opening& opening : result) {
-    opening = {angle, sine_of(right_angle - angle), sine_of(angle), sine_of(right_angle - 3 * angle), sine_of(3 * angle), 2 * sine_of(angle / 2)};
+    opening = {angle,
+               sine_of(right_angle - angle),
+               sine_of(angle),
+               sine_of(right_angle - 3 * angle),
+               sine_of(3 * angle),
+               2 * sine_of(angle / 2)};
     angle /= 4;
   }
   return result;
 }();
 
-// A rim around its middle, in a frame of the other body: z is its axis, and y is across both axes. Its point at an angle t is
-// middle + (along_x cos t, radius sin t, along_z cos t).
+// A rim around its middle, in a frame of the other body: z is its axis, and y is across both axes. Its point at an
+// angle t is middle + (along_x cos t, radius sin t, along_z cos t).
 struct RimWalk {
   Vec3 middle;
   Real radius, along_x, along_z;
@@ -80,7 +95,8 @@ template <class Number>
   return {x, y, walk.middle.z + walk.along_z * cosine, root(x * x + y * y)};
 }
 template <class Number>
-[[nodiscard]] [[gnu::always_inline]] inline RimCurve<Number> curve_at(const RimWalk& walk, const RimPlace<Number>& at, Number cosine, Number sine) {
+[[nodiscard]] [[gnu::always_inline]] inline RimCurve<Number> curve_at(const RimWalk& walk, const RimPlace<Number>& at,
+                                                                      Number cosine, Number sine) {
   const Real ahead = walk.middle.x * walk.along_x, across = walk.middle.y * walk.radius;
   const Real twice = walk.radius * walk.radius - walk.along_x * walk.along_x;
   const Number half = across * cosine - ahead * sine + twice * (cosine * sine);
@@ -88,20 +104,28 @@ template <class Number>
   return {at.z, -walk.along_z * sine, -walk.along_z * cosine, at.out, half / at.out, half, d_half};
 }
 // The same all along four arcs.
-[[nodiscard]] [[gnu::always_inline]] inline RimCurve<Around> curve_around(const RimWalk& walk, const RimCurve<Lanes>& at, Lanes cosine, Lanes sine,
-                                                                       const Opening& opening) {
+[[nodiscard]] [[gnu::always_inline]] inline RimCurve<Around> curve_around(const RimWalk& walk,
+                                                                          const RimCurve<Lanes>& at, Lanes cosine,
+                                                                          Lanes sine, const Opening& opening) {
   const Real ahead = walk.middle.x * walk.along_x, across = walk.middle.y * walk.radius;
   const Real twice = walk.radius * walk.radius - walk.along_x * walk.along_x;
-  const Real back = 1 - opening.cosine, twice_back = 2 * opening.sine * opening.sine, twice_aside = 2 * opening.sine * opening.cosine;
+  const Real back = 1 - opening.cosine, twice_back = 2 * opening.sine * opening.sine,
+             twice_aside = 2 * opening.sine * opening.cosine;
   const Lanes once_value = ahead * cosine + across * sine, once_slope = across * cosine - ahead * sine;
   const Lanes double_sine = twice * (cosine * sine), double_cosine = twice * (cosine * cosine - sine * sine);
-  const Lanes first = absolute(once_value), second = absolute(once_slope), third = absolute(double_sine), fourth = absolute(double_cosine);
+  const Lanes first = absolute(once_value), second = absolute(once_slope), third = absolute(double_sine),
+              fourth = absolute(double_cosine);
   const Around half{at.half, opening.sine * first + back * second + 0.5 * twice_aside * fourth + twice_back * third};
   const Around d_half{at.d_half, opening.sine * second + back * first + 2 * twice_aside * third + twice_back * fourth};
   const Around out{at.out, all_lanes(walk.radius * opening.chord)};
   const Lanes rise = absolute(at.dz), bow = absolute(at.ddz);
-  return {{at.z, opening.sine * rise + back * bow}, {at.dz, opening.sine * bow + back * rise}, {at.ddz, opening.sine * rise + back * bow},
-          out, half / out, half, d_half};
+  return {{at.z, opening.sine * rise + back * bow},
+          {at.dz, opening.sine * bow + back * rise},
+          {at.ddz, opening.sine * rise + back * bow},
+          out,
+          half / out,
+          half,
+          d_half};
 }
 
 struct RimArc {
@@ -109,13 +133,15 @@ struct RimArc {
   std::size_t level;  // of what it is divided into
 };
 
-// Newton's method doubles the digits, and the depth is off by the square of what is left: no step after one as short as this.
+// Newton's method doubles the digits, and the depth is off by the square of what is left: no step after one as short as
+// this.
 inline constexpr Real last_step = 1e-5;
 
-// Where the slope vanishes in an arc in which it grows, within what is left; an end, where it does not. `turn`: by how much the
-// method would step from the middle.
+// Where the slope vanishes in an arc in which it grows, within what is left; an end, where it does not. `turn`: by how
+// much the method would step from the middle.
 template <class Aim>
-[[nodiscard]] RimPlace<Real> lowest_in(const RimWalk& walk, const Aim& aim, Real cosine, Real sine, const Opening& opening, Real turn, Real size) {
+[[nodiscard]] RimPlace<Real> lowest_in(const RimWalk& walk, const Aim& aim, Real cosine, Real sine,
+                                       const Opening& opening, Real turn, Real size) {
   // Tangents of half the angle from the middle: sines and cosines without series.
   const Real end = opening.sine / (1 + opening.cosine);
   Real low = turn < 0 ? -end : 0, high = turn < 0 ? 0 : end, at = 0;
@@ -140,8 +166,8 @@ template <class Aim>
   }
 }
 
-// Visits each point of a walk at which it is nearest to what is aimed for, and nearer than the least depth. False where that
-// cannot be told.
+// Visits each point of a walk at which it is nearest to what is aimed for, and nearer than the least depth. False where
+// that cannot be told.
 template <class Aim, class Visit>
 [[nodiscard]] bool walk_around(const RimWalk& walk, const Aim& aim, Real size, const DiscDepth& least, Visit&& visit) {
   constexpr int cut_limit = 256;

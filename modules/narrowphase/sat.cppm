@@ -18,8 +18,9 @@ struct SatResult {
 
 // The unit normal across two edges, whose cross product has this square.
 //
-// Of nearly parallel edges the product is off by rounding of their lengths, which are long beside it. What leads along the
-// edges would come back multiplied by them: it is taken out. Across them the edges are short, and what is left is rounding.
+// Of nearly parallel edges the product is off by rounding of their lengths, which are long beside it. What leads along
+// the edges would come back multiplied by them: it is taken out. Across them the edges are short, and what is left is
+// rounding.
 [[nodiscard]] inline Vec3 unit_across_edges(const Vec3& edge_a, const Vec3& edge_b, const Vec3& product, Real square) {
   const Vec3 n = (1 / std::sqrt(square)) * product;
   const Real square_a = squared_norm(edge_a);

@@ -17,8 +17,9 @@ struct CentredSegment {
 }
 
 // The segment a around the origin and b around `centre`. `square`: of the sine between both, which is not zero.
-[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_of_segments(const CentredSegment& a, const CentredSegment& b,
-                                                                               Lanes centre, Real square) {
+[[nodiscard]] [[gnu::always_inline]] inline NearPoints near_points_of_segments(const CentredSegment& a,
+                                                                               const CentredSegment& b, Lanes centre,
+                                                                               Real square) {
   const auto limited = [](Real s, Real most) { return s < -most ? -most : s > most ? most : s; };
   const Real cosine = dot(a.axis, b.axis), from_a = dot(a.axis, centre), from_b = dot(b.axis, centre);
   // Between the lines, then each point under the other one.

@@ -46,8 +46,8 @@ inline constexpr Real projection_limit = 1e-5;
 // Boxes, segments and points, without GJK. False when rounding or too slow progress leaves the answer
 // to it; `toward` is then the direction from a to b that was reached.
 template <BoxCored A, BoxCored B>
-[[nodiscard]] inline bool separate_box_cores(const A& a, const B& b, const Pose& ab, Real size, Real error, Real limit, Vec3& toward,
-                                             CoreSeparation& core) {
+[[nodiscard]] inline bool separate_box_cores(const A& a, const B& b, const Pose& ab, Real size, Real error, Real limit,
+                                             Vec3& toward, CoreSeparation& core) {
   if constexpr (TwoBoxes<A, B>) {
     // Whoever wants contacts mostly asks about boxes that overlap, or are known apart by an axis.
     if (limit < infinity) {
@@ -95,7 +95,8 @@ concept PointAndField = (PointCored<A> && Field<B>) || (Field<A> && PointCored<B
 
 template <Convex A, Convex B>
   requires PointAndField<A, B>
-[[nodiscard]] [[gnu::always_inline]] inline CoreSeparation separate_point(const A& a, const B& b, const Pose& ab, Real size) {
+[[nodiscard]] [[gnu::always_inline]] inline CoreSeparation separate_point(const A& a, const B& b, const Pose& ab,
+                                                                          Real size) {
   CoreSeparation core{};
   core.rounding = rounding_of(size);
   core.algorithm = Algorithm::analytic;
@@ -120,7 +121,8 @@ template <Convex A, Convex B>
 
 // Whether the normal of cores that nearly touch is rounding, although their distance was proven on the way.
 template <Convex A, Convex B>
-[[nodiscard]] inline bool is_turned(const A& a, const B& b, const Pose& ab, const GjkResult& near, Real size, Real error) {
+[[nodiscard]] inline bool is_turned(const A& a, const B& b, const Pose& ab, const GjkResult& near, Real size,
+                                    Real error) {
   constexpr Real near_share = 1e-2;  // of the size, beyond which normals lose too few digits to tell
   if (!(near.upper <= near_share * size)) {
     return false;
@@ -130,8 +132,8 @@ template <Convex A, Convex B>
 }
 
 // The closest points and the bounds that a search has found, of cores that are apart.
-[[nodiscard]] inline CoreSeparation separation_of(const GjkResult& found, const Vec3& point_a, const Vec3& point_b, Real size,
-                                                   std::uint32_t iterations_before) {
+[[nodiscard]] inline CoreSeparation separation_of(const GjkResult& found, const Vec3& point_a, const Vec3& point_b,
+                                                  Real size, std::uint32_t iterations_before) {
   CoreSeparation core{};
   core.rounding = rounding_of(size);
   core.algorithm = Algorithm::gjk_epa;
@@ -171,13 +173,16 @@ template <Convex A, Convex B>
 // GJK for any cores, whatever they are, from the direction `toward` on, and where they overlap the best
 // way to the depth.
 template <Convex A, Convex B>
-[[nodiscard]] [[gnu::noinline]] CoreSeparation separate_by_gjk(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                                               const Vec3& toward, Real size, Real error, Real limit) {
+[[nodiscard]] [[gnu::noinline]] CoreSeparation separate_by_gjk(const A& a, const B& b, const Pose& ab,
+                                                               const QuerySettings& settings, const Vec3& toward,
+                                                               Real size, Real error, Real limit) {
   // What the searches for overlaps say of cores that are apart bounds their distance from below only: a coarse bound
   // must not send any there.
   const Real unproven = error_of(a, b, size, QuerySettings{});
   GjkResult near = gjk(a, b, ab, toward, size, error, limit, unproven);
-  const auto is_open = [&] { return !near.overlap && !near.beyond && near.upper - near.lower > error + noise_of(size); };
+  const auto is_open = [&] {
+    return !near.overlap && !near.beyond && near.upper - near.lower > error + noise_of(size);
+  };
   if (is_open()) [[unlikely]] {
     // Rounding stopped it short of a proof; from the point that it reached another simplex may go further.
     const GjkResult again = gjk(a, b, ab, -near.closest, size, error, limit, unproven);
@@ -188,7 +193,8 @@ template <Convex A, Convex B>
       CoreSeparation touch{};
       touch.iterations = near.iterations;
       const bool touches = with_difference(a, b, ab, size, [&](const Difference& cores) {
-        return separate_by_touch(cores, error, near.simplex, touch) || separate_by_touch(cores, error, Simplex{}, touch);
+        return separate_by_touch(cores, error, near.simplex, touch) ||
+               separate_by_touch(cores, error, Simplex{}, touch);
       });
       if (touches) {
         return touch;
@@ -199,7 +205,8 @@ template <Convex A, Convex B>
     return separation_of(near, {0, 0, 0}, {0, 0, 0}, size, 0);
   }
   // The foot on a sliver is off where its normal is: it lies in the plane of the sliver, and not on it.
-  const WeightedPoint reached = near.overlap ? WeightedPoint{} : point_with(near.simplex, weights_of(near.simplex, near.closest));
+  const WeightedPoint reached =
+      near.overlap ? WeightedPoint{} : point_with(near.simplex, weights_of(near.simplex, near.closest));
   if (!near.overlap && largest_magnitude(reached.w - near.closest) > error + noise_of(size)) [[unlikely]] {
     near.upper = infinity;
   }
@@ -224,7 +231,9 @@ template <Convex A, Convex B>
     }
   }
   if (!near.overlap && (is_unproven || is_off)) [[unlikely]] {
-    const WideGjkResult wide = with_difference(a, b, ab, size, [&](const Difference& cores) { return wide_gjk(cores, -near.closest, error, limit, unproven); });
+    const WideGjkResult wide = with_difference(a, b, ab, size, [&](const Difference& cores) {
+      return wide_gjk(cores, -near.closest, error, limit, unproven);
+    });
     if (!wide.gjk.overlap) {
       return separation_of(wide.gjk, wide.point_a, wide.point_b, size, near.iterations);
     }
@@ -265,7 +274,8 @@ template <Convex A, Convex B>
 
 // `limit`: the caller only wants to know how near the cores are when they are nearer than this.
 template <Convex A, Convex B>
-[[nodiscard]] inline CoreSeparation separate_cores(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Real limit) {
+[[nodiscard]] inline CoreSeparation separate_cores(const A& a, const B& b, const Pose& ab,
+                                                   const QuerySettings& settings, Real limit) {
   const Real size = core_size(a, b, ab);
   const Real error = error_of(a, b, size, settings);
   if constexpr (PointAndField<A, B>) {

@@ -19,7 +19,8 @@ struct DifferenceVertex {
 
   // The same two vertices. Support points of curved surfaces have no numbers: they are compared as points.
   [[nodiscard]] inline bool is_same(const DifferenceVertex& other) const {
-    return index_a == other.index_a && index_b == other.index_b && ((index_a != no_index && index_b != no_index) || w == other.w);
+    return index_a == other.index_a && index_b == other.index_b &&
+           ((index_a != no_index && index_b != no_index) || w == other.w);
   }
 };
 
@@ -52,8 +53,8 @@ using NumberOf = decltype(Vector::x);
 inline constexpr unsigned all_of_tetrahedron = 15;
 
 template <class Vector>
-[[nodiscard]] [[gnu::always_inline]] inline ClosestPointOf<Vector> closest_on_segment(const Vector& p, const Vector& q, unsigned at_p,
-                                                                                      unsigned at_q) {
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPointOf<Vector> closest_on_segment(const Vector& p, const Vector& q,
+                                                                                      unsigned at_p, unsigned at_q) {
   const Vector d = q - p;
   const NumberOf<Vector> along = -dot(p, d), length = squared_norm(d);
   if (!(along > 0)) {
@@ -70,7 +71,8 @@ template <class Vector>
 
 // Keeps the closer one of two candidates.
 template <class Vector>
-inline void consider(ClosestPointOf<Vector>& best, NumberOf<Vector>& best_square, const ClosestPointOf<Vector>& candidate) {
+inline void consider(ClosestPointOf<Vector>& best, NumberOf<Vector>& best_square,
+                     const ClosestPointOf<Vector>& candidate) {
   const NumberOf<Vector> square = squared_norm(candidate.point);
   if (square < best_square) {
     best = candidate;
@@ -80,8 +82,9 @@ inline void consider(ClosestPointOf<Vector>& best, NumberOf<Vector>& best_square
 
 // The edges opposite to corners whose barycentric weight is not positive may hold the closest point.
 template <class Vector>
-[[nodiscard]] [[gnu::always_inline]] inline ClosestPointOf<Vector> closest_on_triangle(const Vector& p, const Vector& q, const Vector& r,
-                                                                                       unsigned at_p, unsigned at_q, unsigned at_r) {
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPointOf<Vector> closest_on_triangle(const Vector& p, const Vector& q,
+                                                                                       const Vector& r, unsigned at_p,
+                                                                                       unsigned at_q, unsigned at_r) {
   const Vector normal = cross(p - r, q - r);
   const NumberOf<Vector> square = squared_norm(normal);
   bool try_pr = true, try_qr = true, try_pq = true;
@@ -112,7 +115,9 @@ template <class Vector>
 // With cofactors of mixed signs the origin is outside the faces opposite to the vertices whose sign
 // differs from that of the volume.
 template <class Vector>
-[[nodiscard]] [[gnu::always_inline]] inline ClosestPointOf<Vector> closest_on_tetrahedron(const Vector& p, const Vector& q, const Vector& r,
+[[nodiscard]] [[gnu::always_inline]] inline ClosestPointOf<Vector> closest_on_tetrahedron(const Vector& p,
+                                                                                          const Vector& q,
+                                                                                          const Vector& r,
                                                                                           const Vector& s) {
   using Number = NumberOf<Vector>;
   const Vector sp = p - s, sq = q - s, sr = r - s;
@@ -159,14 +164,10 @@ template <class Vector>
 [[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_to_origin(const Simplex& simplex, const Vec3& newest) {
   const auto& v = simplex.vertices;
   switch (simplex.size) {
-    case 0:
-      return {newest, 1};
-    case 1:
-      return closest_on_segment(v[0].w, newest, 1, 2);
-    case 2:
-      return closest_on_triangle(v[0].w, v[1].w, newest, 1, 2, 4);
-    default:
-      return closest_on_tetrahedron(v[0].w, v[1].w, v[2].w, newest);
+    case 0: return {newest, 1};
+    case 1: return closest_on_segment(v[0].w, newest, 1, 2);
+    case 2: return closest_on_triangle(v[0].w, v[1].w, newest, 1, 2, 4);
+    default: return closest_on_tetrahedron(v[0].w, v[1].w, v[2].w, newest);
   }
 }
 
@@ -193,8 +194,8 @@ inline void keep(AnySimplex& simplex, unsigned vertices) {
 
 // What at most three points weigh in their closest point, of which the last ones may be missing.
 template <class Vector>
-[[nodiscard]] inline std::array<Real, 3> weights_of(std::size_t size, const Vector& first, const Vector& second, const Vector& third,
-                                                    const Vector& closest) {
+[[nodiscard]] inline std::array<Real, 3> weights_of(std::size_t size, const Vector& first, const Vector& second,
+                                                    const Vector& third, const Vector& closest) {
   using Number = NumberOf<Vector>;
   if (size == 1) {
     return {1, 0, 0};
@@ -231,12 +232,9 @@ struct WeightedPoint {
   const auto& v = simplex.vertices;
   const auto& [p, q, r] = weights;
   switch (simplex.size) {
-    case 1:
-      return {v[0].a, v[0].w};
-    case 2:
-      return {v[0].a + q * (v[1].a - v[0].a), v[0].w + q * (v[1].w - v[0].w)};
-    default:
-      return {p * v[0].a + q * v[1].a + r * v[2].a, p * v[0].w + q * v[1].w + r * v[2].w};
+    case 1: return {v[0].a, v[0].w};
+    case 2: return {v[0].a + q * (v[1].a - v[0].a), v[0].w + q * (v[1].w - v[0].w)};
+    default: return {p * v[0].a + q * v[1].a + r * v[2].a, p * v[0].w + q * v[1].w + r * v[2].w};
   }
 }
 

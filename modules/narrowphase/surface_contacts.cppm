@@ -1,6 +1,7 @@
-// Contacts of a surface. A contact at an edge or a vertex counts only where its normal is in the cone of normals of the whole
-// surface there, so that sliding shapes do not trip over seams. Elsewhere a neighbour is nearer and has its own contact: of
-// this triangle only what its face touches counts, turned to the normal of the face, as far as the neighbours leave it any.
+// Contacts of a surface. A contact at an edge or a vertex counts only where its normal is in the cone of normals of the
+// whole surface there, so that sliding shapes do not trip over seams. Elsewhere a neighbour is nearer and has its own
+// contact: of this triangle only what its face touches counts, turned to the normal of the face, as far as the
+// neighbours leave it any.
 export module abut.narrowphase.surface_contacts;
 import abut.core;
 import abut.core.standard;
@@ -114,8 +115,8 @@ class SurfaceContacts {
   };
 
   // The normals of faces may stand in for the normal that was found; the one that parts them sooner does.
-  [[nodiscard]] std::optional<Turned> turn(const Triangle& triangle, const B& b, const CoreSeparation& core, const Fronts<B>& fronts,
-                                           bool turns_a, bool turns_b) const {
+  [[nodiscard]] std::optional<Turned> turn(const Triangle& triangle, const B& b, const CoreSeparation& core,
+                                           const Fronts<B>& fronts, bool turns_a, bool turns_b) const {
     std::optional<Turned> best;
     // Cores that are apart are on the side that their closest points tell.
     const bool is_apart = !core.overlap && fronts.allows(core.normal);
@@ -130,7 +131,8 @@ class SurfaceContacts {
       }
     };
     if (turns_a) {
-      consider(triangle.normal(), false, [&](const Vec3& direction) { return along_face(triangle, b, ab_, core, direction); });
+      consider(triangle.normal(), false,
+               [&](const Vec3& direction) { return along_face(triangle, b, ab_, core, direction); });
     }
     if constexpr (Surface<Other>) {
       if (turns_b) {
@@ -150,10 +152,11 @@ class SurfaceContacts {
     return is_over(triangle, turned.separation.point_a);
   }
 
-  // Named after the parts: seen from outside, the feature of a surface is its triangle; the number of the contact still tells
-  // the corners and edges of the triangle apart. After a turn the closest points may lie beside the triangle, over a neighbour
-  // that has them too.
-  void append(const Triangle& triangle, const B& b, std::uint32_t part_of_b, const CoreSeparation& core, bool closest_count) {
+  // Named after the parts: seen from outside, the feature of a surface is its triangle; the number of the contact still
+  // tells the corners and edges of the triangle apart. After a turn the closest points may lie beside the triangle,
+  // over a neighbour that has them too.
+  void append(const Triangle& triangle, const B& b, std::uint32_t part_of_b, const CoreSeparation& core,
+              bool closest_count) {
     const std::size_t first = out_.size();
     contacts_under(triangle, b, ab_, core, settings_.margin, closest_count, out_);
     for (ContactPoint& contact : std::span(out_).subspan(first)) {
@@ -184,7 +187,9 @@ class SurfaceContacts {
 
   void erase_deeper(std::size_t first, Real depth) {
     const auto begin = out_.begin() + static_cast<std::ptrdiff_t>(first);
-    out_.erase(std::remove_if(begin, out_.end(), [&](const ContactPoint& contact) { return contact.distance < -depth; }), out_.end());
+    out_.erase(
+        std::remove_if(begin, out_.end(), [&](const ContactPoint& contact) { return contact.distance < -depth; }),
+        out_.end());
   }
 
   // Takes out what turned contacts claim too much.
@@ -221,8 +226,8 @@ class SurfaceContacts {
     }
   }
 
-  // How far b has to move to be parted from all parts that it meets, along the best of the normals that were found. The search
-  // ends where that is the depth of the deepest contact.
+  // How far b has to move to be parted from all parts that it meets, along the best of the normals that were found. The
+  // search ends where that is the depth of the deepest contact.
   [[nodiscard]] Real depth_of_whole() const {
     const Group* deepest = nullptr;
     Real least = 0;
@@ -251,15 +256,16 @@ class SurfaceContacts {
     return least;
   }
 
-  // How far b has to move along a direction to be parted from a part; not at all where that leads through the front of a side.
+  // How far b has to move along a direction to be parted from a part; not at all where that leads through the front of
+  // a side.
   [[nodiscard]] Real overlap_of(std::uint32_t part_of_a, std::uint32_t part_of_b, const Vec3& direction) const {
     const Triangle triangle = a_.part(part_of_a);
     const auto& b = part_of_other(part_of_b);
     return Fronts<B>(triangle, b, ab_).nearly_allows(direction) ? overlap_along(triangle, b, ab_, direction) : infinity;
   }
 
-  // The largest overlap of all parts that have contacts, or that were turned, along a direction; or some overlap that is as
-  // large as `enough`.
+  // The largest overlap of all parts that have contacts, or that were turned, along a direction; or some overlap that
+  // is as large as `enough`.
   [[nodiscard]] Real largest_overlap(const Vec3& direction, Real enough) const {
     Real largest = -infinity;
     for (const Group& group : turned_.span()) {
@@ -284,8 +290,8 @@ class SurfaceContacts {
     return largest;
   }
 
-  // Where no neighbour reports a contact that is as deep as the deepest one left to it, that one counts after all. It has a
-  // number of its own: the same features may have met under the normal of the face.
+  // Where no neighbour reports a contact that is as deep as the deepest one left to it, that one counts after all. It
+  // has a number of its own: the same features may have met under the normal of the face.
   void append_left() {
     if (!left_) {
       return;

@@ -1,6 +1,6 @@
 // A triangle of a surface against a convex shape, or against a triangle of another surface: their separation, and which
-// normals may part them. A one-sided triangle only pushes to its front, and a way out of a triangle is one out of its surface
-// only where no neighbour reaches further.
+// normals may part them. A one-sided triangle only pushes to its front, and a way out of a triangle is one out of its
+// surface only where no neighbour reaches further.
 export module abut.narrowphase.triangle_contacts;
 import abut.core;
 import abut.core.standard;
@@ -10,7 +10,8 @@ import abut.shape;
 
 export namespace abut {
 
-// The corners of a triangle that lie furthest along a direction, by bit: one of a vertex, two of an edge, three of the face.
+// The corners of a triangle that lie furthest along a direction, by bit: one of a vertex, two of an edge, three of the
+// face.
 [[nodiscard]] inline unsigned outermost_corners(const Triangle& triangle, const Vec3& direction, Real noise) {
   const Vec3 origin = triangle.corners()[0];
   const Real b = dot(direction, triangle.corners()[1] - origin), c = dot(direction, triangle.corners()[2] - origin);
@@ -72,7 +73,8 @@ template <Convex B>
 template <Convex B>
 class Fronts {
  public:
-  Fronts(const Triangle& triangle, const B& b, const Pose& ab) : a_(triangle.is_one_sided() ? triangle.normal() : Vec3{0, 0, 0}) {
+  Fronts(const Triangle& triangle, const B& b, const Pose& ab)
+      : a_(triangle.is_one_sided() ? triangle.normal() : Vec3{0, 0, 0}) {
     if constexpr (std::same_as<B, Triangle>) {
       b_ = b.is_one_sided() ? -(ab.rotation * b.normal()) : Vec3{0, 0, 0};
     }
@@ -89,8 +91,8 @@ class Fronts {
 
 // The separation along the normal of a face.
 template <Convex B>
-[[nodiscard]] CoreSeparation along_face(const Triangle& triangle, const B& b, const Pose& ab, const CoreSeparation& core,
-                                        const Vec3& normal) {
+[[nodiscard]] CoreSeparation along_face(const Triangle& triangle, const B& b, const Pose& ab,
+                                        const CoreSeparation& core, const Vec3& normal) {
   CoreSeparation turned = core;
   turned.normal = normal;
   turned.point_b = placed_support(b, place(b, ab), -normal).point;

@@ -10,7 +10,8 @@ import abut.shape;
 namespace abut {
 namespace {
 
-// The points of b are kept too: those of a less the rounded difference are others, which weighted sums of slivers would show.
+// The points of b are kept too: those of a less the rounded difference are others, which weighted sums of slivers would
+// show.
 struct WideVertex {
   WideVec3 w{0, 0, 0};
   SupportPair of{};
@@ -25,22 +26,19 @@ struct WideSimplex {
 
   void push(const WideVertex& vertex) { vertices[size++] = vertex; }
   [[nodiscard]] bool contains(const SupportPair& pair) const {
-    return std::ranges::any_of(std::span(vertices).first(size),
-                               [&](const WideVertex& vertex) { return vertex.of.a == pair.a && vertex.of.b == pair.b; });
+    return std::ranges::any_of(std::span(vertices).first(size), [&](const WideVertex& vertex) {
+      return vertex.of.a == pair.a && vertex.of.b == pair.b;
+    });
   }
 };
 
 [[nodiscard]] ClosestPointOf<WideVec3> closest_to_origin(const WideSimplex& simplex) {
   const auto& [p, q, r, s] = simplex.vertices;
   switch (simplex.size) {
-    case 1:
-      return {p.w, 1};
-    case 2:
-      return closest_on_segment(p.w, q.w, 1, 2);
-    case 3:
-      return closest_on_triangle(p.w, q.w, r.w, 1, 2, 4);
-    default:
-      return closest_on_tetrahedron(p.w, q.w, r.w, s.w);
+    case 1: return {p.w, 1};
+    case 2: return closest_on_segment(p.w, q.w, 1, 2);
+    case 3: return closest_on_triangle(p.w, q.w, r.w, 1, 2, 4);
+    default: return closest_on_tetrahedron(p.w, q.w, r.w, s.w);
   }
 }
 

@@ -1,5 +1,6 @@
-// GJK with twice the digits, for cores on which rounding stops the usual one: slivers and needles beside bodies that are a
-// million times as large, rims and edges that almost touch. Takes some ten times as long, and is compiled once for all cores.
+// GJK with twice the digits, for cores on which rounding stops the usual one: slivers and needles beside bodies that
+// are a million times as large, rims and edges that almost touch. Takes some ten times as long, and is compiled once
+// for all cores.
 export module abut.narrowphase.wide_gjk;
 import abut.core.standard;
 import abut.math;
@@ -14,6 +15,7 @@ struct WideGjkResult {
 };
 
 // As gjk, from the direction `toward` on.
-[[nodiscard]] WideGjkResult wide_gjk(const Difference& cores, const Vec3& toward, Real error, Real limit, Real unproven);
+[[nodiscard]] WideGjkResult wide_gjk(const Difference& cores, const Vec3& toward, Real error, Real limit,
+                                     Real unproven);
 
 }  // namespace abut

@@ -24,7 +24,8 @@ inline void set_points(const Vec3& point_a, const Vec3& point_b, CoreSeparation&
 // along both edges through the support points. False where these are so nearly parallel that rounding may take the
 // points beyond the ends of the edges.
 inline constexpr Real least_sine_of_edges = 1e-4;
-[[nodiscard]] inline bool find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core, Real least_sine = least_sine_of_edges) {
+[[nodiscard]] inline bool find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core,
+                                              Real least_sine = least_sine_of_edges) {
   const Vec3 across = cross(edge_a, edge_b), between = core.point_b - core.point_a;
   const Real square = squared_norm(across);
   if (!(square > least_sine * least_sine * squared_norm(edge_a) * squared_norm(edge_b))) [[unlikely]] {
@@ -37,7 +38,8 @@ inline constexpr Real least_sine_of_edges = 1e-4;
 
 // The deepest pair of points under the normal of a face: from the common region of the supporting faces,
 // or else from what is outermost of them.
-inline void find_points_of_faces(const Face& face_a, const Face& face_b, const ClipPoints& region, Real size, CoreSeparation& core) {
+inline void find_points_of_faces(const Face& face_a, const Face& face_b, const ClipPoints& region, Real size,
+                                 CoreSeparation& core) {
   AcrossPair pair{core.point_a, core.point_b};
   // Nearly parallel faces are equally far in many points; one of their common region will do.
   const Real deepest = core.distance + 1e-12 * size;
@@ -62,7 +64,8 @@ concept BothHold = HullAndSeen<A, B> || (BoxCored<A> && BoxCored<B>) || WithDisc
 // Mostly a vertex lies under the inside of a face. False where neither support point does, up to some slack.
 template <Convex A, Convex B>
   requires BothHold<A, B>
-[[nodiscard]] inline bool find_vertex_witness(const A& a, const B& b, const Pose& ab, Real slack, CoreSeparation& core) {
+[[nodiscard]] inline bool find_vertex_witness(const A& a, const B& b, const Pose& ab, Real slack,
+                                              CoreSeparation& core) {
   const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
   if (holds(a, on_a, slack)) {
     core.point_a = on_a;
@@ -99,8 +102,8 @@ template <Lined A, Lined B>
     for (const Vec3& along_b : lines_toward(b, ab.rotation.undo(-core.normal))) {
       CoreSeparation crossing = core;
       if (find_edge_witnesses(along_a, ab.rotation * along_b, crossing, least_sine) &&
-          std::fabs(dot(core.normal, crossing.point_b - crossing.point_a) - core.distance) <= slack && holds(a, crossing.point_a, slack) &&
-          holds(b, ab.undo(crossing.point_b), slack)) {
+          std::fabs(dot(core.normal, crossing.point_b - crossing.point_a) - core.distance) <= slack &&
+          holds(a, crossing.point_a, slack) && holds(b, ab.undo(crossing.point_b), slack)) {
         core = crossing;
         core.points_open = false;
         return true;
@@ -139,8 +142,8 @@ template <Convex S>
   }
 }
 
-// A round core that leans on a face touches it under one point, which the polygon of its rim misses. False where neither
-// support point lies over the other core.
+// A round core that leans on a face touches it under one point, which the polygon of its rim misses. False where
+// neither support point lies over the other core.
 template <Convex A, Convex B>
 [[nodiscard]] inline bool find_round_witness(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
   const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;

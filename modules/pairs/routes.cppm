@@ -61,7 +61,8 @@ template <class A, class B>
   return found;
 }
 
-// Whether a shape has contacts with itself: between its solids or its triangles. Terrain has one height above every point.
+// Whether a shape has contacts with itself: between its solids or its triangles. Terrain has one height above every
+// point.
 template <class A>
 [[nodiscard]] consteval bool meets_itself() {
   return Scattered<A> || (Surface<A> && !Terrain<A>);

@@ -50,9 +50,7 @@ struct Query : NativeContext {
   }
 };
 
-inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) {
-  rtcIntersect1(scene, &ray, &query.arguments);
-}
+inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) { rtcIntersect1(scene, &ray, &query.arguments); }
 inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit4& rays) {
   rtcIntersect4(valid, scene, &rays, &query.arguments);
 }
@@ -81,9 +79,7 @@ struct Query : NativeContext {
   void filter_hits(RTCFilterFunctionN function) noexcept { filter = function; }
 };
 
-inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) {
-  rtcIntersect1(scene, &query, &ray);
-}
+inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) { rtcIntersect1(scene, &query, &ray); }
 inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit4& rays) {
   rtcIntersect4(valid, scene, &query, &rays);
 }

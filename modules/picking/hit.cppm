@@ -25,9 +25,7 @@ namespace abut::picking {
 inline constexpr double crossing_blur = 0x1p-17;
 
 /// A limit that no rounding makes smaller.
-[[nodiscard]] inline float widened(double limit) {
-  return static_cast<float>(limit * (1 + 0x1p-22));
-}
+[[nodiscard]] inline float widened(double limit) { return static_cast<float>(limit * (1 + 0x1p-22)); }
 
 /// The three lines of a ray, each written at once: Embree reads them so, and a line that was written
 /// in pieces would have to reach the cache first.

@@ -18,12 +18,11 @@ namespace abut::picking {
 
 namespace {
 
-// What comes nearer to the plane of the eye than this part of the greatest depth is cut off: its picture is without end.
+// What comes nearer to the plane of the eye than this part of the greatest depth is cut off: its picture is without
+// end.
 constexpr double least_depth = 1e-6;
 
-[[nodiscard]] double size_of(const Offset& offset) {
-  return std::sqrt(offset.x * offset.x + offset.y * offset.y);
-}
+[[nodiscard]] double size_of(const Offset& offset) { return std::sqrt(offset.x * offset.x + offset.y * offset.y); }
 
 // Where a segment of the picture comes nearest to the point asked for, from 0 at a to 1 at b.
 [[nodiscard]] double nearest_on(const Offset& a, const Offset& b) {

@@ -21,7 +21,8 @@ namespace abut::picking {
 namespace {
 
 // No exception crosses the module's interface.
-template <class Action> [[nodiscard]] abut_status guarded(const Action& action) noexcept {
+template <class Action>
+[[nodiscard]] abut_status guarded(const Action& action) noexcept {
   try {
     return action();
   } catch (const std::bad_alloc&) {
@@ -33,9 +34,7 @@ template <class Action> [[nodiscard]] abut_status guarded(const Action& action) 
 
 }  // namespace
 
-void TracerDeleter::operator()(Tracer* tracer) const noexcept {
-  std::default_delete<Tracer>()(tracer);
-}
+void TracerDeleter::operator()(Tracer* tracer) const noexcept { std::default_delete<Tracer>()(tracer); }
 
 Picker::Picker(std::unique_ptr<Source> source, Counters counters)
     : tracer_(std::make_unique<Tracer>(std::move(source), std::move(counters)).release()) {}

@@ -83,7 +83,8 @@ struct GeometryView {
 
 /// Lent, and not freed with what borrows it.
 struct Borrowed {
-  template <class Lent> void operator()(const Lent* /*lent*/) const noexcept {}
+  template <class Lent>
+  void operator()(const Lent* /*lent*/) const noexcept {}
 };
 
 /// Numbers that grow with each change of the world: `geometries` when a geometry comes, goes or changes, `poses` when a

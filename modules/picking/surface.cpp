@@ -42,9 +42,7 @@ using Corners = std::array<abut_vec3, 3>;
   return cross(subtract(corners[1], corners[0]), subtract(corners[2], corners[0]));
 }
 
-[[nodiscard]] abut_vec3 unit_or_zero(const abut_vec3& v) {
-  return largest_component(v) == 0 ? v : normalized(v);
-}
+[[nodiscard]] abut_vec3 unit_or_zero(const abut_vec3& v) { return largest_component(v) == 0 ? v : normalized(v); }
 
 // A quad of two triangles, the first with corners 0, 1 and 3, the second with 2, 3 and 1.
 struct Quad {

@@ -298,21 +298,26 @@ class Tracer {
   std::size_t thin_count_ = 0;  // entries that are points or segments
 };
 
-template <std::size_t Width> struct Batch;
+template <std::size_t Width>
+struct Batch;
 
 /// Rays in packets (tracer_packet.cpp).
 struct PacketTracer {
   template <std::size_t Width, class Expect, class Fill, class Place>
   static void trace(const Tracer& tracer, Trace& query, std::size_t count, const Expect& expect, const Fill& fill,
                     const Place& place);
-  template <std::size_t Width> static void shoot(const Tracer& tracer, embree::Query& query, Batch<Width>& batch);
-  template <std::size_t Width, class Place> static void prefetch_picks(const Batch<Width>& batch, const Place& place);
-  template <std::size_t Width> static void prefetch_planes(const Tracer& tracer, const Batch<Width>& batch);
+  template <std::size_t Width>
+  static void shoot(const Tracer& tracer, embree::Query& query, Batch<Width>& batch);
+  template <std::size_t Width, class Place>
+  static void prefetch_picks(const Batch<Width>& batch, const Place& place);
+  template <std::size_t Width>
+  static void prefetch_planes(const Tracer& tracer, const Batch<Width>& batch);
   template <std::size_t Width, class Place>
   static void finish(const Tracer& tracer, const Trace& query, Batch<Width>& batch, const Place& place);
   template <std::size_t Width, class Place>
   static void resolve_four(const Tracer& tracer, const Batch<Width>& batch, std::size_t k, const Place& place);
-  template <std::size_t Width> static void read(Batch<Width>& batch, std::span<const abut_ray, Width> rays);
+  template <std::size_t Width>
+  static void read(Batch<Width>& batch, std::span<const abut_ray, Width> rays);
   template <std::size_t Width, class Place>
   static void trace_moving(const Tracer& tracer, const Trace& query, const Batch<Width>& batch, const Place& place);
   template <std::size_t Width>
@@ -322,9 +327,7 @@ struct PacketTracer {
 };
 
 /// A miss.
-[[nodiscard]] inline abut_pick nothing() {
-  return {{0, 0}, {0, 0}, 0, 0, infinity, {0, 0, 0}, {0, 0, 0}};
-}
+[[nodiscard]] inline abut_pick nothing() { return {{0, 0}, {0, 0}, 0, 0, infinity, {0, 0, 0}, {0, 0, 0}}; }
 
 [[nodiscard]] inline abut_pick pick_of(const abut_geometry_id& id, const abut_ray_hit& hit) {
   return {id, hit.feature, hit.child, 0, hit.distance, hit.point, hit.normal};

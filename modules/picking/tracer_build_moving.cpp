@@ -34,9 +34,7 @@ constexpr double least_extent = 1e-15;
                                                : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
 }
 
-[[nodiscard]] float rounded_up(double value) {
-  return -rounded_down(-value);
-}
+[[nodiscard]] float rounded_up(double value) { return -rounded_down(-value); }
 
 }  // namespace
 

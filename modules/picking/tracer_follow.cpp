@@ -58,9 +58,7 @@ template <class Value>
   return index;
 }
 
-[[nodiscard]] bool equal(const abut_vec3& a, const abut_vec3& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z;
-}
+[[nodiscard]] bool equal(const abut_vec3& a, const abut_vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 [[nodiscard]] bool equal(const abut_quat& a, const abut_quat& b) {
   return a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z;
 }

@@ -77,8 +77,8 @@ struct LocalHit {
 
 }  // namespace
 
-// Whether a hit in double is nearer than the present one: exactly where that is in double, too, and ties go to the lower
-// slot; in single precision where that is on a surface.
+// Whether a hit in double is nearer than the present one: exactly where that is in double, too, and ties go to the
+// lower slot; in single precision where that is on a surface.
 bool Tracer::is_nearer(const abut_ray_hit& hit, const Entry& entry, const FirstHit& query, std::uint32_t present,
                        double limit) const {
   if (present == RTC_INVALID_GEOMETRY_ID) return true;

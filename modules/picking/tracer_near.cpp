@@ -40,7 +40,8 @@ template <class First>
 }
 
 // The hit nearest to the middle on the way from a hit in the picture to it, by bisection.
-template <class First> [[nodiscard]] abut_pick followed_inwards(const First& first, Offset hit, abut_pick pick) {
+template <class First>
+[[nodiscard]] abut_pick followed_inwards(const First& first, Offset hit, abut_pick pick) {
   Offset miss{0, 0};
   for (int step = 0; step < 20; ++step) {
     const Offset middle = between(miss, hit, 0.5);
@@ -56,7 +57,8 @@ template <class First> [[nodiscard]] abut_pick followed_inwards(const First& fir
 }
 
 // Rings of rays at half a pixel, or coarser when the radius is large.
-template <class First> void search_rings(const First& first, double radius, abut_pick& out) {
+template <class First>
+void search_rings(const First& first, double radius, abut_pick& out) {
   constexpr double rings = 64;
   const double gap = std::max(0.5, radius / rings);
   for (double r = std::min(gap, radius); r <= radius && r > 0; r += gap) {

@@ -24,10 +24,20 @@ import :vector;
 
 namespace abut::picking {
 
-template <std::size_t Width> struct NativePacket;
-template <> struct NativePacket<4> { using Type = RTCRayHit4; };
-template <> struct NativePacket<8> { using Type = RTCRayHit8; };
-template <> struct NativePacket<16> { using Type = RTCRayHit16; };
+template <std::size_t Width>
+struct NativePacket;
+template <>
+struct NativePacket<4> {
+  using Type = RTCRayHit4;
+};
+template <>
+struct NativePacket<8> {
+  using Type = RTCRayHit8;
+};
+template <>
+struct NativePacket<16> {
+  using Type = RTCRayHit16;
+};
 
 using FourFloats = float __attribute__((ext_vector_type(4)));
 
@@ -35,10 +45,12 @@ using FourFloats = float __attribute__((ext_vector_type(4)));
 // second batch would take a part of the first level.
 constexpr std::size_t planes_in_cache = 16384;
 
-template <std::size_t Width> using Doubles = std::array<Four, Width / 4>;
+template <std::size_t Width>
+using Doubles = std::array<Four, Width / 4>;
 
 // What a packet needs from one call of Embree to the next; kept, so that constants are written once.
-template <std::size_t Width> struct alignas(64) Batch {
+template <std::size_t Width>
+struct alignas(64) Batch {
   typename NativePacket<Width>::Type native;
   alignas(64) std::array<int, Width> valid;   // -1 for a ray, 0 for none
   alignas(64) std::array<int, Width> active;  // the rays that reach the space being traced
@@ -115,7 +127,8 @@ template <std::size_t Width>
   put(native.ray.dir_z, k, dz[k]);
 }
 
-template <std::size_t Width> bool Batch<Width>::write(const Space& space) noexcept {
+template <std::size_t Width>
+bool Batch<Width>::write(const Space& space) noexcept {
   Four farthest = 0;
   for (std::size_t k = 0; k < Width / 4; ++k) {
     const Four x = ox[k] - space.origin.x;
@@ -137,7 +150,8 @@ template <std::size_t Width> bool Batch<Width>::write(const Space& space) noexce
 }
 
 // Rays that start far outside of the space begin where they enter it.
-template <std::size_t Width> void Batch<Width>::write_far(const Space& space) noexcept {
+template <std::size_t Width>
+void Batch<Width>::write_far(const Space& space) noexcept {
   for (std::size_t i = 0; i < Width; ++i) {
     const abut_ray from = ray(i);
     Entrance entrance{};
@@ -381,15 +395,9 @@ void Tracer::trace_neighbours(std::span<const abut_ray> rays, const abut_query_f
   }
   StillHit query(true, filter);
   switch (still_planes_.size() > planes_in_cache ? std::min<std::size_t>(widest_, 8) : widest_) {
-    case 16:
-      PacketTracer::trace_batch<16>(*this, rays, query, out);
-      return;
-    case 8:
-      PacketTracer::trace_batch<8>(*this, rays, query, out);
-      return;
-    default:
-      PacketTracer::trace_batch<4>(*this, rays, query, out);
-      return;
+    case 16: PacketTracer::trace_batch<16>(*this, rays, query, out); return;
+    case 8: PacketTracer::trace_batch<8>(*this, rays, query, out); return;
+    default: PacketTracer::trace_batch<4>(*this, rays, query, out); return;
   }
 }
 
@@ -411,15 +419,9 @@ void Tracer::trace_unrelated(std::span<const abut_ray> rays, const abut_query_fi
 void Tracer::render(const abut_camera& camera, const abut_query_filter* filter, std::span<abut_pick> out) const {
   StillHit query(true, filter);
   switch (widest_) {
-    case 16:
-      PacketTracer::render<16>(*this, camera, query, out);
-      return;
-    case 8:
-      PacketTracer::render<8>(*this, camera, query, out);
-      return;
-    default:
-      PacketTracer::render<4>(*this, camera, query, out);
-      return;
+    case 16: PacketTracer::render<16>(*this, camera, query, out); return;
+    case 8: PacketTracer::render<8>(*this, camera, query, out); return;
+    default: PacketTracer::render<4>(*this, camera, query, out); return;
   }
 }
 

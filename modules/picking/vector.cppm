@@ -16,26 +16,18 @@ namespace abut::picking {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-[[nodiscard]] inline abut_vec3 add(const abut_vec3& a, const abut_vec3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
+[[nodiscard]] inline abut_vec3 add(const abut_vec3& a, const abut_vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 [[nodiscard]] inline abut_vec3 subtract(const abut_vec3& a, const abut_vec3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-[[nodiscard]] inline abut_vec3 scale(const abut_vec3& a, double s) {
-  return {a.x * s, a.y * s, a.z * s};
-}
-[[nodiscard]] inline double dot(const abut_vec3& a, const abut_vec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+[[nodiscard]] inline abut_vec3 scale(const abut_vec3& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
+[[nodiscard]] inline double dot(const abut_vec3& a, const abut_vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 [[nodiscard]] inline abut_vec3 cross(const abut_vec3& a, const abut_vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-[[nodiscard]] inline double length(const abut_vec3& a) {
-  return std::sqrt(dot(a, a));
-}
+[[nodiscard]] inline double length(const abut_vec3& a) { return std::sqrt(dot(a, a)); }
 
 [[nodiscard]] inline double largest_component(const abut_vec3& a) {
   return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
@@ -140,9 +132,7 @@ inline void extend(abut_aabb& box, const abut_vec3& p) {
           0.5 * box.minimum.z + 0.5 * box.maximum.z};
 }
 
-[[nodiscard]] inline double diagonal_of(const abut_aabb& box) {
-  return length(subtract(box.maximum, box.minimum));
-}
+[[nodiscard]] inline double diagonal_of(const abut_aabb& box) { return length(subtract(box.maximum, box.minimum)); }
 
 /// Largest coordinate of a box relative to a point.
 [[nodiscard]] inline double reach_of(const abut_aabb& box, const abut_vec3& origin) {

@@ -21,7 +21,9 @@ void visit_children(const AnyShape& shape, const Pose& pose, const Aabb& box, Vi
   std::visit(
       [&]<class S>(const S& s) {
         if constexpr (Assembly<S>) {
-          s.visit_children(box, [&](std::uint32_t child) { visit(*s.children()[child].shape, pose * s.children()[child].pose, child); });
+          s.visit_children(box, [&](std::uint32_t child) {
+            visit(*s.children()[child].shape, pose * s.children()[child].pose, child);
+          });
         } else {
           visit(shape, pose, 0);
         }
@@ -51,8 +53,8 @@ template <class Ask>
 Outcome ask(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, Ask&& ask_kernel) {
   const bool from_b = b.index() < a.index();
   const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-  return ask_kernel(pair_kernels(first.index(), second.index()), first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b,
-                    from_b);
+  return ask_kernel(pair_kernels(first.index(), second.index()), first, second, from_b ? pose_b : pose_a,
+                    from_b ? pose_a : pose_b, from_b);
 }
 
 // Some children may have no answer, as two terrains; no answer at all is one of the whole.
@@ -96,17 +98,18 @@ bool is_scattered(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Scattered<S>; }, shape);
 }
 
-Outcome contacts_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
-                         Manifold& out) {
+Outcome contacts_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                         const QuerySettings& settings, Manifold& out) {
   return ask(a, b, pose_a, pose_b,
-             [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second, const Pose& first_pose,
-                 const Pose& second_pose, bool from_b) {
+             [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second,
+                 const Pose& first_pose, const Pose& second_pose, bool from_b) {
                return kernels.contacts(first, second, first_pose, second_pose, from_b, settings, out);
              });
 }
 
 // Tells the contacts from `first` on which children they are of. Particles have told theirs already.
-void name_children(const AnyShape& a, const AnyShape& b, std::uint32_t child_a, std::uint32_t child_b, std::size_t first, Manifold& contacts) {
+void name_children(const AnyShape& a, const AnyShape& b, std::uint32_t child_a, std::uint32_t child_b,
+                   std::size_t first, Manifold& contacts) {
   const bool of_a = is_assembly(a), of_b = is_assembly(b);
   for (ContactPoint& contact : std::span(contacts).subspan(first)) {
     contact.id = contact_id_of_child(contact_id_of_child(contact.id, child_a), child_b);
@@ -121,7 +124,8 @@ void flip(std::span<ContactPoint> contacts) {
   }
 }
 
-// What a composite with holes leaves of contacts that the holes of the other side added; normals point from the composite on.
+// What a composite with holes leaves of contacts that the holes of the other side added; normals point from the
+// composite on.
 void leave_by_holes(const AnyShape& composite, const Pose& pose, Manifold& contacts) {
   const auto leave = [&]<class S>(const S& shape) {
     if constexpr (Assembly<S>) {
@@ -134,9 +138,10 @@ void leave_by_holes(const AnyShape& composite, const Pose& pose, Manifold& conta
   std::visit(leave, composite);
 }
 
-// The contacts of the solids; then what the holes of either side leave of them and add to them. Either side is judged by all that
-// the solids meet, so that it is the same whichever comes first; what one adds has to be left by the other.
-void carve_both(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, std::size_t first, Manifold& out) {
+// The contacts of the solids; then what the holes of either side leave of them and add to them. Either side is judged
+// by all that the solids meet, so that it is the same whichever comes first; what one adds has to be left by the other.
+void carve_both(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, std::size_t first,
+                Manifold& out) {
   const std::size_t count = out.size() - first;
   std::vector<bool> is_cut(count), is_cut_by_b(count);
   Manifold of_a, of_b;
@@ -165,31 +170,33 @@ void carve_both(const AnyShape& a, const AnyShape& b, const Pose& ab, const Quer
   out.insert(out.end(), of_b.begin(), of_b.end());
 }
 
-Outcome distance_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, const QuerySettings& settings,
-                         Distance& out) {
+Outcome distance_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                         const QuerySettings& settings, Distance& out) {
   return ask(a, b, pose_a, pose_b,
-             [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second, const Pose& first_pose,
-                 const Pose& second_pose, bool from_b) {
+             [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second,
+                 const Pose& first_pose, const Pose& second_pose, bool from_b) {
                return kernels.distance(first, second, first_pose, second_pose, from_b, settings, out);
              });
 }
 
-// In the frame of a. `with_nearest`: with the nearest points of every pair of children, which a contact may miss: surfaces push to
-// their front only. Many solids have contacts each, which tell theirs.
-Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, bool with_nearest,
-                                    Manifold& out) {
+// In the frame of a. `with_nearest`: with the nearest points of every pair of children, which a contact may miss:
+// surfaces push to their front only. Many solids have contacts each, which tell theirs.
+Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                                    bool with_nearest, Manifold& out) {
   Outcomes outcomes;
   const std::size_t first = out.size();
   visit_pairs(a, b, ab, settings.margin,
-              [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b, const Pose& pose_b,
-                  std::uint32_t child_b) {
+              [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b,
+                  const Pose& pose_b, std::uint32_t child_b) {
                 const std::size_t begin = out.size();
                 outcomes.add(contacts_of_pair(of_a, of_b, pose_a, pose_b, settings, out));
                 Distance nearest{};
                 const bool are_many = is_scattered(of_a) || is_scattered(of_b);
-                if (with_nearest && !are_many && distance_of_pair(of_a, of_b, pose_a, pose_b, settings, nearest) == Outcome::ok) {
+                if (with_nearest && !are_many &&
+                    distance_of_pair(of_a, of_b, pose_a, pose_b, settings, nearest) == Outcome::ok) {
                   const Feature whole{FeatureKind::whole, 0};
-                  out.push_back({nearest.point_a, nearest.point_b, nearest.normal, nearest.distance, whole, whole, contact_id(whole, whole)});
+                  out.push_back({nearest.point_a, nearest.point_b, nearest.normal, nearest.distance, whole, whole,
+                                 contact_id(whole, whole)});
                 }
                 name_children(a, b, child_a, child_b, begin, out);
               });
@@ -200,12 +207,14 @@ Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const 
 }
 
 // The nearest or deepest pair of children, in the frame of a. What holes take away is still there.
-Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, Distance& best) {
+Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                           Distance& best) {
   best = no_distance();
   Outcomes outcomes;
   Real reach = infinity;
   visit_pairs(a, b, ab, reach,
-              [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t, const AnyShape& of_b, const Pose& pose_b, std::uint32_t) {
+              [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t, const AnyShape& of_b, const Pose& pose_b,
+                  std::uint32_t) {
                 Distance found{};
                 const Outcome outcome = distance_of_pair(of_a, of_b, pose_a, pose_b, settings, found);
                 outcomes.add(outcome);
@@ -242,7 +251,9 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
       best.upper = infinity;  // nothing of the solids is left that could be met
     } else if (outcome == Outcome::ok) {
       const ContactPoint& least = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
-      best = {least.distance, std::min(best.lower, least.distance), least.distance, least.point_a, least.point_b, least.normal,
+      best = {least.distance, std::min(best.lower, least.distance),
+              least.distance, least.point_a,
+              least.point_b,  least.normal,
               best.algorithm, best.iterations};
     }
   }
@@ -266,19 +277,20 @@ Outcome children_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose
   return outcome;
 }
 
-Outcome children_contacts_with_memory(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
-                                      const QuerySettings& settings, PairMemory&, Manifold& out) {
+Outcome children_contacts_with_memory(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                                      bool swapped, const QuerySettings& settings, PairMemory&, Manifold& out) {
   return children_contacts(a, b, pose_a, pose_b, swapped, settings, out);
 }
 
-void children_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const Pose> poses, std::span<const PairJob> jobs,
-                              const QuerySettings& common, std::span<PairMemory>, Manifold& out, std::span<PairResult> results) {
+void children_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const Pose> poses,
+                              std::span<const PairJob> jobs, const QuerySettings& common, std::span<PairMemory>,
+                              Manifold& out, std::span<PairResult> results) {
   QuerySettings settings = common;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const PairJob& job = jobs[i];
     settings.margin = job.margin;
-    const Outcome outcome =
-        append_contacts_of_children(*shapes[job.a], *shapes[job.b], relative(poses[job.a], poses[job.b]), settings, false, out);
+    const Outcome outcome = append_contacts_of_children(*shapes[job.a], *shapes[job.b],
+                                                        relative(poses[job.a], poses[job.b]), settings, false, out);
     results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
   }
 }

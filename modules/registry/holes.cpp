@@ -20,15 +20,15 @@ struct LoneShape {
   }
   [[nodiscard]] std::optional<Distance> distance_to(const Vec3& point) const { return shape.distance_to(point); }
   // A hole by itself against what is in it.
-  [[nodiscard]] Outcome contacts_in(const AnyShape& hole, const Pose& placed, const Pose& pose, const QuerySettings& settings,
-                                    Manifold& found) const {
+  [[nodiscard]] Outcome contacts_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
+                                    const QuerySettings& settings, Manifold& found) const {
     const bool comes_first = shape.index() < hole.index();
     const AnyShape &one = comes_first ? shape : hole, &two = comes_first ? hole : shape;
     return pair_kernels(one.index(), two.index())
         .contacts(one, two, comes_first ? pose : placed, comes_first ? placed : pose, comes_first, settings, found);
   }
-  [[nodiscard]] Outcome distance_in(const AnyShape& hole, const Pose& placed, const Pose& pose, const QuerySettings& settings,
-                                    Distance& found) const {
+  [[nodiscard]] Outcome distance_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
+                                    const QuerySettings& settings, Distance& found) const {
     const bool comes_first = shape.index() < hole.index();
     const AnyShape &one = comes_first ? shape : hole, &two = comes_first ? hole : shape;
     return pair_kernels(one.index(), two.index())
@@ -61,8 +61,8 @@ struct LonePart {
     const Pose placed{Rotation::identity(), point};
     return distance_by_route(part, Ball(0), placed, {}, found) == Outcome::ok ? std::optional(found) : std::nullopt;
   }
-  [[nodiscard]] Outcome contacts_in(const AnyShape& hole, const Pose& placed, const Pose& pose, const QuerySettings& settings,
-                                    Manifold& found) const {
+  [[nodiscard]] Outcome contacts_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
+                                    const QuerySettings& settings, Manifold& found) const {
     const Outcome outcome = ask_hole(hole, [&](const auto& cavity) {
       return contacts_by_route(cavity, part, relative(placed, pose), settings, found);
     });
@@ -71,8 +71,8 @@ struct LonePart {
     }
     return outcome;
   }
-  [[nodiscard]] Outcome distance_in(const AnyShape& hole, const Pose& placed, const Pose& pose, const QuerySettings& settings,
-                                    Distance& found) const {
+  [[nodiscard]] Outcome distance_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
+                                    const QuerySettings& settings, Distance& found) const {
     const Outcome outcome = ask_hole(hole, [&](const auto& cavity) {
       return distance_by_route(cavity, part, relative(placed, pose), settings, found);
     });
@@ -84,17 +84,20 @@ struct LonePart {
 }  // namespace
 
 // Children of the other shape are judged one by one, and so is each of many solids.
-void carve(const AnyShape& composite, const Pose& pose, const AnyShape& other, const Pose& other_pose, const QuerySettings& settings,
-           std::span<const ContactPoint> contacts, std::vector<bool>& is_cut, Manifold& added) {
+void carve(const AnyShape& composite, const Pose& pose, const AnyShape& other, const Pose& other_pose,
+           const QuerySettings& settings, std::span<const ContactPoint> contacts, std::vector<bool>& is_cut,
+           Manifold& added) {
   // The contacts by the child or part that they are of: its number, and the place of the contact.
   std::vector<std::pair<std::uint32_t, std::size_t>> places;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     places.push_back({contacts[i].child_b, i});
   }
   std::ranges::sort(places);
-  const auto carve_one = [&]<class S, class One>(const S& shape, const One& one, const Pose& one_pose, std::optional<std::uint32_t> number) {
+  const auto carve_one = [&]<class S, class One>(const S& shape, const One& one, const Pose& one_pose,
+                                                 std::optional<std::uint32_t> number) {
     Manifold own;
-    auto next = number ? std::lower_bound(places.begin(), places.end(), std::pair{*number, std::size_t{0}}) : places.begin();
+    auto next =
+        number ? std::lower_bound(places.begin(), places.end(), std::pair{*number, std::size_t{0}}) : places.begin();
     for (; next != places.end() && (!number || next->first == *number); ++next) {
       own.push_back(contacts[next->second]);
       own.back().id = next->second;  // tells which of them are left
@@ -121,7 +124,8 @@ void carve(const AnyShape& composite, const Pose& pose, const AnyShape& other, c
         });
       } else if constexpr (Scattered<O>) {
         many.visit_places(near, [&](const Vec3& place, std::uint32_t index) {
-          carve_one(shape, LonePart<typename O::Part>{many.part(index)}, {other_pose.rotation, other_pose * place}, index);
+          carve_one(shape, LonePart<typename O::Part>{many.part(index)}, {other_pose.rotation, other_pose * place},
+                    index);
         });
       } else {
         carve_one(shape, LoneShape{other}, other_pose, std::nullopt);

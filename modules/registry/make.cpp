@@ -11,12 +11,12 @@ Result<AnyShape> AnyShape::make(std::uint32_t kind, std::span<const Real> parame
                                 std::span<const std::uint32_t> indices) {
   using Maker = Result<AnyShape> (*)(std::span<const Real>, std::span<const Real>, std::span<const std::uint32_t>);
   static constexpr auto makers = []<std::size_t... Places>(std::index_sequence<Places...>) {
-    return std::array<Maker, Shapes::count>{
-        [](std::span<const Real> own_parameters, std::span<const Real> own_reals, std::span<const std::uint32_t> own_indices) {
-          return Shapes::At<Places>::make(own_parameters, own_reals, own_indices).transform([](Shapes::At<Places> shape) {
-            return AnyShape(std::move(shape));
-          });
-        }...};
+    return std::array<Maker, Shapes::count>{[](std::span<const Real> own_parameters, std::span<const Real> own_reals,
+                                               std::span<const std::uint32_t> own_indices) {
+      return Shapes::At<Places>::make(own_parameters, own_reals, own_indices).transform([](Shapes::At<Places> shape) {
+        return AnyShape(std::move(shape));
+      });
+    }...};
   }(std::make_index_sequence<Shapes::count>{});
   for (std::size_t place = 0; place < Shapes::count; ++place) {
     if (Shapes::kinds[place] == kind) {
@@ -35,7 +35,8 @@ std::optional<Distance> AnyShape::distance_to(const Vec3& point) const {
         } else {
           Distance found{};
           const Pose placed{Rotation::identity(), point};
-          return distance_by_route(shape, Ball(0), placed, {}, found) == Outcome::ok ? std::optional(found) : std::nullopt;
+          return distance_by_route(shape, Ball(0), placed, {}, found) == Outcome::ok ? std::optional(found)
+                                                                                     : std::nullopt;
         }
       },
       *this);

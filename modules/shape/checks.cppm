@@ -53,7 +53,8 @@ inline constexpr Real largest_coordinate = 1e70;
 
 [[nodiscard]] inline Fault check_count(std::string_view name, std::size_t count, std::size_t expected) {
   if (count != expected) {
-    return error_about(Errc::invalid_argument, name, static_cast<std::uint64_t>(count), std::to_string(expected) + " for this kind");
+    return error_about(Errc::invalid_argument, name, static_cast<std::uint64_t>(count),
+                       std::to_string(expected) + " for this kind");
   }
   return std::nullopt;
 }

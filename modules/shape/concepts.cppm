@@ -86,16 +86,18 @@ struct AcceptsAnyPart {
 
 // Made of convex parts. visit_parts hands over every part whose box overlaps the given one; the
 // visitor may shrink that box on the way. part_near gives some part close to a point.
-// is_crest tells whether the surface around some corners of a part, given by bit (one is a vertex, two are an edge), lies
-// behind the plane through them across a direction: whether the direction is in their cone of normals, up to a height.
+// is_crest tells whether the surface around some corners of a part, given by bit (one is a vertex, two are an edge),
+// lies behind the plane through them across a direction: whether the direction is in their cone of normals, up to a
+// height.
 template <class S>
-concept Surface = Bounded<S> && Convex<typename S::Part> &&
-                    requires(const S& shape, Aabb& box, const Vec3& point, AcceptsAnyPart visitor, std::uint32_t index, Real height) {
-                      shape.visit_parts(box, visitor);
-                      { shape.part(index) } -> std::same_as<typename S::Part>;
-                      { shape.part_near(point) } -> std::same_as<typename S::Part>;
-                      { shape.is_crest(index, 1u, point, height) } -> std::same_as<bool>;
-                    };
+concept Surface =
+    Bounded<S> && Convex<typename S::Part> &&
+    requires(const S& shape, Aabb& box, const Vec3& point, AcceptsAnyPart visitor, std::uint32_t index, Real height) {
+      shape.visit_parts(box, visitor);
+      { shape.part(index) } -> std::same_as<typename S::Part>;
+      { shape.part_near(point) } -> std::same_as<typename S::Part>;
+      { shape.is_crest(index, 1u, point, height) } -> std::same_as<bool>;
+    };
 
 struct AcceptsAnyPlace {
   void operator()(const Vec3&, std::uint32_t) const {}

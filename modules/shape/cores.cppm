@@ -35,8 +35,8 @@ struct RoundReach {
   Real reach;
   bool is_of_other_end;  // the way ends on the ball around an end of the core that is not the point
 };
-// From the point at a height `z` of a segment along Z. Where the direction leans toward an end, the way leaves through the side
-// before the ball around the point ends, or through the ball around that end.
+// From the point at a height `z` of a segment along Z. Where the direction leans toward an end, the way leaves through
+// the side before the ball around the point ends, or through the ball around that end.
 [[nodiscard]] inline RoundReach reach_of_round_segment(Real half_length, Real radius, Real z, const Vec3& direction) {
   const Real left = direction.z >= 0 ? half_length - z : half_length + z;
   if (!(radius > 0 && left > 0)) {
@@ -68,8 +68,12 @@ class SegmentCore {
   }
   [[nodiscard]] inline Real reach(const Vec3& direction) const { return half_length_ * std::fabs(direction.z); }
   [[nodiscard]] inline std::uint32_t corner_count() const { return half_length_ > 0 ? 2 : 1; }
-  [[nodiscard]] inline Vec3 corner(std::uint32_t index) const { return {0, 0, index == 0 ? -half_length_ : half_length_}; }
-  [[nodiscard]] inline PlacedSegment placed(const Pose& pose) const { return {pose.position, half_length_ * pose.rotation.z}; }
+  [[nodiscard]] inline Vec3 corner(std::uint32_t index) const {
+    return {0, 0, index == 0 ? -half_length_ : half_length_};
+  }
+  [[nodiscard]] inline PlacedSegment placed(const Pose& pose) const {
+    return {pose.position, half_length_ * pose.rotation.z};
+  }
   [[nodiscard]] inline Face supporting_face(const Vec3&) const {
     [[clang::uninitialized]] Face face;
     face.vertices.push_back({{0, 0, -half_length_}, 0, 0});

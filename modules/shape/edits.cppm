@@ -17,9 +17,9 @@ struct ParameterEdit {
 // Heights of a rectangle of samples of a height field, along X first.
 struct HeightEdit {
   static constexpr std::string_view subject = "heights";
-  std::uint32_t column, row;     // the first sample
-  std::uint32_t columns, rows;   // how many
-  std::span<const Real> heights; // columns * rows
+  std::uint32_t column, row;      // the first sample
+  std::uint32_t columns, rows;    // how many
+  std::span<const Real> heights;  // columns * rows
 };
 
 // Centres of particles from `first` on, three numbers each, and their radii, which stay as they are where there are

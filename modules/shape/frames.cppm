@@ -6,8 +6,8 @@ import abut.shape.records;
 
 export namespace abut {
 
-// Points and a normal in place of those of a distance or a contact; what was a becomes b, where `swapped`. Which side comes
-// first is often as good as random, hence lanes that are chosen by a mask and no branch.
+// Points and a normal in place of those of a distance or a contact; what was a becomes b, where `swapped`. Which side
+// comes first is often as good as random, hence lanes that are chosen by a mask and no branch.
 template <class Found>
 [[gnu::always_inline]] inline void set_sides(Found& found, Lanes point_a, Lanes point_b, Lanes normal, bool swapped) {
   const LaneNumbers exchange = swapped ? -1 : 0;
@@ -29,13 +29,15 @@ template <class Found>
 [[gnu::always_inline]] inline void move_by(Found& found, const Pose& pose, bool swapped = false) {
   const LaneMatrix columns = LaneMatrix::columns_of(pose.rotation);
   const Lanes position = lanes_of(pose.position);
-  set_sides(found, columns.apply(found.point_a, position), columns.apply(found.point_b, position), columns * found.normal, swapped);
+  set_sides(found, columns.apply(found.point_a, position), columns.apply(found.point_b, position),
+            columns * found.normal, swapped);
 }
 // The same from a frame that is placed without being turned.
 template <class Found>
 [[gnu::always_inline]] inline void move_by(Found& found, const Vec3& shift, bool swapped = false) {
   const Lanes position = lanes_of(shift);
-  set_sides(found, lanes_of(found.point_a) + position, lanes_of(found.point_b) + position, lanes_of(found.normal), swapped);
+  set_sides(found, lanes_of(found.point_a) + position, lanes_of(found.point_b) + position, lanes_of(found.normal),
+            swapped);
 }
 
 }  // namespace abut

@@ -1,8 +1,8 @@
 // How the support function of a core runs near a direction, up to second order: what Newton's method needs to find the
 // least depth of curved cores, and what proves that it is the least one nearby.
 //
-// Directions near a unit n are v = n + w with w across n, w = (x, y) in the basis of a frame. The core is the largest of a
-// few pieces there: one with support point `point`, and beyond each crease one whose points lie further by `step`.
+// Directions near a unit n are v = n + w with w across n, w = (x, y) in the basis of a frame. The core is the largest
+// of a few pieces there: one with support point `point`, and beyond each crease one whose points lie further by `step`.
 export module abut.shape.germ;
 import abut.core.standard;
 import abut.math;
@@ -53,8 +53,8 @@ struct Germ {
   return germ.share / (wide < narrow ? wide : narrow);
 }
 
-// Support along n of a disc of a radius around a point, across the axis (0, 0, 1): n has the part `side` across that axis,
-// in the direction (x, y).
+// Support along n of a disc of a radius around a point, across the axis (0, 0, 1): n has the part `side` across that
+// axis, in the direction (x, y).
 struct DiscEdge {
   Real x, y, side;
 };
@@ -75,8 +75,8 @@ struct InnerBalls {
   Real radius;
 };
 
-// An outward normal of the outline that turns around Z to a core: away from the axis, and along it. Both are 0 where there
-// are fewer.
+// An outward normal of the outline that turns around Z to a core: away from the axis, and along it. Both are 0 where
+// there are fewer.
 struct OutlineNormal {
   Real out, up;
 };

@@ -13,12 +13,15 @@ class Ball : public PointCore {
  public:
   inline explicit Ball(Real radius) : radius_(radius) {}
 
-  [[nodiscard]] inline Aabb aabb(const Pose& pose) const { return Aabb::around(pose.position, {radius_, radius_, radius_}); }
+  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
+    return Aabb::around(pose.position, {radius_, radius_, radius_});
+  }
   [[nodiscard]] inline Real radius() const { return radius_; }
 
   // The two roots of |origin + t direction| = radius, in the form without cancellation
   // (Haines et al., "Precision improvements for ray/sphere intersection", 2019).
-  [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
+  [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction,
+                                                      Real max_distance) const {
     const Real along = -dot(origin, direction);
     const Vec3 nearest = origin + along * direction.vec();
     const Real under = radius_ * radius_ - squared_norm(nearest);

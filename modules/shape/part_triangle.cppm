@@ -25,7 +25,8 @@ class Triangle {
   [[nodiscard]] inline Vec3 corner(std::uint32_t index) const { return corners_[index]; }
 
   [[nodiscard]] inline Aabb box() const {
-    return {minimum(minimum(corners_[0], corners_[1]), corners_[2]), maximum(maximum(corners_[0], corners_[1]), corners_[2])};
+    return {minimum(minimum(corners_[0], corners_[1]), corners_[2]),
+            maximum(maximum(corners_[0], corners_[1]), corners_[2])};
   }
   [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
     const Vec3 a = pose * corners_[0], b = pose * corners_[1], c = pose * corners_[2];
@@ -62,7 +63,8 @@ class Triangle {
   // Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013; both sides count. Seen along the
   // ray, the side of an edge is the same number for both triangles that share it but for its sign, so
   // that no ray slips between them.
-  [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
+  [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction,
+                                                      Real max_distance) const {
     const Vec3 d = direction, wide = absolute(d);
     const int kz = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
     const int kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
@@ -97,17 +99,20 @@ class Triangle {
     }
     return normal_of_needle(ab, c - b, -ac);
   }
-  // From the longest edge and the shortest one, which are least parallel. What rounding has left of the normal along the
-  // longest edge is taken out, as its length would multiply it; across that edge the triangle is thin.
+  // From the longest edge and the shortest one, which are least parallel. What rounding has left of the normal along
+  // the longest edge is taken out, as its length would multiply it; across that edge the triangle is thin.
   [[nodiscard]] static Vec3 normal_of_needle(const Vec3& ab, const Vec3& bc, const Vec3& ca) {
     Vec3 first = ab, second = bc, third = ca;  // in turn, the first one the longest
-    for (int turns = 0; turns < 2 && (squared_norm(first) < squared_norm(second) || squared_norm(first) < squared_norm(third)); ++turns) {
+    for (int turns = 0;
+         turns < 2 && (squared_norm(first) < squared_norm(second) || squared_norm(first) < squared_norm(third));
+         ++turns) {
       const Vec3 next = second;
       second = third;
       third = first;
       first = next;
     }
-    const auto across = UnitVec3::make(squared_norm(second) < squared_norm(third) ? cross(first, second) : cross(third, first));
+    const auto across =
+        UnitVec3::make(squared_norm(second) < squared_norm(third) ? cross(first, second) : cross(third, first));
     if (!across) {
       return {0, 0, 0};
     }

@@ -17,7 +17,8 @@ template <Convex S>
 }
 
 template <Convex S, class Placement>
-[[nodiscard]] [[gnu::always_inline]] inline SupportPoint placed_support(const S& shape, const Placement& placement, const Vec3& direction) {
+[[nodiscard]] [[gnu::always_inline]] inline SupportPoint placed_support(const S& shape, const Placement& placement,
+                                                                        const Vec3& direction) {
   if constexpr (Placeable<S>) {
     return placement.support(direction);
   } else {

@@ -70,8 +70,8 @@ enum class Outcome : std::uint8_t { ok, apart, unsupported, not_converged };
 
 struct QuerySettings {
   Algorithm algorithm = Algorithm::automatic;
-  Real error_bound = 0;      // of upper - lower, relative to the size of the shapes; 0: the usual one
-  Real margin = 0;           // contacts are wanted up to this distance
+  Real error_bound = 0;  // of upper - lower, relative to the size of the shapes; 0: the usual one
+  Real margin = 0;       // contacts are wanted up to this distance
 };
 
 // Signed distance: `distance == dot(point_b - point_a, normal)`, normal from a to b, negative when
@@ -116,14 +116,15 @@ struct ContactPoint {
 
 using Manifold = std::vector<ContactPoint>;
 
-// Contacts of one pair in which the same features touch, as where an edge crosses a rim twice, get numbers of their own, in
-// their order.
+// Contacts of one pair in which the same features touch, as where an edge crosses a rim twice, get numbers of their
+// own, in their order.
 inline void number_apart(std::span<ContactPoint> contacts) {
   std::uint64_t seen = 0;  // a bit for the last digits of each number
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     std::uint64_t& id = contacts[i].id;
     const auto is_taken = [&] {
-      return (seen >> (id & 63) & 1) != 0 && std::ranges::any_of(contacts.first(i), [&](const ContactPoint& other) { return other.id == id; });
+      return (seen >> (id & 63) & 1) != 0 &&
+             std::ranges::any_of(contacts.first(i), [&](const ContactPoint& other) { return other.id == id; });
     };
     while (is_taken()) {
       id = mixed(id);

@@ -29,13 +29,15 @@ struct Rim {
   bool is_up;
   std::uint32_t index, first;
 };
-// A rim that leans less than this rests on its face: where it is deepest says little, as that runs around the rim faster than
-// the inverse of the lean. A rim that leans more stands on its edge.
+// A rim that leans less than this rests on its face: where it is deepest says little, as that runs around the rim
+// faster than the inverse of the lean. A rim that leans more stands on its edge.
 inline constexpr Real resting_sine = 1e-3;
-// What a rim touches with where it is deepest and none of its corners is: on its face no feature of its own, else the edge
-// named after the first one. `across_square`: of the part of a unit normal across the axis.
-[[nodiscard]] [[gnu::always_inline]] inline Feature feature_where_deepest(std::uint32_t first_edge, Real across_square) {
-  return across_square < resting_sine * resting_sine ? Feature{FeatureKind::whole, 0} : Feature{FeatureKind::edge, first_edge};
+// What a rim touches with where it is deepest and none of its corners is: on its face no feature of its own, else the
+// edge named after the first one. `across_square`: of the part of a unit normal across the axis.
+[[nodiscard]] [[gnu::always_inline]] inline Feature feature_where_deepest(std::uint32_t first_edge,
+                                                                          Real across_square) {
+  return across_square < resting_sine * resting_sine ? Feature{FeatureKind::whole, 0}
+                                                     : Feature{FeatureKind::edge, first_edge};
 }
 
 // As a polygon.

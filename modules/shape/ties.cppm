@@ -1,13 +1,14 @@
-// When two choices of a feature are equally good. Rounding of coordinates must not decide between them, or contacts would
-// change their number and their ids under the least motion.
+// When two choices of a feature are equally good. Rounding of coordinates must not decide between them, or contacts
+// would change their number and their ids under the least motion.
 export module abut.shape.ties;
 import abut.core.standard;
 import abut.math;
 
 export namespace abut {
 
-// Heights and places that differ by less than this share of the size are the same. Some thousand units of rounding, so that
-// what ties stays tied under motions of a picometre per metre, and a hundredth of what points of contacts may be off by.
+// Heights and places that differ by less than this share of the size are the same. Some thousand units of rounding, so
+// that what ties stays tied under motions of a picometre per metre, and a hundredth of what points of contacts may be
+// off by.
 inline constexpr Real tie_share = 4e-12;
 
 // The axis along which a direction is longest; of those that tie the first one.

@@ -49,7 +49,8 @@ template <Hole S>
 
 // Where a ray first crosses a wall. From outside it comes in through one, from inside it meets the far one.
 template <Hole S>
-[[nodiscard]] std::optional<RayHit> cast_ray_at_walls(const S& hole, const Vec3& origin, const UnitVec3& direction, Real max_distance) {
+[[nodiscard]] std::optional<RayHit> cast_ray_at_walls(const S& hole, const Vec3& origin, const UnitVec3& direction,
+                                                      Real max_distance) {
   const Vec3 d = direction;
   RayHit enter{-infinity, {0, 0, 0}, {}}, leave{infinity, {0, 0, 0}, {}};
   const auto cut = [&](Real distance, bool leaves, const Vec3& outward, std::uint32_t face) {

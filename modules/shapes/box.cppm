@@ -81,7 +81,12 @@ class Box {
   [[nodiscard]] Face supporting_face(const Vec3& d) const {
     const int axis = longest_axis(d);
     [[clang::uninitialized]] const Face side = side_of(axis, d[axis] >= 0);
-    const bool flat_first = half_[axis == 0 ? 1 : axis == 1 ? 2 : 0] == 0, flat_second = half_[axis == 0 ? 2 : axis == 1 ? 0 : 1] == 0;
+    const bool flat_first = half_[axis == 0   ? 1
+                                  : axis == 1 ? 2
+                                              : 0] == 0,
+               flat_second = half_[axis == 0   ? 2
+                                   : axis == 1 ? 0
+                                               : 1] == 0;
     return flat_first || flat_second ? without_area(side, flat_first, flat_second) : side;
   }
   [[nodiscard]] inline Feature supporting_feature(const Vec3& d) const {
@@ -91,7 +96,9 @@ class Box {
     }
     return feature_of(supporting_face(d));
   }
-  [[nodiscard]] inline std::array<Vec3, 3> face_normals() const { return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}; }
+  [[nodiscard]] inline std::array<Vec3, 3> face_normals() const {
+    return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  }
   [[nodiscard]] inline std::array<Vec3, 3> edge_directions() const { return face_normals(); }
 
   // Slabs (Kay and Kajiya 1986). A ray that starts inside meets the far side.

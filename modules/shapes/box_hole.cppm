@@ -42,7 +42,8 @@ class BoxHole {
       if ((open_ >> face & 1u) == 0) {
         const Real sign = face % 2 == 0 ? 1 : -1;
         const std::uint32_t axis = face / 2;
-        walls.push_back({{axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0}, half_[static_cast<int>(axis)], face});
+        walls.push_back(
+            {{axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0}, half_[static_cast<int>(axis)], face});
       }
     }
     return walls;

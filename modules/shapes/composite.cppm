@@ -95,8 +95,8 @@ class CompositeOf {
   [[nodiscard]] bool is_cut(std::uint32_t solid, const Vec3& point, std::uint32_t but) const;
   [[nodiscard]] bool has_material(const Hole& hole, const Vec3& point) const;
   // The first crossing of a child's surface that counts.
-  [[nodiscard]] std::optional<RayHit> cast_ray_at(std::uint32_t number, const Vec3& origin, const UnitVec3& direction, Real max_distance,
-                                                  const Hole* as_hole) const;
+  [[nodiscard]] std::optional<RayHit> cast_ray_at(std::uint32_t number, const Vec3& origin, const UnitVec3& direction,
+                                                  Real max_distance, const Hole* as_hole) const;
   [[nodiscard]] static Result<CompositeOf> decode(std::span<const Real> reals, std::span<const std::uint32_t> indices,
                                                   std::uint32_t nesting);
 
@@ -132,7 +132,8 @@ Result<CompositeOf<Any>> CompositeOf<Any>::of(std::span<const Child> given) {
   const auto count = static_cast<std::uint32_t>(data.children.size());
   // Those of the composite itself, which are not yet in the list, cut all of it.
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (data.children[i].shape->is_hole() && std::ranges::none_of(data.holes, [&](const Hole& hole) { return hole.child == i; })) {
+    if (data.children[i].shape->is_hole() &&
+        std::ranges::none_of(data.holes, [&](const Hole& hole) { return hole.child == i; })) {
       data.holes.push_back({i, 0, count});
     }
   }
@@ -202,7 +203,8 @@ Result<CompositeOf<Any>> CompositeOf<Any>::decode(std::span<const Real> reals, s
     if (!shape) {
       return Error{shape.error().code, at + ": " + shape.error().message};
     }
-    children.push_back({Frozen<Any>(std::move(shape).value()), {Rotation::from(*orientation), {pose[0], pose[1], pose[2]}}});
+    children.push_back(
+        {Frozen<Any>(std::move(shape).value()), {Rotation::from(*orientation), {pose[0], pose[1], pose[2]}}});
     reals = own.subspan(parameter_count + real_count);
     indices = indices.subspan(index_count);
   }
@@ -257,7 +259,8 @@ template <class Any>
 bool CompositeOf<Any>::is_cut(std::uint32_t solid, const Vec3& point, std::uint32_t but) const {
   return std::ranges::any_of(data_->holes, [&](const Hole& hole) {
     const Child& cavity = data_->children[hole.child];
-    return hole.child != but && hole.begin <= solid && solid < hole.end && cavity.shape->cavity_holds(cavity.pose.undo(point), 0);
+    return hole.child != but && hole.begin <= solid && solid < hole.end &&
+           cavity.shape->cavity_holds(cavity.pose.undo(point), 0);
   });
 }
 
@@ -286,7 +289,8 @@ std::optional<RayHit> CompositeOf<Any>::cast_ray_at(std::uint32_t number, const 
   Real start = 0;
   for (int crossing = 0; crossing < most_crossings; ++crossing) {
     const Vec3 place = from + start * turned.vec();
-    auto hit = std::visit([&](const auto& shape) { return shape.cast_ray(place, turned, max_distance - start); }, *child.shape);
+    auto hit = std::visit([&](const auto& shape) { return shape.cast_ray(place, turned, max_distance - start); },
+                          *child.shape);
     if (!hit) {
       return std::nullopt;
     }
@@ -303,7 +307,8 @@ std::optional<RayHit> CompositeOf<Any>::cast_ray_at(std::uint32_t number, const 
 }
 
 template <class Any>
-std::optional<RayHit> CompositeOf<Any>::cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
+std::optional<RayHit> CompositeOf<Any>::cast_ray(const Vec3& origin, const UnitVec3& direction,
+                                                 Real max_distance) const {
   std::optional<RayHit> best;
   Real limit = max_distance;
   const auto try_child = [&](std::uint32_t number, const Hole* as_hole) {
@@ -317,7 +322,8 @@ std::optional<RayHit> CompositeOf<Any>::cast_ray(const Vec3& origin, const UnitV
     try_child(child, nullptr);
   }
   if (data_->bounded.size() > most_without_tree) {
-    data_->tree.bvh.visit_ray(origin, direction, limit, [&](std::uint32_t place) { try_child(data_->bounded[place], nullptr); });
+    data_->tree.bvh.visit_ray(origin, direction, limit,
+                              [&](std::uint32_t place) { try_child(data_->bounded[place], nullptr); });
   } else {
     for (const std::uint32_t child : data_->bounded) {
       try_child(child, nullptr);

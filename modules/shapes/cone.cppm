@@ -15,7 +15,7 @@ class Cone {
   static constexpr bool is_curved = true;
 
   [[nodiscard]] static Result<Cone> make(std::span<const Real> parameters, std::span<const Real> reals,
-                                             std::span<const std::uint32_t> indices) {
+                                         std::span<const std::uint32_t> indices) {
     if (Fault fault = check_lengths(parameter_names, parameters, reals, indices)) {
       return *fault;
     }
@@ -87,7 +87,9 @@ class Cone {
     const Sideways around = sideways_of(p);
     const Real height = p.z + half_height_, slant = norm({2 * half_height_, radius_, 0});
     const auto lifted = [&](Real x, Real z, Real normal_x, Real normal_z, Real distance) {
-      return SurfacePoint{{x * around.x, x * around.y, z - half_height_}, {normal_x * around.x, normal_x * around.y, normal_z}, distance};
+      return SurfacePoint{{x * around.x, x * around.y, z - half_height_},
+                          {normal_x * around.x, normal_x * around.y, normal_z},
+                          distance};
     };
     // Away from a corner by differences that are exact near to it. At the corner itself as a neighbour faces.
     const auto from_corner = [&](Real x, Real z, Real dx, Real dz, Real usual_x, Real usual_z) {
@@ -104,7 +106,8 @@ class Cone {
     if (height <= 0 && around.length <= radius_) {
       return lifted(around.length, 0, 0, -1, -height);
     }
-    // Beyond an end of the side only where the way from the corner is one of its normals, which rounding of `along` may miss.
+    // Beyond an end of the side only where the way from the corner is one of its normals, which rounding of `along` may
+    // miss.
     if (height <= 0 || beside >= 0) {
       const Real from_rim = around.length - radius_, from_apex = p.z - half_height_;
       if (along <= 0 && from_rim * out_z >= height * out_x) {
@@ -176,7 +179,8 @@ class Cone {
     }
     const Sideways out = sideways_of(q + at * d);
     const Real slant = std::hypot(2 * half_height_, radius_), up = radius_ / slant, across = 2 * half_height_ / slant;
-    return RayHit{distance, out.length > 0 ? Vec3{across * out.x, across * out.y, up} : Vec3{0, 0, 1}, {FeatureKind::face, 1}};
+    return RayHit{
+        distance, out.length > 0 ? Vec3{across * out.x, across * out.y, up} : Vec3{0, 0, 1}, {FeatureKind::face, 1}};
   }
 
  private:
@@ -185,7 +189,8 @@ class Cone {
 
   // Along the normal of the side.
   [[nodiscard]] inline Real toward_side(const Vec3& direction) const {
-    return (2 * half_height_ * sideways_of(direction).length + radius_ * direction.z) / norm({2 * half_height_, radius_, 0});
+    return (2 * half_height_ * sideways_of(direction).length + radius_ * direction.z) /
+           norm({2 * half_height_, radius_, 0});
   }
   // Of a direction in which the base is no support: whether the whole side is, and not the apex alone.
   [[nodiscard]] inline bool supports_side(const Vec3& direction) const {

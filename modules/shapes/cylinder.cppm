@@ -82,7 +82,8 @@ class Cylinder {
   // Whether a point is further from the cylinder than `reach`; near its edges it need not be told.
   [[nodiscard]] [[gnu::always_inline]] inline bool is_beyond(const Vec3& p, Real reach) const {
     const Real wide = radius_ + reach, slack = 1 + 16 * epsilon;
-    return reach >= 0 && (std::fabs(p.z) > slack * (half_height_ + reach) || p.x * p.x + p.y * p.y > slack * (wide * wide));
+    return reach >= 0 &&
+           (std::fabs(p.z) > slack * (half_height_ + reach) || p.x * p.x + p.y * p.y > slack * (wide * wide));
   }
 
   // Whether no point lies as far as `reach` along a direction; where rounding matters it need not be told.

@@ -49,7 +49,8 @@ class CylinderHole {
   }
 
  private:
-  CylinderHole(Real radius, Real half_height, std::uint32_t open) : radius_(radius), half_height_(half_height), open_(open) {}
+  CylinderHole(Real radius, Real half_height, std::uint32_t open)
+      : radius_(radius), half_height_(half_height), open_(open) {}
   Real radius_;
   Real half_height_;
   std::uint32_t open_;

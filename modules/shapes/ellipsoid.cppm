@@ -15,7 +15,7 @@ class Ellipsoid {
   static constexpr bool is_curved = true;
 
   [[nodiscard]] static Result<Ellipsoid> make(std::span<const Real> parameters, std::span<const Real> reals,
-                                             std::span<const std::uint32_t> indices) {
+                                              std::span<const std::uint32_t> indices) {
     if (Fault fault = check_lengths(parameter_names, parameters, reals, indices)) {
       return *fault;
     }
@@ -23,8 +23,8 @@ class Ellipsoid {
   }
   [[nodiscard]] std::vector<Real> parameters() const { return {radii_.x, radii_.y, radii_.z}; }
   [[nodiscard]] static std::vector<Ellipsoid> samples() {
-    return {Ellipsoid({1, 1, 1}), Ellipsoid({0.5, 1, 2}), Ellipsoid({1, 1, 0.1}), Ellipsoid({1e-3, 1e-3, 10}),
-            Ellipsoid({30, 20, 10}), Ellipsoid({1, 0.5, 0})};
+    return {Ellipsoid({1, 1, 1}),        Ellipsoid({0.5, 1, 2}),  Ellipsoid({1, 1, 0.1}),
+            Ellipsoid({1e-3, 1e-3, 10}), Ellipsoid({30, 20, 10}), Ellipsoid({1, 0.5, 0})};
   }
 
   [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
@@ -151,7 +151,9 @@ class Ellipsoid {
   [[nodiscard]] SurfacePoint nearest_across(const Vec3& p, int least) const {
     const Real end = -radii_[least] * radii_[least];
     const auto of = [&](int i, Real value, Real other) { return i == least ? value : other; };
-    const auto share = [&](int i) { return radii_[i] * p[i] == 0 ? 0 : radii_[i] * p[i] / (radii_[i] * radii_[i] + end); };
+    const auto share = [&](int i) {
+      return radii_[i] * p[i] == 0 ? 0 : radii_[i] * p[i] / (radii_[i] * radii_[i] + end);
+    };
     const Vec3 others{of(0, 0, share(0)), of(1, 0, share(1)), of(2, 0, share(2))};
     const Real left = std::sqrt(std::max(Real{0}, 1 - squared_norm(others))), side = std::copysign(Real{1}, p[least]);
     const Vec3 point{of(0, side * left, others.x) * radii_.x, of(1, side * left, others.y) * radii_.y,
@@ -163,7 +165,8 @@ class Ellipsoid {
       const Vec3 out{across(0), across(1), across(2)};
       return {point, UnitVec3::make(out).value_or(UnitVec3::from_unit_unchecked(axis)), norm(out)};
     }
-    const auto normal = UnitVec3::make({point.x / (radii_.x * radii_.x), point.y / (radii_.y * radii_.y), point.z / (radii_.z * radii_.z)});
+    const auto normal = UnitVec3::make(
+        {point.x / (radii_.x * radii_.x), point.y / (radii_.y * radii_.y), point.z / (radii_.z * radii_.z)});
     return {point, normal.value_or(UnitVec3::from_unit_unchecked(axis)), -norm(p - point)};
   }
 

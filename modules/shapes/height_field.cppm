@@ -44,12 +44,15 @@ class HeightField {
     if (!box.overlaps(field.box)) {
       return;
     }
-    const std::uint32_t i0 = cell_before(box.low.x / field.spacing_x, field.columns), i1 = cell_at(box.high.x / field.spacing_x, field.columns);
-    const std::uint32_t j0 = cell_before(box.low.y / field.spacing_y, field.rows), j1 = cell_at(box.high.y / field.spacing_y, field.rows);
+    const std::uint32_t i0 = cell_before(box.low.x / field.spacing_x, field.columns),
+                        i1 = cell_at(box.high.x / field.spacing_x, field.columns);
+    const std::uint32_t j0 = cell_before(box.low.y / field.spacing_y, field.rows),
+                        j1 = cell_at(box.high.y / field.spacing_y, field.rows);
     for (std::uint32_t j = j0; j <= j1; ++j) {
       for (std::uint32_t i = i0; i <= i1; ++i) {
         const Real a = height(i, j), b = height(i + 1, j), c = height(i, j + 1), d = height(i + 1, j + 1);
-        if (std::max(std::max(a, b), std::max(c, d)) < box.low.z || std::min(std::min(a, b), std::min(c, d)) > box.high.z) {
+        if (std::max(std::max(a, b), std::max(c, d)) < box.low.z ||
+            std::min(std::min(a, b), std::min(c, d)) > box.high.z) {
           continue;
         }
         const std::uint32_t cell = j * (field.columns - 1) + i;
@@ -64,7 +67,8 @@ class HeightField {
   }
   [[nodiscard]] Triangle part_near(const Vec3& p) const {
     const Data& field = *data_;
-    const std::uint32_t i = cell_at(p.x / field.spacing_x, field.columns), j = cell_at(p.y / field.spacing_y, field.rows);
+    const std::uint32_t i = cell_at(p.x / field.spacing_x, field.columns),
+                        j = cell_at(p.y / field.spacing_y, field.rows);
     return part(2 * (j * (field.columns - 1) + i));
   }
 

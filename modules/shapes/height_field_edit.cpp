@@ -17,9 +17,9 @@ Fault check_stretch(std::string_view first_name, std::string_view count_name, st
     return error_about(Errc::index_out_of_range, first_name, std::uint64_t{first}, "at most " + std::to_string(all));
   }
   if (count > all - first) {
-    return error_about(Errc::index_out_of_range, count_name, std::uint64_t{count},
-                       "at most " + std::to_string(all - first) + ", as " + std::string(first_name) + " is " +
-                           std::to_string(first));
+    return error_about(
+        Errc::index_out_of_range, count_name, std::uint64_t{count},
+        "at most " + std::to_string(all - first) + ", as " + std::string(first_name) + " is " + std::to_string(first));
   }
   return std::nullopt;
 }
@@ -40,8 +40,8 @@ Aabb HeightField::apply(const HeightEdit& edit) {
   Data& field = data_.own();
   for (std::uint32_t j = 0; j < edit.rows; ++j) {
     const std::span<const Real> from = edit.heights.subspan(std::size_t{j} * edit.columns, edit.columns);
-    std::ranges::copy(from,
-        std::span(field.heights).subspan(std::size_t{edit.row + j} * field.columns + edit.column).begin());
+    std::ranges::copy(
+        from, std::span(field.heights).subspan(std::size_t{edit.row + j} * field.columns + edit.column).begin());
   }
   field.ranges.update(field.heights, {edit.column, edit.row, edit.columns, edit.rows});
   const auto [low, high] = field.ranges.whole();
@@ -49,9 +49,9 @@ Aabb HeightField::apply(const HeightEdit& edit) {
     return Aabb::everything();
   }
   const Real before = 1 + cells_beyond, after = cells_beyond;
-  return {{(edit.column - before) * field.spacing_x, (edit.row - before) * field.spacing_y, low},
-          {(edit.column + edit.columns + after) * field.spacing_x, (edit.row + edit.rows + after) * field.spacing_y,
-           high}};
+  return {
+      {(edit.column - before) * field.spacing_x, (edit.row - before) * field.spacing_y, low},
+      {(edit.column + edit.columns + after) * field.spacing_x, (edit.row + edit.rows + after) * field.spacing_y, high}};
 }
 
 }  // namespace abut

@@ -30,7 +30,8 @@ struct Sample {
 constexpr auto neighbours = std::to_array<Sample>({{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}});
 
 constexpr bool are_joined(const Sample& a, const Sample& b) {
-  return std::ranges::any_of(neighbours, [&](const Sample& step) { return a.i + step.i == b.i && a.j + step.j == b.j; });
+  return std::ranges::any_of(neighbours,
+                             [&](const Sample& step) { return a.i + step.i == b.i && a.j + step.j == b.j; });
 }
 
 }  // namespace
@@ -110,7 +111,8 @@ std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& 
     return std::nullopt;
   }
   const Vec3 start = origin + enter * d;
-  std::uint32_t i = cell_at(start.x / field.spacing_x, field.columns), j = cell_at(start.y / field.spacing_y, field.rows);
+  std::uint32_t i = cell_at(start.x / field.spacing_x, field.columns),
+                j = cell_at(start.y / field.spacing_y, field.rows);
   const auto next_crossing = [](Real from, Real along, Real spacing, std::uint32_t cell) {
     return along == 0 ? infinity : ((along > 0 ? cell + 1 : cell) * spacing - from) / along;
   };
@@ -123,7 +125,8 @@ std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& 
         best = hit;
       }
     }
-    const Real at_x = next_crossing(origin.x, d.x, field.spacing_x, i), at_y = next_crossing(origin.y, d.y, field.spacing_y, j);
+    const Real at_x = next_crossing(origin.x, d.x, field.spacing_x, i),
+               at_y = next_crossing(origin.y, d.y, field.spacing_y, j);
     // A hit beyond this cell would be one that rounding let in; the cell that it lies in decides.
     const Real end = std::min(at_x, at_y);
     if ((best && best->distance <= end) || !(end <= leave)) {

@@ -25,7 +25,8 @@ class Hull {
       return Error{Errc::empty, "point_count is 0; a hull needs at least one point"};
     }
     if (reals.size() % 3 != 0) {
-      return error_about(Errc::invalid_argument, "real_count", static_cast<std::uint64_t>(reals.size()), "a multiple of 3");
+      return error_about(Errc::invalid_argument, "real_count", static_cast<std::uint64_t>(reals.size()),
+                         "a multiple of 3");
     }
     if (Fault fault = check_all_finite("xyz", reals)) {
       return *fault;
@@ -42,7 +43,9 @@ class Hull {
   [[nodiscard]] inline const HullData& data() const [[clang::lifetimebound]] { return *data_; }
   [[nodiscard]] inline const HullReport& report() const [[clang::lifetimebound]] { return data_->report; }
   [[nodiscard]] inline const HullFacets& facets() const [[clang::lifetimebound]] { return data_->facets; }
-  [[nodiscard]] inline std::span<const HullData::Block> vertex_blocks() const [[clang::lifetimebound]] { return data_->blocks; }
+  [[nodiscard]] inline std::span<const HullData::Block> vertex_blocks() const [[clang::lifetimebound]] {
+    return data_->blocks;
+  }
 
   [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
     // Exact rather than the box of the local box: six support points.
@@ -57,7 +60,9 @@ class Hull {
   [[nodiscard]] inline Real radius() const { return 0; }
   [[nodiscard]] inline Vec3 centre() const { return data_->centre; }
   [[nodiscard]] inline Real extent() const { return data_->extent; }
-  [[nodiscard]] [[gnu::always_inline]] inline SupportPoint support(const Vec3& direction) const { return data_->support(direction); }
+  [[nodiscard]] [[gnu::always_inline]] inline SupportPoint support(const Vec3& direction) const {
+    return data_->support(direction);
+  }
 
   [[nodiscard]] inline std::uint32_t corner_count() const { return static_cast<std::uint32_t>(data_->vertices.size()); }
   [[nodiscard]] inline Vec3 corner(std::uint32_t index) const { return data_->vertices[index]; }

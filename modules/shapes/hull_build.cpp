@@ -50,7 +50,8 @@ void add_face(HullData& hull, std::span<const std::uint32_t> loop) {
   for (const std::uint32_t vertex : loop) {
     offset = std::max(offset, dot(normal->vec(), hull.vertices[vertex]));
   }
-  hull.faces.push_back({*normal, offset, static_cast<std::uint32_t>(hull.face_vertices.size()), static_cast<std::uint32_t>(loop.size())});
+  hull.faces.push_back({*normal, offset, static_cast<std::uint32_t>(hull.face_vertices.size()),
+                        static_cast<std::uint32_t>(loop.size())});
   hull.face_vertices.insert(hull.face_vertices.end(), loop.begin(), loop.end());
 }
 
@@ -65,7 +66,8 @@ HullData flat_hull(std::span<const Vec3> points, const Frame& frame) {
     const Vec3 c = frame.coordinates(points[i]);
     sorted[i] = {c.x, c.y, i};
   }
-  std::sort(sorted.begin(), sorted.end(), [](const Flat& a, const Flat& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Flat& a, const Flat& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
   const Real smallest_area = 16 * epsilon * (frame.high.x - frame.low.x) * (frame.high.y - frame.low.y);
   const auto turns_left = [&](const Flat& a, const Flat& b, const Flat& c) {
     return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u) > smallest_area;
@@ -133,8 +135,10 @@ HullData solid_hull(std::span<const Vec3> points, const Frame& frame) {
   qh_zero(qh.get(), nullptr);
   std::array<char, 16> command{"qhull Pp"};
   HullData hull;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> sink(std::fopen("/dev/null", "w"), [](std::FILE* f) { return f ? std::fclose(f) : 0; });
-  if (qh_new_qhull(qh.get(), 3, static_cast<int>(points.size()), scaled.data(), False, command.data(), sink.get(), sink.get()) != 0) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> sink(std::fopen("/dev/null", "w"),
+                                                             [](std::FILE* f) { return f ? std::fclose(f) : 0; });
+  if (qh_new_qhull(qh.get(), 3, static_cast<int>(points.size()), scaled.data(), False, command.data(), sink.get(),
+                   sink.get()) != 0) {
     return hull;
   }
   std::vector<std::uint32_t> numbers(points.size(), no_index);

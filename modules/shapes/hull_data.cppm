@@ -34,8 +34,8 @@ struct HullFacets {
   std::vector<Lanes> points;  // the vertices, the first ones far from each other
   std::vector<Planes> planes;
   std::vector<Sides> sides;  // of each edge
-  std::vector<Arcs> arcs;   // filled up with copies of the left side, which are arcs without length
-  std::vector<Line> lines;  // of each edge
+  std::vector<Arcs> arcs;    // filled up with copies of the left side, which are arcs without length
+  std::vector<Line> lines;   // of each edge
   Vec3 middle{};             // the centre of a ball inside
   Real inner = 0;            // and its radius
   Real flatness = 0;         // no vertex of a face is further than this behind its plane
@@ -65,10 +65,10 @@ struct HullData {
   std::vector<Block> blocks;
   std::vector<HullFace> faces;  // none when the hull is a segment or a point
   std::vector<std::uint32_t> face_vertices;
-  std::vector<std::uint32_t> face_edges;    // edge i leads from face vertex i to the next
-  std::vector<std::uint32_t> faces_at;      // faces around a vertex: faces_at[first_face[v] ...]
-  std::vector<std::uint32_t> first_face;    // one more than vertices
-  std::vector<Four> candidates;             // of a direction cell: candidates[first_candidates[cell] ...]
+  std::vector<std::uint32_t> face_edges;  // edge i leads from face vertex i to the next
+  std::vector<std::uint32_t> faces_at;    // faces around a vertex: faces_at[first_face[v] ...]
+  std::vector<std::uint32_t> first_face;  // one more than vertices
+  std::vector<Four> candidates;           // of a direction cell: candidates[first_candidates[cell] ...]
   std::vector<std::uint32_t> first_candidates;
   HullFacets facets;
   Vec3 low{}, high{}, centre{};
@@ -79,10 +79,11 @@ struct HullData {
     return first_candidates.empty() ? scan(direction) : look_up(direction);
   }
 
-  // The face that looks along a direction, of those around a vertex that lies furthest that way. Where an edge or a face lies
-  // as far, one that holds all of it: rounding picks the vertex, and must not pick the face.
+  // The face that looks along a direction, of those around a vertex that lies furthest that way. Where an edge or a
+  // face lies as far, one that holds all of it: rounding picks the vertex, and must not pick the face.
   [[nodiscard]] inline std::uint32_t face_along(std::uint32_t vertex, const Vec3& direction) const {
-    const Real scale = largest_magnitude(direction), lowest = dot(vertices[vertex], direction) - tie_share * extent * scale;
+    const Real scale = largest_magnitude(direction),
+               lowest = dot(vertices[vertex], direction) - tie_share * extent * scale;
     std::uint32_t found = 0, most = 0;
     Real best = 0;
     for (std::uint32_t i = first_face[vertex]; i < first_face[vertex + 1]; ++i) {

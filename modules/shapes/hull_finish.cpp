@@ -13,7 +13,8 @@ void number_edges(HullData& hull) {
       const std::uint32_t from = hull.face_vertices[face.first + i];
       const std::uint32_t to = hull.face_vertices[face.first + (i + 1) % face.count];
       const auto key = std::minmax(from, to);
-      hull.face_edges[face.first + i] = numbers.try_emplace(key, static_cast<std::uint32_t>(numbers.size())).first->second;
+      hull.face_edges[face.first + i] =
+          numbers.try_emplace(key, static_cast<std::uint32_t>(numbers.size())).first->second;
     }
   }
 }
@@ -211,7 +212,8 @@ void list_lines(HullData& hull, std::span<const std::uint32_t> order) {
     }
   }
   // Faces without area were left out, and their edges have a side too few.
-  facets.is_closed = !sides.empty() && std::none_of(sides.begin(), sides.end(), [](const auto& at) { return at.right == no_index; });
+  facets.is_closed =
+      !sides.empty() && std::none_of(sides.begin(), sides.end(), [](const auto& at) { return at.right == no_index; });
   facets.arcs.resize(facets.is_closed ? (sides.size() + 3) / 4 : 0);
   for (std::size_t i = 0; i < 4 * facets.arcs.size(); ++i) {
     const HullFacets::Sides& at = sides[std::min(i, sides.size() - 1)];

@@ -25,8 +25,8 @@ class Mesh {
   [[nodiscard]] Triangle part(std::uint32_t index) const {
     const Data& mesh = *data_;
     const std::size_t first = 3 * std::size_t{index};
-    return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]], mesh.vertices[mesh.indices[first + 2]],
-            index, mesh.one_sided};
+    return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]],
+            mesh.vertices[mesh.indices[first + 2]], index, mesh.one_sided};
   }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
@@ -62,7 +62,8 @@ class Mesh {
  private:
   struct Tree {
     Bvh bvh;
-    // The triangles around each vertex: those of vertex v are around[first_around[v]] to around[first_around[v + 1] - 1].
+    // The triangles around each vertex: those of vertex v are around[first_around[v]] to around[first_around[v + 1] -
+    // 1].
     std::vector<std::size_t> first_around;
     std::vector<std::uint32_t> around;
   };

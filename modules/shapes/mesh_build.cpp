@@ -6,7 +6,8 @@ import abut.midphase.bvh;
 import abut.shape;
 
 namespace abut {
-Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> reals, std::span<const std::uint32_t> indices) {
+Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> reals,
+                        std::span<const std::uint32_t> indices) {
   if (Fault fault = check_count("parameter_count", parameters.size(), 1)) {
     return *fault;
   }
@@ -20,10 +21,12 @@ Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> 
     return Error{Errc::empty, "triangle_count is 0; a mesh needs at least one triangle"};
   }
   if (reals.size() % 3 != 0) {
-    return error_about(Errc::invalid_argument, "real_count", static_cast<std::uint64_t>(reals.size()), "a multiple of 3");
+    return error_about(Errc::invalid_argument, "real_count", static_cast<std::uint64_t>(reals.size()),
+                       "a multiple of 3");
   }
   if (indices.size() % 3 != 0) {
-    return error_about(Errc::invalid_argument, "index_count", static_cast<std::uint64_t>(indices.size()), "a multiple of 3");
+    return error_about(Errc::invalid_argument, "index_count", static_cast<std::uint64_t>(indices.size()),
+                       "a multiple of 3");
   }
   if (reals.size() / 3 > no_index || indices.size() / 3 > no_index) {
     return Error{Errc::size_overflow, "a mesh has at most 2^32 - 1 vertices and triangles"};
@@ -72,17 +75,23 @@ Mesh::Tree Mesh::make_tree(const Data& data) {
 bool Mesh::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
   const Data& mesh = *data_;
   const Tree& tree = this->tree();
-  const auto corners_of = [&](std::uint32_t triangle) { return std::span(mesh.indices).subspan(3 * std::size_t{triangle}, 3); };
+  const auto corners_of = [&](std::uint32_t triangle) {
+    return std::span(mesh.indices).subspan(3 * std::size_t{triangle}, 3);
+  };
   const auto own = corners_of(index);
   const auto lowest = static_cast<unsigned>(std::countr_zero(corners));
   const unsigned others = corners & (corners - 1);
-  const std::uint32_t vertex = own[lowest], second = others != 0 ? own[static_cast<unsigned>(std::countr_zero(others))] : vertex;
+  const std::uint32_t vertex = own[lowest],
+                      second = others != 0 ? own[static_cast<unsigned>(std::countr_zero(others))] : vertex;
   const Real highest = dot(direction, mesh.vertices[vertex]) + height;
-  const auto around = std::span(tree.around).subspan(tree.first_around[vertex], tree.first_around[vertex + 1] - tree.first_around[vertex]);
+  const auto around =
+      std::span(tree.around)
+          .subspan(tree.first_around[vertex], tree.first_around[vertex + 1] - tree.first_around[vertex]);
   return std::ranges::all_of(around, [&](std::uint32_t triangle) {
     const auto next = corners_of(triangle);
-    return std::ranges::find(next, second) == next.end() ||
-           std::ranges::all_of(next, [&](std::uint32_t corner) { return dot(direction, mesh.vertices[corner]) <= highest; });
+    return std::ranges::find(next, second) == next.end() || std::ranges::all_of(next, [&](std::uint32_t corner) {
+             return dot(direction, mesh.vertices[corner]) <= highest;
+           });
   });
 }
 

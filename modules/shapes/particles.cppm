@@ -20,7 +20,9 @@ class Particles {
   [[nodiscard]] std::vector<Real> parameters() const { return {data_->common_radius}; }
   [[nodiscard]] static std::vector<Particles> samples();
 
-  [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->centres, pose).inflated(data_->largest_radius); }
+  [[nodiscard]] Aabb aabb(const Pose& pose) const {
+    return transformed(data_->centres, pose).inflated(data_->largest_radius);
+  }
   [[nodiscard]] std::size_t particle_count() const { return data_->places.size(); }
 
   [[nodiscard]] inline Ball part(std::uint32_t index) const { return Ball(radius_of(index)); }

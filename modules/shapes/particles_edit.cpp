@@ -51,8 +51,8 @@ Aabb Particles::apply(const ParticleEdit& edit) {
   measure(data);
   data.grid.forget();
   // The order in which queries find particles comes from the cells of the grid, and those from these.
-  const bool has_same_cells = centres.low == data.centres.low && centres.high == data.centres.high &&
-      largest == data.largest_radius;
+  const bool has_same_cells =
+      centres.low == data.centres.low && centres.high == data.centres.high && largest == data.largest_radius;
   return has_same_cells ? changed : Aabb::everything();
 }
 

@@ -41,7 +41,8 @@ class Plane {
   [[nodiscard]] inline Vec3 normal() const { return normal_; }
   [[nodiscard]] inline Real offset() const { return offset_; }
 
-  [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
+  [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction,
+                                                      Real max_distance) const {
     const Real approach = dot(normal_, direction);
     const Real height = dot(normal_, origin) - offset_;
     if (approach == 0) {

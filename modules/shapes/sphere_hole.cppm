@@ -22,7 +22,9 @@ class SphereHole {
   [[nodiscard]] std::vector<Real> parameters() const { return {radius_}; }
   [[nodiscard]] static std::vector<SphereHole> samples() { return {SphereHole(1), SphereHole(0.25)}; }
 
-  [[nodiscard]] inline Aabb aabb(const Pose& pose) const { return Aabb::around(pose.position, {radius_, radius_, radius_}); }
+  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
+    return Aabb::around(pose.position, {radius_, radius_, radius_});
+  }
   [[nodiscard]] inline FlatWalls flat_walls() const { return {}; }
   [[nodiscard]] inline std::optional<RoundWall> round_wall() const { return RoundWall{radius_, false, 0}; }
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {

@@ -10,7 +10,8 @@ export namespace abut {
 class FreeTriangle : public Triangle {
  public:
   static constexpr std::string_view name = "triangle";
-  static constexpr std::array<std::string_view, 9> parameter_names{"a_x", "a_y", "a_z", "b_x", "b_y", "b_z", "c_x", "c_y", "c_z"};
+  static constexpr std::array<std::string_view, 9> parameter_names{"a_x", "a_y", "a_z", "b_x", "b_y",
+                                                                   "b_z", "c_x", "c_y", "c_z"};
 
   [[nodiscard]] static Result<FreeTriangle> make(std::span<const Real> parameters, std::span<const Real> reals,
                                                  std::span<const std::uint32_t> indices) {
@@ -36,8 +37,9 @@ class FreeTriangle : public Triangle {
     return numbers;
   }
   [[nodiscard]] static std::vector<FreeTriangle> samples() {
-    return {FreeTriangle({1, 0, 0}, {-0.5, 0.8, 0}, {-0.5, -0.8, 0}), FreeTriangle({0, 0, 0}, {10, 0, 0}, {10, 1e-3, 0}),
-            FreeTriangle({-1, 0, 1}, {0, 0, 0}, {1, 0, -1}), FreeTriangle({0.2, 0.3, 0.4}, {0.2, 0.3, 0.4}, {0.2, 0.3, 0.4})};
+    return {FreeTriangle({1, 0, 0}, {-0.5, 0.8, 0}, {-0.5, -0.8, 0}),
+            FreeTriangle({0, 0, 0}, {10, 0, 0}, {10, 1e-3, 0}), FreeTriangle({-1, 0, 1}, {0, 0, 0}, {1, 0, -1}),
+            FreeTriangle({0.2, 0.3, 0.4}, {0.2, 0.3, 0.4}, {0.2, 0.3, 0.4})};
   }
 
   [[nodiscard]] Triangles triangles() const { return {{corners().begin(), corners().end()}, {0, 1, 2}}; }

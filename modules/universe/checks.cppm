@@ -13,7 +13,9 @@ export namespace abut {
   return std::string(array) + "[" + std::to_string(index) + "]";
 }
 
-[[nodiscard]] inline Error stale(const std::string& name) { return {Errc::stale_id, name + " is stale or belongs to another universe"}; }
+[[nodiscard]] inline Error stale(const std::string& name) {
+  return {Errc::stale_id, name + " is stale or belongs to another universe"};
+}
 
 template <class Map, class Id>
 [[nodiscard]] std::optional<Error> check_ids(const Map& map, std::span<const Id> ids, std::string_view array) {

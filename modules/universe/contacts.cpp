@@ -29,9 +29,9 @@ JobResult result_of(const Pair& pair) { return {pair.job, pair.first_contact, pa
 // separation to be below the margin.
 bool is_reported(Real distance, Real margin) { return margin == 0 ? distance <= 0 : distance < margin; }
 
-// What belongs to the contacts of pairs that were not examined goes to where it belongs, within the list: a second one would hold as
-// much again. The order stays, so that what goes down, first to last, and what goes up, last to first, runs over nothing that has yet
-// to go.
+// What belongs to the contacts of pairs that were not examined goes to where it belongs, within the list: a second one
+// would hold as much again. The order stays, so that what goes down, first to last, and what goes up, last to first,
+// runs over nothing that has yet to go.
 template <class Value>
 void move_kept(std::span<const Pair> pairs, std::span<Value> list) {
   const auto before_of = [&](const Pair& pair) { return list.subspan(pair.first_before, pair.contact_count); };
@@ -52,8 +52,8 @@ void move_kept(std::span<const Pair> pairs, std::span<Value> list) {
 
 }  // namespace
 
-// Keeps of the points of a job what is reported, reduced and moved to the world. Jobs come in the order of kinds, so that
-// whatever it reads of its pair is far away in memory: only reductions, which are rare, look there.
+// Keeps of the points of a job what is reported, reduced and moved to the world. Jobs come in the order of kinds, so
+// that whatever it reads of its pair is far away in memory: only reductions, which are rare, look there.
 void Universe::finish_job(std::size_t job, std::uint32_t chunk, std::size_t first, std::size_t count) {
   ChunkScratch& scratch = jobs_.scratch(chunk);
   const PairJob& its = jobs_.jobs()[job];
@@ -137,7 +137,8 @@ void Universe::time_kinds() {
 
 // What a pair has found. What it has kept is there already.
 void Universe::write_contacts_of(const Pair& pair, std::span<const ContactPoint> found) {
-  const std::span<const ContactHistory> before = std::span(histories_before_).subspan(pair.first_before, pair.count_before);
+  const std::span<const ContactHistory> before =
+      std::span(histories_before_).subspan(pair.first_before, pair.count_before);
   const std::span<ContactHistory> histories = std::span(histories_).subspan(pair.first_contact, pair.contact_count);
   const std::span<Contact> out = std::span(contacts_).subspan(pair.first_contact, pair.contact_count);
   if (pair.job == no_job) {
@@ -228,7 +229,8 @@ void Universe::move_kept_contacts() {
   }
 }
 
-// Room for so many contacts and, as their number changes from step to step, for some more: a list that grows is there twice.
+// Room for so many contacts and, as their number changes from step to step, for some more: a list that grows is there
+// twice.
 void Universe::make_room_for_contacts(std::size_t count) {
   constexpr std::size_t share_more = 8;
   if (contacts_.capacity() < count) {
@@ -242,9 +244,8 @@ void Universe::collect_contacts() {
   const Cuts cuts = workers_.cut(pairs_.all().size(), least_of_task);
   contact_tasks_.resize(std::max(contact_tasks_.size(), cuts.tasks()));
   const std::span<ContactTask> tasks = std::span(contact_tasks_).first(cuts.tasks());
-  workers_.for_each(cuts.tasks(), [&](std::size_t task) {
-    count_contacts(cuts.begin(task), cuts.end(task), tasks[task]);
-  });
+  workers_.for_each(cuts.tasks(),
+                    [&](std::size_t task) { count_contacts(cuts.begin(task), cuts.end(task), tasks[task]); });
   tallies_.fill({});
   stats_.candidate_pairs = stats_.filtered_pairs = stats_.unsupported_pairs = stats_.touching_pairs = 0;
   std::uint32_t total = 0, kept = 0;
@@ -271,7 +272,9 @@ void Universe::collect_contacts() {
   contacts_.resize(total);
   locals_.resize(options_.keeps_local_points ? total : 0);
   histories_.resize(total);
-  workers_.for_each(cuts.tasks(), [&](std::size_t task) { write_contacts(cuts.begin(task), cuts.end(task), tasks[task].first_contact); });
+  workers_.for_each(cuts.tasks(), [&](std::size_t task) {
+    write_contacts(cuts.begin(task), cuts.end(task), tasks[task].first_contact);
+  });
 }
 
 Result<void> Universe::set_contact_user_data(std::span<const std::uint64_t> user_data) {

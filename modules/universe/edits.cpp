@@ -20,7 +20,7 @@ void Universe::patch(GeometryId geometry, const Aabb& changed) {
   PlaceInfo& info = infos_[place];
   const bool is_first = info.patch == no_patch;
   const bool is_settled = presence_[place] == Presence::shown && !geometries_.at(geometry).is_changed &&
-      !info.is_fresh && !info.is_box_stale;
+                          !info.is_fresh && !info.is_box_stale;
   if (!changed.is_bounded() || (is_first && !is_settled)) {
     info.patch = no_patch;
     return;

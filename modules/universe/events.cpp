@@ -57,7 +57,8 @@ void Universe::write_event(EventKind kind, const Pair& pair, std::vector<Event>&
 
 // First those that are there, in their order, then those that are gone, in theirs.
 void Universe::write_contact_events(const Pair& pair, std::vector<Event>& out) const {
-  const std::span<const ContactHistory> before = std::span(histories_before_).subspan(pair.first_before, pair.count_before);
+  const std::span<const ContactHistory> before =
+      std::span(histories_before_).subspan(pair.first_before, pair.count_before);
   const std::span<const ContactHistory> present = std::span(histories_).subspan(pair.first_contact, pair.contact_count);
   const std::uint32_t flags = std::uint32_t{event_of_contact} | event_flags_of(pair);
   const auto write = [&](EventKind kind, std::uint64_t id, std::uint32_t place) {
@@ -86,7 +87,8 @@ void Universe::write_contact_events(const Pair& pair, std::vector<Event>& out) c
 
 // Of pairs in order, and of those that are lost among them.
 void Universe::write_events(std::span<const Pair> pairs, std::span<const Pair> lost, std::vector<Event>& out) const {
-  const bool with_contacts = (options_.events & event_contacts) != 0, with_persist = (options_.events & event_persist) != 0;
+  const bool with_contacts = (options_.events & event_contacts) != 0,
+             with_persist = (options_.events & event_persist) != 0;
   const bool with_pairs = (options_.events & event_pairs) != 0;
   const auto end = [&](const Pair& pair) {
     Pair gone = pair;
@@ -108,7 +110,9 @@ void Universe::write_events(std::span<const Pair> pairs, std::span<const Pair> l
     if (!pair.is_covered || !(pair.is_touching || pair.was_touching)) {
       continue;
     }
-    const EventKind kind = !pair.is_touching ? EventKind::end : !pair.was_touching ? EventKind::begin : EventKind::persist;
+    const EventKind kind = !pair.is_touching    ? EventKind::end
+                           : !pair.was_touching ? EventKind::begin
+                                                : EventKind::persist;
     if (with_pairs && (kind != EventKind::persist || with_persist)) {
       write_event(kind, pair, out);
     }
@@ -134,7 +138,8 @@ void Universe::collect_events() {
       return task == 0 ? 0 : lost.size();
     }
     const auto is_before = [](const Pair& a, const Pair& b) { return places_of(a) < places_of(b); };
-    return static_cast<std::size_t>(std::lower_bound(lost.begin(), lost.end(), pairs[cuts.begin(task)], is_before) - lost.begin());
+    return static_cast<std::size_t>(std::lower_bound(lost.begin(), lost.end(), pairs[cuts.begin(task)], is_before) -
+                                    lost.begin());
   };
   workers_.for_each(cuts.tasks(), [&](std::size_t task) {
     const std::size_t begin = lost_at(task), end = lost_at(task + 1);
@@ -147,7 +152,8 @@ void Universe::collect_events() {
   }
   events_.resize(total);
   workers_.for_each(cuts.tasks(), [&](std::size_t task) {
-    std::ranges::copy(event_tasks_[task].events, events_.begin() + static_cast<std::ptrdiff_t>(event_tasks_[task].first));
+    std::ranges::copy(event_tasks_[task].events,
+                      events_.begin() + static_cast<std::ptrdiff_t>(event_tasks_[task].first));
   });
 }
 

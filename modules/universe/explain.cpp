@@ -16,7 +16,8 @@ namespace abut {
 namespace {
 
 std::vector<Plan::Stage> stages_of(const StepStats& stats, std::uint32_t max_contacts) {
-  const std::string kept = max_contacts == 0 ? "all kept" : "at most " + to_text(std::uint64_t{max_contacts}) + " per patch";
+  const std::string kept =
+      max_contacts == 0 ? "all kept" : "at most " + to_text(std::uint64_t{max_contacts}) + " per patch";
   return {
       {"refresh", stats.refresh_microseconds, "poses to boxes: " + to_text(stats.moved) + " moved"},
       {"broad phase", stats.broadphase_microseconds,
@@ -24,7 +25,8 @@ std::vector<Plan::Stage> stages_of(const StepStats& stats, std::uint32_t max_con
       {"pairs", stats.pair_microseconds,
        count_of(stats.candidate_pairs, "candidate pair") + ", " + to_text(stats.kept_pairs) + " kept, " +
            to_text(stats.filtered_pairs) + " filtered"},
-      {"narrow phase", stats.narrowphase_microseconds, "pairs to manifolds: " + to_text(stats.examined_pairs) + " examined, " + kept},
+      {"narrow phase", stats.narrowphase_microseconds,
+       "pairs to manifolds: " + to_text(stats.examined_pairs) + " examined, " + kept},
       {"contacts", stats.contact_microseconds,
        count_of(stats.touching_pairs, "touching pair") + ", " + count_of(stats.contacts, "contact") + ", " +
            count_of(stats.events, "event")},
@@ -106,8 +108,8 @@ Plan Universe::plan(std::span<const Plan::Extension> extensions) const {
         continue;
       }
       const RouteDescription route = describe_route(row, column);
-      plan.kinds.push_back({kind_name(row), kind_name(column), tally.candidates, tally.examined, tally.touching, tally.contacts,
-                            route.algorithm, route.reason, time_of_pair(tally)});
+      plan.kinds.push_back({kind_name(row), kind_name(column), tally.candidates, tally.examined, tally.touching,
+                            tally.contacts, route.algorithm, route.reason, time_of_pair(tally)});
     }
   }
   for (std::size_t kind = 0; kind < shape_kind_count; ++kind) {

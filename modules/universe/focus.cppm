@@ -7,8 +7,8 @@ import abut.shape;
 
 export namespace abut {
 
-// Two tags that a universe changes by distance from centres. Between the two distances a tag stays as it is, so that what
-// trembles at one of them changes nothing.
+// Two tags that a universe changes by distance from centres. Between the two distances a tag stays as it is, so that
+// what trembles at one of them changes nothing.
 struct Focus {
   std::uint32_t near_tag = 0, far_tag = 1;
   Real near_distance = 0;  // nearer than that to any centre: near
@@ -25,7 +25,9 @@ class FocusCentres {
 
   [[nodiscard]] inline const Focus& focus() const [[clang::lifetimebound]] { return focus_; }
   [[nodiscard]] inline std::size_t size() const { return centres_.size(); }
-  [[nodiscard]] inline bool concerns(std::uint32_t tag) const { return tag == focus_.near_tag || tag == focus_.far_tag; }
+  [[nodiscard]] inline bool concerns(std::uint32_t tag) const {
+    return tag == focus_.near_tag || tag == focus_.far_tag;
+  }
   // Of a box whose tag is one of the two. O(centres).
   [[nodiscard]] std::uint32_t tag_of(const CompactAabb& box, std::uint32_t tag) const;
   [[nodiscard]] inline std::size_t bytes() const { return centres_.capacity() * sizeof(Vec3); }

@@ -103,7 +103,8 @@ void Universe::apply_options(GeometryId geometry) {
   info.is_box_stale = true;
 }
 
-Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const PartId> parts, std::span<const ShapeHandle> shapes,
+Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const PartId> parts,
+                                                            std::span<const ShapeHandle> shapes,
                                                             std::span<const GeometryOptions> options) {
   ABUT_CHECK(parts.size() == shapes.size() && (options.empty() || options.size() == parts.size()));
   if (std::optional<Error> error = check_ids(parts_, parts, "parts")) {
@@ -123,8 +124,8 @@ Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const Part
   created.reserve(parts.size());
   try {
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const GeometryId id =
-          geometries_.insert({.part = parts[i], .local_pose = {}, .options = options.empty() ? GeometryOptions{} : options[i]});
+      const GeometryId id = geometries_.insert(
+          {.part = parts[i], .local_pose = {}, .options = options.empty() ? GeometryOptions{} : options[i]});
       created.push_back(id);
       parked_count_ += geometries_.at(id).options.parking != Parking::none ? 1 : 0;
       shapes_.resize(std::max<std::size_t>(shapes_.size(), id.slot), vacant_);

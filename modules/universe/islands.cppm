@@ -25,7 +25,7 @@ class IslandLinks {
 };
 
 struct Island {
-  std::uint64_t id;           // not 0; never used again
+  std::uint64_t id;            // not 0; never used again
   std::uint32_t first, count;  // of its parts, in the list of all
 };
 

@@ -38,7 +38,8 @@ void JobList::arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> 
     }
     for (; begin < sum; begin += chunk_size) {
       const std::uint32_t end = std::min<std::uint32_t>(begin + chunk_size, sum);
-      chunks_.push_back({static_cast<std::uint32_t>(run % run_count), static_cast<std::uint32_t>(run / run_count), begin, end});
+      chunks_.push_back(
+          {static_cast<std::uint32_t>(run % run_count), static_cast<std::uint32_t>(run / run_count), begin, end});
     }
   }
   jobs_.resize(sum);
@@ -89,7 +90,8 @@ std::size_t JobList::bytes() const {
                its.results.capacity() * sizeof(PairResult) + its.ids.capacity() * sizeof(std::uint64_t);
   }
   return scratch + counts_.capacity() * sizeof(std::uint32_t) + jobs_.capacity() * sizeof(PairJob) +
-         pair_of_job_.capacity() * sizeof(std::uint32_t) + chunks_.capacity() * sizeof(Chunk) + results_.capacity() * sizeof(JobResult);
+         pair_of_job_.capacity() * sizeof(std::uint32_t) + chunks_.capacity() * sizeof(Chunk) +
+         results_.capacity() * sizeof(JobResult);
 }
 
 }  // namespace abut

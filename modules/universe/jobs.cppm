@@ -73,8 +73,9 @@ class JobList {
   [[nodiscard]] inline bool is_supported(std::size_t run) const { return supported_[run]; }
   [[nodiscard]] inline bool gains_from_memory(std::size_t run) const { return gains_from_memory_[run]; }
 
-  // Pairs whose job is not no_job become jobs. They are counted first, each in the task that the list of pairs is cut into; then
-  // they are arranged, and get the number of their job. Keeps the order of the pairs within a run. O(pairs + tasks * runs).
+  // Pairs whose job is not no_job become jobs. They are counted first, each in the task that the list of pairs is cut
+  // into; then they are arranged, and get the number of their job. Keeps the order of the pairs within a run. O(pairs +
+  // tasks * runs).
   void start(std::size_t tasks, const PolicyTable& policies);
   // One count for each run_of_pair.
   [[nodiscard]] inline std::span<std::uint32_t> counts_of(std::size_t task) [[clang::lifetimebound]] {
@@ -89,9 +90,11 @@ class JobList {
   [[nodiscard]] inline std::uint32_t pair_of(std::size_t job) const { return pair_of_job_[job]; }
   [[nodiscard]] inline std::span<const Chunk> chunks() const [[clang::lifetimebound]] { return chunks_; }
   [[nodiscard]] inline ChunkScratch& scratch(std::size_t chunk) [[clang::lifetimebound]] { return scratch_[chunk]; }
-  [[nodiscard]] inline const ChunkScratch& scratch(std::size_t chunk) const [[clang::lifetimebound]] { return scratch_[chunk]; }
-  // Results are written in the order of the jobs, so that threads write far from each other, and read in that of the pairs, which
-  // asks for them ahead.
+  [[nodiscard]] inline const ChunkScratch& scratch(std::size_t chunk) const [[clang::lifetimebound]] {
+    return scratch_[chunk];
+  }
+  // Results are written in the order of the jobs, so that threads write far from each other, and read in that of the
+  // pairs, which asks for them ahead.
   [[nodiscard]] inline JobResult& result(std::size_t job) [[clang::lifetimebound]] { return results_[job]; }
   inline void fetch_result(std::size_t job) const { __builtin_prefetch(&results_[job]); }
   [[nodiscard]] inline std::span<const ContactPoint> found(const JobResult& its) const [[clang::lifetimebound]] {

@@ -32,8 +32,8 @@ struct UniverseOptions {
   ToleranceMode tolerance_mode = ToleranceMode::dead_band;
   std::uint32_t max_contacts = 4;       // per patch; 0 keeps all
   std::uint32_t max_pair_contacts = 0;  // of all patches of a pair; 0 keeps all
-  Vec3 origin{0, 0, 0};            // of the compact boxes
-  std::uint32_t threads = 1;       // 0: as many as the machine runs at once
+  Vec3 origin{0, 0, 0};                 // of the compact boxes
+  std::uint32_t threads = 1;            // 0: as many as the machine runs at once
   std::uint32_t events = event_pairs | event_persist;
   bool keeps_local_points = false;  // of contacts; a step that writes many of them takes longer for it
 };
@@ -58,15 +58,15 @@ struct GeometryOptions {
   Placement local;     // in the frame of the part
   Real tolerance = 0;  // not negative; the tolerance of a pair is the sum
   std::uint64_t user_data = 0;
-  bool is_sensor = false;             // its contacts are flagged
+  bool is_sensor = false;  // its contacts are flagged
   Parking parking = Parking::none;
-  std::uint64_t layers = 1;           // what it is
+  std::uint64_t layers = 1;                // what it is
   std::uint64_t mask = ~std::uint64_t{0};  // the layers that it meets
-  std::uint64_t exclusion = 0;        // geometries with a bit in common never meet
-  std::uint32_t label = 0;            // for rules
-  std::uint32_t tag = 0;              // for policies, below tag_count
+  std::uint64_t exclusion = 0;             // geometries with a bit in common never meet
+  std::uint32_t label = 0;                 // for rules
+  std::uint32_t tag = 0;                   // for policies, below tag_count
   std::uint32_t material = 0;
-  bool has_self_pairs = false;        // it meets itself
+  bool has_self_pairs = false;  // it meets itself
 };
 
 struct Revision {
@@ -74,13 +74,13 @@ struct Revision {
   std::uint64_t poses = 0;       // grows when one is set
 };
 
-// A part is calm in a step when it is faster than none of these, by its poses in the last steps. After so many calm steps it
-// may fall asleep.
+// A part is calm in a step when it is faster than none of these, by its poses in the last steps. After so many calm
+// steps it may fall asleep.
 struct Sleep {
   std::uint32_t steps = 10;
-  Real linear_speed = 0.14;           // of the origin of the part
+  Real linear_speed = 0.14;  // of the origin of the part
   Real linear_acceleration = 0.045;
-  Real angular_speed = 0.03;          // radians
+  Real angular_speed = 0.03;  // radians
   Real angular_acceleration = 0.045;
 
   friend constexpr bool operator==(const Sleep&, const Sleep&) = default;
@@ -96,7 +96,7 @@ enum ContactFlags : std::uint32_t { contact_of_sensor = 1 };
 
 struct Contact {
   GeometryId geometry_a, geometry_b;
-  ContactPoint point;           // in the world frame
+  ContactPoint point;  // in the world frame
   std::uint32_t flags = 0;
   std::uint32_t age = 0;        // steps in a row before this one that reported it
   std::uint64_t user_data = 0;  // stays while the contact does
@@ -156,12 +156,12 @@ struct Policy {
 
 // What is odd about a universe, by number.
 enum class FindingCode : std::uint32_t {
-  nothing_moves,       // no part is dynamic: no pair is ever examined
-  meets_nothing,       // the layers or the mask of a geometry are empty
-  kinds_unsupported,   // two geometries that could meet are of kinds without an algorithm
-  tolerance_too_large, // a tolerance above the smallest side of a shape
-  far_from_origin,     // boxes of the broad phase are coarser than a hundredth of the shape
-  excluded_from_all,   // no geometry of the universe is one that the layers and masks let it meet
+  nothing_moves,        // no part is dynamic: no pair is ever examined
+  meets_nothing,        // the layers or the mask of a geometry are empty
+  kinds_unsupported,    // two geometries that could meet are of kinds without an algorithm
+  tolerance_too_large,  // a tolerance above the smallest side of a shape
+  far_from_origin,      // boxes of the broad phase are coarser than a hundredth of the shape
+  excluded_from_all,    // no geometry of the universe is one that the layers and masks let it meet
 };
 struct Finding {
   FindingCode code;

@@ -15,8 +15,8 @@ bool is_before(const Pair& a, const ProxyPair& b) { return a.low < b.low || (a.l
 
 }  // namespace
 
-void PairStore::merge_part(std::span<const ProxyPair> near, std::span<const Pair> before, std::span<const PlaceInfo> infos,
-                           std::span<Pair> out, Part& part) const {
+void PairStore::merge_part(std::span<const ProxyPair> near, std::span<const Pair> before,
+                           std::span<const PlaceInfo> infos, std::span<Pair> out, Part& part) const {
   part.lost.clear();
   part.free_memories.clear();
   std::size_t at = 0;
@@ -63,11 +63,13 @@ void PairStore::merge(const Workers& workers, std::span<const ProxyPair> near, s
     if (task == 0 || task == cuts.tasks()) {
       return task == 0 ? 0 : before_.size();
     }
-    return static_cast<std::size_t>(std::lower_bound(before_.begin(), before_.end(), near[cuts.begin(task)], is_before) - before_.begin());
+    return static_cast<std::size_t>(
+        std::lower_bound(before_.begin(), before_.end(), near[cuts.begin(task)], is_before) - before_.begin());
   };
   workers.for_each(cuts.tasks(), [&](std::size_t task) {
     const std::size_t begin = before_at(task), end = before_at(task + 1);
-    merge_part(cuts.of(near, task), std::span<const Pair>(before_).subspan(begin, end - begin), infos, cuts.of(all(), task), parts_[task]);
+    merge_part(cuts.of(near, task), std::span<const Pair>(before_).subspan(begin, end - begin), infos,
+               cuts.of(all(), task), parts_[task]);
   });
   for (const Part& part : std::span(parts_).first(cuts.tasks())) {
     lost_.insert(lost_.end(), part.lost.begin(), part.lost.end());

@@ -17,18 +17,18 @@ struct PlaceInfo {
   Real tolerance = 0;
   std::uint32_t generation = 0, part = 0;  // slot of the part
   std::uint32_t tag = 0, material = 0;
-  std::uint8_t kind = 0;             // place in the registry
+  std::uint8_t kind = 0;  // place in the registry
   bool is_sensor = false;
-  bool is_fresh = false;             // moved, new or changed since the last detection
-  bool is_refiltered = false;        // what filters ask about has changed
-  bool is_reshaped = false;          // contacts of the step before are of another shape
-  bool is_box_stale = false;         // moved or changed while it was parked
-  bool is_queued = false;            // waits for its box
-  bool is_moving = false;            // in the broad phase as a moving one
+  bool is_fresh = false;       // moved, new or changed since the last detection
+  bool is_refiltered = false;  // what filters ask about has changed
+  bool is_reshaped = false;    // contacts of the step before are of another shape
+  bool is_box_stale = false;   // moved or changed while it was parked
+  bool is_queued = false;      // waits for its box
+  bool is_moving = false;      // in the broad phase as a moving one
   bool has_self_pairs = false;
-  bool is_switched = false;          // its tag is another one than in the last detection, by the focus
-  bool is_edited = false;            // the same shape, but not as it was
-  std::uint32_t patch = no_patch;    // where alone it has changed since the last detection, if that is known
+  bool is_switched = false;        // its tag is another one than in the last detection, by the focus
+  bool is_edited = false;          // the same shape, but not as it was
+  std::uint32_t patch = no_patch;  // where alone it has changed since the last detection, if that is known
 };
 static_assert(sizeof(PlaceInfo) <= 64);
 
@@ -40,14 +40,14 @@ struct Patch {
 };
 
 struct Pair {
-  std::uint32_t low, high;                              // places; low is less, or both are a geometry that meets itself
-  std::uint32_t generation_low, generation_high;        // of the ids that live there
-  std::uint32_t first_contact = 0, contact_count = 0;   // in the list of contacts; until they are there, in the chunk
-  std::uint32_t first_before = 0, count_before = 0;     // in that of the detection before
-  std::uint32_t job = 0;                                // of this detection, or no_job; once it is done, its chunk
-  std::uint32_t memory = no_memory;                     // place in the memories of the store
+  std::uint32_t low, high;                             // places; low is less, or both are a geometry that meets itself
+  std::uint32_t generation_low, generation_high;       // of the ids that live there
+  std::uint32_t first_contact = 0, contact_count = 0;  // in the list of contacts; until they are there, in the chunk
+  std::uint32_t first_before = 0, count_before = 0;    // in that of the detection before
+  std::uint32_t job = 0;                               // of this detection, or no_job; once it is done, its chunk
+  std::uint32_t memory = no_memory;                    // place in the memories of the store
   std::uint16_t policy = 0;
-  std::uint16_t run = 0;                                // of the two kinds, as jobs are sorted
+  std::uint16_t run = 0;          // of the two kinds, as jobs are sorted
   bool is_unasked : 1 = true;     // the filters have not been asked
   bool is_admitted : 1 = false;   // by the filters
   bool is_supported : 1 = false;  // the two kinds have an algorithm
@@ -57,7 +57,7 @@ struct Pair {
   bool is_touching : 1 = false;
   bool was_touching : 1 = false;  // before this detection
   bool is_sensor : 1 = false;
-  bool is_bearing : 1 = false;    // had contacts, without a sensor, when sleep was last looked at
+  bool is_bearing : 1 = false;  // had contacts, without a sensor, when sleep was last looked at
 };
 inline constexpr std::uint32_t no_job = 0xffffffff;
 
@@ -95,8 +95,8 @@ class PairStore {
     std::vector<Pair> lost;
     std::vector<std::uint32_t> free_memories;
   };
-  void merge_part(std::span<const ProxyPair> near, std::span<const Pair> before, std::span<const PlaceInfo> infos, std::span<Pair> out,
-                  Part& part) const;
+  void merge_part(std::span<const ProxyPair> near, std::span<const Pair> before, std::span<const PlaceInfo> infos,
+                  std::span<Pair> out, Part& part) const;
 
   std::vector<Pair> pairs_, before_, lost_;
   std::vector<PairMemory> memories_;

@@ -14,7 +14,8 @@ namespace {
 
 // The matrix of a quaternion is also that of its negative.
 bool is_same(const Pose& a, const Pose& b) {
-  return a.position == b.position && a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y && a.rotation.z == b.rotation.z;
+  return a.position == b.position && a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y &&
+         a.rotation.z == b.rotation.z;
 }
 
 }  // namespace
@@ -80,7 +81,8 @@ Result<void> Universe::set_poses(std::span<const PartId> parts, std::span<const 
     Part& part = parts_.at(parts[i]);
     const Pose before = std::exchange(part.pose, poses[i].pose());
     part.placement = poses[i];
-    if (sleep_.is_used() && !is_same(before, part.pose) && (part.motion != MotionKind::dynamic || sleep_.is_asleep(parts[i].slot))) {
+    if (sleep_.is_used() && !is_same(before, part.pose) &&
+        (part.motion != MotionKind::dynamic || sleep_.is_asleep(parts[i].slot))) {
       disturb(parts[i]);
     }
     if (!part.is_moved) {
@@ -92,8 +94,8 @@ Result<void> Universe::set_poses(std::span<const PartId> parts, std::span<const 
   return {};
 }
 
-// The broad phase keeps what moves and what does not apart, so geometries leave it and come back: with the next update, until
-// which queries go on to find them.
+// The broad phase keeps what moves and what does not apart, so geometries leave it and come back: with the next update,
+// until which queries go on to find them.
 Result<void> Universe::set_motions(std::span<const PartId> parts, std::span<const MotionKind> motions) {
   ABUT_CHECK(parts.size() == motions.size());
   if (std::optional<Error> error = check_ids(parts_, parts, "parts")) {

@@ -73,8 +73,9 @@ std::string count_of(std::uint64_t count, std::string_view noun) {
 std::string to_text(const Plan& plan) {
   const StepStats& stats = plan.stats;
   const std::string asleep = stats.asleep > 0 ? " (" + to_text(stats.asleep) + " asleep)" : "";
-  std::string text = "universe: " + count_of(stats.parts, "part") + asleep + ", " + count_of(stats.geometries, "geometry") + ", " +
-                     count_of(stats.bytes, "byte") + "\nstages of the last step\n";
+  std::string text = "universe: " + count_of(stats.parts, "part") + asleep + ", " +
+                     count_of(stats.geometries, "geometry") + ", " + count_of(stats.bytes, "byte") +
+                     "\nstages of the last step\n";
   for (const Plan::Stage& stage : plan.stages) {
     text += line_of(stage);
   }

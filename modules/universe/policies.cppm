@@ -16,7 +16,9 @@ class PolicyTable {
   [[nodiscard]] inline std::uint32_t number_of(std::uint32_t tag_a, std::uint32_t tag_b) const {
     return numbers_.empty() ? 0 : numbers_[tag_a * tag_count + tag_b];
   }
-  [[nodiscard]] inline const Policy& at(std::uint32_t number) const [[clang::lifetimebound]] { return policies_[number]; }
+  [[nodiscard]] inline const Policy& at(std::uint32_t number) const [[clang::lifetimebound]] {
+    return policies_[number];
+  }
   [[nodiscard]] inline const Policy& of(std::uint32_t tag_a, std::uint32_t tag_b) const [[clang::lifetimebound]] {
     return policies_[number_of(tag_a, tag_b)];
   }

@@ -54,8 +54,8 @@ struct NearGeometry {
 };
 
 // Ordered by the distance or the fraction, then by slot. A ray that ends on a surface meets it.
-[[nodiscard]] std::vector<RayContact> cast_ray(const Universe& universe, const Ray& ray, const QueryFilter& filter, HitMode mode,
-                                               RayStart start);
+[[nodiscard]] std::vector<RayContact> cast_ray(const Universe& universe, const Ray& ray, const QueryFilter& filter,
+                                               HitMode mode, RayStart start);
 [[nodiscard]] std::vector<CastContact> cast_shape(const Universe& universe, const AnyShape& shape, const Pose& pose,
                                                   const Vec3& displacement, const QueryFilter& filter, HitMode mode);
 
@@ -63,10 +63,11 @@ struct NearGeometry {
 // surfaces that it lies on.
 [[nodiscard]] std::vector<GeometryId> find_overlaps(const Universe& universe, const AnyShape& shape, const Pose& pose,
                                                     Real margin, const QueryFilter& filter);
-[[nodiscard]] std::vector<GeometryId> find_at_point(const Universe& universe, const Vec3& point, const QueryFilter& filter);
+[[nodiscard]] std::vector<GeometryId> find_at_point(const Universe& universe, const Vec3& point,
+                                                    const QueryFilter& filter);
 
 // The geometry of the least signed distance up to `max_distance`, which may be infinite; of equal ones the lowest slot.
-[[nodiscard]] std::optional<NearGeometry> find_closest(const Universe& universe, const AnyShape& shape, const Pose& pose,
-                                                       Real max_distance, const QueryFilter& filter);
+[[nodiscard]] std::optional<NearGeometry> find_closest(const Universe& universe, const AnyShape& shape,
+                                                       const Pose& pose, Real max_distance, const QueryFilter& filter);
 
 }  // namespace abut

@@ -34,7 +34,8 @@ bool holds(const AnyShape& shape, const Vec3& point, Real reach) {
           };
           bool is_held = false;
           s.visit_children(Aabb{point, point}.inflated(std::max(reach, Real{0})), [&](std::uint32_t child) {
-            is_held = is_held || (holds(*children[child].shape, children[child].pose.undo(point), reach) && !is_cut(child));
+            is_held =
+                is_held || (holds(*children[child].shape, children[child].pose.undo(point), reach) && !is_cut(child));
           });
           return is_held;
         } else if constexpr (Hole<S>) {
@@ -47,7 +48,8 @@ bool holds(const AnyShape& shape, const Vec3& point, Real reach) {
       static_cast<const AnyShape::Variant&>(shape));
 }
 
-std::optional<RayContact> cast_at(const Universe& universe, std::uint32_t place, const Ray& ray, Real limit, RayStart start) {
+std::optional<RayContact> cast_at(const Universe& universe, std::uint32_t place, const Ray& ray, Real limit,
+                                  RayStart start) {
   const AnyShape& shape = universe.shape_at(place);
   const Pose& pose = universe.world_at(place);
   const Vec3 origin = pose.undo(ray.origin);

@@ -10,16 +10,16 @@ import abut.universe.query_filter;
 
 namespace abut {
 
-std::vector<CastContact> cast_shape(const Universe& universe, const AnyShape& shape, const Pose& pose, const Vec3& displacement,
-                                    const QueryFilter& filter, HitMode mode) {
+std::vector<CastContact> cast_shape(const Universe& universe, const AnyShape& shape, const Pose& pose,
+                                    const Vec3& displacement, const QueryFilter& filter, HitMode mode) {
   Hits<CastContact> hits(mode, 1);
   const auto visit_place = [&](std::uint32_t place) {
     if (hits.limit() < 0 || !admits(filter, universe, place)) {
       return;
     }
     std::optional<ShapeCastHit> hit;
-    const Outcome outcome = cast_shapes(shape, pose, displacement, universe.shape_at(place), universe.world_at(place), {0, 0, 0},
-                                        {}, hits.limit(), hit);
+    const Outcome outcome = cast_shapes(shape, pose, displacement, universe.shape_at(place), universe.world_at(place),
+                                        {0, 0, 0}, {}, hits.limit(), hit);
     if (outcome == Outcome::ok && hit) {
       hits.add({universe.id_at(place), *hit}, hit->fraction);
     }
@@ -48,7 +48,8 @@ std::vector<GeometryId> find_overlaps(const Universe& universe, const AnyShape& 
       return;
     }
     contacts.clear();
-    const Outcome outcome = pair_contacts(shape, universe.shape_at(place), pose, universe.world_at(place), settings, contacts);
+    const Outcome outcome =
+        pair_contacts(shape, universe.shape_at(place), pose, universe.world_at(place), settings, contacts);
     if (outcome == Outcome::ok && !contacts.empty()) {
       found.push_back(universe.id_at(place));
     }
@@ -71,7 +72,8 @@ Real distance_of(const Aabb& a, const Aabb& b) {
 // Of the geometries whose boxes lie within a radius, from the nearest box on.
 class Nearest {
  public:
-  void search(const Universe& universe, const AnyShape& shape, const Pose& pose, Real radius, const QueryFilter& filter) {
+  void search(const Universe& universe, const AnyShape& shape, const Pose& pose, Real radius,
+              const QueryFilter& filter) {
     const Aabb box = aabb_of(shape, pose);
     std::vector<Candidate> near;
     universe.visit(box.inflated(radius), [&](std::uint32_t place) {
@@ -87,8 +89,8 @@ class Nearest {
         return;
       }
       Distance distance{};
-      const Outcome outcome =
-          pair_distance(shape, universe.shape_at(candidate.place), pose, universe.world_at(candidate.place), {}, distance);
+      const Outcome outcome = pair_distance(shape, universe.shape_at(candidate.place), pose,
+                                            universe.world_at(candidate.place), {}, distance);
       // Without an upper bound nothing is there that could be met: holes took all of it.
       const bool is_there = outcome == Outcome::ok && distance.upper < infinity;
       const NearGeometry found{universe.id_at(candidate.place), distance};
@@ -110,8 +112,8 @@ class Nearest {
 }  // namespace
 
 // The radius grows until something lies within it: no geometry is nearer than its box.
-std::optional<NearGeometry> find_closest(const Universe& universe, const AnyShape& shape, const Pose& pose, Real max_distance,
-                                         const QueryFilter& filter) {
+std::optional<NearGeometry> find_closest(const Universe& universe, const AnyShape& shape, const Pose& pose,
+                                         Real max_distance, const QueryFilter& filter) {
   constexpr Real growth = 8;
   constexpr int most_searches = 16;
   const Aabb box = aabb_of(shape, pose);

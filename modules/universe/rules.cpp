@@ -55,7 +55,8 @@ bool Rules::allows(const RuleSide& a, const RuleSide& b) const {
       if (counts_[low][high] == 0) {
         continue;
       }
-      const std::optional<Rule> one = find(of_kind(a, low), of_kind(b, high)), other = find(of_kind(a, high), of_kind(b, low));
+      const std::optional<Rule> one = find(of_kind(a, low), of_kind(b, high)),
+                                other = find(of_kind(a, high), of_kind(b, low));
       if (one || other) {
         return one != Rule::disable && other != Rule::disable;
       }

@@ -13,10 +13,10 @@ Fault check_sleep(const Sleep& sleep) {
   if (sleep.steps == 0) {
     return error_about(Errc::out_of_range, "steps", std::uint64_t{0}, "at least 1");
   }
-  for (const auto& [name, value] : {std::pair{"linear_speed", sleep.linear_speed},
-                                    std::pair{"linear_acceleration", sleep.linear_acceleration},
-                                    std::pair{"angular_speed", sleep.angular_speed},
-                                    std::pair{"angular_acceleration", sleep.angular_acceleration}}) {
+  for (const auto& [name, value] :
+       {std::pair{"linear_speed", sleep.linear_speed}, std::pair{"linear_acceleration", sleep.linear_acceleration},
+        std::pair{"angular_speed", sleep.angular_speed},
+        std::pair{"angular_acceleration", sleep.angular_acceleration}}) {
     if (Fault fault = check_not_negative(name, value)) {
       return fault;
     }
@@ -45,11 +45,8 @@ void SleepTable::set(PartId part, bool is_dynamic, const std::optional<Sleep>& t
     if (thresholds) {
       make_room(1, part.slot);
       places_[part.slot - 1] = static_cast<std::uint32_t>(members_.size());
-      members_.push_back({.part = part,
-                          .thresholds = *thresholds,
-                          .before = {},
-                          .velocity = {},
-                          .is_dynamic = is_dynamic});
+      members_.push_back(
+          {.part = part, .thresholds = *thresholds, .before = {}, .velocity = {}, .is_dynamic = is_dynamic});
     }
     return;
   }
@@ -187,9 +184,13 @@ void SleepTable::drop(std::uint32_t member) {
   members_.pop_back();
 }
 
-std::uint32_t SleepTable::member_at(std::uint32_t slot) const { return slot <= places_.size() ? places_[slot - 1] : no_member; }
+std::uint32_t SleepTable::member_at(std::uint32_t slot) const {
+  return slot <= places_.size() ? places_[slot - 1] : no_member;
+}
 
-std::uint32_t SleepTable::dynamic_member_at(const Side& side) const { return side.is_dynamic ? member_at(side.slot) : no_member; }
+std::uint32_t SleepTable::dynamic_member_at(const Side& side) const {
+  return side.is_dynamic ? member_at(side.slot) : no_member;
+}
 
 // A dynamic part that never sleeps, and what is not dynamic but moves.
 bool SleepTable::keeps_awake(const Side& side) const {

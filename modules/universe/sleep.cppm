@@ -10,8 +10,9 @@ import abut.universe.velocity;
 
 export namespace abut {
 
-// Parts that may fall asleep, by the slot of the part, and what they need for it. A detection calls, in this order, measure if
-// time has passed, touch and unsettle for what it found, and settle. A part that was never set costs nothing.
+// Parts that may fall asleep, by the slot of the part, and what they need for it. A detection calls, in this order,
+// measure if time has passed, touch and unsettle for what it found, and settle. A part that was never set costs
+// nothing.
 class SleepTable {
  public:
   // One of two parts that touch.
@@ -68,8 +69,8 @@ class SleepTable {
   struct Member {
     PartId part;
     Sleep thresholds;
-    Placement before;      // in the step before
-    Velocity velocity;     // there
+    Placement before;   // in the step before
+    Velocity velocity;  // there
     std::uint32_t calm_steps = 0;
     std::uint32_t measured = 0;  // steps, up to two, which it takes to know speeds
     Unrest unrest = Unrest::none;

@@ -56,7 +56,8 @@ void Universe::disturb(PartId part) {
   }
 }
 
-// After the contacts are known. Of pairs that are lost, a side whose geometry is gone has been disturbed when that went.
+// After the contacts are known. Of pairs that are lost, a side whose geometry is gone has been disturbed when that
+// went.
 void Universe::update_sleep(Real dt) {
   if (dt > 0) {
     sleep_.measure(dt, [&](PartId part) -> const Placement& { return parts_.at(part).placement; });

@@ -108,7 +108,8 @@ void Universe::update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lo
     pair.is_touching = false;
     pair.contact_count = 0;
     pair.is_stale = pair.is_new = false;
-  } else if (pair.is_new || policy.period == 1 || step_ % policy.period == 0 || scope.coverage == Coverage::everything) {
+  } else if (pair.is_new || policy.period == 1 || step_ % policy.period == 0 ||
+             scope.coverage == Coverage::everything) {
     pair.job = 0;
     pair.is_stale = pair.is_new = false;
   }
@@ -142,7 +143,8 @@ void Universe::update_pairs(const Scope& scope) {
   }
   const std::span<Pair> pairs = pairs_.all();
   // Each task looks at all runs, so that it has to have as many pairs. The filter is called on this thread, in order.
-  const Cuts cuts = filter_ ? Cuts(pairs.size(), 1) : workers_.cut(pairs.size(), std::max(least_of_task, policies_.size() * run_count));
+  const Cuts cuts = filter_ ? Cuts(pairs.size(), 1)
+                            : workers_.cut(pairs.size(), std::max(least_of_task, policies_.size() * run_count));
   jobs_.start(cuts.tasks(), policies_);
   pair_tasks_.resize(std::max(pair_tasks_.size(), cuts.tasks()));
   workers_.for_each(cuts.tasks(), [&](std::size_t task) {

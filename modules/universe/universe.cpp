@@ -43,7 +43,8 @@ Result<void> Universe::set_rule(const Collidable& a, const Collidable& b, Rule r
            (its.kind != CollidableKind::part || parts_.contains(PartId{its.slot, its.generation}));
   };
   if (!is_known(a) || !is_known(b)) {
-    return Error{Errc::stale_id, std::string(is_known(a) ? "b" : "a") + " names a geometry or a part that is stale or belongs to another universe"};
+    return Error{Errc::stale_id, std::string(is_known(a) ? "b" : "a") +
+                                     " names a geometry or a part that is stale or belongs to another universe"};
   }
   rules_.set(a, b, rule);
   must_refilter_ = true;
@@ -103,11 +104,11 @@ std::size_t Universe::bytes() const {
   const std::size_t per_geometry = shapes_.capacity() * sizeof(ShapeHandle) + worlds_.capacity() * sizeof(Pose) +
                                    boxes_.capacity() * sizeof(CompactAabb) + infos_.capacity() * sizeof(PlaceInfo) +
                                    presence_.capacity();
-  const std::size_t changes = moved_parts_.capacity() * sizeof(PartId) + changed_geometries_.capacity() * sizeof(GeometryId) +
-                              patches_.capacity() * sizeof(Patch) +
-                              (self_places_.capacity() + fresh_.capacity() + queue_.capacity() + updates_.capacity() +
-                               rejoining_.capacity()) *
-                                  sizeof(std::uint32_t);
+  const std::size_t changes =
+      moved_parts_.capacity() * sizeof(PartId) + changed_geometries_.capacity() * sizeof(GeometryId) +
+      patches_.capacity() * sizeof(Patch) +
+      (self_places_.capacity() + fresh_.capacity() + queue_.capacity() + updates_.capacity() + rejoining_.capacity()) *
+          sizeof(std::uint32_t);
   const std::size_t results = near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() + jobs_.bytes() +
                               contacts_.capacity() * sizeof(Contact) + locals_.capacity() * sizeof(LocalPoints) +
                               (histories_.capacity() + histories_before_.capacity()) * sizeof(ContactHistory) +

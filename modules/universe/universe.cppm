@@ -55,7 +55,8 @@ class Universe {
   [[nodiscard]] Result<VelocitySource> velocity_source(PartId part) const;
 
   // Geometries. No options means the default ones for each.
-  [[nodiscard]] Result<std::vector<GeometryId>> create_geometries(std::span<const PartId> parts, std::span<const ShapeHandle> shapes,
+  [[nodiscard]] Result<std::vector<GeometryId>> create_geometries(std::span<const PartId> parts,
+                                                                  std::span<const ShapeHandle> shapes,
                                                                   std::span<const GeometryOptions> options);
   [[nodiscard]] Result<void> destroy_geometries(std::span<const GeometryId> geometries);
   // Changes a shape: for this geometry alone, and in place where nobody else holds it, else by a copy. Contacts live on
@@ -64,7 +65,8 @@ class Universe {
   [[nodiscard]] Result<void> edit_shapes(std::span<const GeometryId> geometries, std::span<const Edit> edits);
   // Contacts with the shape before do not live on: features of another shape are other features.
   [[nodiscard]] Result<void> set_shapes(std::span<const GeometryId> geometries, std::span<const ShapeHandle> shapes);
-  [[nodiscard]] Result<void> set_options(std::span<const GeometryId> geometries, std::span<const GeometryOptions> options);
+  [[nodiscard]] Result<void> set_options(std::span<const GeometryId> geometries,
+                                         std::span<const GeometryOptions> options);
   // From a filter callback it takes effect after the step.
   [[nodiscard]] Result<void> park(std::span<const GeometryId> geometries, Parking parking);
   [[nodiscard]] Result<GeometryInfo> describe(GeometryId geometry) const;
@@ -92,9 +94,10 @@ class Universe {
   // O(geometries) after a change, else O(moved).
   [[nodiscard]] Result<void> set_focus(const std::optional<Focus>& focus, std::span<const Vec3> centres);
 
-  // When parts fall asleep: those that touch, all at once, after each has been calm for its steps. None: never, which is the
-  // default. A sleeping part wakes, with all that it touches, when it or its geometries are changed, when something else touches it or
-  // leaves it, and when what it touches moves; all of that with the next detection. Detections cover sleeping parts like any others.
+  // When parts fall asleep: those that touch, all at once, after each has been calm for its steps. None: never, which
+  // is the default. A sleeping part wakes, with all that it touches, when it or its geometries are changed, when
+  // something else touches it or leaves it, and when what it touches moves; all of that with the next detection.
+  // Detections cover sleeping parts like any others.
   [[nodiscard]] Result<void> set_sleep(std::span<const PartId> parts, std::span<const std::optional<Sleep>> thresholds);
   [[nodiscard]] Result<void> wake(std::span<const PartId> parts);
   [[nodiscard]] Result<bool> is_asleep(PartId part) const;
@@ -115,9 +118,9 @@ class Universe {
   // separation to be below it, depending on the mode; without one, touching counts. Pairs of which nothing
   // has changed keep their contacts.
   [[nodiscard]] Result<void> step(Real dt);
-  // The same without time. All: every pair anew. Changed: as a step does. Pairs and region: of what has changed only the
-  // given pairs, or those that meet a box of the world; all others keep the contacts that they have, as old as they are,
-  // and catch up whenever a detection covers them. Pairs that are given but not near each other are passed over.
+  // The same without time. All: every pair anew. Changed: as a step does. Pairs and region: of what has changed only
+  // the given pairs, or those that meet a box of the world; all others keep the contacts that they have, as old as they
+  // are, and catch up whenever a detection covers them. Pairs that are given but not near each other are passed over.
   void detect_all();
   void detect_changed();
   [[nodiscard]] Result<void> detect_pairs(std::span<const std::pair<GeometryId, GeometryId>> pairs);
@@ -133,8 +136,8 @@ class Universe {
   // Of the last step: by the slots of the geometries; of one pair what ends comes before what begins, and the pair
   // before its contacts.
   [[nodiscard]] std::span<const Event> events() const [[clang::lifetimebound]] { return events_; }
-  // Of the contacts, the events and the parts that fell asleep or woke in the last step: every bit of them counts, in their order,
-  // but for generations.
+  // Of the contacts, the events and the parts that fell asleep or woke in the last step: every bit of them counts, in
+  // their order, but for generations.
   [[nodiscard]] std::uint64_t hash() const;
   [[nodiscard]] const StepStats& stats() const [[clang::lifetimebound]] { return stats_; }
   // `extensions`: libraries that stand on this universe, which only the caller knows.
@@ -143,18 +146,20 @@ class Universe {
   // What will surprise whoever built the scene, ordered by code, then by slots. O(geometries + kinds squared).
   [[nodiscard]] std::vector<Finding> validate() const;
   [[nodiscard]] bool is_stepping() const { return is_stepping_; }
-  // Whether an exception, which is lack of memory, has ended a detection or a refresh half-way: its lists do not fit each
-  // other then. All other calls leave things as they were.
+  // Whether an exception, which is lack of memory, has ended a detection or a refresh half-way: its lists do not fit
+  // each other then. All other calls leave things as they were.
   [[nodiscard]] bool is_torn() const { return is_torn_ && !is_stepping_; }
 
-  // Brings boxes up to date with poses, as a step does first. Queries see boxes and poses as of the last step or refresh.
+  // Brings boxes up to date with poses, as a step does first. Queries see boxes and poses as of the last step or
+  // refresh.
   void refresh();
   // For queries: calls visit(place) for geometries that are not parked and whose boxes overlap, or
-  // visit(place, entry) for those that a box meets while it moves by t * displacement, t up to `most`; the visitor answers
-  // with the new limit of t. Safe from many threads at once.
+  // visit(place, entry) for those that a box meets while it moves by t * displacement, t up to `most`; the visitor
+  // answers with the new limit of t. Safe from many threads at once.
   template <class Visitor>
   void visit(const Aabb& box, Visitor&& visit_place) const {
-    std::visit([&](const auto& broadphase) { broadphase.visit(compact(box, options_.origin), visit_place); }, broadphase_);
+    std::visit([&](const auto& broadphase) { broadphase.visit(compact(box, options_.origin), visit_place); },
+               broadphase_);
   }
   template <class Visitor>
   void sweep(const Aabb& box, const Vec3& displacement, Real most, Visitor&& visit_place) const {
@@ -164,13 +169,17 @@ class Universe {
         },
         broadphase_);
   }
-  [[nodiscard]] inline const AnyShape& shape_at(std::uint32_t place) const [[clang::lifetimebound]] { return *shapes_[place]; }
+  [[nodiscard]] inline const AnyShape& shape_at(std::uint32_t place) const [[clang::lifetimebound]] {
+    return *shapes_[place];
+  }
   [[nodiscard]] inline const ShapeHandle& handle_at(std::uint32_t place) const [[clang::lifetimebound]] {
     return shapes_[place];
   }
   // A shape that no geometry has of its own.
   [[nodiscard]] inline const ShapeHandle& vacant_shape() const [[clang::lifetimebound]] { return vacant_; }
-  [[nodiscard]] inline const Pose& world_at(std::uint32_t place) const [[clang::lifetimebound]] { return worlds_[place]; }
+  [[nodiscard]] inline const Pose& world_at(std::uint32_t place) const [[clang::lifetimebound]] {
+    return worlds_[place];
+  }
   // Of the part; jobs name geometries by the same places. A point p of the geometry moves by
   // linear + angular x (p - origin of the part).
   [[nodiscard]] inline Velocity velocity_at(std::uint32_t place) const { return velocities_.of(infos_[place].part); }
@@ -303,9 +312,9 @@ class Universe {
   std::vector<PartId> moved_parts_;
   std::vector<GeometryId> changed_geometries_;
   std::vector<Patch> patches_;
-  std::vector<std::uint32_t> fresh_;  // places whose box was refreshed
-  std::vector<std::uint32_t> queue_;  // places whose box is asked for
-  std::vector<std::uint32_t> updates_;  // those of them that the broad phase knows
+  std::vector<std::uint32_t> fresh_;      // places whose box was refreshed
+  std::vector<std::uint32_t> queue_;      // places whose box is asked for
+  std::vector<std::uint32_t> updates_;    // those of them that the broad phase knows
   std::vector<std::uint32_t> rejoining_;  // places that leave the broad phase and come back
   std::vector<ChangeTask> change_tasks_;
   bool is_broadphase_changed_ = false;
@@ -325,7 +334,7 @@ class Universe {
   PolicyTable policies_;
   FocusCentres focus_;
   bool has_focus_ = false;
-  bool is_focus_moved_ = false;           // since the last detection
+  bool is_focus_moved_ = false;          // since the last detection
   std::vector<std::uint32_t> switched_;  // places that the focus has given another tag
   MaterialTable materials_;
   SleepTable sleep_;
@@ -333,7 +342,7 @@ class Universe {
   IslandLinks island_links_;
   IslandList islands_;
   bool follows_islands_ = false;
-  std::vector<PartId> dynamic_parts_;  // while islands are numbered
+  std::vector<PartId> dynamic_parts_;                 // while islands are numbered
   mutable std::atomic<bool> are_pairs_timed_{false};  // since someone asked for the plan
   bool is_stepping_ = false;
   bool is_torn_ = false;  // while lists do not fit each other

@@ -10,7 +10,8 @@ import abut.universe.pairs;
 namespace abut {
 namespace {
 
-// Boxes are in single precision: where their rounding is this share of a shape, pairs are found that are far from touching.
+// Boxes are in single precision: where their rounding is this share of a shape, pairs are found that are far from
+// touching.
 constexpr Real coarse_share = 0.01;
 constexpr Real float_epsilon = 0x1p-24;
 
@@ -34,7 +35,8 @@ std::vector<Finding> Universe::validate() const {
   };
 
   bool is_any_dynamic = false;
-  parts_.for_each([&](PartId, const Part& part) { is_any_dynamic = is_any_dynamic || part.motion == MotionKind::dynamic; });
+  parts_.for_each(
+      [&](PartId, const Part& part) { is_any_dynamic = is_any_dynamic || part.motion == MotionKind::dynamic; });
   if (!is_any_dynamic && geometries_.size() > 1) {
     report(FindingCode::nothing_moves, {}, {}, "no part is dynamic, so no pair is ever examined");
   }
@@ -59,9 +61,11 @@ std::vector<Finding> Universe::validate() const {
   geometries_.for_each([&](GeometryId id, const Geometry& geometry) {
     const GeometryOptions& options = geometry.options;
     if (options.layers == 0 || options.mask == 0) {
-      report(FindingCode::meets_nothing, id, {}, named(id) + " has no " + (options.layers == 0 ? "layers" : "mask") + ", so it meets nothing");
+      report(FindingCode::meets_nothing, id, {},
+             named(id) + " has no " + (options.layers == 0 ? "layers" : "mask") + ", so it meets nothing");
     } else if ((options.layers & all_masks) == 0 || (options.mask & all_layers) == 0) {
-      report(FindingCode::excluded_from_all, id, {}, named(id) + " meets no layer that any geometry has, or none meets its own");
+      report(FindingCode::excluded_from_all, id, {},
+             named(id) + " meets no layer that any geometry has, or none meets its own");
     }
     const Aabb local = aabb_of(*shapes_[id.slot - 1], Pose::identity());
     if (!local.is_bounded()) {
@@ -69,12 +73,14 @@ std::vector<Finding> Universe::validate() const {
     }
     if (options.tolerance > smallest_side(local) && smallest_side(local) > 0) {
       report(FindingCode::tolerance_too_large, id, {},
-             named(id) + " has a tolerance of " + to_text(options.tolerance) + ", more than its smallest side of " + to_text(smallest_side(local)));
+             named(id) + " has a tolerance of " + to_text(options.tolerance) + ", more than its smallest side of " +
+                 to_text(smallest_side(local)));
     }
     const Vec3 position = world_of(geometry).position - options_.origin;
     if (norm(position) * float_epsilon > coarse_share * largest_side(local) && largest_side(local) > 0) {
       report(FindingCode::far_from_origin, id, {},
-             named(id) + " lies " + to_text(norm(position)) + " from the origin of the universe, where boxes are coarser than a hundredth of it");
+             named(id) + " lies " + to_text(norm(position)) +
+                 " from the origin of the universe, where boxes are coarser than a hundredth of it");
     }
   });
   for (std::size_t row = 0; row < shape_kind_count; ++row) {
@@ -88,7 +94,8 @@ std::vector<Finding> Universe::validate() const {
       }
     }
   }
-  std::ranges::sort(findings, {}, [](const Finding& its) { return std::tuple(its.code, its.geometry.slot, its.other.slot); });
+  std::ranges::sort(findings, {},
+                    [](const Finding& its) { return std::tuple(its.code, its.geometry.slot, its.other.slot); });
   return findings;
 }
 

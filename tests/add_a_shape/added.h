@@ -8,7 +8,7 @@
 
 static int failures = 0;
 
-static void expect(int condition, const char *what, const char *of) {
+static void expect(int condition, const char* what, const char* of) {
   if (!condition) {
     printf("%s: %s; %s\n", of, what, abut_last_error_message());
     failures++;
@@ -20,9 +20,9 @@ static abut_pose at(double x, double y, double z) {
   return pose;
 }
 
-static abut_shape *make_of(const char *kind, const double *parameters, uint32_t parameter_count) {
+static abut_shape* make_of(const char* kind, const double* parameters, uint32_t parameter_count) {
   abut_shape_desc desc;
-  abut_shape *shape = NULL;
+  abut_shape* shape = NULL;
   abut_shape_desc_init(&desc, sizeof desc);
   desc.kind = abut_shape_kind_by_name(kind);
   desc.parameters = parameters;
@@ -31,7 +31,7 @@ static abut_shape *make_of(const char *kind, const double *parameters, uint32_t 
   return shape;
 }
 
-static abut_shape *make_rounded_cone(double bottom_radius, double top_radius, double half_height) {
+static abut_shape* make_rounded_cone(double bottom_radius, double top_radius, double half_height) {
   const double parameters[3] = {bottom_radius, top_radius, half_height};
   return make_of("rounded_cone", parameters, 3);
 }

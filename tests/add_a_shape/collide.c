@@ -6,18 +6,18 @@
 /* A shape of a kind, without knowing what the kind takes: every parameter is 1, or nine are the corners of a
  * triangle, and the buffers are what some kind could be made from. Kinds with a description of their own are
  * made by it. */
-static abut_shape *make(abut_shape_kind kind) {
+static abut_shape* make(abut_shape_kind kind) {
   static const double corners[] = {-4, -4, 0, 4, -4, 0, 0, 4, 0, 0, 0, -4};
   static const uint32_t triangles[] = {0, 1, 2};
   static const double heights[9] = {0};
   static const uint64_t real_counts[] = {0, 12, 12}, index_counts[] = {0, 0, 3};
   static const double ones[] = {1, 1, 1, 1, 1, 1, 1, 1};
-  abut_shape *shape = NULL;
+  abut_shape* shape = NULL;
   int attempt;
   if (strcmp(abut_shape_kind_name(kind), "composite") == 0) {
     const abut_pose pose = at(0, 0, 0);
-    abut_shape *ball = NULL;
-    const abut_shape *child = NULL;
+    abut_shape* ball = NULL;
+    const abut_shape* child = NULL;
     if (abut_sphere_create(1, &ball) == ABUT_OK) {
       child = ball;
       abut_composite_create(&child, &pose, 1, &shape);
@@ -55,7 +55,7 @@ static abut_shape *make(abut_shape_kind kind) {
 }
 
 /* Where a ray from above along Z first meets a shape; far below where it meets nothing. */
-static double height_under(const abut_shape *shape, double x, double y) {
+static double height_under(const abut_shape* shape, double x, double y) {
   const abut_pose pose = at(0, 0, 0);
   const abut_ray ray = {{x, y, 100}, {0, 0, -1}, 200};
   abut_ray_hit hit;
@@ -66,28 +66,32 @@ static double height_under(const abut_shape *shape, double x, double y) {
 
 /* The other shape lies around or below its origin; the added one is put over the middle of it, its lowest point 1.5
  * below its origin. Their distance lies between that of their boxes and the one along a ray, which mostly agree. */
-static void collide(const abut_shape *added, const abut_shape *other, const char *kind) {
+static void collide(const abut_shape* added, const abut_shape* other, const char* kind) {
   const double middle = strcmp(kind, "height_field") == 0 ? 4 : 0, lowest = 9 - 1.5;
   abut_pose pose = at(0, 0, 0), touching = at(middle + 0.2, middle + 0.3, 0.5), apart = at(middle, middle, 9);
-  abut_universe *universe = NULL;
+  abut_universe* universe = NULL;
   abut_part_options still;
   abut_part_id part, still_part;
   abut_geometry_id geometry;
-  const abut_contact *found = NULL;
+  const abut_contact* found = NULL;
   abut_distance distance, swapped;
   abut_aabb box;
   size_t count = 0;
 
-  expect(abut_pair_distance(added, &apart, other, &pose, NULL, &distance) == ABUT_OK && distance.distance > 1, "apart", kind);
-  expect(abut_shape_aabb(other, &pose, &box) == ABUT_OK && distance.distance >= lowest - box.maximum.z - 1e-9, "below the boxes", kind);
+  expect(abut_pair_distance(added, &apart, other, &pose, NULL, &distance) == ABUT_OK && distance.distance > 1, "apart",
+         kind);
+  expect(abut_shape_aabb(other, &pose, &box) == ABUT_OK && distance.distance >= lowest - box.maximum.z - 1e-9,
+         "below the boxes", kind);
   expect(distance.distance <= lowest - height_under(other, middle, middle) + 1e-9, "beyond the ray", kind);
-  expect(abut_pair_contacts(added, &apart, other, &pose, NULL, NULL, 0, &count) == ABUT_OK && count == 0, "no contacts", kind);
+  expect(abut_pair_contacts(added, &apart, other, &pose, NULL, NULL, 0, &count) == ABUT_OK && count == 0, "no contacts",
+         kind);
   expect(abut_pair_distance(other, &pose, added, &apart, NULL, &swapped) == ABUT_OK &&
              fabs(swapped.distance - distance.distance) < 1e-9,
          "swapped", kind);
   expect(abut_pair_distance(added, &touching, other, &pose, NULL, &distance) == ABUT_OK && distance.distance <= 0,
          "overlapping", kind);
-  expect(abut_pair_contacts(added, &touching, other, &pose, NULL, NULL, 0, &count) == ABUT_OK && count > 0, "contacts", kind);
+  expect(abut_pair_contacts(added, &touching, other, &pose, NULL, NULL, 0, &count) == ABUT_OK && count > 0, "contacts",
+         kind);
 
   abut_part_options_init(&still, sizeof still);
   still.motion = ABUT_MOTION_STATIC;
@@ -103,9 +107,9 @@ static void collide(const abut_shape *added, const abut_shape *other, const char
 }
 
 int main(void) {
-  static const char *const names[] = {"bottom_radius", "top_radius", "half_height"};
+  static const char* const names[] = {"bottom_radius", "top_radius", "half_height"};
   const abut_shape_kind kind = abut_shape_kind_by_name("rounded_cone");
-  abut_shape *added = make_rounded_cone(1, 0.4, 0.5);
+  abut_shape* added = make_rounded_cone(1, 0.4, 0.5);
   size_t i;
 
   expect(abut_shape_kind_parameter_count(kind) == 3, "described", "rounded_cone");
@@ -113,11 +117,12 @@ int main(void) {
     expect(strcmp(abut_shape_kind_parameter_name(kind, i), names[i]) == 0, "described", "rounded_cone");
   }
   for (i = 0; i < abut_shape_kind_count() && added != NULL; i++) {
-    const char *name = abut_shape_kind_name(abut_shape_kind_at(i));
-    abut_shape *other = NULL;
+    const char* name = abut_shape_kind_name(abut_shape_kind_at(i));
+    abut_shape* other = NULL;
     if (strstr(name, "_hole") != NULL) {
       uint32_t answers = 0;
-      expect(abut_pair_support(kind, abut_shape_kind_at(i), ABUT_QUERY_CONTACTS, &answers) == ABUT_OK && answers == 1, "hole", name);
+      expect(abut_pair_support(kind, abut_shape_kind_at(i), ABUT_QUERY_CONTACTS, &answers) == ABUT_OK && answers == 1,
+             "hole", name);
       continue; /* cuts other shapes and is none by itself */
     }
     other = make(abut_shape_kind_at(i));

@@ -6,9 +6,10 @@
 
 static const double tolerance = 1e-12;
 
-/* Points of the surface: half-way up the side, on the ball below, far down and just under the side, and on the ball above. */
+/* Points of the surface: half-way up the side, on the ball below, far down and just under the side, and on the ball
+ * above. */
 typedef struct place {
-  const char *name;
+  const char* name;
   abut_vec3 point, normal;
 } place;
 static const place places[] = {{"side", {0.56, 0, 0.42}, {0.8, 0, 0.6}},
@@ -19,7 +20,7 @@ enum { place_count = sizeof places / sizeof places[0] };
 
 static double dot(abut_vec3 a, abut_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-static abut_vec3 above(const place *where, double height) {
+static abut_vec3 above(const place* where, double height) {
   const abut_vec3 p = where->point, n = where->normal;
   abut_vec3 result = {p.x + height * n.x, p.y + height * n.y, p.z + height * n.z};
   return result;
@@ -29,7 +30,8 @@ static int is_near(abut_vec3 a, abut_vec3 b) {
   return fabs(a.x - b.x) < tolerance && fabs(a.y - b.y) < tolerance && fabs(a.z - b.z) < tolerance;
 }
 
-static int casts(const abut_shape *shape, abut_vec3 origin, abut_vec3 direction, double max_distance, abut_ray_hit *hit) {
+static int casts(const abut_shape* shape, abut_vec3 origin, abut_vec3 direction, double max_distance,
+                 abut_ray_hit* hit) {
   const abut_pose pose = at(0, 0, 0);
   uint32_t found = 2;
   abut_ray ray;
@@ -40,8 +42,8 @@ static int casts(const abut_shape *shape, abut_vec3 origin, abut_vec3 direction,
   return found == 1;
 }
 
-static void expect_hit(const abut_shape *shape, abut_vec3 origin, abut_vec3 direction, double distance, abut_vec3 normal,
-                       const char *what) {
+static void expect_hit(const abut_shape* shape, abut_vec3 origin, abut_vec3 direction, double distance,
+                       abut_vec3 normal, const char* what) {
   abut_ray_hit hit;
   memset(&hit, 0, sizeof hit);
   expect(casts(shape, origin, direction, 100, &hit), what, "ray misses");
@@ -49,7 +51,7 @@ static void expect_hit(const abut_shape *shape, abut_vec3 origin, abut_vec3 dire
   expect(is_near(hit.normal, normal), what, "normal of a ray");
 }
 
-static void expect_rays(const abut_shape *shape) {
+static void expect_rays(const abut_shape* shape) {
   /* Along the side from bottom to top, 0.2 below it: feet of the centres of both balls lie 0.8 apart. */
   const abut_vec3 up = {-0.6, 0, 0.8}, foot = {0.64, 0, -0.02}, before = {1.84, 0, -1.62}, east = {1, 0, 0};
   const double half_chord = sqrt(0.12);
@@ -71,10 +73,10 @@ static void expect_rays(const abut_shape *shape) {
 }
 
 /* A sphere of radius 0.25 over a place, apart, touching, overlapping, and with its centre inside. */
-static void expect_spheres(const abut_shape *shape) {
+static void expect_spheres(const abut_shape* shape) {
   static const double heights[] = {3, 0.25, 0.1, -0.2}, radius[] = {0.25};
   const abut_pose pose = at(0, 0, 0);
-  abut_shape *sphere = make_of("sphere", radius, 1);
+  abut_shape* sphere = make_of("sphere", radius, 1);
   int i, k;
   for (i = 0; i < place_count; i++) {
     for (k = 0; k < 4; k++) {
@@ -100,7 +102,7 @@ static void expect_spheres(const abut_shape *shape) {
 }
 
 /* Planes that a place faces: along the whole side two contacts hold the shape, on a ball one does. */
-static void expect_planes(const abut_shape *shape) {
+static void expect_planes(const abut_shape* shape) {
   static const double gaps[] = {2, -0.1};
   const abut_pose pose = at(0, 0, 0);
   int i, k;
@@ -108,7 +110,7 @@ static void expect_planes(const abut_shape *shape) {
     for (k = 0; k < 2; k++) {
       const abut_vec3 n = places[i].normal;
       double parameters[4] = {-n.x, -n.y, -n.z, 0};
-      abut_shape *plane;
+      abut_shape* plane;
       abut_distance found;
       abut_contact contacts[4];
       size_t count = 0, c;
@@ -119,7 +121,9 @@ static void expect_planes(const abut_shape *shape) {
       expect(fabs(found.distance - gaps[k]) < tolerance, places[i].name, "distance of a plane");
       expect(is_near(found.normal, n), places[i].name, "normal of a plane");
       expect(abut_pair_contacts(shape, &pose, plane, &pose, NULL, contacts, 4, &count) == ABUT_OK &&
-                 count == (gaps[k] > 0 ? 0u : i == 0 ? 2u : 1u),
+                 count == (gaps[k] > 0 ? 0u
+                           : i == 0    ? 2u
+                                       : 1u),
              places[i].name, "contacts of a plane");
       for (c = 0; c < count && c < 4; c++) {
         expect(fabs(contacts[c].distance - gaps[k]) < tolerance, places[i].name, "depth on a plane");
@@ -137,14 +141,15 @@ static void expect_ball(double bottom_radius, double top_radius, double height) 
   abut_shape *shape = make_rounded_cone(bottom_radius, top_radius, 0.125), *sphere = make_of("sphere", radius, 1);
   abut_distance found;
   expect_hit(shape, from, down, 4 - height, up, "one ball");
-  expect(abut_pair_distance(shape, &pose, sphere, &aside, NULL, &found) == ABUT_OK && fabs(found.distance - 3) < tolerance,
-         "one ball", "distance of a sphere");
+  expect(
+      abut_pair_distance(shape, &pose, sphere, &aside, NULL, &found) == ABUT_OK && fabs(found.distance - 3) < tolerance,
+      "one ball", "distance of a sphere");
   abut_shape_release(sphere);
   abut_shape_release(shape);
 }
 
 int main(void) {
-  abut_shape *shape = make_rounded_cone(1, 0.4, 0.5);
+  abut_shape* shape = make_rounded_cone(1, 0.4, 0.5);
   expect_rays(shape);
   if (abut_shape_kind_by_name("sphere") != 0) {
     expect_spheres(shape);

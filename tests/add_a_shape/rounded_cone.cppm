@@ -19,14 +19,20 @@ class RoundedCone {
     return fault ? Result<RoundedCone>(*fault) : RoundedCone(parameters[0], parameters[1], parameters[2]);
   }
   [[nodiscard]] std::vector<Real> parameters() const { return {parameters_.begin(), parameters_.end()}; }
-  [[nodiscard]] static std::vector<RoundedCone> samples() { return {{1, 0.4, 0.5}, {0, 1, 1}, {0.2, 1, 0.1}, {1e-3, 2e-3, 10}}; }
+  [[nodiscard]] static std::vector<RoundedCone> samples() {
+    return {{1, 0.4, 0.5}, {0, 1, 1}, {0.2, 1, 0.1}, {1e-3, 2e-3, 10}};
+  }
   [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
     const Vec3 a = pose * centre_of(0), b = pose * centre_of(1), one{1, 1, 1};
     return {minimum(a - radii_[0] * one, b - radii_[1] * one), maximum(a + radii_[0] * one, b + radii_[1] * one)};
   }
-  [[nodiscard]] inline Real radius() const { return std::fmin(radii_[0], radii_[1]); }  // the core is a ball and a point
+  [[nodiscard]] inline Real radius() const {
+    return std::fmin(radii_[0], radii_[1]);
+  }  // the core is a ball and a point
   [[nodiscard]] inline Vec3 centre() const { return 0.5 * (centre_of(0) + centre_of(1)); }
-  [[nodiscard]] inline Real extent() const { return (heights_[1] - heights_[0]) / 2 + std::fabs(radii_[0] - radii_[1]); }
+  [[nodiscard]] inline Real extent() const {
+    return (heights_[1] - heights_[0]) / 2 + std::fabs(radii_[0] - radii_[1]);
+  }
   [[nodiscard]] inline SupportPoint support(const Vec3& direction) const {
     const Vec3 normal = unit(direction);
     return {core(normal.z > sine_ ? 1 : 0, normal), no_index};
@@ -50,12 +56,15 @@ class RoundedCone {
     const Real distance = dot(p - core(top ? 1 : 0, normal), normal);
     return {p - distance * normal, normal, distance};
   }
-  // Enters where the ray first meets a ball, or the side between the circles where it touches them; leaves where it last does.
+  // Enters where the ray first meets a ball, or the side between the circles where it touches them; leaves where it
+  // last does.
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
-    const Real start = -dot(origin, direction), square = cosine_ * cosine_;  // from q on, so that far rays lose no digits
+    const Real start = -dot(origin, direction),
+               square = cosine_ * cosine_;  // from q on, so that far rays lose no digits
     const Vec3 d = direction, q = origin + start * d, e{d.x, d.y, 0}, f{q.x, q.y, 0};
     Real enter = infinity, leave = -infinity;
-    // Roots t of u (x^2 + y^2) + v (l + t m)^2 = w between two heights, the one without cancellation first; NaN for none.
+    // Roots t of u (x^2 + y^2) + v (l + t m)^2 = w between two heights, the one without cancellation first; NaN for
+    // none.
     const auto meet = [&](Real u, Real v, Real l, Real m, Real w, Real low, Real high) {
       const Real a = u * dot(e, e) + v * m * m, b = u * dot(e, f) + v * l * m, c = u * dot(f, f) + v * l * l - w;
       const Real under = a * w - u * (u * squared_norm(cross(e, f)) + v * squared_norm(l * e - m * f));
@@ -74,19 +83,25 @@ class RoundedCone {
     const bool is_hit = enter <= leave && distance >= 0 && distance <= max_distance;
     return is_hit ? std::optional(RayHit{distance, nearest(q + at * d).normal, {FeatureKind::whole, 0}}) : std::nullopt;
   }
+
  private:
-  RoundedCone(Real bottom, Real top, Real h) : RoundedCone(bottom, top, h, bottom - top >= 2 * h, top - bottom >= 2 * h) {}
+  RoundedCone(Real bottom, Real top, Real h)
+      : RoundedCone(bottom, top, h, bottom - top >= 2 * h, top - bottom >= 2 * h) {}
   RoundedCone(Real bottom, Real top, Real h, bool bottom_holds, bool top_holds)
-      : parameters_{bottom, top, h}, radii_{top_holds ? top : bottom, bottom_holds ? bottom : top},
-        heights_{top_holds ? h : -h, bottom_holds ? -h : h}, sine_(bottom_holds || top_holds ? 0 : (bottom - top) / (2 * h)),
+      : parameters_{bottom, top, h},
+        radii_{top_holds ? top : bottom, bottom_holds ? bottom : top},
+        heights_{top_holds ? h : -h, bottom_holds ? -h : h},
+        sine_(bottom_holds || top_holds ? 0 : (bottom - top) / (2 * h)),
         cosine_(std::sqrt((1 - sine_) * (1 + sine_))) {}
   [[nodiscard]] static inline Vec3 unit(const Vec3& v) { return UnitVec3::make(v).value_or(-UnitVec3::axis_z()); }
   [[nodiscard]] inline Vec3 centre_of(std::uint32_t end) const { return {0, 0, heights_[end]}; }
-  [[nodiscard]] inline Vec3 core(std::uint32_t end, const Vec3& n) const { return centre_of(end) + (radii_[end] - radius()) * n; }
+  [[nodiscard]] inline Vec3 core(std::uint32_t end, const Vec3& n) const {
+    return centre_of(end) + (radii_[end] - radius()) * n;
+  }
   [[nodiscard]] inline Vec3 side_normal(const Sideways& out) const { return {cosine_ * out.x, cosine_ * out.y, sine_}; }
   std::array<Real, 3> parameters_;
   std::array<Real, 2> radii_, heights_;  // where one ball holds the other, it stands for both
-  Real sine_, cosine_;  // of how far the normal of the side rises
+  Real sine_, cosine_;                   // of how far the normal of the side rises
 };
 static_assert(Shape<RoundedCone> && Curved<RoundedCone> && Field<RoundedCone>);
 

@@ -15,7 +15,8 @@ struct BadNumber {
   double value;
   std::string_view word;  // what a message about it must contain
 };
-inline constexpr std::array<BadNumber, 3> non_finite_numbers{{{not_a_number, "nan"}, {infinity, "inf"}, {-infinity, "-inf"}}};
+inline constexpr std::array<BadNumber, 3> non_finite_numbers{
+    {{not_a_number, "nan"}, {infinity, "inf"}, {-infinity, "-inf"}}};
 
 // Counts of elements of this many bytes that do not fit into memory; each wraps to something small when multiplied.
 constexpr std::array<std::size_t, 3> overflowing_counts(std::size_t element_size) {
@@ -67,7 +68,8 @@ void expect_overflow_refused(std::size_t element_size, std::string_view argument
   }
 }
 
-// Feeds flags, tags and states that do not exist to `call`, a callable from const abut_geometry_options& to abut_status.
+// Feeds flags, tags and states that do not exist to `call`, a callable from const abut_geometry_options& to
+// abut_status.
 template <class Call>
 void expect_unknown_geometry_values_refused(Call call) {
   for (const std::uint32_t value : {4U, 7U, 77U, 0x80000000U, 0xFFFFFFFFU}) {
@@ -115,7 +117,8 @@ void expect_struct_size_checked(const Struct& good, Call call) {
   }
 }
 
-// The same for a struct that `call`, a callable from Struct* to abut_status, fills in: it leaves one of a wrong size alone.
+// The same for a struct that `call`, a callable from Struct* to abut_status, fills in: it leaves one of a wrong size
+// alone.
 template <class Struct, class Call>
 void expect_size_of_out_struct_checked(const Struct& good, Call call) {
   for (const std::size_t size : {std::size_t{0}, std::size_t{3}, sizeof(Struct) - 1}) {

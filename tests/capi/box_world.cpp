@@ -12,7 +12,8 @@ bool overlap(double centre_a, double half_a, double centre_b, double half_b) {
 
 }  // namespace
 
-BoxWorld::BoxWorld(const abut_universe_options& options, std::uint64_t seed, int boxes) : random_(seed), universe_(&options) {
+BoxWorld::BoxWorld(const abut_universe_options& options, std::uint64_t seed, int boxes)
+    : random_(seed), universe_(&options) {
   require(abut_universe_set_filter(universe_, filter, this));
   for (int i = 0; i < boxes; ++i) add_box();
 }
@@ -21,12 +22,15 @@ std::uint32_t BoxWorld::filter(void* context, const abut_universe*, abut_geometr
   return static_cast<const BoxWorld*>(context)->is_kept(a.slot, b.slot) ? 1 : 0;
 }
 
-double BoxWorld::number(double low, double high) { return low + (high - low) * static_cast<double>(random_() >> 11U) * 0x1p-53; }
+double BoxWorld::number(double low, double high) {
+  return low + (high - low) * static_cast<double>(random_() >> 11U) * 0x1p-53;
+}
 
 abut_geometry_id BoxWorld::random_geometry() { return random_box().id; }
 
 BoxWorld::Box& BoxWorld::random_box() {
-  return std::next(boxes_.begin(), static_cast<std::ptrdiff_t>(below(static_cast<std::uint32_t>(boxes_.size()))))->second;
+  return std::next(boxes_.begin(), static_cast<std::ptrdiff_t>(below(static_cast<std::uint32_t>(boxes_.size()))))
+      ->second;
 }
 
 void BoxWorld::edit() {
@@ -69,7 +73,8 @@ void BoxWorld::add_box() {
     parts_[part.id.slot] = part;
     box.part = part.id.slot;
   } else {
-    box.part = std::next(parts_.begin(), static_cast<std::ptrdiff_t>(below(static_cast<std::uint32_t>(parts_.size()))))->first;
+    box.part =
+        std::next(parts_.begin(), static_cast<std::ptrdiff_t>(below(static_cast<std::uint32_t>(parts_.size()))))->first;
   }
   box.half = {number(0.1, 0.6), number(0.1, 0.6), number(0.1, 0.6)};
   box.options = default_geometry_options();
@@ -150,7 +155,8 @@ bool BoxWorld::meet(const Box& a, const Box& b) const {
   const auto &of_a = a.options, &of_b = b.options;
   if (a.part == b.part || (part_a.motion != ABUT_MOTION_DYNAMIC && part_b.motion != ABUT_MOTION_DYNAMIC)) return false;
   if (of_a.parking != ABUT_PARKING_NONE || of_b.parking != ABUT_PARKING_NONE) return false;
-  if ((of_a.exclusion & of_b.exclusion) != 0 || (of_a.layers & of_b.mask) == 0 || (of_b.layers & of_a.mask) == 0) return false;
+  if ((of_a.exclusion & of_b.exclusion) != 0 || (of_a.layers & of_b.mask) == 0 || (of_b.layers & of_a.mask) == 0)
+    return false;
   if (rules_.at(of_a.label).at(of_b.label) == ABUT_RULE_DISABLE || !is_kept(a.id.slot, b.id.slot)) return false;
   const abut_vec3 &p = part_a.position, &q = part_b.position, &u = of_a.pose.position, &v = of_b.pose.position;
   return overlap(p.x + u.x, a.half.x, q.x + v.x, b.half.x) && overlap(p.y + u.y, a.half.y, q.y + v.y, b.half.y) &&

@@ -3,17 +3,17 @@
 
 #include <stdio.h>
 
-#define CHECK(condition)                                                         \
-  do {                                                                           \
-    if (!(condition)) {                                                          \
+#define CHECK(condition)                                                             \
+  do {                                                                               \
+    if (!(condition)) {                                                              \
       printf("line %d: %s (%s)\n", __LINE__, #condition, abut_last_error_message()); \
-      return 1;                                                                  \
-    }                                                                            \
+      return 1;                                                                      \
+    }                                                                                \
   } while (0)
 
 static int is_near(double a, double b) { return a - b < 1e-12 && b - a < 1e-12; }
 
-static int ask_a_pair(abut_shape *ball, abut_shape *box) {
+static int ask_a_pair(abut_shape* ball, abut_shape* box) {
   const abut_pose here = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}};
   const abut_pose there = {{3.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}};
   abut_distance distance;
@@ -27,12 +27,12 @@ static int ask_a_pair(abut_shape *ball, abut_shape *box) {
   return 0;
 }
 
-static int step_a_universe(abut_shape *ball, abut_shape *box) {
-  abut_universe *universe = NULL;
+static int step_a_universe(abut_shape* ball, abut_shape* box) {
+  abut_universe* universe = NULL;
   abut_part_options options;
   abut_part_id part;
   abut_geometry_id geometry;
-  const abut_contact *contacts = NULL;
+  const abut_contact* contacts = NULL;
   size_t count = 0;
   CHECK(abut_universe_create(NULL, &universe) == ABUT_OK);
   CHECK(abut_part_create(universe, NULL, &part) == ABUT_OK);
@@ -50,20 +50,20 @@ static int step_a_universe(abut_shape *ball, abut_shape *box) {
   return 0;
 }
 
-static uint32_t leave_out(void *context, const abut_universe *universe, abut_geometry_id a, abut_geometry_id b) {
-  uint32_t *asked = (uint32_t *)context;
+static uint32_t leave_out(void* context, const abut_universe* universe, abut_geometry_id a, abut_geometry_id b) {
+  uint32_t* asked = (uint32_t*)context;
   abut_revision revision;
   ++*asked;
   return abut_universe_revision(universe, &revision) != ABUT_OK || a.slot == b.slot;
 }
 
-static int filter_and_listen(abut_shape *ball) {
-  abut_universe *universe = NULL;
+static int filter_and_listen(abut_shape* ball) {
+  abut_universe* universe = NULL;
   abut_universe_options options;
   abut_part_id part;
   abut_geometry_id first, second;
   abut_policy policy;
-  const abut_event *events = NULL;
+  const abut_event* events = NULL;
   size_t count = 0;
   uint32_t asked = 0;
   abut_universe_options_init(&options, sizeof options);
@@ -95,8 +95,8 @@ static int filter_and_listen(abut_shape *ball) {
 }
 
 int main(void) {
-  abut_shape *ball = NULL;
-  abut_shape *box = NULL;
+  abut_shape* ball = NULL;
+  abut_shape* box = NULL;
   int failed;
   CHECK(abut_check_version(ABUT_VERSION_MAJOR, ABUT_VERSION_MINOR) == ABUT_OK);
   CHECK(abut_sphere_create(1.0, &ball) == ABUT_OK);

@@ -77,12 +77,14 @@ std::vector<std::string_view> obligations(const Declaration& declaration) {
   words.emplace_back("Refuses");
   if (has(parameters, {"*"})) words.emplace_back("Null");
   if (takes_numbers(parameters)) words.emplace_back("NonFinite");
-  if (has(parameters, {"abut_part_id part,", "abut_part_id part)", "const abut_part_id *parts",
-                       "abut_geometry_id geometry,", "abut_geometry_id geometry)", "const abut_geometry_id *",
-                       "const abut_collidable *"})) {
+  if (has(parameters,
+          {"abut_part_id part,", "abut_part_id part)", "const abut_part_id *parts", "abut_geometry_id geometry,",
+           "abut_geometry_id geometry)", "const abut_geometry_id *", "const abut_collidable *"})) {
     words.emplace_back("Stale");
   }
-  if (has(parameters, {"_options *", "_desc *", "_info *", "_stats *", "_report *", "abut_policy *", "abut_focus *", "abut_sleep *"})) words.emplace_back("StructSize");
+  if (has(parameters, {"_options *", "_desc *", "_info *", "_stats *", "_report *", "abut_policy *", "abut_focus *",
+                       "abut_sleep *"}))
+    words.emplace_back("StructSize");
   const bool is_parking = declaration.name.ends_with("_park");
   if (parameters.starts_with("(abut_universe *") && !is_parking) words.emplace_back("Busy");
   if (has(parameters, {"size_t count", "size_t point_count", "size_t vertex_count"})) words.emplace_back("Overflow");
@@ -94,7 +96,8 @@ std::map<std::string, std::set<std::string>> registered_tests() {
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   for (int suite = 0; suite < all.total_test_suite_count(); ++suite) {
     const testing::TestSuite& each = *all.GetTestSuite(suite);
-    for (int test = 0; test < each.total_test_count(); ++test) tests[each.name()].insert(each.GetTestInfo(test)->name());
+    for (int test = 0; test < each.total_test_count(); ++test)
+      tests[each.name()].insert(each.GetTestInfo(test)->name());
   }
   return tests;
 }
@@ -103,7 +106,8 @@ TEST(Completeness, FindsTheDeclarations) {
   const std::vector<Declaration> all = declarations();
   EXPECT_GE(all.size(), 97U);
   EXPECT_EQ(suite_of("abut_shape_cast_ray"), "ShapeCastRay");
-  const auto step = std::find_if(all.begin(), all.end(), [](const auto& each) { return each.name == "abut_universe_step"; });
+  const auto step =
+      std::find_if(all.begin(), all.end(), [](const auto& each) { return each.name == "abut_universe_step"; });
   ASSERT_NE(step, all.end());
   EXPECT_TRUE(step->can_fail);
 }

@@ -9,16 +9,14 @@
 
 /* An array of -1 elements does not compile: an assertion for languages that have none. */
 #define ABUT_ASSERT_TYPE(type, size) typedef char abut_assert_##type[sizeof(type) == (size) ? 1 : -1];
-#define ABUT_ASSERT_FIELD(type, field, offset, size)                                                     \
-  typedef char abut_assert_##type##_##field[offsetof(type, field) == (offset) &&                         \
-                                                    sizeof(((const type *)0)->field) == (size)           \
-                                                ? 1                                                      \
-                                                : -1];
+#define ABUT_ASSERT_FIELD(type, field, offset, size) \
+  typedef char abut_assert_##type##_##field          \
+      [offsetof(type, field) == (offset) && sizeof(((const type*)0)->field) == (size) ? 1 : -1];
 ABUT_LAYOUT(ABUT_ASSERT_TYPE, ABUT_ASSERT_FIELD)
 ABUT_PICKING_LAYOUT(ABUT_ASSERT_TYPE, ABUT_ASSERT_FIELD)
 
 /* The report has no duplicates and as many entries as the table, so finding each of the table is equality. */
-static int abut_report_has(const char *type, const char *field, uint64_t offset, uint64_t size) {
+static int abut_report_has(const char* type, const char* field, uint64_t offset, uint64_t size) {
   size_t found = 0;
   size_t i;
   for (i = 0; i < abut_layout_count(); ++i) {
@@ -32,11 +30,11 @@ static int abut_report_has(const char *type, const char *field, uint64_t offset,
   return found == 1;
 }
 
-#define ABUT_CHECK_TYPE(type, size) \
-  good &= abut_report_has(#type, "", 0, size);  \
+#define ABUT_CHECK_TYPE(type, size)            \
+  good &= abut_report_has(#type, "", 0, size); \
   ++count;
-#define ABUT_CHECK_FIELD(type, field, offset, size) \
-  good &= abut_report_has(#type, #field, offset, size);         \
+#define ABUT_CHECK_FIELD(type, field, offset, size)     \
+  good &= abut_report_has(#type, #field, offset, size); \
   ++count;
 
 int main(void) {

@@ -80,29 +80,19 @@ class Editor {
     const abut_geometry_options its = options();
     const auto parking = static_cast<abut_parking>(random_.below(3));
     switch (kind) {
-      case 0:
-        add(random_.below(shapes_.size()));
-        return;
+      case 0: add(random_.below(shapes_.size())); return;
       case 1:
         world_.remove(chosen);
         placed_.erase(placed_.begin() + static_cast<std::ptrdiff_t>(index));
         return;
-      case 2:
-        world_.move(chosen, random_.point(6), random_.turn());
-        return;
-      case 3:
-        EXPECT_EQ(abut_geometry_park(universe, chosen.geometry, parking), ABUT_OK);
-        return;
-      case 4:
-        EXPECT_EQ(abut_geometry_park(universe, chosen.geometry, ABUT_PARKING_NONE), ABUT_OK);
-        return;
+      case 2: world_.move(chosen, random_.point(6), random_.turn()); return;
+      case 3: EXPECT_EQ(abut_geometry_park(universe, chosen.geometry, parking), ABUT_OK); return;
+      case 4: EXPECT_EQ(abut_geometry_park(universe, chosen.geometry, ABUT_PARKING_NONE), ABUT_OK); return;
       case 5:
         EXPECT_EQ(abut_geometry_set_shape(universe, chosen.geometry, shapes_[random_.below(shapes_.size())].get()),
                   ABUT_OK);
         return;
-      default:
-        EXPECT_EQ(abut_geometry_set_options(universe, chosen.geometry, &its), ABUT_OK);
-        return;
+      default: EXPECT_EQ(abut_geometry_set_options(universe, chosen.geometry, &its), ABUT_OK); return;
     }
   }
 

@@ -32,12 +32,8 @@ abut_pick pick_at(World& world, double radius, const abut_query_filter* filter =
   return pick;
 }
 
-Shape point() {
-  return shape_of_kind("point", {});
-}
-Shape segment(double half_length) {
-  return shape_of_kind("segment", std::array{half_length});
-}
+Shape point() { return shape_of_kind("point", {}); }
+Shape segment(double half_length) { return shape_of_kind("segment", std::array{half_length}); }
 
 TEST(PickPixel, FindsAPointWithinTheRadius) {
   World world;

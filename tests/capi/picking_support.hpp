@@ -28,23 +28,14 @@ using Universe = std::unique_ptr<abut_universe, Delete>;
 using PickerHandle = std::unique_ptr<abut_picker, Delete>;
 using Shape = std::unique_ptr<abut_shape, Delete>;
 
-inline abut_vec3 operator+(const abut_vec3& a, const abut_vec3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline abut_vec3 operator-(const abut_vec3& a, const abut_vec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline abut_vec3 operator*(double s, const abut_vec3& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-inline double dot(const abut_vec3& a, const abut_vec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline double length(const abut_vec3& a) {
-  return std::sqrt(dot(a, a));
-}
+inline abut_vec3 operator+(const abut_vec3& a, const abut_vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline abut_vec3 operator-(const abut_vec3& a, const abut_vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline abut_vec3 operator*(double s, const abut_vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
+inline double dot(const abut_vec3& a, const abut_vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline double length(const abut_vec3& a) { return std::sqrt(dot(a, a)); }
 
-template <class Create> Shape shape_from(const Create& create) {
+template <class Create>
+Shape shape_from(const Create& create) {
   abut_shape* shape = nullptr;
   EXPECT_EQ(create(&shape), ABUT_OK) << abut_last_error_message();
   return Shape(shape);

@@ -23,8 +23,8 @@ struct QueryCall {
   OutArray<abut_geometry_id> geometries{4};
 
   bool is_untouched() const {
-    return hit.is_untouched() && cast.is_untouched() && near.is_untouched() && count.is_untouched() && found.is_untouched() &&
-           offsets.is_untouched() && geometries.is_untouched() && scene.is_unchanged();
+    return hit.is_untouched() && cast.is_untouched() && near.is_untouched() && count.is_untouched() &&
+           found.is_untouched() && offsets.is_untouched() && geometries.is_untouched() && scene.is_unchanged();
   }
 
   abut_status cast_ray(const abut_query_filter* filter) {
@@ -41,7 +41,8 @@ struct QueryCall {
     return abut_universe_cast_shapes(universe, &shape, &pose, &vector, 1, filter, cast.address());
   }
   abut_status overlaps(const abut_query_filter* filter) {
-    return abut_universe_overlaps(universe, shape, &pose, filter, number, geometries.data(), geometries.size(), count.address());
+    return abut_universe_overlaps(universe, shape, &pose, filter, number, geometries.data(), geometries.size(),
+                                  count.address());
   }
   abut_status overlaps_of_each(const abut_query_filter* filter) {
     return abut_universe_overlaps_of_each(universe, &shape, &pose, 1, filter, number, offsets.data(), geometries.data(),
@@ -66,7 +67,8 @@ using Ask = abut_status (QueryCall::*)(const abut_query_filter*);
 
 inline void refuse_bad_filters(Ask ask) {
   QueryCall call;
-  const auto refuses = [&](abut_query_filter filter, abut_status status, std::initializer_list<std::string_view> words) {
+  const auto refuses = [&](abut_query_filter filter, abut_status status,
+                           std::initializer_list<std::string_view> words) {
     EXPECT_TRUE(refused((call.*ask)(&filter), status, words));
   };
   abut_query_filter filter = default_filter();

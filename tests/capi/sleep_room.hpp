@@ -77,6 +77,7 @@ inline std::vector<std::uint32_t> slots_of(const std::vector<abut_part_id>& part
   return slots;
 }
 
-inline constexpr int until_asleep = 12;  // two steps until speeds and accelerations are known, with the third the first of ten calm ones
+inline constexpr int until_asleep =
+    12;  // two steps until speeds and accelerations are known, with the third the first of ten calm ones
 
 }  // namespace abut_test

@@ -64,7 +64,8 @@ Shape make_plane(abut_vec3 normal, double offset) {
 }
 
 Shape make_octahedron(double radius) {
-  const std::array<double, 18> points{radius, 0, 0, -radius, 0, 0, 0, radius, 0, 0, -radius, 0, 0, 0, radius, 0, 0, -radius};
+  const std::array<double, 18> points{radius, 0,       0, -radius, 0, 0,      0, radius, 0,
+                                      0,      -radius, 0, 0,       0, radius, 0, 0,      -radius};
   abut_shape* shape = nullptr;
   require(abut_hull_create(points.data(), 6, &shape));
   return Shape(shape);
@@ -121,15 +122,16 @@ Shape make_of_kind(const char* kind, const std::vector<double>& parameters, cons
 }
 
 void expect_kind_refused(const char* kind, const std::vector<double>& parameters, const std::vector<double>& reals,
-                         const std::vector<std::uint32_t>& indices, abut_status status, std::initializer_list<std::string_view> words) {
+                         const std::vector<std::uint32_t>& indices, abut_status status,
+                         std::initializer_list<std::string_view> words) {
   const abut_shape_desc desc = describe(kind, parameters, reals, indices);
   Out<abut_shape*> out;
   EXPECT_TRUE(refused(abut_shape_create(&desc, out.address()), status, words));
   EXPECT_TRUE(out.is_untouched());
 }
 
-std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
-                                      double margin) {
+std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b,
+                                      const abut_pose& pose_b, double margin) {
   abut_query_options options;
   abut_query_options_init(&options, sizeof(options));
   options.max_contacts = 0;

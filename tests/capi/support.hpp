@@ -105,14 +105,16 @@ Shape make_of_kind(const char* kind, const std::vector<double>& parameters, cons
                    const std::vector<std::uint32_t>& indices = {});
 Shape make_composite(const std::vector<const abut_shape*>& children, const std::vector<abut_pose>& poses);
 // All contacts of a pair, not reduced.
-std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
-                                      double margin = 0);
+std::vector<abut_contact> contacts_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b,
+                                      const abut_pose& pose_b, double margin = 0);
 // The signed distance of a pair, which has to lie within its bounds.
 double distance_of(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b);
 // That the generic door refuses these numbers and leaves its out-parameter alone.
 void expect_kind_refused(const char* kind, const std::vector<double>& parameters, const std::vector<double>& reals,
-                         const std::vector<std::uint32_t>& indices, abut_status status, std::initializer_list<std::string_view> words);
-// One shape of every kind, all about one unit large, in the order sphere, box, capsule, plane, hull, mesh, height field.
+                         const std::vector<std::uint32_t>& indices, abut_status status,
+                         std::initializer_list<std::string_view> words);
+// One shape of every kind, all about one unit large, in the order sphere, box, capsule, plane, hull, mesh, height
+// field.
 std::vector<Shape> make_one_of_each_kind();
 
 template <class Value>
@@ -131,7 +133,8 @@ abut_focus make_focus(std::uint32_t near_tag, std::uint32_t far_tag, double near
 
 // A copy of a list that a universe lends out.
 template <class Value>
-std::vector<Value> copy_of(abut_status (*lend)(const abut_universe*, const Value**, std::size_t*), const abut_universe* universe) {
+std::vector<Value> copy_of(abut_status (*lend)(const abut_universe*, const Value**, std::size_t*),
+                           const abut_universe* universe) {
   const Value* first = nullptr;
   std::size_t count = 0;
   require(lend(universe, &first, &count));
@@ -141,8 +144,9 @@ std::vector<Value> copy_of(abut_status (*lend)(const abut_universe*, const Value
 }
 
 inline constexpr abut_collidable anything{ABUT_COLLIDABLE_ANY, 0, 0};
-inline constexpr std::array<abut_broadphase, 5> broadphases{ABUT_BROADPHASE_AUTO, ABUT_BROADPHASE_BRUTE, ABUT_BROADPHASE_TREE,
-                                                            ABUT_BROADPHASE_SWEEP_AND_PRUNE, ABUT_BROADPHASE_HASH_GRID};
+inline constexpr std::array<abut_broadphase, 5> broadphases{ABUT_BROADPHASE_AUTO, ABUT_BROADPHASE_BRUTE,
+                                                            ABUT_BROADPHASE_TREE, ABUT_BROADPHASE_SWEEP_AND_PRUNE,
+                                                            ABUT_BROADPHASE_HASH_GRID};
 
 // The kinds of events, each as its first letter, with a following c for those of contacts.
 std::string letters_of(const std::vector<abut_event>& events);
@@ -180,7 +184,8 @@ inline constexpr abut_quat no_rotation{1.0, 0.0, 0.0, 0.0};
 inline constexpr abut_pose identity{{0.0, 0.0, 0.0}, no_rotation};
 constexpr abut_pose at(double x, double y, double z) { return {{x, y, z}, no_rotation}; }
 
-// Everything that a universe tells about itself, as bytes: parts, geometries, poses, counters, contacts, events, statistics.
+// Everything that a universe tells about itself, as bytes: parts, geometries, poses, counters, contacts, events,
+// statistics.
 std::vector<unsigned char> snapshot(const abut_universe* universe);
 
 // A small stepped universe with contacts, and the ids that a caller could get wrong.
@@ -196,7 +201,7 @@ class Scene {
   abut_part_id second_part{};
   abut_geometry_id geometry{};
   abut_geometry_id second_geometry{};
-  std::vector<abut_part_id> stale_parts;          // null, destroyed, foreign, never issued
+  std::vector<abut_part_id> stale_parts;           // null, destroyed, foreign, never issued
   std::vector<abut_geometry_id> stale_geometries;  // the same kinds
 
   bool is_unchanged() const { return snapshot(universe) == before_; }

@@ -54,7 +54,8 @@ abut_geometry_id Universe::add_geometry(abut_part_id part, const abut_shape* sha
   return add_geometry(part, shape, options);
 }
 
-abut_geometry_id Universe::add_geometry(abut_part_id part, const abut_shape* shape, const abut_geometry_options& options) {
+abut_geometry_id Universe::add_geometry(abut_part_id part, const abut_shape* shape,
+                                        const abut_geometry_options& options) {
   abut_geometry_id geometry{};
   require(abut_geometry_create(universe_, part, shape, &options, &geometry));
   return geometry;
@@ -66,7 +67,9 @@ abut_geometry_id Universe::add(const abut_shape* shape, const abut_pose& pose, a
 
 void Universe::move(abut_part_id part, const abut_pose& pose) { require(abut_part_set_pose(universe_, part, &pose)); }
 
-void Universe::park(abut_geometry_id geometry, abut_parking parking) { require(abut_geometry_park(universe_, geometry, parking)); }
+void Universe::park(abut_geometry_id geometry, abut_parking parking) {
+  require(abut_geometry_park(universe_, geometry, parking));
+}
 
 abut_geometry_info Universe::describe(abut_geometry_id geometry) const {
   abut_geometry_info info;
@@ -165,8 +168,9 @@ Scene::Scene() {
   require(abut_universe_geometries(other, foreign_geometries.data(), foreign_geometries.size(), &count));
 
   constexpr std::uint32_t far = 0xFFFFFFFFU;
-  stale_parts = {{0, 0}, doomed, foreign_parts[0], next_generation(part), {0, part.generation}, {1000, part.generation},
-                 {far, far}};
+  stale_parts = {
+      {0, 0},    doomed, foreign_parts[0], next_generation(part), {0, part.generation}, {1000, part.generation},
+      {far, far}};
   stale_geometries = {{0, 0},
                       doomed_geometry,
                       foreign_geometries[0],

@@ -17,8 +17,9 @@ std::string text_of(std::size_t a, std::size_t b) {
 }  // namespace
 
 int main() {
-  std::printf("# What meets what\n\nMade from the registry of shapes. Distances and contacts have the same table "
-              "(`abut_pair_support` answers from it);\neach pair is listed once.\n\n|");
+  std::printf(
+      "# What meets what\n\nMade from the registry of shapes. Distances and contacts have the same table "
+      "(`abut_pair_support` answers from it);\neach pair is listed once.\n\n|");
   for (std::size_t column = 0; column < abut::shape_kind_count; ++column) {
     std::printf(" | %s", std::string(abut::kind_name(column)).c_str());
   }

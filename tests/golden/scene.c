@@ -13,7 +13,7 @@
 
 enum { side = 4, body_count = side * side * side, step_count = 40, shape_count = 9 };
 
-static void require(abut_status status, const char *what) {
+static void require(abut_status status, const char* what) {
   if (status != ABUT_OK) {
     fprintf(stderr, "%s: %s (%s)\n", what, abut_status_name(status), abut_last_error_message());
     exit(2);
@@ -30,15 +30,15 @@ static uint64_t mixed(uint64_t value) {
 /* A number from -1 to 1 with 20 binary digits. */
 static double number(uint64_t seed) { return (double)(int64_t)(mixed(seed) % 2097153u) / 1048576.0 - 1.0; }
 
-static abut_shape *some_shape(uint32_t i) {
-  static const double corners[] = {0.5, 0, 0, -0.5, 0.125, 0, 0, 0.5, 0, 0.0625, -0.5, 0, 0, 0, 0.5, 0, 0.25, -0.5,
-                                   0.375, 0.375, 0.25, -0.375, -0.25, 0.375};
+static abut_shape* some_shape(uint32_t i) {
+  static const double corners[] = {0.5, 0, 0,   -0.5, 0.125, 0,    0,     0.5,   0,    0.0625, -0.5,  0,
+                                   0,   0, 0.5, 0,    0.25,  -0.5, 0.375, 0.375, 0.25, -0.375, -0.25, 0.375};
   static const double tent[] = {-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0, 0, 0, 0.375};
   static const uint32_t faces[] = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
   static const double balls[] = {0, 0, 0, 0.25, 0.25, 0.25, -0.25, 0.25, -0.125, 0.125, -0.375, 0.25};
   const double cone[] = {0.5, 0.5}, ellipsoid[] = {0.5, 0.375, 0.625};
   abut_shape_desc desc;
-  abut_shape *shape = NULL;
+  abut_shape* shape = NULL;
   abut_shape_desc_init(&desc, sizeof desc);
   desc.parameter_count = i == 4 ? 2 : 3;
   desc.parameters = i == 4 ? cone : ellipsoid;
@@ -77,7 +77,7 @@ static abut_pose pose_at(uint32_t body, uint32_t step) {
 }
 
 /* Where the process allows oneTBB that many, a step runs on as many as were asked for. */
-static void require_threads(const abut_universe *universe, uint32_t threads) {
+static void require_threads(const abut_universe* universe, uint32_t threads) {
 #ifdef ABUT_TEST_THREADS
   char text[65536], line[32];
   size_t needed = 0;
@@ -94,10 +94,10 @@ static void require_threads(const abut_universe *universe, uint32_t threads) {
 }
 
 static uint64_t run(abut_broadphase broadphase, uint32_t threads) {
-  abut_shape *shapes[shape_count];
+  abut_shape* shapes[shape_count];
   abut_part_id parts[body_count];
   abut_geometry_id geometries[body_count];
-  abut_universe *universe = NULL;
+  abut_universe* universe = NULL;
   abut_universe_options options;
   uint64_t all = 0;
   uint32_t i, step;
@@ -132,7 +132,7 @@ static uint64_t run(abut_broadphase broadphase, uint32_t threads) {
   return all;
 }
 
-int main(int count, char **arguments) {
+int main(int count, char** arguments) {
   static const uint32_t threads[] = {1, 2, 5};
   const uint64_t first = run(ABUT_BROADPHASE_AUTO, 1);
   uint64_t expected = first;
@@ -143,8 +143,8 @@ int main(int count, char **arguments) {
     for (i = 0; i < sizeof threads / sizeof threads[0]; ++i) {
       const uint64_t hash = run(kind, threads[i]);
       if (hash != expected) {
-        fprintf(stderr, "broad phase %" PRIu32 ", %" PRIu32 " threads: %016" PRIx64 ", expected %016" PRIx64 "\n", kind, threads[i],
-                hash, expected);
+        fprintf(stderr, "broad phase %" PRIu32 ", %" PRIu32 " threads: %016" PRIx64 ", expected %016" PRIx64 "\n", kind,
+                threads[i], hash, expected);
         ++failures;
       }
     }

@@ -64,10 +64,10 @@ struct KnownFailure {
   std::optional<FailureShape> b;
   FailurePose pose_a;
   FailurePose pose_b;
-  std::optional<Quad> distance;       // signed, of the poses as they are; references to 22 digits
+  std::optional<Quad> distance;  // signed, of the poses as they are; references to 22 digits
   std::optional<FailureCast> cast;
   bool asks_contacts = false;
-  std::size_t contacts = 0;           // that the source expects at least; 0 where it does not say
+  std::size_t contacts = 0;  // that the source expects at least; 0 where it does not say
   std::optional<FailureRay> ray;
   std::optional<FailureHull> hull;
   std::optional<FailureMotion> motion;

@@ -220,8 +220,8 @@ void check_contacts(const Case& c, double margin) {
   // itself (no deeper than all, see above), but none is less deep, unless what it meets is the back of a sheet.
   const double found = all.contacts.front().distance;
   if (is_surface(c.a) && truth < 0) {
-    expect(c, "deepest contact is as deep as each triangle", found <= truth + tolerance || c.a.kind == "height_field", found,
-           truth, tolerance);
+    expect(c, "deepest contact is as deep as each triangle", found <= truth + tolerance || c.a.kind == "height_field",
+           found, truth, tolerance);
     return;
   }
   expect(c, "deepest contact is as deep as the shapes", error <= tolerance, found, truth, tolerance);
@@ -267,7 +267,8 @@ TEST(Contacts, WithSurfacesAreConsistent) {
   }
 }
 
-// Bodies deep in meshes of two sides, at their rims, edges and corners too: every contact is one of the mesh as a whole.
+// Bodies deep in meshes of two sides, at their rims, edges and corners too: every contact is one of the mesh as a
+// whole.
 TEST(Contacts, DeepInMeshesAreNoDeeperThanTheMesh) {
   const auto surfaces = property::surface_subjects();
   const auto others = property::convex_subjects();

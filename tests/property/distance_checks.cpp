@@ -26,7 +26,10 @@ Magnitude magnitude_of(const Subject& a, const Subject& b, const abut_pose& pose
 }
 
 Case make_case(const Subject& a, const Subject& b, const Placement& placement) {
-  return {a, b, placement, oracle::signed_distance(a.measured, pose_of(placement.a), b.measured, pose_of(placement.b)),
+  return {a,
+          b,
+          placement,
+          oracle::signed_distance(a.measured, pose_of(placement.a), b.measured, pose_of(placement.b)),
           magnitude_of(a, b, placement.a, placement.b),
           {}};
 }

@@ -59,7 +59,8 @@ void visit_flat_hulls(Random& random, const Visit& visit) {
   std::vector<SolidSubject> hulls;
   hulls.push_back(make_solid("hull", "point hull", {0.25, 0.5, 0.75}));
   hulls.push_back(make_solid("hull", "segment hull", {-0.5, 0, 0.25, 0.7, 0.3, 0.1}));
-  hulls.push_back(make_solid("hull", "collinear hull", {0, 0, 0, 1, 1, 1, 0.5, 0.5, 0.5, 0.1, 0.1, 0.1, 0.7, 0.7, 0.7}));
+  hulls.push_back(
+      make_solid("hull", "collinear hull", {0, 0, 0, 1, 1, 1, 0.5, 0.5, 0.5, 0.1, 0.1, 0.1, 0.7, 0.7, 0.7}));
   hulls.push_back(make_solid("hull", "triangle hull", {0, 0, 0, 1, 0.25, 0.5, -0.25, 1, 0.75}));
   hulls.push_back(make_solid("hull", "square hull", {-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0}));
   hulls.push_back(make_solid("hull", "polygon hull", slanting_polygon(7)));

@@ -20,16 +20,15 @@ struct Seated {
 };
 
 constexpr abut_quat upright{1, 0, 0, 0};
-constexpr abut_quat over{0, 1, 0, 0};                 // half a turn about X
-constexpr abut_quat along_x{0.5, 0.5, 0.5, 0.5};      // Z comes to X, X to Y, Y to Z
-constexpr abut_quat along_y{0.5, -0.5, -0.5, -0.5};   // Z comes to Y
+constexpr abut_quat over{0, 1, 0, 0};                // half a turn about X
+constexpr abut_quat along_x{0.5, 0.5, 0.5, 0.5};     // Z comes to X, X to Y, Y to Z
+constexpr abut_quat along_y{0.5, -0.5, -0.5, -0.5};  // Z comes to Y
 
 std::vector<Seated> seated() {
   std::vector<Seated> list;
   const auto add = [&list](const char* kind, const char* name, const std::vector<double>& numbers,
-                           const abut_quat& turn, double depth, Seat seat) {
-    list.push_back({make_solid(kind, name, numbers), turn, depth, seat});
-  };
+                           const abut_quat& turn, double depth,
+                           Seat seat) { list.push_back({make_solid(kind, name, numbers), turn, depth, seat}); };
   add("point", "point", {}, upright, 0, Seat::vertex);
   add("segment", "standing segment", {0.75}, upright, 0.75, Seat::vertex);
   add("triangle", "standing triangle", {0, 0, -0.5, 1, 0.25, 0.5, -0.5, 0.5, 0.75}, upright, 0.5, Seat::vertex);

@@ -204,7 +204,8 @@ void visit_zero_size(Random& random, const Visit& visit) {
     for (const SolidSubject& speck : zero) {
       const abut_pose pose = random_pose(random, 1);
       for (const double gap : {0.25, 0.0, -0.0625}) {
-        visit(solid, speck, facing("", solid, pose, speck, random_orientation(random), random_normal(random), gap, 0), {});
+        visit(solid, speck, facing("", solid, pose, speck, random_orientation(random), random_normal(random), gap, 0),
+              {});
       }
     }
   }

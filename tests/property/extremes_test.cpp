@@ -1,7 +1,7 @@
 // Signed distances of extreme pairs against the oracle, and the table of the worst errors and iterations.
 //
-// Where both shapes have few features the oracle knows the distance from these; elsewhere, where the cores are apart, from
-// support points; and where curved shapes overlap, the certificate of the answer is all there is.
+// Where both shapes have few features the oracle knows the distance from these; elsewhere, where the cores are apart,
+// from support points; and where curved shapes overlap, the certificate of the answer is all there is.
 #include "extremes.hpp"
 
 #include <gtest/gtest.h>
@@ -33,10 +33,10 @@ using property::Random;
 using property::SolidSubject;
 using property::Visit;
 
-// What an error may be at most is a part of the size of both shapes and the way between them. It is what was measured, up
-// to a power of ten, and never more than a query promises: 1e-12, and 1e-9 where a cylinder, a cone or an ellipsoid takes
-// part. Where nothing but rounding is left (coordinates of few digits, depths that faces and edges give, relative poses
-// that are differences of nearby numbers) it is a few units of rounding.
+// What an error may be at most is a part of the size of both shapes and the way between them. It is what was measured,
+// up to a power of ten, and never more than a query promises: 1e-12, and 1e-9 where a cylinder, a cone or an ellipsoid
+// takes part. Where nothing but rounding is left (coordinates of few digits, depths that faces and edges give, relative
+// poses that are differences of nearby numbers) it is a few units of rounding.
 struct Extreme {
   const char* name;
   void (*visit)(Random&, const Visit&);
@@ -46,7 +46,7 @@ struct Extreme {
 };
 
 constexpr std::uint32_t straight_iterations = 128;  // axes that were tried count as steps
-constexpr std::uint32_t curved_iterations = 256;  // two searches of 120 vertices, and what led to them
+constexpr std::uint32_t curved_iterations = 256;    // two searches of 120 vertices, and what led to them
 
 template <int exponent>
 void visit_parallel(Random& random, const Visit& visit) {
@@ -94,8 +94,8 @@ std::optional<Truth> truth_of(const SolidSubject& a, const SolidSubject& b, cons
   const auto& pieces_a = a.subject.measured.pieces;
   const auto& pieces_b = b.subject.measured.pieces;
   if (!pieces_a.empty() && !pieces_b.empty()) {
-    const double exact = static_cast<double>(
-        oracle::signed_distance(a.subject.measured, pose_a, b.subject.measured, pose_b).distance);
+    const double exact =
+        static_cast<double>(oracle::signed_distance(a.subject.measured, pose_a, b.subject.measured, pose_b).distance);
     return Truth{exact, exact};
   }
   const oracle::Nearest nearest = oracle::nearest(a.solid, pose_a, b.solid, pose_b);
@@ -167,9 +167,8 @@ std::string table() {
       const std::string row = std::string(extreme.name) + suffix;
       const property::Worst worst = property::record().worst_of(row);
       if (worst.cases == 0) continue;
-      text << "| " << row << " | " << worst.cases << " | " << std::scientific << worst.error
-           << " | " << worst.iterations << " | " << worst.gap << " | " << worst.failures << " | " << worst.where
-           << " |\n";
+      text << "| " << row << " | " << worst.cases << " | " << std::scientific << worst.error << " | "
+           << worst.iterations << " | " << worst.gap << " | " << worst.failures << " | " << worst.where << " |\n";
     }
   }
   return text.str();
@@ -197,7 +196,8 @@ TEST_P(Extremes, HaveTheDistanceOfTheOracle) {
 
 std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
   std::string name = extremes.at(info.param).name;
-  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
 }
 

@@ -98,9 +98,9 @@ TEST(FoundFailures, HaveTheirDepthNormalAndPointsInAllFrames) {
       judge(placed_b, placed_a, static_cast<double>(*row.distance));
     }
   }
-  EXPECT_EQ(asked, (std::vector<std::string>{"abut-cone-flat-hull", "abut-cylinder-flat-hull",
-                                             "abut-cone-box-two-zeros", "abut-flat-hull-in-box-witness",
-                                             "abut-flat-ellipsoid-sphere-normal"}));
+  EXPECT_EQ(asked,
+            (std::vector<std::string>{"abut-cone-flat-hull", "abut-cylinder-flat-hull", "abut-cone-box-two-zeros",
+                                      "abut-flat-hull-in-box-witness", "abut-flat-ellipsoid-sphere-normal"}));
 }
 
 }  // namespace

@@ -103,8 +103,8 @@ void judge_distances(abut_algorithm algorithm) {
     ++asked;
     const property::Subject a = subject_of(row.id + " a", *row.a);
     const property::Subject b = subject_of(row.id + " b", *row.b);
-    const Question question{row.id, a, rounded(row.pose_a), b, rounded(row.pose_b), *row.distance,
-                            is_curved(*row.a) || is_curved(*row.b)};
+    const Question question{
+        row.id, a, rounded(row.pose_a), b, rounded(row.pose_b), *row.distance, is_curved(*row.a) || is_curved(*row.b)};
     const auto answer = judge(question, algorithm);
     if (!answer) continue;
     std::printf("%-40s %24.17g %24.17g %4u\n", row.id.c_str(), answer->distance, static_cast<double>(*row.distance),
@@ -162,8 +162,9 @@ void judge_cast(const KnownFailure& row) {
   const abut_vec3 still{0, 0, 0};
   abut_cast_hit hit{};
   std::uint32_t found = 0;
-  ASSERT_EQ(abut_pair_cast(a.shape.get(), &pose_a, &displacement, b.shape.get(), &pose_b, &still, nullptr, &hit, &found),
-            ABUT_OK)
+  ASSERT_EQ(
+      abut_pair_cast(a.shape.get(), &pose_a, &displacement, b.shape.get(), &pose_b, &still, nullptr, &hit, &found),
+      ABUT_OK)
       << row.id << ": " << abut_last_error_message();
   EXPECT_EQ(found == 1, row.cast->touches) << row.id;
   if (found == 0 || !row.cast->touches) return;
@@ -211,8 +212,8 @@ std::vector<double> telling_times(const oracle::FailureMotion& motion) {
   constexpr int even = 64;
   std::vector<double> times;
   for (int i = 0; i <= even; ++i) times.push_back(static_cast<double>(i) / even);
-  double best = *std::min_element(times.begin(), times.end(),
-                                  [&](double s, double t) { return distance(s) < distance(t); });
+  double best =
+      *std::min_element(times.begin(), times.end(), [&](double s, double t) { return distance(s) < distance(t); });
   for (double step = 0.5 / even; step > 1e-16; step /= 2) {
     for (const double time : {best - step, best + step}) {
       if (time < 0 || time > 1) continue;
@@ -223,9 +224,9 @@ std::vector<double> telling_times(const oracle::FailureMotion& motion) {
   return times;
 }
 
-// No query follows vertices that move each in a way of its own, so the five rows of motions are not asked as motions: the
-// distances at moments of them are. Whether a motion counts as a collision stays open: the sources say yes to one that
-// stays 5e-7 apart and no to one that comes within 4.4e-7.
+// No query follows vertices that move each in a way of its own, so the five rows of motions are not asked as motions:
+// the distances at moments of them are. Whether a motion counts as a collision stays open: the sources say yes to one
+// that stays 5e-7 apart and no to one that comes within 4.4e-7.
 TEST(KnownFailures, HaveTheirDistanceAtAllTimesOfAMotion) {
   const abut_pose here{{0, 0, 0}, {1, 0, 0, 0}};
   std::size_t asked = 0;
@@ -315,8 +316,8 @@ TEST(KnownFailures, HaveTheirHull) {
   EXPECT_EQ(asked, 2u);
 }
 
-// Of 80 rows, two hold nothing to ask: one names a file of points, the other tells of a simulation. Five more are motions, of
-// which only moments are asked.
+// Of 80 rows, two hold nothing to ask: one names a file of points, the other tells of a simulation. Five more are
+// motions, of which only moments are asked.
 TEST(KnownFailures, AreAllAskedButTwoAndFiveMotions) {
   std::vector<std::string> silent, motions;
   std::size_t count = 0;
@@ -330,8 +331,8 @@ TEST(KnownFailures, AreAllAskedButTwoAndFiveMotions) {
   }
   EXPECT_EQ(count, 80u);
   EXPECT_EQ(silent, (std::vector<std::string>{"parry-convex-hull-big", "gazebo-2388-sphere-heightmap"}));
-  EXPECT_EQ(motions, (std::vector<std::string>{"ipctk-no-zero-toi", "ipctk-bolun-rotating-triangle", "ipctk-ee-double-root-2",
-                                               "ipctk-ee-slow-1", "ipctk-ee-slow-2"}));
+  EXPECT_EQ(motions, (std::vector<std::string>{"ipctk-no-zero-toi", "ipctk-bolun-rotating-triangle",
+                                               "ipctk-ee-double-root-2", "ipctk-ee-slow-1", "ipctk-ee-slow-2"}));
 }
 
 }  // namespace

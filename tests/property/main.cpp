@@ -10,7 +10,8 @@ int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   int result = RUN_ALL_TESTS();
   property::record().print();
-  const bool are_all = testing::GTEST_FLAG(filter) == "*" && testing::UnitTest::GetInstance()->skipped_test_count() == 0;
+  const bool are_all =
+      testing::GTEST_FLAG(filter) == "*" && testing::UnitTest::GetInstance()->skipped_test_count() == 0;
   if (are_all && !property::record().is_as_known(property::known_shortfalls())) result = EXIT_FAILURE;
   if (const char* path = std::getenv("ABUT_PROPERTY_CSV")) property::record().write_csv(path);
   return result;

@@ -1,5 +1,5 @@
-// Manifolds of random convex pairs: points on the surfaces, ids of their own, the deepest one kept, the same contacts after a
-// motion that is rounding, and mirrored when the shapes are swapped.
+// Manifolds of random convex pairs: points on the surfaces, ids of their own, the deepest one kept, the same contacts
+// after a motion that is rounding, and mirrored when the shapes are swapped.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ SolidSubject random_solid(const std::string& kind, Random& random) {
   return property::make_solid(kind, kind, numbers);
 }
 
-const std::vector<std::string> kinds{"point",    "segment", "triangle", "sphere", "capsule",  "box",
+const std::vector<std::string> kinds{"point",    "segment", "triangle", "sphere",      "capsule",  "box",
                                      "cylinder", "cone",    "hull",     "sliver hull", "ellipsoid"};
 
 struct Pair {
@@ -102,8 +102,8 @@ Manifold contacts(const Pair& pair, std::uint32_t most = 0) {
 }
 
 // Every pair of the kinds, so often.
-void for_pairs(const std::vector<std::string>& firsts, const std::vector<std::string>& seconds, int rounds, std::uint64_t seed,
-               const std::function<void(const Pair&)>& check) {
+void for_pairs(const std::vector<std::string>& firsts, const std::vector<std::string>& seconds, int rounds,
+               std::uint64_t seed, const std::function<void(const Pair&)>& check) {
   for (const std::string& a : firsts) {
     for (const std::string& b : seconds) {
       SCOPED_TRACE(a + " / " + b + ", seed " + std::to_string(seed));
@@ -130,8 +130,10 @@ TEST(Manifolds, PointsOfALeaningCapsuleLieOnIt) {
   const double angle = std::acos(-1.0) / 4;
   const abut_quat turned{std::cos(angle / 2), std::sin(angle / 2), 0, 0};
   const Subject plane = property::make_plane("plane", {0, 0, 1}, 5);
-  const Pair pair{property::make_solid("box", "box", {5, 5, 5}), property::make_solid("capsule", "capsule", {0.5, 0.5}),
-                  {{0, 0, 0}, upright}, {{0, 0, 5.1}, turned}};
+  const Pair pair{property::make_solid("box", "box", {5, 5, 5}),
+                  property::make_solid("capsule", "capsule", {0.5, 0.5}),
+                  {{0, 0, 0}, upright},
+                  {{0, 0, 5.1}, turned}};
   for (const Manifold& found : {contacts(pair), contacts_of(plane, pair.pose_a, pair.b.subject, pair.pose_b, 0, 0)}) {
     ASSERT_EQ(found.contacts.size(), 2u);
     EXPECT_NEAR(found.contacts[0].distance, 0.1 - 0.5 * std::sqrt(0.5) - 0.5, 1e-14);
@@ -145,8 +147,10 @@ TEST(Manifolds, PointsOfALeaningCapsuleLieOnIt) {
 
 // The upper end of a capsule that stands has nothing under it but the ball around the lower end.
 TEST(Manifolds, AStandingCapsuleTouchesWithItsLowerEnd) {
-  const Pair pair{property::make_solid("box", "box", {5, 5, 5}), property::make_solid("capsule", "capsule", {0.5, 0.2}),
-                  {{0, 0, 0}, upright}, {{0, 0, 4.9}, {std::cos(0.1), std::sin(0.1), 0, 0}}};
+  const Pair pair{property::make_solid("box", "box", {5, 5, 5}),
+                  property::make_solid("capsule", "capsule", {0.5, 0.2}),
+                  {{0, 0, 0}, upright},
+                  {{0, 0, 4.9}, {std::cos(0.1), std::sin(0.1), 0, 0}}};
   const Subject plane = property::make_plane("plane", {0, 0, 1}, 5);
   EXPECT_EQ(contacts(pair).contacts.size(), 1u);
   EXPECT_EQ(contacts_of(plane, pair.pose_a, pair.b.subject, pair.pose_b, 0, 0).contacts.size(), 1u);
@@ -163,7 +167,8 @@ TEST(Manifolds, ContactsHaveIdsOfTheirOwn) {
   for_pairs(rims, rims, 800, 7300, [](const Pair& pair) { expect_own_ids(contacts(pair), text_of(pair)); });
 }
 
-// Two discs like these lean on each other so flatly that the side of one crosses the rim of the other twice within a sixteenth.
+// Two discs like these lean on each other so flatly that the side of one crosses the rim of the other twice within a
+// sixteenth.
 TEST(Manifolds, ContactsOfTwoFlatConesHaveIdsOfTheirOwn) {
   const std::vector<double> numbers{0.10169506618342827, 1e-6};
   const Pair pair{property::make_solid("cone", "cone", numbers),
@@ -197,7 +202,8 @@ Subject composite_of(const std::vector<std::string>& parts, Random& random) {
 TEST(Manifolds, ContactsOfCompositesHaveIdsOfTheirOwn) {
   Random random(7400);
   for (int round = 0; round < 1000; ++round) {
-    const Subject a = composite_of({"cone", "cylinder", "cone"}, random), b = composite_of({"cylinder", "cone"}, random);
+    const Subject a = composite_of({"cone", "cylinder", "cone"}, random),
+                  b = composite_of({"cylinder", "cone"}, random);
     const abut_pose pose_a{{0, 0, 0}, property::random_orientation(random)};
     const abut_pose pose_b{property::moved({0, 0, 0}, property::random_direction(random), between(random, 0, 1)),
                            property::random_orientation(random)};
@@ -219,7 +225,8 @@ TEST(Manifolds, ReductionKeepsTheDeepestExactly) {
   });
 }
 
-// A disc that leans by less than a thousandth rests on its face: between the corners of the rim it is deepest by a little.
+// A disc that leans by less than a thousandth rests on its face: between the corners of the rim it is deepest by a
+// little.
 TEST(Manifolds, ReductionKeepsTheDeepestPointOfARim) {
   Random random(7600);
   for (int round = 0; round < 2000; ++round) {
@@ -275,14 +282,17 @@ TEST(Manifolds, AVertexOverAnEdgeTouchesTheSameWayAfterRounding) {
 
 // Straight above each other, with edges on edges: every corner of one is a corner of the other.
 TEST(Manifolds, StackedBoxesTouchTheSameWayAfterRounding) {
-  const Pair pair{property::make_solid("box", "box", {.5, .6, .7}), property::make_solid("box", "box", {.5, .6, .7}),
-                  {{0, 0, 0}, upright}, {{0, 0, 1.39}, upright}};
+  const Pair pair{property::make_solid("box", "box", {.5, .6, .7}),
+                  property::make_solid("box", "box", {.5, .6, .7}),
+                  {{0, 0, 0}, upright},
+                  {{0, 0, 1.39}, upright}};
   Random random(7750);
   EXPECT_EQ(contacts(pair).contacts.size(), 4u);
   for (int round = 0; round < 100; ++round) EXPECT_EQ(changes_of(pair, 1e-15, random), 0);
 }
 
-// Where rims of discs a millionth as thick as wide meet, the error of the normal is larger than what tells side from end.
+// Where rims of discs a millionth as thick as wide meet, the error of the normal is larger than what tells side from
+// end.
 bool is_thin(const Subject& subject) { return subject.small < 0.05 * subject.size; }
 
 // Rims that are deepest on a rim, edges that cross: which face of an edge is looked at must not follow from rounding.

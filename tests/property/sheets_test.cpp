@@ -27,9 +27,7 @@ ShapePtr mesh(const std::vector<double>& xyz, const std::vector<std::uint32_t>& 
   return ShapePtr(shape);
 }
 
-ShapePtr square(abut_sides sides) {
-  return mesh({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, {0, 1, 2, 0, 2, 3}, sides);
-}
+ShapePtr square(abut_sides sides) { return mesh({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, {0, 1, 2, 0, 2, 3}, sides); }
 
 ShapePtr box(double half) {
   abut_shape* shape = nullptr;
@@ -50,9 +48,8 @@ std::vector<abut_contact> contacts(const ShapePtr& a, const abut_pose& pose_a, c
   options.max_contacts = 0;
   std::vector<abut_contact> found(1000);
   std::size_t count = 0;
-  EXPECT_EQ(
-      abut_pair_contacts(a.get(), &pose_a, b.get(), &pose_b, &options, found.data(), found.size(), &count),
-      ABUT_OK);
+  EXPECT_EQ(abut_pair_contacts(a.get(), &pose_a, b.get(), &pose_b, &options, found.data(), found.size(), &count),
+            ABUT_OK);
   found.resize(count);
   return found;
 }
@@ -125,8 +122,8 @@ TEST(Sheets, PointsLieOnTheSheetWhenABoxPushesItSideways) {
   EXPECT_NEAR(found.front().distance, -0.1, 1e-12);
 }
 
-// Found by the box, whose corner is 0.1 over the rim, in a mesh of two triangles: the one that it meets at its tip only has
-// no way of its own out, and must not push it through the sheet.
+// Found by the box, whose corner is 0.1 over the rim, in a mesh of two triangles: the one that it meets at its tip only
+// has no way of its own out, and must not push it through the sheet.
 TEST(Sheets, BoxOverTheRimIsPushedOffTheRim) {
   const ShapePtr body = box(1);
   for (const abut_sides sides : {ABUT_SIDES_BOTH, ABUT_SIDES_FRONT}) {
@@ -142,9 +139,10 @@ TEST(Sheets, BoxOverTheRimIsPushedOffTheRim) {
 }
 
 ShapePtr cube(abut_sides sides) {
-  return mesh({-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1},
-              {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 2, 3, 7, 2, 7, 6, 1, 2, 6, 1, 6, 5, 3, 0, 4, 3, 4, 7},
-              sides);
+  return mesh(
+      {-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1},
+      {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 2, 3, 7, 2, 7, 6, 1, 2, 6, 1, 6, 5, 3, 0, 4, 3, 4, 7},
+      sides);
 }
 
 TEST(Sheets, CubesThatOverlapAreParted) {

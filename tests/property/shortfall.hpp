@@ -1,4 +1,5 @@
-// A row of the tables of the property tests in which the library falls short of a fact: in how many cases, and by how much.
+// A row of the tables of the property tests in which the library falls short of a fact: in how many cases, and by how
+// much.
 #pragma once
 
 #include <cstdint>

@@ -73,7 +73,10 @@ Ground field(const Floor& floor, std::uint64_t seed) {
   abut_shape* shape = nullptr;
   EXPECT_EQ(abut_height_field_create(&desc, &shape), ABUT_OK);
   const double middle = -0.5 * floor.cells * floor.spacing;
-  return {"height field", ShapePtr(shape), property::soup_of(floor, seed), {{middle, middle, 0}, {1, 0, 0, 0}},
+  return {"height field",
+          ShapePtr(shape),
+          property::soup_of(floor, seed),
+          {{middle, middle, 0}, {1, 0, 0, 0}},
           {1, 0, 0, 0}};
 }
 
@@ -91,7 +94,8 @@ abut_pose step_of(const Body& body, const Ground& ground, double direction, doub
   abut_quat turn = property::about({0, 0, 1}, direction);
   if (body.is_lying) {
     // Lying across the path, and rolling along it.
-    turn = product(turn, product(property::about({0, 1, 0}, at / body.height), property::about({1, 0, 0}, std::acos(0.0))));
+    turn = product(turn,
+                   product(property::about({0, 1, 0}, at / body.height), property::about({1, 0, 0}, std::acos(0.0))));
   }
   const abut_pose local{{at * std::cos(direction) + 0.01, at * std::sin(direction) + 0.003, body.height - sunk}, turn};
   return property::composed(lean, local);

@@ -64,7 +64,8 @@ struct Maker {
   // The middle of a face or side of a against what b turns to it.
   void add_on_face(const std::string& scene, double gap) {
     const abut_pose pose_a = random_pose(small);
-    add_facing(scene, pose_a, random_orientation(random), pose_of(pose_a).rotate(main_direction(a, random)), gap, 1e-12);
+    add_facing(scene, pose_a, random_orientation(random), pose_of(pose_a).rotate(main_direction(a, random)), gap,
+               1e-12);
   }
 
   // Orientations that differ by a quarter turn or none, and by a small angle.
@@ -74,8 +75,7 @@ struct Maker {
     abut_pose local{{0, 0, 0}, about(random_direction(random), angle)};
     if (quarter) local = composed({{0, 0, 0}, about(axes.at(random() % 3), std::acos(0.0))}, local);
     const abut_quat turn_b = composed(pose_a, local).orientation;
-    add_facing(scene, pose_a, turn_b, pose_of(pose_a).rotate(main_direction(a, random)), gap,
-               2 * angle + 1e-12);
+    add_facing(scene, pose_a, turn_b, pose_of(pose_a).rotate(main_direction(a, random)), gap, 2 * angle + 1e-12);
   }
 
   void add_deep() {

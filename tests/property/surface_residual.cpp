@@ -8,7 +8,8 @@ namespace property {
 
 namespace {
 
-// Of a half-plane with a corner at both ends: the larger of the distances to the lines inside, that to the polygon outside.
+// Of a half-plane with a corner at both ends: the larger of the distances to the lines inside, that to the polygon
+// outside.
 struct Outline {
   double beside;  // out of the side
   double beyond;  // out of the ends

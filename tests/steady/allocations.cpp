@@ -64,7 +64,9 @@ void note(void* given, const void* caller) {
 
 // Requests that are still granted; none is refused while it is negative.
 std::atomic<std::ptrdiff_t> grants = -1;
-bool is_refused() { return grants.load(std::memory_order_relaxed) >= 0 && grants.fetch_sub(1, std::memory_order_relaxed) == 0; }
+bool is_refused() {
+  return grants.load(std::memory_order_relaxed) >= 0 && grants.fetch_sub(1, std::memory_order_relaxed) == 0;
+}
 
 void forget(void* given) { bytes.fetch_sub(malloc_usable_size(given), std::memory_order_relaxed); }
 
@@ -142,7 +144,9 @@ void free(void* given) {
   __libc_free(given);
 }
 
-void* memalign(std::size_t alignment, std::size_t size) { return steady::aligned(alignment, size, __builtin_return_address(0)); }
+void* memalign(std::size_t alignment, std::size_t size) {
+  return steady::aligned(alignment, size, __builtin_return_address(0));
+}
 
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
   return steady::aligned(alignment, size, __builtin_return_address(0));

@@ -1,4 +1,5 @@
-// Counts what is asked of the allocator: malloc and its like are those of this program, and hand on to those of the C library.
+// Counts what is asked of the allocator: malloc and its like are those of this program, and hand on to those of the C
+// library.
 #pragma once
 
 #include <cstddef>

@@ -25,7 +25,8 @@ Shape make_row(std::size_t count) {
   std::vector<abut_pose> poses;
   for (std::size_t i = 0; i < count; ++i) {
     children.push_back(i % 2 == 0 ? ball : box);
-    poses.push_back(at(1.2 * static_cast<double>(i) / static_cast<double>(count) - 0.6, 0.1 * static_cast<double>(i % 3), 0));
+    poses.push_back(
+        at(1.2 * static_cast<double>(i) / static_cast<double>(count) - 0.6, 0.1 * static_cast<double>(i % 3), 0));
   }
   return make_composite(children, poses);
 }
@@ -69,10 +70,12 @@ Crowd::Crowd(const abut_universe_options& options, const std::vector<Shape>& sha
 
 // A place in the block, and a small circle and a turn to and fro around it.
 abut_pose Crowd::pose_of(std::size_t body, std::size_t frame) const {
-  const double phase = 2 * std::numbers::pi * static_cast<double>((frame + 5 * body) % period) / static_cast<double>(period);
+  const double phase =
+      2 * std::numbers::pi * static_cast<double>((frame + 5 * body) % period) / static_cast<double>(period);
   const double turn = 0.4 * static_cast<double>(body % 7) + 0.1 * std::sin(phase);
   const auto place = [&](std::size_t cell) { return spacing * static_cast<double>(cell % side_); };
-  return {{place(body) + 0.15 * std::cos(phase), place(body / side_) + 0.15 * std::sin(phase), place(body / (side_ * side_))},
+  return {{place(body) + 0.15 * std::cos(phase), place(body / side_) + 0.15 * std::sin(phase),
+           place(body / (side_ * side_))},
           {std::cos(turn), 0.6 * std::sin(turn), 0.8 * std::sin(turn), 0}};
 }
 

@@ -68,8 +68,7 @@ TEST(EditOfASharedShape, CopiesItOnce) {
   const std::size_t before = steady::live_bytes();
   require(abut_geometry_set_heights(universe, field, 0, 0, 1, 1, &height));
   EXPECT_GE(static_cast<std::ptrdiff_t>(steady::live_bytes()) - static_cast<std::ptrdiff_t>(before), samples);
-  const Cost cost =
-      cost_of(universe, [&] { return abut_geometry_set_heights(universe, field, 0, 0, 1, 1, &height); });
+  const Cost cost = cost_of(universe, [&] { return abut_geometry_set_heights(universe, field, 0, 0, 1, 1, &height); });
   EXPECT_EQ(cost.bytes, 0) << "the copy is held by nobody else";
 }
 

@@ -1,7 +1,7 @@
 /*
- * Many geometries in little memory: makes universes of spheres and boxes that share two shapes, one part each, steps three times
- * with 2 % of them moving, and compares what the process has held at most with a limit of 2 GiB for a million.
- * usage: abut_million [geometries, default 1000000 [broad phase, default 0 for auto [spacing, default 1.1]]]
+ * Many geometries in little memory: makes universes of spheres and boxes that share two shapes, one part each, steps
+ * three times with 2 % of them moving, and compares what the process has held at most with a limit of 2 GiB for a
+ * million. usage: abut_million [geometries, default 1000000 [broad phase, default 0 for auto [spacing, default 1.1]]]
  */
 #define _POSIX_C_SOURCE 200809L
 #include <abut/abut.h>
@@ -14,7 +14,7 @@
 
 enum { batch = 4096, step_count = 3, share = 50 };
 
-static void require(abut_status status, const char *what) {
+static void require(abut_status status, const char* what) {
   if (status != ABUT_OK) {
     fprintf(stderr, "%s: %s (%s)\n", what, abut_status_name(status), abut_last_error_message());
     exit(2);
@@ -50,7 +50,7 @@ static abut_pose pose_at(uint64_t body, uint64_t side, uint64_t step, double spa
   return pose;
 }
 
-int main(int count, char **arguments) {
+int main(int count, char** arguments) {
   const uint64_t geometries = count > 1 ? strtoull(arguments[1], NULL, 10) : 1000000u;
   const double spacing = count > 3 ? strtod(arguments[3], NULL) : 1.1;
   const double limit = 2147483648.0 * (double)geometries / 1e6;
@@ -58,10 +58,10 @@ int main(int count, char **arguments) {
   static abut_part_id ids[batch], moving_ids[batch];
   static abut_geometry_id made[batch];
   static abut_pose poses[batch];
-  const abut_shape *shapes[batch];
-  abut_part_id *moving = malloc((geometries / share + 1) * sizeof *moving);
+  const abut_shape* shapes[batch];
+  abut_part_id* moving = malloc((geometries / share + 1) * sizeof *moving);
   abut_shape *sphere = NULL, *box = NULL;
-  abut_universe *universe = NULL;
+  abut_universe* universe = NULL;
   abut_universe_options options;
   abut_step_stats stats;
   uint64_t side = 1, first, i, step, moving_count = 0;
@@ -86,7 +86,8 @@ int main(int count, char **arguments) {
       if ((first + i) % share == 0) moving[moving_count++] = ids[i];
     }
   }
-  printf("%" PRIu64 " geometries, broad phase %s: made in %.2f s\n", geometries, count > 2 ? arguments[2] : "0", seconds() - begin);
+  printf("%" PRIu64 " geometries, broad phase %s: made in %.2f s\n", geometries, count > 2 ? arguments[2] : "0",
+         seconds() - begin);
   abut_step_stats_init(&stats, sizeof stats);
   for (step = 0; step < step_count; ++step) {
     for (first = 0; step > 0 && first < moving_count; first += batch) {

@@ -162,7 +162,8 @@ TEST(SteadyPair, AllocatesNothingWhateverItsKinds) {
   EXPECT_GT(2 * touching, shapes.size() * shapes.size()) << "pairs that do not touch show little";
 }
 
-// Where rounding stops the usual search another one takes over: slender triangles beside others a million times as large.
+// Where rounding stops the usual search another one takes over: slender triangles beside others a million times as
+// large.
 TEST(SteadyPair, OfSliversAsksForNothing) {
   constexpr int pairs = 500;
   constexpr double giant = 1 << 20;
@@ -212,7 +213,8 @@ TEST(SteadyPair, OfACompositeWithHolesGivesBackWhatItAsksFor) {
   EXPECT_EQ(resting.stop().calls, 0U) << "a pair that rests asks for nothing";
 }
 
-// A query has no memory of its own, since many run at once: its answer is a list that it gives back when it has been copied.
+// A query has no memory of its own, since many run at once: its answer is a list that it gives back when it has been
+// copied.
 TEST(SteadyQuery, GivesBackWhatItAsksFor) {
   Crowd crowd(default_universe_options(), steady::make_moving_shapes(), 4);
   crowd.step();
@@ -230,7 +232,8 @@ TEST(SteadyQuery, GivesBackWhatItAsksFor) {
     EXPECT_EQ(count, 1U);
     require(abut_universe_closest(crowd.universe(), ball, &pose, 10, nullptr, &closest, &found));
     EXPECT_EQ(found, 1U);
-    require(abut_universe_overlaps(crowd.universe(), ball, &pose, nullptr, 0, geometries.data(), geometries.size(), &count));
+    require(abut_universe_overlaps(crowd.universe(), ball, &pose, nullptr, 0, geometries.data(), geometries.size(),
+                                   &count));
     EXPECT_GT(count, 1U);
   };
   ask();

@@ -1,4 +1,5 @@
-// Every request for memory of a call is refused in turn: the call says so, and nothing is lost but a universe in the middle of a step.
+// Every request for memory of a call is refused in turn: the call says so, and nothing is lost but a universe in the
+// middle of a step.
 #include "allocations.hpp"
 #include "crowd.hpp"
 
@@ -158,7 +159,8 @@ std::vector<Change> changes_of_parts_and_geometries() {
          const auto ball = std::make_shared<Shape>(make_sphere(0.8));
          return [&crowd, ball, shapes = std::vector<const abut_shape*>(5, *ball)] {
            std::array<abut_geometry_id, 5> out;
-           return abut_geometries_create(crowd.universe(), crowd.parts().data(), shapes.data(), nullptr, shapes.size(), out.data());
+           return abut_geometries_create(crowd.universe(), crowd.parts().data(), shapes.data(), nullptr, shapes.size(),
+                                         out.data());
          };
        }},
       {"rule_set",

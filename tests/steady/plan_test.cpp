@@ -1,4 +1,5 @@
-// What a scene does not use is not there: shown by memory, loaded libraries and results, not by what the plan says of itself.
+// What a scene does not use is not there: shown by memory, loaded libraries and results, not by what the plan says of
+// itself.
 #include "allocations.hpp"
 #include "support.hpp"
 
@@ -73,7 +74,8 @@ TEST(Plan, BuildsNoTreeWithoutNeed) {
   Balance touched(universe);
   universe.add(ball, at(5, 5, 50));
   // A node holds a box of six numbers at least, and a tree as many nodes as leaves, of some triangles each.
-  EXPECT_GT(touched.after_step(), std::int64_t{2} * side * side * 16) << "a mesh that a ball touches: the tree is there";
+  EXPECT_GT(touched.after_step(), std::int64_t{2} * side * side * 16)
+      << "a mesh that a ball touches: the tree is there";
   Balance again(universe);
   universe.add(ball, at(7, 5, 50));
   EXPECT_LT(std::abs(again.after_step()), slack) << "once";
@@ -114,7 +116,8 @@ std::vector<std::string> loaded_libraries() {
 }
 bool is_loaded(std::string_view word) {
   const auto names = loaded_libraries();
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return name.find(word) != std::string::npos; });
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return name.find(word) != std::string::npos; });
 }
 
 TEST(Plan, LoadsNoEmbreeWithoutPicking) {

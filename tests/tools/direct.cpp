@@ -24,7 +24,8 @@ void print(const abut_vec3& v) { std::printf(" %.17g %.17g %.17g", v.x, v.y, v.z
 
 // Ids, features and all numbers of one contact.
 void print(const abut_contact& contact) {
-  std::printf("%llu %u %u", static_cast<unsigned long long>(contact.id), contact.feature_a.index, contact.feature_b.index);
+  std::printf("%llu %u %u", static_cast<unsigned long long>(contact.id), contact.feature_a.index,
+              contact.feature_b.index);
   print(contact.point_a);
   print(contact.point_b);
   print(contact.normal);

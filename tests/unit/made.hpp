@@ -8,7 +8,8 @@ import abut.core;
 namespace test {
 
 template <class S>
-S made(const std::vector<double>& parameters, const std::vector<double>& reals = {}, const std::vector<std::uint32_t>& indices = {}) {
+S made(const std::vector<double>& parameters, const std::vector<double>& reals = {},
+       const std::vector<std::uint32_t>& indices = {}) {
   return S::make(parameters, reals, indices).value();
 }
 

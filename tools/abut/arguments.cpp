@@ -17,7 +17,8 @@ template <class Number>
 Number number_from(const std::string& option, const std::string& text, Number low, Number high, const char* expected) {
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), std::to_address(text.end()), value);
-  if (text.empty() || error != std::errc{} || end != std::to_address(text.end()) || !(value >= low) || !(value <= high)) {
+  if (text.empty() || error != std::errc{} || end != std::to_address(text.end()) || !(value >= low) ||
+      !(value <= high)) {
     throw BadInput(option + " is '" + text + "'; expected " + expected);
   }
   return value;

@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
     std::copy_n(argv, words.size(), words.begin());
     const std::vector<std::string> arguments(words.begin() + (words.empty() ? 0 : 1), words.end());
     const cli::Arguments parsed = cli::parse_arguments(arguments);
-    cli::check(abut_check_version(ABUT_VERSION_MAJOR, ABUT_VERSION_MINOR), "this program needs another version of abut");
+    cli::check(abut_check_version(ABUT_VERSION_MAJOR, ABUT_VERSION_MINOR),
+               "this program needs another version of abut");
     cli::obey(parsed);
     return static_cast<int>(Status::done);
   } catch (const cli::BadInput& failure) {

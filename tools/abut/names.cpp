@@ -28,7 +28,8 @@ std::uint32_t Names::number(const Node& node) const {
     for (const auto& [name, number] : numbers_) {
       known += (known.empty() ? "" : ", ") + name;
     }
-    node.refuse("the name of a " + what_ + " that the scene declares" + (known.empty() ? "; it declares none" : ": " + known));
+    node.refuse("the name of a " + what_ + " that the scene declares" +
+                (known.empty() ? "; it declares none" : ": " + known));
   }
   return found->second;
 }

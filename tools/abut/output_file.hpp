@@ -34,7 +34,7 @@ class OutputFile {
 
   std::string shown_;
   std::filesystem::path target_;
-  std::filesystem::path partial_;  // empty where the target is written to directly
+  std::filesystem::path partial_;           // empty where the target is written to directly
   std::unique_ptr<std::FILE, Close> file_;  // none for the standard output
 };
 

@@ -40,8 +40,9 @@ std::vector<Collidable> geometries_named(const Node& node, const std::vector<std
   std::vector<Collidable> collidables;
   for (const std::size_t part : parts) {
     // Geometries are ordered by their parts.
-    const auto [begin, end] = std::equal_range(scene.geometries.begin(), scene.geometries.end(), Geometry{part, "", {}, {}},
-                                               [](const Geometry& a, const Geometry& b) { return a.part < b.part; });
+    const auto [begin, end] =
+        std::equal_range(scene.geometries.begin(), scene.geometries.end(), Geometry{part, "", {}, {}},
+                         [](const Geometry& a, const Geometry& b) { return a.part < b.part; });
     const auto found = std::find_if(begin, end, [&](const Geometry& geometry) { return geometry.name == name; });
     if (found == end) {
       node.refuse("the name of a geometry of the part");

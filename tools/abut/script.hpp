@@ -13,7 +13,7 @@ struct Keyframe {
 };
 
 struct Script {
-  abut_vec3 velocity{};               // in the world, per second
+  abut_vec3 velocity{};                // in the world, per second
   abut_vec3 spin_axis{0.0, 0.0, 1.0};  // in the world, through the origin of the part
   double degrees_per_second = 0.0;
   std::vector<Keyframe> keyframes;  // none: velocity and spin

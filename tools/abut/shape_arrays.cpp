@@ -45,7 +45,8 @@ std::vector<double> read_points(const Node& node, bool with_radius) {
   for (const Node& point : node.list("points, [x, y, z] each")) {
     const std::size_t wanted = with_radius ? 4 : 3;
     if (!point.is_list() || point.size() != wanted) {
-      point.refuse(with_radius ? "four numbers, [x, y, z, radius], as the shape has no radius" : "three numbers, [x, y, z]");
+      point.refuse(with_radius ? "four numbers, [x, y, z, radius], as the shape has no radius"
+                               : "three numbers, [x, y, z]");
     }
     add_numbers(point, reals);
   }
@@ -120,7 +121,9 @@ void load_file(const Node& file, const std::filesystem::path& folder, const std:
   } else if (suffix == ".txt" || suffix == ".csv" || suffix == ".xyz") {
     out.reals = read_numbers(path);
   } else {
-    file.refuse("a file beside the scene: .obj for hulls, meshes and particles, .pgm for height fields, .txt for plain numbers");
+    file.refuse(
+        "a file beside the scene: .obj for hulls, meshes and particles, .pgm for height fields, .txt for plain "
+        "numbers");
   }
 }
 
@@ -185,7 +188,8 @@ std::vector<std::string> arrays_of(const std::string& kind) {
   if (points.empty()) {
     return {};
   }
-  return kind == "mesh" ? std::vector<std::string>{points, "triangles", "file"} : std::vector<std::string>{points, "file"};
+  return kind == "mesh" ? std::vector<std::string>{points, "triangles", "file"}
+                        : std::vector<std::string>{points, "file"};
 }
 
 }  // namespace cli

@@ -28,26 +28,26 @@ struct Stage {
   const char* title;
   double abut_step_stats::* microseconds;
 };
-constexpr std::array<Stage, 5> stages{{{"refresh", "refresh: poses to boxes", &abut_step_stats::refresh_microseconds},
-                                       {"broadphase", "broad phase: boxes to pairs", &abut_step_stats::broadphase_microseconds},
-                                       {"pairs", "pairs: filters and memory", &abut_step_stats::pair_microseconds},
-                                       {"narrowphase", "narrow phase: to manifolds", &abut_step_stats::narrowphase_microseconds},
-                                       {"contacts", "contacts and events", &abut_step_stats::contact_microseconds}}};
+constexpr std::array<Stage, 5> stages{
+    {{"refresh", "refresh: poses to boxes", &abut_step_stats::refresh_microseconds},
+     {"broadphase", "broad phase: boxes to pairs", &abut_step_stats::broadphase_microseconds},
+     {"pairs", "pairs: filters and memory", &abut_step_stats::pair_microseconds},
+     {"narrowphase", "narrow phase: to manifolds", &abut_step_stats::narrowphase_microseconds},
+     {"contacts", "contacts and events", &abut_step_stats::contact_microseconds}}};
 
 // Whole numbers of counts, thousandths of milliseconds.
 std::string row(const char* title, const Measure& measure, int decimals) {
   std::array<char, 160> line{};
-  const int size =
-      std::snprintf(line.data(), line.size(), "%-28s %12.*f %12.*f %12.*f %12.*f %14.*f\n", title, decimals, measure.minimum(),
-                    std::max(decimals, 1), measure.mean(), decimals, measure.maximum(), decimals, measure.last(), decimals,
-                    measure.total());
+  const int size = std::snprintf(line.data(), line.size(), "%-28s %12.*f %12.*f %12.*f %12.*f %14.*f\n", title,
+                                 decimals, measure.minimum(), std::max(decimals, 1), measure.mean(), decimals,
+                                 measure.maximum(), decimals, measure.last(), decimals, measure.total());
   return {line.data(), std::min(static_cast<std::size_t>(size), line.size() - 1)};
 }
 
 std::string header(const char* title) {
   std::array<char, 160> line{};
-  const int size = std::snprintf(line.data(), line.size(), "\n%-28s %12s %12s %12s %12s %14s\n", title, "min", "mean", "max",
-                                 "last step", "all steps");
+  const int size = std::snprintf(line.data(), line.size(), "\n%-28s %12s %12s %12s %12s %14s\n", title, "min", "mean",
+                                 "max", "last step", "all steps");
   return {line.data(), static_cast<std::size_t>(size)};
 }
 
@@ -91,9 +91,10 @@ void Summary::add(const World& world, double milliseconds) {
 
 std::string Summary::table(const World& world) const {
   const Scene& scene = world.scene();
-  std::string text = "abut " + std::string(abut_version_string()) + ": " + std::to_string(scene.parts.size()) + " parts, " +
-                     std::to_string(scene.geometries.size()) + " geometries, " + std::to_string(scene.shapes.count()) +
-                     " shapes; " + std::to_string(steps_) + " steps of " + Json(scene.dt).dump() + " " + scene.time_unit + "\n";
+  std::string text = "abut " + std::string(abut_version_string()) + ": " + std::to_string(scene.parts.size()) +
+                     " parts, " + std::to_string(scene.geometries.size()) + " geometries, " +
+                     std::to_string(scene.shapes.count()) + " shapes; " + std::to_string(steps_) + " steps of " +
+                     Json(scene.dt).dump() + " " + scene.time_unit + "\n";
   text += header("counts per step");
   for (std::size_t i = 0; i < counts.size(); ++i) {
     text += row(counts[i].title, counts_[i], 0);

@@ -41,7 +41,8 @@ void World::create_parts() {
   check_scene(abut_parts_create(universe_.get(), options.data(), options.size(), parts_.data()), "parts");
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     if (scene_.parts[i].sleep) {
-      check_scene(abut_part_set_sleep(universe_.get(), parts_[i], &*scene_.parts[i].sleep), "sleep of " + scene_.parts[i].name);
+      check_scene(abut_part_set_sleep(universe_.get(), parts_[i], &*scene_.parts[i].sleep),
+                  "sleep of " + scene_.parts[i].name);
     }
   }
 }
@@ -59,8 +60,9 @@ void World::create_geometries() {
     options.back().user_data = i;
   }
   geometries_.resize(count);
-  check_scene(abut_geometries_create(universe_.get(), parts.data(), shapes.data(), options.data(), count, geometries_.data()),
-              "geometries");
+  check_scene(
+      abut_geometries_create(universe_.get(), parts.data(), shapes.data(), options.data(), count, geometries_.data()),
+      "geometries");
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t slot = geometries_[i].slot;
     geometry_of_slot_.resize(std::max(geometry_of_slot_.size(), slot + 1));
@@ -70,8 +72,7 @@ void World::create_geometries() {
 
 abut_collidable World::collidable(const Collidable& what) const {
   switch (what.kind) {
-    case ABUT_COLLIDABLE_GEOMETRY:
-      return {what.kind, geometries_[what.index].slot, geometries_[what.index].generation};
+    case ABUT_COLLIDABLE_GEOMETRY: return {what.kind, geometries_[what.index].slot, geometries_[what.index].generation};
     case ABUT_COLLIDABLE_PART: return {what.kind, parts_[what.index].slot, parts_[what.index].generation};
     default: return {what.kind, static_cast<std::uint32_t>(what.index), 0};
   }
@@ -108,7 +109,8 @@ void World::step(std::uint64_t number) {
     poses.push_back(pose_at(scene_.scripts[part.script], part.pose, time));
   }
   const std::string when = "step " + std::to_string(number);
-  check_scene(abut_parts_set_poses(universe_.get(), moved.data(), poses.data(), moved.size()), "the scripts at " + when);
+  check_scene(abut_parts_set_poses(universe_.get(), moved.data(), poses.data(), moved.size()),
+              "the scripts at " + when);
   check(abut_universe_step(universe_.get(), scene_.dt), when.c_str());
 }
 

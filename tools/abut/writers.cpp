@@ -5,26 +5,11 @@
 namespace cli {
 namespace {
 
-constexpr std::array<Column, 20> contact_columns{{{"step"},
-                                                  {"part_a"},
-                                                  {"geometry_a"},
-                                                  {"part_b"},
-                                                  {"geometry_b"},
-                                                  {"id"},
-                                                  {"feature_a"},
-                                                  {"feature_index_a"},
-                                                  {"feature_b"},
-                                                  {"feature_index_b"},
-                                                  {"child_a"},
-                                                  {"child_b"},
-                                                  {"point_a", true},
-                                                  {"point_b", true},
-                                                  {"normal", true},
-                                                  {"distance"},
-                                                  {"age"},
-                                                  {"sensor"},
-                                                  {"material_a"},
-                                                  {"material_b"}}};
+constexpr std::array<Column, 20> contact_columns{
+    {{"step"},     {"part_a"},    {"geometry_a"},      {"part_b"},        {"geometry_b"},
+     {"id"},       {"feature_a"}, {"feature_index_a"}, {"feature_b"},     {"feature_index_b"},
+     {"child_a"},  {"child_b"},   {"point_a", true},   {"point_b", true}, {"normal", true},
+     {"distance"}, {"age"},       {"sensor"},          {"material_a"},    {"material_b"}}};
 
 constexpr std::array<Column, 11> event_columns{{{"step"},
                                                 {"event"},

@@ -10,33 +10,19 @@ namespace tools {
 
 using Vec3 = abut_vec3;
 
-[[nodiscard]] constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-[[nodiscard]] constexpr Vec3 operator-(const Vec3& a, const Vec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-[[nodiscard]] constexpr Vec3 operator*(const Vec3& a, double s) {
-  return {a.x * s, a.y * s, a.z * s};
-}
-[[nodiscard]] constexpr double dot(const Vec3& a, const Vec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+[[nodiscard]] constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+[[nodiscard]] constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+[[nodiscard]] constexpr Vec3 operator*(const Vec3& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
+[[nodiscard]] constexpr double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 [[nodiscard]] constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-[[nodiscard]] inline double length(const Vec3& a) {
-  return std::sqrt(dot(a, a));
-}
+[[nodiscard]] inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 
 /// The vector must not be zero.
-[[nodiscard]] inline Vec3 normalised(const Vec3& a) {
-  return a * (1.0 / length(a));
-}
+[[nodiscard]] inline Vec3 normalised(const Vec3& a) { return a * (1.0 / length(a)); }
 
-[[nodiscard]] constexpr abut_quat conjugate(const abut_quat& q) {
-  return {q.w, -q.x, -q.y, -q.z};
-}
+[[nodiscard]] constexpr abut_quat conjugate(const abut_quat& q) { return {q.w, -q.x, -q.y, -q.z}; }
 
 /// First q, then p.
 [[nodiscard]] constexpr abut_quat multiply(const abut_quat& p, const abut_quat& q) {

@@ -11,9 +11,7 @@ constexpr double half_sqrt2 = 0.5 * std::numbers::sqrt2;
 constexpr abut_quat z_to_x{half_sqrt2, 0.0, half_sqrt2, 0.0};
 constexpr abut_quat z_to_y{half_sqrt2, -half_sqrt2, 0.0, 0.0};
 
-constexpr abut_pose lifted(double z) {
-  return {{0.0, 0.0, z}, no_rotation};
-}
+constexpr abut_pose lifted(double z) { return {{0.0, 0.0, z}, no_rotation}; }
 
 // Sizes in metres: the terrain is 30 km wide, so that smaller bodies could not be seen from where its ridges can.
 constexpr double smallest = 16.0;

@@ -17,9 +17,7 @@ enum class Kind : std::uint8_t { terrain, sphere, box, capsule, hull, compound, 
 inline constexpr std::array<std::string_view, 8> kind_names{"terrain", "sphere",   "box",        "capsule",
                                                             "hull",    "compound", "bunny_mesh", "bunny_hull"};
 
-[[nodiscard]] constexpr std::string_view name_of(Kind kind) {
-  return kind_names[static_cast<std::size_t>(kind)];
-}
+[[nodiscard]] constexpr std::string_view name_of(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 /// One geometry of a body: a shape of the catalogue at a place in the frame of the body.
 struct Piece {

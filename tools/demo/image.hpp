@@ -14,18 +14,10 @@ struct Colour {
   double b;
 };
 
-[[nodiscard]] constexpr Colour operator+(const Colour& a, const Colour& b) {
-  return {a.r + b.r, a.g + b.g, a.b + b.b};
-}
-[[nodiscard]] constexpr Colour operator*(const Colour& a, const Colour& b) {
-  return {a.r * b.r, a.g * b.g, a.b * b.b};
-}
-[[nodiscard]] constexpr Colour operator*(const Colour& a, double s) {
-  return {a.r * s, a.g * s, a.b * s};
-}
-[[nodiscard]] constexpr Colour mix(const Colour& a, const Colour& b, double t) {
-  return a * (1.0 - t) + b * t;
-}
+[[nodiscard]] constexpr Colour operator+(const Colour& a, const Colour& b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
+[[nodiscard]] constexpr Colour operator*(const Colour& a, const Colour& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
+[[nodiscard]] constexpr Colour operator*(const Colour& a, double s) { return {a.r * s, a.g * s, a.b * s}; }
+[[nodiscard]] constexpr Colour mix(const Colour& a, const Colour& b, double t) { return a * (1.0 - t) + b * t; }
 
 class Image {
  public:

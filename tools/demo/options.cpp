@@ -8,7 +8,8 @@
 namespace demo {
 namespace {
 
-template <class Number> Number number_between(std::string_view option, std::string_view text, Number low, Number high) {
+template <class Number>
+Number number_between(std::string_view option, std::string_view text, Number low, Number high) {
   Number value = 0;
   const std::string copy(text);
   const auto [end, error] = std::from_chars(copy.data(), std::to_address(copy.end()), value);

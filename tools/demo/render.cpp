@@ -16,7 +16,8 @@ constexpr std::size_t block = 8192;  // samples that a thread takes at a time
 
 // Runs work(first, last) over [0, count) in blocks, on every processor. What a block computes depends on the block
 // alone, so the picture is the same for any number of threads.
-template <class Work> void in_blocks(std::size_t count, Progress& progress, Work work) {
+template <class Work>
+void in_blocks(std::size_t count, Progress& progress, Work work) {
   std::atomic<std::size_t> next{0};
   const auto run = [&](bool shows) {
     for (std::size_t first = next.fetch_add(block); first < count; first = next.fetch_add(block)) {
@@ -48,9 +49,7 @@ abut_ray ray_of_pixel(const abut_camera& camera, std::size_t index) {
 }
 
 // Width of a pixel at distance 1.
-double pixel_width(const abut_camera& camera) {
-  return 2.0 * std::tan(0.5 * camera.vertical_fov) / camera.height;
-}
+double pixel_width(const abut_camera& camera) { return 2.0 * std::tan(0.5 * camera.vertical_fov) / camera.height; }
 
 std::uint32_t pattern_of_pixel(std::size_t index, std::uint32_t width) {
   return static_cast<std::uint32_t>((index % width) % 4 + 4 * ((index / width) % 4));

@@ -67,8 +67,6 @@ void Scene::move() {
   check(abut_parts_set_poses(universe_.get(), parts_.data(), poses_.data(), parts_.size()), "cannot place the bodies");
 }
 
-void Scene::detect() {
-  check(abut_universe_step(universe_.get(), step_seconds), "cannot run a step");
-}
+void Scene::detect() { check(abut_universe_step(universe_.get(), step_seconds), "cannot run a step"); }
 
 }  // namespace demo

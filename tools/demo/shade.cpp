@@ -75,28 +75,18 @@ Colour ground(const Terrain& terrain, const Vec3& p, const Vec3& normal, double 
 
 }  // namespace
 
-Vec3 sun_direction() {
-  return normalised({-0.7, 0.5, 0.42});
-}  // low in the north-west, as on maps
+Vec3 sun_direction() { return normalised({-0.7, 0.5, 0.42}); }  // low in the north-west, as on maps
 
 Colour colour_of(Kind kind) {
   switch (kind) {
-    case Kind::terrain:
-      return {0.29, 0.31, 0.125};
-    case Kind::sphere:
-      return {0.62, 0.055, 0.04};
-    case Kind::box:
-      return {0.78, 0.30, 0.03};
-    case Kind::capsule:
-      return {0.02, 0.34, 0.34};
-    case Kind::hull:
-      return {0.24, 0.10, 0.42};
-    case Kind::compound:
-      return {0.05, 0.17, 0.50};
-    case Kind::bunny_mesh:
-      return {0.78, 0.75, 0.68};
-    case Kind::bunny_hull:
-      return {0.72, 0.25, 0.36};
+    case Kind::terrain: return {0.29, 0.31, 0.125};
+    case Kind::sphere: return {0.62, 0.055, 0.04};
+    case Kind::box: return {0.78, 0.30, 0.03};
+    case Kind::capsule: return {0.02, 0.34, 0.34};
+    case Kind::hull: return {0.24, 0.10, 0.42};
+    case Kind::compound: return {0.05, 0.17, 0.50};
+    case Kind::bunny_mesh: return {0.78, 0.75, 0.68};
+    case Kind::bunny_hull: return {0.72, 0.25, 0.36};
   }
   return {0.0, 0.0, 0.0};
 }

@@ -22,7 +22,8 @@ Summary summarise(std::vector<double> values) {
   return {values.front(), values[values.size() / 2], values.back(), std::accumulate(values.begin(), values.end(), 0.0)};
 }
 
-template <class Field> std::vector<double> column(const std::vector<abut_step_stats>& steps, Field field) {
+template <class Field>
+std::vector<double> column(const std::vector<abut_step_stats>& steps, Field field) {
   std::vector<double> values(steps.size());
   std::transform(steps.begin(), steps.end(), values.begin(),
                  [&](const abut_step_stats& stats) { return static_cast<double>(stats.*field); });

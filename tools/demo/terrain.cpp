@@ -35,9 +35,7 @@ ShapeOwner Terrain::make_shape() const {
   return ShapeOwner(shape);
 }
 
-abut_pose Terrain::pose() const {
-  return {{-half_width(), -half_depth(), 0.0}, no_rotation};
-}
+abut_pose Terrain::pose() const { return {{-half_width(), -half_depth(), 0.0}, no_rotation}; }
 
 Terrain::Cell Terrain::cell(double x, double y) const {
   const double column = std::clamp((x + half_width()) / spacing_x, 0.0, columns_ - 1.0);

@@ -61,9 +61,7 @@ constexpr std::array<Glyph, 44> glyphs{{
 constexpr double advance = 6.0 / 6.0;  // of the height
 constexpr double grid = 6.0;
 
-char capital(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
+char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 std::string_view strokes_of(char c) {
   for (const Glyph& glyph : glyphs) {
@@ -105,8 +103,6 @@ void draw_text(Image& image, double x, double y, double height, std::string_view
   }
 }
 
-double text_width(std::string_view text, double height) {
-  return advance * height * static_cast<double>(text.size());
-}
+double text_width(std::string_view text, double height) { return advance * height * static_cast<double>(text.size()); }
 
 }  // namespace demo

@@ -94,7 +94,9 @@ TEST(UniverseDestroy, DoesNothingInACallback) {
 }
 
 // An exception that gets out of a filter is a defect of the caller; the universe can only be destroyed then.
-std::uint32_t fail(void*, const abut_universe*, abut_geometry_id, abut_geometry_id) { throw std::runtime_error("the filter failed"); }
+std::uint32_t fail(void*, const abut_universe*, abut_geometry_id, abut_geometry_id) {
+  throw std::runtime_error("the filter failed");
+}
 
 TEST(UniverseSetFilter, WhatIsThrownOutOfAFilterEndsTheUniverse) {
   Universe universe;

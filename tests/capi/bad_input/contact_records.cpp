@@ -31,7 +31,9 @@ TEST(ContactValidate, AcceptsAContactOfAPair) {
   EXPECT_TRUE(succeeded(abut_contact_validate(&contact)));
 }
 
-TEST(ContactValidate, RefusesNull) { EXPECT_TRUE(refused(abut_contact_validate(nullptr), ABUT_NULL_ARGUMENT, {"contact", "null"})); }
+TEST(ContactValidate, RefusesNull) {
+  EXPECT_TRUE(refused(abut_contact_validate(nullptr), ABUT_NULL_ARGUMENT, {"contact", "null"}));
+}
 
 TEST(ContactValidate, RefusesNonFiniteNumbers) {
   EXPECT_TRUE(refuses([](abut_contact& c) { c.point_a.y = nan; }, ABUT_NOT_FINITE, {"contact.point_a.y", "nan"}));
@@ -40,19 +42,26 @@ TEST(ContactValidate, RefusesNonFiniteNumbers) {
   EXPECT_TRUE(refuses([](abut_contact& c) { c.tangent.x = nan; }, ABUT_NOT_FINITE, {"contact.tangent.x", "nan"}));
   EXPECT_TRUE(refuses([](abut_contact& c) { c.distance = nan; }, ABUT_NOT_FINITE, {"contact.distance", "nan"}));
   EXPECT_TRUE(refuses([](abut_contact& c) { c.toi = nan; }, ABUT_NOT_FINITE, {"contact.toi", "nan"}));
-  EXPECT_TRUE(refuses([](abut_contact& c) { c.point_a.x = 1e71; }, ABUT_OUT_OF_RANGE, {"contact.point_a.x", "1e+71", "1e70"}));
+  EXPECT_TRUE(
+      refuses([](abut_contact& c) { c.point_a.x = 1e71; }, ABUT_OUT_OF_RANGE, {"contact.point_a.x", "1e+71", "1e70"}));
 }
 
 TEST(ContactValidate, RefusesDirectionsThatAreNoFrame) {
-  EXPECT_TRUE(refuses([](abut_contact& c) { c.normal = {0, 0, 2}; }, ABUT_INVALID_ARGUMENT, {"contact.normal", "length 2"}));
-  EXPECT_TRUE(refuses([](abut_contact& c) { c.normal = {0, 0, 0}; }, ABUT_INVALID_ARGUMENT, {"contact.normal", "length 0"}));
-  EXPECT_TRUE(refuses([](abut_contact& c) { c.tangent = {0, 0.5, 0}; }, ABUT_INVALID_ARGUMENT, {"contact.tangent", "length 0.5"}));
-  EXPECT_TRUE(refuses([](abut_contact& c) { c.tangent = c.normal; }, ABUT_INVALID_ARGUMENT, {"contact.tangent", "contact.normal", "it must be 0"}));
+  EXPECT_TRUE(
+      refuses([](abut_contact& c) { c.normal = {0, 0, 2}; }, ABUT_INVALID_ARGUMENT, {"contact.normal", "length 2"}));
+  EXPECT_TRUE(
+      refuses([](abut_contact& c) { c.normal = {0, 0, 0}; }, ABUT_INVALID_ARGUMENT, {"contact.normal", "length 0"}));
+  EXPECT_TRUE(refuses([](abut_contact& c) { c.tangent = {0, 0.5, 0}; }, ABUT_INVALID_ARGUMENT,
+                      {"contact.tangent", "length 0.5"}));
+  EXPECT_TRUE(refuses([](abut_contact& c) { c.tangent = c.normal; }, ABUT_INVALID_ARGUMENT,
+                      {"contact.tangent", "contact.normal", "it must be 0"}));
 }
 
 TEST(ContactValidate, RefusesADistanceOfOtherPoints) {
-  EXPECT_TRUE(refuses([](abut_contact& c) { c.distance = 0.125; }, ABUT_INVALID_ARGUMENT, {"contact.distance", "0.125", "dot(point_b - point_a, normal)"}));
-  EXPECT_TRUE(refuses([](abut_contact& c) { c.normal = {-c.normal.x, -c.normal.y, -c.normal.z}; }, ABUT_INVALID_ARGUMENT, {"contact.distance"}));
+  EXPECT_TRUE(refuses([](abut_contact& c) { c.distance = 0.125; }, ABUT_INVALID_ARGUMENT,
+                      {"contact.distance", "0.125", "dot(point_b - point_a, normal)"}));
+  EXPECT_TRUE(refuses([](abut_contact& c) { c.normal = {-c.normal.x, -c.normal.y, -c.normal.z}; },
+                      ABUT_INVALID_ARGUMENT, {"contact.distance"}));
 }
 
 TEST(ContactValidate, RefusesTimesOutsideTheStep) {
@@ -61,8 +70,10 @@ TEST(ContactValidate, RefusesTimesOutsideTheStep) {
 }
 
 TEST(ContactValidate, RefusesUnknownWords) {
-  EXPECT_TRUE(refuses([](abut_contact& c) { c.feature_a.kind = 6; }, ABUT_UNKNOWN_VALUE, {"contact.feature_a.kind", "6"}));
-  EXPECT_TRUE(refuses([](abut_contact& c) { c.feature_b.kind = 77; }, ABUT_UNKNOWN_VALUE, {"contact.feature_b.kind", "77"}));
+  EXPECT_TRUE(
+      refuses([](abut_contact& c) { c.feature_a.kind = 6; }, ABUT_UNKNOWN_VALUE, {"contact.feature_a.kind", "6"}));
+  EXPECT_TRUE(
+      refuses([](abut_contact& c) { c.feature_b.kind = 77; }, ABUT_UNKNOWN_VALUE, {"contact.feature_b.kind", "77"}));
   EXPECT_TRUE(refuses([](abut_contact& c) { c.flags = 8; }, ABUT_UNKNOWN_VALUE, {"contact.flags", "8"}));
   EXPECT_TRUE(refuses([](abut_contact& c) { c.reserved = 1; }, ABUT_INVALID_ARGUMENT, {"contact.reserved", "1"}));
 }

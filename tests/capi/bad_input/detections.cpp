@@ -19,10 +19,12 @@ TEST(UniverseRefresh, RefusesNullUniverse) {
 
 TEST(UniverseDetectPairs, RefusesNullPointers) {
   const Scene scene;
-  EXPECT_TRUE(refused(abut_universe_detect_pairs(nullptr, &scene.geometry, &scene.second_geometry, 1), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_detect_pairs(scene.universe, nullptr, &scene.second_geometry, 1), ABUT_NULL_ARGUMENT, {"a is null"}));
-  EXPECT_TRUE(refused(abut_universe_detect_pairs(scene.universe, &scene.geometry, nullptr, 1), ABUT_NULL_ARGUMENT, {"b is null"}));
+  EXPECT_TRUE(refused(abut_universe_detect_pairs(nullptr, &scene.geometry, &scene.second_geometry, 1),
+                      ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_universe_detect_pairs(scene.universe, nullptr, &scene.second_geometry, 1),
+                      ABUT_NULL_ARGUMENT, {"a is null"}));
+  EXPECT_TRUE(refused(abut_universe_detect_pairs(scene.universe, &scene.geometry, nullptr, 1), ABUT_NULL_ARGUMENT,
+                      {"b is null"}));
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -73,9 +75,11 @@ TEST(UniverseDetectRegion, RefusesAMinimumAboveTheMaximum) {
   for (const auto side : {&abut_vec3::x, &abut_vec3::y, &abut_vec3::z}) {
     abut_aabb region{{0, 0, 0}, {1, 1, 1}};
     region.minimum.*side = 1.5;
-    EXPECT_TRUE(refused(abut_universe_detect_region(scene.universe, &region), ABUT_INVALID_ARGUMENT, {"region", "1.5"}));
+    EXPECT_TRUE(
+        refused(abut_universe_detect_region(scene.universe, &region), ABUT_INVALID_ARGUMENT, {"region", "1.5"}));
     region.minimum.*side = infinity;
-    EXPECT_TRUE(refused(abut_universe_detect_region(scene.universe, &region), ABUT_INVALID_ARGUMENT, {"region", "inf"}));
+    EXPECT_TRUE(
+        refused(abut_universe_detect_region(scene.universe, &region), ABUT_INVALID_ARGUMENT, {"region", "inf"}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -92,9 +96,12 @@ TEST(UniverseEvents, RefusesNullPointers) {
   const Scene scene;
   Out<const abut_event*> events;
   Out<std::size_t> count;
-  EXPECT_TRUE(refused(abut_universe_events(nullptr, events.address(), count.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_events(scene.universe, nullptr, count.address()), ABUT_NULL_ARGUMENT, {"events", "null"}));
-  EXPECT_TRUE(refused(abut_universe_events(scene.universe, events.address(), nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(refused(abut_universe_events(nullptr, events.address(), count.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_universe_events(scene.universe, nullptr, count.address()), ABUT_NULL_ARGUMENT, {"events", "null"}));
+  EXPECT_TRUE(
+      refused(abut_universe_events(scene.universe, events.address(), nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
   EXPECT_TRUE(events.is_untouched());
   EXPECT_TRUE(count.is_untouched());
 }

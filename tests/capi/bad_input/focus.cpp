@@ -50,8 +50,10 @@ TEST(UniverseSetFocus, RefusesNullPointers) {
   const abut_vec3 centre{0, 0, 0};
   FocusedScene scene;
   EXPECT_TRUE(refused(abut_universe_set_focus(nullptr, &focus, &centre, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_set_focus(scene.universe, &focus, nullptr, 1), ABUT_NULL_ARGUMENT, {"centres", "null"}));
-  EXPECT_TRUE(refused(abut_universe_set_focus(scene.universe, nullptr, nullptr, 1), ABUT_NULL_ARGUMENT, {"centres", "null"}));
+  EXPECT_TRUE(
+      refused(abut_universe_set_focus(scene.universe, &focus, nullptr, 1), ABUT_NULL_ARGUMENT, {"centres", "null"}));
+  EXPECT_TRUE(
+      refused(abut_universe_set_focus(scene.universe, nullptr, nullptr, 1), ABUT_NULL_ARGUMENT, {"centres", "null"}));
   EXPECT_TRUE(scene.keeps_its_focus());
   EXPECT_TRUE(succeeded(abut_universe_set_focus(scene.universe, &focus, nullptr, 0))) << "no centres";
   EXPECT_TRUE(succeeded(abut_universe_set_focus(scene.universe, nullptr, nullptr, 0))) << "no focus";
@@ -97,14 +99,16 @@ TEST(UniverseSetFocus, RefusesNonFiniteAndOtherBadNumbers) {
   }
   abut_focus focus = default_focus();
   focus.near_distance = -2.5;
-  EXPECT_TRUE(refused(abut_universe_set_focus(scene.universe, &focus, nullptr, 0), ABUT_OUT_OF_RANGE, {"near_distance", "-2.5"}));
+  EXPECT_TRUE(refused(abut_universe_set_focus(scene.universe, &focus, nullptr, 0), ABUT_OUT_OF_RANGE,
+                      {"near_distance", "-2.5"}));
   focus.near_distance = 2.5;
   focus.far_distance = 2.25;
   EXPECT_TRUE(refused(abut_universe_set_focus(scene.universe, &focus, nullptr, 0), ABUT_OUT_OF_RANGE,
                       {"far_distance", "2.25", "2.5"}));
   focus = default_focus();
   focus.reserved = 7;
-  EXPECT_TRUE(refused(abut_universe_set_focus(scene.universe, &focus, nullptr, 0), ABUT_INVALID_ARGUMENT, {"reserved", "7"}));
+  EXPECT_TRUE(
+      refused(abut_universe_set_focus(scene.universe, &focus, nullptr, 0), ABUT_INVALID_ARGUMENT, {"reserved", "7"}));
   EXPECT_TRUE(scene.keeps_its_focus());
 }
 

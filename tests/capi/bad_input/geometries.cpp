@@ -30,10 +30,10 @@ TEST(GeometryCreate, RefusesNullPointers) {
   Out<abut_geometry_id> out;
   EXPECT_TRUE(refused(abut_geometry_create(nullptr, scene.part, scene.ball, nullptr, out.address()), ABUT_NULL_ARGUMENT,
                       {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, nullptr, nullptr, out.address()), ABUT_NULL_ARGUMENT,
-                      {"shape", "null"}));
-  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, scene.ball, nullptr, nullptr), ABUT_NULL_ARGUMENT,
-                      {"out", "null"}));
+  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, nullptr, nullptr, out.address()),
+                      ABUT_NULL_ARGUMENT, {"shape", "null"}));
+  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, scene.ball, nullptr, nullptr),
+                      ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(out.is_untouched());
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -70,8 +70,8 @@ TEST(GeometryCreate, RefusesBadTolerance) {
     return abut_geometry_create(scene.universe, scene.part, scene.ball, &options, out.address());
   });
   options.tolerance = -2.5;
-  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, scene.ball, &options, out.address()), ABUT_OUT_OF_RANGE,
-                      {"tolerance", "-2.5"}));
+  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, scene.ball, &options, out.address()),
+                      ABUT_OUT_OF_RANGE, {"tolerance", "-2.5"}));
   EXPECT_TRUE(out.is_untouched());
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -113,7 +113,8 @@ TEST(GeometryDestroy, RefusesNullUniverse) {
 TEST(GeometryDestroy, RefusesStaleIds) {
   const Scene scene;
   for (const abut_geometry_id stale : scene.stale_geometries) {
-    EXPECT_TRUE(refused(abut_geometry_destroy(scene.universe, stale), ABUT_STALE_ID, {"geometry", std::to_string(stale.slot)}));
+    EXPECT_TRUE(
+        refused(abut_geometry_destroy(scene.universe, stale), ABUT_STALE_ID, {"geometry", std::to_string(stale.slot)}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -134,8 +135,10 @@ TEST(GeometryDescribe, RefusesNullPointers) {
   abut_geometry_info good;
   abut_geometry_info_init(&good, sizeof good);
   Out<abut_geometry_info> out(good);
-  EXPECT_TRUE(refused(abut_geometry_describe(nullptr, scene.geometry, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometry_describe(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(refused(abut_geometry_describe(nullptr, scene.geometry, out.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_geometry_describe(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(out.is_untouched());
 }
 

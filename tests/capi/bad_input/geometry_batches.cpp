@@ -28,7 +28,8 @@ TEST(GeometriesCreate, AcceptsTheBatchThatTheOthersSpoil) {
   const Scene scene;
   Batch batch(scene);
   EXPECT_TRUE(succeeded(batch.create()));
-  EXPECT_TRUE(succeeded(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, 3, batch.out.data())));
+  EXPECT_TRUE(succeeded(
+      abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, 3, batch.out.data())));
   EXPECT_TRUE(succeeded(abut_geometries_create(scene.universe, nullptr, nullptr, nullptr, 0, nullptr)));
 }
 
@@ -36,14 +37,15 @@ TEST(GeometriesCreate, RefusesNullPointers) {
   const Scene scene;
   Batch batch(scene);
   abut_geometry_id* const out = batch.out.data();
-  EXPECT_TRUE(refused(abut_geometries_create(nullptr, batch.parts.data(), batch.shapes.data(), nullptr, 3, out), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_create(scene.universe, nullptr, batch.shapes.data(), nullptr, 3, out), ABUT_NULL_ARGUMENT,
-                      {"parts", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), nullptr, nullptr, 3, out), ABUT_NULL_ARGUMENT,
-                      {"shapes", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, 3, nullptr),
-                      ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_create(nullptr, batch.parts.data(), batch.shapes.data(), nullptr, 3, out),
+                      ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_create(scene.universe, nullptr, batch.shapes.data(), nullptr, 3, out),
+                      ABUT_NULL_ARGUMENT, {"parts", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_create(scene.universe, batch.parts.data(), nullptr, nullptr, 3, out),
+                      ABUT_NULL_ARGUMENT, {"shapes", "null"}));
+  EXPECT_TRUE(
+      refused(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, 3, nullptr),
+              ABUT_NULL_ARGUMENT, {"out", "null"}));
   batch.shapes[2] = nullptr;
   EXPECT_TRUE(refused(batch.create(), ABUT_NULL_ARGUMENT, {"shapes", "2", "null"}));
   EXPECT_TRUE(batch.out.is_untouched());
@@ -54,10 +56,12 @@ TEST(GeometriesCreate, RefusesOverflowingCounts) {
   const Scene scene;
   Batch batch(scene);
   expect_overflow_refused(sizeof(abut_geometry_options), "count", [&](std::size_t count) {
-    return abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), batch.options.data(), count, batch.out.data());
+    return abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), batch.options.data(), count,
+                                  batch.out.data());
   });
   expect_overflow_refused(sizeof(abut_part_id), "count", [&](std::size_t count) {
-    return abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, count, batch.out.data());
+    return abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, count,
+                                  batch.out.data());
   });
   EXPECT_TRUE(batch.out.is_untouched());
   EXPECT_TRUE(scene.is_unchanged());
@@ -131,7 +135,8 @@ TEST(GeometriesCreate, StepsByTheStructSizeOfTheCaller) {
     later.at(i).known.struct_size = sizeof(later[0]);
     later.at(i).known.user_data = 100 + i;
   }
-  ASSERT_TRUE(succeeded(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), &later[0].known, 3, batch.out.data())));
+  ASSERT_TRUE(succeeded(abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), &later[0].known,
+                                               3, batch.out.data())));
   for (std::size_t i = 0; i < later.size(); ++i) {
     abut_geometry_info info;
     abut_geometry_info_init(&info, sizeof info);
@@ -170,9 +175,12 @@ TEST(GeometriesDestroy, RefusesStaleIdsAndDestroysNone) {
 TEST(GeometriesPoses, RefusesNullPointers) {
   const Scene scene;
   Out<abut_pose> out;
-  EXPECT_TRUE(refused(abut_geometries_poses(nullptr, &scene.geometry, 1, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, nullptr, 1, out.address()), ABUT_NULL_ARGUMENT, {"geometries", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, &scene.geometry, 1, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_poses(nullptr, &scene.geometry, 1, out.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, nullptr, 1, out.address()), ABUT_NULL_ARGUMENT,
+                      {"geometries", "null"}));
+  EXPECT_TRUE(
+      refused(abut_geometries_poses(scene.universe, &scene.geometry, 1, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(out.is_untouched());
 }
 

@@ -45,8 +45,8 @@ TEST(GeometrySetParameters, RefusesStaleIds) {
 
 TEST(GeometrySetParameters, RefusesNonFiniteNumbers) {
   const Edited scene;
-  expect_non_finite_refused("radius", [&](double bad) { return abut_geometry_set_parameters(scene.universe,
-      scene.geometry, &bad, 1); });
+  expect_non_finite_refused(
+      "radius", [&](double bad) { return abut_geometry_set_parameters(scene.universe, scene.geometry, &bad, 1); });
   EXPECT_TRUE(scene.is_as_before());
 }
 
@@ -54,11 +54,9 @@ TEST(GeometrySetParameters, RefusesWhatCreationRefuses) {
   const Edited scene;
   const std::array<double, 3> sizes{1, 1, -2};
   EXPECT_TRUE(refused(abut_geometry_set_parameters(scene.universe, scene.second_geometry, sizes.data(), 3),
-                      ABUT_OUT_OF_RANGE,
-                      {"half_z", "-2"}));
+                      ABUT_OUT_OF_RANGE, {"half_z", "-2"}));
   EXPECT_TRUE(refused(abut_geometry_set_parameters(scene.universe, scene.second_geometry, sizes.data(), 2),
-                      ABUT_INVALID_ARGUMENT,
-                      {"parameter_count", "2", "3"}));
+                      ABUT_INVALID_ARGUMENT, {"parameter_count", "2", "3"}));
   EXPECT_TRUE(refused(abut_geometry_set_parameters(scene.universe, scene.geometry, nullptr, 0), ABUT_INVALID_ARGUMENT,
                       {"parameter_count", "0", "1"}));
   EXPECT_TRUE(scene.is_as_before());
@@ -117,8 +115,7 @@ TEST(GeometriesSetParameters, RefusesNonFiniteNumbersAndSetsNone) {
   const std::array mixed{scene.geometry, scene.second_geometry};
   const std::array radii{2.0, 2.0};
   EXPECT_TRUE(refused(abut_geometries_set_parameters(scene.universe, mixed.data(), radii.data(), 1, 2),
-                      ABUT_INVALID_ARGUMENT,
-                      {"geometries[1]", "parameter_count", "1", "3"}));
+                      ABUT_INVALID_ARGUMENT, {"geometries[1]", "parameter_count", "1", "3"}));
   EXPECT_TRUE(scene.is_as_before());
 }
 
@@ -166,8 +163,7 @@ TEST(GeometrySetHeights, RefusesSamplesBeyondTheField) {
 TEST(GeometrySetHeights, RefusesOtherKinds) {
   const Edited scene;
   EXPECT_TRUE(refused(abut_geometry_set_heights(scene.universe, scene.second_geometry, 0, 0, 1, 1, zeros.data()),
-                      ABUT_UNSUPPORTED,
-                      {"geometry", "box", "heights"}));
+                      ABUT_UNSUPPORTED, {"geometry", "box", "heights"}));
   EXPECT_TRUE(scene.is_as_before());
 }
 
@@ -206,16 +202,14 @@ TEST(GeometrySetParticles, RefusesNegativeRadii) {
   const Edited scene;
   const std::array radii{1.0, -0.5};
   EXPECT_TRUE(refused(abut_geometry_set_particles(scene.universe, scene.various, 0, zeros.data(), radii.data(), 2),
-                      ABUT_OUT_OF_RANGE,
-                      {"radii[1]", "-0.5"}));
+                      ABUT_OUT_OF_RANGE, {"radii[1]", "-0.5"}));
   EXPECT_TRUE(scene.is_as_before());
 }
 
 TEST(GeometrySetParticles, RefusesRadiiOfParticlesThatAreAlike) {
   const Edited scene;
   EXPECT_TRUE(refused(abut_geometry_set_particles(scene.universe, scene.alike, 0, zeros.data(), zeros.data(), 1),
-                      ABUT_UNSUPPORTED,
-                      {"radii", "in common"}));
+                      ABUT_UNSUPPORTED, {"radii", "in common"}));
   EXPECT_TRUE(scene.is_as_before());
 }
 
@@ -241,18 +235,17 @@ TEST(GeometrySetParticles, RefusesOverflowingCounts) {
 TEST(GeometrySetParticles, RefusesOtherKinds) {
   const Edited scene;
   EXPECT_TRUE(refused(abut_geometry_set_particles(scene.universe, scene.field, 0, zeros.data(), nullptr, 1),
-                      ABUT_UNSUPPORTED,
-                      {"geometry", "height_field", "centres"}));
+                      ABUT_UNSUPPORTED, {"geometry", "height_field", "centres"}));
   EXPECT_TRUE(scene.is_as_before());
 }
 
 TEST(GeometryShape, RefusesNullPointers) {
   const Edited scene;
   Out<abut_shape*> out;
-  EXPECT_TRUE(refused(abut_geometry_shape(nullptr, scene.geometry, out.address()), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometry_shape(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT,
-                      {"out", "null"}));
+  EXPECT_TRUE(
+      refused(abut_geometry_shape(nullptr, scene.geometry, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_geometry_shape(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(out.is_untouched());
 }
 

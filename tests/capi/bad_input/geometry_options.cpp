@@ -8,8 +8,10 @@ using namespace abut_test;
 TEST(GeometrySetOptions, RefusesNullPointers) {
   const Scene scene;
   const abut_geometry_options options = default_geometry_options();
-  EXPECT_TRUE(refused(abut_geometry_set_options(nullptr, scene.geometry, &options), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometry_set_options(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"options", "null"}));
+  EXPECT_TRUE(
+      refused(abut_geometry_set_options(nullptr, scene.geometry, &options), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometry_set_options(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT,
+                      {"options", "null"}));
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -37,14 +39,16 @@ TEST(GeometrySetOptions, RefusesNonFiniteAndOtherBadNumbers) {
     return abut_geometry_set_options(scene.universe, scene.geometry, &options);
   });
   options.tolerance = -2.5;
-  EXPECT_TRUE(refused(abut_geometry_set_options(scene.universe, scene.geometry, &options), ABUT_OUT_OF_RANGE, {"tolerance", "-2.5"}));
+  EXPECT_TRUE(refused(abut_geometry_set_options(scene.universe, scene.geometry, &options), ABUT_OUT_OF_RANGE,
+                      {"tolerance", "-2.5"}));
   EXPECT_TRUE(scene.is_unchanged());
 }
 
 TEST(GeometrySetOptions, RefusesUnknownValues) {
   const Scene scene;
-  expect_unknown_geometry_values_refused(
-      [&](const abut_geometry_options& options) { return abut_geometry_set_options(scene.universe, scene.geometry, &options); });
+  expect_unknown_geometry_values_refused([&](const abut_geometry_options& options) {
+    return abut_geometry_set_options(scene.universe, scene.geometry, &options);
+  });
   EXPECT_TRUE(scene.is_unchanged());
 }
 

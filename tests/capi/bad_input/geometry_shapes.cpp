@@ -7,8 +7,10 @@ using namespace abut_test;
 
 TEST(GeometrySetShape, RefusesNullPointers) {
   const Scene scene;
-  EXPECT_TRUE(refused(abut_geometry_set_shape(nullptr, scene.geometry, scene.block), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometry_set_shape(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"shape", "null"}));
+  EXPECT_TRUE(
+      refused(abut_geometry_set_shape(nullptr, scene.geometry, scene.block), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_geometry_set_shape(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"shape", "null"}));
   EXPECT_TRUE(scene.is_unchanged());
 }
 

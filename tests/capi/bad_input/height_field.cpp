@@ -120,10 +120,12 @@ TEST(HeightFieldCreate, RefusesOverflowingCounts) {
   abut_height_field_desc desc = good_desc();
   desc.columns = 0xFFFFFFFFU;
   desc.rows = 0xFFFFFFFFU;
-  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"desc.columns", "18446744065119617025"}));
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW,
+                      {"desc.columns", "18446744065119617025"}));
   desc.columns = 0x80000000U;
   desc.rows = 0x80000000U;
-  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"desc.columns", "4611686018427387904"}));
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW,
+                      {"desc.columns", "4611686018427387904"}));
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -137,17 +139,15 @@ TEST(HeightFieldCreate, RefusesReservedThatIsNotZero) {
 
 TEST(HeightFieldCreate, RefusesWrongStructSize) {
   Out<abut_shape*> out;
-  expect_struct_size_checked(good_desc(), [&](const abut_height_field_desc* wrong) {
-    return abut_height_field_create(wrong, out.address());
-  });
+  expect_struct_size_checked(
+      good_desc(), [&](const abut_height_field_desc* wrong) { return abut_height_field_create(wrong, out.address()); });
   EXPECT_TRUE(out.is_untouched());
 }
 
 TEST(HeightFieldCreate, AcceptsLaterDescriptionWithZeroTail) {
   abut_shape* shape = nullptr;
-  expect_zero_tail_accepted(good_desc(), [&](const abut_height_field_desc* later) {
-    return abut_height_field_create(later, &shape);
-  });
+  expect_zero_tail_accepted(
+      good_desc(), [&](const abut_height_field_desc* later) { return abut_height_field_create(later, &shape); });
   abut_shape_release(shape);
 }
 

@@ -23,9 +23,8 @@ TEST(HullCreate, RefusesNoPoints) {
 
 TEST(HullCreate, RefusesOverflowingCounts) {
   Out<abut_shape*> out;
-  expect_overflow_refused(3 * sizeof(double), "point_count", [&](std::size_t count) {
-    return abut_hull_create(square.data(), count, out.address());
-  });
+  expect_overflow_refused(3 * sizeof(double), "point_count",
+                          [&](std::size_t count) { return abut_hull_create(square.data(), count, out.address()); });
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -93,7 +92,8 @@ TEST(HullDescribe, RefusesNullPointers) {
 
 TEST(HullDescribe, RefusesWrongStructSize) {
   const Shape hull = make_octahedron(1.0);
-  expect_size_of_out_struct_checked(empty_report(), [&](abut_hull_report* out) { return abut_hull_describe(hull, out); });
+  expect_size_of_out_struct_checked(empty_report(),
+                                    [&](abut_hull_report* out) { return abut_hull_describe(hull, out); });
 }
 
 TEST(HullDescribe, AcceptsLaterStructWithZeroTail) {
@@ -150,12 +150,10 @@ TEST(MeshCreate, RefusesEmptyMeshes) {
 
 TEST(MeshCreate, RefusesOverflowingCounts) {
   Out<abut_shape*> out;
-  expect_overflow_refused(3 * sizeof(double), "vertex_count", [&](std::size_t count) {
-    return MeshCall{.vertex_count = count}.into(out.address());
-  });
-  expect_overflow_refused(3 * sizeof(std::uint32_t), "triangle_count", [&](std::size_t count) {
-    return MeshCall{.triangle_count = count}.into(out.address());
-  });
+  expect_overflow_refused(3 * sizeof(double), "vertex_count",
+                          [&](std::size_t count) { return MeshCall{.vertex_count = count}.into(out.address()); });
+  expect_overflow_refused(3 * sizeof(std::uint32_t), "triangle_count",
+                          [&](std::size_t count) { return MeshCall{.triangle_count = count}.into(out.address()); });
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -200,9 +198,8 @@ TEST(MeshCreate, RefusesWrongStructSize) {
   Out<abut_shape*> out;
   abut_mesh_options options;
   abut_mesh_options_init(&options, sizeof options);
-  expect_struct_size_checked(options, [&](const abut_mesh_options* wrong) {
-    return MeshCall{.options = wrong}.into(out.address());
-  });
+  expect_struct_size_checked(
+      options, [&](const abut_mesh_options* wrong) { return MeshCall{.options = wrong}.into(out.address()); });
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -210,7 +207,8 @@ TEST(MeshCreate, AcceptsLaterOptionsWithZeroTail) {
   abut_shape* shape = nullptr;
   abut_mesh_options options;
   abut_mesh_options_init(&options, sizeof options);
-  expect_zero_tail_accepted(options, [&](const abut_mesh_options* later) { return MeshCall{.options = later}.into(&shape); });
+  expect_zero_tail_accepted(options,
+                            [&](const abut_mesh_options* later) { return MeshCall{.options = later}.into(&shape); });
   abut_shape_release(shape);
 }
 

@@ -16,7 +16,8 @@ TEST(ParticlesCreate, RefusesNullPointers) {
 
 TEST(ParticlesCreate, RefusesNonFiniteNumbers) {
   Out<abut_shape*> out;
-  expect_non_finite_refused("radius", [&](double bad) { return abut_particles_create(two_places.data(), 2, bad, out.address()); });
+  expect_non_finite_refused(
+      "radius", [&](double bad) { return abut_particles_create(two_places.data(), 2, bad, out.address()); });
   expect_non_finite_refused("xyz[4]", [&](double bad) {
     auto places = two_places;
     places[4] = bad;
@@ -27,8 +28,10 @@ TEST(ParticlesCreate, RefusesNonFiniteNumbers) {
 
 TEST(ParticlesCreate, RefusesRadiiThatAreNotPositive) {
   Out<abut_shape*> out;
-  EXPECT_TRUE(refused(abut_particles_create(two_places.data(), 2, 0.0, out.address()), ABUT_OUT_OF_RANGE, {"radius", "0"}));
-  EXPECT_TRUE(refused(abut_particles_create(two_places.data(), 2, -2.5, out.address()), ABUT_OUT_OF_RANGE, {"radius", "-2.5"}));
+  EXPECT_TRUE(
+      refused(abut_particles_create(two_places.data(), 2, 0.0, out.address()), ABUT_OUT_OF_RANGE, {"radius", "0"}));
+  EXPECT_TRUE(
+      refused(abut_particles_create(two_places.data(), 2, -2.5, out.address()), ABUT_OUT_OF_RANGE, {"radius", "-2.5"}));
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -60,8 +63,10 @@ TEST(CompositeCreate, AcceptsTheCallThatTheOthersSpoil) {
 TEST(CompositeCreate, RefusesNullPointers) {
   Out<abut_shape*> out;
   CompositeCall call;
-  EXPECT_TRUE(refused(abut_composite_create(nullptr, call.poses.data(), 2, out.address()), ABUT_NULL_ARGUMENT, {"children", "null"}));
-  EXPECT_TRUE(refused(abut_composite_create(call.children.data(), nullptr, 2, out.address()), ABUT_NULL_ARGUMENT, {"poses", "null"}));
+  EXPECT_TRUE(refused(abut_composite_create(nullptr, call.poses.data(), 2, out.address()), ABUT_NULL_ARGUMENT,
+                      {"children", "null"}));
+  EXPECT_TRUE(refused(abut_composite_create(call.children.data(), nullptr, 2, out.address()), ABUT_NULL_ARGUMENT,
+                      {"poses", "null"}));
   EXPECT_TRUE(refused(call.into(nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   call.children[1] = nullptr;
   EXPECT_TRUE(refused(call.into(out.address()), ABUT_NULL_ARGUMENT, {"children[1]", "null"}));
@@ -116,7 +121,8 @@ TEST(CompositeCreate, NestsThirtyTwoDeepAndNoDeeper) {
   }
   Out<abut_shape*> out;
   const std::array<const abut_shape*, 1> children{inner};
-  EXPECT_TRUE(refused(abut_composite_create(children.data(), &identity, 1, out.address()), ABUT_OUT_OF_RANGE, {"nesting", "33", "32"}));
+  EXPECT_TRUE(refused(abut_composite_create(children.data(), &identity, 1, out.address()), ABUT_OUT_OF_RANGE,
+                      {"nesting", "33", "32"}));
   EXPECT_TRUE(out.is_untouched());
 }
 

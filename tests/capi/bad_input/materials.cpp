@@ -32,11 +32,13 @@ TEST(MaterialPairSet, RefusesWrongStructSizes) {
   for (const std::uint32_t size : {0U, 3U, 4097U, static_cast<std::uint32_t>(sizeof(abut_contact_material)) - 1}) {
     abut_contact_material row = default_row();
     row.struct_size = size;
-    EXPECT_TRUE(refused(abut_material_pair_set(scene.universe, 0, 1, &row), ABUT_WRONG_STRUCT_SIZE, {"row", "struct_size", std::to_string(size)}));
+    EXPECT_TRUE(refused(abut_material_pair_set(scene.universe, 0, 1, &row), ABUT_WRONG_STRUCT_SIZE,
+                        {"row", "struct_size", std::to_string(size)}));
   }
   abut_contact_material row = default_row();
   row.reserved = 7;
-  EXPECT_TRUE(refused(abut_material_pair_set(scene.universe, 0, 1, &row), ABUT_INVALID_ARGUMENT, {"row", "reserved", "7"}));
+  EXPECT_TRUE(
+      refused(abut_material_pair_set(scene.universe, 0, 1, &row), ABUT_INVALID_ARGUMENT, {"row", "reserved", "7"}));
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -68,7 +70,8 @@ TEST(MaterialPairGet, RefusesWrongStructSizes) {
   const Scene scene;
   abut_contact_material row = default_row();
   row.struct_size = 5;
-  EXPECT_TRUE(refused(abut_material_pair_get(scene.universe, 0, 1, &row), ABUT_WRONG_STRUCT_SIZE, {"out", "struct_size", "5"}));
+  EXPECT_TRUE(
+      refused(abut_material_pair_get(scene.universe, 0, 1, &row), ABUT_WRONG_STRUCT_SIZE, {"out", "struct_size", "5"}));
 }
 
 TEST(MaterialPairGet, AnswersByTheRowOrCombines) {

@@ -118,9 +118,12 @@ TEST(PairDistance, RefusesNullPointers) {
   PairCall call;
   abut_distance* const out = call.distance.address();
   const abut_pose* const pose = &identity;
-  EXPECT_TRUE(refused(abut_pair_distance(nullptr, pose, call.b, pose, nullptr, out), ABUT_NULL_ARGUMENT, {"a", "null"}));
-  EXPECT_TRUE(refused(abut_pair_distance(call.a, pose, nullptr, pose, nullptr, out), ABUT_NULL_ARGUMENT, {"b", "null"}));
-  EXPECT_TRUE(refused(abut_pair_distance(call.a, pose, call.b, pose, nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(
+      refused(abut_pair_distance(nullptr, pose, call.b, pose, nullptr, out), ABUT_NULL_ARGUMENT, {"a", "null"}));
+  EXPECT_TRUE(
+      refused(abut_pair_distance(call.a, pose, nullptr, pose, nullptr, out), ABUT_NULL_ARGUMENT, {"b", "null"}));
+  EXPECT_TRUE(
+      refused(abut_pair_distance(call.a, pose, call.b, pose, nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
 
@@ -146,8 +149,10 @@ TEST(PairContacts, RefusesNullPointers) {
   abut_contact* const out = call.contacts.data();
   std::size_t* const count = call.count.address();
   const abut_pose* const pose = &identity;
-  EXPECT_TRUE(refused(abut_pair_contacts(nullptr, pose, call.b, pose, nullptr, out, 8, count), ABUT_NULL_ARGUMENT, {"a", "null"}));
-  EXPECT_TRUE(refused(abut_pair_contacts(call.a, pose, nullptr, pose, nullptr, out, 8, count), ABUT_NULL_ARGUMENT, {"b", "null"}));
+  EXPECT_TRUE(refused(abut_pair_contacts(nullptr, pose, call.b, pose, nullptr, out, 8, count), ABUT_NULL_ARGUMENT,
+                      {"a", "null"}));
+  EXPECT_TRUE(refused(abut_pair_contacts(call.a, pose, nullptr, pose, nullptr, out, 8, count), ABUT_NULL_ARGUMENT,
+                      {"b", "null"}));
   EXPECT_TRUE(refused(abut_pair_contacts(call.a, pose, call.b, pose, nullptr, nullptr, 8, count), ABUT_NULL_ARGUMENT,
                       {"contacts", "null"}));
   EXPECT_TRUE(refused(abut_pair_contacts(call.a, pose, call.b, pose, nullptr, out, 8, nullptr), ABUT_NULL_ARGUMENT,
@@ -176,11 +181,16 @@ TEST(PairsDistance, RefusesNullPointers) {
   PairCall call;
   abut_distance* const out = call.distance.address();
   const abut_pose* const pose = &identity;
-  EXPECT_TRUE(refused(abut_pairs_distance(nullptr, pose, call.b, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"a", "null"}));
-  EXPECT_TRUE(refused(abut_pairs_distance(call.a, nullptr, call.b, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"poses_a", "null"}));
-  EXPECT_TRUE(refused(abut_pairs_distance(call.a, pose, nullptr, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"b", "null"}));
-  EXPECT_TRUE(refused(abut_pairs_distance(call.a, pose, call.b, nullptr, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"poses_b", "null"}));
-  EXPECT_TRUE(refused(abut_pairs_distance(call.a, pose, call.b, pose, 1, nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(
+      refused(abut_pairs_distance(nullptr, pose, call.b, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"a", "null"}));
+  EXPECT_TRUE(refused(abut_pairs_distance(call.a, nullptr, call.b, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT,
+                      {"poses_a", "null"}));
+  EXPECT_TRUE(
+      refused(abut_pairs_distance(call.a, pose, nullptr, pose, 1, nullptr, out), ABUT_NULL_ARGUMENT, {"b", "null"}));
+  EXPECT_TRUE(refused(abut_pairs_distance(call.a, pose, call.b, nullptr, 1, nullptr, out), ABUT_NULL_ARGUMENT,
+                      {"poses_b", "null"}));
+  EXPECT_TRUE(refused(abut_pairs_distance(call.a, pose, call.b, pose, 1, nullptr, nullptr), ABUT_NULL_ARGUMENT,
+                      {"out", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
 
@@ -199,10 +209,10 @@ TEST(PairsDistance, RefusesNonFiniteAndOtherBadPosesAndWritesNothing) {
   for (const BadPose& bad : bad_poses()) {
     auto poses = good;
     poses[2] = bad.pose;
-    EXPECT_TRUE(refused(abut_pairs_distance(call.a, poses.data(), call.b, good.data(), 3, nullptr, out.data()), bad.status,
-                        {"poses_a", "2", bad.word}));
-    EXPECT_TRUE(refused(abut_pairs_distance(call.a, good.data(), call.b, poses.data(), 3, nullptr, out.data()), bad.status,
-                        {"poses_b", "2", bad.word}));
+    EXPECT_TRUE(refused(abut_pairs_distance(call.a, poses.data(), call.b, good.data(), 3, nullptr, out.data()),
+                        bad.status, {"poses_a", "2", bad.word}));
+    EXPECT_TRUE(refused(abut_pairs_distance(call.a, good.data(), call.b, poses.data(), 3, nullptr, out.data()),
+                        bad.status, {"poses_b", "2", bad.word}));
   }
   EXPECT_TRUE(out.is_untouched());
 }

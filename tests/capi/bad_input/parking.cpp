@@ -9,7 +9,8 @@ constexpr std::array<std::uint32_t, 3> unknown_parkings{3, 77, 0xFFFFFFFF};
 
 TEST(GeometryPark, RefusesNullUniverse) {
   const Scene scene;
-  EXPECT_TRUE(refused(abut_geometry_park(nullptr, scene.geometry, ABUT_PARKING_LONG_TERM), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometry_park(nullptr, scene.geometry, ABUT_PARKING_LONG_TERM), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
 }
 
 TEST(GeometryPark, RefusesStaleIds) {
@@ -51,8 +52,8 @@ TEST(GeometriesPark, RefusesStaleIdsAndParksNone) {
   const Scene scene;
   for (const abut_geometry_id stale : scene.stale_geometries) {
     const std::array<abut_geometry_id, 3> geometries{scene.geometry, scene.second_geometry, stale};
-    EXPECT_TRUE(refused(abut_geometries_park(scene.universe, geometries.data(), 3, ABUT_PARKING_SHORT_TERM), ABUT_STALE_ID,
-                        {"geometries", "2", std::to_string(stale.slot)}));
+    EXPECT_TRUE(refused(abut_geometries_park(scene.universe, geometries.data(), 3, ABUT_PARKING_SHORT_TERM),
+                        ABUT_STALE_ID, {"geometries", "2", std::to_string(stale.slot)}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }

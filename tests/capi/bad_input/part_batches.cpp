@@ -15,9 +15,12 @@ TEST(PartsCreate, RefusesNullPointers) {
   const Scene scene;
   const auto options = three_options();
   OutArray<abut_part_id> out(3);
-  EXPECT_TRUE(refused(abut_parts_create(nullptr, options.data(), 3, out.data()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_parts_create(scene.universe, nullptr, 3, out.data()), ABUT_NULL_ARGUMENT, {"options", "null"}));
-  EXPECT_TRUE(refused(abut_parts_create(scene.universe, options.data(), 3, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(
+      refused(abut_parts_create(nullptr, options.data(), 3, out.data()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_parts_create(scene.universe, nullptr, 3, out.data()), ABUT_NULL_ARGUMENT, {"options", "null"}));
+  EXPECT_TRUE(
+      refused(abut_parts_create(scene.universe, options.data(), 3, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(out.is_untouched());
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -91,7 +94,8 @@ TEST(PartsCreate, RefusesArraysOfDifferentStructSizes) {
   OutArray<abut_part_id> out(3);
   auto options = three_options();
   options[1].struct_size = 0;
-  EXPECT_TRUE(refused(abut_parts_create(scene.universe, options.data(), 3, out.data()), ABUT_WRONG_STRUCT_SIZE, {"struct_size", "1", "0"}));
+  EXPECT_TRUE(refused(abut_parts_create(scene.universe, options.data(), 3, out.data()), ABUT_WRONG_STRUCT_SIZE,
+                      {"struct_size", "1", "0"}));
   EXPECT_TRUE(out.is_untouched());
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -110,9 +114,8 @@ TEST(PartsDestroy, RefusesNullPointers) {
 
 TEST(PartsDestroy, RefusesOverflowingCounts) {
   const Scene scene;
-  expect_overflow_refused(sizeof(abut_part_id), "count", [&](std::size_t count) {
-    return abut_parts_destroy(scene.universe, &scene.part, count);
-  });
+  expect_overflow_refused(sizeof(abut_part_id), "count",
+                          [&](std::size_t count) { return abut_parts_destroy(scene.universe, &scene.part, count); });
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -120,7 +123,8 @@ TEST(PartsDestroy, RefusesStaleIdsAndDestroysNone) {
   const Scene scene;
   for (const abut_part_id stale : scene.stale_parts) {
     const std::array<abut_part_id, 3> parts{scene.part, scene.second_part, stale};
-    EXPECT_TRUE(refused(abut_parts_destroy(scene.universe, parts.data(), 3), ABUT_STALE_ID, {"parts", "2", std::to_string(stale.slot)}));
+    EXPECT_TRUE(refused(abut_parts_destroy(scene.universe, parts.data(), 3), ABUT_STALE_ID,
+                        {"parts", "2", std::to_string(stale.slot)}));
   }
   const std::array<abut_part_id, 3> twice{scene.part, scene.second_part, scene.part};
   EXPECT_TRUE(refused(abut_parts_destroy(scene.universe, twice.data(), 3), ABUT_STALE_ID, {"parts", "2"}));
@@ -129,9 +133,12 @@ TEST(PartsDestroy, RefusesStaleIdsAndDestroysNone) {
 
 TEST(PartsSetPoses, RefusesNullPointers) {
   const Scene scene;
-  EXPECT_TRUE(refused(abut_parts_set_poses(nullptr, &scene.part, &identity, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_parts_set_poses(scene.universe, nullptr, &identity, 1), ABUT_NULL_ARGUMENT, {"parts", "null"}));
-  EXPECT_TRUE(refused(abut_parts_set_poses(scene.universe, &scene.part, nullptr, 1), ABUT_NULL_ARGUMENT, {"poses", "null"}));
+  EXPECT_TRUE(
+      refused(abut_parts_set_poses(nullptr, &scene.part, &identity, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_parts_set_poses(scene.universe, nullptr, &identity, 1), ABUT_NULL_ARGUMENT, {"parts", "null"}));
+  EXPECT_TRUE(
+      refused(abut_parts_set_poses(scene.universe, &scene.part, nullptr, 1), ABUT_NULL_ARGUMENT, {"poses", "null"}));
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -159,7 +166,8 @@ TEST(PartsSetPoses, RefusesNonFiniteAndOtherBadPosesAndMovesNone) {
   const std::array<abut_part_id, 2> parts{scene.part, scene.second_part};
   for (const BadPose& bad : bad_poses()) {
     const std::array<abut_pose, 2> poses{at(1, 1, 1), bad.pose};
-    EXPECT_TRUE(refused(abut_parts_set_poses(scene.universe, parts.data(), poses.data(), 2), bad.status, {"poses", "1", bad.word}));
+    EXPECT_TRUE(refused(abut_parts_set_poses(scene.universe, parts.data(), poses.data(), 2), bad.status,
+                        {"poses", "1", bad.word}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -167,8 +175,10 @@ TEST(PartsSetPoses, RefusesNonFiniteAndOtherBadPosesAndMovesNone) {
 TEST(PartsPoses, RefusesNullPointers) {
   const Scene scene;
   Out<abut_pose> out;
-  EXPECT_TRUE(refused(abut_parts_poses(nullptr, &scene.part, 1, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_parts_poses(scene.universe, nullptr, 1, out.address()), ABUT_NULL_ARGUMENT, {"parts", "null"}));
+  EXPECT_TRUE(
+      refused(abut_parts_poses(nullptr, &scene.part, 1, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_parts_poses(scene.universe, nullptr, 1, out.address()), ABUT_NULL_ARGUMENT, {"parts", "null"}));
   EXPECT_TRUE(refused(abut_parts_poses(scene.universe, &scene.part, 1, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(out.is_untouched());
 }

@@ -9,7 +9,8 @@ constexpr std::array<std::uint32_t, 3> unknown_motions{3, 77, 0xFFFFFFFF};
 
 TEST(PartSetMotion, RefusesNullUniverse) {
   const Scene scene;
-  EXPECT_TRUE(refused(abut_part_set_motion(nullptr, scene.part, ABUT_MOTION_STATIC), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_part_set_motion(nullptr, scene.part, ABUT_MOTION_STATIC), ABUT_NULL_ARGUMENT, {"universe", "null"}));
 }
 
 TEST(PartSetMotion, RefusesStaleIds) {
@@ -24,7 +25,8 @@ TEST(PartSetMotion, RefusesStaleIds) {
 TEST(PartSetMotion, RefusesUnknownMotions) {
   const Scene scene;
   for (const std::uint32_t motion : unknown_motions) {
-    EXPECT_TRUE(refused(abut_part_set_motion(scene.universe, scene.part, motion), ABUT_UNKNOWN_VALUE, {"motion", std::to_string(motion)}));
+    EXPECT_TRUE(refused(abut_part_set_motion(scene.universe, scene.part, motion), ABUT_UNKNOWN_VALUE,
+                        {"motion", std::to_string(motion)}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -32,9 +34,12 @@ TEST(PartSetMotion, RefusesUnknownMotions) {
 TEST(PartsSetMotions, RefusesNullPointers) {
   const Scene scene;
   const abut_motion motion = ABUT_MOTION_STATIC;
-  EXPECT_TRUE(refused(abut_parts_set_motions(nullptr, &scene.part, &motion, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_parts_set_motions(scene.universe, nullptr, &motion, 1), ABUT_NULL_ARGUMENT, {"parts", "null"}));
-  EXPECT_TRUE(refused(abut_parts_set_motions(scene.universe, &scene.part, nullptr, 1), ABUT_NULL_ARGUMENT, {"motions", "null"}));
+  EXPECT_TRUE(
+      refused(abut_parts_set_motions(nullptr, &scene.part, &motion, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_parts_set_motions(scene.universe, nullptr, &motion, 1), ABUT_NULL_ARGUMENT, {"parts", "null"}));
+  EXPECT_TRUE(refused(abut_parts_set_motions(scene.universe, &scene.part, nullptr, 1), ABUT_NULL_ARGUMENT,
+                      {"motions", "null"}));
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -93,7 +98,8 @@ TEST(PartMotion, RefusesStaleIds) {
   const Scene scene;
   Out<abut_motion> out;
   for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_motion(scene.universe, stale, out.address()), ABUT_STALE_ID, {"part", std::to_string(stale.slot)}));
+    EXPECT_TRUE(refused(abut_part_motion(scene.universe, stale, out.address()), ABUT_STALE_ID,
+                        {"part", std::to_string(stale.slot)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }

@@ -71,8 +71,9 @@ TEST(PartCreate, RefusesWrongStructSize) {
 TEST(PartCreate, AcceptsLaterOptionsWithZeroTail) {
   const Scene scene;
   abut_part_id part{};
-  expect_zero_tail_accepted(default_options(),
-                            [&](const abut_part_options* later) { return abut_part_create(scene.universe, later, &part); });
+  expect_zero_tail_accepted(default_options(), [&](const abut_part_options* later) {
+    return abut_part_create(scene.universe, later, &part);
+  });
   EXPECT_NE(part.slot, 0U);
 }
 
@@ -99,14 +100,16 @@ TEST(PartSetPose, RefusesNullPointers) {
 TEST(PartSetPose, RefusesStaleIds) {
   const Scene scene;
   for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_set_pose(scene.universe, stale, &identity), ABUT_STALE_ID, {"part", std::to_string(stale.slot)}));
+    EXPECT_TRUE(refused(abut_part_set_pose(scene.universe, stale, &identity), ABUT_STALE_ID,
+                        {"part", std::to_string(stale.slot)}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
 
 TEST(PartSetPose, RefusesNonFiniteAndOtherBadPoses) {
   const Scene scene;
-  expect_pose_checked("pose", [&](const abut_pose* pose) { return abut_part_set_pose(scene.universe, scene.part, pose); });
+  expect_pose_checked("pose",
+                      [&](const abut_pose* pose) { return abut_part_set_pose(scene.universe, scene.part, pose); });
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -122,7 +125,8 @@ TEST(PartPose, RefusesStaleIds) {
   const Scene scene;
   Out<abut_pose> out;
   for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_pose(scene.universe, stale, out.address()), ABUT_STALE_ID, {"part", std::to_string(stale.slot)}));
+    EXPECT_TRUE(refused(abut_part_pose(scene.universe, stale, out.address()), ABUT_STALE_ID,
+                        {"part", std::to_string(stale.slot)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
@@ -130,7 +134,8 @@ TEST(PartPose, RefusesStaleIds) {
 TEST(PartUserData, RefusesNullPointers) {
   const Scene scene;
   Out<std::uint64_t> out;
-  EXPECT_TRUE(refused(abut_part_user_data(nullptr, scene.part, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_part_user_data(nullptr, scene.part, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
   EXPECT_TRUE(refused(abut_part_user_data(scene.universe, scene.part, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(out.is_untouched());
 }
@@ -139,7 +144,8 @@ TEST(PartUserData, RefusesStaleIds) {
   const Scene scene;
   Out<std::uint64_t> out;
   for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_user_data(scene.universe, stale, out.address()), ABUT_STALE_ID, {"part", std::to_string(stale.slot)}));
+    EXPECT_TRUE(refused(abut_part_user_data(scene.universe, stale, out.address()), ABUT_STALE_ID,
+                        {"part", std::to_string(stale.slot)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
@@ -148,10 +154,12 @@ TEST(PartGeometries, RefusesNullPointers) {
   const Scene scene;
   OutArray<abut_geometry_id> out(2);
   Out<std::size_t> count;
-  EXPECT_TRUE(refused(abut_part_geometries(nullptr, scene.part, out.data(), 2, count.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_part_geometries(nullptr, scene.part, out.data(), 2, count.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
   EXPECT_TRUE(refused(abut_part_geometries(scene.universe, scene.part, nullptr, 2, count.address()), ABUT_NULL_ARGUMENT,
                       {"geometries", "null"}));
-  EXPECT_TRUE(refused(abut_part_geometries(scene.universe, scene.part, out.data(), 2, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(refused(abut_part_geometries(scene.universe, scene.part, out.data(), 2, nullptr), ABUT_NULL_ARGUMENT,
+                      {"count", "null"}));
   EXPECT_TRUE(out.is_untouched());
   EXPECT_TRUE(count.is_untouched());
 }

@@ -32,8 +32,10 @@ TEST(PolicySet, RefusesTagsThatAreNone) {
   abut_policy policy = default_policy();
   policy.period = 5;
   for (const std::uint32_t tag : unknown_tags) {
-    EXPECT_TRUE(refused(abut_policy_set(scene.universe, tag, 1, &policy), ABUT_OUT_OF_RANGE, {"tag_a", std::to_string(tag)}));
-    EXPECT_TRUE(refused(abut_policy_set(scene.universe, 0, tag, &policy), ABUT_OUT_OF_RANGE, {"tag_b", std::to_string(tag)}));
+    EXPECT_TRUE(
+        refused(abut_policy_set(scene.universe, tag, 1, &policy), ABUT_OUT_OF_RANGE, {"tag_a", std::to_string(tag)}));
+    EXPECT_TRUE(
+        refused(abut_policy_set(scene.universe, 0, tag, &policy), ABUT_OUT_OF_RANGE, {"tag_b", std::to_string(tag)}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -43,10 +45,12 @@ TEST(PolicySet, RefusesUnknownValues) {
   for (const std::uint32_t value : {6U, 77U, 0xFFFFFFFFU}) {
     abut_policy policy = default_policy();
     policy.algorithm = value;
-    EXPECT_TRUE(refused(abut_policy_set(scene.universe, 0, 1, &policy), ABUT_UNKNOWN_VALUE, {"algorithm", std::to_string(value)}));
+    EXPECT_TRUE(refused(abut_policy_set(scene.universe, 0, 1, &policy), ABUT_UNKNOWN_VALUE,
+                        {"algorithm", std::to_string(value)}));
     policy = default_policy();
     policy.detail = value;
-    EXPECT_TRUE(refused(abut_policy_set(scene.universe, 0, 1, &policy), ABUT_UNKNOWN_VALUE, {"detail", std::to_string(value)}));
+    EXPECT_TRUE(
+        refused(abut_policy_set(scene.universe, 0, 1, &policy), ABUT_UNKNOWN_VALUE, {"detail", std::to_string(value)}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -80,7 +84,8 @@ TEST(PolicySet, RefusesWrongStructSize) {
   const Scene scene;
   expect_struct_size_checked(default_policy(),
                              [&](const abut_policy* wrong) { return abut_policy_set(scene.universe, 0, 1, wrong); });
-  expect_zero_tail_accepted(default_policy(), [&](const abut_policy* later) { return abut_policy_set(scene.universe, 0, 1, later); });
+  expect_zero_tail_accepted(default_policy(),
+                            [&](const abut_policy* later) { return abut_policy_set(scene.universe, 0, 1, later); });
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -96,15 +101,18 @@ TEST(PolicyGet, RefusesTagsThatAreNone) {
   const Scene scene;
   Out<abut_policy> out(default_policy());
   for (const std::uint32_t tag : unknown_tags) {
-    EXPECT_TRUE(refused(abut_policy_get(scene.universe, tag, 1, out.address()), ABUT_OUT_OF_RANGE, {"tag_a", std::to_string(tag)}));
-    EXPECT_TRUE(refused(abut_policy_get(scene.universe, 0, tag, out.address()), ABUT_OUT_OF_RANGE, {"tag_b", std::to_string(tag)}));
+    EXPECT_TRUE(refused(abut_policy_get(scene.universe, tag, 1, out.address()), ABUT_OUT_OF_RANGE,
+                        {"tag_a", std::to_string(tag)}));
+    EXPECT_TRUE(refused(abut_policy_get(scene.universe, 0, tag, out.address()), ABUT_OUT_OF_RANGE,
+                        {"tag_b", std::to_string(tag)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
 
 TEST(PolicyGet, RefusesWrongStructSize) {
   const Scene scene;
-  expect_size_of_out_struct_checked(default_policy(), [&](abut_policy* out) { return abut_policy_get(scene.universe, 0, 1, out); });
+  expect_size_of_out_struct_checked(default_policy(),
+                                    [&](abut_policy* out) { return abut_policy_get(scene.universe, 0, 1, out); });
 }
 
 TEST(PolicyGet, AcceptsLaterStructWithZeroTail) {

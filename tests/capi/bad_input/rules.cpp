@@ -20,9 +20,12 @@ void expect_no_rules(Scene& scene) {
 
 TEST(RuleSet, RefusesNullPointers) {
   Scene scene;
-  EXPECT_TRUE(refused(abut_rule_set(nullptr, &anything, &anything, ABUT_RULE_DISABLE), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_rule_set(scene.universe, nullptr, &anything, ABUT_RULE_DISABLE), ABUT_NULL_ARGUMENT, {"a is null"}));
-  EXPECT_TRUE(refused(abut_rule_set(scene.universe, &anything, nullptr, ABUT_RULE_DISABLE), ABUT_NULL_ARGUMENT, {"b is null"}));
+  EXPECT_TRUE(refused(abut_rule_set(nullptr, &anything, &anything, ABUT_RULE_DISABLE), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_rule_set(scene.universe, nullptr, &anything, ABUT_RULE_DISABLE), ABUT_NULL_ARGUMENT, {"a is null"}));
+  EXPECT_TRUE(
+      refused(abut_rule_set(scene.universe, &anything, nullptr, ABUT_RULE_DISABLE), ABUT_NULL_ARGUMENT, {"b is null"}));
   expect_no_rules(scene);
 }
 
@@ -53,7 +56,8 @@ TEST(RuleSet, RefusesUnknownValues) {
     expect_refused_on_both_sides(scene, {value, 0, 0}, ABUT_UNKNOWN_VALUE, {"kind", std::to_string(value)});
   }
   for (const std::uint32_t value : {3U, 77U, 0xFFFFFFFFU}) {
-    EXPECT_TRUE(refused(abut_rule_set(scene.universe, &anything, &anything, value), ABUT_UNKNOWN_VALUE, {"rule", std::to_string(value)}));
+    EXPECT_TRUE(refused(abut_rule_set(scene.universe, &anything, &anything, value), ABUT_UNKNOWN_VALUE,
+                        {"rule", std::to_string(value)}));
   }
   expect_no_rules(scene);
 }

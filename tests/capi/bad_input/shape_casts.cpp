@@ -17,7 +17,8 @@ struct CastCall {
   Out<std::uint32_t> found;
 
   abut_status ask(const abut_query_options* options) {
-    return abut_pair_cast(a, &pose_a, &displacement_a, b, &pose_b, &displacement_b, options, hit.address(), found.address());
+    return abut_pair_cast(a, &pose_a, &displacement_a, b, &pose_b, &displacement_b, options, hit.address(),
+                          found.address());
   }
   bool is_untouched() const { return hit.is_untouched() && found.is_untouched(); }
 };
@@ -47,7 +48,8 @@ TEST(PairCast, RefusesNonFiniteDisplacementsAndOptions) {
     CastCall call;
     for (const BadVector& bad : non_finite_vectors()) {
       (is_first ? call.displacement_a : call.displacement_b) = bad.vector;
-      EXPECT_TRUE(refused(call.ask(nullptr), ABUT_NOT_FINITE, {is_first ? "displacement_a" : "displacement_b", bad.word}));
+      EXPECT_TRUE(
+          refused(call.ask(nullptr), ABUT_NOT_FINITE, {is_first ? "displacement_a" : "displacement_b", bad.word}));
     }
     EXPECT_TRUE(call.is_untouched());
   }

@@ -147,11 +147,13 @@ TEST(ShapeCreate, RefusesOverflowingCounts) {
   for (const std::uint64_t count : {huge, wraps}) {
     abut_shape_desc desc = hull_desc();
     desc.real_count = count;
-    EXPECT_TRUE(refused(abut_shape_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"real_count", std::to_string(count)}));
+    EXPECT_TRUE(
+        refused(abut_shape_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"real_count", std::to_string(count)}));
   }
   abut_shape_desc desc = mesh_desc();
   desc.index_count = huge;
-  EXPECT_TRUE(refused(abut_shape_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"index_count", std::to_string(huge)}));
+  EXPECT_TRUE(
+      refused(abut_shape_create(&desc, out.address()), ABUT_SIZE_OVERFLOW, {"index_count", std::to_string(huge)}));
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -200,7 +202,8 @@ TEST(ShapeCreate, RefusesWrongStructSize) {
 
 TEST(ShapeCreate, AcceptsLaterDescriptionWithZeroTail) {
   abut_shape* shape = nullptr;
-  expect_zero_tail_accepted(sphere_desc(), [&](const abut_shape_desc* later) { return abut_shape_create(later, &shape); });
+  expect_zero_tail_accepted(sphere_desc(),
+                            [&](const abut_shape_desc* later) { return abut_shape_create(later, &shape); });
   abut_shape_release(shape);
 }
 

@@ -8,9 +8,10 @@ namespace {
 
 using namespace abut_test;
 
-constexpr std::array<const char*, 18> every_kind{"sphere",  "box",      "capsule",  "plane", "hull", "mesh",     "height_field",
-                                                 "point",   "segment",  "triangle", "cylinder", "cone", "ellipsoid",
-                                                 "particles", "composite", "sphere_hole", "cylinder_hole", "box_hole"};
+constexpr std::array<const char*, 18> every_kind{"sphere",      "box",           "capsule",   "plane",     "hull",
+                                                 "mesh",        "height_field",  "point",     "segment",   "triangle",
+                                                 "cylinder",    "cone",          "ellipsoid", "particles", "composite",
+                                                 "sphere_hole", "cylinder_hole", "box_hole"};
 constexpr std::array<abut_shape_kind, 3> no_kinds{0, 9999, 0xFFFFFFFFU};
 
 TEST(ShapeKindCount, CountsTheKinds) { EXPECT_EQ(abut_shape_kind_count(), every_kind.size()); }
@@ -85,15 +86,18 @@ TEST(PairSupport, IsOneButForTerrain) {
 
 TEST(PairSupport, RefusesNullOut) {
   const abut_shape_kind sphere = abut_shape_kind_by_name("sphere");
-  EXPECT_TRUE(refused(abut_pair_support(sphere, sphere, ABUT_QUERY_DISTANCE, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(
+      refused(abut_pair_support(sphere, sphere, ABUT_QUERY_DISTANCE, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
 }
 
 TEST(PairSupport, RefusesWhatIsNoKindAndNoQuery) {
   Out<std::uint32_t> out;
   const abut_shape_kind sphere = abut_shape_kind_by_name("sphere");
   for (const abut_shape_kind none : no_kinds) {
-    EXPECT_TRUE(refused(abut_pair_support(none, sphere, ABUT_QUERY_DISTANCE, out.address()), ABUT_UNKNOWN_VALUE, {"kind_a"}));
-    EXPECT_TRUE(refused(abut_pair_support(sphere, none, ABUT_QUERY_DISTANCE, out.address()), ABUT_UNKNOWN_VALUE, {"kind_b"}));
+    EXPECT_TRUE(
+        refused(abut_pair_support(none, sphere, ABUT_QUERY_DISTANCE, out.address()), ABUT_UNKNOWN_VALUE, {"kind_a"}));
+    EXPECT_TRUE(
+        refused(abut_pair_support(sphere, none, ABUT_QUERY_DISTANCE, out.address()), ABUT_UNKNOWN_VALUE, {"kind_b"}));
   }
   EXPECT_TRUE(refused(abut_pair_support(sphere, sphere, 2, out.address()), ABUT_UNKNOWN_VALUE, {"query", "2"}));
   EXPECT_TRUE(out.is_untouched());

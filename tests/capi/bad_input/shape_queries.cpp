@@ -9,9 +9,12 @@ TEST(ShapeParameters, RefusesNullPointers) {
   const Shape ball = make_sphere(1.0);
   Out<double> parameter;
   Out<std::size_t> count;
-  EXPECT_TRUE(refused(abut_shape_parameters(nullptr, parameter.address(), 1, count.address()), ABUT_NULL_ARGUMENT, {"shape", "null"}));
-  EXPECT_TRUE(refused(abut_shape_parameters(ball, parameter.address(), 1, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
-  EXPECT_TRUE(refused(abut_shape_parameters(ball, nullptr, 1, count.address()), ABUT_NULL_ARGUMENT, {"parameters", "null"}));
+  EXPECT_TRUE(refused(abut_shape_parameters(nullptr, parameter.address(), 1, count.address()), ABUT_NULL_ARGUMENT,
+                      {"shape", "null"}));
+  EXPECT_TRUE(
+      refused(abut_shape_parameters(ball, parameter.address(), 1, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(
+      refused(abut_shape_parameters(ball, nullptr, 1, count.address()), ABUT_NULL_ARGUMENT, {"parameters", "null"}));
   EXPECT_TRUE(parameter.is_untouched());
   EXPECT_TRUE(count.is_untouched());
 }
@@ -68,7 +71,8 @@ struct TrianglesCall {
   Out<std::size_t> vertex_count;
   Out<std::size_t> triangle_count;
   bool is_untouched() const {
-    return xyz.is_untouched() && triangles.is_untouched() && vertex_count.is_untouched() && triangle_count.is_untouched();
+    return xyz.is_untouched() && triangles.is_untouched() && vertex_count.is_untouched() &&
+           triangle_count.is_untouched();
   }
 };
 
@@ -79,10 +83,10 @@ TEST(ShapeTriangles, RefusesNullPointers) {
   std::uint32_t* const triangles = call.triangles.data();
   std::size_t* const vertex_count = call.vertex_count.address();
   std::size_t* const triangle_count = call.triangle_count.address();
-  EXPECT_TRUE(refused(abut_shape_triangles(nullptr, xyz, 64, vertex_count, triangles, 64, triangle_count), ABUT_NULL_ARGUMENT,
-                      {"shape", "null"}));
-  EXPECT_TRUE(refused(abut_shape_triangles(box, nullptr, 64, vertex_count, triangles, 64, triangle_count), ABUT_NULL_ARGUMENT,
-                      {"xyz", "null"}));
+  EXPECT_TRUE(refused(abut_shape_triangles(nullptr, xyz, 64, vertex_count, triangles, 64, triangle_count),
+                      ABUT_NULL_ARGUMENT, {"shape", "null"}));
+  EXPECT_TRUE(refused(abut_shape_triangles(box, nullptr, 64, vertex_count, triangles, 64, triangle_count),
+                      ABUT_NULL_ARGUMENT, {"xyz", "null"}));
   EXPECT_TRUE(refused(abut_shape_triangles(box, xyz, 64, nullptr, triangles, 64, triangle_count), ABUT_NULL_ARGUMENT,
                       {"vertex_count", "null"}));
   EXPECT_TRUE(refused(abut_shape_triangles(box, xyz, 64, vertex_count, nullptr, 64, triangle_count), ABUT_NULL_ARGUMENT,
@@ -100,8 +104,8 @@ TEST(ShapeTriangles, RefusesCurvedAndUnboundedShapes) {
   constexpr std::array<std::string_view, 3> names{"sphere", "capsule", "plane"};
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     TrianglesCall call;
-    EXPECT_TRUE(refused(abut_shape_triangles(shapes.at(i), call.xyz.data(), 64, call.vertex_count.address(), call.triangles.data(),
-                                             64, call.triangle_count.address()),
+    EXPECT_TRUE(refused(abut_shape_triangles(shapes.at(i), call.xyz.data(), 64, call.vertex_count.address(),
+                                             call.triangles.data(), 64, call.triangle_count.address()),
                         ABUT_UNSUPPORTED, {names.at(i)}));
     EXPECT_TRUE(call.is_untouched());
   }
@@ -126,11 +130,16 @@ TEST(ShapeCastRay, RefusesNullPointers) {
   RayCall call;
   abut_ray_hit* const hit = call.hit.address();
   std::uint32_t* const found = call.found.address();
-  EXPECT_TRUE(refused(abut_shape_cast_ray(nullptr, &identity, &call.ray, hit, found), ABUT_NULL_ARGUMENT, {"shape", "null"}));
-  EXPECT_TRUE(refused(abut_shape_cast_ray(call.shape, nullptr, &call.ray, hit, found), ABUT_NULL_ARGUMENT, {"pose", "null"}));
-  EXPECT_TRUE(refused(abut_shape_cast_ray(call.shape, &identity, nullptr, hit, found), ABUT_NULL_ARGUMENT, {"ray", "null"}));
-  EXPECT_TRUE(refused(abut_shape_cast_ray(call.shape, &identity, &call.ray, nullptr, found), ABUT_NULL_ARGUMENT, {"hit", "null"}));
-  EXPECT_TRUE(refused(abut_shape_cast_ray(call.shape, &identity, &call.ray, hit, nullptr), ABUT_NULL_ARGUMENT, {"found", "null"}));
+  EXPECT_TRUE(
+      refused(abut_shape_cast_ray(nullptr, &identity, &call.ray, hit, found), ABUT_NULL_ARGUMENT, {"shape", "null"}));
+  EXPECT_TRUE(
+      refused(abut_shape_cast_ray(call.shape, nullptr, &call.ray, hit, found), ABUT_NULL_ARGUMENT, {"pose", "null"}));
+  EXPECT_TRUE(
+      refused(abut_shape_cast_ray(call.shape, &identity, nullptr, hit, found), ABUT_NULL_ARGUMENT, {"ray", "null"}));
+  EXPECT_TRUE(refused(abut_shape_cast_ray(call.shape, &identity, &call.ray, nullptr, found), ABUT_NULL_ARGUMENT,
+                      {"hit", "null"}));
+  EXPECT_TRUE(refused(abut_shape_cast_ray(call.shape, &identity, &call.ray, hit, nullptr), ABUT_NULL_ARGUMENT,
+                      {"found", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
 

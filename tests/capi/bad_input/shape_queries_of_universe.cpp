@@ -12,23 +12,19 @@ TEST(UniverseCastShape, RefusesNull) {
   const auto ask = [&](const abut_pose* pose, const abut_vec3* displacement, abut_cast_hit* hits, std::size_t* count) {
     return abut_universe_cast_shape(call.universe, call.shape, pose, displacement, nullptr, 0, hits, 1, count);
   };
+  EXPECT_TRUE(refused(ask(nullptr, &call.vector, call.cast.address(), call.count.address()), ABUT_NULL_ARGUMENT,
+                      {"pose", "null"}));
+  EXPECT_TRUE(refused(ask(&call.pose, nullptr, call.cast.address(), call.count.address()), ABUT_NULL_ARGUMENT,
+                      {"displacement", "null"}));
   EXPECT_TRUE(
-      refused(ask(nullptr, &call.vector, call.cast.address(), call.count.address()), ABUT_NULL_ARGUMENT, {"pose", "null"}));
+      refused(ask(&call.pose, &call.vector, nullptr, call.count.address()), ABUT_NULL_ARGUMENT, {"hits", "null"}));
   EXPECT_TRUE(
-      refused(ask(&call.pose, nullptr, call.cast.address(), call.count.address()), ABUT_NULL_ARGUMENT, {"displacement", "null"}));
-  EXPECT_TRUE(refused(ask(&call.pose, &call.vector, nullptr, call.count.address()), ABUT_NULL_ARGUMENT, {"hits", "null"}));
-  EXPECT_TRUE(refused(ask(&call.pose, &call.vector, call.cast.address(), nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+      refused(ask(&call.pose, &call.vector, call.cast.address(), nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
-TEST(UniverseCastShape, RefusesNonFiniteDisplacements) {
-  refuse_bad_vectors(&QueryCall::cast_shape, "displacement");
-}
-TEST(UniverseCastShape, RefusesBadPoses) {
-  refuse_bad_poses(&QueryCall::cast_shape);
-}
-TEST(UniverseCastShape, RefusesBadFilters) {
-  refuse_bad_filters(&QueryCall::cast_shape);
-}
+TEST(UniverseCastShape, RefusesNonFiniteDisplacements) { refuse_bad_vectors(&QueryCall::cast_shape, "displacement"); }
+TEST(UniverseCastShape, RefusesBadPoses) { refuse_bad_poses(&QueryCall::cast_shape); }
+TEST(UniverseCastShape, RefusesBadFilters) { refuse_bad_filters(&QueryCall::cast_shape); }
 TEST(UniverseCastShape, RefusesUnknownModes) {
   QueryCall call;
   EXPECT_TRUE(refused(abut_universe_cast_shape(call.universe, call.shape, &call.pose, &call.vector, nullptr, 77,
@@ -45,25 +41,23 @@ TEST(UniverseCastShapes, RefusesNull) {
                        abut_cast_hit* hits) {
     return abut_universe_cast_shapes(call.universe, shapes, poses, displacements, 1, nullptr, hits);
   };
-  EXPECT_TRUE(refused(ask(nullptr, &call.pose, &call.vector, call.cast.address()), ABUT_NULL_ARGUMENT, {"shapes", "null"}));
-  EXPECT_TRUE(refused(ask(&call.shape, nullptr, &call.vector, call.cast.address()), ABUT_NULL_ARGUMENT, {"poses", "null"}));
-  EXPECT_TRUE(refused(ask(&call.shape, &call.pose, nullptr, call.cast.address()), ABUT_NULL_ARGUMENT, {"displacements", "null"}));
+  EXPECT_TRUE(
+      refused(ask(nullptr, &call.pose, &call.vector, call.cast.address()), ABUT_NULL_ARGUMENT, {"shapes", "null"}));
+  EXPECT_TRUE(
+      refused(ask(&call.shape, nullptr, &call.vector, call.cast.address()), ABUT_NULL_ARGUMENT, {"poses", "null"}));
+  EXPECT_TRUE(refused(ask(&call.shape, &call.pose, nullptr, call.cast.address()), ABUT_NULL_ARGUMENT,
+                      {"displacements", "null"}));
   EXPECT_TRUE(refused(ask(&call.shape, &call.pose, &call.vector, nullptr), ABUT_NULL_ARGUMENT, {"hits", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
-TEST(UniverseCastShapes, RefusesNonFiniteDisplacements) {
-  refuse_bad_vectors(&QueryCall::cast_shapes, "displacement");
-}
-TEST(UniverseCastShapes, RefusesBadPoses) {
-  refuse_bad_poses(&QueryCall::cast_shapes);
-}
-TEST(UniverseCastShapes, RefusesBadFilters) {
-  refuse_bad_filters(&QueryCall::cast_shapes);
-}
+TEST(UniverseCastShapes, RefusesNonFiniteDisplacements) { refuse_bad_vectors(&QueryCall::cast_shapes, "displacement"); }
+TEST(UniverseCastShapes, RefusesBadPoses) { refuse_bad_poses(&QueryCall::cast_shapes); }
+TEST(UniverseCastShapes, RefusesBadFilters) { refuse_bad_filters(&QueryCall::cast_shapes); }
 TEST(UniverseCastShapes, RefusesOverflowingCounts) {
   QueryCall call;
   expect_overflow_refused(sizeof(abut_vec3), "count", [&](std::size_t count) {
-    return abut_universe_cast_shapes(call.universe, &call.shape, &call.pose, &call.vector, count, nullptr, call.cast.address());
+    return abut_universe_cast_shapes(call.universe, &call.shape, &call.pose, &call.vector, count, nullptr,
+                                     call.cast.address());
   });
   EXPECT_TRUE(call.is_untouched());
 }
@@ -75,20 +69,15 @@ TEST(UniverseOverlaps, RefusesNull) {
   const auto ask = [&](const abut_pose* pose, abut_geometry_id* geometries, std::size_t* count) {
     return abut_universe_overlaps(call.universe, call.shape, pose, nullptr, 0, geometries, 4, count);
   };
-  EXPECT_TRUE(refused(ask(nullptr, call.geometries.data(), call.count.address()), ABUT_NULL_ARGUMENT, {"pose", "null"}));
+  EXPECT_TRUE(
+      refused(ask(nullptr, call.geometries.data(), call.count.address()), ABUT_NULL_ARGUMENT, {"pose", "null"}));
   EXPECT_TRUE(refused(ask(&call.pose, nullptr, call.count.address()), ABUT_NULL_ARGUMENT, {"geometries", "null"}));
   EXPECT_TRUE(refused(ask(&call.pose, call.geometries.data(), nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
-TEST(UniverseOverlaps, RefusesNonFiniteMargins) {
-  refuse_bad_margins(&QueryCall::overlaps);
-}
-TEST(UniverseOverlaps, RefusesBadPoses) {
-  refuse_bad_poses(&QueryCall::overlaps);
-}
-TEST(UniverseOverlaps, RefusesBadFilters) {
-  refuse_bad_filters(&QueryCall::overlaps);
-}
+TEST(UniverseOverlaps, RefusesNonFiniteMargins) { refuse_bad_margins(&QueryCall::overlaps); }
+TEST(UniverseOverlaps, RefusesBadPoses) { refuse_bad_poses(&QueryCall::overlaps); }
+TEST(UniverseOverlaps, RefusesBadFilters) { refuse_bad_filters(&QueryCall::overlaps); }
 
 TEST(UniverseOverlapsOfEach, RefusesNull) {
   refuse_null_universe(&QueryCall::overlaps_of_each);
@@ -100,31 +89,26 @@ TEST(UniverseOverlapsOfEach, RefusesNull) {
   };
   std::uint64_t* offsets = call.offsets.data();
   abut_geometry_id* geometries = call.geometries.data();
+  EXPECT_TRUE(refused(ask(nullptr, &call.pose, offsets, geometries, call.count.address()), ABUT_NULL_ARGUMENT,
+                      {"shapes", "null"}));
+  EXPECT_TRUE(refused(ask(&call.shape, nullptr, offsets, geometries, call.count.address()), ABUT_NULL_ARGUMENT,
+                      {"poses", "null"}));
+  EXPECT_TRUE(refused(ask(&call.shape, &call.pose, nullptr, geometries, call.count.address()), ABUT_NULL_ARGUMENT,
+                      {"offsets", "null"}));
+  EXPECT_TRUE(refused(ask(&call.shape, &call.pose, offsets, nullptr, call.count.address()), ABUT_NULL_ARGUMENT,
+                      {"geometries", "null"}));
   EXPECT_TRUE(
-      refused(ask(nullptr, &call.pose, offsets, geometries, call.count.address()), ABUT_NULL_ARGUMENT, {"shapes", "null"}));
-  EXPECT_TRUE(
-      refused(ask(&call.shape, nullptr, offsets, geometries, call.count.address()), ABUT_NULL_ARGUMENT, {"poses", "null"}));
-  EXPECT_TRUE(
-      refused(ask(&call.shape, &call.pose, nullptr, geometries, call.count.address()), ABUT_NULL_ARGUMENT, {"offsets", "null"}));
-  EXPECT_TRUE(
-      refused(ask(&call.shape, &call.pose, offsets, nullptr, call.count.address()), ABUT_NULL_ARGUMENT, {"geometries", "null"}));
-  EXPECT_TRUE(refused(ask(&call.shape, &call.pose, offsets, geometries, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+      refused(ask(&call.shape, &call.pose, offsets, geometries, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
-TEST(UniverseOverlapsOfEach, RefusesNonFiniteMargins) {
-  refuse_bad_margins(&QueryCall::overlaps_of_each);
-}
-TEST(UniverseOverlapsOfEach, RefusesBadPoses) {
-  refuse_bad_poses(&QueryCall::overlaps_of_each);
-}
-TEST(UniverseOverlapsOfEach, RefusesBadFilters) {
-  refuse_bad_filters(&QueryCall::overlaps_of_each);
-}
+TEST(UniverseOverlapsOfEach, RefusesNonFiniteMargins) { refuse_bad_margins(&QueryCall::overlaps_of_each); }
+TEST(UniverseOverlapsOfEach, RefusesBadPoses) { refuse_bad_poses(&QueryCall::overlaps_of_each); }
+TEST(UniverseOverlapsOfEach, RefusesBadFilters) { refuse_bad_filters(&QueryCall::overlaps_of_each); }
 TEST(UniverseOverlapsOfEach, RefusesOverflowingCounts) {
   QueryCall call;
   expect_overflow_refused(sizeof(std::uint64_t), "query_count", [&](std::size_t count) {
-    return abut_universe_overlaps_of_each(call.universe, &call.shape, &call.pose, count, nullptr, 0, call.offsets.data(),
-                                          call.geometries.data(), 4, call.count.address());
+    return abut_universe_overlaps_of_each(call.universe, &call.shape, &call.pose, count, nullptr, 0,
+                                          call.offsets.data(), call.geometries.data(), 4, call.count.address());
   });
   EXPECT_TRUE(call.is_untouched());
 }
@@ -141,15 +125,9 @@ TEST(UniverseClosest, RefusesNull) {
   EXPECT_TRUE(refused(ask(&call.pose, call.near.address(), nullptr), ABUT_NULL_ARGUMENT, {"found", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
-TEST(UniverseClosest, RefusesNonFiniteDistances) {
-  refuse_bad_largest_distances(&QueryCall::closest);
-}
-TEST(UniverseClosest, RefusesBadPoses) {
-  refuse_bad_poses(&QueryCall::closest);
-}
-TEST(UniverseClosest, RefusesBadFilters) {
-  refuse_bad_filters(&QueryCall::closest);
-}
+TEST(UniverseClosest, RefusesNonFiniteDistances) { refuse_bad_largest_distances(&QueryCall::closest); }
+TEST(UniverseClosest, RefusesBadPoses) { refuse_bad_poses(&QueryCall::closest); }
+TEST(UniverseClosest, RefusesBadFilters) { refuse_bad_filters(&QueryCall::closest); }
 
 TEST(UniverseClosestToEach, RefusesNull) {
   refuse_null_universe(&QueryCall::closest_to_each);
@@ -163,19 +141,14 @@ TEST(UniverseClosestToEach, RefusesNull) {
   EXPECT_TRUE(refused(ask(&call.shape, &call.pose, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(call.is_untouched());
 }
-TEST(UniverseClosestToEach, RefusesNonFiniteDistances) {
-  refuse_bad_largest_distances(&QueryCall::closest_to_each);
-}
-TEST(UniverseClosestToEach, RefusesBadPoses) {
-  refuse_bad_poses(&QueryCall::closest_to_each);
-}
-TEST(UniverseClosestToEach, RefusesBadFilters) {
-  refuse_bad_filters(&QueryCall::closest_to_each);
-}
+TEST(UniverseClosestToEach, RefusesNonFiniteDistances) { refuse_bad_largest_distances(&QueryCall::closest_to_each); }
+TEST(UniverseClosestToEach, RefusesBadPoses) { refuse_bad_poses(&QueryCall::closest_to_each); }
+TEST(UniverseClosestToEach, RefusesBadFilters) { refuse_bad_filters(&QueryCall::closest_to_each); }
 TEST(UniverseClosestToEach, RefusesOverflowingCounts) {
   QueryCall call;
   expect_overflow_refused(sizeof(abut_closest), "count", [&](std::size_t count) {
-    return abut_universe_closest_to_each(call.universe, &call.shape, &call.pose, count, 1, nullptr, call.near.address());
+    return abut_universe_closest_to_each(call.universe, &call.shape, &call.pose, count, 1, nullptr,
+                                         call.near.address());
   });
   EXPECT_TRUE(call.is_untouched());
 }

@@ -9,7 +9,9 @@ constexpr std::array<double, 2> not_positive{0.0, -2.5};
 
 std::string_view word_of(double value) { return value < 0.0 ? "-2.5" : "0"; }
 
-TEST(SphereCreate, RefusesNullOut) { EXPECT_TRUE(refused(abut_sphere_create(1.0, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"})); }
+TEST(SphereCreate, RefusesNullOut) {
+  EXPECT_TRUE(refused(abut_sphere_create(1.0, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+}
 
 TEST(SphereCreate, RefusesNonFiniteRadius) {
   Out<abut_shape*> out;
@@ -84,7 +86,8 @@ TEST(CapsuleCreate, RefusesNonFiniteNumbers) {
 TEST(CapsuleCreate, RefusesRadiusThatIsNotPositive) {
   Out<abut_shape*> out;
   for (const double radius : not_positive) {
-    EXPECT_TRUE(refused(abut_capsule_create(radius, 1.0, out.address()), ABUT_OUT_OF_RANGE, {"radius", word_of(radius)}));
+    EXPECT_TRUE(
+        refused(abut_capsule_create(radius, 1.0, out.address()), ABUT_OUT_OF_RANGE, {"radius", word_of(radius)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }

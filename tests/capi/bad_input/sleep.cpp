@@ -46,8 +46,10 @@ TEST(PartSetSleep, RefusesStaleIds) {
   const Scene scene;
   const abut_sleep sleep = sleepy();
   for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_set_sleep(scene.universe, stale, &sleep), ABUT_STALE_ID, {"part", std::to_string(stale.slot)}));
-    EXPECT_TRUE(refused(abut_part_set_sleep(scene.universe, stale, nullptr), ABUT_STALE_ID, {"part", std::to_string(stale.slot)}));
+    EXPECT_TRUE(refused(abut_part_set_sleep(scene.universe, stale, &sleep), ABUT_STALE_ID,
+                        {"part", std::to_string(stale.slot)}));
+    EXPECT_TRUE(refused(abut_part_set_sleep(scene.universe, stale, nullptr), ABUT_STALE_ID,
+                        {"part", std::to_string(stale.slot)}));
   }
   expect_nobody_sleeps(scene);
 }
@@ -67,7 +69,8 @@ TEST(PartSetSleep, RefusesNonFiniteAndNegativeNumbers) {
       return abut_part_set_sleep(scene.universe, scene.part, &sleep);
     });
     sleep.*number = -2.5;
-    EXPECT_TRUE(refused(abut_part_set_sleep(scene.universe, scene.part, &sleep), ABUT_OUT_OF_RANGE, {"sleep." + std::string(name), "-2.5"}));
+    EXPECT_TRUE(refused(abut_part_set_sleep(scene.universe, scene.part, &sleep), ABUT_OUT_OF_RANGE,
+                        {"sleep." + std::string(name), "-2.5"}));
   }
   expect_nobody_sleeps(scene);
 }
@@ -76,15 +79,18 @@ TEST(PartSetSleep, RefusesNoStepsAtAll) {
   const Scene scene;
   abut_sleep sleep = sleepy();
   sleep.steps = 0;
-  EXPECT_TRUE(refused(abut_part_set_sleep(scene.universe, scene.part, &sleep), ABUT_OUT_OF_RANGE, {"sleep.steps", "0", "1"}));
+  EXPECT_TRUE(
+      refused(abut_part_set_sleep(scene.universe, scene.part, &sleep), ABUT_OUT_OF_RANGE, {"sleep.steps", "0", "1"}));
   expect_nobody_sleeps(scene);
 }
 
 TEST(PartSetSleep, RefusesWrongStructSize) {
   const Scene scene;
-  expect_struct_size_checked(sleepy(), [&](const abut_sleep* wrong) { return abut_part_set_sleep(scene.universe, scene.part, wrong); });
+  expect_struct_size_checked(
+      sleepy(), [&](const abut_sleep* wrong) { return abut_part_set_sleep(scene.universe, scene.part, wrong); });
   expect_nobody_sleeps(scene);
-  expect_zero_tail_accepted(sleepy(), [&](const abut_sleep* later) { return abut_part_set_sleep(scene.universe, scene.part, later); });
+  expect_zero_tail_accepted(
+      sleepy(), [&](const abut_sleep* later) { return abut_part_set_sleep(scene.universe, scene.part, later); });
 }
 
 TEST(PartsSetSleep, RefusesNullPointers) {
@@ -100,8 +106,9 @@ TEST(PartsSetSleep, RefusesNullPointers) {
 TEST(PartsSetSleep, RefusesOverflowingCounts) {
   const Scene scene;
   const abut_sleep sleep = sleepy();
-  expect_overflow_refused(sizeof(abut_part_id), "count",
-                          [&](std::size_t count) { return abut_parts_set_sleep(scene.universe, &scene.part, &sleep, count); });
+  expect_overflow_refused(sizeof(abut_part_id), "count", [&](std::size_t count) {
+    return abut_parts_set_sleep(scene.universe, &scene.part, &sleep, count);
+  });
   expect_nobody_sleeps(scene);
 }
 
@@ -131,19 +138,21 @@ TEST(PartsSetSleep, RefusesNonFiniteNumbersAndSetsNone) {
 
 TEST(PartsSetSleep, RefusesWrongStructSize) {
   const Scene scene;
-  expect_struct_size_checked(sleepy(),
-                             [&](const abut_sleep* wrong) { return abut_parts_set_sleep(scene.universe, &scene.part, wrong, 1); });
+  expect_struct_size_checked(
+      sleepy(), [&](const abut_sleep* wrong) { return abut_parts_set_sleep(scene.universe, &scene.part, wrong, 1); });
   const std::array<abut_part_id, 2> parts{scene.part, scene.second_part};
   std::array<abut_sleep, 2> sleeps{sleepy(), sleepy()};
   sleeps[1].struct_size = 0;
-  EXPECT_TRUE(refused(abut_parts_set_sleep(scene.universe, parts.data(), sleeps.data(), 2), ABUT_WRONG_STRUCT_SIZE, {"sleeps[1]", "0"}));
+  EXPECT_TRUE(refused(abut_parts_set_sleep(scene.universe, parts.data(), sleeps.data(), 2), ABUT_WRONG_STRUCT_SIZE,
+                      {"sleeps[1]", "0"}));
   expect_nobody_sleeps(scene);
 }
 
 TEST(PartIsAsleep, RefusesNullPointers) {
   const Scene scene;
   Out<std::uint32_t> out;
-  EXPECT_TRUE(refused(abut_part_is_asleep(nullptr, scene.part, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_part_is_asleep(nullptr, scene.part, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
   EXPECT_TRUE(refused(abut_part_is_asleep(scene.universe, scene.part, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
   EXPECT_TRUE(out.is_untouched());
 }
@@ -152,7 +161,8 @@ TEST(PartIsAsleep, RefusesStaleIds) {
   const Scene scene;
   Out<std::uint32_t> out;
   for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_is_asleep(scene.universe, stale, out.address()), ABUT_STALE_ID, {"part", std::to_string(stale.slot)}));
+    EXPECT_TRUE(refused(abut_part_is_asleep(scene.universe, stale, out.address()), ABUT_STALE_ID,
+                        {"part", std::to_string(stale.slot)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
@@ -195,7 +205,8 @@ TEST(PartsWake, RefusesStaleIdsAndWakesNone) {
   ASSERT_EQ(scene.universe.stats().asleep, 2U);
   for (const abut_part_id stale : scene.stale_parts) {
     const std::array<abut_part_id, 2> parts{scene.part, stale};
-    EXPECT_TRUE(refused(abut_parts_wake(scene.universe, parts.data(), 2), ABUT_STALE_ID, {"parts", "1", std::to_string(stale.slot)}));
+    EXPECT_TRUE(refused(abut_parts_wake(scene.universe, parts.data(), 2), ABUT_STALE_ID,
+                        {"parts", "1", std::to_string(stale.slot)}));
   }
   ASSERT_TRUE(succeeded(abut_universe_step(scene.universe, 0.01)));
   EXPECT_EQ(scene.universe.stats().asleep, 2U);
@@ -205,9 +216,12 @@ TEST(UniverseSleepChanges, RefusesNullPointers) {
   const Scene scene;
   Out<const abut_sleep_change*> changes;
   Out<std::size_t> count;
-  EXPECT_TRUE(refused(abut_universe_sleep_changes(nullptr, changes.address(), count.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_sleep_changes(scene.universe, nullptr, count.address()), ABUT_NULL_ARGUMENT, {"changes", "null"}));
-  EXPECT_TRUE(refused(abut_universe_sleep_changes(scene.universe, changes.address(), nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(refused(abut_universe_sleep_changes(nullptr, changes.address(), count.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_universe_sleep_changes(scene.universe, nullptr, count.address()), ABUT_NULL_ARGUMENT,
+                      {"changes", "null"}));
+  EXPECT_TRUE(refused(abut_universe_sleep_changes(scene.universe, changes.address(), nullptr), ABUT_NULL_ARGUMENT,
+                      {"count", "null"}));
   EXPECT_TRUE(changes.is_untouched());
   EXPECT_TRUE(count.is_untouched());
 }

@@ -30,7 +30,8 @@ TEST(UniverseCreate, RefusesUnknownValues) {
   for (const std::uint32_t value : {77U, 0xFFFFFFFFU}) {
     abut_universe_options options = default_universe_options();
     options.broadphase = value;
-    EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_UNKNOWN_VALUE, {"broadphase", std::to_string(value)}));
+    EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_UNKNOWN_VALUE,
+                        {"broadphase", std::to_string(value)}));
     options = default_universe_options();
     options.tolerance_mode = value;
     EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_UNKNOWN_VALUE,
@@ -105,9 +106,12 @@ TEST(UniverseParts, RefusesNullPointers) {
   const Scene scene;
   OutArray<abut_part_id> parts(4);
   Out<std::size_t> count;
-  EXPECT_TRUE(refused(abut_universe_parts(nullptr, parts.data(), 4, count.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_parts(scene.universe, nullptr, 4, count.address()), ABUT_NULL_ARGUMENT, {"parts", "null"}));
-  EXPECT_TRUE(refused(abut_universe_parts(scene.universe, parts.data(), 4, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(refused(abut_universe_parts(nullptr, parts.data(), 4, count.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_universe_parts(scene.universe, nullptr, 4, count.address()), ABUT_NULL_ARGUMENT, {"parts", "null"}));
+  EXPECT_TRUE(
+      refused(abut_universe_parts(scene.universe, parts.data(), 4, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
   EXPECT_TRUE(parts.is_untouched());
   EXPECT_TRUE(count.is_untouched());
 }
@@ -116,9 +120,12 @@ TEST(UniverseGeometries, RefusesNullPointers) {
   const Scene scene;
   OutArray<abut_geometry_id> geometries(4);
   Out<std::size_t> count;
-  EXPECT_TRUE(refused(abut_universe_geometries(nullptr, geometries.data(), 4, count.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_geometries(scene.universe, nullptr, 4, count.address()), ABUT_NULL_ARGUMENT, {"geometries", "null"}));
-  EXPECT_TRUE(refused(abut_universe_geometries(scene.universe, geometries.data(), 4, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(refused(abut_universe_geometries(nullptr, geometries.data(), 4, count.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_universe_geometries(scene.universe, nullptr, 4, count.address()), ABUT_NULL_ARGUMENT,
+                      {"geometries", "null"}));
+  EXPECT_TRUE(refused(abut_universe_geometries(scene.universe, geometries.data(), 4, nullptr), ABUT_NULL_ARGUMENT,
+                      {"count", "null"}));
   EXPECT_TRUE(geometries.is_untouched());
   EXPECT_TRUE(count.is_untouched());
 }
@@ -135,9 +142,12 @@ TEST(UniverseCounters, RefusesNullPointers) {
   const Scene scene;
   Out<const std::uint64_t*> geometries;
   Out<const std::uint64_t*> poses;
-  EXPECT_TRUE(refused(abut_universe_counters(nullptr, geometries.address(), poses.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_counters(scene.universe, nullptr, poses.address()), ABUT_NULL_ARGUMENT, {"geometries", "null"}));
-  EXPECT_TRUE(refused(abut_universe_counters(scene.universe, geometries.address(), nullptr), ABUT_NULL_ARGUMENT, {"poses", "null"}));
+  EXPECT_TRUE(refused(abut_universe_counters(nullptr, geometries.address(), poses.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_universe_counters(scene.universe, nullptr, poses.address()), ABUT_NULL_ARGUMENT,
+                      {"geometries", "null"}));
+  EXPECT_TRUE(refused(abut_universe_counters(scene.universe, geometries.address(), nullptr), ABUT_NULL_ARGUMENT,
+                      {"poses", "null"}));
   EXPECT_TRUE(geometries.is_untouched());
   EXPECT_TRUE(poses.is_untouched());
 }
@@ -146,9 +156,12 @@ TEST(UniverseContacts, RefusesNullPointers) {
   const Scene scene;
   Out<const abut_contact*> contacts;
   Out<std::size_t> count;
-  EXPECT_TRUE(refused(abut_universe_contacts(nullptr, contacts.address(), count.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_contacts(scene.universe, nullptr, count.address()), ABUT_NULL_ARGUMENT, {"contacts", "null"}));
-  EXPECT_TRUE(refused(abut_universe_contacts(scene.universe, contacts.address(), nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(refused(abut_universe_contacts(nullptr, contacts.address(), count.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_universe_contacts(scene.universe, nullptr, count.address()), ABUT_NULL_ARGUMENT,
+                      {"contacts", "null"}));
+  EXPECT_TRUE(refused(abut_universe_contacts(scene.universe, contacts.address(), nullptr), ABUT_NULL_ARGUMENT,
+                      {"count", "null"}));
   EXPECT_TRUE(contacts.is_untouched());
   EXPECT_TRUE(count.is_untouched());
 }
@@ -157,7 +170,8 @@ TEST(ContactsSetUserData, RefusesNullPointers) {
   const Scene scene;
   const std::uint64_t value = 7;
   EXPECT_TRUE(refused(abut_contacts_set_user_data(nullptr, &value, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_contacts_set_user_data(scene.universe, nullptr, 1), ABUT_NULL_ARGUMENT, {"user_data", "null"}));
+  EXPECT_TRUE(
+      refused(abut_contacts_set_user_data(scene.universe, nullptr, 1), ABUT_NULL_ARGUMENT, {"user_data", "null"}));
   EXPECT_TRUE(scene.is_unchanged());
 }
 
@@ -197,7 +211,8 @@ TEST(UniverseStats, RefusesWrongStructSize) {
   const Scene scene;
   abut_step_stats good;
   abut_step_stats_init(&good, sizeof good);
-  expect_size_of_out_struct_checked(good, [&](abut_step_stats* out) { return abut_universe_stats(scene.universe, out); });
+  expect_size_of_out_struct_checked(good,
+                                    [&](abut_step_stats* out) { return abut_universe_stats(scene.universe, out); });
 }
 
 TEST(UniverseStats, AcceptsLaterStructWithZeroTail) {
@@ -214,9 +229,12 @@ TEST(UniverseExplain, RefusesNullPointers) {
   const Scene scene;
   OutArray<char> text(64);
   Out<std::size_t> needed;
-  EXPECT_TRUE(refused(abut_universe_explain(nullptr, text.data(), 64, needed.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_explain(scene.universe, nullptr, 64, needed.address()), ABUT_NULL_ARGUMENT, {"text", "null"}));
-  EXPECT_TRUE(refused(abut_universe_explain(scene.universe, text.data(), 64, nullptr), ABUT_NULL_ARGUMENT, {"needed", "null"}));
+  EXPECT_TRUE(refused(abut_universe_explain(nullptr, text.data(), 64, needed.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_universe_explain(scene.universe, nullptr, 64, needed.address()), ABUT_NULL_ARGUMENT,
+                      {"text", "null"}));
+  EXPECT_TRUE(
+      refused(abut_universe_explain(scene.universe, text.data(), 64, nullptr), ABUT_NULL_ARGUMENT, {"needed", "null"}));
   EXPECT_TRUE(text.is_untouched());
   EXPECT_TRUE(needed.is_untouched());
 }
@@ -225,21 +243,27 @@ TEST(UniverseExplainJson, RefusesNullPointers) {
   const Scene scene;
   OutArray<char> text(64);
   Out<std::size_t> needed;
-  EXPECT_TRUE(refused(abut_universe_explain_json(nullptr, text.data(), 64, needed.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_explain_json(scene.universe, nullptr, 64, needed.address()), ABUT_NULL_ARGUMENT, {"text", "null"}));
-  EXPECT_TRUE(refused(abut_universe_explain_json(scene.universe, text.data(), 64, nullptr), ABUT_NULL_ARGUMENT, {"needed", "null"}));
+  EXPECT_TRUE(refused(abut_universe_explain_json(nullptr, text.data(), 64, needed.address()), ABUT_NULL_ARGUMENT,
+                      {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_universe_explain_json(scene.universe, nullptr, 64, needed.address()), ABUT_NULL_ARGUMENT,
+                      {"text", "null"}));
+  EXPECT_TRUE(refused(abut_universe_explain_json(scene.universe, text.data(), 64, nullptr), ABUT_NULL_ARGUMENT,
+                      {"needed", "null"}));
   EXPECT_TRUE(text.is_untouched());
   EXPECT_TRUE(needed.is_untouched());
 }
 
 TEST(LayoutCount, IsNotZero) { EXPECT_GT(abut_layout_count(), 0U); }
 
-TEST(LayoutAt, RefusesNullOut) { EXPECT_TRUE(refused(abut_layout_at(0, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"})); }
+TEST(LayoutAt, RefusesNullOut) {
+  EXPECT_TRUE(refused(abut_layout_at(0, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+}
 
 TEST(LayoutAt, RefusesIndexPastTheEnd) {
   Out<abut_layout_entry> out;
   for (const std::size_t index : {abut_layout_count(), size_max}) {
-    EXPECT_TRUE(refused(abut_layout_at(index, out.address()), ABUT_INDEX_OUT_OF_RANGE, {"index", std::to_string(index)}));
+    EXPECT_TRUE(
+        refused(abut_layout_at(index, out.address()), ABUT_INDEX_OUT_OF_RANGE, {"index", std::to_string(index)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }

@@ -10,8 +10,10 @@ TEST(UniverseValidate, RefusesNullArguments) {
   std::size_t count = 7;
   abut_finding finding{};
   EXPECT_TRUE(refused(abut_universe_validate(nullptr, &finding, 1, &count), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_validate(scene.universe, &finding, 1, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
-  EXPECT_TRUE(refused(abut_universe_validate(scene.universe, nullptr, 1, &count), ABUT_NULL_ARGUMENT, {"findings", "null"}));
+  EXPECT_TRUE(
+      refused(abut_universe_validate(scene.universe, &finding, 1, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(
+      refused(abut_universe_validate(scene.universe, nullptr, 1, &count), ABUT_NULL_ARGUMENT, {"findings", "null"}));
   EXPECT_EQ(count, 7U);
 }
 
@@ -19,8 +21,8 @@ TEST(UniverseValidate, RefusesCountsThatOverflow) {
   const Scene scene;
   std::size_t count = 7;
   abut_finding finding{};
-  EXPECT_TRUE(refused(abut_universe_validate(scene.universe, &finding, size_max, &count),
-                      ABUT_SIZE_OVERFLOW, {"capacity"}));
+  EXPECT_TRUE(
+      refused(abut_universe_validate(scene.universe, &finding, size_max, &count), ABUT_SIZE_OVERFLOW, {"capacity"}));
   EXPECT_EQ(count, 7U);
 }
 

@@ -8,16 +8,29 @@ namespace {
 using namespace abut_test;
 
 TEST(StatusName, NamesEveryStatusAndNothingElse) {
-  constexpr std::array<std::string_view, 18> names{
-      "ABUT_OK",          "ABUT_INVALID_ARGUMENT",    "ABUT_NULL_ARGUMENT", "ABUT_NOT_FINITE",
-      "ABUT_OUT_OF_RANGE", "ABUT_ZERO_VECTOR",         "ABUT_NOT_UNIT",      "ABUT_INDEX_OUT_OF_RANGE",
-      "ABUT_SIZE_OVERFLOW", "ABUT_EMPTY",              "ABUT_STALE_ID",      "ABUT_WRONG_STRUCT_SIZE",
-      "ABUT_UNKNOWN_VALUE", "ABUT_UNSUPPORTED",        "ABUT_NOT_CONVERGED", "ABUT_OUT_OF_MEMORY",
-      "ABUT_INTERNAL",     "ABUT_BUSY"};
+  constexpr std::array<std::string_view, 18> names{"ABUT_OK",
+                                                   "ABUT_INVALID_ARGUMENT",
+                                                   "ABUT_NULL_ARGUMENT",
+                                                   "ABUT_NOT_FINITE",
+                                                   "ABUT_OUT_OF_RANGE",
+                                                   "ABUT_ZERO_VECTOR",
+                                                   "ABUT_NOT_UNIT",
+                                                   "ABUT_INDEX_OUT_OF_RANGE",
+                                                   "ABUT_SIZE_OVERFLOW",
+                                                   "ABUT_EMPTY",
+                                                   "ABUT_STALE_ID",
+                                                   "ABUT_WRONG_STRUCT_SIZE",
+                                                   "ABUT_UNKNOWN_VALUE",
+                                                   "ABUT_UNSUPPORTED",
+                                                   "ABUT_NOT_CONVERGED",
+                                                   "ABUT_OUT_OF_MEMORY",
+                                                   "ABUT_INTERNAL",
+                                                   "ABUT_BUSY"};
   for (std::size_t status = 0; status < names.size(); ++status) {
     EXPECT_EQ(abut_status_name(static_cast<abut_status>(status)), names.at(status));
   }
-  for (const abut_status none : {-1, 18, 1000, std::numeric_limits<abut_status>::min(), std::numeric_limits<abut_status>::max()}) {
+  for (const abut_status none :
+       {-1, 18, 1000, std::numeric_limits<abut_status>::min(), std::numeric_limits<abut_status>::max()}) {
     EXPECT_STREQ(abut_status_name(none), "unknown") << none;
   }
 }

@@ -4,5 +4,5 @@
 #include <abut/picking.h>
 #include <abut/abut.h>
 
-abut_status abut_header_test(abut_universe *universe);
-abut_status abut_header_test(abut_universe *universe) { return abut_universe_step(universe, 0.0); }
+abut_status abut_header_test(abut_universe* universe);
+abut_status abut_header_test(abut_universe* universe) { return abut_universe_step(universe, 0.0); }

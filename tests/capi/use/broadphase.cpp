@@ -35,7 +35,8 @@ class Twins {
     if (ids_.empty()) return;
     const auto index = static_cast<std::ptrdiff_t>(random_() % ids_.size());
     for (std::size_t twin = 0; twin < 2; ++twin) {
-      EXPECT_TRUE(succeeded(abut_part_destroy(*universes_.at(twin), ids_.at(static_cast<std::size_t>(index)).at(twin))));
+      EXPECT_TRUE(
+          succeeded(abut_part_destroy(*universes_.at(twin), ids_.at(static_cast<std::size_t>(index)).at(twin))));
     }
     ids_.erase(ids_.begin() + index);
   }
@@ -59,7 +60,8 @@ class Twins {
     std::array<std::set<Key>, 2> found;
     for (std::size_t twin = 0; twin < 2; ++twin) {
       for (const abut_contact& c : universes_.at(twin)->step()) {
-        found.at(twin).insert({c.geometry_a.slot, c.geometry_b.slot, c.id, c.distance, c.point_a.x, c.point_b.y, c.normal.z});
+        found.at(twin).insert(
+            {c.geometry_a.slot, c.geometry_b.slot, c.id, c.distance, c.point_a.x, c.point_b.y, c.normal.z});
       }
     }
     EXPECT_EQ(found[0], found[1]);
@@ -85,7 +87,9 @@ class Twins {
     ids_.push_back(pair);
   }
 
-  double number(double low, double high) { return low + (high - low) * static_cast<double>(random_() >> 11U) * 0x1p-53; }
+  double number(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_() >> 11U) * 0x1p-53;
+  }
 
   abut_pose pose() {
     const double half = number(0, std::numbers::pi);

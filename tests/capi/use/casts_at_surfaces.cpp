@@ -83,8 +83,9 @@ Cast make_cast(const Surface& surface, Numbers& random) {
   switch (random.below(3)) {
     case 0: return {{start, no_rotation}, {0, 0, -length}};
     case 1: return {{start, no_rotation}, times(length, {random.between(-0.3, 0.3), random.between(-0.3, 0.3), -1})};
-    default: return {{start, no_rotation}, times(length, {random.between(-1, 1), random.between(-1, 1),
-                                                          random.between(-1, 1)})};
+    default:
+      return {{start, no_rotation},
+              times(length, {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)})};
   }
 }
 
@@ -102,9 +103,9 @@ Crossing crossing_of(const Surface& surface, const Cast& cast) {
     const double square = dot(normal, normal), against = dot(normal, cast.displacement);
     const double fraction = dot(normal, minus(a, cast.pose.position)) / against;
     const abut_vec3 point = plus(cast.pose.position, times(fraction, cast.displacement));
-    const double inside = std::min({dot(normal, cross(minus(b, a), minus(point, a))),
-                                    dot(normal, cross(minus(c, b), minus(point, b))),
-                                    dot(normal, cross(minus(a, c), minus(point, c)))});
+    const double inside =
+        std::min({dot(normal, cross(minus(b, a), minus(point, a))), dot(normal, cross(minus(c, b), minus(point, b))),
+                  dot(normal, cross(minus(a, c), minus(point, c)))});
     if (!(fraction > -near && fraction < 1 + near && inside > -near * square)) continue;
     first.is_clear = first.is_clear && inside > near * square && fraction > near && fraction < 1 - near &&
                      std::abs(against) > 1e-6 * std::sqrt(square * dot(cast.displacement, cast.displacement));
@@ -139,8 +140,8 @@ TEST(CastOfAPoint, MeetsTheFirstSideThatStops) {
     const Crossing crossing = crossing_of(surface, cast);
     if (!crossing.is_clear) continue;
     const Cast still{identity, {0, 0, 0}}, back{identity, times(-1, cast.displacement)};
-    for (const Answer& answer : {ask_pair(point, cast, surface.shape, still),
-                                 ask_pair(point, {cast.pose, {0, 0, 0}}, surface.shape, back)}) {
+    for (const Answer& answer :
+         {ask_pair(point, cast, surface.shape, still), ask_pair(point, {cast.pose, {0, 0, 0}}, surface.shape, back)}) {
       ASSERT_EQ(answer.is_met, crossing.fraction < 2) << "cast " << i;
       if (answer.is_met) {
         ASSERT_NEAR(answer.hit.fraction, crossing.fraction, 1e-9) << "cast " << i;
@@ -178,8 +179,8 @@ TEST(CastOfAUniverse, IsThatOfThePair) {
                                        1, &count));
       ASSERT_EQ(count, pair.is_met ? 1U : 0U) << "cast " << i;
       ASSERT_EQ(hit.fraction, pair.hit.fraction) << "cast " << i;
-      const Answer other = ask_pair(surface.shape, {still.pose, times(-1, cast.displacement)}, shape,
-                                    {cast.pose, {0, 0, 0}});
+      const Answer other =
+          ask_pair(surface.shape, {still.pose, times(-1, cast.displacement)}, shape, {cast.pose, {0, 0, 0}});
       ASSERT_EQ(other.is_met, pair.is_met) << "cast " << i;
       ASSERT_NEAR(other.hit.fraction, pair.hit.fraction, 1e-9 + 1e-13 * far) << "cast " << i;
       met += pair.is_met ? 1 : 0;

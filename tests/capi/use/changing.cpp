@@ -143,7 +143,8 @@ TEST(Sensors, AreFlaggedInContactsAndEvents) {
       EXPECT_EQ(scene.step(), letters);
       EXPECT_EQ(scene.universe.events().at(0).flags, abut_event_flags{ABUT_EVENT_SENSOR});
       ASSERT_EQ(scene.universe.contacts().size(), 4U);
-      for (const abut_contact& contact : scene.universe.contacts()) EXPECT_EQ(contact.flags, abut_contact_flags{ABUT_CONTACT_SENSOR});
+      for (const abut_contact& contact : scene.universe.contacts())
+        EXPECT_EQ(contact.flags, abut_contact_flags{ABUT_CONTACT_SENSOR});
     }
     scene.universe.move(scene.part, at(0, 0, 5));
     EXPECT_EQ(scene.step(), "e");

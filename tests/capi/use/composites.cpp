@@ -36,7 +36,8 @@ TEST(Composite, MeetsAsItsChildrenDo) {
   for (const int count : {1, 3, 8, 9, 20}) {
     const Row row(count);
     for (int i = 0; i < 200; ++i) {
-      const abut_pose pose = turned(0.55 * count * (1 + place(random)), place(random), place(random), 3 * place(random));
+      const abut_pose pose =
+          turned(0.55 * count * (1 + place(random)), place(random), place(random), 3 * place(random));
       const Shape other = i % 2 == 0 ? make_sphere(0.5) : make_box(0.3, 0.8, 0.2);
       double least = std::numeric_limits<double>::infinity();
       std::size_t contacts = 0;
@@ -54,7 +55,8 @@ TEST(Composite, NamesTheChildrenThatTouch) {
   const Row row(12);
   const Shape probe = make_sphere(0.3);
   for (std::size_t k = 0; k < row.children.size(); ++k) {
-    const auto found = contacts_of(probe, at(row.poses[k].position.x, row.poses[k].position.y, row.poses[k].position.z), row.whole, identity);
+    const auto found = contacts_of(probe, at(row.poses[k].position.x, row.poses[k].position.y, row.poses[k].position.z),
+                                   row.whole, identity);
     ASSERT_FALSE(found.empty());
     bool is_named = false;
     for (const abut_contact& contact : found) {
@@ -120,10 +122,12 @@ TEST(Composite, OfTerrainAndSolidsMeetsWhatItCan) {
   const Shape ball = make_sphere(1);
   const Shape whole = make_composite({plane, ball}, {identity, at(0, 0, 3)});
   EXPECT_NEAR(distance_of(whole, identity, ball, at(5, 0, 2)), 1, 1e-12);
-  EXPECT_NEAR(distance_of(whole, identity, plane, at(0, 0, -5)), 7, 1e-12) << "planes do not meet planes, the ball does";
+  EXPECT_NEAR(distance_of(whole, identity, plane, at(0, 0, -5)), 7, 1e-12)
+      << "planes do not meet planes, the ball does";
   const Shape planes = make_composite({plane}, {identity});
   abut_distance found{};
-  EXPECT_TRUE(refused(abut_pair_distance(planes, &identity, plane, &identity, nullptr, &found), ABUT_UNSUPPORTED, {"composite", "plane"}));
+  EXPECT_TRUE(refused(abut_pair_distance(planes, &identity, plane, &identity, nullptr, &found), ABUT_UNSUPPORTED,
+                      {"composite", "plane"}));
 }
 
 TEST(Composite, IsMetByRays) {
@@ -161,8 +165,8 @@ TEST(Composite, ComesFromNumbersToo) {
 
 TEST(Composite, NumbersThatDoNotAddUpAreRefusedByName) {
   const std::uint32_t sphere = abut_shape_kind_by_name("sphere");
-  const auto refuses = [](const std::vector<double>& reals, const std::vector<std::uint32_t>& indices, abut_status status,
-                          std::initializer_list<std::string_view> words) {
+  const auto refuses = [](const std::vector<double>& reals, const std::vector<std::uint32_t>& indices,
+                          abut_status status, std::initializer_list<std::string_view> words) {
     expect_kind_refused("composite", {}, reals, indices, status, words);
   };
   const std::vector<double> ball{0, 0, 0, 1, 0, 0, 0, 0.5};
@@ -174,7 +178,8 @@ TEST(Composite, NumbersThatDoNotAddUpAreRefusedByName) {
   refuses({0, 0, 0, 0, 0, 0, 0, 0.5}, {sphere, 1, 0, 0}, ABUT_ZERO_VECTOR, {"child 0", "orientation"});
   refuses({0, 0, 0, 1, 0, 0, 0, -0.5}, {sphere, 1, 0, 0}, ABUT_OUT_OF_RANGE, {"child 0", "radius", "-0.5"});
   refuses(ball, {60001, 1, 0, 0}, ABUT_UNKNOWN_VALUE, {"child 0", "kind", "60001"});
-  refuses({std::numeric_limits<double>::quiet_NaN(), 0, 0, 1, 0, 0, 0, 0.5}, {sphere, 1, 0, 0}, ABUT_NOT_FINITE, {"child 0", "pose"});
+  refuses({std::numeric_limits<double>::quiet_NaN(), 0, 0, 1, 0, 0, 0, 0.5}, {sphere, 1, 0, 0}, ABUT_NOT_FINITE,
+          {"child 0", "pose"});
 }
 
 }  // namespace

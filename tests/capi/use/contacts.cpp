@@ -47,7 +47,8 @@ TEST(Contacts, KeepTheRecordsPromises) {
     EXPECT_EQ(contact.flags, 0U);
     EXPECT_EQ(contact.age, 0U);
     EXPECT_EQ(contact.user_data, 0U);
-    EXPECT_TRUE(ids.insert({contact.geometry_a.slot, contact.geometry_b.slot, contact.id}).second) << "ids differ within a pair";
+    EXPECT_TRUE(ids.insert({contact.geometry_a.slot, contact.geometry_b.slot, contact.id}).second)
+        << "ids differ within a pair";
   }
 }
 
@@ -144,8 +145,10 @@ TEST(Contacts, OfAPairSwapWithItsShapes) {
       EXPECT_NEAR(ab.distance, ba.distance, 1e-9) << i << " against " << j;
       std::size_t count_ab = 0;
       std::size_t count_ba = 0;
-      ASSERT_EQ(abut_pair_contacts(shapes.at(i), &identity, shapes.at(j), &other, nullptr, nullptr, 0, &count_ab), abut_status{ABUT_OK});
-      ASSERT_EQ(abut_pair_contacts(shapes.at(j), &other, shapes.at(i), &identity, nullptr, nullptr, 0, &count_ba), abut_status{ABUT_OK});
+      ASSERT_EQ(abut_pair_contacts(shapes.at(i), &identity, shapes.at(j), &other, nullptr, nullptr, 0, &count_ab),
+                abut_status{ABUT_OK});
+      ASSERT_EQ(abut_pair_contacts(shapes.at(j), &other, shapes.at(i), &identity, nullptr, nullptr, 0, &count_ba),
+                abut_status{ABUT_OK});
       EXPECT_EQ(count_ab, count_ba) << i << " against " << j;
     }
   }
@@ -187,8 +190,8 @@ TEST(Contacts, OfOnePairAreCapped) {
   options.max_pair_contacts = 8;
   std::vector<abut_contact> some(all.size());
   std::size_t count = 0;
-  ASSERT_TRUE(succeeded(
-      abut_pair_contacts(globe, &identity, ball, &identity, &options, some.data(), some.size(), &count)));
+  ASSERT_TRUE(
+      succeeded(abut_pair_contacts(globe, &identity, ball, &identity, &options, some.data(), some.size(), &count)));
   EXPECT_EQ(count, 8U);
   some.resize(count);
   EXPECT_EQ(least_distance(some), least_distance(all));

@@ -7,7 +7,8 @@ namespace {
 
 using namespace abut_test;
 
-// Asks `call`, a callable (Value* values, size_t capacity, size_t* count) that has `expected` answers, every way there is.
+// Asks `call`, a callable (Value* values, size_t capacity, size_t* count) that has `expected` answers, every way there
+// is.
 template <class Value, class Call>
 void check_count_then_fill(std::size_t expected, Call call) {
   std::size_t count = 99;
@@ -35,15 +36,15 @@ TEST(CountThenFill, Geometries) {
   const abut_part_id part = universe.add_part(identity);
   for (int i = 0; i < 3; ++i) universe.add_geometry(part, ball);
   check_count_then_fill<abut_geometry_id>(3, [&](auto... rest) { return abut_universe_geometries(universe, rest...); });
-  check_count_then_fill<abut_geometry_id>(3, [&](auto... rest) { return abut_part_geometries(universe, part, rest...); });
+  check_count_then_fill<abut_geometry_id>(3,
+                                          [&](auto... rest) { return abut_part_geometries(universe, part, rest...); });
 }
 
 TEST(CountThenFill, ContactsOfAPair) {
   const Shape block = make_box(1, 1, 1);
   const abut_pose other = at(0, 0, 1.9);
-  check_count_then_fill<abut_contact>(4, [&](auto... rest) {
-    return abut_pair_contacts(block, &identity, block, &other, nullptr, rest...);
-  });
+  check_count_then_fill<abut_contact>(
+      4, [&](auto... rest) { return abut_pair_contacts(block, &identity, block, &other, nullptr, rest...); });
 }
 
 TEST(CountThenFill, ShortArraysHoldTheDeepestContacts) {
@@ -70,12 +71,14 @@ TEST(CountThenFill, Triangles) {
   EXPECT_EQ(triangle_count, 2U);
   OutArray<double> xyz(15);
   OutArray<std::uint32_t> triangles(9);
-  ASSERT_TRUE(succeeded(abut_shape_triangles(mesh, xyz.data(), 3, &vertex_count, triangles.data(), 1, &triangle_count)));
+  ASSERT_TRUE(
+      succeeded(abut_shape_triangles(mesh, xyz.data(), 3, &vertex_count, triangles.data(), 1, &triangle_count)));
   EXPECT_EQ(vertex_count, 4U);
   EXPECT_EQ(triangle_count, 2U);
   EXPECT_TRUE(xyz.is_untouched_from(9));
   EXPECT_TRUE(triangles.is_untouched_from(3));
-  ASSERT_TRUE(succeeded(abut_shape_triangles(mesh, xyz.data(), 4, &vertex_count, triangles.data(), 2, &triangle_count)));
+  ASSERT_TRUE(
+      succeeded(abut_shape_triangles(mesh, xyz.data(), 4, &vertex_count, triangles.data(), 2, &triangle_count)));
   EXPECT_EQ(triangles[5], 3U);
   EXPECT_EQ(xyz[9], -1.0);
 }
@@ -99,10 +102,12 @@ TEST(CountThenFill, TrianglesAreTheFeaturesOfRays) {
     ASSERT_TRUE(succeeded(abut_shape_triangles(shape, nullptr, 0, &vertex_count, nullptr, 0, &triangle_count)));
     std::vector<double> xyz(vertex_count * 3);
     std::vector<std::uint32_t> triangles(triangle_count * 3);
-    ASSERT_TRUE(succeeded(abut_shape_triangles(shape, xyz.data(), vertex_count, &vertex_count, triangles.data(), triangle_count,
-                                               &triangle_count)));
+    ASSERT_TRUE(succeeded(abut_shape_triangles(shape, xyz.data(), vertex_count, &vertex_count, triangles.data(),
+                                               triangle_count, &triangle_count)));
     for (std::uint32_t triangle = 0; triangle < triangle_count; ++triangle) {
-      const auto corner = [&](std::size_t c, std::size_t axis) { return xyz.at(std::size_t{triangles.at(3 * triangle + c)} * 3 + axis); };
+      const auto corner = [&](std::size_t c, std::size_t axis) {
+        return xyz.at(std::size_t{triangles.at(3 * triangle + c)} * 3 + axis);
+      };
       std::array<double, 3> middle{};
       std::array<double, 3> u{};
       std::array<double, 3> v{};
@@ -115,14 +120,16 @@ TEST(CountThenFill, TrianglesAreTheFeaturesOfRays) {
       const double length = std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
       const double step = 0.01 / length;
       const abut_ray ray{{middle[0] + step * normal.x, middle[1] + step * normal.y, middle[2] + step * normal.z},
-                         {-normal.x, -normal.y, -normal.z}, 0.02};
+                         {-normal.x, -normal.y, -normal.z},
+                         0.02};
       abut_ray_hit hit{};
       std::uint32_t found = 0;
       ASSERT_TRUE(succeeded(abut_shape_cast_ray(shape, &identity, &ray, &hit, &found)));
       ASSERT_EQ(found, 1U);
       EXPECT_NEAR(hit.distance, 0.01, 1e-12);
       EXPECT_EQ(hit.feature.kind, abut_feature_kind{ABUT_FEATURE_FACE});
-      if (numbers_its_triangles(shape)) EXPECT_EQ(hit.feature.index, triangle) << abut_shape_kind_name(abut_shape_kind_of(shape));
+      if (numbers_its_triangles(shape))
+        EXPECT_EQ(hit.feature.index, triangle) << abut_shape_kind_name(abut_shape_kind_of(shape));
       EXPECT_NEAR(hit.normal.x * normal.x + hit.normal.y * normal.y + hit.normal.z * normal.z, length, 1e-9);
     }
   }

@@ -1,5 +1,5 @@
-// Detections of some pairs and of some regions: together with a full one they find what a full one would have found from the
-// start. CI-3 of the specification.
+// Detections of some pairs and of some regions: together with a full one they find what a full one would have found
+// from the start. CI-3 of the specification.
 #include <cmath>
 
 #include "bad_values.hpp"
@@ -23,8 +23,11 @@ abut_universe_options options_of(abut_broadphase broadphase) {
 using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint64_t, std::array<double, 10>>;
 
 Key key_of(const abut_contact& c) {
-  return {c.geometry_a.slot, c.geometry_b.slot, c.id,
-          {c.distance, c.point_a.x, c.point_a.y, c.point_a.z, c.point_b.x, c.point_b.y, c.point_b.z, c.normal.x, c.normal.y, c.normal.z}};
+  return {c.geometry_a.slot,
+          c.geometry_b.slot,
+          c.id,
+          {c.distance, c.point_a.x, c.point_a.y, c.point_a.z, c.point_b.x, c.point_b.y, c.point_b.z, c.normal.x,
+           c.normal.y, c.normal.z}};
 }
 
 std::vector<Key> keys_of(const std::vector<abut_contact>& contacts) {
@@ -80,7 +83,8 @@ class PartialDetection : public testing::TestWithParam<abut_broadphase> {
     for (std::size_t i = 0; i < a.size(); ++i) given.insert(std::minmax(a.at(i).slot, b.at(i).slot));
     for (const Slots& pair : given) {
       const auto expected = all.find(pair);
-      ASSERT_EQ(found[pair], expected == all.end() ? std::vector<Key>{} : expected->second) << "a given pair is as of now";
+      ASSERT_EQ(found[pair], expected == all.end() ? std::vector<Key>{} : expected->second)
+          << "a given pair is as of now";
       if (expected != all.end()) ++given_that_touch;
       found.erase(pair);
     }
@@ -127,7 +131,8 @@ TEST_P(PartialDetection, FindsWhatAFullOneFinds) {
     } else if (round % 4 == 1) {
       detect_a_region();
     } else if (round % 4 == 3) {
-      ASSERT_TRUE(succeeded(round % 8 == 3 ? abut_universe_detect_changed(partial.universe()) : abut_universe_detect_all(partial.universe())));
+      ASSERT_TRUE(succeeded(round % 8 == 3 ? abut_universe_detect_changed(partial.universe())
+                                           : abut_universe_detect_all(partial.universe())));
       ASSERT_EQ(keys_of(partial.universe().contacts()), keys_of(full.universe().contacts())) << "round " << round;
       contacts += full.universe().contacts().size();
     }
@@ -155,7 +160,9 @@ TEST(Detections, DoNotDependOnTheWayToAScene) {
   Universe edited, made;
   std::vector<abut_part_id> parts;
   for (int i = 0; i < 40; ++i) {
-    const auto where = [&](double shift) { return at(std::fmod(0.37 * i + shift, 2.0), std::fmod(0.71 * i, 2.0), std::fmod(0.53 * i, 2.0)); };
+    const auto where = [&](double shift) {
+      return at(std::fmod(0.37 * i + shift, 2.0), std::fmod(0.71 * i, 2.0), std::fmod(0.53 * i, 2.0));
+    };
     parts.push_back(edited.add_part(where(0.9)));
     const abut_geometry_id geometry = edited.add_geometry(parts.back(), cube);
     edited.park(geometry, ABUT_PARKING_LONG_TERM);

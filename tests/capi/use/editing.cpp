@@ -62,8 +62,8 @@ TEST(SetParameters, KeepsContactsWhoseFeaturesSurvive) {
   const std::vector<abut_contact> after = scene.universe.contacts();
   ASSERT_EQ(after.size(), 4U);
   for (const abut_contact& contact : after) {
-    const auto same = std::find_if(before.begin(), before.end(),
-                                   [&](const abut_contact& each) { return each.id == contact.id; });
+    const auto same =
+        std::find_if(before.begin(), before.end(), [&](const abut_contact& each) { return each.id == contact.id; });
     ASSERT_NE(same, before.end());
     EXPECT_EQ(contact.age, 1U);
     EXPECT_EQ(contact.user_data, values.at(static_cast<std::size_t>(same - before.begin())));
@@ -76,7 +76,9 @@ TEST(SetParameters, EndsWhatNoLongerTouches) {
   Standing scene;
   scene.step();
   ASSERT_TRUE(resize(scene.universe, scene.cube, {1, 1, 0.5}));
-  EXPECT_EQ(scene.step(), "eececec" "ec");
+  EXPECT_EQ(scene.step(),
+            "eececec"
+            "ec");
   ASSERT_TRUE(resize(scene.universe, scene.cube, {1, 1, 1.5}));
   EXPECT_EQ(scene.step(), "bbcbcbcbc");
   EXPECT_NEAR(scene.universe.contacts().at(0).distance, -0.5, 1e-12);
@@ -154,7 +156,9 @@ TEST(SetParameters, GoesForParkedGeometries) {
     scene.step();
     scene.universe.park(scene.cube, parking);
     ASSERT_TRUE(resize(scene.universe, scene.cube, {1, 1, 0.25}));
-    EXPECT_EQ(scene.step(), "eececec" "ec");
+    EXPECT_EQ(scene.step(),
+              "eececec"
+              "ec");
     scene.universe.park(scene.cube, ABUT_PARKING_NONE);
     EXPECT_EQ(scene.step(), "") << "it is smaller now";
     scene.universe.park(scene.cube, parking);
@@ -166,8 +170,8 @@ TEST(SetParameters, GoesForParkedGeometries) {
 
 TEST(SetParameters, OfABatchTheLastOneCounts) {
   Universe universe;
-  const abut_geometry_id one = universe.add(make_box(1, 1, 1), identity), other =
-      universe.add(make_box(1, 1, 1), at(9, 0, 0));
+  const abut_geometry_id one = universe.add(make_box(1, 1, 1), identity),
+                         other = universe.add(make_box(1, 1, 1), at(9, 0, 0));
   const std::array ids{one, other, one};
   const std::array<double, 9> sizes{1, 2, 3, 4, 5, 6, 7, 8, 9};
   ASSERT_TRUE(succeeded(abut_geometries_set_parameters(universe, ids.data(), sizes.data(), 3, 3)));
@@ -188,8 +192,8 @@ TEST(SetParameters, WakesTheIsland) {
 TEST(SetHeights, WakesWhatStandsOnTheField) {
   Room room;
   const abut_part_id ground = room.universe.add_part(at(9, 9, 0), ABUT_MOTION_STATIC);
-  const abut_geometry_id terrain = room.universe.add_geometry(ground,
-      make_of_kind("height_field", {3, 3, 1, 1}, std::vector(9, 0.0)));
+  const abut_geometry_id terrain =
+      room.universe.add_geometry(ground, make_of_kind("height_field", {3, 3, 1, 1}, std::vector(9, 0.0)));
   const abut_part_id box = room.add_box(at(10, 10, 0.49));
   room.step(until_asleep);
   ASSERT_TRUE(room.is_asleep(box));

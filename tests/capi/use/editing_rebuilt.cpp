@@ -59,8 +59,11 @@ std::vector<Model> make_models(Numbers& random) {
     models.push_back({"particles", {set == 0 ? 0.08 : 0.0}, balls, place(), ABUT_MOTION_DYNAMIC});
   }
   for (int i = 0; i < 8; ++i) {
-    models.push_back({"box", {random.between(0.1, 0.5), random.between(0.1, 0.5), random.between(0.1, 0.5)}, {},
-                      place(), ABUT_MOTION_DYNAMIC});
+    models.push_back({"box",
+                      {random.between(0.1, 0.5), random.between(0.1, 0.5), random.between(0.1, 0.5)},
+                      {},
+                      place(),
+                      ABUT_MOTION_DYNAMIC});
     models.push_back({"sphere", {random.between(0.1, 0.5)}, {}, place(), ABUT_MOTION_DYNAMIC});
     models.push_back(
         {"cylinder", {random.between(0.1, 0.5), random.between(0.1, 0.5)}, {}, place(), ABUT_MOTION_DYNAMIC});
@@ -99,8 +102,8 @@ void resize(World& world, std::size_t at, Model& model, Numbers& random) {
 
 void change_heights(World& world, std::size_t at, Model& model, Numbers& random) {
   const std::uint32_t column = random.below(columns + 1), row = random.below(rows + 1);
-  const std::uint32_t wide = random.below(std::min(columns - column, 3U) + 1), high =
-      random.below(std::min(rows - row, 3U) + 1);
+  const std::uint32_t wide = random.below(std::min(columns - column, 3U) + 1),
+                      high = random.below(std::min(rows - row, 3U) + 1);
   const double depth = random.below(8) == 0 ? 0.5 : 0.15;
   std::vector<double> heights;
   for (std::uint32_t j = row; j < row + high; ++j) {
@@ -115,8 +118,8 @@ void change_heights(World& world, std::size_t at, Model& model, Numbers& random)
 void move_particles(World& world, std::size_t at, Model& model, Numbers& random) {
   const bool has_radii = model.parameters[0] == 0;
   const bool changes_radii = has_radii && random.below(2) == 0;
-  const std::size_t first = random.below(particle_count + 1), count =
-      random.below(std::min<std::size_t>(particle_count - first, 6) + 1);
+  const std::size_t first = random.below(particle_count + 1),
+                    count = random.below(std::min<std::size_t>(particle_count - first, 6) + 1);
   std::vector<double> xyz, radii;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t its = (has_radii ? 4 : 3) * (first + i);
@@ -125,8 +128,8 @@ void move_particles(World& world, std::size_t at, Model& model, Numbers& random)
     }
     if (changes_radii) radii.push_back(model.reals.at(its + 3) = random.between(0.02, 0.12));
   }
-  require(abut_geometry_set_particles(world.universe, world.geometries[at], first, xyz.data(), changes_radii
-                                      ? radii.data() : nullptr, count));
+  require(abut_geometry_set_particles(world.universe, world.geometries[at], first, xyz.data(),
+                                      changes_radii ? radii.data() : nullptr, count));
 }
 
 void edit(World& world, std::vector<Model>& models, Numbers& random) {
@@ -167,8 +170,8 @@ void expect_same_contacts(const World& edited, const World& made) {
   const std::vector<abut_contact> one = edited.universe.contacts(), other = made.universe.contacts();
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
-    ASSERT_TRUE(is_same_contact(one[i], other[i])) << "contact " << i << " of " << one[i].geometry_a.slot << " and "
-        << one[i].geometry_b.slot;
+    ASSERT_TRUE(is_same_contact(one[i], other[i]))
+        << "contact " << i << " of " << one[i].geometry_a.slot << " and " << one[i].geometry_b.slot;
   }
 }
 

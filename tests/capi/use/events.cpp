@@ -7,7 +7,8 @@ using namespace abut_test;
 
 constexpr std::uint64_t seed = 20250114;
 
-abut_universe_options options_of(abut_broadphase broadphase, abut_event_bits events = ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST) {
+abut_universe_options options_of(abut_broadphase broadphase,
+                                 abut_event_bits events = ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST) {
   abut_universe_options options = default_universe_options();
   options.broadphase = broadphase;
   options.events = events;

@@ -39,7 +39,8 @@ TEST(Explain, WorksOnAnEmptyUniverse) {
 TEST(Explain, CutsTheTextAndTerminatesIt) {
   const Scene scene;
   const std::string whole = explain(scene.universe);
-  for (const std::size_t capacity : {std::size_t{1}, std::size_t{2}, std::size_t{17}, whole.size(), whole.size() + 1, whole.size() + 9}) {
+  for (const std::size_t capacity :
+       {std::size_t{1}, std::size_t{2}, std::size_t{17}, whole.size(), whole.size() + 1, whole.size() + 9}) {
     OutArray<char> text(whole.size() + 16);
     std::size_t needed = 0;
     ASSERT_TRUE(succeeded(abut_universe_explain(scene.universe, text.data(), capacity, &needed)));

@@ -65,7 +65,8 @@ void check_tolerance(abut_tolerance_mode mode, const std::vector<ToleranceCase>&
       const auto contacts = universe.step();
       EXPECT_EQ(contacts.size(), each.is_reported ? 1U : 0U)
           << "gap " << each.gap << ", tolerances " << each.tolerance_a << " and " << each.tolerance_b;
-      if (!contacts.empty()) EXPECT_NEAR(contacts[0].distance, each.gap, 1e-12) << "the distance stays that of the surfaces";
+      if (!contacts.empty())
+        EXPECT_NEAR(contacts[0].distance, each.gap, 1e-12) << "the distance stays that of the surfaces";
     }
   }
 }

@@ -207,7 +207,8 @@ TEST(Focus, OfMovingCentresAllocatesNothing) {
   }
 }
 
-std::string explain(const abut_universe* universe, abut_status (*ask)(const abut_universe*, char*, std::size_t, std::size_t*)) {
+std::string explain(const abut_universe* universe,
+                    abut_status (*ask)(const abut_universe*, char*, std::size_t, std::size_t*)) {
   std::size_t needed = 0;
   EXPECT_TRUE(succeeded(ask(universe, nullptr, 0, &needed)));
   std::string text(needed, '?');

@@ -1,4 +1,5 @@
-// The focus in a crowd: every tag of every step, under every broad phase and on several threads. FW-2 of the specification.
+// The focus in a crowd: every tag of every step, under every broad phase and on several threads. FW-2 of the
+// specification.
 #include <cmath>
 
 #include "support.hpp"
@@ -19,8 +20,8 @@ struct Numbers {
   }
 };
 
-// A crowd of cubes that move in eighths, with centres that now and then move too, and the tags that they should have. With
-// these distances no square of a distance between eighths comes near to a square of a border.
+// A crowd of cubes that move in eighths, with centres that now and then move too, and the tags that they should have.
+// With these distances no square of a distance between eighths comes near to a square of a border.
 class Crowd {
  public:
   Crowd(std::uint32_t threads, abut_broadphase broadphase) : universe(options_of(threads, broadphase)) {

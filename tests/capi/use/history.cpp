@@ -56,7 +56,8 @@ TEST(ContactHistory, UserDataStaysWithItsContact) {
   ASSERT_EQ(universe.step().size(), 5U);
   number_contacts(universe, 100);
   std::map<std::uint64_t, std::uint64_t> given;
-  for (const abut_contact& contact : universe.contacts()) given[contact.id ^ contact.geometry_b.slot] = contact.user_data;
+  for (const abut_contact& contact : universe.contacts())
+    given[contact.id ^ contact.geometry_b.slot] = contact.user_data;
   // A pair in between the others comes and goes.
   for (const double x : {0.0, 9.0, 0.0}) {
     const abut_pose pose = at(x, -1.9, 0);

@@ -52,7 +52,8 @@ TEST(Holes, ContactsAreWhereTheMaterialIs) {
   for (int i = 0; i < 20000; ++i) {
     const double radius = 0.05 + 0.1 * (i % 5), x = place(random), y = place(random), z = place(random);
     const double to_hole = std::hypot(x - 0.5, y, z) - 1;
-    const double out_x = std::max(0.0, std::fabs(x) - 2), out_y = std::max(0.0, std::fabs(y) - 2), out_z = std::max(0.0, std::fabs(z) - 2);
+    const double out_x = std::max(0.0, std::fabs(x) - 2), out_y = std::max(0.0, std::fabs(y) - 2),
+                 out_z = std::max(0.0, std::fabs(z) - 2);
     const double outside = std::hypot(out_x, out_y, out_z);
     const double to_solid = outside > 0 ? outside : std::max({std::fabs(x), std::fabs(y), std::fabs(z)}) - 2;
     const double gap = std::max(to_solid, -to_hole) - radius;
@@ -135,7 +136,8 @@ TEST(Holes, CutTheirOwnCompositeOnly) {
   const Shape body = hollow(sphere_hole(1.5));
   const Shape whole = make_composite({body, plug}, {identity, identity});
   const Shape marble = make_sphere(0.25);
-  EXPECT_FALSE(contacts_of(whole, identity, marble, identity).empty()) << "the plug is not in the composite of the hole";
+  EXPECT_FALSE(contacts_of(whole, identity, marble, identity).empty())
+      << "the plug is not in the composite of the hole";
   EXPECT_TRUE(contacts_of(whole, identity, marble, at(1, 0, 0)).empty());
   const Shape outer = make_composite({body, plug, sphere_hole(0.4)}, {identity, identity, at(3, 0, 0)});
   EXPECT_TRUE(contacts_of(outer, identity, make_sphere(0.1), at(1, 0, 0)).empty());
@@ -143,12 +145,16 @@ TEST(Holes, CutTheirOwnCompositeOnly) {
 
 TEST(Holes, CarryEveryConvexShape) {
   const Shape body = hollow(sphere_hole(1));
-  EXPECT_NEAR(deepest(contacts_of(body, identity, make_box(0.4, 0.3, 0.2), at(0.6, 0, 0))), 1 - std::hypot(1.0, 0.3, 0.2), 1e-12);
+  EXPECT_NEAR(deepest(contacts_of(body, identity, make_box(0.4, 0.3, 0.2), at(0.6, 0, 0))),
+              1 - std::hypot(1.0, 0.3, 0.2), 1e-12);
   EXPECT_NEAR(deepest(contacts_of(body, identity, make_capsule(0.25, 0.5), at(0, 0, 0.3))), 1 - 1.05, 1e-12);
   EXPECT_NEAR(deepest(contacts_of(body, identity, make_octahedron(0.5), at(0.6, 0, 0))), 1 - 1.1, 1e-12);
-  EXPECT_NEAR(deepest(contacts_of(body, identity, make_of_kind("cylinder", {0.3, 0.4}), at(0, 0, 0.6))), 1 - std::hypot(1.0, 0.3), 1e-9);
-  EXPECT_NEAR(deepest(contacts_of(body, identity, make_of_kind("ellipsoid", {0.3, 0.4, 0.5}), at(0, 0, 0.6))), 1 - 1.1, 1e-9);
-  EXPECT_NEAR(deepest(contacts_of(body, identity, make_of_kind("particles", {0.1}, {0, 0, 0, 0.95, 0, 0}), identity)), -0.05, 1e-12);
+  EXPECT_NEAR(deepest(contacts_of(body, identity, make_of_kind("cylinder", {0.3, 0.4}), at(0, 0, 0.6))),
+              1 - std::hypot(1.0, 0.3), 1e-9);
+  EXPECT_NEAR(deepest(contacts_of(body, identity, make_of_kind("ellipsoid", {0.3, 0.4, 0.5}), at(0, 0, 0.6))), 1 - 1.1,
+              1e-9);
+  EXPECT_NEAR(deepest(contacts_of(body, identity, make_of_kind("particles", {0.1}, {0, 0, 0, 0.95, 0, 0}), identity)),
+              -0.05, 1e-12);
 }
 
 // One outside, one on the outer face, one floating and one at the wall: each is judged by itself.
@@ -192,7 +198,8 @@ TEST(Holes, SaySoWhereTheyMeetNothing) {
   std::uint32_t answers = 2;
   for (const char* kind : {"sphere_hole", "cylinder_hole", "box_hole"}) {
     const abut_shape_kind hole = abut_shape_kind_by_name(kind);
-    for (const char* other : {"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "hull", "point", "segment", "triangle", "particles", "composite"}) {
+    for (const char* other : {"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "hull", "point", "segment",
+                              "triangle", "particles", "composite"}) {
       ASSERT_TRUE(succeeded(abut_pair_support(hole, abut_shape_kind_by_name(other), ABUT_QUERY_CONTACTS, &answers)));
       EXPECT_EQ(answers, 1U) << kind << " and " << other;
     }

@@ -68,9 +68,11 @@ TEST(HolesOfMany, OfBothSidesLeaveTheWalls) {
     ASSERT_TRUE(succeeded(is_swapped ? abut_pair_distance(bead, &place, body, &identity, nullptr, &distance)
                                      : abut_pair_distance(body, &identity, bead, &place, nullptr, &distance)));
     EXPECT_NEAR(distance.distance, -0.05, 1e-12);
-    // Where the bead is pierced it has no top that could poke through: the rim does, by the wall and not through the roof.
+    // Where the bead is pierced it has no top that could poke through: the rim does, by the wall and not through the
+    // roof.
     const double rim = 0.8 + std::sqrt(0.25 * 0.25 - 0.05 * 0.05);
-    const auto pierced = is_swapped ? contacts_of(bead, centre, body, identity) : contacts_of(body, identity, bead, centre);
+    const auto pierced =
+        is_swapped ? contacts_of(bead, centre, body, identity) : contacts_of(body, identity, bead, centre);
     EXPECT_NEAR(deepest(pierced), 1 - std::hypot(0.05, rim), 1e-12);
     for (const abut_contact& contact : pierced) {
       EXPECT_GT(is_swapped ? contact.normal.z : -contact.normal.z, 0.99);

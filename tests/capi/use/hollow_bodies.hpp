@@ -20,7 +20,9 @@ inline Shape hollow(const abut_shape* hole, const abut_pose& pose = identity) {
   return make_composite({block, hole}, {identity, pose});
 }
 inline Shape sphere_hole(double radius) { return make_of_kind("sphere_hole", {radius}); }
-inline Shape cylinder_hole(double radius, double half_height, double open) { return make_of_kind("cylinder_hole", {radius, half_height, open}); }
+inline Shape cylinder_hole(double radius, double half_height, double open) {
+  return make_of_kind("cylinder_hole", {radius, half_height, open});
+}
 inline Shape box_hole(double x, double y, double z, double open) { return make_of_kind("box_hole", {x, y, z, open}); }
 
 }  // namespace abut_test

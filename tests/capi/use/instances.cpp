@@ -24,8 +24,8 @@ class Crowd {
     ++steps_;
     for (int i = 0; i < bodies; ++i) universe.move(parts_.at(static_cast<std::size_t>(i)), pose_of(i, steps_));
     for (abut_contact contact : universe.step()) {
-      const bool is_ours = universe.describe(contact.geometry_a).part.slot != 0 &&
-                           universe.describe(contact.geometry_b).part.slot != 0;
+      const bool is_ours =
+          universe.describe(contact.geometry_a).part.slot != 0 && universe.describe(contact.geometry_b).part.slot != 0;
       EXPECT_TRUE(is_ours) << "a contact of another universe";
       contact.geometry_a.generation = contact.geometry_b.generation = 0;
       found.push_back(std::bit_cast<std::array<unsigned char, sizeof contact>>(contact));

@@ -7,7 +7,8 @@ using namespace abut_test;
 
 class ParkingOfBroadphase : public testing::TestWithParam<std::tuple<abut_broadphase, abut_parking>> {
  protected:
-  ParkingOfBroadphase() : parking(std::get<1>(GetParam())), universe_options(make_options()), universe(&universe_options) {
+  ParkingOfBroadphase()
+      : parking(std::get<1>(GetParam())), universe_options(make_options()), universe(&universe_options) {
     first = universe.add(ball, identity);
     part = universe.add_part(at(1, 0, 0));
     second = universe.add_geometry(part, ball);

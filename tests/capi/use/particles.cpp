@@ -57,7 +57,8 @@ TEST(Particles, MeetEachOtherOnce) {
   std::size_t expected = 0;
   for (std::size_t i = 0; i < 300; ++i) {
     for (std::size_t k = 0; k < 200; ++k) {
-      const double x = first[3 * i] - second[3 * k], y = first[3 * i + 1] - second[3 * k + 1], z = first[3 * i + 2] - second[3 * k + 2];
+      const double x = first[3 * i] - second[3 * k], y = first[3 * i + 1] - second[3 * k + 1],
+                   z = first[3 * i + 2] - second[3 * k + 2];
       expected += std::sqrt(x * x + y * y + z * z) <= 2 * radius ? 1 : 0;
     }
   }
@@ -94,7 +95,8 @@ TEST(Particles, AgainstASurfaceHaveAContactForEachDirection) {
   const Shape dust = make_of_kind("particles", {0.5}, {0.45, 0, 0.4});
   const auto found = contacts_of(dust, identity, corner, identity);
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_NEAR(std::fabs(found[0].normal.x * found[1].normal.x + found[0].normal.y * found[1].normal.y + found[0].normal.z * found[1].normal.z),
+  EXPECT_NEAR(std::fabs(found[0].normal.x * found[1].normal.x + found[0].normal.y * found[1].normal.y +
+                        found[0].normal.z * found[1].normal.z),
               0, 1e-9);
 }
 
@@ -108,7 +110,8 @@ TEST(Particles, AreMetByRays) {
     std::uniform_real_distribution<double> place(-1, 1);
     int hits = 0;
     for (int i = 0; i < 1000; ++i) {
-      const abut_ray ray{{3 * place(random), 3 * place(random), 3 * place(random)}, {place(random), place(random), place(random)}, 10};
+      const abut_ray ray{
+          {3 * place(random), 3 * place(random), 3 * place(random)}, {place(random), place(random), place(random)}, 10};
       double nearest = std::numeric_limits<double>::infinity();
       std::uint32_t which = 0, found = 0;
       abut_ray_hit hit{};

@@ -1,4 +1,5 @@
-// Policies: pairs of tags with algorithms, details and rates of their own over one broad phase. PL-02 of the specification.
+// Policies: pairs of tags with algorithms, details and rates of their own over one broad phase. PL-02 of the
+// specification.
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -191,7 +192,8 @@ std::vector<abut_contact> heap_under(const std::vector<std::uint32_t>& in_use) {
   }
   const Shape cube = make_box(0.5, 0.5, 0.5), hull = make_octahedron(0.7);
   for (std::uint32_t i = 0; i < 60; ++i) {
-    const abut_pose pose{{0.7 * (i % 4), 0.7 * (i / 4 % 4), 0.7 * (i / 16)}, {std::cos(0.3 * i), std::sin(0.3 * i), 0, 0}};
+    const abut_pose pose{{0.7 * (i % 4), 0.7 * (i / 4 % 4), 0.7 * (i / 16)},
+                         {std::cos(0.3 * i), std::sin(0.3 * i), 0, 0}};
     universe.add_geometry(universe.add_part(pose), i % 2 == 0 ? cube : hull, tagged(i % 3));
   }
   return universe.step();

@@ -17,7 +17,8 @@ struct Row {
   std::array<abut_geometry_id, 3> balls{};
 
   Row() {
-    for (std::size_t i = 0; i < balls.size(); ++i) balls.at(i) = universe.add(ball, at(4.0 * static_cast<double>(i), 0, 0));
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      balls.at(i) = universe.add(ball, at(4.0 * static_cast<double>(i), 0, 0));
     EXPECT_TRUE(succeeded(abut_universe_refresh(universe)));
   }
 };
@@ -64,7 +65,8 @@ TEST(QueriesInUse, AShortArrayGetsTheFirstHits) {
 
 TEST(QueriesInUse, BatchesOfRaysAnswerEach) {
   Row row;
-  const std::array<abut_ray, 3> rays{{{{0, 0, 9}, {0, 0, -1}, 20}, {{2, 0, 9}, {0, 0, -1}, 20}, {{8, 0, 9}, {0, 0, -1}, 8}}};
+  const std::array<abut_ray, 3> rays{
+      {{{0, 0, 9}, {0, 0, -1}, 20}, {{2, 0, 9}, {0, 0, -1}, 20}, {{8, 0, 9}, {0, 0, -1}, 8}}};
   OutArray<abut_query_hit> hits{4};
   ASSERT_TRUE(succeeded(abut_universe_cast_rays(row.universe, rays.data(), rays.size(), nullptr, hits.data())));
   EXPECT_TRUE(hits[0].geometry == row.balls[0]);
@@ -127,24 +129,24 @@ TEST(QueriesInUse, MovingShapesMeetTheFirst) {
   const abut_vec3 way{20, 0, 0};
   std::array<abut_cast_hit, 3> hits{};
   std::size_t count = 0;
-  ASSERT_TRUE(succeeded(
-      abut_universe_cast_shape(row.universe, box, &from, &way, nullptr, ABUT_HIT_NEAREST, hits.data(), hits.size(), &count)));
+  ASSERT_TRUE(succeeded(abut_universe_cast_shape(row.universe, box, &from, &way, nullptr, ABUT_HIT_NEAREST, hits.data(),
+                                                 hits.size(), &count)));
   ASSERT_EQ(count, 1U);
   EXPECT_TRUE(hits[0].geometry == row.balls[0]);
   EXPECT_NEAR(hits[0].fraction, 3.5 / 20, 1e-12);
   EXPECT_NEAR(hits[0].contact.normal.x, 1, 1e-6);
   EXPECT_NEAR(hits[0].contact.point_b.x, -1, 1e-9);
   EXPECT_LE(hits[0].contact.upper, 1e-9);
-  ASSERT_TRUE(succeeded(
-      abut_universe_cast_shape(row.universe, box, &from, &way, nullptr, ABUT_HIT_ALL, hits.data(), hits.size(), &count)));
+  ASSERT_TRUE(succeeded(abut_universe_cast_shape(row.universe, box, &from, &way, nullptr, ABUT_HIT_ALL, hits.data(),
+                                                 hits.size(), &count)));
   EXPECT_EQ(count, 3U);
   EXPECT_NEAR(hits[2].fraction, 11.5 / 20, 1e-12);
 
   const std::array<const abut_shape*, 2> shapes{box, box};
   const std::array<abut_pose, 2> poses{from, at(-5, 9, 0)};
   const std::array<abut_vec3, 2> ways{way, way};
-  ASSERT_TRUE(
-      succeeded(abut_universe_cast_shapes(row.universe, shapes.data(), poses.data(), ways.data(), 2, nullptr, hits.data())));
+  ASSERT_TRUE(succeeded(
+      abut_universe_cast_shapes(row.universe, shapes.data(), poses.data(), ways.data(), 2, nullptr, hits.data())));
   EXPECT_TRUE(hits[0].geometry == row.balls[0]);
   EXPECT_TRUE(hits[1].geometry == abut_geometry_id{});
 }
@@ -176,19 +178,19 @@ TEST(QueriesInUse, OverlapsComeAloneAndInBatches) {
   std::array<std::uint64_t, 4> offsets{};
   std::array<abut_geometry_id, 3> found{};
   std::size_t count = 0;
-  ASSERT_TRUE(
-      succeeded(abut_universe_overlaps(row.universe, probe, poses.data(), nullptr, 0, found.data(), found.size(), &count)));
+  ASSERT_TRUE(succeeded(
+      abut_universe_overlaps(row.universe, probe, poses.data(), nullptr, 0, found.data(), found.size(), &count)));
   EXPECT_EQ(count, 2U);
   EXPECT_TRUE(found[0] == row.balls[0] && found[1] == row.balls[1]);
-  ASSERT_TRUE(succeeded(abut_universe_overlaps_of_each(row.universe, shapes.data(), poses.data(), 3, nullptr, 0, offsets.data(),
-                                                       found.data(), found.size(), &count)));
+  ASSERT_TRUE(succeeded(abut_universe_overlaps_of_each(row.universe, shapes.data(), poses.data(), 3, nullptr, 0,
+                                                       offsets.data(), found.data(), found.size(), &count)));
   EXPECT_EQ(count, 3U);
   EXPECT_EQ(offsets, (std::array<std::uint64_t, 4>{0, 2, 2, 3}));
   EXPECT_TRUE(found[2] == row.balls[2]);
   // Too little room: the offsets are whole all the same.
   OutArray<abut_geometry_id> few{3};
-  ASSERT_TRUE(succeeded(abut_universe_overlaps_of_each(row.universe, shapes.data(), poses.data(), 3, nullptr, 0, offsets.data(),
-                                                       few.data(), 1, &count)));
+  ASSERT_TRUE(succeeded(abut_universe_overlaps_of_each(row.universe, shapes.data(), poses.data(), 3, nullptr, 0,
+                                                       offsets.data(), few.data(), 1, &count)));
   EXPECT_EQ(count, 3U);
   EXPECT_EQ(offsets[3], 3U);
   EXPECT_TRUE(few[0] == row.balls[0] && few.is_untouched_from(1));
@@ -200,8 +202,8 @@ TEST(QueriesInUse, PointsAreFoundInSolids) {
   std::array<std::uint64_t, 4> offsets{};
   std::array<abut_geometry_id, 3> found{};
   std::size_t count = 0;
-  ASSERT_TRUE(
-      succeeded(abut_universe_at_points(row.universe, points.data(), 3, nullptr, offsets.data(), found.data(), 3, &count)));
+  ASSERT_TRUE(succeeded(
+      abut_universe_at_points(row.universe, points.data(), 3, nullptr, offsets.data(), found.data(), 3, &count)));
   EXPECT_EQ(offsets, (std::array<std::uint64_t, 4>{0, 1, 1, 2}));
   EXPECT_TRUE(found[0] == row.balls[0] && found[1] == row.balls[2]);
   ASSERT_TRUE(succeeded(abut_universe_at_point(row.universe, points.data(), nullptr, found.data(), 3, &count)));
@@ -224,7 +226,8 @@ TEST(QueriesInUse, TheClosestIsFound) {
   const std::array<const abut_shape*, 2> shapes{probe, probe};
   const std::array<abut_pose, 2> poses{pose, at(0, 0, 50)};
   std::array<abut_closest, 2> each{};
-  ASSERT_TRUE(succeeded(abut_universe_closest_to_each(row.universe, shapes.data(), poses.data(), 2, 4, nullptr, each.data())));
+  ASSERT_TRUE(
+      succeeded(abut_universe_closest_to_each(row.universe, shapes.data(), poses.data(), 2, 4, nullptr, each.data())));
   EXPECT_TRUE(each[0].geometry == row.balls[1]);
   EXPECT_TRUE(each[1].geometry == abut_geometry_id{});
 }

@@ -38,7 +38,9 @@ abut_universe_options with_local_points() {
   return options;
 }
 
-std::vector<abut_local_points> local_points(const abut_universe* universe) { return copy_of(abut_universe_local_points, universe); }
+std::vector<abut_local_points> local_points(const abut_universe* universe) {
+  return copy_of(abut_universe_local_points, universe);
+}
 
 // The one contact of a ball at the origin and another one that lies in a direction.
 abut_contact contact_along(const abut_vec3& direction) {
@@ -54,14 +56,15 @@ abut_contact contact_along(const abut_vec3& direction) {
 TEST(ContactRecord, FrictionFrameIsOrthonormalAndRightHanded) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
-  std::vector<abut_vec3> directions{{1, 1, 1},  {-1, -1, -1}, {1, 0, 0},     {0, 1, 0},
-                                    {0, 0, 1},  {0, 0, -1},   {1e-9, 0, -1}, {1, 1, -1e-17}};
+  std::vector<abut_vec3> directions{{1, 1, 1}, {-1, -1, -1}, {1, 0, 0},     {0, 1, 0},
+                                    {0, 0, 1}, {0, 0, -1},   {1e-9, 0, -1}, {1, 1, -1e-17}};
   for (int i = 0; i < 100; ++i) directions.push_back({normal(random), normal(random), normal(random)});
   for (const abut_vec3& direction : directions) {
     const double length = std::sqrt(dot(direction, direction));
     const abut_contact contact = contact_along({direction.x / length, direction.y / length, direction.z / length});
     EXPECT_NEAR(contact.normal.z, direction.z / length, 1e-12);
-    EXPECT_NEAR(dot(contact.tangent, contact.tangent), 1, 1e-12) << direction.x << ' ' << direction.y << ' ' << direction.z;
+    EXPECT_NEAR(dot(contact.tangent, contact.tangent), 1, 1e-12)
+        << direction.x << ' ' << direction.y << ' ' << direction.z;
     EXPECT_NEAR(dot(contact.tangent, contact.normal), 0, 1e-12);
     const abut_vec3 second = cross(contact.normal, contact.tangent);
     EXPECT_LT(gap_of(cross(contact.tangent, second), contact.normal), 1e-12);

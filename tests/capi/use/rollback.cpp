@@ -13,7 +13,8 @@ constexpr double first_place = 0, second_place = 1;
 
 abut_pose pose_of(int body, double place) {
   const double turn = 0.3 * body + 0.9 * place;
-  return {{2 * std::sin(1.3 * body + place), 2 * std::sin(2.1 * body + 0.3 * place), 0.8 * std::cos(1.7 * body - 0.2 * place)},
+  return {{2 * std::sin(1.3 * body + place), 2 * std::sin(2.1 * body + 0.3 * place),
+           0.8 * std::cos(1.7 * body - 0.2 * place)},
           {std::cos(turn), 0, 0.6 * std::sin(turn), 0.8 * std::sin(turn)}};
 }
 
@@ -34,7 +35,9 @@ class Rollback : public testing::Test {
     }
   }
 
-  const abut_shape* shape_of(int body) const { return shapes.at(kinds.at(static_cast<std::size_t>(body) % kinds.size())); }
+  const abut_shape* shape_of(int body) const {
+    return shapes.at(kinds.at(static_cast<std::size_t>(body) % kinds.size()));
+  }
   void move_all(double place) {
     for (int i = 0; i < bodies; ++i) universe.move(parts.at(static_cast<std::size_t>(i)), pose_of(i, place));
   }

@@ -44,7 +44,8 @@ struct Crowd {
   }
   std::set<std::pair<std::uint32_t, std::uint32_t>> step() {
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    for (const abut_contact& contact : universe.step()) pairs.insert({contact.geometry_a.slot, contact.geometry_b.slot});
+    for (const abut_contact& contact : universe.step())
+      pairs.insert({contact.geometry_a.slot, contact.geometry_b.slot});
     return pairs;
   }
 
@@ -141,13 +142,16 @@ TEST(Rules, ManyOfThemAreThoseOfAModel) {
   }
   std::vector<Known> rules;
   std::mt19937 random(20250115);
-  const auto pick = [&] { return balls.at(random() % balls.size()).named(static_cast<abut_collidable_kind>(random() % kind_count)); };
+  const auto pick = [&] {
+    return balls.at(random() % balls.size()).named(static_cast<abut_collidable_kind>(random() % kind_count));
+  };
   std::size_t parted = 0;
   for (int round = 0; round < 500; ++round) {
     const Known known{pick(), pick(), static_cast<abut_rule>(random() % 3)};
     crowd.set(known.a, known.b, known.rule);
     std::erase_if(rules, [&](const Known& old) {
-      return (is_equal(old.a, known.a) && is_equal(old.b, known.b)) || (is_equal(old.a, known.b) && is_equal(old.b, known.a));
+      return (is_equal(old.a, known.a) && is_equal(old.b, known.b)) ||
+             (is_equal(old.a, known.b) && is_equal(old.b, known.a));
     });
     if (known.rule != ABUT_RULE_NONE) rules.push_back(known);
     std::set<std::pair<std::uint32_t, std::uint32_t>> expected;
@@ -219,7 +223,8 @@ TEST(Filtering, LayersAndMasksHaveToFitBothWays) {
       a.mask = (row & 2U) != 0 ? bit : 0;
       b.layers = (row & 4U) != 0 ? bit : 0;
       b.mask = (row & 8U) != 0 ? bit : 0;
-      for (const abut_broadphase broadphase : broadphases) EXPECT_EQ(meet(a, b, broadphase), row == 15) << "row " << row;
+      for (const abut_broadphase broadphase : broadphases)
+        EXPECT_EQ(meet(a, b, broadphase), row == 15) << "row " << row;
     }
   }
 }
@@ -249,7 +254,8 @@ TEST(Filtering, MotionsCanChange) {
            {{ABUT_MOTION_DYNAMIC, ABUT_MOTION_DYNAMIC}, 1}}) {
     ASSERT_TRUE(succeeded(abut_parts_set_motions(crowd.universe, parts.data(), motions.data(), 2)));
     EXPECT_EQ(crowd.step().size(), expected);
-    EXPECT_EQ(crowd.universe.events().at(0).kind, expected == 1 ? abut_event_kind{ABUT_EVENT_BEGIN} : abut_event_kind{ABUT_EVENT_END});
+    EXPECT_EQ(crowd.universe.events().at(0).kind,
+              expected == 1 ? abut_event_kind{ABUT_EVENT_BEGIN} : abut_event_kind{ABUT_EVENT_END});
     abut_motion motion = 9;
     ASSERT_TRUE(succeeded(abut_part_motion(crowd.universe, second.part, &motion)));
     EXPECT_EQ(motion, motions.at(1));

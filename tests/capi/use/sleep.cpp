@@ -159,7 +159,8 @@ TEST(Sleep, EventsSayThatAPairIsAsleep) {
   EXPECT_EQ(room.universe.events().size(), 4U);
   for (const abut_event& event : room.universe.events()) EXPECT_EQ(event.flags & ABUT_EVENT_ASLEEP, 0U);
   room.step();
-  for (const abut_event& event : room.universe.events()) EXPECT_EQ(event.flags & ABUT_EVENT_ASLEEP, std::uint32_t{ABUT_EVENT_ASLEEP});
+  for (const abut_event& event : room.universe.events())
+    EXPECT_EQ(event.flags & ABUT_EVENT_ASLEEP, std::uint32_t{ABUT_EVENT_ASLEEP});
   room.universe.park(trigger, ABUT_PARKING_SHORT_TERM);
   room.step();
   EXPECT_EQ(letters_of(room.universe.events()), "ppee") << "the sensor leaves, and nobody wakes";
@@ -180,7 +181,8 @@ TEST(Sleep, ChangesAreTheSameOnAnyNumberOfThreads) {
   }
   for (int step = 0; step < 60; ++step) {
     for (Room* room : {&one, &two}) {
-      if (step % 7 == 3) room->universe.move({static_cast<std::uint32_t>(2 + step), room->floor.generation}, at(3.0 * step, 9, 20));
+      if (step % 7 == 3)
+        room->universe.move({static_cast<std::uint32_t>(2 + step), room->floor.generation}, at(3.0 * step, 9, 20));
       room->step();
     }
     ASSERT_EQ(one.changed(true), two.changed(true));

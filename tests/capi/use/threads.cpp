@@ -30,7 +30,8 @@ std::vector<std::uint64_t> hashes_with(std::uint32_t threads, abut_broadphase br
   std::vector<abut_part_id> parts;
   const auto pose_of = [](int body, int step) {
     const double turn = 0.1 * body + 0.07 * step;
-    return abut_pose{{4 * std::sin(1.3 * body + 0.03 * step), 4 * std::sin(2.1 * body - 0.02 * step), 4 * std::cos(1.7 * body + 0.01 * step)},
+    return abut_pose{{4 * std::sin(1.3 * body + 0.03 * step), 4 * std::sin(2.1 * body - 0.02 * step),
+                      4 * std::cos(1.7 * body + 0.01 * step)},
                      {std::cos(turn), 0.6 * std::sin(turn), 0.8 * std::sin(turn), 0}};
   };
   constexpr int bodies = 350;
@@ -41,7 +42,8 @@ std::vector<std::uint64_t> hashes_with(std::uint32_t threads, abut_broadphase br
   universe.add(shapes.at(3), at(0, 0, -3), ABUT_MOTION_STATIC);
   std::vector<std::uint64_t> hashes;
   for (int step = 0; step < 10; ++step) {
-    for (int i = 0; i < bodies; i += 1 + step % 3) universe.move(parts.at(static_cast<std::size_t>(i)), pose_of(i, step));
+    for (int i = 0; i < bodies; i += 1 + step % 3)
+      universe.move(parts.at(static_cast<std::size_t>(i)), pose_of(i, step));
     EXPECT_GT(universe.step().size(), 500U);
     hashes.push_back(universe.hash());
   }
@@ -52,9 +54,11 @@ std::vector<std::uint64_t> hashes_with(std::uint32_t threads, abut_broadphase br
 }
 
 TEST(Threads, HaveTheSameBitsWhateverTheirNumber) {
-  for (const auto broadphase : {ABUT_BROADPHASE_AUTO, ABUT_BROADPHASE_TREE, ABUT_BROADPHASE_SWEEP_AND_PRUNE, ABUT_BROADPHASE_HASH_GRID}) {
+  for (const auto broadphase :
+       {ABUT_BROADPHASE_AUTO, ABUT_BROADPHASE_TREE, ABUT_BROADPHASE_SWEEP_AND_PRUNE, ABUT_BROADPHASE_HASH_GRID}) {
     const auto expected = hashes_with(1, broadphase);
-    EXPECT_EQ(std::set<std::uint64_t>(expected.begin(), expected.end()).size(), expected.size()) << "the scene has to change";
+    EXPECT_EQ(std::set<std::uint64_t>(expected.begin(), expected.end()).size(), expected.size())
+        << "the scene has to change";
     for (const std::uint32_t threads : {2U, 3U, 7U, 0U}) {
       EXPECT_EQ(hashes_with(threads, broadphase), expected) << threads << " threads, broad phase " << broadphase;
     }

@@ -60,10 +60,13 @@ std::vector<Body> make_grounds() {
 }
 
 // The contacts of a body that hangs `gap` above a ground, in either order of creation.
-std::vector<abut_contact> contacts_at(const Body& ground, double tolerance_of_ground, const Body& body, double tolerance_of_body,
-                                      double gap, const abut_universe_options& options, bool is_ground_first) {
+std::vector<abut_contact> contacts_at(const Body& ground, double tolerance_of_ground, const Body& body,
+                                      double tolerance_of_body, double gap, const abut_universe_options& options,
+                                      bool is_ground_first) {
   Universe universe(&options);
-  const auto add_ground = [&] { universe.add(ground.shape, at(0, 0, -ground.height), ABUT_MOTION_STATIC, tolerance_of_ground); };
+  const auto add_ground = [&] {
+    universe.add(ground.shape, at(0, 0, -ground.height), ABUT_MOTION_STATIC, tolerance_of_ground);
+  };
   if (is_ground_first) add_ground();
   universe.add(body.shape, at(2.3, 2.1, body.height + gap), ABUT_MOTION_DYNAMIC, tolerance_of_body);
   if (!is_ground_first) add_ground();
@@ -92,7 +95,8 @@ void check_limit(const Limit& limit) {
           SCOPED_TRACE(body.name + " on " + ground.name);
           const auto below = contacts(limit.reported_below - hair);
           ASSERT_FALSE(below.empty());
-          EXPECT_NEAR(below.front().distance, limit.reported_below - hair, 1e-9) << "the distance stays that of the surfaces";
+          EXPECT_NEAR(below.front().distance, limit.reported_below - hair, 1e-9)
+              << "the distance stays that of the surfaces";
           EXPECT_TRUE(contacts(limit.reported_below + hair).empty());
         }
       }

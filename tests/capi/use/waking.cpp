@@ -71,8 +71,8 @@ TEST_P(SleepOnSupport, WakesWhatItCarried) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, SleepOnSupport,
-                         testing::Values("destroyed", "its geometry destroyed", "parked", "parked for long", "filtered", "moved away",
-                                         "moved a little", "a sensor", "masked", "reshaped"));
+                         testing::Values("destroyed", "its geometry destroyed", "parked", "parked for long", "filtered",
+                                         "moved away", "moved a little", "a sensor", "masked", "reshaped"));
 
 TEST(Sleep, AProjectileWakesTheWholeStack) {
   Room room;

@@ -4,9 +4,9 @@
 
 int main(void) {
   abut_ray ray = {{-3, 0, 0}, {1, 0, 0}, 10};
-  abut_universe *universe = NULL;
-  abut_shape *ball = NULL;
-  abut_picker *picker = NULL;
+  abut_universe* universe = NULL;
+  abut_shape* ball = NULL;
+  abut_picker* picker = NULL;
   abut_part_id part;
   abut_geometry_id geometry;
   abut_pick pick;

@@ -34,8 +34,8 @@ AnyShape cube() { return made("box", {1, 1, 1}); }
 AnyShape field() { return made("height_field", {2, 2, 4, 4}, {0, 0, 0, 0}); }
 
 TEST(Kinds, HaveTheNumbersOfTheInterface) {
-  const std::vector<std::pair<std::string_view, std::uint32_t>> kinds{{"sphere", 1}, {"box", 2},  {"capsule", 3},     {"plane", 4},
-                                                                      {"hull", 5},   {"mesh", 6}, {"height_field", 7}};
+  const std::vector<std::pair<std::string_view, std::uint32_t>> kinds{
+      {"sphere", 1}, {"box", 2}, {"capsule", 3}, {"plane", 4}, {"hull", 5}, {"mesh", 6}, {"height_field", 7}};
   for (const auto& [name, number] : kinds) {
     const auto place = abut::find_kind(number);
     ASSERT_TRUE(place.has_value()) << name;
@@ -99,12 +99,15 @@ TEST(AnyShape, CurvedAndUnboundedOnesHaveNoTriangles) {
 
 TEST(Pairs, OnlyTerrainsAndHolesDoNotMeet) {
   const std::set<std::string_view> terrain{"plane", "height_field"}, holes{"sphere_hole", "cylinder_hole", "box_hole"};
-  const auto is_no_solid = [&](std::string_view kind) { return terrain.contains(kind) || holes.contains(kind) || kind == "mesh"; };
+  const auto is_no_solid = [&](std::string_view kind) {
+    return terrain.contains(kind) || holes.contains(kind) || kind == "mesh";
+  };
   for (std::size_t a = 0; a < abut::shape_kind_count; ++a) {
     for (std::size_t b = 0; b < abut::shape_kind_count; ++b) {
       const std::string_view first = abut::kind_name(a), second = abut::kind_name(b);
       const bool are_terrain = terrain.contains(first) && terrain.contains(second);
-      const bool is_hole_alone = (holes.contains(first) && is_no_solid(second)) || (holes.contains(second) && is_no_solid(first));
+      const bool is_hole_alone =
+          (holes.contains(first) && is_no_solid(second)) || (holes.contains(second) && is_no_solid(first));
       const bool expected = !are_terrain && !is_hole_alone;
       EXPECT_EQ(abut::is_supported(a, b), expected) << abut::kind_name(a) << " " << abut::kind_name(b);
       EXPECT_EQ(abut::describe_route(a, b).algorithm == "unsupported", !expected);
@@ -136,7 +139,8 @@ TEST(Pairs, DistanceIsInTheWorld) {
 // Swapping a and b swaps the points and negates the normal; nothing else changes.
 TEST(Pairs, SwappedPairsAgree) {
   test::Random random(292);
-  const std::vector<AnyShape> shapes{ball(0.5), cube(), made("capsule", {0.3, 1}), made("plane", {0, 0, 1, 0}), field()};
+  const std::vector<AnyShape> shapes{ball(0.5), cube(), made("capsule", {0.3, 1}), made("plane", {0, 0, 1, 0}),
+                                     field()};
   int contacts = 0;
   for (int i = 0; i < 400; ++i) {
     const AnyShape& a = shapes[static_cast<std::size_t>(i) % 5];

@@ -89,7 +89,8 @@ TEST(CastShapesOfParts, OfCompositesIsTheFirstOfTheirChildren) {
   int hits = 0;
   for (int i = 0; i < 60; ++i) {
     const AnyShape mover = make("capsule", {0.2, 0.3});
-    const Pose placed = random.pose(random.vector(1)), from = placed * random.pose({random.in(-3, 3), random.in(-3, 3), 6});
+    const Pose placed = random.pose(random.vector(1)),
+               from = placed * random.pose({random.in(-3, 3), random.in(-3, 3), 6});
     const Vec3 by = placed.rotation * Vec3{random.in(-2, 2), random.in(-2, 2), -11};
     std::optional<Real> first;
     for (const PlacedShape& child : children) {
@@ -129,7 +130,8 @@ TEST(CastShapesOfParts, TerrainInCompositesMeetsNoTerrain) {
 // A plate with a shaft through it lets through what fits, and stops what does not.
 TEST(CastShapesOfParts, HolesLetThrough) {
   const ShapeHandle plate{make("box", {2, 2, 0.5})}, shaft{make("cylinder_hole", {0.6, 1, 3})};
-  const AnyShape pierced = make_composite(std::vector<PlacedShape>{{plate, at({0, 0, 0})}, {shaft, at({0, 0, 0})}}).value();
+  const AnyShape pierced =
+      make_composite(std::vector<PlacedShape>{{plate, at({0, 0, 0})}, {shaft, at({0, 0, 0})}}).value();
   EXPECT_FALSE(cast(make("sphere", {0.4}), at({0.1, 0, 3}), {0, 0, -6}, pierced, at({0, 0, 0})));
   const auto beside = cast(make("sphere", {0.4}), at({1.2, 0, 3}), {0, 0, -6}, pierced, at({0, 0, 0}));
   ASSERT_TRUE(beside);

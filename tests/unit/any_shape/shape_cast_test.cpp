@@ -48,7 +48,8 @@ TEST(CastShapes, OfBallAndPlaneIsTheClosedForm) {
     const Real way = (1 - ball.position.z) / by.z;
     for (const bool is_plane_first : {false, true}) {
       const AnyShape a = make("sphere", {1}), b = make("plane", {0, 0, 1, 0});
-      const auto hit = is_plane_first ? cast(b, at({0, 0, 0}), {0, 0, 0}, a, ball, by) : cast(a, ball, by, b, at({0, 0, 0}));
+      const auto hit =
+          is_plane_first ? cast(b, at({0, 0, 0}), {0, 0, 0}, a, ball, by) : cast(a, ball, by, b, at({0, 0, 0}));
       ASSERT_EQ(hit.has_value(), way >= 0 && way <= 1);
       if (hit) {
         EXPECT_NEAR(hit->fraction, way, 1e-13);
@@ -68,7 +69,8 @@ TEST(CastShapes, OfAlignedBoxesIsTheClosedForm) {
     const Vec3 p = Vec3{4, 0, 0} + random.vector(1.5), v = Vec3{-5, 0, 0} + random.vector(2);
     Real enter = 0, leave = 1;
     for (int axis = 0; axis < 3; ++axis) {
-      const Real reach = half_a[axis] + half_b[axis], first = (-reach - p[axis]) / v[axis], last = (reach - p[axis]) / v[axis];
+      const Real reach = half_a[axis] + half_b[axis], first = (-reach - p[axis]) / v[axis],
+                 last = (reach - p[axis]) / v[axis];
       enter = std::max(enter, std::min(first, last));
       leave = std::min(leave, std::max(first, last));
     }
@@ -88,8 +90,8 @@ TEST(CastShapes, OfAlignedBoxesIsTheClosedForm) {
 
 // The first zero of the distance, found without looking at normals: the distance of convex shapes is convex in time, so
 // its minimum brackets the zero.
-std::optional<Real> bisected(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const Vec3& by_b,
-                             Real slack) {
+std::optional<Real> bisected(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b,
+                             const Vec3& by_b, Real slack) {
   const auto distance = [&](Real t) {
     Distance out{};
     EXPECT_EQ(pair_distance(a, b, pose_a, {pose_b.rotation, pose_b.position + t * by_b}, {}, out), Outcome::ok);
@@ -208,7 +210,8 @@ TEST(CastShapes, NothingTunnels) {
       }
     }
   }
-  const auto speck = cast(make("sphere", {1}), at({0.3, 0.2, 2e6}), {0, 0, -2e6}, make("box", {1e6, 1e6, 1e6}), at({0, 0, 0}));
+  const auto speck =
+      cast(make("sphere", {1}), at({0.3, 0.2, 2e6}), {0, 0, -2e6}, make("box", {1e6, 1e6, 1e6}), at({0, 0, 0}));
   ASSERT_TRUE(speck);
   EXPECT_NEAR(speck->fraction, (1e6 - 1) / 2e6, 1e-15);
 }
@@ -242,7 +245,8 @@ TEST(CastShapes, KeepsTheMargin) {
 TEST(CastShapes, SaysWhatHasNoAnswer) {
   std::optional<ShapeCastHit> hit;
   const AnyShape plane = make("plane", {0, 0, 1, 0});
-  EXPECT_EQ(cast_shapes(plane, at({0, 0, 0}), {0, 0, -1}, plane, at({0, 0, -3}), {0, 0, 0}, {}, 1, hit), Outcome::unsupported);
+  EXPECT_EQ(cast_shapes(plane, at({0, 0, 0}), {0, 0, -1}, plane, at({0, 0, -3}), {0, 0, 0}, {}, 1, hit),
+            Outcome::unsupported);
   EXPECT_FALSE(hit);
 }
 

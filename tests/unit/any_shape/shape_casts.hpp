@@ -35,12 +35,11 @@ inline AnyShape make_square(Real half, bool one_sided) {
   return make("mesh", {one_sided ? 1.0 : 0.0}, {-half, -half, 0, half, -half, 0, half, half, 0, -half, half, 0},
               {0, 1, 2, 0, 2, 3});
 }
-inline Pose at(const Vec3& position) {
-  return {Rotation::identity(), position};
-}
+inline Pose at(const Vec3& position) { return {Rotation::identity(), position}; }
 
-inline std::optional<ShapeCastHit> cast(const AnyShape& a, const Pose& pose_a, const Vec3& displacement_a, const AnyShape& b,
-                                        const Pose& pose_b, const Vec3& displacement_b = {0, 0, 0}, Real margin = 0) {
+inline std::optional<ShapeCastHit> cast(const AnyShape& a, const Pose& pose_a, const Vec3& displacement_a,
+                                        const AnyShape& b, const Pose& pose_b, const Vec3& displacement_b = {0, 0, 0},
+                                        Real margin = 0) {
   std::optional<ShapeCastHit> hit;
   EXPECT_EQ(cast_shapes(a, pose_a, displacement_a, b, pose_b, displacement_b, {.margin = margin}, 1, hit), Outcome::ok);
   return hit;

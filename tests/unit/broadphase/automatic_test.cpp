@@ -18,7 +18,8 @@ TEST(AutomaticBroadphase, ManyOrMostlyStillBoxesHaveATree) {
   EXPECT_EQ(choose_broadphase({100, 100}, BroadphaseKind::automatic).kind, BroadphaseKind::brute);
   EXPECT_EQ(choose_broadphase({100, 10}, BroadphaseKind::automatic).kind, BroadphaseKind::tree);
   EXPECT_EQ(choose_broadphase({1000, 1000}, BroadphaseKind::brute).kind, BroadphaseKind::tree);
-  EXPECT_EQ(choose_broadphase({std::size_t{1} << 40, std::size_t{1} << 40}, BroadphaseKind::brute).kind, BroadphaseKind::tree);
+  EXPECT_EQ(choose_broadphase({std::size_t{1} << 40, std::size_t{1} << 40}, BroadphaseKind::brute).kind,
+            BroadphaseKind::tree);
 }
 
 // Wherever the border is, one box more or less does not move the choice to and fro.

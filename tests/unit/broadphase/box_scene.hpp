@@ -18,7 +18,9 @@ struct Box {
   std::array<float, 3> low, high;
 };
 
-inline Box box_at(float x, float y, float z, float half) { return {{x - half, y - half, z - half}, {x + half, y + half, z + half}}; }
+inline Box box_at(float x, float y, float z, float half) {
+  return {{x - half, y - half, z - half}, {x + half, y + half, z + half}};
+}
 
 // Closed intervals on each axis.
 inline bool overlap(const Box& a, const Box& b) {
@@ -42,8 +44,8 @@ inline Pairs pairs_of(const Scene& scene) {
   Pairs all;
   for (std::uint32_t i = 0; i < scene.size(); ++i) {
     for (std::uint32_t j = i + 1; j < scene.size() && scene[i] && !scene[i]->is_hidden; ++j) {
-      if (scene[j] && !scene[j]->is_hidden && scene[i]->group != scene[j]->group && (scene[i]->moves || scene[j]->moves) &&
-          overlap(scene[i]->box, scene[j]->box)) {
+      if (scene[j] && !scene[j]->is_hidden && scene[i]->group != scene[j]->group &&
+          (scene[i]->moves || scene[j]->moves) && overlap(scene[i]->box, scene[j]->box)) {
         all.push_back({i, j});
       }
     }
@@ -63,7 +65,8 @@ inline std::vector<std::uint32_t> members_in(const Scene& scene, const Box& box)
 
 // When a box that is displaced by t times the displacement first meets another, t from 0 to `most`. In long double, by
 // clipping the interval of t on each axis.
-inline std::optional<long double> time_of_meeting(const Box& box, const std::array<double, 3>& centre, const std::array<double, 3>& half,
+inline std::optional<long double> time_of_meeting(const Box& box, const std::array<double, 3>& centre,
+                                                  const std::array<double, 3>& half,
                                                   const std::array<double, 3>& displacement, double most) {
   long double enter = 0, leave = static_cast<long double>(most);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -87,7 +90,9 @@ inline std::optional<long double> time_of_meeting(const Box& box, const std::arr
 class Dice {
  public:
   explicit Dice(std::uint32_t seed) : engine_(seed) {}
-  [[nodiscard]] float uniform(float low, float high) { return low + (high - low) * (static_cast<float>(engine_() >> 8) * 0x1p-24f); }
+  [[nodiscard]] float uniform(float low, float high) {
+    return low + (high - low) * (static_cast<float>(engine_() >> 8) * 0x1p-24f);
+  }
   [[nodiscard]] std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(engine_() % count); }
   [[nodiscard]] bool chance(float share) { return uniform(0, 1) < share; }
 

@@ -88,8 +88,12 @@ TEST(BoxTree, ShowsExactlyWhatOverlaps) {
   for (std::uint32_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    const auto uniform = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
-    const auto somewhere = [&](float half) { return box_at(uniform(-9, 9), uniform(-9, 9), uniform(-9, 9), uniform(0, half)); };
+    const auto uniform = [&](float low, float high) {
+      return std::uniform_real_distribution<float>(low, high)(random);
+    };
+    const auto somewhere = [&](float half) {
+      return box_at(uniform(-9, 9), uniform(-9, 9), uniform(-9, 9), uniform(0, half));
+    };
     BoxTree tree;
     std::map<std::uint32_t, CompactAabb> boxes;
     std::size_t most = 0;

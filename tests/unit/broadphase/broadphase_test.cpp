@@ -87,20 +87,22 @@ class Told {
   }
 
   // All that is met is shown, at the latest when it is met; what is shown besides is met within rounding.
-  void expect_sweep(const std::array<double, 3>& centre, const std::array<double, 3>& half, const std::array<double, 3>& displacement,
-                    double most_time) const {
+  void expect_sweep(const std::array<double, 3>& centre, const std::array<double, 3>& half,
+                    const std::array<double, 3>& displacement, double most_time) const {
     const auto vector = [](const std::array<double, 3>& p) { return abut::Vec3{p[0], p[1], p[2]}; };
     std::vector<std::optional<double>> entries(scene.size());
-    broad_phase.sweep(vector(centre), vector(half), vector(displacement), most_time, [&](std::uint32_t proxy, double entry) {
-      EXPECT_FALSE(entries[proxy / gap_]) << "shown twice";
-      EXPECT_TRUE(entry >= 0 && entry <= most_time) << entry;
-      entries[proxy / gap_] = entry;
-      return most_time;
-    });
+    broad_phase.sweep(vector(centre), vector(half), vector(displacement), most_time,
+                      [&](std::uint32_t proxy, double entry) {
+                        EXPECT_FALSE(entries[proxy / gap_]) << "shown twice";
+                        EXPECT_TRUE(entry >= 0 && entry <= most_time) << entry;
+                        entries[proxy / gap_] = entry;
+                        return most_time;
+                      });
     std::optional<std::uint32_t> nearest;
     for (std::uint32_t i = 0; i < scene.size(); ++i) {
       const bool is_there = scene[i] && !scene[i]->is_hidden;
-      const auto time = is_there ? box_scene::time_of_meeting(scene[i]->box, centre, half, displacement, most_time) : std::nullopt;
+      const auto time =
+          is_there ? box_scene::time_of_meeting(scene[i]->box, centre, half, displacement, most_time) : std::nullopt;
       if (time) {
         ASSERT_TRUE(entries[i]) << i << " is missing";
         ASSERT_LE(static_cast<long double>(*entries[i]), *time);
@@ -111,7 +113,8 @@ class Told {
         for (double& side : wider) {
           side += 1e-9;
         }
-        ASSERT_TRUE(box_scene::time_of_meeting(scene[i]->box, centre, wider, displacement, most_time * (1 + 1e-9))) << i;
+        ASSERT_TRUE(box_scene::time_of_meeting(scene[i]->box, centre, wider, displacement, most_time * (1 + 1e-9)))
+            << i;
       }
       if (entries[i] && (!nearest || *entries[i] < *entries[*nearest])) {
         nearest = i;
@@ -120,13 +123,14 @@ class Told {
     // Who takes the nearest one only has it in the end.
     std::optional<std::uint32_t> last;
     double limit = most_time;
-    broad_phase.sweep(vector(centre), vector(half), vector(displacement), most_time, [&](std::uint32_t proxy, double entry) {
-      EXPECT_LE(entry, limit);
-      if (entry < limit || !last) {
-        last = proxy / gap_;
-      }
-      return limit = std::min(limit, entry);
-    });
+    broad_phase.sweep(vector(centre), vector(half), vector(displacement), most_time,
+                      [&](std::uint32_t proxy, double entry) {
+                        EXPECT_LE(entry, limit);
+                        if (entry < limit || !last) {
+                          last = proxy / gap_;
+                        }
+                        return limit = std::min(limit, entry);
+                      });
     ASSERT_EQ(last.has_value(), nearest.has_value());
     if (nearest) {
       ASSERT_EQ(limit, *entries[*nearest]);
@@ -317,7 +321,8 @@ void change(Told<BroadPhase>& told, Dice& dice, const Course& course) {
 
 // Boxes come, go, drift, jump, hide, grow and lose their bounds; after every change all agree with the loops.
 TYPED_TEST(BroadPhases, AgreeWithPlainLoops) {
-  constexpr std::array courses{Course{100, 6, 0.8f, 1}, Course{100, 60, 0.8f, 1000}, Course{60, 1, 0.8f, 1}, Course{150, 6000, 500, 7}};
+  constexpr std::array courses{Course{100, 6, 0.8f, 1}, Course{100, 60, 0.8f, 1000}, Course{60, 1, 0.8f, 1},
+                               Course{150, 6000, 500, 7}};
   std::uint32_t seed = 0;
   for (const Course& course : courses) {
     SCOPED_TRACE("course " + std::to_string(seed));
@@ -332,7 +337,8 @@ TYPED_TEST(BroadPhases, AgreeWithPlainLoops) {
       ASSERT_NO_FATAL_FAILURE(told.expect_visits(query));
       const double half = dice.chance(0.5f) ? 0 : static_cast<double>(course.size);
       const std::array centre{static_cast<double>(place()), static_cast<double>(place()), static_cast<double>(place())};
-      ASSERT_NO_FATAL_FAILURE(told.expect_sweep(centre, {half, half, 2 * half}, {speed(), speed(), speed()}, dice.chance(0.3f) ? abut::infinity : 1));
+      ASSERT_NO_FATAL_FAILURE(told.expect_sweep(centre, {half, half, 2 * half}, {speed(), speed(), speed()},
+                                                dice.chance(0.3f) ? abut::infinity : 1));
       ASSERT_NO_FATAL_FAILURE(told.expect_pairs());
       ASSERT_NO_FATAL_FAILURE(told.expect_visits(query));
     }
@@ -346,8 +352,12 @@ TYPED_TEST(BroadPhases, StandsOddArrangements) {
   Dice dice(7);
   const auto line = [](std::uint32_t i) { return box_at(0.9f * static_cast<float>(i), 0, 0, 0.5f); };
   const auto one_place = [](std::uint32_t) { return box_at(1, 1, 1, 0); };
-  const auto very_far = [](std::uint32_t i) { return box_at(1e30f, i % 2 == 0 ? 1e30f : -1e30f, 1e17f * static_cast<float>(i), 1e17f); };
-  const auto all_sizes = [](std::uint32_t i) { return box_at(static_cast<float>(i % 7), 0, 0, std::ldexp(1.0f, static_cast<int>(i % 80) - 40)); };
+  const auto very_far = [](std::uint32_t i) {
+    return box_at(1e30f, i % 2 == 0 ? 1e30f : -1e30f, 1e17f * static_cast<float>(i), 1e17f);
+  };
+  const auto all_sizes = [](std::uint32_t i) {
+    return box_at(static_cast<float>(i % 7), 0, 0, std::ldexp(1.0f, static_cast<int>(i % 80) - 40));
+  };
   const auto planes = [](std::uint32_t i) {
     return i % 10 == 0 ? Box{{-unbounded, -unbounded, -unbounded}, {unbounded, static_cast<float>(i), unbounded}}
                        : box_at(0, static_cast<float>(i), 0, 0.4f);

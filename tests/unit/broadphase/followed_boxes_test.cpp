@@ -76,7 +76,8 @@ TYPED_TEST(FollowedBoxes, TheFirstSearchOfManyGivesBackItsScratch) {
   const std::size_t after_first = row.bytes();
   row.shift(100);
   ASSERT_EQ(row.pairs(), count - 1);
-  EXPECT_GT(row.bytes(), after_first + 3 * count * bytes_of_pair) << "a search of all needs room to ask, to find and to sort";
+  EXPECT_GT(row.bytes(), after_first + 3 * count * bytes_of_pair)
+      << "a search of all needs room to ask, to find and to sort";
 }
 
 }  // namespace

@@ -36,8 +36,9 @@ TEST(PairOrder, EachComesOnceInOrderOfBothNumbers) {
       }
       pairs.insert(pairs.end(), pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(pairs.size() / 2));
       std::vector<ProxyPair> expected = pairs;
-      std::sort(expected.begin(), expected.end(),
-                [](const ProxyPair& a, const ProxyPair& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
+      std::sort(expected.begin(), expected.end(), [](const ProxyPair& a, const ProxyPair& b) {
+        return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+      });
       expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
       abut::put_in_order(pairs, scratch);
       EXPECT_EQ(pairs, expected);
@@ -45,7 +46,8 @@ TEST(PairOrder, EachComesOnceInOrderOfBothNumbers) {
   }
 }
 
-// Those with much the same lower number come together; nothing is lost, and the order in which they came is kept within a run.
+// Those with much the same lower number come together; nothing is lost, and the order in which they came is kept within
+// a run.
 TEST(PairOrder, GatheringKeepsAllAndTheirOrderWithinARun) {
   std::mt19937 random(263);
   std::vector<ProxyPair> scratch;

@@ -87,8 +87,8 @@ TEST(Cap, OrderOfTheInputDoesNotMatter) {
   }
 }
 
-// No fifteen normals are further apart than 53.7 degrees (Tammes' problem), so none is further than that from the fourteen kept,
-// but for the 11.5 degrees of a cluster: the cosine of both is 0.42.
+// No fifteen normals are further apart than 53.7 degrees (Tammes' problem), so none is further than that from the
+// fourteen kept, but for the 11.5 degrees of a cluster: the cosine of both is 0.42.
 TEST(Cap, NormalsAllAroundAreAllCovered) {
   test::Random random(904);
   for (int round = 0; round < 50; ++round) {
@@ -117,7 +117,8 @@ TEST(Cap, EveryClusterKeepsItsDeepest) {
   for (const std::size_t most : {3u, 4u, 10u}) {
     const std::set<std::uint64_t> kept = kept_of(contacts, most);
     for (std::size_t cluster = 0; cluster < 3; ++cluster) {
-      EXPECT_TRUE(kept.contains(std::ranges::min(std::span(contacts).subspan(20 * cluster, 20), {}, &ContactPoint::distance).id));
+      EXPECT_TRUE(kept.contains(
+          std::ranges::min(std::span(contacts).subspan(20 * cluster, 20), {}, &ContactPoint::distance).id));
     }
   }
 }

@@ -1,5 +1,6 @@
 // Contacts are continuous in the pose: while the same features touch, a small motion moves the contact polygon, and the
-// points that a reduction keeps of it, by a small multiple. rim_continuity_test.cpp does the same for cylinders and cones.
+// points that a reduction keeps of it, by a small multiple. rim_continuity_test.cpp does the same for cylinders and
+// cones.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -20,8 +20,8 @@ namespace {
 
 using abut::FeatureKind;
 
-abut::ShapeHandle shape_of(std::string_view kind, const std::vector<double>& parameters, const std::vector<double>& reals = {},
-                           const std::vector<std::uint32_t>& indices = {}) {
+abut::ShapeHandle shape_of(std::string_view kind, const std::vector<double>& parameters,
+                           const std::vector<double>& reals = {}, const std::vector<std::uint32_t>& indices = {}) {
   return abut::ShapeHandle(abut::make_shape(abut::find_kind(kind).value(), parameters, reals, indices).value());
 }
 
@@ -35,7 +35,8 @@ class OnSlab {
  public:
   explicit OnSlab(const abut::ShapeHandle& body) : universe_({.max_contacts = 0}, 1) {
     const abut::Placement below{{0, 0, -1}};
-    const auto parts = universe_.create_parts(std::vector<abut::PartOptions>{{abut::MotionKind::fixed, below}, {}}).value();
+    const auto parts =
+        universe_.create_parts(std::vector<abut::PartOptions>{{abut::MotionKind::fixed, below}, {}}).value();
     part_ = parts[1];
     EXPECT_TRUE(universe_.create_geometries(parts, std::vector{shape_of("box", {9, 9, 1}), body}, {}).has_value());
   }
@@ -57,7 +58,8 @@ class OnSlab {
 };
 
 // Moves a body for a thousand steps from x = -5 to x = 5 and turns it by a full turn about an axis.
-void check_steady(const abut::ShapeHandle& body, double height, const abut::Vec3& axis, double turns, std::size_t contacts) {
+void check_steady(const abut::ShapeHandle& body, double height, const abut::Vec3& axis, double turns,
+                  std::size_t contacts) {
   OnSlab scene(body);
   const auto placement = [&](int step) {
     const double t = step / 1000.0;
@@ -83,7 +85,9 @@ TEST(ContactFeatures, KeepTheirNumbersWhileABodySlides) {
   check_steady(shape_of("triangle", {1, 0, 0, -1, 1, 0, -1, -1, 0}), -1e-3, {0, 0, 1}, 1, 3);
 }
 
-TEST(ContactFeatures, KeepTheirNumbersWhileABallRolls) { check_steady(shape_of("sphere", {0.5}), 0.499, {0.6, 0.8, 0}, 5, 1); }
+TEST(ContactFeatures, KeepTheirNumbersWhileABallRolls) {
+  check_steady(shape_of("sphere", {0.5}), 0.499, {0.6, 0.8, 0}, 5, 1);
+}
 
 // Kinds and indices as meshes and hulls have them: no two pairs of features have one number.
 TEST(ContactFeatures, HaveNumbersOfTheirOwn) {

@@ -17,7 +17,9 @@ namespace test {
 // A convex polygon of points in the plane, or a segment or point.
 using Flat = std::array<double, 2>;
 
-inline double turn(const Flat& a, const Flat& b, const Flat& c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
+inline double turn(const Flat& a, const Flat& b, const Flat& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
 
 // Without copies up to rounding, as triangles that share a corner make them: an edge between two has no direction.
 inline std::vector<Flat> places_of(const std::vector<Flat>& points) {
@@ -69,7 +71,8 @@ inline double distance_to(const Flat& p, const std::vector<Flat>& hull) {
 using Contacts = std::vector<abut::ContactPoint>;
 
 inline bool have_one_normal(const Contacts& contacts) {
-  return std::ranges::all_of(contacts, [&](const abut::ContactPoint& c) { return abut::dot(c.normal, contacts[0].normal) > 0.999; });
+  return std::ranges::all_of(
+      contacts, [&](const abut::ContactPoint& c) { return abut::dot(c.normal, contacts[0].normal) > 0.999; });
 }
 
 // The distance of Hausdorff of the convex hulls of two sets of contacts, seen along the normal.

@@ -78,7 +78,8 @@ inline std::optional<Contact> touching(const Body& a, const abut::Vec3& side_a, 
   contact.b.position = place(b, contact.b.rotation) + abut::Vec3{reach(a) + reach(b) + 0.1, 0, 0};
   for (int round = 0; round < 60; ++round) {
     abut::Distance found{};
-    if (abut::pair_distance(a.shape, b.shape, contact.a, contact.b, {}, found) != abut::Outcome::ok || found.distance < -0.1) {
+    if (abut::pair_distance(a.shape, b.shape, contact.a, contact.b, {}, found) != abut::Outcome::ok ||
+        found.distance < -0.1) {
       return std::nullopt;
     }
     if (std::fabs(found.distance + depth) < 1e-9) {

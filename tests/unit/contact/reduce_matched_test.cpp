@@ -52,7 +52,8 @@ int changes_while_shaking(bool is_matched) {
   int changes = 0;
   Ids before;
   for (int step = 0; step < 1000; ++step) {
-    const Ids kept = kept_of(tilted_rim(random.uniform(-2e-7, 2e-7), random.uniform(-2e-7, 2e-7)), is_matched ? before : Ids{});
+    const Ids kept =
+        kept_of(tilted_rim(random.uniform(-2e-7, 2e-7), random.uniform(-2e-7, 2e-7)), is_matched ? before : Ids{});
     changes += step > 0 && kept != before ? 1 : 0;
     before = kept;
   }
@@ -88,8 +89,9 @@ TEST(ReduceMatched, ADeeperPointReplacesOne) {
 
 TEST(ReduceMatched, AWiderFourReplacesOneThatIsTooNarrow) {
   const auto kept_beside = [](double width) {
-    std::vector<ContactPoint> contacts{flat_contact(-1, -1, -1, 0), flat_contact(1, -1, 0, 1),     flat_contact(1, width, 0, 2),
-                                       flat_contact(-1, width, 0, 3), flat_contact(1, 1, 0, 4), flat_contact(-1, 1, 0, 5)};
+    std::vector<ContactPoint> contacts{flat_contact(-1, -1, -1, 0),  flat_contact(1, -1, 0, 1),
+                                       flat_contact(1, width, 0, 2), flat_contact(-1, width, 0, 3),
+                                       flat_contact(1, 1, 0, 4),     flat_contact(-1, 1, 0, 5)};
     return kept_of(contacts, {0, 1, 2, 3});
   };
   EXPECT_EQ(kept_beside(0.91), (Ids{0, 1, 2, 3}));
@@ -117,7 +119,8 @@ class Wanderer {
   }
   void move(double step) {
     for (ContactPoint& contact : contacts_) {
-      contact = flat_contact(contact.point_a.x + random_.uniform(-step, step), contact.point_a.y + random_.uniform(-step, step),
+      contact = flat_contact(contact.point_a.x + random_.uniform(-step, step),
+                             contact.point_a.y + random_.uniform(-step, step),
                              contact.distance + 1e-3 * random_.uniform(-step, step), contact.id);
     }
   }

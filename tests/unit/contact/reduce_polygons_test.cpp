@@ -112,7 +112,8 @@ TEST(ReducePolygons, OfFewPointsKeepTheMostThatFourCanSpan) {
 
 TEST(ReducePolygons, OfManyPointsKeepTheMostOfNinetyNineInAHundred) {
   std::uint64_t seed = 242;
-  for (const Maker& make : {Maker(in_a_square), Maker(on_an_ellipse), in_a_strip(0.1), in_a_strip(1e-3), Maker(in_a_crowd)}) {
+  for (const Maker& make :
+       {Maker(in_a_square), Maker(on_an_ellipse), in_a_strip(0.1), in_a_strip(1e-3), Maker(in_a_crowd)}) {
     const Tally tally = reduce_patches(400, make, ++seed);
     EXPECT_LE(tally.falling_short, tally.patches / 100) << "seed " << seed;
     RecordProperty("falling_short_" + std::to_string(seed), tally.falling_short);
@@ -134,7 +135,8 @@ TEST(ReducePolygons, OfALineKeepItsEnds) {
       }
       const std::size_t kept = abut::reduce(contacts, 4);
       const auto has = [&](double x) {
-        return std::ranges::any_of(std::span(contacts).first(kept), [&](const ContactPoint& c) { return c.point_a.x == x; });
+        return std::ranges::any_of(std::span(contacts).first(kept),
+                                   [&](const ContactPoint& c) { return c.point_a.x == x; });
       };
       EXPECT_TRUE(has(low) && has(high)) << count << " points, width " << width;
     }

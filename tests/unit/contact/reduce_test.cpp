@@ -107,8 +107,9 @@ TEST(Reduce, KeepsTheDeepestAndNoMoreThanAskedFor) {
       std::vector<ContactPoint> contacts = given;
       const std::size_t kept = abut::reduce(contacts, most);
       EXPECT_LE(kept, most);
-      const auto deepest = std::min_element(given.begin(), given.end(),
-                                            [](const ContactPoint& a, const ContactPoint& b) { return a.distance < b.distance; });
+      const auto deepest =
+          std::min_element(given.begin(), given.end(),
+                           [](const ContactPoint& a, const ContactPoint& b) { return a.distance < b.distance; });
       ASSERT_GE(kept, 1u);
       EXPECT_EQ(contacts[0].id, deepest->id);
       std::set<std::uint64_t> ids;
@@ -162,7 +163,8 @@ TEST(Reduce, FourOfAFewSpanTheLargestArea) {
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         for (std::size_t k = 0; k < j; ++k) {
-          const bool has_deepest = given[i].id == contacts[0].id || given[j].id == contacts[0].id || given[k].id == contacts[0].id;
+          const bool has_deepest =
+              given[i].id == contacts[0].id || given[j].id == contacts[0].id || given[k].id == contacts[0].id;
           if (!has_deepest) {
             largest = std::fmax(largest, hull_area({deepest, spot(given[i]), spot(given[j]), spot(given[k])}));
           }
@@ -190,7 +192,8 @@ TEST(Reduce, EachPatchIsReducedByItself) {
   test::Random random(226);
   std::vector<ContactPoint> contacts = flat_contacts(20, random);
   for (std::uint64_t id = 100; id < 115; ++id) {
-    contacts.push_back(contact({3, random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(-0.1, 0), id, {1, 0, 0}));
+    contacts.push_back(
+        contact({3, random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(-0.1, 0), id, {1, 0, 0}));
   }
   contacts.push_back(contact({0, 9, 0}, -0.001, 200, {0, 1, 0}));
   ASSERT_EQ(abut::reduce(contacts, 4), 9u);
@@ -205,7 +208,8 @@ TEST(Reduce, EachPatchIsReducedByItself) {
 
 TEST(Reduce, PatchesEndAtACosineOfNinetyEightHundredths) {
   const auto kept = [](double cosine) {
-    std::vector<ContactPoint> contacts{contact({0, 0, 0}, -1, 0), contact({1, 0, 0}, -0.5, 1, {std::sqrt(1 - cosine * cosine), 0, cosine})};
+    std::vector<ContactPoint> contacts{contact({0, 0, 0}, -1, 0),
+                                       contact({1, 0, 0}, -0.5, 1, {std::sqrt(1 - cosine * cosine), 0, cosine})};
     return abut::reduce(contacts, 1);
   };
   EXPECT_EQ(kept(0.981), 1u);

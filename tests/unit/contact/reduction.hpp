@@ -25,7 +25,8 @@ inline abut::ContactPoint flat_contact(double x, double y, double distance, std:
 
 // Area of the convex hull of points across Z: the chains of sorted points (Andrew 1979).
 inline double hull_area(std::vector<abut::Vec3> points) {
-  std::ranges::sort(points, [](const abut::Vec3& p, const abut::Vec3& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
+  std::ranges::sort(points,
+                    [](const abut::Vec3& p, const abut::Vec3& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
   double twice = 0;
   for (int side = 0; side < 2; ++side) {
     std::vector<abut::Vec3> chain;

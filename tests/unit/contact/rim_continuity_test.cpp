@@ -1,5 +1,5 @@
-// Cylinders and cones that rest on a face, lean on it or lie on their side: a motion of 0.2 micrometres moves what holds them,
-// and the points that a reduction keeps, by a small multiple, however little they lean.
+// Cylinders and cones that rest on a face, lean on it or lie on their side: a motion of 0.2 micrometres moves what
+// holds them, and the points that a reduction keeps, by a small multiple, however little they lean.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,8 +55,14 @@ std::vector<Body> grounds() {
   grounds.push_back({"narrow box", made("box", {0.35, 0.3, 0.5}), 0.7, up});
   grounds.push_back({"cap", made("cylinder", {0.6, 0.4}), 0.73, up});
   grounds.push_back({"equal cap", made("cylinder", {0.4, 0.4}), 0.57, up});
-  grounds.push_back({"mesh", made("mesh", {0}, {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0}, {0, 1, 2, 0, 2, 3}), 1.5, up, true, {0, 0, 0}});
-  grounds.push_back({"one face", made("mesh", {0}, {-3, -3, 0, 3, -3, 0, 0, 4, 0}, {0, 1, 2}), 1.5, up, true, {0, 0, 0}});
+  grounds.push_back({"mesh",
+                     made("mesh", {0}, {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0}, {0, 1, 2, 0, 2, 3}),
+                     1.5,
+                     up,
+                     true,
+                     {0, 0, 0}});
+  grounds.push_back(
+      {"one face", made("mesh", {0}, {-3, -3, 0, 3, -3, 0, 0, 4, 0}, {0, 1, 2}), 1.5, up, true, {0, 0, 0}});
   return grounds;
 }
 
@@ -64,7 +70,8 @@ std::vector<Body> grounds() {
 bool is_running(const ContactPoint& contact) {
   const auto is_wide = [](const Feature& f) { return f.kind == FeatureKind::whole || f.kind == FeatureKind::face; };
   const auto is_whole = [](const Feature& f) { return f.kind == FeatureKind::whole; };
-  return (is_whole(contact.feature_a) && is_wide(contact.feature_b)) || (is_wide(contact.feature_a) && is_whole(contact.feature_b));
+  return (is_whole(contact.feature_a) && is_wide(contact.feature_b)) ||
+         (is_wide(contact.feature_a) && is_whole(contact.feature_b));
 }
 
 Contacts held_of(Contacts contacts) {

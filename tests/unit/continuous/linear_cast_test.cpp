@@ -43,9 +43,7 @@ struct Balls {
   }
 };
 
-LinearMotion along(const Vec3& direction, Real length) {
-  return {*UnitVec3::make(direction), length};
-}
+LinearMotion along(const Vec3& direction, Real length) { return {*UnitVec3::make(direction), length}; }
 
 TEST(FirstTouch, OfBallsIsTheLesserRoot) {
   std::mt19937_64 random(1);
@@ -153,9 +151,7 @@ TEST(FirstTouch, NeverPassesTheContactUnderAWrongNormal) {
 TEST(FirstTouch, HandsFailuresOn) {
   std::optional<FirstTouch> out;
   const auto fail = [](Real, Distance&) { return Outcome::unsupported; };
-  EXPECT_EQ(first_touch(
-                along({1, 0, 0}, 1), 1, 0, fail, [](const Vec3&) { return 0.0; }, out),
-            Outcome::unsupported);
+  EXPECT_EQ(first_touch(along({1, 0, 0}, 1), 1, 0, fail, [](const Vec3&) { return 0.0; }, out), Outcome::unsupported);
   EXPECT_FALSE(out);
 }
 
@@ -210,7 +206,8 @@ TEST(PassageOf, IsTheTimeThatBoxesOverlap) {
       const Vec3 by = way * motion.direction.vec();
       const bool overlaps = still.overlaps({moving.low + by, moving.high + by});
       const bool says = passage && way >= passage->enter && way <= passage->leave;
-      const bool is_at_end = passage && (std::fabs(way - passage->enter) < 1e-12 || std::fabs(way - passage->leave) < 1e-12);
+      const bool is_at_end =
+          passage && (std::fabs(way - passage->enter) < 1e-12 || std::fabs(way - passage->leave) < 1e-12);
       ASSERT_TRUE(overlaps == says || is_at_end) << i << " " << way;
     }
   }

@@ -23,7 +23,8 @@ TEST(ErrorText, NamesArgumentValueAndExpectation) {
 }
 
 TEST(ErrorText, TakesCountsToo) {
-  const Error error = error_about(Errc::invalid_argument, "real_count", std::uint64_t{18446744073709551615u}, "a multiple of 3");
+  const Error error =
+      error_about(Errc::invalid_argument, "real_count", std::uint64_t{18446744073709551615u}, "a multiple of 3");
   EXPECT_EQ(error.message, "real_count is 18446744073709551615; it must be a multiple of 3");
 }
 

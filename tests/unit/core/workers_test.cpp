@@ -39,7 +39,8 @@ TEST(Workers, CallEachTaskOnce) {
 TEST(Workers, CutAListIntoTasks) {
   EXPECT_EQ(Workers(1).cut(100000, 10).tasks(), 1U);
   for (const std::uint32_t threads : {1U, 2U, 5U}) {
-    for (const std::size_t length : {std::size_t{0}, std::size_t{1}, std::size_t{99}, std::size_t{100}, std::size_t{12345}}) {
+    for (const std::size_t length :
+         {std::size_t{0}, std::size_t{1}, std::size_t{99}, std::size_t{100}, std::size_t{12345}}) {
       const abut::Cuts cuts = Workers(threads).cut(length, 50);
       ASSERT_GE(cuts.tasks(), 1U);
       std::size_t at = 0;

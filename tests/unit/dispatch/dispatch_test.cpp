@@ -73,7 +73,8 @@ TEST(DistanceByRoute, IsRefusedBetweenTerrains) {
   abut::Distance out{};
   abut::Manifold manifold;
   EXPECT_EQ(distance_by_route(floor_plane(), floor_plane(), Pose::identity(), {}, out), abut::Outcome::unsupported);
-  EXPECT_EQ(contacts_by_route(floor_plane(), floor_plane(), Pose::identity(), {}, manifold), abut::Outcome::unsupported);
+  EXPECT_EQ(contacts_by_route(floor_plane(), floor_plane(), Pose::identity(), {}, manifold),
+            abut::Outcome::unsupported);
   EXPECT_TRUE(manifold.empty());
 }
 
@@ -119,7 +120,8 @@ TEST(ContactsByRoute, FlippedPairsLeaveEarlierContactsAlone) {
 TEST(ContactsOfRun, AreThoseOfEachJob) {
   test::Random random(282);
   const Box box = Box::make(std::vector{0.5, 0.6, 0.7}, {}, {}).value();
-  const std::vector<abut::Frozen<abut::AnyShape>> shapes{abut::Frozen<abut::AnyShape>(ball()), abut::Frozen<abut::AnyShape>(box)};
+  const std::vector<abut::Frozen<abut::AnyShape>> shapes{abut::Frozen<abut::AnyShape>(ball()),
+                                                         abut::Frozen<abut::AnyShape>(box)};
   std::vector<Pose> poses;
   std::vector<abut::PairJob> jobs;
   std::vector<abut::Frozen<abut::AnyShape>> placed;
@@ -139,8 +141,8 @@ TEST(ContactsOfRun, AreThoseOfEachJob) {
     abut::QuerySettings settings;
     settings.margin = jobs[i].margin;
     abut::Manifold alone;
-    const abut::Outcome outcome = kernels.contacts(*shapes[0], *shapes[1], Pose::identity(),
-                                                   relative(poses[jobs[i].a], poses[jobs[i].b]), false, settings, alone);
+    const abut::Outcome outcome = kernels.contacts(
+        *shapes[0], *shapes[1], Pose::identity(), relative(poses[jobs[i].a], poses[jobs[i].b]), false, settings, alone);
     EXPECT_EQ(results[i].outcome, outcome);
     ASSERT_EQ(results[i].contacts_end - begin, alone.size()) << "job " << i;
     for (std::size_t k = 0; k < alone.size(); ++k) {
@@ -159,7 +161,8 @@ TEST(ContactsOfRun, RememberPairsWhereTheJobsSay) {
   const Box box = Box::make(std::vector{0.5, 0.6, 0.7}, {}, {}).value();
   const std::vector<double> corners{-1, -1, -1, 1, -1, -1, 0, 1, -1, 0, 0, 1};
   const abut::Hull hull = abut::Hull::make({}, corners, {}).value();
-  const std::vector<abut::Frozen<abut::AnyShape>> shapes{abut::Frozen<abut::AnyShape>(box), abut::Frozen<abut::AnyShape>(hull)};
+  const std::vector<abut::Frozen<abut::AnyShape>> shapes{abut::Frozen<abut::AnyShape>(box),
+                                                         abut::Frozen<abut::AnyShape>(hull)};
   const auto kernel = abut::contacts_of_run_kernel<abut::AnyShape, Box, abut::Hull>;
   std::vector<abut::PairMemory> memories(3);
   for (int step = 0; step < 3; ++step) {

@@ -133,7 +133,8 @@ TEST(CompactAabb, HoldsTheBoxAndHardlyMore) {
   test::Random random(54);
   for (int i = 0; i < 3000; ++i) {
     const double size = std::ldexp(1.0, static_cast<int>(random.uniform(-10, 40)));
-    const Vec3 origin = random.point(size), centre = random.point(size), half{random.uniform(0, 2), random.uniform(0, 2), 1};
+    const Vec3 origin = random.point(size), centre = random.point(size),
+               half{random.uniform(0, 2), random.uniform(0, 2), 1};
     const Aabb box{centre - half, centre + half};
     const CompactAabb small = compact(box, origin);
     for (int axis = 0; axis < 3; ++axis) {
@@ -144,7 +145,8 @@ TEST(CompactAabb, HoldsTheBoxAndHardlyMore) {
       EXPECT_LE(got_low, low);
       EXPECT_GE(got_high, high);
       // Two units of a float and some of the double coordinates.
-      const long double slack = 2.5e-7L * std::fabs(low) + 2.5e-7L * std::fabs(high) + 1e-15L * static_cast<long double>(size);
+      const long double slack =
+          2.5e-7L * std::fabs(low) + 2.5e-7L * std::fabs(high) + 1e-15L * static_cast<long double>(size);
       EXPECT_GE(got_low, low - slack);
       EXPECT_LE(got_high, high + slack);
     }

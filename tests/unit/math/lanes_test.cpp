@@ -77,7 +77,8 @@ TEST(LaneMatrix, ColumnsAndRowsTurnThereAndBack) {
 TEST(LaneMatrix, ProductsStayVectorsOfSpace) {
   const LaneMatrix matrix = LaneMatrix::columns_of(Rotation::identity());
   expect_lanes(matrix * abut::lanes_of({1, 2, 3}), 1, 2, 3, 0);
-  expect_lanes(LaneMatrix::rows_of(Rotation::identity()).apply(abut::lanes_of({1, 2, 3}), abut::lanes_of({4, 5, 6})), 5, 7, 9, 0);
+  expect_lanes(LaneMatrix::rows_of(Rotation::identity()).apply(abut::lanes_of({1, 2, 3}), abut::lanes_of({4, 5, 6})), 5,
+               7, 9, 0);
 }
 
 }  // namespace

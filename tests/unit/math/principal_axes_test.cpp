@@ -81,7 +81,8 @@ TEST(PrincipalAxes, DegenerateCloudsStillHaveAFrame) {
 // Squares of such coordinates overflow or vanish.
 TEST(PrincipalAxes, ExtremeSizesKeepTheirAxes) {
   for (const double size : {1e-200, 1e-70, 1e70, 1e200}) {
-    const std::vector<Vec3> points{{-3 * size, 0, 0}, {3 * size, 0, 0}, {0, 0, 2 * size}, {0, 0, -2 * size}, {0, size, 0}, {0, -size, 0}};
+    const std::vector<Vec3> points{{-3 * size, 0, 0}, {3 * size, 0, 0}, {0, 0, 2 * size},
+                                   {0, 0, -2 * size}, {0, size, 0},     {0, -size, 0}};
     const PrincipalAxes axes = abut::principal_axes(points);
     expect_right_handed(axes);
     EXPECT_NEAR(std::fabs(axes.first.x), 1, 1e-14) << size;

@@ -118,7 +118,8 @@ void expect_frame(const Vec3& normal) {
   EXPECT_NEAR(dot(first, second), 0, slack);
   EXPECT_NEAR(dot(first, normal), 0, slack);
   EXPECT_NEAR(dot(second, normal), 0, slack);
-  const double turn = normal.x * (first.y * second.z - first.z * second.y) + normal.y * (first.z * second.x - first.x * second.z) +
+  const double turn = normal.x * (first.y * second.z - first.z * second.y) +
+                      normal.y * (first.z * second.x - first.x * second.z) +
                       normal.z * (first.x * second.y - first.y * second.x);
   EXPECT_NEAR(turn, 1, slack);
 }

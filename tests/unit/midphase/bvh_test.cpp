@@ -21,7 +21,8 @@ using abut::Vec3;
 std::vector<Aabb> boxes_in_space(std::size_t count, double size, test::Random& random) {
   std::vector<Aabb> boxes;
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 centre = random.point(10), half{random.uniform(0, size), random.uniform(0, size), random.uniform(0, size)};
+    const Vec3 centre = random.point(10),
+               half{random.uniform(0, size), random.uniform(0, size), random.uniform(0, size)};
     boxes.push_back({centre - half, centre + half});
   }
   return boxes;
@@ -118,7 +119,8 @@ TEST(Bvh, TouchingCounts) {
   const Bvh tree(boxes);
   for (std::uint32_t i = 0; i < 50; ++i) {
     bool found = false;
-    tree.visit_overlaps({{2.0 * i + 1, 1, 1}, {2.0 * i + 1.5, 2, 2}}, [&](std::uint32_t item) { found = found || item == i; });
+    tree.visit_overlaps({{2.0 * i + 1, 1, 1}, {2.0 * i + 1.5, 2, 2}},
+                        [&](std::uint32_t item) { found = found || item == i; });
     EXPECT_TRUE(found) << i;
   }
 }

@@ -28,9 +28,18 @@ TEST(RangePyramid, FollowsWhateverRectangleChanges) {
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
   const auto below = [&](std::uint32_t count) { return static_cast<std::uint32_t>(random() % count); };
-  for (const auto& [columns, rows] : std::vector<std::pair<std::uint32_t, std::uint32_t>>{
-           {1, 1}, {2, 2}, {3, 7}, {4, 4}, {5, 4}, {4, 17}, {16, 16}, {17, 15}, {64, 65}, {2, 300}, {300, 2},
-               {63, 1}}) {
+  for (const auto& [columns, rows] : std::vector<std::pair<std::uint32_t, std::uint32_t>>{{1, 1},
+                                                                                          {2, 2},
+                                                                                          {3, 7},
+                                                                                          {4, 4},
+                                                                                          {5, 4},
+                                                                                          {4, 17},
+                                                                                          {16, 16},
+                                                                                          {17, 15},
+                                                                                          {64, 65},
+                                                                                          {2, 300},
+                                                                                          {300, 2},
+                                                                                          {63, 1}}) {
     std::vector<double> values(std::size_t{columns} * rows);
     const auto draw = [&] { return static_cast<double>(below(1000)) - 500; };
     std::ranges::generate(values, draw);

@@ -44,7 +44,8 @@ TEST(Across, CornerOverAFace) {
 }
 
 TEST(Across, EdgesThatCross) {
-  const Face along_x = face_of({{-3, 0.5, 0}, {1, 0.5, 0}}, {0, 0, 0}), along_y = face_of({{-2, -1, 0.5}, {-2, 4, 0.5}}, {0, 0, 0});
+  const Face along_x = face_of({{-3, 0.5, 0}, {1, 0.5, 0}}, {0, 0, 0}),
+             along_y = face_of({{-2, -1, 0.5}, {-2, 4, 0.5}}, {0, 0, 0});
   const abut::AcrossPair pair = abut::points_across(along_x, along_y, up, slack);
   expect_across(pair, 0.5);
   EXPECT_NEAR(pair.point_a.x, -2, 1e-12);
@@ -92,8 +93,8 @@ TEST(Across, RandomSquaresThatOverlap) {
   for (int i = 0; i < 1000; ++i) {
     const double turn = random.uniform(0, 6), c = std::cos(turn), s = std::sin(turn);
     const Vec3 centre{random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), 0.25};
-    const Face other = face_of({centre + Vec3{-c + s, -s - c, 0}, centre + Vec3{-c - s, -s + c, 0}, centre + Vec3{c - s, s + c, 0},
-                                centre + Vec3{c + s, s - c, 0}},
+    const Face other = face_of({centre + Vec3{-c + s, -s - c, 0}, centre + Vec3{-c - s, -s + c, 0},
+                                centre + Vec3{c - s, s + c, 0}, centre + Vec3{c + s, s - c, 0}},
                                -up);
     const abut::AcrossPair pair = abut::points_across(square, other, up, slack);
     // Where the circle inside the other one reaches into the square, they overlap.

@@ -37,14 +37,17 @@ std::vector<ContactPoint> region_of(const Vec3& half_a, const Vec3& half_b, cons
   std::vector<ContactPoint> contacts;
   abut::BoxRegion region;
   if (abut::clip_boxes(half_a, half_b, ab, axis.normal, axis.separation, margin, size, region)) {
-    abut::contacts_of_region(region, axis.normal, 0, 0, [&](const ContactPoint& contact) { contacts.push_back(contact); });
+    abut::contacts_of_region(region, axis.normal, 0, 0,
+                             [&](const ContactPoint& contact) { contacts.push_back(contact); });
   }
   return contacts;
 }
 
 // Whether a point of a box lies on a feature, from the numbering that box.cppm documents.
 bool is_on(const Vec3& half, const Feature& feature, const Vec3& p) {
-  const auto is_at = [&](int axis, bool upper) { return std::fabs(p[axis] - (upper ? half[axis] : -half[axis])) < 1e-13; };
+  const auto is_at = [&](int axis, bool upper) {
+    return std::fabs(p[axis] - (upper ? half[axis] : -half[axis])) < 1e-13;
+  };
   const std::uint32_t index = feature.index;
   if (feature.kind == FeatureKind::vertex) {
     return is_at(0, index & 1) && is_at(1, index & 2) && is_at(2, index & 4);
@@ -87,7 +90,8 @@ TEST(BoxContacts, RandomBoxesHaveTheCornersOfTheirClippedFaces) {
     const auto box_a = test::made<abut::Box>({half_a.x, half_a.y, half_a.z});
     const auto box_b = test::made<abut::Box>({half_b.x, half_b.y, half_b.z});
     abut::ClipPoints clipped;
-    abut::clip_faces(box_a.supporting_face(axis.normal), abut::placed_face(box_b, ab, -axis.normal), axis.normal, clipped);
+    abut::clip_faces(box_a.supporting_face(axis.normal), abut::placed_face(box_b, ab, -axis.normal), axis.normal,
+                     clipped);
     // What cutting loses to rounding comes back as the closest points of both faces, without a corner's name.
     const bool is_whole = std::ranges::none_of(clipped.span(), [](const abut::ClipPoint& point) {
       return point.feature_a.kind == FeatureKind::face && point.feature_b.kind == FeatureKind::face;
@@ -130,16 +134,18 @@ TEST(BoxContacts, TheDeepestCornerIsTheSeparation) {
 }
 
 std::size_t count_of(const std::vector<ContactPoint>& contacts, FeatureKind a, FeatureKind b) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      contacts, [&](const ContactPoint& contact) { return contact.feature_a.kind == a && contact.feature_b.kind == b; }));
+  return static_cast<std::size_t>(std::ranges::count_if(contacts, [&](const ContactPoint& contact) {
+    return contact.feature_a.kind == a && contact.feature_b.kind == b;
+  }));
 }
 
 // Every face of a meets every face of b, turned about it by right angles.
 TEST(BoxContacts, StacksInAllDirections) {
   const Vec3 half{1, 1, 1};
   const double root = std::numbers::sqrt2 / 2;
-  const std::array<abut::Quat, 7> turns{abut::Quat{1, 0, 0, 0}, {root, root, 0, 0}, {root, 0, root, 0}, {root, 0, 0, root},
-                                        {0, 1, 0, 0},           {0, 0, 1, 0},       {0.5, 0.5, 0.5, 0.5}};
+  const std::array<abut::Quat, 7> turns{abut::Quat{1, 0, 0, 0}, {root, root, 0, 0}, {root, 0, root, 0},
+                                        {root, 0, 0, root},     {0, 1, 0, 0},       {0, 0, 1, 0},
+                                        {0.5, 0.5, 0.5, 0.5}};
   for (const abut::Quat& turn : turns) {
     const abut::Rotation rotation = abut::Rotation::from(turn);
     for (const Vec3& way : {Vec3{1.9, 0, 0}, {-1.9, 0, 0}, {0, 1.9, 0}, {0, -1.9, 0}, {0, 0, 1.9}, {0, 0, -1.9}}) {
@@ -203,7 +209,8 @@ TEST(BoxContacts, TheMarginLeavesOutCornersOfRandomBoxes) {
 
 // Corners of b on edges of a, and faces that only meet along a line, are left to others.
 TEST(BoxContacts, NothingWhereThereIsDoubt) {
-  const abut::Rotation eighth = abut::Rotation::from({std::cos(std::numbers::pi / 8), 0, 0, std::sin(std::numbers::pi / 8)});
+  const abut::Rotation eighth =
+      abut::Rotation::from({std::cos(std::numbers::pi / 8), 0, 0, std::sin(std::numbers::pi / 8)});
   const double side = std::numbers::sqrt2 / 2;
   EXPECT_TRUE(region_of({1, 1, 1}, {side, side, 1}, {eighth, {0, 0, 1.9}}, 0).empty());
   EXPECT_EQ(region_of({1, 1, 1}, {side + 1e-9, side + 1e-9, 1}, {eighth, {0, 0, 1.9}}, 0).size(), 8u);

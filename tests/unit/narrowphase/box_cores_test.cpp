@@ -22,8 +22,8 @@ void expect_nearest(const Vec3& half_a, const Vec3& half_b, const Pose& ab, cons
   EXPECT_TRUE(test::is_inside(half_b, ab.undo(q), 1e-14));
   EXPECT_LE(abut::norm(abut::vec3_of(near.between) - (q - p)), 1e-14);
   const double distance = std::sqrt(near.square);
-  const double overreach = test::corners_overreach(test::corners_of(half_a, Pose::identity()), test::corners_of(half_b, ab),
-                                                   (1 / distance) * (q - p), distance);
+  const double overreach = test::corners_overreach(test::corners_of(half_a, Pose::identity()),
+                                                   test::corners_of(half_b, ab), (1 / distance) * (q - p), distance);
   EXPECT_LE(overreach, 4 * error);
   EXPECT_NEAR(overreach, near.gap / distance, 1e-14);
 }
@@ -61,7 +61,8 @@ TEST(BoxCores, NearPointsOfBoxAndSegmentAreProvenByTheirCorners) {
   expect_mostly_proven(
       12, 0.99, [](test::Random& random) { return Vec3{0, 0, random.uniform(0, 2)}; },
       [](const Vec3& box, const Vec3& rod, const Pose& ab) {
-        return abut::near_points_of_segment(box, abut::lanes_of(ab.position), abut::lanes_of(ab.rotation.z), rod.z, error);
+        return abut::near_points_of_segment(box, abut::lanes_of(ab.position), abut::lanes_of(ab.rotation.z), rod.z,
+                                            error);
       });
 }
 
@@ -103,7 +104,8 @@ TEST(BoxCores, NearerThanOfUseEndsAtOnce) {
       const abut::NearPoints apart = abut::near_points_of_boxes(a, b, ab, error, 0);
       ab.position += -(1 - gap / std::sqrt(apart.square)) * abut::vec3_of(apart.between);
     }
-    const abut::NearPoints all = abut::near_points_of_boxes(a, b, ab, error, 0), few = abut::near_points_of_boxes(a, b, ab, error, least);
+    const abut::NearPoints all = abut::near_points_of_boxes(a, b, ab, error, 0),
+                           few = abut::near_points_of_boxes(a, b, ab, error, least);
     EXPECT_LE(few.rounds, all.rounds);
     EXPECT_LE(all.square, few.square * (1 + 1e-9));
     EXPECT_TRUE(few.rounds == all.rounds || few.square < least * least) << i;

@@ -54,8 +54,9 @@ TEST(BoxSat, FindsTheLargestSeparationOfAllAxes) {
     double of_faces = 0;
     EXPECT_NEAR(found.separation, brute_force(half_a, half_b, ab, &of_faces), 1e-14);
     EXPECT_NEAR(abut::norm(found.normal), 1, 1e-14);
-    EXPECT_NEAR(separation_along(test::corners_of(half_a, Pose::identity()), test::corners_of(half_b, ab), found.normal),
-                found.separation, 1e-14);
+    EXPECT_NEAR(
+        separation_along(test::corners_of(half_a, Pose::identity()), test::corners_of(half_b, ab), found.normal),
+        found.separation, 1e-14);
     EXPECT_EQ(found.axes, 15u);
     if (found.of_edges) {
       ++of_edges;

@@ -84,7 +84,8 @@ TEST(ConvexContacts, WhatClosedFormsLeaveIsFound) {
   // Turns the corner (-1, -1, -1) down: about (1, -1, 0) by the angle between its diagonal and z.
   const double angle = std::acos(1 / reach), s = std::sin(angle / 2) * std::sqrt(0.5);
   const abut::Rotation on_corner = abut::Rotation::from({std::cos(angle / 2), s, -s, 0});
-  ASSERT_EQ(abut::convex_contacts(box, box, {on_corner, {0, 0, 1 + reach + 0.05}}, settings, contacts), abut::Outcome::ok);
+  ASSERT_EQ(abut::convex_contacts(box, box, {on_corner, {0, 0, 1 + reach + 0.05}}, settings, contacts),
+            abut::Outcome::ok);
   ASSERT_EQ(contacts.size(), 1u);
   EXPECT_NEAR(contacts[0].distance, 0.05, 1e-12);
 }

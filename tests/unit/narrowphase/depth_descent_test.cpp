@@ -39,8 +39,8 @@ Real overlap_along(const A& a, const B& b, const Pose& ab, const Vec3& n) {
   return dot(n, a.support(n).point - ab * b.support(ab.rotation.undo(-n)).point);
 }
 
-// Over the ring of directions that lean by an angle of a given sine out of the plane across Z, in so small steps that what lies
-// between two of them is less than the tolerance for cores that vary by parts in a million.
+// Over the ring of directions that lean by an angle of a given sine out of the plane across Z, in so small steps that
+// what lies between two of them is less than the tolerance for cores that vary by parts in a million.
 template <class A, class B>
 Real least_on_ring(const A& a, const B& b, const Pose& ab, Real sine) {
   const Real cosine = std::sqrt(1 - sine * sine);
@@ -97,7 +97,8 @@ TEST(DepthDescent, CylindersWhoseAxesAlmostMeet) {
   for (Real aside = 1e-9; aside < 1e-3; aside *= 10) {
     for (int i = 0; i < 8; ++i) {
       const Real around = random.uniform(0, 6.3);
-      const Pose ab{abut::Rotation::identity(), {aside * std::cos(around), aside * std::sin(around), random.uniform(-0.5, 0.5)}};
+      const Pose ab{abut::Rotation::identity(),
+                    {aside * std::cos(around), aside * std::sin(around), random.uniform(-0.5, 0.5)}};
       expect_depth(a, b, ab, 0.75 - aside, i);
     }
   }
@@ -129,8 +130,9 @@ TEST(DepthDescent, NeedleInAFlatBall) {
 TEST(DepthDescent, LeavesARidge) {
   const auto cylinder = test::made<abut::Cylinder>({0.5, 3}), other = test::made<abut::Cylinder>({0.25, 2});
   const Pose ab{abut::Rotation::identity(), {1e-5, 0, 0}};
-  const abut::Descent found = abut::with_difference(
-      cylinder, other, ab, 8, [](const abut::Difference& cores) { return abut::descend(cores, {-1, 0, 0}, tolerance, 1e-15); });
+  const abut::Descent found = abut::with_difference(cylinder, other, ab, 8, [](const abut::Difference& cores) {
+    return abut::descend(cores, {-1, 0, 0}, tolerance, 1e-15);
+  });
   EXPECT_NEAR(overlap_along(cylinder, other, ab, {-1, 0, 0}), 0.75 + 1e-5, tolerance);
   EXPECT_NEAR(found.depth, 0.75 - 1e-5, tolerance);
 }

@@ -114,9 +114,8 @@ Pose turned_together(const Rotation& turn, const Pose& pose) {
 // The same polyhedron in all frames.
 template <class Polyhedron>
 bool check_turned(const Polyhedron& polyhedron, const Case& c, int number) {
-  return check_in_all_frames(c, number, [&](const Rotation& turn) {
-    return depth_of(polyhedron, c.solid, turned_together(turn, c.pose));
-  });
+  return check_in_all_frames(
+      c, number, [&](const Rotation& turn) { return depth_of(polyhedron, c.solid, turned_together(turn, c.pose)); });
 }
 
 std::vector<Vec3> small_polygon(test::Random& random, int count) {

@@ -31,7 +31,9 @@ struct Case {
 };
 
 // The overlap along a direction from a to b.
-Real overlap(const Case& c, const Vec3& d) { return (c.a.reach(d) + c.b.reach(-c.ab.rotation.undo(d)) - dot(d, c.ab.position)) / norm(d); }
+Real overlap(const Case& c, const Vec3& d) {
+  return (c.a.reach(d) + c.b.reach(-c.ab.rotation.undo(d)) - dot(d, c.ab.position)) / norm(d);
+}
 
 template <class Visit>
 auto with_shape(const Solid& solid, Visit&& visit) {
@@ -39,7 +41,9 @@ auto with_shape(const Solid& solid, Visit&& visit) {
   return solid.is_cone ? visit(test::made<abut::Cone>(parameters)) : visit(test::made<abut::Cylinder>(parameters));
 }
 std::optional<abut::ProvenDepth> depth_of(const Case& c) {
-  return with_shape(c.a, [&](const auto& a) { return with_shape(c.b, [&](const auto& b) { return abut::disc_depth(a, b, c.ab, size, error); }); });
+  return with_shape(c.a, [&](const auto& a) {
+    return with_shape(c.b, [&](const auto& b) { return abut::disc_depth(a, b, c.ab, size, error); });
+  });
 }
 
 // Of solids that overlap: whether a depth was found.
@@ -54,12 +58,15 @@ void check(const Case& c, int number) {
   test::expect_least(*found, least, error, overlap_along, number);
 }
 
-Solid random_solid(test::Random& random, bool is_cone) { return {random.uniform(0.05, 1), random.uniform(0.05, 1), is_cone}; }
+Solid random_solid(test::Random& random, bool is_cone) {
+  return {random.uniform(0.05, 1), random.uniform(0.05, 1), is_cone};
+}
 
 TEST(DiscDepthOfDiscs, NoDirectionHasLess) {
   test::Random random(30);
   for (int i = 0; i < 400; ++i) {
-    const Case c{random_solid(random, i % 2 == 0), random_solid(random, i % 4 < 2), {random.rotation(), random.point(0.7)}};
+    const Case c{
+        random_solid(random, i % 2 == 0), random_solid(random, i % 4 < 2), {random.rotation(), random.point(0.7)}};
     check(c, i);
   }
 }
@@ -84,8 +91,9 @@ TEST(DiscDepthOfDiscs, NoDirectionHasLessWhereAxesAreAligned) {
     const Real tilt = i % 4 == 0 ? 0 : i % 4 == 1 ? 1e-13 : i % 4 == 2 ? 1e-7 : std::numbers::pi / 4;
     const Real c = std::cos(tilt), s = std::sin(tilt);
     const Rotation turned{{1, 0, 0}, {0, c, s}, {0, -s, c}};
-    const Rotation onto = i % 3 == 0 ? Rotation{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}
-                          : i % 3 == 1 ? Rotation{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}} : Rotation::identity();
+    const Rotation onto = i % 3 == 0   ? Rotation{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}
+                          : i % 3 == 1 ? Rotation{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}
+                                       : Rotation::identity();
     Vec3 offset = random.point(0.6);
     offset.x = i % 5 < 2 ? 0 : offset.x;
     offset.z = i % 5 == 1 ? 0 : offset.z;
@@ -109,7 +117,8 @@ TEST(DiscDepthOfDiscs, NothingWrongIsProvenWhereARimMeetsTheAxis) {
 TEST(DiscDepthOfDiscs, IsTheSameFromTheOtherSide) {
   test::Random random(33);
   for (int i = 0; i < 200; ++i) {
-    const Case c{random_solid(random, i % 2 == 0), random_solid(random, i % 4 < 2), {random.rotation(), random.point(0.5)}};
+    const Case c{
+        random_solid(random, i % 2 == 0), random_solid(random, i % 4 < 2), {random.rotation(), random.point(0.5)}};
     const auto found = depth_of(c), other = depth_of({c.b, c.a, c.ab.inverse()});
     ASSERT_EQ(found.has_value(), other.has_value()) << i;
     if (found) {

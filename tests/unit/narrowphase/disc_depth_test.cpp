@@ -66,7 +66,8 @@ TEST(DiscDepth, NoDirectionHasLessThanTheDepthOfABox) {
   test::Random random(20);
   for (int i = 0; i < 160; ++i) {
     const Vec3 half{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)};
-    const Case c{half, {random.uniform(0.05, 1), random.uniform(0.05, 1), i % 2 == 0}, {random.rotation(), random.point(0.7)}};
+    const Case c{
+        half, {random.uniform(0.05, 1), random.uniform(0.05, 1), i % 2 == 0}, {random.rotation(), random.point(0.7)}};
     check(test::made<abut::Box>({half.x, half.y, half.z}), c, i);
   }
 }
@@ -75,7 +76,8 @@ TEST(DiscDepth, NoDirectionHasLessThanTheDepthOfASegment) {
   test::Random random(21);
   for (int i = 0; i < 80; ++i) {
     const Vec3 half{0, 0, random.uniform(0.1, 1)};
-    const Case c{half, {random.uniform(0.05, 1), random.uniform(0.05, 1), i % 2 == 0}, {random.rotation(), random.point(0.4)}};
+    const Case c{
+        half, {random.uniform(0.05, 1), random.uniform(0.05, 1), i % 2 == 0}, {random.rotation(), random.point(0.4)}};
     check(test::made<abut::Capsule>({0.1, half.z}), c, i);
   }
 }
@@ -89,7 +91,8 @@ TEST(DiscDepth, OfAHullIsThatOfTheBoxThatItIs) {
     for (const Vec3& corner : test::corners_of(half, Pose::identity())) {
       corners.insert(corners.end(), {corner.x, corner.y, corner.z});
     }
-    const Case c{half, {random.uniform(0.05, 1), random.uniform(0.05, 1), i % 2 == 0}, {random.rotation(), random.point(0.7)}};
+    const Case c{
+        half, {random.uniform(0.05, 1), random.uniform(0.05, 1), i % 2 == 0}, {random.rotation(), random.point(0.7)}};
     const auto of_box = depth_of(test::made<abut::Box>({half.x, half.y, half.z}), c);
     const auto of_hull = depth_of(test::made<abut::Hull>({}, corners), c);
     ASSERT_EQ(of_box.has_value(), of_hull.has_value()) << i;
@@ -109,9 +112,11 @@ TEST(DiscDepth, NoDirectionHasLessWhereAxesAreAligned) {
     const Real tilt = i % 4 == 0 ? 0 : i % 4 == 1 ? 1e-13 : i % 4 == 2 ? 1e-7 : std::numbers::pi / 4;
     const Real c = std::cos(tilt), s = std::sin(tilt);
     const abut::Rotation turned{{1, 0, 0}, {0, c, s}, {0, -s, c}};
-    const abut::Rotation onto = i % 3 == 0 ? abut::Rotation{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}
-                                : i % 3 == 1 ? abut::Rotation{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}} : abut::Rotation::identity();
-    const Case one{half, {random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), i % 2 == 0}, {turned * onto, random.point(0.6)}};
+    const abut::Rotation onto = i % 3 == 0   ? abut::Rotation{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}
+                                : i % 3 == 1 ? abut::Rotation{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}
+                                             : abut::Rotation::identity();
+    const Case one{
+        half, {random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), i % 2 == 0}, {turned * onto, random.point(0.6)}};
     check(box, one, i);
   }
 }
@@ -132,11 +137,13 @@ TEST(DiscDepth, NoDirectionHasLessThanTheDepthOfATriangle) {
     if (least <= error) {
       continue;
     }
-    const auto triangle = test::made<abut::FreeTriangle>(
-        {corners[0].x, corners[0].y, corners[0].z, corners[1].x, corners[1].y, corners[1].z, corners[2].x, corners[2].y, corners[2].z});
+    const auto triangle =
+        test::made<abut::FreeTriangle>({corners[0].x, corners[0].y, corners[0].z, corners[1].x, corners[1].y,
+                                        corners[1].z, corners[2].x, corners[2].y, corners[2].z});
     const std::vector<Real> parameters{solid.radius, solid.half_height};
-    const auto found = solid.is_cone ? abut::disc_depth(triangle, test::made<abut::Cone>(parameters), pose, size, error)
-                                     : abut::disc_depth(triangle, test::made<abut::Cylinder>(parameters), pose, size, error);
+    const auto found = solid.is_cone
+                           ? abut::disc_depth(triangle, test::made<abut::Cone>(parameters), pose, size, error)
+                           : abut::disc_depth(triangle, test::made<abut::Cylinder>(parameters), pose, size, error);
     ASSERT_TRUE(found) << i;
     ++found_count;
     test::expect_least(*found, least, error, overlap_along, i);
@@ -150,7 +157,8 @@ TEST(DiscDepth, IsTheSameFromTheOtherSide) {
   const auto cone = test::made<abut::Cone>({0.4, 0.8});
   for (int i = 0; i < 100; ++i) {
     const Pose ab{random.rotation(), random.point(0.5)};
-    const auto found = abut::disc_depth(box, cone, ab, size, error), other = abut::disc_depth(cone, box, ab.inverse(), size, error);
+    const auto found = abut::disc_depth(box, cone, ab, size, error),
+               other = abut::disc_depth(cone, box, ab.inverse(), size, error);
     ASSERT_EQ(found.has_value(), other.has_value()) << i;
     if (found) {
       EXPECT_NEAR(found->depth, other->depth, error) << i;

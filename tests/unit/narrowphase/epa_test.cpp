@@ -22,9 +22,7 @@ namespace {
 using abut::Pose;
 using abut::Vec3;
 
-abut::Box box(const Vec3& half) {
-  return test::made<abut::Box>({half.x, half.y, half.z});
-}
+abut::Box box(const Vec3& half) { return test::made<abut::Box>({half.x, half.y, half.z}); }
 
 abut::EpaResult depth_of(const Vec3& half_a, const Vec3& half_b, const Pose& ab) {
   const abut::GjkResult start = abut::gjk(box(half_a), box(half_b), ab, ab.position, 10, 1e-12, abut::infinity);

@@ -33,15 +33,15 @@ TEST(Gjk, RandomBoxesAreProvenByTheirCorners) {
   for (int i = 0; i < 3000; ++i) {
     const Vec3 half_a = abut::absolute(random.point(1)), half_b = abut::absolute(random.point(1));
     const Pose ab{random.rotation(), random.point(3)};
-    const abut::GjkResult found =
-        between(test::made<abut::Box>({half_a.x, half_a.y, half_a.z}), test::made<abut::Box>({half_b.x, half_b.y, half_b.z}), ab);
+    const abut::GjkResult found = between(test::made<abut::Box>({half_a.x, half_a.y, half_a.z}),
+                                          test::made<abut::Box>({half_b.x, half_b.y, half_b.z}), ab);
     EXPECT_LE(found.iterations, 12u);
     if (found.overlap) {
       continue;
     }
     ++apart;
-    const double overreach = test::corners_overreach(test::corners_of(half_a, Pose::identity()), test::corners_of(half_b, ab),
-                                                     found.normal, found.upper);
+    const double overreach = test::corners_overreach(test::corners_of(half_a, Pose::identity()),
+                                                     test::corners_of(half_b, ab), found.normal, found.upper);
     EXPECT_LE(std::fabs(overreach), 1e-11);
     EXPECT_LE(found.lower, found.upper);
     EXPECT_LE(found.upper - found.lower, 1.1e-12);
@@ -98,7 +98,8 @@ TEST(Gjk, ACoarseBoundHoldsOnceTheCoresAreProvenApart) {
   int near = 0, pass_for_overlaps = 0;
   while (near < 500) {
     const Vec3 half_a = abut::absolute(random.point(1)), half_b = abut::absolute(random.point(1));
-    const auto a = test::made<abut::Box>({half_a.x, half_a.y, half_a.z}), b = test::made<abut::Box>({half_b.x, half_b.y, half_b.z});
+    const auto a = test::made<abut::Box>({half_a.x, half_a.y, half_a.z}),
+               b = test::made<abut::Box>({half_b.x, half_b.y, half_b.z});
     Pose ab{random.rotation(), random.point(3)};
     const abut::GjkResult apart = between(a, b, ab);
     if (apart.overlap || apart.upper < 0.1) {

@@ -53,7 +53,8 @@ abut::Manifold contacts(const abut::Pose& pose, double margin) {
 
 TEST(HalfSpace, StandingCylinderTouchesAtItsRim) {
   for (const bool upright : {true, false}) {
-    const abut::Rotation turn = upright ? abut::Rotation::identity() : abut::Rotation{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+    const abut::Rotation turn =
+        upright ? abut::Rotation::identity() : abut::Rotation{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
     const abut::Manifold points = contacts({turn, {3, 4, half_height - 0.01}}, 0);
     ASSERT_EQ(points.size(), 16u);
     std::set<std::uint32_t> corners;
@@ -74,7 +75,8 @@ TEST(HalfSpace, LyingCylinderTouchesAtTwoPoints) {
     // The axis across the plane's normal, turned about both.
     const double yaw = random.uniform(0, 2 * std::numbers::pi), roll = random.uniform(0, 2 * std::numbers::pi);
     const Vec3 along{std::cos(yaw), std::sin(yaw), 0}, across{-std::sin(yaw), std::cos(yaw), 0}, up{0, 0, 1};
-    const Vec3 first = std::cos(roll) * across + std::sin(roll) * up, second = std::cos(roll) * up - std::sin(roll) * across;
+    const Vec3 first = std::cos(roll) * across + std::sin(roll) * up,
+               second = std::cos(roll) * up - std::sin(roll) * across;
     const abut::Rotation turn{first, second, along};
     const abut::Manifold points = contacts({turn, {3, 4, radius - 0.01}}, 0);
     ASSERT_EQ(points.size(), 2u) << "seed 401, turn " << i;
@@ -142,7 +144,11 @@ Placed place_near_plane(test::Random& random, double reach) {
   const abut::Pose pose_a{random.rotation(), random.point(10)};
   const Vec3 n = pose_a.rotation * tilt.z, level = pose_a.rotation * tilt.x;
   const Vec3 position = pose_a.position + (offset + height) * n + random.uniform(-3, 3) * level;
-  return {made<Plane>({tilt.z.x, tilt.z.y, tilt.z.z, offset}), pose_a, {random.rotation(), position}, n, height,
+  return {made<Plane>({tilt.z.x, tilt.z.y, tilt.z.z, offset}),
+          pose_a,
+          {random.rotation(), position},
+          n,
+          height,
           random.uniform(-0.3, 0.5)};
 }
 
@@ -159,7 +165,8 @@ void expect_contacts(const Placed& placed, const B& b, const std::vector<Expecte
   settings.margin = placed.margin;
   abut::Manifold found;
   const auto append = [&](const abut::ContactPoint& contact) { found.push_back(contact); };
-  ASSERT_EQ(abut::half_space_contacts(placed.plane, b, placed.pose_a, placed.pose_b, settings, append), abut::Outcome::ok);
+  ASSERT_EQ(abut::half_space_contacts(placed.plane, b, placed.pose_a, placed.pose_b, settings, append),
+            abut::Outcome::ok);
   std::size_t expected = 0;
   for (const Expected& point : points) {
     const double height = placed.height_of(point.point);
@@ -171,7 +178,8 @@ void expect_contacts(const Placed& placed, const B& b, const std::vector<Expecte
       return contact.feature_b == abut::Feature{abut::FeatureKind::vertex, point.vertex} &&
              largest_magnitude(contact.point_b - point.point) < slack &&
              largest_magnitude(contact.point_a - (point.point - height * placed.normal)) < slack &&
-             largest_magnitude(contact.normal - placed.normal) < slack && std::fabs(contact.distance - height) < slack &&
+             largest_magnitude(contact.normal - placed.normal) < slack &&
+             std::fabs(contact.distance - height) < slack &&
              contact.id == abut::contact_id({abut::FeatureKind::whole, 0}, contact.feature_b);
     };
     EXPECT_EQ(std::ranges::count_if(found, is_it), height < placed.margin ? 1 : 0) << "vertex " << point.vertex;
@@ -259,7 +267,8 @@ TEST(HalfSpace, FlatBoxTouchesWithEachCornerOnce) {
     const abut::Box sheet = made<abut::Box>({1, 0, 0.5});
     abut::QuerySettings settings;
     settings.margin = placed.margin;
-    ASSERT_EQ(abut::half_space_contacts(placed.plane, sheet, placed.pose_a, placed.pose_b, settings, append), abut::Outcome::ok);
+    ASSERT_EQ(abut::half_space_contacts(placed.plane, sheet, placed.pose_a, placed.pose_b, settings, append),
+              abut::Outcome::ok);
     const Vec3 up = placed.pose_b.rotation.undo(placed.normal);
     const bool lies = std::fabs(up.y) > std::fabs(up.x) && std::fabs(up.y) > std::fabs(up.z);
     EXPECT_EQ(found.size(), lies ? 4u : 2u);
@@ -302,7 +311,8 @@ TEST(HalfSpace, HullWithoutAreaTouchesWithItsEnds) {
     SCOPED_TRACE(i);
     const Placed placed = place_near_plane(random, 2);
     const Vec3 along = placed.pose_b.rotation.x;
-    expect_contacts(placed, stick, {{placed.pose_b.position - along, 1 - upper}, {placed.pose_b.position + along, upper}});
+    expect_contacts(placed, stick,
+                    {{placed.pose_b.position - along, 1 - upper}, {placed.pose_b.position + along, upper}});
   }
 }
 
@@ -324,7 +334,8 @@ TEST(HalfSpace, ConeTouchesAtItsLowestPoint) {
       EXPECT_NEAR(placed.height_of(contact.point_a), 0, 1e-13);
       EXPECT_EQ(contact.feature_a, (abut::Feature{abut::FeatureKind::whole, 0}));
     };
-    ASSERT_EQ(abut::half_space_contacts(placed.plane, cone, placed.pose_a, placed.pose_b, settings, append), abut::Outcome::ok);
+    ASSERT_EQ(abut::half_space_contacts(placed.plane, cone, placed.pose_a, placed.pose_b, settings, append),
+              abut::Outcome::ok);
     const double rise = dot(placed.pose_b.rotation.z, placed.normal);
     const double across = std::sqrt(1 - rise * rise);
     EXPECT_NEAR(least, placed.height + std::fmin(half_height * rise, -half_height * rise - radius * across), 1e-12);
@@ -336,7 +347,8 @@ TEST(HalfSpace, OtherAlgorithmsAreRefused) {
   abut::QuerySettings settings;
   settings.algorithm = abut::Algorithm::gjk_epa;
   abut::Manifold points;
-  EXPECT_EQ(abut::half_space_contacts(ground(), can(), abut::Pose::identity(), settings, points), abut::Outcome::unsupported);
+  EXPECT_EQ(abut::half_space_contacts(ground(), can(), abut::Pose::identity(), settings, points),
+            abut::Outcome::unsupported);
   EXPECT_TRUE(points.empty());
 }
 

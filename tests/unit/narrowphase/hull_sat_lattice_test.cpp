@@ -53,7 +53,8 @@ TEST(HullSatOnALattice, PointsOfTwoHullsLieOnBoth) {
     const Hull a = hull_of(lattice_points(10, random)), b = hull_of(lattice_points(8, random));
     const Pose ab{abut::Rotation::identity(), lattice_points(1, random)[0]};
     abut::CoreSeparation found = abut::separate_cores(a, b, ab, {}, abut::infinity);
-    if (!found.overlap || found.algorithm != abut::Algorithm::sat || a.data().faces.size() < 3 || b.data().faces.size() < 3) {
+    if (!found.overlap || found.algorithm != abut::Algorithm::sat || a.data().faces.size() < 3 ||
+        b.data().faces.size() < 3) {
       continue;
     }
     ++deep;
@@ -66,10 +67,23 @@ TEST(HullSatOnALattice, PointsOfTwoHullsLieOnBoth) {
 
 // The normal that is best is across the ends of a stretch that no edge of b joins, too.
 TEST(HullSatOnALattice, EndsOfAStretchThatIsCutAreNoEdge) {
-  const Hull a = hull_of({{-0.5, -0.75, -0.5}, {-1, 0.75, 0.25}, {-1, -0.75, 0.25}, {0.5, 0.75, 0.5}, {1, 0.75, -0.25},
-                          {0, 0, -0.5}, {0, -0.375, 0.25}, {0.5, 0.375, 0.25}, {-0.5, -0.75, 0.25}});
-  const Hull b = hull_of({{-0.5, 0.625, 0.375}, {-0.5, 1.25, -0.75}, {0, 1.25, 0.375}, {0.5, -0.625, 0.75}, {0.25, 0, -0.75},
-                          {0.5, -1.25, -0.75}, {0, -0.625, -0.75}, {0, -1.25, -0.375}});
+  const Hull a = hull_of({{-0.5, -0.75, -0.5},
+                          {-1, 0.75, 0.25},
+                          {-1, -0.75, 0.25},
+                          {0.5, 0.75, 0.5},
+                          {1, 0.75, -0.25},
+                          {0, 0, -0.5},
+                          {0, -0.375, 0.25},
+                          {0.5, 0.375, 0.25},
+                          {-0.5, -0.75, 0.25}});
+  const Hull b = hull_of({{-0.5, 0.625, 0.375},
+                          {-0.5, 1.25, -0.75},
+                          {0, 1.25, 0.375},
+                          {0.5, -0.625, 0.75},
+                          {0.25, 0, -0.75},
+                          {0.5, -1.25, -0.75},
+                          {0, -0.625, -0.75},
+                          {0, -1.25, -0.375}});
   const Pose ab{abut::Rotation::identity(), {0.6646153846842664, 1.5015384614868001, 0.30769230767295891}};
   abut::CoreSeparation found = abut::separate_cores(a, b, ab, {}, abut::infinity);
   ASSERT_TRUE(found.overlap);
@@ -85,8 +99,8 @@ TEST(HullSatOnALattice, PointsOfAHullAndATriangleLieOnBoth) {
     SCOPED_TRACE(i);
     const Hull a = hull_of(lattice_points(10, random));
     const Points corners = lattice_points(3, random);
-    const auto b = test::made<abut::FreeTriangle>(
-        {corners[0].x, corners[0].y, corners[0].z, corners[1].x, corners[1].y, corners[1].z, corners[2].x, corners[2].y, corners[2].z});
+    const auto b = test::made<abut::FreeTriangle>({corners[0].x, corners[0].y, corners[0].z, corners[1].x, corners[1].y,
+                                                   corners[1].z, corners[2].x, corners[2].y, corners[2].z});
     const Pose ab{abut::Rotation::identity(), lattice_points(1, random)[0]};
     abut::CoreSeparation found = abut::separate_cores(a, b, ab, {}, abut::infinity);
     if (!found.overlap || found.algorithm != abut::Algorithm::sat || a.data().faces.size() < 3 || !b.has_area()) {

@@ -119,16 +119,11 @@ Points cloud(std::size_t count, const Vec3& size, test::Random& random) {
 // A hull of random form: pebbles, boxes, plates, needles, polygons, prisms, points on a coarse lattice.
 Points random_points(int form, test::Random& random) {
   switch (form) {
-    case 0:
-      return cloud(9, {1, 1, 1}, random);
-    case 1:
-      return test::corners_of({0.5, 0.25, 1}, Pose::identity());
-    case 2:
-      return cloud(8, {1, 1, 1e-3}, random);
-    case 3:
-      return cloud(8, {2, 1e-3, 1e-3}, random);
-    case 4:
-      return cloud(7, {1, 1, 0}, random);
+    case 0: return cloud(9, {1, 1, 1}, random);
+    case 1: return test::corners_of({0.5, 0.25, 1}, Pose::identity());
+    case 2: return cloud(8, {1, 1, 1e-3}, random);
+    case 3: return cloud(8, {2, 1e-3, 1e-3}, random);
+    case 4: return cloud(7, {1, 1, 0}, random);
     case 5: {
       Points points;
       for (int i = 0; i < 5; ++i) {
@@ -154,7 +149,8 @@ constexpr int forms = 7;
 Pose random_pose(int i, test::Random& random) {
   if (i % 4 == 3) {
     const Vec3 p = random.point(1.5);
-    return {abut::Rotation::identity(), {0.5 * std::round(2 * p.x), 0.5 * std::round(2 * p.y), 0.5 * std::round(2 * p.z)}};
+    return {abut::Rotation::identity(),
+            {0.5 * std::round(2 * p.x), 0.5 * std::round(2 * p.y), 0.5 * std::round(2 * p.z)}};
   }
   return {random.rotation(), random.point(i % 4 == 2 ? 0.01 : 0.7)};
 }
@@ -244,7 +240,10 @@ TEST(HullSat, TrianglesInHulls) {
     for (const Vec3& p : corners) {
       numbers.insert(numbers.end(), {p.x, p.y, p.z});
     }
-    deep += expect_least(test::made<abut::FreeTriangle>(numbers), hull_of(points), corners, points, random_pose(i, random)) ? 1 : 0;
+    deep +=
+        expect_least(test::made<abut::FreeTriangle>(numbers), hull_of(points), corners, points, random_pose(i, random))
+            ? 1
+            : 0;
   }
   EXPECT_GT(deep, 10);
 }

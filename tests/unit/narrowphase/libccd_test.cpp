@@ -28,7 +28,8 @@ class Libccd : public testing::Test {
   void SetUp() override {
     Distance found{};
     const auto cube = test::made<abut::Box>({1, 1, 1});
-    if (abut::libccd_distance(cube, cube, Pose::identity(), {.algorithm = Algorithm::libccd_gjk}, found) == Outcome::unsupported) {
+    if (abut::libccd_distance(cube, cube, Pose::identity(), {.algorithm = Algorithm::libccd_gjk}, found) ==
+        Outcome::unsupported) {
       GTEST_SKIP() << "this build lacks libccd";
     }
   }
@@ -38,7 +39,8 @@ TEST_F(Libccd, FindsTheDepthOfBoxes) {
   for (const Algorithm algorithm : both) {
     Distance found{};
     const Pose ab{abut::Rotation::identity(), {1.75, 0, 0}};
-    ASSERT_EQ(abut::libccd_distance(test::made<abut::Box>({1, 1, 1}), test::made<abut::Box>({1, 0.5, 0.5}), ab, {.algorithm = algorithm}, found),
+    ASSERT_EQ(abut::libccd_distance(test::made<abut::Box>({1, 1, 1}), test::made<abut::Box>({1, 0.5, 0.5}), ab,
+                                    {.algorithm = algorithm}, found),
               Outcome::ok);
     EXPECT_NEAR(found.distance, -0.25, 1e-8);
     EXPECT_NEAR(found.normal.x, 1, 1e-8);
@@ -49,10 +51,12 @@ TEST_F(Libccd, FindsTheDepthOfBoxes) {
 // Lengths and the error at which the search ends grow alike.
 TEST_F(Libccd, FindsTheSameInAnyUnit) {
   const auto depth = [](Algorithm algorithm, Real unit, Real error_bound) {
-    const auto a = test::made<abut::Ellipsoid>({1 * unit, 0.75 * unit, 0.5 * unit}), b = test::made<abut::Ellipsoid>({0.5 * unit, 1 * unit, 0.75 * unit});
+    const auto a = test::made<abut::Ellipsoid>({1 * unit, 0.75 * unit, 0.5 * unit}),
+               b = test::made<abut::Ellipsoid>({0.5 * unit, 1 * unit, 0.75 * unit});
     const Pose ab{abut::Rotation::from({0.9, 0.1, -0.3, 0.3}), {0.5 * unit, -0.25 * unit, 0.125 * unit}};
     Distance found{};
-    EXPECT_EQ(abut::libccd_distance(a, b, ab, {.algorithm = algorithm, .error_bound = error_bound}, found), Outcome::ok);
+    EXPECT_EQ(abut::libccd_distance(a, b, ab, {.algorithm = algorithm, .error_bound = error_bound}, found),
+              Outcome::ok);
     return found.distance / unit;
   };
   const Real large = std::ldexp(1, 20), small = std::ldexp(1, -20);
@@ -70,7 +74,9 @@ TEST_F(Libccd, TellsThatShapesAreApart) {
   for (const Algorithm algorithm : both) {
     Distance found{};
     const auto cube = test::made<abut::Box>({1, 1, 1});
-    EXPECT_EQ(abut::libccd_distance(cube, cube, {abut::Rotation::identity(), {4, 0, 0}}, {.algorithm = algorithm}, found), Outcome::apart);
+    EXPECT_EQ(
+        abut::libccd_distance(cube, cube, {abut::Rotation::identity(), {4, 0, 0}}, {.algorithm = algorithm}, found),
+        Outcome::apart);
   }
 }
 
@@ -84,7 +90,8 @@ TEST_F(Libccd, GivesUpAfterAThousandSupportPoints) {
   };
   const auto beside = [&](const Vec3& direction) { return ball(direction) + place; };
   Distance found{};
-  EXPECT_EQ(abut::libccd_query(ball, beside, {0, 0, 0}, place, Algorithm::libccd_gjk, 2, 0, found), Outcome::not_converged);
+  EXPECT_EQ(abut::libccd_query(ball, beside, {0, 0, 0}, place, Algorithm::libccd_gjk, 2, 0, found),
+            Outcome::not_converged);
   EXPECT_EQ(asked, 2 * 1000);
 }
 

@@ -75,8 +75,8 @@ std::vector<std::uint64_t> bits_of(const Manifold& contacts) {
     append_bits(contact.point_a, bits);
     append_bits(contact.point_b, bits);
     append_bits(contact.normal, bits);
-    bits.insert(bits.end(), {std::bit_cast<std::uint64_t>(contact.distance), contact.id, abut::feature_bits(contact.feature_a),
-                             abut::feature_bits(contact.feature_b)});
+    bits.insert(bits.end(), {std::bit_cast<std::uint64_t>(contact.distance), contact.id,
+                             abut::feature_bits(contact.feature_a), abut::feature_bits(contact.feature_b)});
   }
   return bits;
 }
@@ -100,7 +100,8 @@ bool is_spared(const A& a, const B& b, const Pose& ab, PairMemory memory) {
   }
   if constexpr (abut::Featured<A, B>) {
     abut::CoreSeparation core{};
-    if (memory.state >= PairMemory::State::touching && abut::overlap_along(a, b, ab, size, error, memory.features, core)) {
+    if (memory.state >= PairMemory::State::touching &&
+        abut::overlap_along(a, b, ab, size, error, memory.features, core)) {
       const abut::Face face_a = a.supporting_face(core.normal), face_b = abut::placed_face(b, ab, -core.normal);
       return abut::is_still_least(a, b, ab, size, error, core, face_a, face_b, memory);
     }
@@ -109,7 +110,8 @@ bool is_spared(const A& a, const B& b, const Pose& ab, PairMemory memory) {
 }
 
 template <class A, class B>
-void expect_same(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, PairMemory& memory, Tally& tally) {
+void expect_same(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, PairMemory& memory,
+                 Tally& tally) {
   Manifold cold, warm;
   tally.spared += is_spared(a, b, ab, memory) ? 1 : 0;
   ASSERT_EQ(abut::convex_contacts(a, b, ab, settings, cold), abut::Outcome::ok);
@@ -164,9 +166,15 @@ void expect_tried(const Tally& tally) {
 }
 
 TEST(PairMemory, ChangesNoBitBetweenHulls) { expect_tried(expect_same_on_paths(any_hull(32), any_hull(32), 901)); }
-TEST(PairMemory, ChangesNoBitBetweenABoxAndAHull) { expect_tried(expect_same_on_paths(any_of<Box>(), any_hull(32), 902)); }
-TEST(PairMemory, ChangesNoBitBetweenAHullAndABox) { expect_tried(expect_same_on_paths(any_hull(20), any_of<Box>(), 903)); }
-TEST(PairMemory, ChangesNoBitBetweenManyCorneredHulls) { expect_tried(expect_same_on_paths(any_hull(200), any_hull(100), 904)); }
+TEST(PairMemory, ChangesNoBitBetweenABoxAndAHull) {
+  expect_tried(expect_same_on_paths(any_of<Box>(), any_hull(32), 902));
+}
+TEST(PairMemory, ChangesNoBitBetweenAHullAndABox) {
+  expect_tried(expect_same_on_paths(any_hull(20), any_of<Box>(), 903));
+}
+TEST(PairMemory, ChangesNoBitBetweenManyCorneredHulls) {
+  expect_tried(expect_same_on_paths(any_hull(200), any_hull(100), 904));
+}
 TEST(PairMemory, ChangesNoBitBetweenCylinders) {
   expect_tried(expect_same_on_paths(any_of<Cylinder>(), any_of<Cylinder>(), 905));
 }
@@ -253,7 +261,8 @@ TEST(PairMemory, DiscAndBallHoldTheDepth) {
   std::size_t proven = 0;
   for (int i = 0; i < 20000; ++i) {
     const Vec3 normal = random.rotation().z, centre = random.point(1);
-    const double depth = std::pow(10, random.uniform(-3, 0)), clearance = random.uniform(0, 1), radius = random.uniform(0, 1.5);
+    const double depth = std::pow(10, random.uniform(-3, 0)), clearance = random.uniform(0, 1),
+                 radius = random.uniform(0, 1.5);
     if (!abut::is_least_depth(depth, normal, clearance, {centre, radius}, 0)) {
       continue;
     }

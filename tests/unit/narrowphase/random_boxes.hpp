@@ -13,7 +13,9 @@ namespace test {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double uniform(double low, double high) { return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53); }
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
   abut::Vec3 point(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
   abut::Rotation rotation() {
     for (;;) {

@@ -66,14 +66,15 @@ TEST(RimPoint, IsNearestUnderTheCentreOfABall) {
     };
     const auto start = rim_near({4 * number(random), number(random), number(random)});
     ASSERT_TRUE(start);
-    const RimContact found = abut::nearest_on_rim({*start, *to_ball(start->place)}, 2 * radius, noise, rim_near, to_ball);
+    const RimContact found =
+        abut::nearest_on_rim({*start, *to_ball(start->place)}, 2 * radius, noise, rim_near, to_ball);
     EXPECT_NEAR(found.found.distance, std::hypot(centre.y, centre.z) - radius, 1e-13);
     EXPECT_NEAR(found.rim.place.x, centre.x, 1e-5) << "where the distance has its flat bottom";
   }
 }
 
-// A box in a round hole through a plate, whose rim is the unit circle: least at a corner of the distance, where another face of the
-// box comes nearest. Compared with many points of the rim.
+// A box in a round hole through a plate, whose rim is the unit circle: least at a corner of the distance, where another
+// face of the box comes nearest. Compared with many points of the rim.
 TEST(RimPoint, IsDeepestWhereAnotherFaceComesNearest) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> number(-1, 1);
@@ -84,7 +85,8 @@ TEST(RimPoint, IsDeepestWhereAnotherFaceComesNearest) {
                           {0.9 + 0.3 * number(random), 0.3 * number(random), 0.3 * number(random)}};
     const auto rim_near = [&](const Vec3& place) {
       return abut::rim_point_near(
-          place, noise, [](const Vec3& p) { return to_plane(p, {0, 0, 1}, 0); }, [](const Vec3& p) { return to_cavity(p, 1); });
+          place, noise, [](const Vec3& p) { return to_plane(p, {0, 0, 1}, 0); },
+          [](const Vec3& p) { return to_cavity(p, 1); });
     };
     const auto to_box = [&](const Vec3& p) {
       const abut::SurfacePoint near = box.nearest(pose.undo(p));
@@ -118,7 +120,8 @@ TEST(RimPoint, IsNoneWhereSurfacesDoNotCross) {
   const auto plane = [](const Vec3& p) { return to_plane(p, {0, 0, 1}, 0); };
   const auto above = [](const Vec3& p) { return to_plane(p, {0, 0, 1}, 1); };
   EXPECT_FALSE(abut::rim_point_near({0, 0, 0}, noise, plane, above));
-  EXPECT_FALSE(abut::rim_point_near({0, 0, 0}, noise, plane, [](const Vec3&) -> std::optional<Distance> { return std::nullopt; }));
+  EXPECT_FALSE(abut::rim_point_near({0, 0, 0}, noise, plane,
+                                    [](const Vec3&) -> std::optional<Distance> { return std::nullopt; }));
 }
 
 }  // namespace

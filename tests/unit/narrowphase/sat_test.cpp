@@ -28,7 +28,8 @@ TEST(Sat, CapsuleCoreIsABoxWithoutWidth) {
     const Vec3 half = abut::absolute(random.point(1)) + Vec3{0.01, 0.01, 0.01};
     const double length = random.uniform(0.01, 2);
     const Pose ab{random.rotation(), random.point(1.5)};
-    const auto found = abut::sat(test::made<abut::Box>({half.x, half.y, half.z}), test::made<abut::Capsule>({1, length}), ab, 0);
+    const auto found =
+        abut::sat(test::made<abut::Box>({half.x, half.y, half.z}), test::made<abut::Capsule>({1, length}), ab, 0);
     ASSERT_TRUE(found.has_value());
     EXPECT_EQ(found->axes, 6u);
     const std::vector<Vec3> a = test::corners_of(half, Pose::identity()), b = test::corners_of({0, 0, length}, ab);
@@ -56,7 +57,8 @@ TEST(Sat, NothingBetweenPointsOrParallelRods) {
   EXPECT_TRUE(found->of_edges);
 }
 
-// However small the angle between two edges, the normal across them leads along neither: their lengths would multiply that.
+// However small the angle between two edges, the normal across them leads along neither: their lengths would multiply
+// that.
 TEST(Sat, NormalAcrossNearlyParallelEdgesIsAcrossBoth) {
   test::Random random(72);
   for (int i = 0; i < 4000; ++i) {

@@ -32,7 +32,8 @@ std::optional<long double> distance_to_hull(const std::vector<Wide>& points) {
   std::array<std::array<long double, 4>, 3> rows{};
   std::vector<Wide> edges;
   for (std::size_t i = 0; i < count; ++i) {
-    edges.push_back({points[i][0] - points[count][0], points[i][1] - points[count][1], points[i][2] - points[count][2]});
+    edges.push_back(
+        {points[i][0] - points[count][0], points[i][1] - points[count][1], points[i][2] - points[count][2]});
   }
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
@@ -138,7 +139,8 @@ TEST(Simplex, ClosestPointOfDegenerateSimplices) {
 // The distance of a plane is exact to the last digits even where the triangle is much larger.
 TEST(Simplex, FootOnATriangleFarLargerThanItsDistance) {
   for (const double height : {1e-3, 1e-6, 1e-9, 1e-12}) {
-    const abut::ClosestPoint found = abut::closest_to_origin(simplex_of({{-3, -1, height}, {4, -1, height}, {0, 5, height}}));
+    const abut::ClosestPoint found =
+        abut::closest_to_origin(simplex_of({{-3, -1, height}, {4, -1, height}, {0, 5, height}}));
     EXPECT_EQ(found.vertices, 7u);
     EXPECT_NEAR(abut::norm(found.point), height, 1e-15 * height);
   }

@@ -89,7 +89,9 @@ void check_plates(const B& body, const Off& off_body, std::uint64_t seed) {
     }
     const auto plate = test::made<abut::Hull>({}, flat(points));
     const abut::Rotation about_z = abut::Rotation::from({0.6, 0, 0, 0.8});
-    const Pose ab{i % 3 == 0 ? abut::Rotation::identity() : i % 3 == 1 ? about_z : random.rotation(),
+    const Pose ab{i % 3 == 0   ? abut::Rotation::identity()
+                  : i % 3 == 1 ? about_z
+                               : random.rotation(),
                   i % 2 == 0 ? Vec3{0, 0, 0} : random.point(0.5)};
     const abut::CoreSeparation core = answer(plate, body, ab);
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ", plate " << i << ", thickness " << thickness);
@@ -99,15 +101,15 @@ void check_plates(const B& body, const Off& off_body, std::uint64_t seed) {
 }
 
 TEST(ThinPoints, OfAPlateInABoxLieOnIt) {
-  check_plates(test::made<abut::Box>({2, 1, 1}), [](const Vec3& p) {
-    return std::max({std::fabs(p.x) - 2, std::fabs(p.y) - 1, std::fabs(p.z) - 1});
-  }, 41);
+  check_plates(
+      test::made<abut::Box>({2, 1, 1}),
+      [](const Vec3& p) { return std::max({std::fabs(p.x) - 2, std::fabs(p.y) - 1, std::fabs(p.z) - 1}); }, 41);
 }
 
 TEST(ThinPoints, OfAPlateInACylinderLieOnIt) {
-  check_plates(test::made<abut::Cylinder>({1.5, 1}), [](const Vec3& p) {
-    return std::max(std::hypot(p.x, p.y) - 1.5, std::fabs(p.z) - 1);
-  }, 42);
+  check_plates(
+      test::made<abut::Cylinder>({1.5, 1}),
+      [](const Vec3& p) { return std::max(std::hypot(p.x, p.y) - 1.5, std::fabs(p.z) - 1); }, 42);
 }
 
 // A triangle whose corners lie on a line but for rounding, and the same one turned about a corner of it.

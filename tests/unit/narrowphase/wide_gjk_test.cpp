@@ -26,7 +26,8 @@ constexpr double giant = 0x1p20, error = 1e-12 * giant, size = 4 * giant;
 
 // Of cores in one frame.
 template <class A, class B>
-abut::WideGjkResult separated(const A& a, const B& b, const Vec3& toward, double size_of_both, double bound, double limit, double unproven) {
+abut::WideGjkResult separated(const A& a, const B& b, const Vec3& toward, double size_of_both, double bound,
+                              double limit, double unproven) {
   return abut::with_difference(a, b, Pose::identity(), size_of_both, [&](const abut::Difference& cores) {
     return abut::wide_gjk(cores, toward, bound, limit, unproven);
   });
@@ -46,7 +47,8 @@ std::array<Vec3, 3> random_sliver(test::Random& random) {
 }
 std::array<Vec3, 3> random_triangle(test::Random& random) {
   const Vec3 first = random.point(1), second = random.point(1);
-  return random.uniform(0, 1) < 0.5 ? std::array{first, second, random.point(1)} : std::array{first, second, second + 1e-6 * random.point(1)};
+  return random.uniform(0, 1) < 0.5 ? std::array{first, second, random.point(1)}
+                                    : std::array{first, second, second + 1e-6 * random.point(1)};
 }
 
 // How far a point is from a triangle, in 113 bits: Gram's matrix of the sides gives the weights of its foot.
@@ -112,13 +114,15 @@ TEST(WideGjk, TrianglesThatCrossOverlap) {
     // A side goes through the middle of the sliver, across it.
     const Vec3 middle = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
     const Vec3 across = 1e3 * *abut::UnitVec3::make(cross(corners[1] - corners[0], corners[2] - corners[0]));
-    const abut::FreeTriangle a = triangle_of({middle + across, middle - across, random.point(1)}), b = triangle_of(corners);
+    const abut::FreeTriangle a = triangle_of({middle + across, middle - across, random.point(1)}),
+                             b = triangle_of(corners);
     EXPECT_TRUE(separated(a, b, {0, 0, 1}, size, error, abut::infinity, error).gjk.overlap) << i;
   }
 }
 
 TEST(WideGjk, EndsWhereTheLimitIsExceeded) {
-  const abut::FreeTriangle a = triangle_of({Vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), b = triangle_of({Vec3{0, 0, 5}, {1, 0, 5}, {0, 1, 6}});
+  const abut::FreeTriangle a = triangle_of({Vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+                           b = triangle_of({Vec3{0, 0, 5}, {1, 0, 5}, {0, 1, 6}});
   const abut::WideGjkResult far = separated(a, b, {0, 0, 1}, 10, 1e-12, 4, 1e-12);
   EXPECT_TRUE(far.gjk.beyond);
   EXPECT_GT(far.gjk.lower, 4);
@@ -130,10 +134,12 @@ TEST(WideGjk, CornersBesideTheRimOfACylinder) {
   const auto cylinder = test::made<abut::Cylinder>({1, 0.75});
   for (int i = 0; i < 500; ++i) {
     // Outward of the rim, where its normals lead.
-    const double angle = random.uniform(-3, 3), lean = random.uniform(0.05, 1.5), gap = std::ldexp(1, -static_cast<int>(random.uniform(2, 40)));
+    const double angle = random.uniform(-3, 3), lean = random.uniform(0.05, 1.5),
+                 gap = std::ldexp(1, -static_cast<int>(random.uniform(2, 40)));
     const Vec3 normal{std::sin(lean) * std::cos(angle), std::sin(lean) * std::sin(angle), std::cos(lean)};
     const Vec3 rim{std::cos(angle), std::sin(angle), 0.75}, corner = rim + gap * normal;
-    const abut::FreeTriangle triangle = triangle_of({corner, corner + normal + 0.3 * random.point(1), corner + normal + 0.3 * random.point(1)});
+    const abut::FreeTriangle triangle =
+        triangle_of({corner, corner + normal + 0.3 * random.point(1), corner + normal + 0.3 * random.point(1)});
     const abut::WideGjkResult found = separated(cylinder, triangle, {1, 0, 0}, 8, 1e-12, abut::infinity, 1e-12);
     ASSERT_FALSE(found.gjk.overlap) << i;
     EXPECT_NEAR(found.gjk.lower, gap, 2e-12) << i;

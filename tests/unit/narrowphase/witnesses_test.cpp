@@ -16,8 +16,8 @@ namespace {
 
 using abut::Vec3;
 
-// Weights of slivers are rounding now and then, even where the closest point is right. What they lead to must not pass for a
-// common point.
+// Weights of slivers are rounding now and then, even where the closest point is right. What they lead to must not pass
+// for a common point.
 TEST(Touch, IsACommonPointOrLeftOpen) {
   test::Random random(311);
   int found = 0;

@@ -62,8 +62,10 @@ TEST(Checks, CountsMustMatch) {
   EXPECT_FALSE(abut::check_no_buffers({}, {}).has_value());
   const std::vector<double> reals{1};
   const std::vector<std::uint32_t> indices{1, 2};
-  expect_fault(abut::check_no_buffers(reals, {}), Errc::invalid_argument, "real_count is 1; it must be 0 for this kind");
-  expect_fault(abut::check_no_buffers({}, indices), Errc::invalid_argument, "index_count is 2; it must be 0 for this kind");
+  expect_fault(abut::check_no_buffers(reals, {}), Errc::invalid_argument,
+               "real_count is 1; it must be 0 for this kind");
+  expect_fault(abut::check_no_buffers({}, indices), Errc::invalid_argument,
+               "index_count is 2; it must be 0 for this kind");
 }
 
 }  // namespace

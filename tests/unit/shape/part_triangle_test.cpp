@@ -34,12 +34,14 @@ TEST(Triangle, NormalIsByWinding) {
   }
 }
 
-// Across all edges of a needle, and the same whichever corner comes first. Edges within a thousandth of each other cost three digits.
+// Across all edges of a needle, and the same whichever corner comes first. Edges within a thousandth of each other cost
+// three digits.
 TEST(Triangle, NormalOfANeedleIsAcrossItsEdges) {
   test::Random random(239);
   for (int i = 0; i < 4000; ++i) {
     const double width = std::pow(10, random.uniform(-12, -1));
-    const Vec3 a = random.point(1), b = a + random.point(1), c = a + random.uniform(-1, 2) * (b - a) + width * random.point(1);
+    const Vec3 a = random.point(1), b = a + random.point(1),
+               c = a + random.uniform(-1, 2) * (b - a) + width * random.point(1);
     const Vec3 n = triangle(a, b, c).normal();
     EXPECT_NEAR(norm(n), 1, 1e-15);
     for (const Vec3& edge : {b - a, c - b, a - c}) {
@@ -97,7 +99,8 @@ TEST(Triangle, FaceLooksInTheDirection) {
     const Vec3 &a = face.vertices[0].point, &b = face.vertices[1].point, &c = face.vertices[2].point;
     EXPECT_GT(dot(cross(b - a, c - a), face.normal), 0);
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = face.vertices[k].vertex, to = face.vertices[(k + 1) % 3].vertex, edge = face.vertices[k].edge;
+      const std::uint32_t from = face.vertices[k].vertex, to = face.vertices[(k + 1) % 3].vertex,
+                          edge = face.vertices[k].edge;
       EXPECT_EQ(face.vertices[k].point, t.corners()[from]);
       // Edge 0 joins corners 0 and 1, edge 1 corners 1 and 2, edge 2 corners 2 and 0.
       EXPECT_TRUE((from == edge && to == (edge + 1) % 3) || (to == edge && from == (edge + 1) % 3));
@@ -170,7 +173,9 @@ TEST(Triangle, RaysDoNotSlipThroughASharedEdge) {
     }
     const Vec3 origin = target - random.uniform(1, 20) * direction;
     const auto way = abut::UnitVec3::from_unit_unchecked(direction);
-    ASSERT_TRUE(left.cast_ray(origin, way, abut::infinity).has_value() || right.cast_ray(origin, way, abut::infinity).has_value()) << i;
+    ASSERT_TRUE(left.cast_ray(origin, way, abut::infinity).has_value() ||
+                right.cast_ray(origin, way, abut::infinity).has_value())
+        << i;
     ++cast;
   }
   EXPECT_GT(cast, 50000);

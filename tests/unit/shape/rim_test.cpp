@@ -34,7 +34,8 @@ void expect_rim(bool up, std::uint32_t first) {
   EXPECT_EQ(face.normal, (Vec3{0, 0, up ? 1.0 : -1.0}));
   std::uint32_t corners_seen = 0, edges_seen = 0;
   for (std::size_t i = 0; i < 16; ++i) {
-    const abut::FaceVertex &here = face.vertices[i], &next = face.vertices[(i + 1) % 16], &after = face.vertices[(i + 2) % 16];
+    const abut::FaceVertex &here = face.vertices[i], &next = face.vertices[(i + 1) % 16],
+                           &after = face.vertices[(i + 2) % 16];
     const std::uint32_t corner = here.vertex - first, edge = here.edge - first, to = next.vertex - first;
     ASSERT_LT(corner, 16u);
     ASSERT_LT(edge, 16u);
@@ -64,7 +65,8 @@ TEST(Rim, SidewaysIsThePartAcrossZ) {
   for (int i = 0; i < 1000; ++i) {
     const double angle = random.uniform(-4, 4);
     for (const double length : {1.0, 1e-3, 1e50, 1e-130, 1e-150, 1e-200, 1e-300}) {
-      const abut::Sideways side = abut::sideways_of({length * std::cos(angle), length * std::sin(angle), random.uniform(-1, 1)});
+      const abut::Sideways side =
+          abut::sideways_of({length * std::cos(angle), length * std::sin(angle), random.uniform(-1, 1)});
       ASSERT_NEAR(side.x, std::cos(angle), 1e-15) << "seed 331, length " << length;
       ASSERT_NEAR(side.y, std::sin(angle), 1e-15) << "seed 331, length " << length;
       ASSERT_NEAR(side.length / length, 1, 1e-15) << "seed 331, length " << length;

@@ -34,7 +34,8 @@ TEST(Box, BadInputIsRefusedByName) {
   test::expect_refused<Box>({-1, 1, 1}, {}, {}, Errc::out_of_range, "half_x is -1;");
   test::expect_refused<Box>({1, -0.5, 1}, {}, {}, Errc::out_of_range, "half_y is -0.5;");
   test::expect_refused<Box>({1, 1, -1e-300}, {}, {}, Errc::out_of_range, "half_z is -1e-300;");
-  test::expect_refused<Box>({1, std::numeric_limits<double>::infinity(), 1}, {}, {}, Errc::not_finite, "half_y is inf;");
+  test::expect_refused<Box>({1, std::numeric_limits<double>::infinity(), 1}, {}, {}, Errc::not_finite,
+                            "half_y is inf;");
   test::expect_refused<Box>({1, 1, 2e70}, {}, {}, Errc::out_of_range, "half_z is 2e+70;");
   test::expect_refused<Box>({1, 1}, {}, {}, Errc::invalid_argument, "parameter_count is 2;");
   test::expect_refused<Box>({1, 1, 1}, {0}, {}, Errc::invalid_argument, "real_count is 1;");
@@ -116,7 +117,8 @@ TEST(Box, RaysNameTheFaceTheyMeet) {
       ASSERT_TRUE(hit.has_value());
       EXPECT_EQ(hit->distance, 5 - half[axis]);
       EXPECT_EQ(hit->normal, test::axis_vector(axis, sign));
-      EXPECT_EQ(hit->feature, (abut::Feature{abut::FeatureKind::face, static_cast<std::uint32_t>(2 * axis + (sign > 0 ? 1 : 0))}));
+      EXPECT_EQ(hit->feature,
+                (abut::Feature{abut::FeatureKind::face, static_cast<std::uint32_t>(2 * axis + (sign > 0 ? 1 : 0))}));
     }
   }
 }

@@ -39,7 +39,8 @@ TEST(Capsule, BadInputIsRefusedByName) {
   test::expect_refused<Capsule>({0, 1}, {}, {}, Errc::out_of_range, "radius is 0;");
   test::expect_refused<Capsule>({-1, 1}, {}, {}, Errc::out_of_range, "radius is -1;");
   test::expect_refused<Capsule>({1, -2}, {}, {}, Errc::out_of_range, "half_height is -2;");
-  test::expect_refused<Capsule>({1, std::numeric_limits<double>::infinity()}, {}, {}, Errc::not_finite, "half_height is inf;");
+  test::expect_refused<Capsule>({1, std::numeric_limits<double>::infinity()}, {}, {}, Errc::not_finite,
+                                "half_height is inf;");
   test::expect_refused<Capsule>({1}, {}, {}, Errc::invalid_argument, "parameter_count is 1;");
   test::expect_refused<Capsule>({1, 1}, {0}, {}, Errc::invalid_argument, "real_count is 1;");
   test::expect_refused<Capsule>({1, 1}, {}, {0}, Errc::invalid_argument, "index_count is 1;");
@@ -66,8 +67,7 @@ TEST(Capsule, CoreIsItsSegment) {
 
 TEST(Capsule, RaysMeetTheFirstCrossing) {
   test::expect_rays(pill(), outside, 2, 123);
-  test::expect_rays(
-      made<Capsule>({2, 0}), [](const Vec3& p) { return std::hypot(p.x, p.y, p.z) - 2; }, 2, 124);
+  test::expect_rays(made<Capsule>({2, 0}), [](const Vec3& p) { return std::hypot(p.x, p.y, p.z) - 2; }, 2, 124);
 }
 
 TEST(Capsule, RaysAlongTheAxisMeetTheCaps) {
@@ -92,7 +92,8 @@ TEST(Capsule, RaysAtTheSeamMeetTheFirstCrossing) {
       continue;
     }
     const double distance = random.uniform(0.5, 4);
-    const auto hit = pill().cast_ray(seam - distance * direction, abut::UnitVec3::from_unit_unchecked(direction), abut::infinity);
+    const auto hit =
+        pill().cast_ray(seam - distance * direction, abut::UnitVec3::from_unit_unchecked(direction), abut::infinity);
     ASSERT_TRUE(hit.has_value()) << i;
     ASSERT_NEAR(hit->distance, distance, 1e-13) << i;
     ++met;

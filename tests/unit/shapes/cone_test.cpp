@@ -81,7 +81,8 @@ TEST(Cone, BoxIsTight) {
 }
 
 TEST(Cone, SupportIsTheApexOrOnTheRim) {
-  for (const Vec3& sizes : {Vec3{radius, half_height, 0}, Vec3{1e-3, 10, 0}, Vec3{10, 1e-3, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
+  for (const Vec3& sizes :
+       {Vec3{radius, half_height, 0}, Vec3{1e-3, 10, 0}, Vec3{10, 1e-3, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
     test::expect_curved_support(made<Cone>({sizes.x, sizes.y}), known(sizes.x, sizes.y), 362);
   }
   EXPECT_EQ(hat().support({0, 0, 1}).index, 16u);
@@ -104,7 +105,8 @@ TEST(Cone, FacesAreTheBaseALineAlongTheSideAndTheApex) {
     ASSERT_LT(corner.edge, 16u);
     seen |= 1u << corner.vertex;
     const double angle = corner.vertex * std::numbers::pi / 8;
-    EXPECT_LE(largest_magnitude(corner.point - Vec3{radius * std::cos(angle), radius * std::sin(angle), -half_height}), 1e-15);
+    EXPECT_LE(largest_magnitude(corner.point - Vec3{radius * std::cos(angle), radius * std::sin(angle), -half_height}),
+              1e-15);
   }
   EXPECT_EQ(seen, 0xffffu);
 }
@@ -135,7 +137,8 @@ TEST(Cone, FlatOnesHaveTwoFacesAndThinOnesOneEdge) {
 }
 
 TEST(Cone, NearestPointIsThatOfASearch) {
-  for (const Vec3& sizes : {Vec3{radius, half_height, 0}, Vec3{2, 0.1, 0}, Vec3{0.01, 3, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
+  for (const Vec3& sizes :
+       {Vec3{radius, half_height, 0}, Vec3{2, 0.1, 0}, Vec3{0.01, 3, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
     test::expect_nearest(made<Cone>({sizes.x, sizes.y}), known(sizes.x, sizes.y), 368);
   }
 }
@@ -154,8 +157,8 @@ TEST(Cone, NearestPointByHand) {
   test::expect_same(hat().nearest({0, 0, -h}), {0, 0, -h}, {0, 0, -1}, 0);
   EXPECT_NEAR(hat().nearest({0, 0, 0}).distance, -0.6, 1e-15);
   EXPECT_NEAR(hat().nearest({0, 0, h}).distance, 0, 1e-15);
-  for (const Vec3& p : {Vec3{0, 0, 0.3}, Vec3{0, 0, h}, Vec3{r, 0, -h}, Vec3{0, 0, -0.25}, Vec3{1e-200, 0, 0},
-                        Vec3{1e4, 2e4, 3e4}}) {
+  for (const Vec3& p :
+       {Vec3{0, 0, 0.3}, Vec3{0, 0, h}, Vec3{r, 0, -h}, Vec3{0, 0, -0.25}, Vec3{1e-200, 0, 0}, Vec3{1e4, 2e4, 3e4}}) {
     test::expect_nearest_at(hat(), known(r, h), p);
   }
 }
@@ -185,11 +188,14 @@ TEST(Cone, RaysMeetTheFirstCrossing) {
 
 TEST(Cone, RaysNameTheFaceTheyMeet) {
   using abut::Feature, abut::FeatureKind;
-  const auto along = [](int axis, double sign) { return abut::UnitVec3::from_unit_unchecked(test::axis_vector(axis, sign)); };
+  const auto along = [](int axis, double sign) {
+    return abut::UnitVec3::from_unit_unchecked(test::axis_vector(axis, sign));
+  };
   EXPECT_EQ(hat().cast_ray({0.5, 0, -5}, along(2, 1), 10)->distance, 4);
   EXPECT_EQ(hat().cast_ray({0.5, 0, -5}, along(2, 1), 10)->normal, (Vec3{0, 0, -1}));
   EXPECT_EQ(hat().cast_ray({0.5, 0, -5}, along(2, 1), 10)->feature, (Feature{FeatureKind::face, 0}));
-  const auto beside = hat().cast_ray({5, 0, 0}, along(0, -1), 10), above = hat().cast_ray({0, 0.75, 5}, along(2, -1), 10);
+  const auto beside = hat().cast_ray({5, 0, 0}, along(0, -1), 10),
+             above = hat().cast_ray({0, 0.75, 5}, along(2, -1), 10);
   EXPECT_NEAR(beside->distance, 4.25, 1e-14);
   EXPECT_LE(largest_magnitude(beside->normal - Vec3{0.8, 0, 0.6}), 1e-14);
   EXPECT_EQ(beside->feature, (Feature{FeatureKind::face, 1}));
@@ -236,7 +242,8 @@ TEST(Cone, RaysAtTheApexDoNotSlipThrough) {
       const auto way = abut::UnitVec3::from_unit_unchecked(direction);
       const auto hit = made<Cone>({r, h}).cast_ray(target - distance * direction, way, 100);
       ASSERT_TRUE(hit.has_value()) << "seed 374, beside " << beside << ", ray " << i;
-      ASSERT_NEAR(hit->distance, distance, 1e-12) << "seed 374, beside " << beside << ", ray " << i << ", r " << r << ", h " << h;
+      ASSERT_NEAR(hit->distance, distance, 1e-12)
+          << "seed 374, beside " << beside << ", ray " << i << ", r " << r << ", h " << h;
     }
   }
 }

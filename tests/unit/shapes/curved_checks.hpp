@@ -41,10 +41,13 @@ struct Known {
   double size;
 };
 
-inline double distance_between(const abut::Vec3& a, const abut::Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+inline double distance_between(const abut::Vec3& a, const abut::Vec3& b) {
+  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
 
 // Downhill in smaller and smaller steps.
-inline double refined_distance(const Patch& patch, bool is_round, const abut::Vec3& p, double u, double v, double step) {
+inline double refined_distance(const Patch& patch, bool is_round, const abut::Vec3& p, double u, double v,
+                               double step) {
   double best = distance_between(patch(u, v), p);
   while (step > 1e-9) {
     bool better = false;
@@ -79,7 +82,8 @@ inline double searched_distance(const Surface& surface, const abut::Vec3& p) {
     }
     std::partial_sort(starts.begin(), starts.begin() + 4, starts.end());
     for (std::size_t i = 0; i < 4; ++i) {
-      best = std::fmin(best, refined_distance(patch, surface.is_round, p, starts[i].second[0], starts[i].second[1], 1.0 / cells));
+      best = std::fmin(
+          best, refined_distance(patch, surface.is_round, p, starts[i].second[0], starts[i].second[1], 1.0 / cells));
     }
   }
   return best;
@@ -110,16 +114,19 @@ void expect_curved_support(const S& shape, const Known& known, std::uint64_t see
   for (const abut::Vec3& direction : tried_directions(seed)) {
     for (const double length : {1.0, 1e-3, 40.0, 1e-200, 1e70}) {
       const abut::Vec3 point = shape.support(length * direction).point;
-      ASSERT_NEAR(dot(point, direction), known.reach(direction), 4e-15 * known.size) << "seed " << seed << ", length " << length;
+      ASSERT_NEAR(dot(point, direction), known.reach(direction), 4e-15 * known.size)
+          << "seed " << seed << ", length " << length;
       ASSERT_LE(known.outside(point), 4e-15 * known.size) << "seed " << seed << ", length " << length;
     }
     const abut::Pose pose{random.rotation(), random.point(10)};
     const abut::Vec3 there = placed_support(shape, place(shape, pose), direction).point - pose.position;
-    EXPECT_NEAR(dot(there, direction), known.reach(pose.rotation.undo(direction)), 1e-14 * (10 + known.size)) << "seed " << seed;
+    EXPECT_NEAR(dot(there, direction), known.reach(pose.rotation.undo(direction)), 1e-14 * (10 + known.size))
+        << "seed " << seed;
   }
   for (int axis = 0; axis < 3; ++axis) {  // zeros of either sign beside the number that counts
     EXPECT_EQ(dot(shape.support(axis_vector(axis, 1)).point, axis_vector(axis, 1)), known.reach(axis_vector(axis, 1)));
-    EXPECT_EQ(dot(shape.support(-axis_vector(axis, 1)).point, -axis_vector(axis, 1)), known.reach(-axis_vector(axis, 1)));
+    EXPECT_EQ(dot(shape.support(-axis_vector(axis, 1)).point, -axis_vector(axis, 1)),
+              known.reach(-axis_vector(axis, 1)));
   }
 }
 
@@ -135,7 +142,8 @@ void expect_curved_faces(const S& shape, const Known& known, double rim_radius, 
       ASSERT_GE(count, 1u);
       double top = -abut::infinity;
       for (std::size_t k = 0; k < count; ++k) {
-        const abut::FaceVertex &a = face.vertices[k], &b = face.vertices[(k + 1) % count], &c = face.vertices[(k + 2) % count];
+        const abut::FaceVertex &a = face.vertices[k], &b = face.vertices[(k + 1) % count],
+                               &c = face.vertices[(k + 2) % count];
         EXPECT_NEAR(known.outside(a.point), 0, 4e-15 * known.size) << "seed " << seed;
         top = std::fmax(top, dot(a.point, direction));
         if (count > 2) {
@@ -160,7 +168,10 @@ void expect_nearest_at(const S& shape, const Known& known, const abut::Vec3& p) 
   ASSERT_NEAR(known.outside(found.point), 0, slack);
   ASSERT_LE(largest_magnitude((p - found.point) - found.distance * found.normal), slack);
   const double out = known.outside(p);
-  EXPECT_TRUE(out > slack ? found.distance > 0 : out < -slack ? found.distance < 0 : magnitude <= 10 * slack) << found.distance;
+  EXPECT_TRUE(out > slack    ? found.distance > 0
+              : out < -slack ? found.distance < 0
+                             : magnitude <= 10 * slack)
+      << found.distance;
   const double searched = searched_distance(known.surface, p);
   EXPECT_LE(magnitude, searched + slack);
   EXPECT_NEAR(magnitude, searched, 1e-7 * known.size);
@@ -189,7 +200,8 @@ void expect_nearest(const S& shape, const Known& known, std::uint64_t seed) {
   }
 }
 
-inline void expect_same(const abut::SurfacePoint& found, const abut::Vec3& point, const abut::Vec3& normal, double distance) {
+inline void expect_same(const abut::SurfacePoint& found, const abut::Vec3& point, const abut::Vec3& normal,
+                        double distance) {
   EXPECT_NEAR(found.distance, distance, 1e-15 * (1 + std::fabs(distance)));
   EXPECT_LE(largest_magnitude(found.point - point), 1e-15 * (1 + norm(point)));
   EXPECT_LE(largest_magnitude(found.normal - normal), 1e-15);

@@ -58,7 +58,8 @@ TEST(Cylinder, BoxIsTight) {
 }
 
 TEST(Cylinder, SupportIsOnARim) {
-  for (const Vec3& sizes : {Vec3{radius, half_height, 0}, Vec3{1e-3, 10, 0}, Vec3{10, 1e-3, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
+  for (const Vec3& sizes :
+       {Vec3{radius, half_height, 0}, Vec3{1e-3, 10, 0}, Vec3{10, 1e-3, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
     test::expect_curved_support(made<Cylinder>({sizes.x, sizes.y}), known(sizes.x, sizes.y), 342);
   }
   EXPECT_EQ(can().support({3, 4, 0}).index, abut::no_index);
@@ -109,7 +110,8 @@ TEST(Cylinder, FlatOnesHaveTwoFacesAndThinOnesOneEdge) {
 }
 
 TEST(Cylinder, NearestPointIsThatOfASearch) {
-  for (const Vec3& sizes : {Vec3{radius, half_height, 0}, Vec3{2, 0.1, 0}, Vec3{0.01, 3, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
+  for (const Vec3& sizes :
+       {Vec3{radius, half_height, 0}, Vec3{2, 0.1, 0}, Vec3{0.01, 3, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
     test::expect_nearest(made<Cylinder>({sizes.x, sizes.y}), known(sizes.x, sizes.y), 347);
   }
 }
@@ -158,7 +160,9 @@ TEST(Cylinder, RaysMeetTheFirstCrossing) {
 
 TEST(Cylinder, RaysNameTheFaceTheyMeet) {
   using abut::Feature, abut::FeatureKind;
-  const auto along = [](int axis, double sign) { return abut::UnitVec3::from_unit_unchecked(test::axis_vector(axis, sign)); };
+  const auto along = [](int axis, double sign) {
+    return abut::UnitVec3::from_unit_unchecked(test::axis_vector(axis, sign));
+  };
   EXPECT_EQ(can().cast_ray({0.5, 0, 5}, along(2, -1), 10)->distance, 3.75);
   EXPECT_EQ(can().cast_ray({0.5, 0, 5}, along(2, -1), 10)->feature, (Feature{FeatureKind::face, 0}));
   EXPECT_EQ(can().cast_ray({0.5, 0, -5}, along(2, 1), 10)->normal, (Vec3{0, 0, -1}));

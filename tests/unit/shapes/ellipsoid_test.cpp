@@ -62,9 +62,12 @@ TEST(Ellipsoid, KeepsItsRadii) {
 }
 
 TEST(Ellipsoid, BadInputIsRefusedByName) {
-  test::expect_refused<Ellipsoid>({-1, 1, 1}, {}, {}, Errc::out_of_range, "radius_x is -1; it must be zero or positive");
-  test::expect_refused<Ellipsoid>({1, -2, 1}, {}, {}, Errc::out_of_range, "radius_y is -2; it must be zero or positive");
-  test::expect_refused<Ellipsoid>({1, 1, 2e70}, {}, {}, Errc::out_of_range, "radius_z is 2e+70; it must be at most 1e70");
+  test::expect_refused<Ellipsoid>({-1, 1, 1}, {}, {}, Errc::out_of_range,
+                                  "radius_x is -1; it must be zero or positive");
+  test::expect_refused<Ellipsoid>({1, -2, 1}, {}, {}, Errc::out_of_range,
+                                  "radius_y is -2; it must be zero or positive");
+  test::expect_refused<Ellipsoid>({1, 1, 2e70}, {}, {}, Errc::out_of_range,
+                                  "radius_z is 2e+70; it must be at most 1e70");
   test::expect_refused<Ellipsoid>({1, 1, std::numeric_limits<double>::infinity()}, {}, {}, Errc::not_finite,
                                   "radius_z is inf; it must be finite");
   test::expect_refused<Ellipsoid>({1, 1}, {}, {}, Errc::invalid_argument, "parameter_count is 2; it must be 3");
@@ -229,7 +232,8 @@ TEST(Ellipsoid, RaysMeetFlatOnes) {
   EXPECT_FALSE(disc.cast_ray({0.5, 0.25, 3}, -down, 10).has_value());
   EXPECT_FALSE(disc.cast_ray({-3, 0, 0}, abut::UnitVec3::from_unit_unchecked({1, 0, 0}), 10).has_value());
   // Along the disc, however far and whatever the sign of nothing.
-  EXPECT_FALSE(disc.cast_ray({-3, 0, 1}, abut::UnitVec3::from_unit_unchecked({1, 0, -0.0}), abut::infinity).has_value());
+  EXPECT_FALSE(
+      disc.cast_ray({-3, 0, 1}, abut::UnitVec3::from_unit_unchecked({1, 0, -0.0}), abut::infinity).has_value());
   EXPECT_FALSE(disc.cast_ray({-3, 0, -1}, abut::UnitVec3::from_unit_unchecked({1, 0, 0}), abut::infinity).has_value());
   EXPECT_FALSE(with({0, 0, 1}).cast_ray({0, 0, 3}, down, 10).has_value());
 }

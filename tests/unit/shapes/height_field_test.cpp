@@ -31,7 +31,8 @@ HeightField hills(std::uint64_t seed) {
   }
   return test::made<HeightField>({columns, rows, spacing_x, spacing_y}, heights);
 }
-constexpr Vec3 middle{0.5 * (columns - 1) * spacing_x, 0.5 * (rows - 1) * spacing_y, 0}, extent{middle.x, middle.y, 0.5};
+constexpr Vec3 middle{0.5 * (columns - 1) * spacing_x, 0.5 * (rows - 1) * spacing_y, 0},
+    extent{middle.x, middle.y, 0.5};
 
 TEST(HeightField, BadInputIsRefusedByName) {
   const std::vector<double> four{0, 0, 0, 0};
@@ -41,19 +42,22 @@ TEST(HeightField, BadInputIsRefusedByName) {
   test::expect_refused<HeightField>({2, 2.5, 1, 1}, four, {}, Errc::out_of_range, "rows is 2.5;");
   test::expect_refused<HeightField>({2, 2, 0, 1}, four, {}, Errc::out_of_range, "spacing_x is 0;");
   test::expect_refused<HeightField>({2, 2, 1, -3}, four, {}, Errc::out_of_range, "spacing_y is -3;");
-  test::expect_refused<HeightField>({2, 2, 1, std::numeric_limits<double>::infinity()}, four, {}, Errc::not_finite, "spacing_y is inf;");
+  test::expect_refused<HeightField>({2, 2, 1, std::numeric_limits<double>::infinity()}, four, {}, Errc::not_finite,
+                                    "spacing_y is inf;");
   test::expect_refused<HeightField>({2, 2, 1}, four, {}, Errc::invalid_argument, "parameter_count is 3;");
   test::expect_refused<HeightField>({2, 3, 1, 1}, four, {}, Errc::invalid_argument, "real_count is 4;");
   test::expect_refused<HeightField>({2, 2, 1, 1}, {}, {}, Errc::empty, "heights is empty;");
   test::expect_refused<HeightField>({2, 2, 1, 1}, four, {1}, Errc::invalid_argument, "index_count is 1;");
-  test::expect_refused<HeightField>({2, 2, 1, 1}, {0, 0, std::fabs(std::nan("")), 0}, {}, Errc::not_finite, "heights[2] is nan;");
+  test::expect_refused<HeightField>({2, 2, 1, 1}, {0, 0, std::fabs(std::nan("")), 0}, {}, Errc::not_finite,
+                                    "heights[2] is nan;");
 }
 
 TEST(HeightField, SamplesLieOnTheGridAndCellsAreSplitFromLowToHigh) {
   const HeightField field = test::made<HeightField>({3, 2, 2, 4}, {10, 11, 12, 13, 14, 15});
   EXPECT_EQ(field.parameters(), (std::vector<double>{3, 2, 2, 4}));
   const abut::Triangles surface = field.triangles();
-  EXPECT_EQ(surface.vertices, (std::vector<Vec3>{{0, 0, 10}, {2, 0, 11}, {4, 0, 12}, {0, 4, 13}, {2, 4, 14}, {4, 4, 15}}));
+  EXPECT_EQ(surface.vertices,
+            (std::vector<Vec3>{{0, 0, 10}, {2, 0, 11}, {4, 0, 12}, {0, 4, 13}, {2, 4, 14}, {4, 4, 15}}));
   EXPECT_EQ(surface.indices, (std::vector<std::uint32_t>{0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4}));
 }
 

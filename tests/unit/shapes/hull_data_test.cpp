@@ -41,7 +41,8 @@ void expect_closed(const HullData& hull) {
   std::set<std::uint32_t> used;
   for (const HullFace& face : hull.faces) {
     for (std::uint32_t i = 0; i < face.count; ++i) {
-      const std::uint32_t from = hull.face_vertices[face.first + i], to = hull.face_vertices[face.first + (i + 1) % face.count];
+      const std::uint32_t from = hull.face_vertices[face.first + i],
+                          to = hull.face_vertices[face.first + (i + 1) % face.count];
       ++passes[{from, to}];
       used.insert(from);
       const auto ends = std::minmax(from, to);
@@ -122,7 +123,8 @@ TEST(HullData, CoplanarPointsAreAPolygonWithTwoSides) {
   for (int i = 0; i < 50; ++i) {
     const abut::Pose pose{random.rotation(), random.point(5)};
     std::vector<Vec3> points;
-    for (const Vec3& flat : {Vec3{-1, -1, 0}, Vec3{1, -1, 0}, Vec3{1, 1, 0}, Vec3{-1, 1, 0}, Vec3{0, 0, 0}, Vec3{0.5, 0.25, 0}}) {
+    for (const Vec3& flat :
+         {Vec3{-1, -1, 0}, Vec3{1, -1, 0}, Vec3{1, 1, 0}, Vec3{-1, 1, 0}, Vec3{0, 0, 0}, Vec3{0.5, 0.25, 0}}) {
       points.push_back(pose * flat);
     }
     const HullData hull = abut::build_hull(points);
@@ -169,7 +171,8 @@ TEST(HullData, FacesAroundAVertexAreThoseThatHaveIt) {
         expected.insert(i);
       }
     }
-    const auto listed = std::span(hull.faces_at).subspan(hull.first_face[vertex], hull.first_face[vertex + 1] - hull.first_face[vertex]);
+    const auto listed = std::span(hull.faces_at)
+                            .subspan(hull.first_face[vertex], hull.first_face[vertex + 1] - hull.first_face[vertex]);
     EXPECT_EQ((std::set<std::uint32_t>(listed.begin(), listed.end())), expected);
     EXPECT_EQ(listed.size(), expected.size());
   }
@@ -240,7 +243,8 @@ TEST(HullData, OnlySolidsAndPolygonsHaveFacets) {
   EXPECT_FALSE(abut::build_hull(std::vector<Vec3>{{0, 0, 0}}).facets.is_closed);
 }
 
-// Whatever rounding does to its planes: where there is a ball inside, the faces are taken to tell what lies in the hull.
+// Whatever rounding does to its planes: where there is a ball inside, the faces are taken to tell what lies in the
+// hull.
 TEST(HullData, NoBallLiesInAPolygon) {
   test::Random random(169);
   for (int i = 0; i < 100; ++i) {

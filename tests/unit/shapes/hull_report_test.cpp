@@ -1,5 +1,5 @@
-// What a hull reports of its points. The error is judged by the method of Gilbert, Johnson and Keerthi in long double on
-// the vertices alone: the hull is all convex combinations of them, and each answer is one.
+// What a hull reports of its points. The error is judged by the method of Gilbert, Johnson and Keerthi in long double
+// on the vertices alone: the hull is all convex combinations of them, and each answer is one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,13 +31,14 @@ using test::hull_of;
 using Wide = std::array<long double, 3>;
 
 Wide minus(const Vec3& a, const Vec3& b) {
-  return {static_cast<long double>(a.x) - static_cast<long double>(b.x), static_cast<long double>(a.y) - static_cast<long double>(b.y),
+  return {static_cast<long double>(a.x) - static_cast<long double>(b.x),
+          static_cast<long double>(a.y) - static_cast<long double>(b.y),
           static_cast<long double>(a.z) - static_cast<long double>(b.z)};
 }
 long double inner(const Wide& a, const Wide& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Weights, all positive, of the combination of corners that is nearest to the origin of their affine hull, if such exist:
-// solves the bordered system of Gram's matrix by elimination with pivots.
+// Weights, all positive, of the combination of corners that is nearest to the origin of their affine hull, if such
+// exist: solves the bordered system of Gram's matrix by elimination with pivots.
 std::optional<std::vector<long double>> weights_of(const std::vector<Wide>& corners) {
   const std::size_t n = corners.size() + 1;
   std::vector<std::vector<long double>> rows(n, std::vector<long double>(n + 1, 0));
@@ -110,8 +111,8 @@ std::vector<Vec3> vertices_of(const abut::Hull& hull) {
   return {hull.data().vertices.begin(), hull.data().vertices.end()};
 }
 
-void expect_counts(const HullReport& report, std::uint32_t dimension, std::size_t points, std::size_t vertices, std::size_t edges,
-                   std::size_t faces) {
+void expect_counts(const HullReport& report, std::uint32_t dimension, std::size_t points, std::size_t vertices,
+                   std::size_t edges, std::size_t faces) {
   EXPECT_EQ(report.dimension, dimension);
   EXPECT_EQ(report.point_count, points);
   EXPECT_EQ(report.vertex_count, vertices);
@@ -203,9 +204,9 @@ double error_of(const std::vector<Vec3>& built_of, const std::vector<Vec3>& aske
 }
 
 TEST(HullReport, ErrorIsTheDistanceOfTheWorstPoint) {
-  EXPECT_DOUBLE_EQ(error_of(cube, {{0, 0.5, 1.25}, {0.5, 1.5, 0}, {1.25, 0, 0}}), 0.5);   // faces
-  EXPECT_DOUBLE_EQ(error_of(cube, {{0.5, 4, 5}}), 5);                                     // an edge
-  EXPECT_DOUBLE_EQ(error_of(cube, {{2, 3, 3}}), 3);                                       // a corner
+  EXPECT_DOUBLE_EQ(error_of(cube, {{0, 0.5, 1.25}, {0.5, 1.5, 0}, {1.25, 0, 0}}), 0.5);  // faces
+  EXPECT_DOUBLE_EQ(error_of(cube, {{0.5, 4, 5}}), 5);                                    // an edge
+  EXPECT_DOUBLE_EQ(error_of(cube, {{2, 3, 3}}), 3);                                      // a corner
   const std::vector<Vec3> square{{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}};
   EXPECT_DOUBLE_EQ(error_of(square, {{0.5, 0.5, 2.25}, {0, 0, 1.5}}), 0.5);
   EXPECT_DOUBLE_EQ(error_of(square, {{0.5, 1.75, 2}}), 0.75);

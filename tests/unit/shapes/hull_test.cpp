@@ -40,7 +40,8 @@ std::vector<Vec3> points_in_cube(std::size_t count, test::Random& random) {
 TEST(Hull, BadInputIsRefusedByName) {
   test::expect_refused<Hull>({}, {}, {}, Errc::empty, "point_count is 0;");
   test::expect_refused<Hull>({}, {1, 2, 3, 4}, {}, Errc::invalid_argument, "real_count is 4;");
-  test::expect_refused<Hull>({}, {1, 2, 3, 4, std::numeric_limits<double>::infinity(), 6}, {}, Errc::not_finite, "xyz[4] is inf;");
+  test::expect_refused<Hull>({}, {1, 2, 3, 4, std::numeric_limits<double>::infinity(), 6}, {}, Errc::not_finite,
+                             "xyz[4] is inf;");
   test::expect_refused<Hull>({}, {1, 2, -1e71}, {}, Errc::out_of_range, "xyz[2] is -1e+71;");
   test::expect_refused<Hull>({1}, {1, 2, 3}, {}, Errc::invalid_argument, "parameter_count is 1;");
   test::expect_refused<Hull>({}, {1, 2, 3}, {0}, Errc::invalid_argument, "index_count is 1;");
@@ -165,7 +166,8 @@ TEST(Hull, TrianglesEncloseTheVolume) {
   double volume = 0;
   for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
     volume += dot(surface.vertices[surface.indices[i]],
-                  cross(surface.vertices[surface.indices[i + 1]], surface.vertices[surface.indices[i + 2]])) / 6;
+                  cross(surface.vertices[surface.indices[i + 1]], surface.vertices[surface.indices[i + 2]])) /
+              6;
   }
   EXPECT_NEAR(volume, 48, 1e-12);
 }

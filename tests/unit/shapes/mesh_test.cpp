@@ -50,7 +50,8 @@ TEST(Mesh, BadInputIsRefusedByName) {
   test::expect_refused<Mesh>({0}, {1, 2, 3, 4}, indices, Errc::invalid_argument, "real_count is 4;");
   test::expect_refused<Mesh>({0}, xyz, {0, 1}, Errc::invalid_argument, "index_count is 2;");
   test::expect_refused<Mesh>({0}, xyz, {0, 1, 3}, Errc::index_out_of_range, "triangles[2] is 3;");
-  test::expect_refused<Mesh>({0}, {0, 0, 0, 1, 0, std::numeric_limits<double>::infinity()}, {0, 1, 0}, Errc::not_finite, "xyz[5] is inf;");
+  test::expect_refused<Mesh>({0}, {0, 0, 0, 1, 0, std::numeric_limits<double>::infinity()}, {0, 1, 0}, Errc::not_finite,
+                             "xyz[5] is inf;");
   test::expect_refused<Mesh>({0}, {0, 1e71, 0}, {0, 0, 0}, Errc::out_of_range, "xyz[1] is 1e+71;");
 }
 
@@ -72,9 +73,7 @@ TEST(Mesh, BoxLeavesOutVerticesOfNoTriangle) {
   EXPECT_EQ(mesh.aabb(abut::Pose::identity()).high, (Vec3{1, 1, 0}));
 }
 
-TEST(Mesh, PartsAreThoseWhoseBoxesOverlap) {
-  test::expect_parts(sheet(12, false, 173), {0, 0, 0.2}, {1, 1, 0.3}, 174);
-}
+TEST(Mesh, PartsAreThoseWhoseBoxesOverlap) { test::expect_parts(sheet(12, false, 173), {0, 0, 0.2}, {1, 1, 0.3}, 174); }
 
 TEST(Mesh, RaysMeetTheFirstTriangle) {
   test::expect_first_triangle(sheet(12, false, 175), {0, 0, 0.2}, {1, 1, 0.5}, 176, 500);
@@ -83,7 +82,8 @@ TEST(Mesh, RaysMeetTheFirstTriangle) {
 
 TEST(Mesh, CrestsAreWhereNothingAroundRises) {
   test::expect_crests(sheet(10, false, 179), 279, 300);
-  test::expect_crests(test::made<Mesh>({0}, {1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1}, {0, 1, 3, 0, 3, 2, 0, 2, 1, 1, 2, 3}), 280, 5);
+  test::expect_crests(
+      test::made<Mesh>({0}, {1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1}, {0, 1, 3, 0, 3, 2, 0, 2, 1, 1, 2, 3}), 280, 5);
 }
 
 // All three triangles at the edge count: the third one rises.

@@ -64,12 +64,15 @@ TEST(Plane, RaysMeetItFromBothSides) {
       continue;
     }
     const Vec3 target = offset * normal + across;
-    const auto hit = plane.cast_ray(target - distance * direction, UnitVec3::from_unit_unchecked(direction), abut::infinity);
+    const auto hit =
+        plane.cast_ray(target - distance * direction, UnitVec3::from_unit_unchecked(direction), abut::infinity);
     ASSERT_TRUE(hit.has_value());
     EXPECT_NEAR(hit->distance, distance, 5e-12);
     EXPECT_GT(dot(hit->normal, normal), 1 - 1e-15);
-    EXPECT_FALSE(plane.cast_ray(target + distance * direction, UnitVec3::from_unit_unchecked(direction), abut::infinity).has_value());
-    EXPECT_FALSE(plane.cast_ray(target - distance * direction, UnitVec3::from_unit_unchecked(direction), 0.9 * distance).has_value());
+    EXPECT_FALSE(plane.cast_ray(target + distance * direction, UnitVec3::from_unit_unchecked(direction), abut::infinity)
+                     .has_value());
+    EXPECT_FALSE(plane.cast_ray(target - distance * direction, UnitVec3::from_unit_unchecked(direction), 0.9 * distance)
+                     .has_value());
   }
 }
 

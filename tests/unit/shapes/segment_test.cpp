@@ -31,8 +31,10 @@ TEST(Segment, KeepsItsHalfLength) {
 
 TEST(Segment, BadInputIsRefusedByName) {
   test::expect_refused<Segment>({-1}, {}, {}, Errc::out_of_range, "half_length is -1; it must be zero or positive");
-  test::expect_refused<Segment>({2e70}, {}, {}, Errc::out_of_range, "half_length is 2e+70; it must be at most 1e70 in magnitude");
-  test::expect_refused<Segment>({std::numeric_limits<double>::quiet_NaN()}, {}, {}, Errc::not_finite, "half_length is nan;");
+  test::expect_refused<Segment>({2e70}, {}, {}, Errc::out_of_range,
+                                "half_length is 2e+70; it must be at most 1e70 in magnitude");
+  test::expect_refused<Segment>({std::numeric_limits<double>::quiet_NaN()}, {}, {}, Errc::not_finite,
+                                "half_length is nan;");
   test::expect_refused<Segment>({std::numeric_limits<double>::infinity()}, {}, {}, Errc::not_finite,
                                 "half_length is inf; it must be finite");
   test::expect_refused<Segment>({}, {}, {}, Errc::invalid_argument, "parameter_count is 0; it must be 1");
@@ -58,7 +60,8 @@ TEST(Segment, CoreIsItself) {
   for (int i = 0; i < 300; ++i) {
     const Vec3 direction = random.point(3);
     const abut::Pose pose{random.rotation(), random.point(5)};
-    EXPECT_NEAR(rod().reach(direction), std::fmax(half_length * direction.z, -half_length * direction.z), 1e-15) << "seed 313";
+    EXPECT_NEAR(rod().reach(direction), std::fmax(half_length * direction.z, -half_length * direction.z), 1e-15)
+        << "seed 313";
     const Vec3 end = pose.rotation * Vec3{0, 0, half_length};
     EXPECT_NEAR(rod().placed(pose).reach(direction), test::furthest({end, -end}, direction), 1e-14) << "seed 313";
   }

@@ -39,7 +39,8 @@ TEST(Sphere, BadInputIsRefusedByName) {
 
 TEST(Sphere, BoxIsTight) {
   test::expect_tight_boxes(
-      made<Sphere>({1.5}), [](const abut::Pose& pose, const Vec3& direction) { return dot(pose.position, direction) + 1.5; }, 1.5, 101);
+      made<Sphere>({1.5}),
+      [](const abut::Pose& pose, const Vec3& direction) { return dot(pose.position, direction) + 1.5; }, 1.5, 101);
 }
 
 TEST(Sphere, CoreIsItsCentre) {
@@ -54,7 +55,8 @@ TEST(Sphere, CoreIsItsCentre) {
 
 TEST(Sphere, RaysMeetTheFirstCrossing) {
   for (const double radius : {1e-3, 1.0, 50.0}) {
-    test::expect_rays(made<Sphere>({radius}), [radius](const Vec3& p) { return std::hypot(p.x, p.y, p.z) - radius; }, radius, 103);
+    test::expect_rays(
+        made<Sphere>({radius}), [radius](const Vec3& p) { return std::hypot(p.x, p.y, p.z) - radius; }, radius, 103);
   }
 }
 
@@ -78,7 +80,8 @@ TEST(Sphere, RaysFromFarAwayKeepTheirDigits) {
     if (facing > -0.1) {
       continue;
     }
-    const auto hit = sphere.cast_ray(on_surface - 1e6 * direction, abut::UnitVec3::from_unit_unchecked(direction), abut::infinity);
+    const auto hit =
+        sphere.cast_ray(on_surface - 1e6 * direction, abut::UnitVec3::from_unit_unchecked(direction), abut::infinity);
     ASSERT_TRUE(hit.has_value());
     EXPECT_NEAR(hit->distance, 1e6, 1e-8);
     EXPECT_NEAR(dot(hit->normal, on_surface), 1, 1e-14);

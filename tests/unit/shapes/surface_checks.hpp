@@ -103,7 +103,8 @@ void expect_faces(const S& shape, const std::vector<abut::Vec3>& core, double si
     EXPECT_LE(furthest(core, face.normal), offset + 1e-13 * size);
     double top = -abut::infinity;
     for (std::size_t k = 0; k < count; ++k) {
-      const abut::FaceVertex &a = face.vertices[k], &b = face.vertices[(k + 1) % count], &c = face.vertices[(k + 2) % count];
+      const abut::FaceVertex &a = face.vertices[k], &b = face.vertices[(k + 1) % count],
+                             &c = face.vertices[(k + 2) % count];
       EXPECT_NEAR(dot(face.normal, a.point), offset, 1e-13 * size);
       EXPECT_GE(dot(face.normal, cross(b.point - a.point, c.point - b.point)), 0);
       EXPECT_NE(a.vertex, b.vertex);
@@ -124,8 +125,8 @@ using Outside = std::function<double(const abut::Vec3&)>;
 struct Crossing {
   double enter, leave;
 };
-inline std::optional<Crossing> crossing(const Outside& outside, const abut::Vec3& origin, const abut::Vec3& direction, double reach,
-                                        double& least) {
+inline std::optional<Crossing> crossing(const Outside& outside, const abut::Vec3& origin, const abut::Vec3& direction,
+                                        double reach, double& least) {
   const auto at = [&](double t) { return outside(origin + t * direction); };
   double low = -reach, high = reach;
   for (int i = 0; i < 160; ++i) {

@@ -28,13 +28,15 @@ inline Meeting meeting(const Corners& t, const abut::Vec3& origin, const abut::V
   const abut::Vec3 normal = cross(t.b - t.a, t.c - t.a);
   const double distance = dot(normal, t.a - origin) / dot(normal, direction), area = dot(normal, normal);
   const abut::Vec3 p = origin + distance * direction;
-  const double first = dot(normal, cross(t.c - t.b, p - t.b)) / area, second = dot(normal, cross(t.a - t.c, p - t.c)) / area;
+  const double first = dot(normal, cross(t.c - t.b, p - t.b)) / area,
+               second = dot(normal, cross(t.a - t.c, p - t.c)) / area;
   return {distance, std::fmin(std::fmin(first, second), 1 - first - second)};
 }
 
 // First crossing of all triangles; rays that pass an edge too closely are left to other tests.
 template <class S>
-void expect_first_triangle(const S& shape, const abut::Vec3& centre, const abut::Vec3& size, std::uint64_t seed, int least_hits) {
+void expect_first_triangle(const S& shape, const abut::Vec3& centre, const abut::Vec3& size, std::uint64_t seed,
+                           int least_hits) {
   Random random(seed);
   const abut::Triangles surface = shape.triangles();
   int hits = 0;
@@ -115,7 +117,8 @@ void expect_parts(const S& shape, const abut::Vec3& centre, const abut::Vec3& si
 
 // Whether nothing around some corners of a triangle (by bit) rises over the plane through them: all triangles that have
 // these corners are looked at.
-inline bool lies_behind(const abut::Triangles& surface, std::size_t triangle, unsigned corners, const abut::Vec3& direction) {
+inline bool lies_behind(const abut::Triangles& surface, std::size_t triangle, unsigned corners,
+                        const abut::Vec3& direction) {
   std::set<std::uint32_t> wanted;
   for (unsigned i = 0; i < 3; ++i) {
     if ((corners >> i & 1) != 0) {
@@ -138,7 +141,8 @@ inline bool lies_behind(const abut::Triangles& surface, std::size_t triangle, un
   return true;
 }
 
-// For each vertex and edge of each triangle, and directions in which it is the outermost of the triangle, flat ones too.
+// For each vertex and edge of each triangle, and directions in which it is the outermost of the triangle, flat ones
+// too.
 template <class S>
 void expect_crests(const S& shape, std::uint64_t seed, int least) {
   Random random(seed);

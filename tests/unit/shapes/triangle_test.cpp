@@ -39,7 +39,8 @@ TEST(FreeTriangle, BadInputIsRefusedByName) {
   for (std::size_t i = 0; i < 9; ++i) {
     std::vector<double> numbers(9, 1);
     numbers[i] = std::numeric_limits<double>::infinity();
-    test::expect_refused<FreeTriangle>(numbers, {}, {}, Errc::not_finite, std::string(names[i]) + " is inf; it must be finite");
+    test::expect_refused<FreeTriangle>(numbers, {}, {}, Errc::not_finite,
+                                       std::string(names[i]) + " is inf; it must be finite");
     numbers[i] = -2e70;
     test::expect_refused<FreeTriangle>(numbers, {}, {}, Errc::out_of_range,
                                        std::string(names[i]) + " is -2e+70; it must be at most 1e70");
@@ -80,7 +81,8 @@ TEST(FreeTriangle, RaysMeetItFromBothSides) {
   const Vec3 front = cross(b - a, c - a), unit = (1 / std::sqrt(dot(front, front))) * front;
   test::Random random(323);
   for (int i = 0; i < 2000; ++i) {
-    const double u = random.uniform(-0.5, 1.5), v = random.uniform(-0.5, 1.5), least = std::fmin(std::fmin(u, v), 1 - u - v);
+    const double u = random.uniform(-0.5, 1.5), v = random.uniform(-0.5, 1.5),
+                 least = std::fmin(std::fmin(u, v), 1 - u - v);
     const Vec3 target = (1 - u - v) * a + u * b + v * c, direction = test::towards(random);
     if (std::fabs(least) < 1e-9 || std::fabs(dot(direction, unit)) < 0.05) {
       continue;

@@ -32,8 +32,11 @@ TEST(MaterialTable, IsSymmetric) {
 
 TEST(MaterialTable, CombinesTheRowsOfEachWithItself) {
   MaterialTable table;
-  table.set(steel, steel, ContactMaterial{.friction_primary = 0.25, .slip = 1, .damping = 3, .restitution = 0.5, .adhesive_force = 2});
-  table.set(rubber, rubber, ContactMaterial{.friction_primary = 1, .slip = 2, .damping = 1, .restitution = 0.8, .adhesive_force = 5});
+  table.set(
+      steel, steel,
+      ContactMaterial{.friction_primary = 0.25, .slip = 1, .damping = 3, .restitution = 0.5, .adhesive_force = 2});
+  table.set(rubber, rubber,
+            ContactMaterial{.friction_primary = 1, .slip = 2, .damping = 1, .restitution = 0.8, .adhesive_force = 5});
   const ContactMaterial both = table.of(rubber, steel);
   EXPECT_EQ(both.friction_primary, 0.5);
   EXPECT_EQ(both.slip, 3);

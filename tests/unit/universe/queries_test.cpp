@@ -25,8 +25,8 @@ std::vector<RayContact> cast_at_each(const Universe& universe, const Ray& ray, c
   for_each(universe, ids, [&](GeometryId id, const AnyShape& shape, const Pose& pose) {
     const auto direction = UnitVec3::from_unit_unchecked(pose.rotation.undo(ray.direction));
     if (const auto hit = cast_ray(shape, pose.undo(ray.origin), direction, ray.max_distance)) {
-      hits.push_back(
-          {id, hit->distance, ray.origin + hit->distance * ray.direction.vec(), pose.rotation * hit->normal, hit->feature, 0});
+      hits.push_back({id, hit->distance, ray.origin + hit->distance * ray.direction.vec(), pose.rotation * hit->normal,
+                      hit->feature, 0});
     }
   });
   std::ranges::sort(hits, is_earlier);
@@ -185,7 +185,9 @@ TEST_P(Queries, WhatIsParkedIsNotThere) {
   const auto is_there = [&] {
     universe.refresh();
     const bool by_ray = !cast_ray(universe, ray, {}, HitMode::nearest, RayStart::far_side).empty();
-    EXPECT_EQ(!cast_shape(universe, probe, {Rotation::identity(), {-5, 0, 0}}, {10, 0, 0}, {}, HitMode::nearest).empty(), by_ray);
+    EXPECT_EQ(
+        !cast_shape(universe, probe, {Rotation::identity(), {-5, 0, 0}}, {10, 0, 0}, {}, HitMode::nearest).empty(),
+        by_ray);
     EXPECT_EQ(!find_overlaps(universe, probe, Pose::identity(), 0, {}).empty(), by_ray);
     EXPECT_EQ(!find_at_point(universe, {0.1, 0, 0}, {}).empty(), by_ray);
     EXPECT_EQ(find_closest(universe, probe, Pose::identity(), infinity, {}).has_value(), by_ray);

@@ -71,11 +71,12 @@ TEST(RayQueries, StartInsideAsAskedFor) {
   };
   const std::vector<PlacedShape> pierced{{make_handle("box", {1, 1, 1}), Pose::identity()},
                                          {make_handle("sphere_hole", {0.5}), Pose::identity()}};
-  for (const Case& each :
-       {Case{make_handle("sphere", {1}), {0.2, 0, 0}, {0, 0, 1.2}}, Case{make_handle("box", {1, 1, 1}), {0.9, 0, 0}, {0, 0, 1.2}},
-        Case{make_handle("plane", {0, 0, 1, 0.5}), {0, 0, -3}, {0, 0, 1.2}}, Case{make_dumbbell(), {-0.8, 0.2, 0}, {0, 0.3, 0}},
-        Case{make_handle("particles", {0.2}, {0, 0, 0, 1, 0, 0}), {1.1, 0, 0}, {0.5, 0, 0}},
-        Case{ShapeHandle(make_composite(pierced).value()), {0.8, 0, 0}, {0.3, 0, 0}}}) {
+  for (const Case& each : {Case{make_handle("sphere", {1}), {0.2, 0, 0}, {0, 0, 1.2}},
+                           Case{make_handle("box", {1, 1, 1}), {0.9, 0, 0}, {0, 0, 1.2}},
+                           Case{make_handle("plane", {0, 0, 1, 0.5}), {0, 0, -3}, {0, 0, 1.2}},
+                           Case{make_dumbbell(), {-0.8, 0.2, 0}, {0, 0.3, 0}},
+                           Case{make_handle("particles", {0.2}, {0, 0, 0, 1, 0, 0}), {1.1, 0, 0}, {0.5, 0, 0}},
+                           Case{ShapeHandle(make_composite(pierced).value()), {0.8, 0, 0}, {0.3, 0, 0}}}) {
     Universe universe({}, 1);
     Random random(10);
     const Placement placement{random.vector(3), random.turn()};
@@ -83,7 +84,8 @@ TEST(RayQueries, StartInsideAsAskedFor) {
     universe.refresh();
     const Pose pose = placement.pose();
     const Vec3 up = pose.rotation * Vec3{0.1, 0.2, 1}, start = pose * each.inside;
-    const auto far_side = cast(universe, start, up, infinity), solid = cast(universe, start, up, infinity, RayStart::solid);
+    const auto far_side = cast(universe, start, up, infinity),
+               solid = cast(universe, start, up, infinity, RayStart::solid);
     ASSERT_EQ(far_side.size(), 1U);
     EXPECT_GT(far_side.front().distance, 0.01);
     ASSERT_EQ(solid.size(), 1U);

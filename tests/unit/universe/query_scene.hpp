@@ -19,8 +19,8 @@ namespace test::queries {
 
 using namespace abut;
 
-inline ShapeHandle make_handle(std::string_view kind, const std::vector<Real>& parameters, const std::vector<Real>& reals = {},
-                               const std::vector<std::uint32_t>& indices = {}) {
+inline ShapeHandle make_handle(std::string_view kind, const std::vector<Real>& parameters,
+                               const std::vector<Real>& reals = {}, const std::vector<std::uint32_t>& indices = {}) {
   return ShapeHandle(make_shape(*find_kind(kind), parameters, reals, indices).value());
 }
 inline ShapeHandle make_square(Real half) {
@@ -52,9 +52,7 @@ inline GeometryId add(Universe& universe, const ShapeHandle& shape, const Placem
   const auto parts = universe.create_parts(std::span(&part, 1)).value();
   return universe.create_geometries(parts, std::span(&shape, 1), std::span(&options, 1)).value().front();
 }
-inline Placement at(Real x, Real y, Real z) {
-  return {{x, y, z}, {1, 0, 0, 0}};
-}
+inline Placement at(Real x, Real y, Real z) { return {{x, y, z}, {1, 0, 0, 0}}; }
 
 inline std::vector<ShapeHandle> make_all_kinds() {
   return {make_handle("sphere", {0.6}),

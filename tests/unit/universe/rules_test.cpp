@@ -54,7 +54,8 @@ TEST(Rules, LeaveOtherPairsAlone) {
   EXPECT_FALSE(rules.allows(side(1, 5, 0), side(8, 2, 0)));
   EXPECT_TRUE(rules.allows(side(3, 5, 0), side(8, 2, 0)));
   EXPECT_TRUE(rules.allows(side(1, 5, 0), side(8, 3, 0)));
-  EXPECT_TRUE(rules.allows({GeometryId{1, 8}, PartId{5, 9}, 0}, side(8, 2, 0))) << "another generation is another geometry";
+  EXPECT_TRUE(rules.allows({GeometryId{1, 8}, PartId{5, 9}, 0}, side(8, 2, 0)))
+      << "another generation is another geometry";
 }
 
 TEST(Rules, OfTwoAlikeTheOneThatDisablesWins) {
@@ -81,7 +82,8 @@ TEST(Rules, EndWithWhatTheySpeakOf) {
 }
 
 // All rules of a list that fit, and the first of them by the order that the documentation gives.
-bool allows_by_the_list(const std::vector<std::tuple<Collidable, Collidable, Rule>>& list, const RuleSide& a, const RuleSide& b) {
+bool allows_by_the_list(const std::vector<std::tuple<Collidable, Collidable, Rule>>& list, const RuleSide& a,
+                        const RuleSide& b) {
   const auto fits = [](const Collidable& c, const RuleSide& its) {
     switch (c.kind) {
       case CollidableKind::geometry: return c.slot == its.geometry.slot && c.generation == its.geometry.generation;

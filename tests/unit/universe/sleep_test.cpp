@@ -21,7 +21,9 @@ using namespace abut;
 class Bench {
  public:
   void add(std::uint32_t slot, const Sleep& sleep = {}) { table.set({slot, 1}, true, sleep); }
-  void touch(std::uint32_t a, std::uint32_t b) { touches.emplace_back(SleepTable::Side{a, true}, SleepTable::Side{b, true}); }
+  void touch(std::uint32_t a, std::uint32_t b) {
+    touches.emplace_back(SleepTable::Side{a, true}, SleepTable::Side{b, true});
+  }
   void stand(std::uint32_t part, std::uint32_t ground) {
     touches.emplace_back(SleepTable::Side{part, true}, SleepTable::Side{ground, false});
   }

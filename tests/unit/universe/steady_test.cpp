@@ -36,7 +36,8 @@ class Block {
       const PartOptions part{.placement = placements.back()};
       parts.push_back(universe.create_parts(std::span(&part, 1)).value()[0]);
       const ShapeHandle& shape = shapes[i % shapes.size()];
-      geometries.push_back(universe.create_geometries(std::span(&parts.back(), 1), std::span(&shape, 1), {}).value()[0]);
+      geometries.push_back(
+          universe.create_geometries(std::span(&parts.back(), 1), std::span(&shape, 1), {}).value()[0]);
     }
   }
 
@@ -129,7 +130,8 @@ TEST(SteadyUniverse, GivesTheSameBitsOnAnyNumberOfThreads) {
       hashes.push_back(block.universe.hash());
     }
 #ifdef ABUT_TEST_THREADS
-    EXPECT_NE(block.universe.explain().find("threads: " + std::to_string(threads) + "\n"), std::string::npos) << block.universe.explain();
+    EXPECT_NE(block.universe.explain().find("threads: " + std::to_string(threads) + "\n"), std::string::npos)
+        << block.universe.explain();
 #endif
     expected = expected.empty() ? hashes : expected;
     EXPECT_EQ(hashes, expected) << threads << " threads";

@@ -38,7 +38,8 @@ class Crowd {
 
   explicit Crowd(std::uint32_t threads)
       : universe({.threads = threads, .events = event_pairs | event_persist | event_contacts}, 1),
-        shapes{make("sphere", {0.55}), make("box", {0.5, 0.45, 0.5}), make("capsule", {0.4, 0.3}), make("cylinder", {0.5, 0.5})} {
+        shapes{make("sphere", {0.55}), make("box", {0.5, 0.45, 0.5}), make("capsule", {0.4, 0.3}),
+               make("cylinder", {0.5, 0.5})} {
     for (std::size_t i = 0; i < count; ++i) {
       parts.push_back(universe.create_parts(std::array{PartOptions{.placement = place(i, 0)}}).value()[0]);
       geometries.push_back(add(i));
@@ -67,7 +68,8 @@ class Crowd {
   // One frame of a scene in which everything changes that a step looks at.
   void play(std::size_t frame) {
     if (frame % 5 != 4) move(frame, 1 + frame % 3);
-    if (frame == 2) ASSERT_TRUE(universe.set_shapes(some(100, 200), std::vector<ShapeHandle>(200, shapes[0])).has_value());
+    if (frame == 2)
+      ASSERT_TRUE(universe.set_shapes(some(100, 200), std::vector<ShapeHandle>(200, shapes[0])).has_value());
     if (frame == 3) ASSERT_TRUE(universe.park(some(400, 100), Parking::short_term).has_value());
     if (frame == 3) ASSERT_TRUE(universe.park(some(700, 100), Parking::long_term).has_value());
     if (frame == 5) ASSERT_TRUE(universe.park(some(350, 500), Parking::none).has_value());
@@ -76,10 +78,15 @@ class Crowd {
       for (std::size_t i = 900; i < 950; ++i) geometries[i] = add(1849 - i);
     }
     if (frame == 7) {
-      ASSERT_TRUE(universe.set_rule({.kind = CollidableKind::part, .slot = parts[5].slot, .generation = parts[5].generation}, {}, Rule::disable).has_value());
+      ASSERT_TRUE(
+          universe
+              .set_rule({.kind = CollidableKind::part, .slot = parts[5].slot, .generation = parts[5].generation}, {},
+                        Rule::disable)
+              .has_value());
       ASSERT_TRUE(universe.set_policy(0, 0, {.detail = Detail::point, .period = 2}).has_value());
     }
-    if (frame == 9) ASSERT_TRUE(universe.set_sleep(parts, std::vector<std::optional<Sleep>>(count, Sleep{.steps = 1})).has_value());
+    if (frame == 9)
+      ASSERT_TRUE(universe.set_sleep(parts, std::vector<std::optional<Sleep>>(count, Sleep{.steps = 1})).has_value());
     if (frame == 14) ASSERT_TRUE(universe.wake(std::span(parts).first(1)).has_value());
     ASSERT_TRUE(universe.step(0.01).has_value());
   }
@@ -87,7 +94,8 @@ class Crowd {
     const StepStats& stats = universe.stats();
     std::uint64_t ends = 0;
     for (const Event& event : universe.events()) ends += event.kind == EventKind::end ? 1 : 0;
-    return {universe.hash(), stats.candidate_pairs, stats.filtered_pairs, stats.examined_pairs, stats.touching_pairs, stats.moved, stats.asleep, ends};
+    return {universe.hash(),      stats.candidate_pairs, stats.filtered_pairs, stats.examined_pairs,
+            stats.touching_pairs, stats.moved,           stats.asleep,         ends};
   }
 
   Universe universe;
@@ -118,7 +126,8 @@ TEST(ThreadsOfAUniverse, LeaveTheSameBehindWhateverHappens) {
   }
 }
 
-// Contacts that stay are moved within their list: whatever comes and goes before them, they are those of a detection of all.
+// Contacts that stay are moved within their list: whatever comes and goes before them, they are those of a detection of
+// all.
 TEST(ThreadsOfAUniverse, MoveContactsThatStayUpAndDown) {
   for (const std::uint32_t threads : {1U, 4U}) {
     Crowd crowd(threads);
@@ -128,7 +137,8 @@ TEST(ThreadsOfAUniverse, MoveContactsThatStayUpAndDown) {
       // Every eighth body leaves or comes back, in each half of the slots at another time.
       for (std::size_t i = 0; i < Crowd::count; i += 8) {
         const bool is_away = (frame + (i < Crowd::count / 2 ? 0 : 1)) % 2 == 0;
-        const Placement there = is_away ? Placement{{100.0 + 3 * static_cast<Real>(i), 0, 0}, {1, 0, 0, 0}} : Crowd::place(i, 0);
+        const Placement there =
+            is_away ? Placement{{100.0 + 3 * static_cast<Real>(i), 0, 0}, {1, 0, 0, 0}} : Crowd::place(i, 0);
         ASSERT_TRUE(crowd.universe.set_poses(std::span(&crowd.parts[i], 1), std::span(&there, 1)).has_value());
       }
       ASSERT_TRUE(crowd.universe.step(0.01).has_value());

@@ -36,7 +36,8 @@ PartId add_part(Universe& universe, const Placement& placement, MotionKind motio
   const PartOptions options{motion, placement, 0};
   return universe.create_parts(std::span(&options, 1)).value()[0];
 }
-GeometryId add_geometry(Universe& universe, PartId part, const ShapeHandle& shape, const GeometryOptions& options = {}) {
+GeometryId add_geometry(Universe& universe, PartId part, const ShapeHandle& shape,
+                        const GeometryOptions& options = {}) {
   return universe.create_geometries(std::span(&part, 1), std::span(&shape, 1), std::span(&options, 1)).value()[0];
 }
 GeometryId add(Universe& universe, const ShapeHandle& shape, const Placement& placement,
@@ -112,7 +113,8 @@ TEST(Universe, GeometriesSitWherePartAndLocalPoseSay) {
   const Real half_turn = std::sqrt(0.5);
   // A quarter turn about z takes x to y.
   const PartId part = add_part(universe, {{10, 0, 0}, {half_turn, 0, 0, half_turn}});
-  const GeometryId geometry = add_geometry(universe, part, ball(1), {.local = at(2, 0, 0), .tolerance = 0.25, .user_data = 9});
+  const GeometryId geometry =
+      add_geometry(universe, part, ball(1), {.local = at(2, 0, 0), .tolerance = 0.25, .user_data = 9});
   add(universe, ball(1), at(10, 3.5, 0));
   const GeometryInfo info = universe.describe(geometry).value();
   EXPECT_EQ(info.part, part);
@@ -184,7 +186,8 @@ TEST(Universe, StaleAndForeignIdsChangeNothing) {
     EXPECT_EQ(universe.describe(bad).error().code, Errc::stale_id);
     EXPECT_EQ(universe.world_pose(bad).error().code, Errc::stale_id);
     const std::array<GeometryId, 2> both{geometry, bad};
-    EXPECT_EQ(universe.destroy_geometries(both).error().message, "geometries[1] is stale or belongs to another universe");
+    EXPECT_EQ(universe.destroy_geometries(both).error().message,
+              "geometries[1] is stale or belongs to another universe");
   }
   EXPECT_EQ(universe.pose(kept).value().position, (Vec3{0, 0, 0}));
   EXPECT_EQ(universe.parts(), std::vector{kept});
@@ -221,8 +224,9 @@ TEST(Universe, BadNumbersChangeNothing) {
   const PartId part = add_part(universe, at(0, 0, 0));
   const ShapeHandle shape = ball(1);
   const GeometryOptions negative{.local = {}, .tolerance = -1};
-  EXPECT_EQ(universe.create_geometries(std::span(&part, 1), std::span(&shape, 1), std::span(&negative, 1)).error().message,
-            "options[0].tolerance is -1; it must be zero or positive");
+  EXPECT_EQ(
+      universe.create_geometries(std::span(&part, 1), std::span(&shape, 1), std::span(&negative, 1)).error().message,
+      "options[0].tolerance is -1; it must be zero or positive");
   EXPECT_TRUE(universe.geometries().empty());
 }
 
@@ -292,7 +296,9 @@ class Crowd {
       : random_(seed), universe_(options, number) {
     for (const std::string_view kind : {"sphere", "box", "capsule"}) {
       if (find_kind(kind)) {
-        shapes_.push_back(kind == "sphere" ? ball(0.6) : kind == "box" ? make(kind, {0.5, 0.4, 0.7}) : make(kind, {0.3, 0.5}));
+        shapes_.push_back(kind == "sphere" ? ball(0.6)
+                          : kind == "box"  ? make(kind, {0.5, 0.4, 0.7})
+                                           : make(kind, {0.3, 0.5}));
       }
     }
     if (find_kind("plane")) {
@@ -332,9 +338,10 @@ class Crowd {
   }
   void create() {
     const Real dice = uniform(0, 1);
-    const PartId part = add_part(universe_, somewhere(), dice < 0.7   ? MotionKind::dynamic
-                                                         : dice < 0.85 ? MotionKind::animated
-                                                                       : MotionKind::fixed);
+    const PartId part = add_part(universe_, somewhere(),
+                                 dice < 0.7    ? MotionKind::dynamic
+                                 : dice < 0.85 ? MotionKind::animated
+                                               : MotionKind::fixed);
     const std::size_t geometries = dice < 0.2 ? 2 : 1;
     for (std::size_t i = 0; i < geometries; ++i) {
       const auto kind = static_cast<std::size_t>(uniform(0, static_cast<Real>(shapes_.size()) - 0.001));
@@ -351,8 +358,9 @@ class Crowd {
 
 bool is_same(const Contact& a, const Contact& b) {
   return a.geometry_a == b.geometry_a && a.geometry_b == b.geometry_b && a.point.point_a == b.point.point_a &&
-         a.point.point_b == b.point.point_b && a.point.normal == b.point.normal && a.point.distance == b.point.distance &&
-         a.point.id == b.point.id && a.point.feature_a == b.point.feature_a && a.point.feature_b == b.point.feature_b;
+         a.point.point_b == b.point.point_b && a.point.normal == b.point.normal &&
+         a.point.distance == b.point.distance && a.point.id == b.point.id && a.point.feature_a == b.point.feature_a &&
+         a.point.feature_b == b.point.feature_b;
 }
 bool are_same(std::span<const Contact> a, std::span<const Contact> b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
@@ -401,7 +409,8 @@ TEST(Universe, ContactsAreOrderedBySlotsThenDepth) {
     EXPECT_LT(contacts[i].geometry_a.slot, contacts[i].geometry_b.slot);
     if (i > 0) {
       const Contact &last = contacts[i - 1], &next = contacts[i];
-      const std::pair last_slots{last.geometry_a.slot, last.geometry_b.slot}, slots{next.geometry_a.slot, next.geometry_b.slot};
+      const std::pair last_slots{last.geometry_a.slot, last.geometry_b.slot},
+          slots{next.geometry_a.slot, next.geometry_b.slot};
       EXPECT_LE(last_slots, slots);
       if (last_slots == slots) {
         EXPECT_LE(last.point.distance, next.point.distance);
