@@ -12,8 +12,6 @@
 
 namespace property {
 
-inline constexpr auto distance_shortfalls = std::to_array<Shortfall>({});
-
 inline constexpr auto contact_shortfalls = std::to_array<Shortfall>({
     {"box/box parallel touching contact points lie across each other", 3, 0.00016},
     {"box/capsule parallel overlapping contact points lie across each other", 3, 1.6e-07},
