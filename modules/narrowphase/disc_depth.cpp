@@ -270,14 +270,19 @@ void search_box(const Vec3& half, DiscDepth& least) {
                                  (corner & 4) != 0 ? half.z : -half.z};
     const Real out_x = dot(p, discs.x), out_y = dot(p, discs.y);
     const Real spare = side + discs.side_up * dot(p, axis) - least.depth();
-    if (discs.side_out * discs.side_out * (out_x * out_x + out_y * out_y) < spare * std::fabs(spare)) {
+    const Real square = out_x * out_x + out_y * out_y;
+    if (discs.side_out * discs.side_out * square < spare * std::fabs(spare)) {
       continue;
     }
-    // Only the corner that reaches furthest along the normal counts.
+    // Only the corner that reaches furthest along the normal counts. Beside the axis its signs need no unit vector.
+    const Vec3 toward = square > least_aside * least_aside ? (discs.side_up * std::sqrt(square)) * axis -
+                                                                 discs.side_out * (out_x * discs.x + out_y * discs.y)
+                                                           : normal_of_side(discs, p);
+    if (((corner & 1) != 0) != (toward.x >= 0) || ((corner & 2) != 0) != (toward.y >= 0) ||
+        ((corner & 4) != 0) != (toward.z >= 0)) {
+      continue;
+    }
     const Vec3 u = normal_of_side(discs, p);
-    if (((corner & 1) != 0) != (u.x >= 0) || ((corner & 2) != 0) != (u.y >= 0) || ((corner & 4) != 0) != (u.z >= 0)) {
-      continue;
-    }
     const Real depth =
         half.x * std::fabs(u.x) + half.y * std::fabs(u.y) + half.z * std::fabs(u.z) + dot(centre, u) + side;
     least.offer(depth, u);
