@@ -88,6 +88,9 @@ class SurfaceContacts {
     Real depth;      // of the deepest of them
     Real noise;      // of depths
   };
+  struct Parts {
+    std::uint32_t of_a, of_b;
+  };
   // The deepest contact that was left to a neighbour across an edge.
   struct Left {
     std::uint32_t part_of_a, part_of_b;
@@ -240,9 +243,13 @@ class SurfaceContacts {
     if (!deepest || least <= (1 + claim_blur) * depth_) {
       return infinity;
     }
+    // Parts that lately were not parted are asked first: one of them mostly stands in the way again.
+    std::array<Parts, 4> blocking;
+    blocking.fill({deepest->part_of_a, deepest->part_of_b});
     const auto consider = [&](const Vec3& direction) {
-      if (overlap_of(deepest->part_of_a, deepest->part_of_b, direction) < least) {
-        least = std::min(least, largest_overlap(direction, least));
+      const auto blocks = [&](const Parts& parts) { return overlap_of(parts.of_a, parts.of_b, direction) >= least; };
+      if (std::ranges::none_of(blocking, blocks)) {
+        least = std::min(least, largest_overlap(direction, least, blocking));
       }
     };
     for (std::size_t i = first_; i < out_.size(); ++i) {
@@ -265,12 +272,21 @@ class SurfaceContacts {
   }
 
   // The largest overlap of all parts that have contacts, or that were turned, along a direction; or some overlap that
-  // is as large as `enough`.
-  [[nodiscard]] Real largest_overlap(const Vec3& direction, Real enough) const {
+  // is as large as `enough`, whose parts then come first in a list.
+  [[nodiscard]] Real largest_overlap(const Vec3& direction, Real enough, std::span<Parts> blocking) const {
     Real largest = -infinity;
-    for (const Group& group : turned_.span()) {
-      largest = std::max(largest, overlap_of(group.part_of_a, group.part_of_b, direction));
+    const auto reaches = [&](const Parts& parts) {
+      largest = std::max(largest, overlap_of(parts.of_a, parts.of_b, direction));
       if (largest >= enough) {
+        for (std::size_t i = blocking.size() - 1; i > 0; --i) {
+          blocking[i] = blocking[i - 1];
+        }
+        blocking.front() = parts;
+      }
+      return largest >= enough;
+    };
+    for (const Group& group : turned_.span()) {
+      if (reaches({group.part_of_a, group.part_of_b})) {
         return largest;
       }
     }
@@ -282,8 +298,7 @@ class SurfaceContacts {
       }
       part_of_a = contact.feature_a.index;
       part_of_b = next_b;
-      largest = std::max(largest, overlap_of(part_of_a, part_of_b, direction));
-      if (largest >= enough) {
+      if (reaches({part_of_a, part_of_b})) {
         return largest;
       }
     }
