@@ -39,7 +39,7 @@ std::size_t bring_heads(std::span<ContactPoint> contacts) {
   return heads;
 }
 
-// Beside the first ones that are kept, brings one by one what is furthest from all of them to the front, up to `most`.
+// The first `kept` contacts stay. The one furthest from all kept ones joins them, until there are `most`.
 template <class Gap>
 void bring_furthest(std::span<ContactPoint> contacts, std::size_t kept, std::size_t most, Gap&& gap) {
   std::vector<Real> gaps(contacts.size(), infinity);

@@ -1,5 +1,4 @@
-// Caps the contacts of one pair whose shapes have many parts, as a ball in a mesh, where each normal is a patch of its
-// own.
+// Caps the contacts of one pair whose shapes have many parts. Each normal of a ball in a mesh is a patch of its own.
 export module abut.contact.cap;
 import abut.core.standard;
 import abut.shape;

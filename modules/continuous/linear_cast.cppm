@@ -27,8 +27,8 @@ struct FirstTouch {
 // more than these is stopped before the contact.
 inline constexpr std::uint32_t most_cast_steps = 256;
 
-// Where the difference of two shapes has no volume, as of a point and a triangle, both signs of the normal are as good
-// to a distance of zero. What has come from a distance did not move along the normal, but against it.
+// A point and a triangle have a difference without volume. At distance zero both signs of the normal are as good.
+// A shape that came from a distance moved against the normal, not along it.
 [[nodiscard]] inline Distance turned_against(const UnitVec3& direction, Distance contact, Real touching) {
   if (std::fabs(contact.distance) <= touching && dot(direction, contact.normal) > 0) {
     contact.normal = -contact.normal;
