@@ -6,8 +6,8 @@
 
 #include "error.hpp"
 
+import abut.capability;
 import abut.core;
-import abut.shape;
 
 namespace abut::capi {
 

@@ -1,8 +1,8 @@
 // What a step found: contacts, and what began and ended.
 #include "universe_handle.hpp"
 
+import abut.capability;
 import abut.core;
-import abut.shape;
 import abut.universe;
 
 using namespace abut::capi;

@@ -3,9 +3,9 @@
 #include "guard.hpp"
 #include "options.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
 
 using namespace abut::capi;
 

@@ -6,10 +6,10 @@
 
 #include "border.hpp"
 
-import abut.any_shape;
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
+import abut.pairs.any_shape;
 
 namespace abut::capi {
 

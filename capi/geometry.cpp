@@ -3,11 +3,11 @@
 #include "options.hpp"
 #include "universe_handle.hpp"
 
-import abut.any_shape;
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.registry;
-import abut.shape;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 import abut.universe;
 
 using namespace abut::capi;

@@ -2,11 +2,11 @@
 #include "options.hpp"
 #include "universe_handle.hpp"
 
-import abut.any_shape;
+import abut.capability;
 import abut.core;
-import abut.shape;
-import abut.universe;
+import abut.pairs.any_shape;
 import abut.universe.checks;
+import abut.universe;
 
 namespace abut::capi {
 

@@ -7,7 +7,7 @@
 #include "border.hpp"
 #include "shape_handle.hpp"
 
-import abut.any_shape;
+import abut.pairs.any_shape;
 import abut.universe;
 
 namespace abut::capi {

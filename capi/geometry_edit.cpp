@@ -3,9 +3,9 @@
 #include "shape_handle.hpp"
 #include "universe_handle.hpp"
 
-import abut.any_shape;
+import abut.capability;
 import abut.core;
-import abut.shape;
+import abut.pairs.any_shape;
 import abut.universe;
 
 using namespace abut::capi;

@@ -2,8 +2,8 @@
 #include "options.hpp"
 #include "universe_handle.hpp"
 
+import abut.capability;
 import abut.core;
-import abut.shape;
 import abut.universe;
 
 using namespace abut::capi;

@@ -3,12 +3,12 @@
 
 #include "options.hpp"
 
-import abut.any_shape;
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.universe;
+import abut.pairs.any_shape;
 import abut.universe.queries;
+import abut.universe;
 
 using namespace abut::capi;
 

@@ -4,11 +4,11 @@
 
 #include "universe_handle.hpp"
 
-import abut.any_shape;
+import abut.capability;
 import abut.math;
-import abut.shape;
-import abut.universe;
+import abut.pairs.any_shape;
 import abut.universe.queries;
+import abut.universe;
 
 namespace abut::capi {
 

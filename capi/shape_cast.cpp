@@ -2,11 +2,11 @@
 #include "options.hpp"
 #include "query_arguments.hpp"
 
-import abut.any_shape;
-import abut.any_shape.shape_cast;
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
+import abut.pairs.any_shape.shape_cast;
+import abut.pairs.any_shape;
 
 using namespace abut::capi;
 

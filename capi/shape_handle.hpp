@@ -4,8 +4,8 @@
 
 #include "prelude.hpp"
 
-import abut.any_shape;
-import abut.registry;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 
 struct abut_shape {
   explicit abut_shape(abut::ShapeHandle shape) : handle(std::move(shape)) {}

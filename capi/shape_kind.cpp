@@ -3,8 +3,8 @@
 #include "guard.hpp"
 #include "options.hpp"
 
-import abut.any_shape;
-import abut.registry;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 
 using namespace abut::capi;
 

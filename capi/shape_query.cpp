@@ -4,12 +4,12 @@
 #include "options.hpp"
 #include "shape_handle.hpp"
 
-import abut.any_shape;
-import abut.any_shape.ray_child;
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.registry;
-import abut.shape;
+import abut.pairs.any_shape.ray_child;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 
 using namespace abut::capi;
 

@@ -9,11 +9,11 @@ module;
 #include <string>
 #include <vector>
 export module abut.fuzz;
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.any_shape;
-import abut.registry;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 
 export namespace abut::fuzz {
 

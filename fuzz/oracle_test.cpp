@@ -8,12 +8,12 @@
 #include <optional>
 #include <span>
 #include <string_view>
-import abut.any_shape;
+import abut.capability;
 import abut.core;
 import abut.fuzz;
 import abut.math;
-import abut.registry;
-import abut.shape;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 
 namespace {
 

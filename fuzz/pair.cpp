@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <optional>
 #include <string_view>
-import abut.any_shape;
 import abut.fuzz;
+import abut.pairs.any_shape;
 
 extern "C" {
 std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);

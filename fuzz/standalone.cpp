@@ -21,8 +21,8 @@
 
 #include "files.hpp"
 
-import abut.any_shape;
 import abut.fuzz;
+import abut.pairs.any_shape;
 
 namespace {
 

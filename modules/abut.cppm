@@ -2,8 +2,8 @@
 export module abut;
 export import abut.core;
 export import abut.math;
-export import abut.shape;
-export import abut.registry;
-export import abut.any_shape;
-export import abut.contact;
+export import abut.capability;
+export import abut.pairs.registry;
+export import abut.pairs.any_shape;
+export import abut.narrow.manifold;
 export import abut.universe;

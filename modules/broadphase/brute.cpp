@@ -1,12 +1,12 @@
 module;
 #include "../core/check.hpp"
 module abut.broadphase.brute;
-import abut.broadphase.eight_boxes;
 import abut.broadphase.proxy;
-import abut.core;
 import abut.core.standard;
 import abut.core.workers;
+import abut.core;
 import abut.math;
+import abut.trees.eight_boxes;
 
 namespace abut {
 

@@ -1,12 +1,12 @@
 // Every box against every box: for a few dozen of them nothing is faster.
 export module abut.broadphase.brute;
 import abut.broadphase.box_record;
-import abut.broadphase.box_sweep;
-import abut.broadphase.eight_boxes;
 import abut.broadphase.proxy;
 import abut.core.standard;
 import abut.core.workers;
 import abut.math;
+import abut.trees.box_sweep;
+import abut.trees.eight_boxes;
 
 export namespace abut {
 

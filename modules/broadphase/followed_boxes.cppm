@@ -3,16 +3,16 @@ module;
 #include "../core/check.hpp"
 export module abut.broadphase.followed_boxes;
 import abut.broadphase.box_record;
-import abut.broadphase.box_sweep;
 import abut.broadphase.kept_pairs;
-import abut.broadphase.larger_box;
 import abut.broadphase.pair_order;
 import abut.broadphase.proxy;
 import abut.broadphase.reused_list;
-import abut.core;
 import abut.core.standard;
 import abut.core.workers;
+import abut.core;
 import abut.math;
+import abut.trees.box_sweep;
+import abut.trees.larger_box;
 
 export namespace abut {
 

@@ -1,7 +1,7 @@
 // Pairs of boxes from grids of cells.
 export module abut.broadphase.hash_grid;
-import abut.broadphase.box_grid;
 import abut.broadphase.followed_boxes;
+import abut.trees.box_grid;
 
 export namespace abut {
 

@@ -3,12 +3,12 @@ module;
 module abut.broadphase.sweep_and_prune;
 import abut.broadphase.box_record;
 import abut.broadphase.kept_pairs;
-import abut.broadphase.larger_box;
 import abut.broadphase.proxy;
-import abut.core;
 import abut.core.standard;
 import abut.core.workers;
+import abut.core;
 import abut.math;
+import abut.trees.larger_box;
 
 namespace abut {
 namespace {

@@ -1,7 +1,7 @@
 // Pairs of boxes from trees that follow their motion.
 export module abut.broadphase.tree;
-import abut.broadphase.box_tree;
 import abut.broadphase.followed_boxes;
+import abut.trees.box_tree;
 
 export namespace abut {
 

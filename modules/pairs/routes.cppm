@@ -1,7 +1,7 @@
 // From two types of shapes to an algorithm, at compile time. Knows no shape by name and no kernel.
 export module abut.pairs.routes;
+import abut.capability;
 import abut.core.standard;
-import abut.shape;
 
 export namespace abut {
 

@@ -1,13 +1,13 @@
 // What the table of all pairs of the shapes of a registry holds. Knows no shape by name, and no kernel: those who ask
 // the table are not compiled again where a kernel changes.
 export module abut.pairs.table;
-import abut.continuous.cast_search;
-import abut.core;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-export import abut.narrowphase.pair_memory;
+import abut.narrow.cast.cast_search;
+export import abut.narrow.warm.pair_memory;
 export import abut.pairs.routes;
-import abut.shape;
+import abut.capability;
 
 export namespace abut {
 

@@ -1,9 +1,9 @@
 // Solid box, centred, by half extents. Vertex i has the sign bits of i (bit 0: x positive, ...).
-export module abut.shape.box;
-import abut.core;
+export module abut.shapes.box;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

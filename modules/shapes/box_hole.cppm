@@ -1,10 +1,10 @@
 // A hole in the shape of a box, centred: cuts the solids of the composite that it is a child of. Where a face is
 // removed the hole goes on beyond it without end; faces are removed along one axis at most.
-export module abut.shape.box_hole;
-import abut.core;
+export module abut.shapes.box_hole;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

@@ -1,9 +1,9 @@
 // Solid capsule along local Z: all points within a radius of a segment.
-export module abut.shape.capsule;
-import abut.core;
+export module abut.shapes.capsule;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

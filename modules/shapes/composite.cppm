@@ -1,11 +1,11 @@
 // Shapes of any kind, each at a pose of its own, that never meet each other: one shape to the broad phase. Holes
 // among them cut the solids. A template, since the list of all kinds (Any) has this one in it.
-export module abut.shape.composite;
-import abut.core;
+export module abut.shapes.composite;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.midphase.bvh;
-import abut.shape;
+import abut.trees.bvh;
 
 export namespace abut {
 

@@ -1,10 +1,10 @@
 // Solid cone along local Z: the base below, the apex above, the origin half-way up.
-export module abut.shape.cone;
-import abut.core;
+export module abut.shapes.cone;
+import abut.capability.second_order;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.germ;
 
 export namespace abut {
 

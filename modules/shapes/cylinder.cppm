@@ -1,10 +1,10 @@
 // Solid cylinder along local Z with flat ends, centred.
-export module abut.shape.cylinder;
-import abut.core;
+export module abut.shapes.cylinder;
+import abut.capability.second_order;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.germ;
 
 export namespace abut {
 

@@ -1,10 +1,10 @@
 // A hole in the shape of a cylinder along Z, centred: cuts the solids of the composite that it is a child of.
 // Where an end is removed the hole goes on beyond it without end.
-export module abut.shape.cylinder_hole;
-import abut.core;
+export module abut.shapes.cylinder_hole;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

@@ -1,10 +1,10 @@
 // Solid ellipsoid, centred, by its radii along the axes.
-export module abut.shape.ellipsoid;
-import abut.core;
+export module abut.shapes.ellipsoid;
+import abut.capability.second_order;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.germ;
 
 export namespace abut {
 

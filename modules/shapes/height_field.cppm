@@ -1,12 +1,12 @@
 // Terrain over a regular grid: sample (i, j) is the point (i * spacing_x, j * spacing_y, height).
 // Each cell holds two triangles, split from (i, j) to (i + 1, j + 1). One-sided: the front is +Z.
 // Cells under a box are found by division.
-export module abut.shape.height_field;
-import abut.core;
+export module abut.shapes.height_field;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.midphase.range_pyramid;
-import abut.shape;
+import abut.trees.range_pyramid;
 
 export namespace abut {
 

@@ -1,8 +1,8 @@
-module abut.shape.height_field;
-import abut.core;
+module abut.shapes.height_field;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 namespace abut {
 namespace {

@@ -1,9 +1,9 @@
-module abut.shape.height_field;
-import abut.core;
+module abut.shapes.height_field;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.midphase.range_pyramid;
-import abut.shape;
+import abut.trees.range_pyramid;
 
 namespace abut {
 namespace {

@@ -1,10 +1,10 @@
 // Solid convex hull of points.
-export module abut.shape.hull;
-import abut.core;
+export module abut.shapes.hull;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.hull_data;
+import abut.shapes.hull_data;
 
 export namespace abut {
 

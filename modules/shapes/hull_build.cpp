@@ -6,7 +6,7 @@ module;
 #include <libqhull_r/qhull_ra.h>
 #pragma clang diagnostic pop
 #include "../core/check.hpp"
-module abut.shape.hull_data;
+module abut.shapes.hull_data;
 import abut.core.standard;
 import abut.math;
 

@@ -1,8 +1,8 @@
 // The data of a convex hull: vertices for support points, faces for clipping, and the way there.
-export module abut.shape.hull_data;
+export module abut.shapes.hull_data;
+import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

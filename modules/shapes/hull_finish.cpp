@@ -1,4 +1,4 @@
-module abut.shape.hull_data;
+module abut.shapes.hull_data;
 import abut.core.standard;
 import abut.math;
 

@@ -1,5 +1,5 @@
 // What became of the points that a hull was given, and how far outside of it the worst of them lies.
-module abut.shape.hull_data;
+module abut.shapes.hull_data;
 import abut.core.standard;
 import abut.math;
 

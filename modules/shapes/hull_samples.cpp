@@ -1,4 +1,4 @@
-module abut.shape.hull;
+module abut.shapes.hull;
 import abut.core.standard;
 import abut.math;
 

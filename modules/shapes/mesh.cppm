@@ -1,10 +1,10 @@
 // Triangle mesh: a surface without inside.
-export module abut.shape.mesh;
-import abut.core;
+export module abut.shapes.mesh;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.midphase.bvh;
-import abut.shape;
+import abut.trees.bvh;
 
 export namespace abut {
 

@@ -1,9 +1,9 @@
-module abut.shape.mesh;
-import abut.core;
+module abut.shapes.mesh;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.midphase.bvh;
-import abut.shape;
+import abut.trees.bvh;
 
 namespace abut {
 Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> reals,

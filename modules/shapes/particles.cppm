@@ -1,10 +1,10 @@
 // Many small balls in one shape.
-export module abut.shape.particles;
-import abut.core;
+export module abut.shapes.particles;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.midphase.hash_grid;
-import abut.shape;
+import abut.trees.particle_grid;
 
 export namespace abut {
 

@@ -1,8 +1,8 @@
-module abut.shape.particles;
-import abut.core;
+module abut.shapes.particles;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 namespace abut {
 

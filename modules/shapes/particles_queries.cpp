@@ -1,9 +1,9 @@
-module abut.shape.particles;
-import abut.core;
+module abut.shapes.particles;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.midphase.hash_grid;
-import abut.shape;
+import abut.trees.particle_grid;
 
 namespace abut {
 

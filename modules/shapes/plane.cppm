@@ -1,9 +1,9 @@
 // Half-space: everything behind a plane. Unbounded; the normal points out of the solid.
-export module abut.shape.plane;
-import abut.core;
+export module abut.shapes.plane;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

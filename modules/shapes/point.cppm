@@ -1,9 +1,9 @@
 // A point: the origin of its own frame.
-export module abut.shape.point;
-import abut.core;
+export module abut.shapes.point;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

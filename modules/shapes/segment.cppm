@@ -1,9 +1,9 @@
 // A segment along local Z, centred: a capsule without a radius.
-export module abut.shape.segment;
-import abut.core;
+export module abut.shapes.segment;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

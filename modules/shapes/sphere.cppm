@@ -1,9 +1,9 @@
 // Solid ball, centred.
-export module abut.shape.sphere;
-import abut.core;
+export module abut.shapes.sphere;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

@@ -1,9 +1,9 @@
 // A hole in the shape of a ball, centred: cuts the solids of the composite that it is a child of.
-export module abut.shape.sphere_hole;
-import abut.core;
+export module abut.shapes.sphere_hole;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

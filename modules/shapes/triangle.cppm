@@ -1,9 +1,9 @@
 // A triangle by itself, both sides solid; meshes and height fields are made of surface triangles instead.
-export module abut.shape.triangle;
-import abut.core;
+export module abut.shapes.triangle;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

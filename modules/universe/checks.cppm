@@ -1,10 +1,10 @@
 // What is wrong with ids and placements that a caller hands over, in words.
 export module abut.universe.checks;
-import abut.any_shape;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
+import abut.pairs.any_shape;
 import abut.universe.options;
 
 export namespace abut {

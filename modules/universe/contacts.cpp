@@ -1,14 +1,14 @@
 // A detection: from pairs to contacts.
 module abut.universe;
-import abut.any_shape;
-import abut.registry.self_contacts;
-import abut.contact;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
+import abut.narrow.manifold;
+import abut.pairs.any_shape;
+import abut.pairs.registry.self_contacts;
+import abut.pairs.registry;
 import abut.pairs.table;
-import abut.registry;
-import abut.shape;
 import abut.universe.jobs;
 import abut.universe.pairs;
 import abut.universe.policies;

@@ -2,11 +2,11 @@
 module;
 #include "../core/check.hpp"
 module abut.universe;
-import abut.any_shape.shape_edit;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
+import abut.pairs.any_shape.shape_edit;
 import abut.universe.checks;
 import abut.universe.pairs;
 import abut.universe.room;

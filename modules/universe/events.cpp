@@ -1,9 +1,9 @@
 // What began, persists and ended in a detection.
 module abut.universe;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 import abut.universe.pairs;
 
 namespace abut {

@@ -1,8 +1,8 @@
 module abut.universe.focus;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 import abut.universe.options;
 
 namespace abut {

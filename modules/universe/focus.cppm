@@ -1,9 +1,9 @@
 // Which geometries are near what matters and which are far from it: near ones may be treated with more care.
 export module abut.universe.focus;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

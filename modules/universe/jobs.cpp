@@ -1,10 +1,10 @@
 module abut.universe.jobs;
-import abut.any_shape;
-import abut.core;
 import abut.core.standard;
+import abut.core;
 import abut.math;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 import abut.pairs.table;
-import abut.registry;
 import abut.universe.options;
 import abut.universe.pairs;
 import abut.universe.policies;

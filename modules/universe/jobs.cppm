@@ -1,12 +1,12 @@
 // Pairs to examine as runs of equal kinds, which is how the narrow phase takes them, cut into chunks that
 // threads take.
 export module abut.universe.jobs;
-import abut.any_shape;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
+import abut.pairs.any_shape;
 import abut.pairs.table;
-import abut.shape;
 import abut.universe.options;
 import abut.universe.pairs;
 import abut.universe.policies;

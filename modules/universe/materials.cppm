@@ -1,9 +1,9 @@
 // Contact materials: what a solver wants to know of the contacts of two materials.
 export module abut.universe.materials;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

@@ -1,10 +1,10 @@
 // The records that a universe takes and gives.
 export module abut.universe.options;
 export import abut.broadphase.automatic;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

@@ -2,7 +2,7 @@ module abut.universe.pairs;
 import abut.broadphase;
 import abut.core.standard;
 import abut.core.workers;
-import abut.narrowphase.pair_memory;
+import abut.narrow.warm.pair_memory;
 import abut.universe.options;
 
 namespace abut {

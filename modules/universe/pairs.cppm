@@ -4,7 +4,7 @@ import abut.broadphase;
 import abut.core.standard;
 import abut.core.workers;
 import abut.math;
-import abut.narrowphase.pair_memory;
+import abut.narrow.warm.pair_memory;
 import abut.universe.options;
 
 export namespace abut {

@@ -1,9 +1,9 @@
 // How the pairs of two tags are treated.
 export module abut.universe.policies;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 import abut.universe.options;
 
 export namespace abut {

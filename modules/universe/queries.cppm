@@ -1,13 +1,13 @@
 // Questions to a whole universe: rays, points, overlaps, closest geometries and moving shapes. They see boxes and poses
 // as of the last step or refresh, never a parked geometry, change nothing, and may run at once on many threads.
 export module abut.universe.queries;
-import abut.any_shape;
-export import abut.any_shape.shape_cast;
-import abut.core;
+import abut.pairs.any_shape;
+export import abut.pairs.any_shape.shape_cast;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.registry;
-import abut.shape;
+import abut.pairs.registry;
 import abut.universe;
 
 export namespace abut {

@@ -1,14 +1,14 @@
 // Rays and points against a universe.
 module abut.universe.queries;
-import abut.any_shape;
-import abut.any_shape.ray_child;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.registry;
-import abut.shape;
-import abut.universe;
+import abut.pairs.any_shape.ray_child;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 import abut.universe.query_filter;
+import abut.universe;
 
 namespace abut {
 namespace {

@@ -1,12 +1,12 @@
 // Shapes against a universe: what they overlap, what is closest, and what they meet when they move.
 module abut.universe.queries;
-import abut.any_shape;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
-import abut.universe;
+import abut.pairs.any_shape;
 import abut.universe.query_filter;
+import abut.universe;
 
 namespace abut {
 

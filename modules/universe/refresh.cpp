@@ -1,10 +1,10 @@
 // Poses to boxes, and boxes to the broad phase, for what moved or is new.
 module abut.universe;
-import abut.any_shape;
 import abut.broadphase;
-import abut.core;
 import abut.core.standard;
+import abut.core;
 import abut.math;
+import abut.pairs.any_shape;
 import abut.universe.pairs;
 
 namespace abut {

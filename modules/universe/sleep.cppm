@@ -1,9 +1,9 @@
 // Which parts have come to rest.
 export module abut.universe.sleep;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 import abut.universe.islands;
 import abut.universe.options;
 import abut.universe.velocity;

@@ -2,10 +2,10 @@
 module;
 #include "../core/check.hpp"
 module abut.universe;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 import abut.universe.checks;
 import abut.universe.pairs;
 import abut.universe.sleep;

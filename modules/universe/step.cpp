@@ -1,12 +1,12 @@
 // A detection: from boxes to pairs, and which of them are examined.
 module abut.universe;
-import abut.any_shape;
-import abut.broadphase;
 import abut.broadphase.pair_order;
-import abut.core;
+import abut.broadphase;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.narrowphase.pair_memory;
+import abut.narrow.warm.pair_memory;
+import abut.pairs.any_shape;
 import abut.universe.checks;
 import abut.universe.jobs;
 import abut.universe.pairs;

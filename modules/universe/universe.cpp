@@ -1,11 +1,11 @@
 module abut.universe;
-import abut.any_shape;
 import abut.broadphase;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.registry;
-import abut.shape;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 import abut.universe.jobs;
 import abut.universe.pairs;
 import abut.universe.policies;

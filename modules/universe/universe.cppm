@@ -1,12 +1,12 @@
 // A space in which parts meet: parts with geometries, and steps that find their contacts.
 export module abut.universe;
-import abut.any_shape;
 import abut.broadphase;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.registry;
-import abut.shape;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 export import abut.universe.focus;
 export import abut.universe.islands;
 export import abut.universe.materials;

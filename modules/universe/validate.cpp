@@ -1,9 +1,9 @@
 // What is odd about a scene.
 module abut.universe;
-import abut.any_shape;
-import abut.core;
 import abut.core.standard;
+import abut.core;
 import abut.math;
+import abut.pairs.any_shape;
 import abut.universe.jobs;
 import abut.universe.pairs;
 

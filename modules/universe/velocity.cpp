@@ -1,7 +1,7 @@
 module abut.universe.velocity;
+import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.shape;
 import abut.universe.options;
 
 namespace abut {

@@ -1,9 +1,9 @@
 // How fast parts move: as the caller says, or by their poses.
 export module abut.universe.velocity;
-import abut.core;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 import abut.universe.options;
 
 export namespace abut {

@@ -1,9 +1,9 @@
 // Solid rounded cone along local Z: the convex hull of two balls, the origin half-way between their centres.
-export module abut.shape.rounded_cone;
-import abut.core;
+export module abut.shapes.rounded_cone;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.shape;
 
 export namespace abut {
 

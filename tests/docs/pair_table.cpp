@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-import abut.any_shape;
+import abut.pairs.any_shape;
 
 namespace {
 

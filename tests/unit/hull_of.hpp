@@ -5,7 +5,7 @@
 #include "made.hpp"
 
 import abut.math;
-import abut.shape.hull;
+import abut.shapes.hull;
 
 namespace test {
 

@@ -8,10 +8,16 @@ _NAMED = re.compile(r"^\s*(?:(?:export\s+)?import|module)\s+([\w.]+)\s*;", re.MU
 _INCLUDED = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 # Those who ask the table of pairs, and so see no kernel.
-ASKERS = ("modules/pairs", "modules/any_shape", "modules/contact", "modules/universe", "modules/picking", "capi")
-KERNELS = ("modules/narrowphase", "modules/dispatch")
-# The record that the caller keeps for a kernel.
-RECORDS = ("modules/narrowphase/pair_memory.cppm",)
+ASKERS = ("modules/pairs/table.cppm", "modules/pairs/routes.cppm", "modules/pairs/any_shape", "modules/narrow/manifold", "modules/universe", "modules/picking", "capi")
+KERNELS = ("modules/narrow", "modules/pairs/rows")
+# Records that callers keep or read, and what works on records alone.
+RECORDS = (
+    "modules/narrow/warm/pair_memory.cppm",
+    "modules/narrow/manifold",
+    "modules/narrow/cast/cast_search.cppm",
+    "modules/narrow/cast/linear_cast.cppm",
+    "modules/narrow/cast/parts_in_order.cppm",
+)
 
 
 def import_graph(sources):

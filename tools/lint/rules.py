@@ -13,7 +13,7 @@ RAW = "modules/core/raw"
 LIBRARY_OWNERS = {
     "Eigen": ("modules/math",),
     "embree[34]?": ("modules/picking", "bench"),
-    "ccd": ("modules/narrowphase", "bench"),
+    "ccd": ("modules/narrow", "bench"),
     "libqhull(?:_r)?": ("modules/shapes", "bench"),
 }
 
@@ -135,13 +135,11 @@ def module_path(source):
     """The name of a module mirrors its path."""
     if source.suffix != ".cppm" or not source.within("modules"):
         return
-    folders = source.path.split("/")[1:-1]
+    path = ["abut", *source.path.split(".")[0].split("/")[1:]]
+    if len(path) > 2 and path[-1] == path[-2]:
+        path.pop()
     for line, match in source.find(r"^\s*export\s+module\s+([\w.]+)\s*;", source.code):
-        parts = match[1].split(".")
-        if parts[0] != "abut" or len(parts) < 2 or not folders:
-            continue
-        folder = {"shapes": "shape"}.get(folders[0], folders[0])
-        if parts[1] not in (folder, source.stem) or parts[-1] != source.stem:
+        if match[1] != ".".join(path) and path != ["abut", "abut"]:
             yield line, f"module {match[1]} lies in {source.path}"
 
 
@@ -188,8 +186,8 @@ def line_length(source):
 
 def concept_place(source):
     """What a kernel may ask a shape for stands in one room, documented."""
-    if source.is_cxx and source.within("modules") and not source.within("modules/shape"):
-        yield from _in_code(source, r"^\s*(?:export\s+)?concept\s+\w+(?=\s*=)", "{} outside modules/shape")
+    if source.is_cxx and source.within("modules") and not source.within("modules/capability"):
+        yield from _in_code(source, r"^\s*(?:export\s+)?concept\s+\w+(?=\s*=)", "{} outside modules/capability")
 
 
 def flag(source):

@@ -9,7 +9,7 @@ from rules import FILE_RULES, HARD_LENGTH, count_unsafe, is_long
 from source import Source, strip_cxx, strip_hash
 from tree_rules import TREE_RULES
 
-MODULE = "modules/narrowphase/gjk.cppm"
+MODULE = "modules/narrow/apart/gjk.cppm"
 FOREIGN = '''module;
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Weverything"
@@ -57,12 +57,12 @@ SNIPPETS = {
         ("modules/shapes/box.cppm", "#include <ccd/ccd.h>", "#include <libqhull_r/qhull_ra.h>"),
     ],
     "module_path": [
-        (MODULE, "export module abut.narrowphase.epa;", "export module abut.narrowphase.gjk;"),
+        (MODULE, "export module abut.narrow.polytope.epa;", "export module abut.narrow.apart.gjk;"),
         ("modules/core/core.cppm", "export module abut.math;", "export module abut.core;"),
-        ("modules/shapes/a_b.cppm", "export module abut.shapes.a_b;", "export module abut.shape.a_b;"),
+        ("modules/shapes/a_b.cppm", "export module abut.shape.a_b;", "export module abut.shapes.a_b;"),
     ],
     "interface_linkage": [
-        (MODULE, "export module abut.narrowphase.gjk;\nnamespace { int x; }", "export module abut.narrowphase.gjk;\nnamespace abut { int x; }"),
+        (MODULE, "export module abut.narrow.apart.gjk;\nnamespace { int x; }", "export module abut.narrow.apart.gjk;\nnamespace abut { int x; }"),
     ],
     "standard_include": [
         (MODULE, "module;\n#include <vector>", "module;\n#include <Eigen/Dense>\n#include \"core/check.hpp\""),
@@ -98,7 +98,7 @@ SNIPPETS = {
     ],
     "concept_place": [
         (MODULE, "template <class S>\nconcept Edged = true;", "// concept Edged = true;"),
-        ("modules/dispatch/a.cppm", "template <class S>\nconcept Edged = true;", "concepts();"),
+        ("modules/pairs/rows/a.cppm", "template <class S>\nconcept Edged = true;", "concepts();"),
     ],
     "closed_source": [
         (MODULE, "// Source: SPEC VX-07", "// Source: Gottschalk, \"Separating axis theorem\", 1996"),
@@ -115,22 +115,22 @@ BOX = {"modules/shapes/box.cppm": "class Box {};", REGISTRY: "abut_shape(box Box
 
 LAYERED = {
     "modules/core/core.cppm": "export module abut.core;",
-    "modules/shape/shape.cppm": "export module abut.shape;\nexport import abut.shape.records;",
-    "modules/shape/records.cppm": "export module abut.shape.records;\nimport abut.core;",
-    "modules/shapes/box.cppm": "export module abut.shape.box;\nimport abut.shape;",
-    "modules/dispatch/dispatch.cppm": "export module abut.dispatch;",
-    "modules/abut.cppm": "export module abut;\nexport import abut.registry;",
-    "modules/registry/registry.cppm.in": "export module abut.registry;",
-    MODULE: "export module abut.narrowphase.gjk;\nimport :part;\nimport abut.shape;\nimport std;",
+    "modules/capability/capability.cppm": "export module abut.capability;\nexport import abut.capability.records;",
+    "modules/capability/records.cppm": "export module abut.capability.records;\nimport abut.core;",
+    "modules/shapes/box.cppm": "export module abut.shapes.box;\nimport abut.capability;",
+    "modules/pairs/rows/dispatch.cppm": "export module abut.pairs.rows.dispatch;",
+    "modules/abut.cppm": "export module abut;\nexport import abut.pairs.registry;",
+    "modules/pairs/registry/registry.cppm.in": "export module abut.pairs.registry;",
+    MODULE: "export module abut.narrow.apart.gjk;\nimport :part;\nimport abut.capability;\nimport std;",
 }
 
 TABLE = {
-    "modules/narrowphase/gjk.cppm": "export module abut.narrowphase.gjk;",
-    "modules/narrowphase/pair_memory.cppm": "export module abut.narrowphase.pair_memory;",
-    "modules/continuous/cast.cppm": "export module abut.continuous.cast;\nimport abut.narrowphase.gjk;",
-    "modules/pairs/table.cppm": "export module abut.pairs.table;\nimport abut.narrowphase.pair_memory;",
+    "modules/narrow/apart/gjk.cppm": "export module abut.narrow.apart.gjk;",
+    "modules/narrow/warm/pair_memory.cppm": "export module abut.narrow.warm.pair_memory;",
+    "modules/narrow/cast/cast.cppm": "export module abut.narrow.cast.cast;\nimport abut.narrow.apart.gjk;",
+    "modules/pairs/table.cppm": "export module abut.pairs.table;\nimport abut.narrow.warm.pair_memory;",
     "modules/universe/universe.cppm": "export module abut.universe;\nimport abut.pairs.table;",
-    "modules/dispatch/dispatch.cppm": "export module abut.dispatch;\nimport abut.narrowphase.gjk;",
+    "modules/pairs/rows/dispatch.cppm": "export module abut.pairs.rows.dispatch;\nimport abut.narrow.apart.gjk;",
 }
 
 USED = {
@@ -145,19 +145,19 @@ TREES = {
         ({**USED, MODULE: "import abut.math;\n// twice"}, {**USED, MODULE: "import abut.math;\nint x = twice(1);"}),
     ],
     "kernel_reach": [
-        ({**TABLE, "modules/pairs/a.cppm": "import abut.continuous.cast;"}, TABLE),
-        ({**TABLE, "capi/a.hpp": "import abut.dispatch;", "capi/a.cpp": ""}, {**TABLE, "capi/a.hpp": "import abut.universe;"}),
+        ({**TABLE, "modules/pairs/any_shape/a.cppm": "import abut.narrow.cast.cast;"}, TABLE),
+        ({**TABLE, "capi/a.hpp": "import abut.pairs.rows.dispatch;", "capi/a.cpp": ""}, {**TABLE, "capi/a.hpp": "import abut.universe;"}),
         (
-            {**TABLE, "modules/universe/a.hpp": "", "modules/universe/step.cpp": "module abut.universe;\nimport abut.narrowphase.gjk;"},
-            {**TABLE, "modules/universe/step.cpp": "module abut.universe;\nimport abut.narrowphase.pair_memory;"},
+            {**TABLE, "modules/universe/a.hpp": "", "modules/universe/step.cpp": "module abut.universe;\nimport abut.narrow.apart.gjk;"},
+            {**TABLE, "modules/universe/step.cpp": "module abut.universe;\nimport abut.narrow.warm.pair_memory;"},
         ),
     ],
     "layer_order": [
-        ({**LAYERED, MODULE: "import abut.dispatch;"}, LAYERED),
-        ({**LAYERED, MODULE: "export import abut.registry;"}, {**LAYERED, "modules/universe/a.cppm": "import abut.registry;"}),
+        ({**LAYERED, MODULE: "import abut.pairs.rows.dispatch;"}, LAYERED),
+        ({**LAYERED, MODULE: "export import abut.pairs.registry;"}, {**LAYERED, "modules/universe/a.cppm": "import abut.pairs.registry;"}),
         ({**LAYERED, MODULE: "import abut;"}, {**LAYERED, "tests/unit/a.cpp": "import abut;"}),
         ({**LAYERED, MODULE: "import abut.helpers;"}, {**LAYERED, MODULE: "// import abut.helpers;"}),
-        ({**LAYERED, "modules/shape/records.cppm": "import abut.shape.box;"}, {**LAYERED, MODULE: "import abut.shape.box;"}),
+        ({**LAYERED, "modules/capability/records.cppm": "import abut.shapes.box;"}, {**LAYERED, "modules/universe/a.cppm": "import abut.shapes.box;"}),
         ({**LAYERED, "modules/misc/a.cppm": ""}, {**LAYERED, "modules/broadphase/a.cppm": ""}),
     ],
     "registry": [
@@ -172,7 +172,7 @@ TREES = {
     "shape_name": [
         ({**BOX, "modules/universe/a.cppm": "Box b;"}, {**BOX, "modules/universe/a.cppm": "Boxes b; // Box"}),
         ({**BOX, "modules/universe/a.cppm": "class Box;\nBox b;"}, {**BOX, "modules/universe/a.cppm": "class alignas(8) Box {};\nBox b;"}),
-        ({**BOX, "modules/universe/a.cppm": "import abut.shape.box;"}, {**BOX, "modules/universe/a.cppm": "import abut.shape;"}),
+        ({**BOX, "modules/universe/a.cppm": "import abut.shapes.box;"}, {**BOX, "modules/universe/a.cppm": "import abut.capability;"}),
         ({**BOX, "capi/a.cpp": 'kind("box");'}, {**BOX, "capi/shape.cpp": 'kind("box");'}),
         ({**BOX, "modules/shapes/ball.cppm": "Box b;"}, {**BOX, "modules/shapes/box_faces.cppm": "Box b;"}),
     ],

@@ -19,13 +19,19 @@ DECLARES = r"\b(?:struct|class)\s+(?:alignas\s*\([^)]*\)\s*|\[\[[^\]]*\]\]\s*)*"
 LAYERS = [
     ("core",),
     ("math",),
-    ("shape",),
-    ("shapes", "narrowphase", "midphase", "broadphase", "continuous", "proximity"),
+    ("capability",),
+    ("trees",),
+    ("shapes", "broadphase"),
+    ("narrow/cores",),
+    ("narrow/apart", "narrow/fan", "narrow/manifold"),
+    ("narrow/polytope",),
+    ("narrow/points",),
+    ("narrow/warm", "narrow/convex"),
+    ("narrow/many", "narrow/cast"),
     ("pairs",),
-    ("dispatch",),
-    ("registry",),
-    ("any_shape",),
-    ("contact",),
+    ("pairs/rows",),
+    ("pairs/registry",),
+    ("pairs/any_shape",),
     ("universe",),
     ("picking", "response", "gpu"),
 ]
@@ -35,7 +41,7 @@ RANKS = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folde
 def _folder(source):
     """The folder below modules that a module file lies in; None for the umbrella above all layers."""
     parts = source.path.split("/")
-    return parts[1] if parts[0] == "modules" and len(parts) > 2 else None
+    return "/".join(parts[1:-1]) if parts[0] == "modules" and len(parts) > 2 else None
 
 
 def layer_order(sources):
@@ -99,7 +105,7 @@ def shape_name(sources):
             if path.rpartition("/")[0] not in own:
                 for line, _ in source.find(rf"\b{kind}\b", source.code):
                     yield path, line, f"names the shape {kind}"
-            for line, match in source.find(rf'"{name}"|\babut\.shape\.{name}\b', source.bare):
+            for line, match in source.find(rf'"{name}"|\babut\.shapes\.{name}\b', source.bare):
                 yield path, line, f"names the shape {match[0]}"
 
 

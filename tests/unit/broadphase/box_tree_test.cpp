@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-import abut.broadphase.box_tree;
 import abut.math;
+import abut.trees.box_tree;
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "../narrowphase/random_boxes.hpp"
+#include "../random_boxes.hpp"
 
 import abut.math;
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../narrowphase/random_boxes.hpp"
+#include "../random_boxes.hpp"
 
 import abut.math;
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "../narrowphase/random_boxes.hpp"
+#include "../random_boxes.hpp"
 
 import abut.math;
 

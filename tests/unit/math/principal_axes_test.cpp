@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include "../narrowphase/random_boxes.hpp"
+#include "../random_boxes.hpp"
 
-import abut.math;
 import abut.math.principal_axes;
+import abut.math;
 
 namespace {
 

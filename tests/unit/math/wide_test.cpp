@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "../narrowphase/random_boxes.hpp"
+#include "../random_boxes.hpp"
 
-import abut.math;
 import abut.math.wide;
+import abut.math;
 
 namespace {
 

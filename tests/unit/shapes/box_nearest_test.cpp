@@ -5,10 +5,10 @@
 
 #include "curved_checks.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.box;
+import abut.shapes.box;
 
 namespace {
 

@@ -8,10 +8,10 @@
 
 #include "surface_checks.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.box;
+import abut.shapes.box;
 
 namespace {
 

@@ -7,10 +7,10 @@
 
 #include "surface_checks.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.capsule;
+import abut.shapes.capsule;
 
 namespace {
 

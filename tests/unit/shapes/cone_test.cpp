@@ -8,10 +8,10 @@
 
 #include "curved_checks.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.cone;
+import abut.shapes.cone;
 
 namespace {
 

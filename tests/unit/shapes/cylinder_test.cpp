@@ -8,10 +8,10 @@
 
 #include "curved_checks.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.cylinder;
+import abut.shapes.cylinder;
 
 namespace {
 

@@ -6,10 +6,10 @@
 
 #include "curved_checks.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.ellipsoid;
+import abut.shapes.ellipsoid;
 
 namespace {
 

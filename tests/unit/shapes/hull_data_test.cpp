@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "../narrowphase/random_boxes.hpp"
+#include "../random_boxes.hpp"
 
+import abut.capability;
 import abut.math;
-import abut.shape;
-import abut.shape.hull_data;
+import abut.shapes.hull_data;
 
 namespace {
 

@@ -15,12 +15,12 @@
 #include <vector>
 
 #include "../hull_of.hpp"
-#include "../narrowphase/random_boxes.hpp"
+#include "../random_boxes.hpp"
 
+import abut.capability;
 import abut.math;
-import abut.shape;
-import abut.shape.hull;
-import abut.shape.hull_data;
+import abut.shapes.hull;
+import abut.shapes.hull_data;
 
 namespace {
 

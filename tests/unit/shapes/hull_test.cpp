@@ -9,10 +9,10 @@
 #include "../hull_of.hpp"
 #include "surface_checks.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.hull;
+import abut.shapes.hull;
 
 namespace {
 

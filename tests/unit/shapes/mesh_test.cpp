@@ -8,10 +8,10 @@
 
 #include "surfaces.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.mesh;
+import abut.shapes.mesh;
 
 namespace {
 

@@ -4,10 +4,10 @@
 
 #include "surface_checks.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.point;
+import abut.shapes.point;
 
 namespace {
 

@@ -6,10 +6,10 @@
 
 #include "surface_checks.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.segment;
+import abut.shapes.segment;
 
 namespace {
 

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "../made.hpp"
-#include "../narrowphase/random_boxes.hpp"
+#include "../random_boxes.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
 
 namespace test {
 

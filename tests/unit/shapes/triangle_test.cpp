@@ -9,10 +9,10 @@
 
 #include "surface_checks.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
-import abut.shape.triangle;
+import abut.shapes.triangle;
 
 namespace {
 

@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-import abut.any_shape;
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.registry;
-import abut.shape;
-import abut.universe;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
 import abut.universe.queries;
+import abut.universe;
 
 namespace test::queries {
 

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-import abut.any_shape;
 import abut.core;
 import abut.math;
+import abut.pairs.any_shape;
 import abut.universe;
 
 namespace {

@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
-import abut.any_shape;
+import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shape;
+import abut.pairs.any_shape;
 import abut.universe;
 
 namespace {

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-import abut.any_shape;
 import abut.core;
 import abut.math;
+import abut.pairs.any_shape;
 import abut.universe;
 
 namespace {

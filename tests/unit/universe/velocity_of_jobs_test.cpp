@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-import abut.any_shape;
+import abut.pairs.any_shape;
 import abut.universe;
 
 namespace {

@@ -1,0 +1,150 @@
+// What a shape can do. Every pair of shapes gets an algorithm from these capabilities alone.
+export module abut.capability.concepts;
+import abut.capability.records;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+
+export namespace abut {
+
+// Has a box under any pose. Unbounded shapes answer with infinite sides.
+template <class S>
+concept Bounded = requires(const S& shape, const Pose& pose) {
+  { shape.aabb(pose) } -> std::same_as<Aabb>;
+};
+
+// A convex core, rounded by a radius: all points within radius() of the core. Directions need not
+// have length one. Everything is in the frame of the shape.
+template <class S>
+concept Convex = Bounded<S> && requires(const S& shape, const Vec3& direction) {
+  { shape.radius() } -> std::convertible_to<Real>;
+  { shape.support(direction) } -> std::same_as<SupportPoint>;
+  { shape.supporting_face(direction) } -> std::same_as<Face>;
+  { shape.centre() } -> std::convertible_to<Vec3>;
+  { shape.extent() } -> std::convertible_to<Real>;  // no core point is further from the centre, up to a factor of two
+};
+
+// Has a form of its own for support points under a pose, faster than rotating the direction in and
+// the point out. `placed` returns a value with `support(direction)`.
+template <class S>
+concept Placeable = Convex<S> && requires(const S& shape, const Pose& pose, const Vec3& direction) {
+  { shape.placed(pose).support(direction) } -> std::same_as<SupportPoint>;
+};
+
+// A core with so few face normals and edge directions that trying them all finds the exact depth. One
+// that is symmetric about its centre also tells how far it reaches from there in a direction, alone
+// and placed.
+template <class S>
+concept FewFaced = Convex<S> && requires(const S& shape) {
+  shape.face_normals().size();
+  shape.edge_directions().size();
+  { S::is_symmetric } -> std::convertible_to<bool>;  // about its centre
+};
+
+// A core with corners, all of which can be asked for.
+template <class S>
+concept Cornered = Convex<S> && requires(const S& shape) {
+  { shape.corner_count() } -> std::convertible_to<std::uint32_t>;
+  { shape.corner(std::uint32_t{}) } -> std::convertible_to<Vec3>;
+};
+
+// A core that is a box around the origin along the axes of the shape's own frame: a whole one, a segment
+// along z (core_axes == 1), or a point.
+template <class S>
+concept BoxCored = Convex<S> && requires(const S& shape) {
+  { shape.half() } -> std::convertible_to<Vec3>;  // extents from the centre
+  { S::core_axes } -> std::convertible_to<int>;
+};
+
+template <class S>
+concept PointCored = BoxCored<S> && S::core_axes == 0;
+template <class S>
+concept SegmentCored = BoxCored<S> && S::core_axes == 1;
+
+// A core with a curved surface: its support points are no finite set, so that searches end by their bounds.
+template <class S>
+concept Curved = Convex<S> && requires { requires S::is_curved; };
+
+// A core that knows the point of its surface nearest to any point, from outside and from inside, in closed
+// form or nearly so.
+template <class S>
+concept Field = Convex<S> && requires(const S& shape, const Vec3& point) {
+  { shape.nearest(point) } -> std::same_as<SurfacePoint>;
+};
+
+// Everything behind a plane of the shape's own frame: dot(normal, p) <= offset.
+template <class S>
+concept HalfSpace = Bounded<S> && requires(const S& shape) {
+  { shape.normal() } -> std::convertible_to<Vec3>;
+  { shape.offset() } -> std::same_as<Real>;
+};
+
+struct AcceptsAnyPart {
+  template <class Part>
+  void operator()(const Part&, std::uint32_t) const {}
+};
+
+// Made of convex parts. visit_parts hands over every part whose box overlaps the given one; the
+// visitor may shrink that box on the way. part_near gives some part close to a point.
+// is_crest tells whether the surface around some corners of a part, given by bit (one is a vertex, two are an edge),
+// lies behind the plane through them across a direction: whether the direction is in their cone of normals, up to a
+// height.
+template <class S>
+concept Surface =
+    Bounded<S> && Convex<typename S::Part> &&
+    requires(const S& shape, Aabb& box, const Vec3& point, AcceptsAnyPart visitor, std::uint32_t index, Real height) {
+      shape.visit_parts(box, visitor);
+      { shape.part(index) } -> std::same_as<typename S::Part>;
+      { shape.part_near(point) } -> std::same_as<typename S::Part>;
+      { shape.is_crest(index, 1u, point, height) } -> std::same_as<bool>;
+    };
+
+struct AcceptsAnyPlace {
+  void operator()(const Vec3&, std::uint32_t) const {}
+};
+
+// Many solids of one kind, none of them turned. visit_places hands over the place of every one whose box
+// overlaps the given one, which the visitor may shrink on the way; place_near gives some place close to a point.
+template <class S>
+concept Scattered = Bounded<S> && Convex<typename S::Part> &&
+                    requires(const S& shape, Aabb& box, const Vec3& point, AcceptsAnyPlace visitor) {
+                      shape.visit_places(box, visitor);
+                      { shape.place_near(point) } -> std::convertible_to<std::uint32_t>;
+                      { shape.place(std::uint32_t{}) } -> std::convertible_to<Vec3>;
+                      { shape.part(std::uint32_t{}) } -> std::same_as<typename S::Part>;
+                    };
+
+// Made of shapes of any kind, each at a pose of its own: answered child by child, by the table of pairs.
+template <class S>
+concept Assembly = Bounded<S> && requires { requires S::is_assembly; };
+
+template <class S>
+concept RayCastable = requires(const S& shape, const Vec3& origin, const UnitVec3& direction, Real max_distance) {
+  { shape.cast_ray(origin, direction, max_distance) } -> std::same_as<std::optional<RayHit>>;
+};
+
+// Has a surface of plane triangles.
+template <class S>
+concept Triangulated = requires(const S& shape) {
+  { shape.triangles() } -> std::same_as<Triangles>;
+};
+
+// Terrain never meets terrain.
+template <class S>
+concept Terrain = requires { requires S::is_terrain; };
+
+// Says its name and parameters, is made from checked numbers, and shows samples of itself that
+// tests, benchmarks and fuzz seeds use.
+template <class S>
+concept Described = requires(const S& shape, std::span<const Real> reals, std::span<const std::uint32_t> indices) {
+  { S::name } -> std::convertible_to<std::string_view>;
+  { S::parameter_names.size() } -> std::convertible_to<std::size_t>;
+  { S::make(reals, reals, indices) } -> std::same_as<Result<S>>;
+  { shape.parameters() } -> std::same_as<std::vector<Real>>;
+  { S::samples() } -> std::same_as<std::vector<S>>;
+};
+
+template <class S>
+concept Shape = Bounded<S> && RayCastable<S> && Described<S> && std::copyable<S>;
+
+}  // namespace abut

@@ -1,0 +1,49 @@
+// What can be changed of a shape that is in use, and which shapes can do it.
+export module abut.capability.edits;
+import abut.capability.checks;
+import abut.capability.concepts;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+
+export namespace abut {
+
+// All parameters, as `make` takes them.
+struct ParameterEdit {
+  static constexpr std::string_view subject = "parameters that can be changed without its data";
+  std::span<const Real> parameters;
+};
+
+// Heights of a rectangle of samples of a height field, along X first.
+struct HeightEdit {
+  static constexpr std::string_view subject = "heights";
+  std::uint32_t column, row;      // the first sample
+  std::uint32_t columns, rows;    // how many
+  std::span<const Real> heights;  // columns * rows
+};
+
+// Centres of particles from `first` on, three numbers each, and their radii, which stay as they are where there are
+// none.
+struct ParticleEdit {
+  static constexpr std::string_view subject = "centres";
+  std::size_t first;
+  std::span<const Real> xyz, radii;
+};
+
+using Edit = std::variant<ParameterEdit, HeightEdit, ParticleEdit>;
+
+// Takes edits of a type. `check` says what is wrong with one. `own` makes the data of the shape its own, so that
+// holders of the same data do not see the change; it alone asks for memory. `apply`, after both, answers with a box in
+// the frame of the shape: whatever meets the shape outside of it meets what it met before.
+template <class S, class E>
+concept Editable = requires(S& shape, const S& same, const E& edit) {
+  { same.check(edit) } -> std::same_as<Fault>;
+  shape.own();
+  { shape.apply(edit) } -> std::same_as<Aabb>;
+};
+
+// Has nothing but its parameters, so that other parameters make another shape at no cost.
+template <class S>
+concept Resizable = Described<S> && std::is_trivially_copyable_v<S>;
+
+}  // namespace abut

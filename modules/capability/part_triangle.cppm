@@ -1,0 +1,130 @@
+// A triangle: the part that meshes and height fields are made of. Not a solid: it has two sides
+// unless it is told to be one-sided.
+export module abut.capability.part_triangle;
+import abut.capability.concepts;
+import abut.capability.records;
+import abut.core.standard;
+import abut.math;
+
+export namespace abut {
+
+class Triangle {
+ public:
+  static constexpr bool is_symmetric = false;
+
+  inline Triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t index, bool one_sided)
+      : corners_{a, b, c}, normal_(unit_normal(a, b, c)), index_(index), one_sided_(one_sided) {}
+
+  [[nodiscard]] inline const std::array<Vec3, 3>& corners() const [[clang::lifetimebound]] { return corners_; }
+  [[nodiscard]] inline const Vec3& normal() const [[clang::lifetimebound]] { return normal_; }  // zero for no area
+  [[nodiscard]] inline std::uint32_t index() const { return index_; }
+  [[nodiscard]] inline bool is_one_sided() const { return one_sided_; }
+  [[nodiscard]] inline bool has_area() const { return squared_norm(normal_) > 0; }
+
+  [[nodiscard]] inline std::uint32_t corner_count() const { return 3; }
+  [[nodiscard]] inline Vec3 corner(std::uint32_t index) const { return corners_[index]; }
+
+  [[nodiscard]] inline Aabb box() const {
+    return {minimum(minimum(corners_[0], corners_[1]), corners_[2]),
+            maximum(maximum(corners_[0], corners_[1]), corners_[2])};
+  }
+  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
+    const Vec3 a = pose * corners_[0], b = pose * corners_[1], c = pose * corners_[2];
+    return {minimum(minimum(a, b), c), maximum(maximum(a, b), c)};
+  }
+  [[nodiscard]] inline Real radius() const { return 0; }
+  [[nodiscard]] inline Vec3 centre() const { return (1.0 / 3.0) * (corners_[0] + corners_[1] + corners_[2]); }
+  [[nodiscard]] inline Real extent() const {
+    return largest_magnitude(maximum(absolute(corners_[1] - corners_[0]), absolute(corners_[2] - corners_[0])));
+  }
+  [[nodiscard]] inline SupportPoint support(const Vec3& direction) const {
+    const Real a = dot(corners_[0], direction), b = dot(corners_[1], direction), c = dot(corners_[2], direction);
+    if (a >= b && a >= c) {
+      return {corners_[0], 0};
+    }
+    return b >= c ? SupportPoint{corners_[1], 1} : SupportPoint{corners_[2], 2};
+  }
+  [[nodiscard]] inline Face supporting_face(const Vec3& direction) const {
+    [[clang::uninitialized]] Face face;
+    face.index = 0;
+    const bool back = dot(normal_, direction) < 0;
+    face.normal = back ? -normal_ : normal_;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t corner = back ? 2 - i : i;
+      face.vertices.push_back({corners_[corner], corner, back ? (corner + 2) % 3 : corner});
+    }
+    return face;
+  }
+  [[nodiscard]] inline std::array<Vec3, 1> face_normals() const { return {normal_}; }
+  [[nodiscard]] inline std::array<Vec3, 3> edge_directions() const {
+    return {corners_[1] - corners_[0], corners_[2] - corners_[1], corners_[0] - corners_[2]};
+  }
+
+  // Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013; both sides count. Seen along the
+  // ray, the side of an edge is the same number for both triangles that share it but for its sign, so
+  // that no ray slips between them.
+  [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction,
+                                                      Real max_distance) const {
+    const Vec3 d = direction, wide = absolute(d);
+    const int kz = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
+    const int kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
+    const Real scale = 1 / d[kz], slope_x = d[kx] * scale, slope_y = d[ky] * scale;
+    struct Seen {
+      Real x, y, depth;
+    };
+    const auto seen = [&](const Vec3& corner) {
+      const Vec3 p = corner - origin;
+      return Seen{p[kx] - slope_x * p[kz], p[ky] - slope_y * p[kz], scale * p[kz]};
+    };
+    const Seen a = seen(corners_[0]), b = seen(corners_[1]), c = seen(corners_[2]);
+    const Real at_a = c.x * b.y - c.y * b.x, at_b = a.x * c.y - a.y * c.x, at_c = b.x * a.y - b.y * a.x;
+    const Real determinant = at_a + at_b + at_c;
+    if (determinant == 0 || ((at_a < 0 || at_b < 0 || at_c < 0) && (at_a > 0 || at_b > 0 || at_c > 0))) {
+      return std::nullopt;
+    }
+    const Real distance = (at_a * a.depth + at_b * b.depth + at_c * c.depth) / determinant;
+    if (!(distance >= 0 && distance <= max_distance)) {
+      return std::nullopt;
+    }
+    return RayHit{distance, normal_, {FeatureKind::face, index_}};
+  }
+
+ private:
+  [[nodiscard]] static inline Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a, ac = c - a;
+    const Vec3 n = cross(ab, ac);
+    const Real square = squared_norm(n);
+    if (square > 1e-200 && square < 1e200 && square > 1e-6 * squared_norm(ab) * squared_norm(ac)) [[likely]] {
+      return (1 / std::sqrt(square)) * n;
+    }
+    return normal_of_needle(ab, c - b, -ac);
+  }
+  // From the longest edge and the shortest one, which are least parallel. What rounding has left of the normal along
+  // the longest edge is taken out, as its length would multiply it; across that edge the triangle is thin.
+  [[nodiscard]] static Vec3 normal_of_needle(const Vec3& ab, const Vec3& bc, const Vec3& ca) {
+    Vec3 first = ab, second = bc, third = ca;  // in turn, the first one the longest
+    for (int turns = 0;
+         turns < 2 && (squared_norm(first) < squared_norm(second) || squared_norm(first) < squared_norm(third));
+         ++turns) {
+      const Vec3 next = second;
+      second = third;
+      third = first;
+      first = next;
+    }
+    const auto across =
+        UnitVec3::make(squared_norm(second) < squared_norm(third) ? cross(first, second) : cross(third, first));
+    if (!across) {
+      return {0, 0, 0};
+    }
+    const Vec3 n = *across;
+    return UnitVec3::make(n - (dot(n, first) / squared_norm(first)) * first).value_or(*across);
+  }
+
+  std::array<Vec3, 3> corners_;
+  Vec3 normal_;
+  std::uint32_t index_;
+  bool one_sided_;
+};
+static_assert(FewFaced<Triangle> && RayCastable<Triangle>);
+
+}  // namespace abut

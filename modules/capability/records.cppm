@@ -1,0 +1,136 @@
+// What queries on shapes answer with. Frames are those of the query: world at the C border, the
+// frame of shape a inside the narrow phase.
+export module abut.capability.records;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+
+export namespace abut {
+
+enum class FeatureKind : std::uint32_t { whole, vertex, edge, face };
+
+struct Feature {
+  FeatureKind kind;
+  std::uint32_t index;
+
+  friend constexpr bool operator==(const Feature&, const Feature&) = default;
+};
+
+inline constexpr std::uint32_t no_index = 0xffffffff;
+
+// A point of a core that lies furthest in a direction.
+struct SupportPoint {
+  Vec3 point;
+  std::uint32_t index;  // of the vertex, or no_index where the core has no vertices
+};
+
+// A face, edge or vertex of a core for clipping: three or more points of a plane polygon,
+// counter-clockwise seen from outside, two of an edge, or one. Each point carries its vertex and the
+// edge that leads from it to the next point.
+struct FaceVertex {
+  Vec3 point;
+  std::uint32_t vertex;
+  std::uint32_t edge;
+};
+struct Face {
+  SmallVector<FaceVertex, 16> vertices;
+  Vec3 normal{0, 0, 0};  // outward unit normal of a polygon, zero for an edge or a vertex
+  std::uint32_t index = no_index;
+};
+
+struct RayHit {
+  Real distance;
+  Vec3 normal;  // unit, out of the solid; of a sheet: by winding
+  Feature feature;
+};
+
+// The point of a surface that is nearest to a given one.
+struct SurfacePoint {
+  Vec3 point;
+  Vec3 normal;    // unit, out of the solid
+  Real distance;  // signed: negative where the given point lies inside
+};
+
+// A surface as triangles, counter-clockwise seen from outside.
+struct Triangles {
+  std::vector<Vec3> vertices;
+  std::vector<std::uint32_t> indices;  // three per triangle
+};
+
+enum class Algorithm : std::uint32_t { automatic, analytic, sat, gjk_epa, libccd_gjk, libccd_mpr };
+
+// Whether closed forms may answer.
+[[nodiscard]] inline constexpr bool takes_closed_forms(Algorithm algorithm) {
+  return algorithm == Algorithm::automatic || algorithm == Algorithm::analytic;
+}
+
+// Whether a query could be answered at all. `apart`: by an algorithm that can tell that shapes do not
+// overlap, but not how far apart they are.
+enum class Outcome : std::uint8_t { ok, apart, unsupported, not_converged };
+
+struct QuerySettings {
+  Algorithm algorithm = Algorithm::automatic;
+  Real error_bound = 0;  // of upper - lower, relative to the size of the shapes; 0: the usual one
+  Real margin = 0;       // contacts are wanted up to this distance
+};
+
+// Signed distance: `distance == dot(point_b - point_a, normal)`, normal from a to b, negative when
+// the shapes overlap. The true value lies in [lower, upper] up to rounding.
+struct Distance {
+  Real distance, lower, upper;
+  Vec3 point_a, point_b;
+  Vec3 normal;
+  Algorithm algorithm;
+  std::uint32_t iterations;
+};
+
+// One point of a manifold, in the same terms.
+struct ContactPoint {
+  Vec3 point_a, point_b;
+  Vec3 normal;
+  Real distance;
+  Feature feature_a, feature_b;
+  std::uint64_t id;
+  std::uint32_t child_a = 0, child_b = 0;  // of a composite, depth first, or the particle; else 0
+};
+
+// A number for a contact that depends on the features that touch and on nothing else: the finaliser
+// of SplitMix64 (Steele et al. 2014) over both features and the parts that they belong to.
+[[nodiscard]] inline constexpr std::uint64_t mixed(std::uint64_t value) {
+  value += 0x9e3779b97f4a7c15;
+  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9;
+  value = (value ^ (value >> 27)) * 0x94d049bb133111eb;
+  return value ^ (value >> 31);
+}
+[[nodiscard]] inline constexpr std::uint64_t feature_bits(const Feature& feature) {
+  return (static_cast<std::uint64_t>(feature.kind) << 32) | feature.index;
+}
+[[nodiscard]] inline constexpr std::uint64_t contact_id(const Feature& a, const Feature& b) {
+  return mixed(mixed(feature_bits(a)) + feature_bits(b));
+}
+
+// The number of a contact with a child of a composite, or with a particle.
+[[nodiscard]] inline constexpr std::uint64_t contact_id_of_child(std::uint64_t id, std::uint32_t child) {
+  return mixed(id ^ (std::uint64_t{child} << 32));
+}
+
+using Manifold = std::vector<ContactPoint>;
+
+// Contacts of one pair in which the same features touch, as where an edge crosses a rim twice, get numbers of their
+// own, in their order.
+inline void number_apart(std::span<ContactPoint> contacts) {
+  std::uint64_t seen = 0;  // a bit for the last digits of each number
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    std::uint64_t& id = contacts[i].id;
+    const auto is_taken = [&] {
+      return (seen >> (id & 63) & 1) != 0 &&
+             std::ranges::any_of(contacts.first(i), [&](const ContactPoint& other) { return other.id == id; });
+    };
+    while (is_taken()) {
+      id = mixed(id);
+    }
+    seen |= std::uint64_t{1} << (id & 63);
+  }
+}
+
+}  // namespace abut

@@ -1,0 +1,69 @@
+// The casts that can be told from the types of two shapes: of convex ones and of those that are made of convex parts.
+// Those go part by part in the order in which the boxes are met, since the normal of the nearest part says nothing of
+// the others.
+export module abut.narrow.cast.cast_parts;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.narrow.cast.cast_search;
+import abut.narrow.cast.linear_cast;
+import abut.narrow.cast.parts_in_order;
+import abut.narrow.convex;
+
+export namespace abut {
+
+[[nodiscard]] inline LinearMotion seen_from_b(const LinearMotion& motion, const Pose& ab) {
+  return {UnitVec3::from_unit_unchecked(ab.rotation.undo(-motion.direction)), motion.length};
+}
+
+// Whether a touch is on a side that stops. Of one-sided triangles in which a shape starts, the contacts have told
+// already whether it came from the front. `outward`: the normal before the touch, from the part.
+template <class Part>
+[[nodiscard]] bool stops(const Part& part, const FirstTouch& touch, const Vec3& outward) {
+  if constexpr (requires { part.is_one_sided(); }) {
+    // Rounding must not open edges of triangles that stand upright.
+    return !part.is_one_sided() || (touch.travelled > 0 && dot(part.normal(), outward) > -64 * epsilon);
+  } else {
+    return true;
+  }
+}
+
+template <Convex A, Convex B>
+void cast_part(CastSearch& search, const A& part, const B& b, const Pose& ab, const LinearMotion& motion,
+               const Pose& frame, bool swapped, const CastNames& names) {
+  std::optional<FirstTouch> touch;
+  const Outcome outcome = first_touch(
+      {motion.direction, search.limit()}, search.size(), search.settings().margin,
+      [&](Real way, Distance& out) { return convex_distance(part, b, moved(ab, motion, way), search.settings(), out); },
+      [&](const Vec3& normal) { return -reach(b, ab, -normal) - reach(part, Pose::identity(), normal); }, touch);
+  if (touch &&
+      !(stops(part, *touch, touch->normal_before) && stops(b, *touch, ab.rotation.undo(-touch->normal_before)))) {
+    touch.reset();
+  }
+  search.add(outcome, touch, frame, swapped, names);
+}
+
+// a is made of parts and placed by `frame`; b, which is so too or convex, moves in it from ab on.
+template <HasParts A, class B>
+void cast_parts(CastSearch& search, const A& a, const B& b, const Pose& ab, const LinearMotion& motion,
+                const Pose& frame, bool swapped, const CastNames& names) {
+  visit_in_order(a, b.aabb(ab), motion, search.slack(), search.limit(), [&](const auto& met) {
+    CastNames of_part = names;
+    Feature& feature = swapped ? of_part.feature_b : of_part.feature_a;
+    std::uint32_t& child = swapped ? of_part.child_b : of_part.child_a;
+    if constexpr (Surface<A>) {
+      feature = {FeatureKind::face, met.index};
+    } else {
+      child = met.index;
+    }
+    const Pose at{frame.rotation, frame * met.place};
+    const Pose from_part{ab.rotation, ab.position - met.place};
+    if constexpr (Convex<B>) {
+      cast_part(search, met.part, b, from_part, motion, at, swapped, of_part);
+    } else {
+      cast_parts(search, b, met.part, from_part.inverse(), seen_from_b(motion, ab), at * from_part, !swapped, of_part);
+    }
+  });
+}
+
+}  // namespace abut

@@ -1,0 +1,67 @@
+// The parts of a shape in the order in which something that moves meets their boxes.
+export module abut.narrow.cast.parts_in_order;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.narrow.cast.linear_cast;
+
+export namespace abut {
+
+template <class S>
+concept HasParts = Surface<S> || Scattered<S>;
+
+// A part and the way after which its box is met.
+template <class Part>
+struct PartMet {
+  Real enter;
+  std::uint32_t index;
+  Vec3 place;  // of a particle
+  Part part;
+};
+
+// Calls visit(met) for the parts whose boxes a moving box meets, in order, as long as they are met before `limit`,
+// which visit may shrink. The way goes in stretches, so that the box around each is not much larger than the moving
+// one.
+template <HasParts S, class Visitor>
+void visit_in_order(const S& shape, const Aabb& moving, const LinearMotion& motion, Real slack, const Real& limit,
+                    Visitor&& visit) {
+  constexpr Real most_stretches = 64;
+  const std::optional<Passage> whole = passage_of(shape.aabb(Pose::identity()).inflated(slack), moving, motion);
+  if (!whole) {
+    return;
+  }
+  const Real span = whole->leave - whole->enter, own = largest_magnitude(moving.high - moving.low);
+  const Real count = span > own ? std::min(std::ceil(span / std::max(own, span / most_stretches)), most_stretches) : 1;
+  std::vector<PartMet<typename S::Part>> met;
+  for (Real stretch = 0; stretch < count; ++stretch) {
+    const Real begin = whole->enter + stretch / count * span;
+    const Real end = stretch + 1 < count ? whole->enter + (stretch + 1) / count * span : whole->leave;
+    if (begin > limit) {
+      return;
+    }
+    met.clear();
+    // A part belongs to the stretch in which it is met.
+    const auto add = [&](const typename S::Part& part, const Vec3& place, std::uint32_t index) {
+      const auto passage = passage_of(part.aabb({Rotation::identity(), place}).inflated(slack), moving, motion);
+      if (passage && (passage->enter > begin || stretch == 0) && (passage->enter <= end || stretch + 1 == count)) {
+        met.push_back({passage->enter, index, place, part});
+      }
+    };
+    Aabb box = swept(moving, motion, begin, end).inflated(slack);
+    if constexpr (Surface<S>) {
+      shape.visit_parts(box, [&](const typename S::Part& part, std::uint32_t index) { add(part, {0, 0, 0}, index); });
+    } else {
+      shape.visit_places(box, [&](const Vec3& place, std::uint32_t index) { add(shape.part(index), place, index); });
+    }
+    std::ranges::sort(
+        met, [](const auto& a, const auto& b) { return std::pair(a.enter, a.index) < std::pair(b.enter, b.index); });
+    for (const auto& each : met) {
+      if (each.enter > limit) {
+        break;
+      }
+      visit(each);
+    }
+  }
+}
+
+}  // namespace abut

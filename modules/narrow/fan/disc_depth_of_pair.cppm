@@ -1,0 +1,91 @@
+// How deep a cylinder or a cone and a polyhedron or another one overlap, of any two shapes that can be asked so.
+export module abut.narrow.fan.disc_depth_of_pair;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.narrow.cores.core_separation;
+import abut.narrow.fan.disc_depth;
+import abut.narrow.fan.disc_depth_of_hull;
+import abut.narrow.fan.facets;
+import abut.narrow.fan.hull_vs_few;
+
+export namespace abut {
+
+// A core that is the convex hull of two discs around Z.
+template <class S>
+concept HullOfDiscs = Convex<S> && requires(const S& shape) {
+  { shape.discs() } -> std::same_as<Discs>;
+};
+
+template <class S>
+concept TriedOnDiscs = (BoxCored<S> && S::core_axes > 0) || Faceted<S> || Triangular<S>;
+template <class A, class B>
+concept WithDiscs = (HullOfDiscs<B> && (TriedOnDiscs<A> || HullOfDiscs<A>)) || (HullOfDiscs<A> && TriedOnDiscs<B>);
+
+// Whether a point of its own frame lies in a core, up to some slack.
+template <HullOfDiscs S>
+  requires Field<S>
+[[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {
+  return shape.nearest(point).distance <= slack;
+}
+// The line of the side from disc to disc that is furthest along a direction.
+template <HullOfDiscs S>
+[[nodiscard]] inline Vec3 side_line(const S& shape, const Vec3& direction) {
+  const Discs discs = shape.discs();
+  const Sideways out = sideways_of(direction);
+  const Real aside = discs.top - discs.bottom;
+  return {aside * out.x, aside * out.y, 2 * discs.half_height};
+}
+
+struct ProvenDepth {
+  Real depth, lower;
+  Vec3 normal;  // unit, from a to b, in the frame of a
+};
+
+// The normals of triangles that are slender beyond this are not trusted.
+inline constexpr Real least_height_of_triangles = 1e-4;  // by the longest edge
+[[nodiscard]] inline bool is_slender(const std::array<Vec3, 3>& corners) {
+  const Vec3 first = corners[1] - corners[0], second = corners[2] - corners[0], third = corners[2] - corners[1];
+  const Real longest = std::fmax(squared_norm(first), std::fmax(squared_norm(second), squared_norm(third)));
+  return !(norm(cross(first, second)) > least_height_of_triangles * longest);
+}
+
+// Squares of squares of lengths below it vanish.
+inline constexpr Real least_size_of_discs = 1e-60;
+
+// Of cores that are not apart by more than the error. Nothing where they hardly overlap, or no least depth is proven.
+template <Convex A, Convex B>
+  requires WithDiscs<A, B>
+[[nodiscard]] std::optional<ProvenDepth> disc_depth(const A& a, const B& b, const Pose& ab, Real size, Real error) {
+  const Real slack = error / 4;
+  if (!(size > least_size_of_discs)) {
+    return std::nullopt;
+  }
+  if constexpr (HullOfDiscs<B>) {
+    DiscDepth least(mirrored(b.discs(), ab.position, ab.rotation.z), slack, 8 * epsilon * size);
+    if constexpr (HullOfDiscs<A>) {
+      search_discs(a.discs(), least);
+    } else if constexpr (Triangular<A>) {
+      if (is_slender(a.corners())) {
+        return std::nullopt;
+      }
+      search_triangle(a.corners(), a.normal(), least);
+    } else if constexpr (Faceted<A>) {
+      if (!has_facets(a, noise_of(size))) {
+        return std::nullopt;
+      }
+      search_facets(a, least);
+    } else {
+      search_box(a.half(), least);
+    }
+    return least.is_proven() && least.depth() > slack
+               ? std::optional(ProvenDepth{least.depth(), least.depth() - slack, least.direction()})
+               : std::nullopt;
+  } else {
+    const std::optional<ProvenDepth> found = disc_depth(b, a, ab.inverse(), size, error);
+    return found ? std::optional(ProvenDepth{found->depth, found->lower, -(ab.rotation * found->normal)})
+                 : std::nullopt;
+  }
+}
+
+}  // namespace abut

@@ -1,0 +1,90 @@
+// Polytopes that list their faces and edges for separating axes, four at a time.
+export module abut.narrow.fan.facets;
+import abut.capability;
+import abut.core.standard;
+import abut.math.four_vec3;
+import abut.math;
+import abut.narrow.fan.sat;
+
+export namespace abut {
+
+// A core that lists the planes of its faces, four at a time, and its edges with the faces on either side.
+template <class S>
+concept Faceted = Convex<S> && requires(const S& shape) {
+  shape.facets().planes;  // x, y, z of unit normals, and reach
+  shape.facets().arcs;    // left_x, ..., right_z: of the normals on either side of four edges; from_x, ...
+  shape.facets().lines;   // from and along, of each edge
+  shape.facets().sides;   // left and right: the faces on either side of it
+  shape.facets().points;  // the vertices, the first ones far from each other
+  shape.vertex_blocks();  // x, y, z of four vertices
+  { shape.facets().middle } -> std::convertible_to<Vec3>;  // of a ball inside
+  { shape.facets().inner } -> std::convertible_to<Real>;   // its radius
+  { shape.facets().flatness } -> std::convertible_to<Real>;
+  { shape.facets().is_closed } -> std::convertible_to<bool>;
+};
+
+// Polytopes with more edges than this are left to other ways: to try all of them takes longer (measured with boxes).
+inline constexpr std::size_t edge_limit = 640;
+
+// Faces that rounding has bent may hide others that matter.
+template <Faceted S>
+[[nodiscard]] inline bool has_facets(const S& shape, Real noise) {
+  const auto& facets = shape.facets();
+  return facets.is_closed && facets.lines.size() <= edge_limit && facets.flatness <= noise;
+}
+
+// By how much the overlap may be less than the one found, where faces are not quite flat.
+template <Convex S>
+[[nodiscard]] inline Real flatness_of(const S& shape) {
+  if constexpr (Faceted<S>) {
+    return shape.facets().flatness;
+  } else {
+    return 0;
+  }
+}
+
+// Unit normals across pairs of edges with these products, whose squares are given, to the side of a sign. Of nearly
+// parallel edges products are off by rounding of their lengths: what leads along the second one is taken out, as in
+// sat.cppm.
+[[nodiscard]] [[gnu::noinline, gnu::cold]] inline Columns settled_across(const Columns& n, const Columns& second) {
+  const Columns across = n - (dot(n, second) / dot(second, second)) * second;
+  return (1 / __builtin_elementwise_sqrt(dot(across, across))) * across;
+}
+[[nodiscard]] [[gnu::always_inline]] inline Columns unit_across(const Columns& first, const Columns& second,
+                                                                const Columns& products, Lanes squares, Lanes signs) {
+  const Columns n = (signs / __builtin_elementwise_sqrt(squares)) * products;
+  const Lanes room = squares - 1e-6 * dot(first, first) * dot(second, second);
+  if (signs_of(room) == 0) [[likely]] {
+    return n;
+  }
+  const Columns settled = settled_across(n, second);
+  const LaneNumbers is_thin = room < all_lanes(0);
+  return {is_thin ? settled.x : n.x, is_thin ? settled.y : n.y, is_thin ? settled.z : n.z};
+}
+
+// With a point of each edge that the normal is across: support points need not lie on them where more of a core is as
+// near. The edge of a hull leads from there to its other end.
+struct HullSatResult : SatResult {
+  Vec3 on_a, on_b;
+};
+
+// A depth per lane, the least one so far, and which it was.
+struct LeastDepths {
+  Lanes depth = infinity;
+  LaneNumbers which{0, 0, 0, 0};
+  [[gnu::always_inline]] inline void consider(Lanes value, std::size_t group) {
+    const LaneNumbers less = value < depth;
+    depth = less ? value : depth;
+    which = less ? LaneNumbers(static_cast<std::int64_t>(group)) : which;
+  }
+  // The lane of the least one; among equals that of the first.
+  [[nodiscard]] [[gnu::always_inline]] inline std::size_t lane() const {
+    const Real least = -largest(-depth);
+    const LaneNumbers none = LaneNumbers(std::int64_t{1} << 62);
+    const LaneNumbers places = depth == all_lanes(least) ? 4 * which + LaneNumbers{0, 1, 2, 3} : none;
+    const auto pairs = places.lo < places.hi ? places.lo : places.hi;
+    return static_cast<std::size_t>(pairs[0] < pairs[1] ? pairs[0] : pairs[1]) & 3u;
+  }
+};
+
+}  // namespace abut

@@ -1,0 +1,252 @@
+// Least overlap of two polytopes of some dozens of vertices: the faces of both, and for each edge of one the arc of
+// its normals on the Gauss sphere, walked along from vertex to vertex of the other one, so that pairs of edges need
+// not be tried. Bounds pass most of both over.
+export module abut.narrow.fan.hull_vs_hull;
+import abut.capability;
+import abut.core.standard;
+import abut.math.four_vec3;
+import abut.math;
+import abut.narrow.fan.facets;
+
+export namespace abut {
+
+// Polytopes with more vertices than this are left to the expanding polytope, which looks at few of them (measured).
+inline constexpr std::size_t vertex_limit_of_two = 64;
+
+// The vertices of a polytope in the frame of another one.
+struct SeenVertices {
+  std::array<Lanes, vertex_limit_of_two> points;
+  std::size_t count;
+
+  // How near they come along each direction, and which of them does.
+  struct Least {
+    Lanes value = infinity;
+    LaneNumbers vertex{0, 0, 0, 0};
+  };
+  template <bool with_vertex>
+  [[gnu::always_inline]] inline void search(const Columns& n, std::size_t first, std::size_t last, Least& best) const {
+    LaneNumbers vertex = LaneNumbers(static_cast<std::int64_t>(first));
+#pragma clang loop unroll_count(4)
+    for (const Lanes& p : std::span(points).subspan(first, last - first)) {
+      const Lanes value = multiply_add(n.z, p.zzzz, multiply_add(n.y, p.yyyy, n.x * p.xxxx));
+      if constexpr (with_vertex) {
+        best.vertex = value < best.value ? vertex : best.vertex;
+        vertex += LaneNumbers(1);
+      }
+      best.value = minimum(value, best.value);
+    }
+  }
+  [[nodiscard]] [[gnu::always_inline]] inline Least least(const Columns& n) const {
+    Least best;
+    search<true>(n, 0, count, best);
+    return best;
+  }
+};
+
+// Euler's formula bounds faces and edges by vertices.
+template <Faceted S>
+[[nodiscard]] inline bool has_few_vertices(const S& shape) {
+  const auto& facets = shape.facets();
+  return facets.points.size() <= vertex_limit_of_two && facets.planes.size() <= vertex_limit_of_two / 2 &&
+         facets.lines.size() <= 3 * vertex_limit_of_two;
+}
+
+template <Faceted S>
+[[gnu::always_inline]] inline void see_vertices(const S& shape, const Pose& pose, SeenVertices& seen) {
+  seen.count = 0;
+  const LaneMatrix turn = LaneMatrix::columns_of(pose.rotation);
+  const Lanes shift = lanes_of(pose.position);
+  for (const Lanes& p : shape.facets().points) {
+    seen.points[seen.count++] = turn.apply(p, shift);
+  }
+}
+
+// The least overlap along the faces of a polytope, where other ones are the vertices of another one, which has a ball
+// inside. What the ball shows to be no less than `most` is passed over.
+struct FaceSearch {
+  static constexpr std::size_t group_limit = vertex_limit_of_two / 2;
+
+  LeastDepths faces;
+  std::array<LaneNumbers, group_limit> under;  // the vertex that lies deepest under each face
+  std::array<bool, group_limit> is_known;
+
+  // The first vertices, which lie far from each other, often show that a face is no less deep than `most`.
+  static constexpr std::size_t first_vertices = 8;
+  template <bool with_vertices, class Planes>
+  [[gnu::always_inline]] inline void look(const Planes& planes, std::size_t group, const SeenVertices& others,
+                                          Real most) {
+    const Columns n{planes.x, planes.y, planes.z};
+    SeenVertices::Least least;
+    const std::size_t some = others.count < first_vertices ? others.count : first_vertices;
+    others.search<with_vertices>(n, 0, some, least);
+    if (signs_of(planes.reach - least.value - all_lanes(most)) == 0) {
+      return;
+    }
+    others.search<with_vertices>(n, some, others.count, least);
+    faces.consider(planes.reach - least.value, group);
+    if constexpr (with_vertices) {
+      under[group] = least.vertex;
+      is_known[group] = true;
+    }
+  }
+  template <bool with_vertices, Faceted S>
+  [[gnu::always_inline]] inline void search(const S& shape, const SeenVertices& others, const Vec3& ball, Real radius,
+                                            Real most) {
+    const auto& planes = shape.facets().planes;
+    const Columns centre = Columns::all(ball);
+    [[clang::uninitialized]] std::array<Lanes, group_limit> bounds;
+    LeastDepths lowest;
+    std::size_t group = 0;
+    for (const auto& four : planes) {
+      const Lanes bound = four.reach - dot({four.x, four.y, four.z}, centre) + all_lanes(radius);
+      lowest.consider(bound, group);
+      is_known[group] = false;
+      bounds[group++] = bound;
+    }
+    faces = {};
+    const auto first = static_cast<std::size_t>(lowest.which[lowest.lane()]);
+    look<with_vertices>(planes[first], first, others, infinity);
+    Real least = -largest(-faces.depth);
+    least = least < most ? least : most;
+    group = 0;
+    for (const auto& four : planes) {
+      if (signs_of(bounds[group] - all_lanes(least)) != 0) {
+        look<with_vertices>(four, group, others, least);
+        const Real found = -largest(-faces.depth);
+        least = found < least ? found : least;
+      }
+      ++group;
+    }
+  }
+};
+
+// From a to b, in the frame of a. Nothing where rounding cuts arcs without end.
+template <Faceted A, Faceted B>
+[[nodiscard]] std::optional<HullSatResult> sat_of_hulls(const A& a, const B& b, const Pose& ab, Real noise) {
+  const Pose ba = ab.inverse();
+  [[clang::uninitialized]] SeenVertices of_a, of_b;
+  see_vertices(b, ab, of_b);
+  see_vertices(a, ba, of_a);
+  HullSatResult best{{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, {0, 0, 0}};
+  const auto take_face = [&](const LeastDepths& faces, const auto& facets, const auto& out) {
+    const std::size_t lane = faces.lane();
+    if (-faces.depth[lane] > best.separation) {
+      const auto& planes = facets.planes[static_cast<std::size_t>(faces.which[lane])];
+      best.separation = -faces.depth[lane];
+      best.normal = out(Vec3{planes.x[lane], planes.y[lane], planes.z[lane]});
+    }
+  };
+  // Rounding must not make the balls larger than they are.
+  constexpr Real shrunk = 0.999;
+  const Vec3 middle_of_b = ab * b.facets().middle;
+  const Real inner_of_b = shrunk * b.facets().inner;
+  [[clang::uninitialized]] FaceSearch faces_of_a;
+  faces_of_a.search<true>(a, of_b, middle_of_b, inner_of_b, infinity);
+  take_face(faces_of_a.faces, a.facets(), [](const Vec3& n) { return n; });
+  {
+    [[clang::uninitialized]] FaceSearch faces_of_b;
+    faces_of_b.search<false>(b, of_a, ba * a.facets().middle, shrunk * a.facets().inner, -best.separation);
+    take_face(faces_of_b.faces, b.facets(), [&](const Vec3& n) { return -(ab.rotation * n); });
+  }
+  best.axes = static_cast<std::uint32_t>(4 * (a.facets().planes.size() + b.facets().planes.size()));
+
+  // Along the arc of an edge of a, from its left face to its right one, the deepest vertex of b changes from one to
+  // the other. Where both are equally deep no other vertex is less deep, which bounds the overlap from below; where
+  // another one is deeper, the arc is cut there.
+  struct Stretch {
+    std::uint16_t line, from, to;
+  };
+  constexpr std::size_t room = 6 * vertex_limit_of_two;
+  [[clang::uninitialized]] std::array<Stretch, room> stretches;
+  std::size_t count = 0;
+  // Heights of rounding at both ends of half a circle say nothing of its middle.
+  const Real needed = std::fmax(noise, -best.separation - inner_of_b);
+  for (std::size_t first = 0; first < a.facets().arcs.size(); first += 16) {
+    const std::size_t last = first + 16 < a.facets().arcs.size() ? first + 16 : a.facets().arcs.size();
+    std::uint64_t open = 0;
+    for (std::size_t at = first; at < last; ++at) {
+      // Where it is positive at both ends, the height of a point falls below neither in between.
+      const auto& arcs = a.facets().arcs[at];
+      const Columns out = Columns{arcs.from_x, arcs.from_y, arcs.from_z} - Columns::all(middle_of_b);
+      const Lanes at_left = dot({arcs.left_x, arcs.left_y, arcs.left_z}, out);
+      const Lanes lower = minimum(at_left, dot({arcs.right_x, arcs.right_y, arcs.right_z}, out));
+      open |= signs_of(lower - all_lanes(needed)) << (4 * (at - first));
+    }
+    for (; open != 0; open &= open - 1) {
+      const std::size_t line = 4 * first + static_cast<std::size_t>(std::countr_zero(open));
+      if (line >= a.facets().sides.size()) {
+        break;
+      }
+      const auto& sides = a.facets().sides[line];
+      for (const std::uint32_t side : {sides.left, sides.right}) {
+        if (!faces_of_a.is_known[side / 4]) {
+          faces_of_a.look<true>(a.facets().planes[side / 4], side / 4, of_b, infinity);
+        }
+      }
+      const auto from = static_cast<std::uint16_t>(faces_of_a.under[sides.left / 4][sides.left % 4]);
+      const auto to = static_cast<std::uint16_t>(faces_of_a.under[sides.right / 4][sides.right % 4]);
+      stretches[count] = {static_cast<std::uint16_t>(line), from, to};
+      count += from != to ? 1 : 0;
+    }
+  }
+  // A normal across edges must beat those of faces by more than the noise.
+  Real least_of_edges = -best.separation - noise;
+  while (count > 0) {
+    [[clang::uninitialized]] std::array<Stretch, 4> taken;
+    const std::size_t in_hand = count < 4 ? count : 4;
+    for (std::size_t i = 0; i < 4; ++i) {
+      taken[i] = stretches[count - 1 - (i < in_hand ? i : 0)];
+    }
+    count -= in_hand;
+    const auto line_of = [&](std::size_t i) -> const auto& { return a.facets().lines[taken[i].line]; };
+    const auto from_of = [&](std::size_t i) { return of_b.points[taken[i].from]; };
+    const auto to_of = [&](std::size_t i) { return of_b.points[taken[i].to]; };
+    const Columns start = Columns::of(line_of(0).from, line_of(1).from, line_of(2).from, line_of(3).from);
+    const Columns along = Columns::of(line_of(0).along, line_of(1).along, line_of(2).along, line_of(3).along);
+    const Columns from = Columns::of(from_of(0), from_of(1), from_of(2), from_of(3));
+    const Columns back = from - Columns::of(to_of(0), to_of(1), to_of(2), to_of(3));
+    const Columns across = cross(back, along);
+    const Lanes square = dot(across, across);
+    const Columns n = unit_across(back, along, across, square, all_lanes(1));
+    const Lanes reach = dot(n, start) + maximum(dot(n, along), all_lanes(0));
+    const Lanes lower = reach - dot(n, from);
+    // Vertices that lie behind each other along the edge are one for its arc.
+    const Lanes above =
+        square > 1e-28 * dot(along, along) * dot(back, back) ? lower - all_lanes(least_of_edges) : all_lanes(0);
+    if (signs_of(above) == 0) {
+      continue;
+    }
+    best.axes += 4;
+    const SeenVertices::Least found = of_b.least(n);
+    const Lanes depth = reach - found.value;
+    for (std::size_t i = 0; i < in_hand; ++i) {
+      if (!(above[i] < 0)) {
+        continue;
+      }
+      const auto vertex = static_cast<std::uint16_t>(found.vertex[i]);
+      const bool is_cut = depth[i] > lower[i] + noise && vertex != taken[i].from && vertex != taken[i].to;
+      if (depth[i] < least_of_edges) {
+        // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its
+        // parts: it must not be passed over as no less deep.
+        least_of_edges = is_cut ? std::fmin(least_of_edges, depth[i] + noise) : depth[i];
+        best.separation = -depth[i];
+        best.normal = n[i];
+        best.of_edges = !is_cut;
+        best.edge_a = along[i];
+        best.edge_b = -back[i];
+        best.on_a = start[i];
+        best.on_b = from[i];
+      }
+      if (is_cut) {
+        if (count + 2 > room) {
+          return std::nullopt;
+        }
+        stretches[count++] = {taken[i].line, taken[i].from, vertex};
+        stretches[count++] = {taken[i].line, vertex, taken[i].to};
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace abut

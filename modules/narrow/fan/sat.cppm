@@ -1,0 +1,101 @@
+// Signed separation of two cores with few faces by trying every axis that can be a face normal of
+// their Minkowski difference: face normals of both, and cross products of their edges (Gottschalk,
+// Lin, Manocha, "OBBTree", 1996). Exact for overlap; a lower bound of the distance when apart.
+export module abut.narrow.fan.sat;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+
+export namespace abut {
+
+struct SatResult {
+  Real separation;  // largest over all axes
+  Vec3 normal;      // unit, from a to b
+  std::uint32_t axes;
+  bool of_edges;        // the normal is across an edge of each
+  Vec3 edge_a, edge_b;  // then these are their directions
+};
+
+// The unit normal across two edges, whose cross product has this square.
+//
+// Of nearly parallel edges the product is off by rounding of their lengths, which are long beside it. What leads along
+// the edges would come back multiplied by them: it is taken out. Across them the edges are short, and what is left is
+// rounding.
+[[nodiscard]] inline Vec3 unit_across_edges(const Vec3& edge_a, const Vec3& edge_b, const Vec3& product, Real square) {
+  const Vec3 n = (1 / std::sqrt(square)) * product;
+  const Real square_a = squared_norm(edge_a);
+  if (square > 1e-6 * square_a * squared_norm(edge_b)) [[likely]] {
+    return n;
+  }
+  return UnitVec3::make(n - (dot(n, edge_a) / square_a) * edge_a).value_or(UnitVec3::from_unit_unchecked(n));
+}
+
+// Nothing when there is no axis at all, as between two points or parallel segments: such cores only
+// touch, and any direction across both separates them.
+//
+// A normal across edges must beat those of faces by more than `noise`: nearly parallel edges repeat the
+// normal of a face, and the closest points of their lines say nothing.
+template <FewFaced A, FewFaced B>
+[[nodiscard]] std::optional<SatResult> sat(const A& a, const B& b, const Pose& ab, Real noise) {
+  const auto placement = place(b, ab);
+  const Vec3 apart = placed_centre(b, ab) - a.centre();
+  SatResult best{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}};
+
+  // Separation along n: from the furthest point of a to the nearest of b.
+  const auto separation_along = [&](const Vec3& n) {
+    return dot(n, placed_support(b, placement, -n).point) - dot(n, a.support(n).point);
+  };
+  const auto try_axis = [&](const Vec3& n, Real lead) {
+    ++best.axes;
+    const Real before = best.separation;
+    if constexpr (A::is_symmetric && B::is_symmetric) {
+      // Of two symmetric bodies the side that faces the other one is the better one.
+      const Real offset = dot(n, apart);
+      const Real separation = std::fabs(offset) - a.reach(n) - placement.reach(n);
+      if (separation > best.separation + lead) {
+        best.separation = separation;
+        best.normal = offset < 0 ? -n : n;
+      }
+    } else {
+      for (const Vec3& side : {n, -n}) {
+        const Real separation = separation_along(side);
+        if (separation > best.separation + lead) {
+          best.separation = separation;
+          best.normal = side;
+        }
+      }
+    }
+    return best.separation > before;
+  };
+
+  for (const Vec3& n : a.face_normals()) {
+    if (squared_norm(n) > 0) {
+      try_axis(n, 0);
+    }
+  }
+  for (const Vec3& local : b.face_normals()) {
+    const Vec3 n = ab.rotation * local;
+    if (squared_norm(n) > 0) {
+      try_axis(n, 0);
+    }
+  }
+  const auto edges_b = b.edge_directions();
+  for (const Vec3& edge_a : a.edge_directions()) {
+    for (const Vec3& local : edges_b) {
+      const Vec3 edge_b = ab.rotation * local;
+      const Vec3 n = cross(edge_a, edge_b);
+      const Real square = squared_norm(n);
+      // Edges closer to parallel than rounding span no face. Leaving one out errs by at most the
+      // angle times the length of an edge, which is rounding again.
+      if (square > 1e-28 * squared_norm(edge_a) * squared_norm(edge_b) && square > 0 &&
+          try_axis(unit_across_edges(edge_a, edge_b, n, square), noise)) {
+        best.of_edges = true;
+        best.edge_a = edge_a;
+        best.edge_b = edge_b;
+      }
+    }
+  }
+  return best.axes > 0 ? std::optional(best) : std::nullopt;
+}
+
+}  // namespace abut

@@ -1,0 +1,15 @@
+// Reduces contacts of composites and particles: each pair of children is a manifold of its own.
+export module abut.narrow.manifold.reduce_children;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+
+export namespace abut {
+
+// As reduce, without or with what was kept before, for each pair of children by itself. What is kept comes first,
+// deepest first of all.
+[[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most);
+[[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most,
+                                          std::span<const std::uint64_t> before);
+
+}  // namespace abut

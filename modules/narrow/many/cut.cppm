@@ -1,0 +1,304 @@
+// What the solids of a composite lose to its holes, the walls of those, and the rims where solids and holes end.
+export module abut.narrow.many.cut;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.narrow.many.rim_point;
+
+export namespace abut {
+
+// A solid child, a hole that cuts it, and a place near the rim where both end.
+struct RimSeed {
+  std::uint32_t solid, hole;
+  std::uint32_t number;  // among those of the same two
+  Vec3 place;
+};
+
+// One composite against one other shape that is neither a composite nor scattered. Everything is in one frame, in which
+// the composite lies at `pose` and the other shape at `other_pose`. The other shape knows its box, its distance to a
+// point of its own frame, and what it has to do with a hole around it.
+template <class Composite, class Other>
+class Carver {
+ public:
+  Carver(const Composite& composite, const Pose& pose, const Other& other, const Pose& other_pose)
+      : composite_(composite), other_(other), pose_(pose), other_pose_(other_pose) {
+    const Aabb box = other_.aabb(other_pose);
+    centre_ = box.is_bounded() ? box.centre() : other_pose.position;
+    reach_ = box.is_bounded() ? largest_magnitude(box.high - box.low) : 0;
+    size_ = largest_magnitude(centre_) + largest_magnitude(pose.position) + reach_;
+    noise_ = 256 * epsilon * size_;
+  }
+
+  // Contacts with the solids become those of what is left of them, and then those that walls and rims add: normals from
+  // the composite to the other shape.
+  void carve(const QuerySettings& settings, Manifold& contacts, Manifold& added) {
+    for (const auto& hole : composite_.holes()) {
+      add_walls(hole, settings, contacts, added);
+    }
+    std::erase_if(contacts, [&](const ContactPoint& contact) { return is_cut_away(contact); });
+    add_rims(settings, added);
+  }
+
+ private:
+  using Hole = typename Composite::Hole;
+
+  [[nodiscard]] Pose child_pose(std::uint32_t child) const { return pose_ * composite_.children()[child].pose; }
+  [[nodiscard]] const auto& child(std::uint32_t number) const [[clang::lifetimebound]] {
+    return *composite_.children()[number].shape;
+  }
+  [[nodiscard]] bool holds(std::uint32_t hole, const Vec3& point, Real inset) const {
+    return child(hole).cavity_holds(child_pose(hole).undo(point), inset);
+  }
+  // Signed; nothing where the shape has no answer for a point.
+  [[nodiscard]] std::optional<Distance> distance_to_child(std::uint32_t number, const Vec3& point) const {
+    const Pose placed = child_pose(number);
+    std::optional<Distance> found = child(number).distance_to(placed.undo(point));
+    if (found) {
+      move_by(*found, placed);
+    }
+    return found;
+  }
+  [[nodiscard]] bool is_in_solid(std::uint32_t solid, const Vec3& point, Real inset) const {
+    const auto found = distance_to_child(solid, point);
+    return found && found->distance <= -inset;
+  }
+  // Of a solid: in a hole other than `but` that cuts it.
+  [[nodiscard]] bool is_in_hole_of(std::uint32_t solid, const Vec3& point, std::uint32_t but) const {
+    return std::ranges::any_of(composite_.holes(), [&](const Hole& hole) {
+      return hole.child != but && hole.begin <= solid && solid < hole.end && holds(hole.child, point, noise_);
+    });
+  }
+  // A solid that there is material of at a point on the wall of a hole.
+  [[nodiscard]] std::optional<std::uint32_t> material_at(const Hole& hole, const Vec3& point) const {
+    for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
+      if (!child(solid).is_hole() && is_in_solid(solid, point, -noise_) && !is_in_hole_of(solid, point, hole.child)) {
+        return solid;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Contacts with the walls of a hole where there is material behind them. What the other shape does not reach
+  // from inside, or reaches deeper than it lies in the solid, it reaches through the solid.
+  void add_walls(const Hole& hole, const QuerySettings& settings, Manifold& solids, Manifold& walls) {
+    const Pose placed = child_pose(hole.child);
+    // Walls have one way, whatever way was asked for between the solids.
+    const QuerySettings own{.margin = settings.margin};
+    Manifold found;
+    Distance whole{};
+    if (other_.contacts_in(child(hole.child), placed, other_pose_, own, found) != Outcome::ok ||
+        other_.distance_in(child(hole.child), placed, other_pose_, own, whole) != Outcome::ok) {
+      return;
+    }
+    const auto is_of_hole = [&](const ContactPoint& contact) {
+      return hole.begin <= contact.child_a && contact.child_a < hole.end;
+    };
+    if (whole.distance > 0) {
+      std::erase_if(solids, is_of_hole);
+    }
+    Real deepest_wall = infinity;
+    Manifold reached;
+    for (ContactPoint& contact : found) {
+      if (!reaches_from_inside(contact)) {
+        continue;
+      }
+      if (material_at(hole, contact.point_a)) {
+        contact.child_a = hole.child;
+        contact.id = contact_id_of_child(contact.id, hole.child);
+        deepest_wall = std::min(deepest_wall, contact.distance);
+        reached.push_back(contact);
+      } else if (contact.distance < 0) {
+        add_seeds(hole, contact.point_b);
+      }
+    }
+    Real deepest_solid = infinity;
+    for (const ContactPoint& contact : solids) {
+      if (is_of_hole(contact) && !is_cut_away(contact)) {
+        deepest_solid = std::min(deepest_solid, contact.distance);
+      }
+    }
+    // A touch counts: rounding must not decide whether the wall is behind a solid.
+    const bool overlap_both = deepest_solid <= noise_ && deepest_wall < 0;
+    if (overlap_both && deepest_wall < deepest_solid) {
+      return;
+    }
+    walls.insert(walls.end(), reached.begin(), reached.end());
+    if (overlap_both) {
+      std::erase_if(solids, [&](const ContactPoint& contact) { return is_of_hole(contact) && contact.distance < 0; });
+    }
+  }
+
+  // What pokes through a wall holds the point of it that it went through; else it lies somewhere outside of the cavity.
+  [[nodiscard]] bool reaches_from_inside(const ContactPoint& contact) const {
+    if (contact.distance >= 0) {
+      return true;
+    }
+    const auto found = other_.distance_to(other_pose_.undo(contact.point_a));
+    return found && found->distance <= noise_;
+  }
+
+  // A contact with a solid at a place that a hole took, or of a shape that lies in a hole.
+  [[nodiscard]] bool is_cut_away(const ContactPoint& contact) {
+    for (const Hole& hole : composite_.holes()) {
+      if (!(hole.begin <= contact.child_a && contact.child_a < hole.end)) {
+        continue;
+      }
+      if (holds(hole.child, contact.point_a, noise_)) {
+        add_seeds(hole, contact.point_b);
+        return true;
+      }
+      if (holds(hole.child, contact.point_b, noise_) && holds(hole.child, centre_, noise_)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void add_seeds(const Hole& hole, const Vec3& place) {
+    for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
+      const auto is_of_both = [&](const RimSeed& seed) { return seed.solid == solid && seed.hole == hole.child; };
+      const auto is_known = [&](const RimSeed& seed) {
+        return is_of_both(seed) && largest_magnitude(seed.place - place) == 0;
+      };
+      if (!child(solid).is_hole() && std::ranges::none_of(seeds_, is_known)) {
+        seeds_.push_back(
+            {solid, hole.child, static_cast<std::uint32_t>(std::ranges::count_if(seeds_, is_of_both)), place});
+      }
+    }
+  }
+
+  // From every seed and from places around it, as far as the hole is wide; then the deepest of those down to where the
+  // rim is deepest.
+  void add_rims(const QuerySettings& settings, Manifold& contacts) {
+    constexpr std::array<Vec3, 7> around{
+        {{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+    const std::size_t first = contacts.size();
+    for (const RimSeed& seed : seeds_) {
+      const Aabb box = std::visit([](const auto& shape) { return shape.aabb(Pose::identity()); }, child(seed.hole));
+      const Vec3 half = 0.5 * (box.high - box.low);
+      const Rotation turned = child_pose(seed.hole).rotation;
+      std::array<std::optional<RimContact>, around.size()> found;
+      std::optional<RimContact> best;
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        found[i] = rim_contact_near(
+            seed, seed.place + turned * Vec3{around[i].x * half.x, around[i].y * half.y, around[i].z * half.z});
+        if (found[i] && (!best || found[i]->found.distance < best->found.distance)) {
+          best = found[i];
+        }
+      }
+      if (best) {
+        const auto rim_near = [&](const Vec3& place) { return rim_point(seed, place); };
+        const auto to_other = [&](const Vec3& place) { return distance_to_other(place); };
+        add_rim(seed, nearest_on_rim(*best, reach_, noise_, rim_near, to_other), around.size(), settings, contacts,
+                first);
+      }
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        if (found[i]) {
+          add_rim(seed, *found[i], i, settings, contacts, first);
+        }
+      }
+    }
+  }
+
+  // The point of the rim near a place, and from it to the other shape. Apart, points of both that are nearest to each
+  // other.
+  [[nodiscard]] std::optional<RimContact> rim_contact_near(const RimSeed& seed, const Vec3& place) const {
+    constexpr int rounds = 8;
+    std::optional<RimContact> contact;
+    Vec3 near = place;
+    for (int round = 0; round < rounds; ++round) {
+      const std::optional<RimPoint> rim = rim_point(seed, near);
+      const std::optional<Distance> found = rim ? distance_to_other(rim->place) : std::nullopt;
+      if (!found) {
+        return std::nullopt;
+      }
+      contact = RimContact{*rim, *found};
+      if (!(found->distance > 0) || largest_magnitude(found->point_b - near) <= noise_) {
+        break;
+      }
+      near = found->point_b;
+    }
+    return contact;
+  }
+
+  // `start`: which of the places around the seed led there.
+  void add_rim(const RimSeed& seed, const RimContact& rim, std::size_t start, const QuerySettings& settings,
+               Manifold& contacts, std::size_t first) const {
+    const Vec3& place = rim.rim.place;
+    const auto is_same = [&](const ContactPoint& other) {
+      return largest_magnitude(other.point_a - place) <= 1e-6 * size_;
+    };
+    if (!(rim.found.distance <= settings.margin) || is_in_hole_of(seed.solid, place, seed.hole) ||
+        std::ranges::any_of(std::span(contacts).subspan(first), is_same)) {
+      return;
+    }
+    constexpr std::uint32_t starts = 8;
+    const Feature edge{FeatureKind::edge, starts * seed.number + static_cast<std::uint32_t>(start)},
+        whole{FeatureKind::whole, 0};
+    ContactPoint contact{place, rim.found.point_b,      rim.found.normal, rim.found.distance, edge,
+                         whole, contact_id(edge, whole)};
+    contact.child_a = seed.hole;
+    contact.id = contact_id_of_child(contact_id_of_child(contact.id, seed.hole), seed.solid);
+    contacts.push_back(contact);
+  }
+
+  [[nodiscard]] std::optional<RimPoint> rim_point(const RimSeed& seed, const Vec3& place) const {
+    return rim_point_near(
+        place, noise_, [&](const Vec3& at) { return distance_to_child(seed.solid, at); },
+        [&](const Vec3& at) { return distance_to_child(seed.hole, at); });
+  }
+  // From a point of the composite.
+  [[nodiscard]] std::optional<Distance> distance_to_other(const Vec3& point) const {
+    std::optional<Distance> found = other_.distance_to(other_pose_.undo(point));
+    if (found) {
+      move_by(*found, other_pose_, true);
+    }
+    return found;
+  }
+
+  Composite composite_;
+  Other other_;
+  Pose pose_, other_pose_;
+  Vec3 centre_{0, 0, 0};  // of the other shape
+  Real reach_, size_, noise_;
+  std::vector<RimSeed> seeds_;
+};
+
+// Whether a hole of a composite took the place of a contact, whose normal points from the composite on. What lies in a
+// hole overlaps nothing.
+template <class Composite>
+[[nodiscard]] bool is_in_hole(const Composite& composite, const Pose& pose, const ContactPoint& contact) {
+  const Real noise = 256 * epsilon * (largest_magnitude(contact.point_a) + largest_magnitude(pose.position));
+  return std::ranges::any_of(composite.holes(), [&](const auto& hole) {
+    const auto& cavity = composite.children()[hole.child];
+    const auto holds = [&](const Vec3& point) {
+      return cavity.shape->cavity_holds((pose * cavity.pose).undo(point), noise);
+    };
+    return hole.begin <= contact.child_a && contact.child_a < hole.end && hole.child != contact.child_a &&
+           (holds(contact.point_a) || (contact.distance < 0 && holds(contact.point_b)));
+  });
+}
+
+// A point of a rim that lies in a solid leaves it through the wall of a hole, where that is nearer than the surface.
+template <class Composite>
+void leave_by_nearer_wall(const Composite& composite, const Pose& pose, ContactPoint& contact) {
+  if (contact.feature_b.kind != FeatureKind::edge || !(contact.distance < 0)) {
+    return;
+  }
+  const std::uint32_t solid = contact.child_a;
+  for (const auto& hole : composite.holes()) {
+    const auto& cavity = composite.children()[hole.child];
+    const Pose placed = pose * cavity.pose;
+    std::optional<Distance> wall = cavity.shape->distance_to(placed.undo(contact.point_b));
+    if (hole.begin <= solid && solid < hole.end && wall && wall->distance > contact.distance) {
+      move_by(*wall, placed);
+      contact.point_a = wall->point_a;
+      contact.normal = wall->normal;
+      contact.distance = wall->distance;
+      contact.child_a = hole.child;
+    }
+  }
+}
+
+}  // namespace abut

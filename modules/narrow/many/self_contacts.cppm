@@ -1,0 +1,81 @@
+// A shape against itself: the solids or triangles that it is made of, each pair of them once.
+export module abut.narrow.many.self_contacts;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.narrow.convex;
+
+export namespace abut {
+
+// Neighbours of a mesh, which touch wherever it lies. Corners are compared by place, as meshes come with equal
+// vertices too.
+[[nodiscard]] inline bool have_common_corner(const Triangle& a, const Triangle& b) {
+  return std::ranges::any_of(
+      a.corners(), [&](const Vec3& corner) { return std::ranges::find(b.corners(), corner) != b.corners().end(); });
+}
+
+// Two of many solids. Contacts tell which ones they are of.
+template <Scattered A>
+[[nodiscard]] Outcome contacts_of_two(const A& a, std::uint32_t low, std::uint32_t high, const QuerySettings& settings,
+                                      Manifold& out) {
+  const std::size_t first = out.size();
+  const Vec3 place = a.place(low);
+  const Outcome outcome =
+      convex_contacts(a.part(low), a.part(high), Pose{Rotation::identity(), a.place(high) - place}, settings, out);
+  for (ContactPoint& contact : std::span(out).subspan(first)) {
+    contact.point_a += place;
+    contact.point_b += place;
+    contact.child_a = low;
+    contact.child_b = high;
+    contact.id = contact_id_of_child(contact_id_of_child(contact.id, low), high);
+  }
+  return outcome;
+}
+
+template <Scattered A>
+[[nodiscard]] Outcome self_contacts(const A& a, const QuerySettings& settings, Manifold& out) {
+  Outcome outcome = Outcome::ok;
+  Aabb everything = Aabb::everything();
+  a.visit_places(everything, [&](const Vec3& place, std::uint32_t index) {
+    Aabb near = a.part(index).aabb({Rotation::identity(), place}).inflated(std::max(settings.margin, Real{0}));
+    a.visit_places(near, [&](const Vec3&, std::uint32_t other) {
+      if (other > index) {
+        const Outcome one = contacts_of_two(a, index, other, settings, out);
+        outcome = one == Outcome::ok ? outcome : one;
+      }
+    });
+  });
+  return outcome;
+}
+
+// Two triangles of one surface, each with both of its sides: what has passed through a surface has come from either.
+[[nodiscard]] inline Outcome contacts_of_two(const Triangle& a, const Triangle& b, const QuerySettings& settings,
+                                             Manifold& out) {
+  const std::size_t first = out.size();
+  const Outcome outcome = convex_contacts(a, b, Pose::identity(), settings, out);
+  for (ContactPoint& contact : std::span(out).subspan(first)) {
+    contact.feature_a = {FeatureKind::face, a.index()};
+    contact.feature_b = {FeatureKind::face, b.index()};
+    contact.id = mixed(mixed(contact.id + a.index()) ^ (std::uint64_t{b.index()} << 32));
+  }
+  return outcome;
+}
+
+template <Surface A>
+[[nodiscard]] Outcome self_contacts(const A& a, const QuerySettings& settings, Manifold& out) {
+  Outcome outcome = Outcome::ok;
+  Aabb everything = Aabb::everything();
+  a.visit_parts(everything, [&](const Triangle& triangle, std::uint32_t index) {
+    Aabb near = triangle.box().inflated(std::max(settings.margin, Real{0}));
+    a.visit_parts(near, [&](const Triangle& other, std::uint32_t other_index) {
+      if (other_index > index && !have_common_corner(triangle, other)) {
+        const Outcome one = contacts_of_two(triangle, other, settings, out);
+        outcome = one == Outcome::ok ? outcome : one;
+      }
+    });
+  });
+  return outcome;
+}
+
+}  // namespace abut

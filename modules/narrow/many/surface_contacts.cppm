@@ -1,0 +1,343 @@
+// Contacts of a surface. A contact at an edge or a vertex counts only where its normal is in the cone of normals of the
+// whole surface there, so that sliding shapes do not trip over seams. Elsewhere a neighbour is nearer and has its own
+// contact: of this triangle only what its face touches counts, turned to the normal of the face, as far as the
+// neighbours leave it any.
+export module abut.narrow.many.surface_contacts;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.narrow.convex;
+import abut.narrow.many.claims;
+import abut.narrow.many.triangle_contacts;
+
+export namespace abut {
+
+// What a side is made of: its parts, or itself.
+template <class S>
+struct PartOf {
+  using type = S;
+};
+template <Surface S>
+struct PartOf<S> {
+  using type = typename S::Part;
+};
+
+// The contacts of a surface with a convex shape, or with another surface, from those of their parts.
+template <Surface A, class Other>
+class SurfaceContacts {
+ public:
+  using B = typename PartOf<Other>::type;
+
+  SurfaceContacts(const A& a, const Other& other, const Pose& ab, const QuerySettings& settings, Manifold& out)
+      : a_(a), other_(other), ab_(ab), settings_(settings), out_(out), first_(out.size()) {}
+
+  // `part_of_b`: the number of b where it is a part itself.
+  void add(const Triangle& triangle, const B& b, std::uint32_t part_of_b) {
+    const Real radii = b.radius();
+    const CoreSeparation core = separate_from_triangle(triangle, b, ab_, settings_, settings_.margin + radii);
+    if (core.beyond || core.distance - radii > settings_.margin) {
+      return;
+    }
+    const Fronts<B> fronts(triangle, b, ab_);
+    const bool is_allowed = fronts.allows(core.normal);
+    // Of a core that is beside or behind a triangle, only what its rounding has sunk in from the front counts.
+    if (!is_allowed && !core.overlap &&
+        !(core.distance < radii && dot(triangle.normal(), placed_centre(b, ab_) - triangle.corners()[0]) >= 0)) {
+      return;
+    }
+    const Real noise = noise_of(core_size(triangle, b, ab_));
+    const bool turns_a = triangle.has_area() && !(is_allowed && leads_out(a_, triangle, core.normal, noise));
+    bool turns_b = false;
+    if constexpr (Surface<Other>) {
+      turns_b = b.has_area() && !(is_allowed && leads_out(other_, b, -ab_.rotation.undo(core.normal), noise));
+    }
+    const std::size_t first = out_.size();
+    if (!turns_a && !turns_b) {
+      append(triangle, b, part_of_b, core, true);
+      claim(first, false);
+      return;
+    }
+    if (is_allowed) {
+      leave(triangle, part_of_b, core);
+    }
+    if (const auto turned = turn(triangle, b, core, fronts, turns_a, turns_b)) {
+      // The closest points may lie beside the face: the foot of the lowest point of the other side.
+      append(triangle, b, part_of_b, turned->separation, is_over_face(triangle, b, *turned));
+      // What passes the plane of the triangle beside it and reaches under it is no overlap.
+      if (is_allowed && !core.overlap) {
+        erase_deeper(first, radii + 4 * core.rounding - core.distance);
+      }
+      claim(first, true);
+    }
+    turned_.push_back({first, out_.size(), triangle.index(), part_of_b, core.normal, depth_from(first), noise});
+  }
+
+  // To be called after the last part.
+  void finish() {
+    settle_claims();
+    append_left();
+  }
+
+ private:
+  // Contacts under the normal of a face, which may belong to a neighbour.
+  struct Group {
+    std::size_t first, last;
+    std::uint32_t part_of_a, part_of_b;
+    Vec3 least_way;  // the normal that was found before the turn
+    Real depth;      // of the deepest of them
+    Real noise;      // of depths
+  };
+  struct Parts {
+    std::uint32_t of_a, of_b;
+  };
+  // The deepest contact that was left to a neighbour across an edge.
+  struct Left {
+    std::uint32_t part_of_a, part_of_b;
+    CoreSeparation core;
+  };
+
+  [[nodiscard]] decltype(auto) part_of_other(std::uint32_t index) const {
+    if constexpr (Surface<Other>) {
+      return other_.part(index);
+    } else {
+      return (other_);
+    }
+  }
+
+  void leave(const Triangle& triangle, std::uint32_t part_of_b, const CoreSeparation& core) {
+    if (!left_ || core.distance < left_->core.distance) {
+      left_ = Left{triangle.index(), part_of_b, core};
+    }
+  }
+
+  // A separation along the normal of a face, and of which side.
+  struct Turned {
+    CoreSeparation separation;
+    bool is_of_b;
+  };
+
+  // The normals of faces may stand in for the normal that was found; the one that parts them sooner does.
+  [[nodiscard]] std::optional<Turned> turn(const Triangle& triangle, const B& b, const CoreSeparation& core,
+                                           const Fronts<B>& fronts, bool turns_a, bool turns_b) const {
+    std::optional<Turned> best;
+    // Cores that are apart are on the side that their closest points tell.
+    const bool is_apart = !core.overlap && fronts.allows(core.normal);
+    const auto consider = [&](const Vec3& normal, bool is_of_b, const auto& along) {
+      for (const Vec3& direction : {normal, -normal}) {
+        if ((!is_apart || dot(core.normal, direction) >= 0) && fronts.nearly_allows(direction)) {
+          const CoreSeparation separation = along(direction);
+          if (!best || separation.distance > best->separation.distance) {
+            best = Turned{separation, is_of_b};
+          }
+        }
+      }
+    };
+    if (turns_a) {
+      consider(triangle.normal(), false,
+               [&](const Vec3& direction) { return along_face(triangle, b, ab_, core, direction); });
+    }
+    if constexpr (Surface<Other>) {
+      if (turns_b) {
+        consider(-(ab_.rotation * b.normal()), true,
+                 [&](const Vec3& direction) { return along_other_face(triangle, b, ab_, core, direction); });
+      }
+    }
+    return best;
+  }
+
+  [[nodiscard]] bool is_over_face(const Triangle& triangle, const B& b, const Turned& turned) const {
+    if constexpr (Surface<Other>) {
+      if (turned.is_of_b) {
+        return is_over(b, ab_.undo(turned.separation.point_b));
+      }
+    }
+    return is_over(triangle, turned.separation.point_a);
+  }
+
+  // Named after the parts: seen from outside, the feature of a surface is its triangle; the number of the contact still
+  // tells the corners and edges of the triangle apart. After a turn the closest points may lie beside the triangle,
+  // over a neighbour that has them too.
+  void append(const Triangle& triangle, const B& b, std::uint32_t part_of_b, const CoreSeparation& core,
+              bool closest_count) {
+    const std::size_t first = out_.size();
+    contacts_under(triangle, b, ab_, core, settings_.margin, closest_count, out_);
+    for (ContactPoint& contact : std::span(out_).subspan(first)) {
+      contact.id = mixed(contact.id + triangle.index());
+      contact.feature_a = {FeatureKind::face, triangle.index()};
+      if constexpr (Surface<Other>) {
+        contact.id = mixed(contact.id ^ (std::uint64_t{part_of_b} << 32));
+        contact.feature_b = {FeatureKind::face, part_of_b};
+      }
+    }
+  }
+
+  [[nodiscard]] Real depth_from(std::size_t first) const {
+    Real least = infinity;
+    for (const ContactPoint& contact : std::span(out_).subspan(first)) {
+      least = std::min(least, contact.distance);
+    }
+    return -least;
+  }
+
+  void claim(std::size_t first, bool is_turned) {
+    const Real depth = depth_from(first);
+    if (depth > 0) {
+      claims_.add(out_[first].normal, depth, is_turned);
+      depth_ = is_turned ? depth_ : std::max(depth_, depth);
+    }
+  }
+
+  void erase_deeper(std::size_t first, Real depth) {
+    const auto begin = out_.begin() + static_cast<std::ptrdiff_t>(first);
+    out_.erase(
+        std::remove_if(begin, out_.end(), [&](const ContactPoint& contact) { return contact.distance < -depth; }),
+        out_.end());
+  }
+
+  // Takes out what turned contacts claim too much.
+  void settle_claims() {
+    std::size_t kept = first_, next = first_;
+    const Real whole = depth_of_whole();
+    const auto keep = [&](std::size_t last, Real depth) {
+      for (; next < last; ++next) {
+        if (out_[next].distance >= -depth) {
+          if (kept < next) {
+            out_[kept] = out_[next];
+          }
+          ++kept;
+        }
+      }
+    };
+    for (const Group& group : turned_.span()) {
+      if (group.first == group.last) {
+        continue;
+      }
+      const Vec3 normal = out_[group.first].normal;
+      const Real claimed = claims_.allowed_depth(normal, group.depth, group.noise, [&](const Vec3& direction) {
+        return overlap_of(group.part_of_a, group.part_of_b, direction);
+      });
+      const Real allowed = std::min(claimed, (1 + claim_blur) * whole + group.noise);
+      if (allowed < group.depth) {
+        keep(group.first, infinity);
+        keep(group.last, allowed);
+      }
+    }
+    if (next > first_) {
+      keep(out_.size(), infinity);
+      out_.resize(kept);
+    }
+  }
+
+  // How far b has to move to be parted from all parts that it meets, along the best of the normals that were found. The
+  // search ends where that is the depth of the deepest contact.
+  [[nodiscard]] Real depth_of_whole() const {
+    const Group* deepest = nullptr;
+    Real least = 0;
+    for (const Group& group : turned_.span()) {
+      if (group.depth > least) {
+        deepest = &group;
+        least = group.depth;
+      }
+    }
+    if (!deepest || least <= (1 + claim_blur) * depth_) {
+      return infinity;
+    }
+    // Parts that lately were not parted are asked first: one of them mostly stands in the way again.
+    std::array<Parts, 4> blocking;
+    blocking.fill({deepest->part_of_a, deepest->part_of_b});
+    const auto consider = [&](const Vec3& direction) {
+      const auto blocks = [&](const Parts& parts) { return overlap_of(parts.of_a, parts.of_b, direction) >= least; };
+      if (std::ranges::none_of(blocking, blocks)) {
+        least = std::min(least, largest_overlap(direction, least, blocking));
+      }
+    };
+    for (std::size_t i = first_; i < out_.size(); ++i) {
+      if (i == first_ || !(out_[i].normal == out_[i - 1].normal)) {
+        consider(out_[i].normal);
+      }
+    }
+    for (const Group& group : turned_.span()) {
+      consider(group.least_way);
+    }
+    return least;
+  }
+
+  // How far b has to move along a direction to be parted from a part; not at all where that leads through the front of
+  // a side.
+  [[nodiscard]] Real overlap_of(std::uint32_t part_of_a, std::uint32_t part_of_b, const Vec3& direction) const {
+    const Triangle triangle = a_.part(part_of_a);
+    const auto& b = part_of_other(part_of_b);
+    return Fronts<B>(triangle, b, ab_).nearly_allows(direction) ? overlap_along(triangle, b, ab_, direction) : infinity;
+  }
+
+  // The largest overlap of all parts that have contacts, or that were turned, along a direction; or some overlap that
+  // is as large as `enough`, whose parts then come first in a list.
+  [[nodiscard]] Real largest_overlap(const Vec3& direction, Real enough, std::span<Parts> blocking) const {
+    Real largest = -infinity;
+    const auto reaches = [&](const Parts& parts) {
+      largest = std::max(largest, overlap_of(parts.of_a, parts.of_b, direction));
+      if (largest >= enough) {
+        for (std::size_t i = blocking.size() - 1; i > 0; --i) {
+          blocking[i] = blocking[i - 1];
+        }
+        blocking.front() = parts;
+      }
+      return largest >= enough;
+    };
+    for (const Group& group : turned_.span()) {
+      if (reaches({group.part_of_a, group.part_of_b})) {
+        return largest;
+      }
+    }
+    std::uint32_t part_of_a = no_index, part_of_b = no_index;
+    for (const ContactPoint& contact : std::span(out_).subspan(first_)) {
+      const std::uint32_t next_b = Surface<Other> ? contact.feature_b.index : 0;
+      if (contact.feature_a.index == part_of_a && next_b == part_of_b) {
+        continue;
+      }
+      part_of_a = contact.feature_a.index;
+      part_of_b = next_b;
+      if (reaches({part_of_a, part_of_b})) {
+        return largest;
+      }
+    }
+    return largest;
+  }
+
+  // Where no neighbour reports a contact that is as deep as the deepest one left to it, that one counts after all. It
+  // has a number of its own: the same features may have met under the normal of the face.
+  void append_left() {
+    if (!left_) {
+      return;
+    }
+    const Triangle triangle = a_.part(left_->part_of_a);
+    const auto& b = part_of_other(left_->part_of_b);
+    const Real deep = left_->core.distance - b.radius() + 4 * left_->core.rounding;
+    if (depth_from(first_) >= -deep) {
+      return;
+    }
+    const std::size_t first = out_.size();
+    append(triangle, b, left_->part_of_b, left_->core, true);
+    const auto found = std::span(out_).subspan(first);
+    if (!found.empty()) {
+      ContactPoint deepest = *std::ranges::min_element(found, {}, &ContactPoint::distance);
+      deepest.id = mixed(~deepest.id);
+      out_.resize(first);
+      out_.push_back(deepest);
+    }
+  }
+
+  const A& a_;
+  const Other& other_;
+  const Pose& ab_;
+  const QuerySettings& settings_;
+  Manifold& out_;
+  std::size_t first_;
+  Claims claims_;
+  Real depth_ = 0;  // of the deepest contact that was not turned: all parts together are no less deep
+  SmallVector<Group, 32> turned_;
+  std::optional<Left> left_;
+};
+
+}  // namespace abut

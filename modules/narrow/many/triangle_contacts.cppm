@@ -1,0 +1,122 @@
+// A triangle of a surface against a convex shape, or against a triangle of another surface: their separation, and which
+// normals may part them. A one-sided triangle only pushes to its front, and a way out of a triangle is one out of its
+// surface only where no neighbour reaches further.
+export module abut.narrow.many.triangle_contacts;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.narrow.convex;
+
+export namespace abut {
+
+// The corners of a triangle that lie furthest along a direction, by bit: one of a vertex, two of an edge, three of the
+// face.
+[[nodiscard]] inline unsigned outermost_corners(const Triangle& triangle, const Vec3& direction, Real noise) {
+  const Vec3 origin = triangle.corners()[0];
+  const Real b = dot(direction, triangle.corners()[1] - origin), c = dot(direction, triangle.corners()[2] - origin);
+  const Real outermost = std::max(std::max(b, c), Real{0}) - noise;
+  return (0 >= outermost ? 1u : 0u) | (b >= outermost ? 2u : 0u) | (c >= outermost ? 4u : 0u);
+}
+
+// Whether the way out of a triangle along a direction is one out of its surface. Otherwise a neighbour reaches further.
+template <Surface S>
+[[nodiscard]] bool leads_out(const S& surface, const Triangle& triangle, const Vec3& direction, Real noise) {
+  if (!triangle.has_area() || std::fabs(dot(direction, triangle.normal())) > 1 - 1e-12) {
+    return true;
+  }
+  const unsigned corners = outermost_corners(triangle, direction, noise);
+  return corners == 7 || surface.is_crest(triangle.index(), corners, direction, noise);
+}
+
+// Whether a point of the plane of a triangle lies on the triangle, within rounding.
+[[nodiscard]] inline bool is_over(const Triangle& triangle, const Vec3& point) {
+  const auto& corners = triangle.corners();
+  const Vec3 n = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  Real size = largest_magnitude(point);
+  for (const Vec3& corner : corners) {
+    size = std::max(size, largest_magnitude(corner));
+  }
+  // Beyond a sharp corner points are outside of its edges by rounding only.
+  if (!triangle.box().inflated(32 * epsilon * size).overlaps({point, point})) {
+    return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 edge = corners[(i + 1) % 3] - corners[i];
+    const Real slack = 32 * epsilon * size * std::sqrt(squared_norm(n) * squared_norm(edge));
+    if (dot(n, cross(edge, point - corners[i])) < -slack) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The separation of a triangle and a core. Axes that nearly agree may leave points that are not on the
+// triangle, or not across each other; the outermost features under the normal then tell better ones.
+template <Convex B>
+[[nodiscard]] CoreSeparation separate_from_triangle(const Triangle& triangle, const B& b, const Pose& ab,
+                                                    const QuerySettings& settings, Real limit) {
+  CoreSeparation core = separate_cores(triangle, b, ab, settings, limit);
+  // Curved surfaces have no features that would tell better ones than the search did.
+  if (core.overlap && !Curved<B>) {
+    const Real noise = noise_of(core_size(triangle, b, ab));
+    const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
+    core.points_open = core.points_open || largest_magnitude(aside) > noise ||
+                       !triangle.box().inflated(noise).overlaps({core.point_a, core.point_a}) ||
+                       (triangle.has_area() && !is_over(triangle, core.point_a));
+    find_points(triangle, b, ab, core);
+  }
+  return core;
+}
+
+// Which ways a pair may be parted: the front of either side, where that side is a one-sided triangle.
+template <Convex B>
+class Fronts {
+ public:
+  Fronts(const Triangle& triangle, const B& b, const Pose& ab)
+      : a_(triangle.is_one_sided() ? triangle.normal() : Vec3{0, 0, 0}) {
+    if constexpr (std::same_as<B, Triangle>) {
+      b_ = b.is_one_sided() ? -(ab.rotation * b.normal()) : Vec3{0, 0, 0};
+    }
+  }
+  [[nodiscard]] bool allows(const Vec3& normal) const { return dot(normal, a_) >= 0 && dot(normal, b_) >= 0; }
+  // For normals that are those of the sides, within rounding.
+  [[nodiscard]] bool nearly_allows(const Vec3& normal) const {
+    return dot(normal, a_) >= -1e-12 && dot(normal, b_) >= -1e-12;
+  }
+
+ private:
+  Vec3 a_, b_{0, 0, 0};
+};
+
+// The separation along the normal of a face.
+template <Convex B>
+[[nodiscard]] CoreSeparation along_face(const Triangle& triangle, const B& b, const Pose& ab,
+                                        const CoreSeparation& core, const Vec3& normal) {
+  CoreSeparation turned = core;
+  turned.normal = normal;
+  turned.point_b = placed_support(b, place(b, ab), -normal).point;
+  turned.distance = turned.lower = turned.upper = dot(normal, turned.point_b - triangle.corners()[0]);
+  turned.point_a = turned.point_b - turned.distance * normal;
+  return turned;
+}
+
+// The same with the face on side b.
+[[nodiscard]] inline CoreSeparation along_other_face(const Triangle& triangle, const Triangle& b, const Pose& ab,
+                                                     const CoreSeparation& core, const Vec3& normal) {
+  CoreSeparation turned = core;
+  turned.normal = normal;
+  turned.point_a = triangle.support(normal).point;
+  turned.distance = turned.lower = turned.upper = dot(normal, ab * b.corners()[0] - turned.point_a);
+  turned.point_b = turned.point_a + turned.distance * normal;
+  return turned;
+}
+
+// How far b has to move along a direction to be parted from a triangle.
+template <Convex B>
+[[nodiscard]] Real overlap_along(const Triangle& triangle, const B& b, const Pose& ab, const Vec3& direction) {
+  const Vec3 lowest = placed_support(b, place(b, ab), -direction).point;
+  return dot(direction, triangle.support(direction).point - lowest) + b.radius();
+}
+
+}  // namespace abut

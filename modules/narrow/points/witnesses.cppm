@@ -1,0 +1,214 @@
+// The points of two cores that are closest or deepest, under a separation that is known.
+export module abut.narrow.points.witnesses;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.narrow.cores.core_separation;
+import abut.narrow.cores.simplex;
+import abut.narrow.fan.disc_depth_of_pair;
+import abut.narrow.fan.hull_sat;
+import abut.narrow.points.clip;
+import abut.narrow.points.closest_of_faces;
+
+export namespace abut {
+
+// What rounding leaves between points and the distance is shared by both.
+inline void set_points(const Vec3& point_a, const Vec3& point_b, CoreSeparation& core) {
+  const Vec3 half = (0.5 * (core.distance - dot(point_b - point_a, core.normal))) * core.normal;
+  core.point_a = point_a - half;
+  core.point_b = point_b + half;
+  core.points_open = false;
+}
+
+// The deepest pair of points under a normal across an edge of each: the closest points of the lines
+// along both edges through the support points. False where these are so nearly parallel that rounding may take the
+// points beyond the ends of the edges.
+inline constexpr Real least_sine_of_edges = 1e-4;
+[[nodiscard]] inline bool find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core,
+                                              Real least_sine = least_sine_of_edges) {
+  const Vec3 across = cross(edge_a, edge_b), between = core.point_b - core.point_a;
+  const Real square = squared_norm(across);
+  if (!(square > least_sine * least_sine * squared_norm(edge_a) * squared_norm(edge_b))) [[unlikely]] {
+    return false;
+  }
+  core.point_a += (dot(across, cross(between, edge_b)) / square) * edge_a;
+  core.point_b += (dot(across, cross(between, edge_a)) / square) * edge_b;
+  return true;
+}
+
+// The deepest pair of points under the normal of a face: from the common region of the supporting faces,
+// or else from what is outermost of them.
+inline void find_points_of_faces(const Face& face_a, const Face& face_b, const ClipPoints& region, Real size,
+                                 CoreSeparation& core) {
+  AcrossPair pair{core.point_a, core.point_b};
+  // Nearly parallel faces are equally far in many points; one of their common region will do.
+  const Real deepest = core.distance + 1e-12 * size;
+  Real least = deepest;
+  for (const ClipPoint& point : region.span()) {
+    const Real distance = dot(point.point_b - point.point_a, core.normal);
+    if (distance <= least) {
+      least = distance;
+      pair = {point.point_a, point.point_b};
+    }
+  }
+  if (!(least < deepest)) {
+    pair = points_across(face_a, face_b, core.normal, noise_of(size));
+  }
+  set_points(pair.point_a, pair.point_b, core);
+}
+
+// Cores that know whether a point lies in them at little cost.
+template <class A, class B>
+concept BothHold = HullAndSeen<A, B> || (BoxCored<A> && BoxCored<B>) || WithDiscs<A, B>;
+
+// Mostly a vertex lies under the inside of a face. False where neither support point does, up to some slack.
+template <Convex A, Convex B>
+  requires BothHold<A, B>
+[[nodiscard]] inline bool find_vertex_witness(const A& a, const B& b, const Pose& ab, Real slack,
+                                              CoreSeparation& core) {
+  const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
+  if (holds(a, on_a, slack)) {
+    core.point_a = on_a;
+  } else if (holds(b, ab.undo(on_b), slack)) {
+    core.point_b = on_b;
+  } else {
+    return false;
+  }
+  core.points_open = false;
+  return true;
+}
+
+// Cores that know the lines on them through a support point: edges of a box, one line of a side.
+template <class S>
+concept Lined = (BoxCored<S> && S::core_axes > 0) || HullOfDiscs<S>;
+template <Lined S>
+[[nodiscard]] inline auto lines_toward(const S& shape, const Vec3& direction) {
+  if constexpr (HullOfDiscs<S>) {
+    return std::array{side_line(shape, direction)};
+  } else if constexpr (S::core_axes == 1) {
+    return std::array{Vec3{0, 0, 2 * shape.half().z}};
+  } else {
+    const Vec3 full = 2.0 * shape.half();
+    return std::array{Vec3{full.x, 0, 0}, Vec3{0, full.y, 0}, Vec3{0, 0, full.z}};
+  }
+}
+
+// Under a normal across a line of each: where these cross.
+template <Lined A, Lined B>
+[[nodiscard]] inline bool find_line_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  constexpr Real least_sine = 1e-12;  // whatever rounding does to points, they are looked at
+  const Real slack = rounding_of(core_size(a, b, ab));
+  for (const Vec3& along_a : lines_toward(a, core.normal)) {
+    for (const Vec3& along_b : lines_toward(b, ab.rotation.undo(-core.normal))) {
+      CoreSeparation crossing = core;
+      if (find_edge_witnesses(along_a, ab.rotation * along_b, crossing, least_sine) &&
+          std::fabs(dot(core.normal, crossing.point_b - crossing.point_a) - core.distance) <= slack &&
+          holds(a, crossing.point_a, slack) && holds(b, ab.undo(crossing.point_b), slack)) {
+        core = crossing;
+        core.points_open = false;
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// The points of a depth with discs. False where they lie on edges of a hull, or where faces rest on each other.
+template <Convex A, Convex B>
+  requires WithDiscs<A, B>
+[[nodiscard]] inline bool find_disc_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  if (find_vertex_witness(a, b, ab, rounding_of(core_size(a, b, ab)), core)) {
+    return true;
+  }
+  if constexpr (Lined<A> && Lined<B>) {
+    return find_line_witnesses(a, b, ab, core);
+  } else {
+    return false;
+  }
+}
+
+// How far a point of its own frame lies outside of a core, negative inside; infinite where the core cannot tell.
+template <Convex S>
+[[nodiscard]] inline Real outside_by(const S& shape, const Vec3& point) {
+  if constexpr (Field<S>) {
+    return shape.nearest(point).distance;
+  } else if constexpr (BoxCored<S>) {
+    const Vec3 out = absolute(point) - shape.half();
+    return std::fmax(out.x, std::fmax(out.y, out.z));
+  } else if constexpr (Faceted<S>) {
+    return outside_facets(shape, point);
+  } else {
+    return infinity;
+  }
+}
+
+// A round core that leans on a face touches it under one point, which the polygon of its rim misses. False where
+// neither support point lies over the other core.
+template <Convex A, Convex B>
+[[nodiscard]] inline bool find_round_witness(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
+  const Real off_a = outside_by(a, on_a), off_b = outside_by(b, ab.undo(on_b));
+  if (!(std::fmin(off_a, off_b) <= usual_error_of_curves * core_size(a, b, ab))) {
+    return false;
+  }
+  (off_b <= off_a ? core.point_b : core.point_a) = off_b <= off_a ? on_b : on_a;
+  core.points_open = false;
+  return true;
+}
+
+// Whoever asks for contacts rarely needs the points, so they are looked for on demand.
+template <Convex A, Convex B>
+void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
+  if (!core.points_open) {
+    return;
+  }
+  if constexpr (PointCored<A>) {
+    core.point_b = core.point_a + core.distance * core.normal;
+    core.points_open = false;
+  } else if constexpr (PointCored<B>) {
+    core.point_a = core.point_b - core.distance * core.normal;
+    core.points_open = false;
+  } else {
+    if constexpr (BothHold<A, B>) {
+      if (core.overlap && find_vertex_witness(a, b, ab, rounding_of(core_size(a, b, ab)), core)) {
+        return;
+      }
+    }
+    [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
+    [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
+    [[clang::uninitialized]] ClipPoints region;
+    clip_faces(face_a, face_b, core.normal, region);
+    find_points_of_faces(face_a, face_b, region, core_size(a, b, ab), core);
+  }
+}
+
+// Cores that touch have a point in common, which the search for their overlap went through: it says
+// more than their faces, where many points are equally near.
+[[nodiscard]] inline bool is_touch(const CoreSeparation& core, Real size) {
+  return core.points_open && std::fabs(core.distance) <= noise_of(size);
+}
+inline void touch_at(const Vec3& point_a, const Vec3& point_b, CoreSeparation& core) {
+  core.points_open = false;
+  const Vec3 middle = 0.5 * (point_a + point_b), half = (0.5 * core.distance) * core.normal;
+  core.point_a = middle - half;
+  core.point_b = middle + half;
+}
+// Unless the search came no nearer to it than `slack`.
+inline void find_touch(const Simplex& simplex, Real slack, CoreSeparation& core) {
+  Simplex face = simplex;
+  ClosestPoint closest = closest_to_origin(face);
+  if (closest.vertices == all_of_tetrahedron) {
+    closest = closest_on_faces(face);
+  }
+  if (norm(closest.point) > slack) {
+    return;
+  }
+  keep(face, closest.vertices);
+  // The weights of slivers may be rounding. Points of both cores have them, which then are apart.
+  const WeightedPoint common = point_with(face, weights_of(face, closest.point));
+  if (norm(common.w) <= slack) {
+    touch_at(common.a, common.a - common.w, core);
+  }
+}
+
+}  // namespace abut

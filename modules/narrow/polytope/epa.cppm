@@ -1,0 +1,25 @@
+// Depth and direction of least overlap of two convex cores by the expanding polytope algorithm (van
+// den Bergen, "Proximity queries and penetration depth computation on 3D game objects", 2001), as an
+// incremental convex hull whose least face is pushed out until it lies on the boundary.
+//
+// The polytope lies inside the Minkowski difference, so its least face distance bounds the depth from
+// below; the support in any direction bounds it from above. Both bounds are reported.
+export module abut.narrow.polytope.epa;
+import abut.core.standard;
+import abut.math;
+import abut.narrow.cores.difference;
+import abut.narrow.cores.simplex;
+
+export namespace abut {
+
+struct EpaResult {
+  Real depth;         // not negative for cores that overlap
+  Real lower, upper;  // the depth lies between them
+  Vec3 normal;        // unit: moving b along it by the depth parts the cores
+  Vec3 point_a, point_b;
+  std::uint32_t iterations;
+};
+
+[[nodiscard]] EpaResult epa(const Difference& cores, Real error, const Simplex& start);
+
+}  // namespace abut

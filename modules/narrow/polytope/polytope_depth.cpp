@@ -1,0 +1,76 @@
+module abut.narrow.polytope.polytope_depth;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.narrow.cores.core_separation;
+import abut.narrow.cores.difference;
+import abut.narrow.cores.simplex;
+import abut.narrow.polytope.capped_epa;
+import abut.narrow.polytope.depth_descent;
+import abut.narrow.polytope.epa;
+
+namespace abut {
+namespace {
+
+// Depths below this share of the size are those of needles and plates, or of touching cores: polytopes of slivers prove
+// nothing there.
+constexpr Real sliver_share = 3e-8;
+
+[[nodiscard]] EpaResult depth_by_polytope(const Difference& cores, Real error, const Simplex& start) {
+  const Real noise = noise_of(cores.size);
+  EpaResult found = cores.is_curved ? capped_epa(cores, error, start) : epa(cores, error, start);
+  const auto is_open = [&] { return found.upper - found.lower > error + noise; };
+  if (is_open()) [[unlikely]] {
+    // A polytope that starts on slivers may not grow to the end; one that starts along the axes then does.
+    const EpaResult again = epa(cores, error, Simplex{});
+    found = again.upper < found.upper ? again : found;
+  }
+  if (cores.is_curved && (is_open() || (found.depth > noise && found.depth < sliver_share * cores.size))) [[unlikely]] {
+    const EpaResult least = least_of_descents(cores, error, found);
+    found = is_open() || least.depth < found.depth - error ? least : found;
+  }
+  return found;
+}
+
+}  // namespace
+
+void set_depth(const EpaResult& found, Real size, CoreSeparation& core) {
+  core.algorithm = Algorithm::gjk_epa;
+  core.iterations += found.iterations;
+  core.rounding = noise_of(size);  // normals of slender triangles are off by more than their corners
+  core.normal = found.normal;
+  core.distance = -found.depth;
+  core.lower = -found.upper;
+  core.upper = -found.lower;
+  core.point_a = found.point_a;
+  core.point_b = found.point_b;
+}
+
+void separate_by_polytope(const Difference& cores, Real error, const Simplex& start, CoreSeparation& core) {
+  set_depth(depth_by_polytope(cores, error, start), cores.size, core);
+  // The polytope knows one triangle of a face, which need not hold the closest points of both faces. Curved
+  // surfaces have no such faces.
+  const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
+  core.points_open = !cores.is_curved && largest_magnitude(aside) > noise_of(cores.size);
+}
+
+bool separate_by_touch(const Difference& cores, Real error, const Simplex& start, CoreSeparation& core) {
+  const EpaResult found = capped_epa(cores, error, start);
+  core.iterations += found.iterations;
+  const Real apart = norm(found.point_b - found.point_a);
+  if (!(std::fabs(found.depth) <= error && found.upper - found.lower <= error && apart <= error)) {
+    return false;
+  }
+  core.rounding = noise_of(cores.size);
+  core.algorithm = Algorithm::gjk_epa;
+  core.overlap = true;
+  core.normal = found.normal;
+  core.distance = -found.depth;
+  core.lower = -found.upper;
+  core.upper = apart > -found.lower ? apart : -found.lower;
+  core.point_a = found.point_a;
+  core.point_b = found.point_b;
+  return true;
+}
+
+}  // namespace abut

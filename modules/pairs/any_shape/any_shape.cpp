@@ -1,0 +1,258 @@
+module abut.pairs.any_shape;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.pairs.registry;
+
+namespace abut {
+namespace {
+
+struct KindEntry {
+  std::string_view name;
+  std::span<const std::string_view> parameter_names;
+};
+
+template <class S>
+constexpr KindEntry kind_entry() {
+  return {S::name, S::parameter_names};
+}
+
+constexpr auto kind_entries = []<std::size_t... Places>(std::index_sequence<Places...>) {
+  return std::array<KindEntry, Shapes::count>{kind_entry<Shapes::At<Places>>()...};
+}(std::make_index_sequence<Shapes::count>{});
+
+}  // namespace
+
+std::optional<std::size_t> find_kind(std::uint32_t kind) {
+  for (std::size_t place = 0; place < Shapes::count; ++place) {
+    if (Shapes::kinds[place] == kind) {
+      return place;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> find_kind(std::string_view name) {
+  for (std::size_t place = 0; place < Shapes::count; ++place) {
+    if (kind_entries[place].name == name) {
+      return place;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string_view kind_name(std::size_t place) { return kind_entries[place].name; }
+std::size_t kind_parameter_count(std::size_t place) { return kind_entries[place].parameter_names.size(); }
+std::string_view kind_parameter_name(std::size_t place, std::size_t index) {
+  return kind_entries[place].parameter_names[index];
+}
+
+Result<AnyShape> make_shape(std::size_t place, std::span<const Real> parameters, std::span<const Real> reals,
+                            std::span<const std::uint32_t> indices) {
+  return AnyShape::make(Shapes::kinds[place], parameters, reals, indices);
+}
+
+namespace {
+
+template <std::size_t Place>
+Result<AnyShape> make_first_assembly(std::span<const PlacedShape> given) {
+  if constexpr (Place == Shapes::count) {
+    return Error{Errc::unsupported, "this build of abut has no composites"};
+  } else if constexpr (Assembly<Shapes::At<Place>>) {
+    using Made = Shapes::At<Place>;
+    std::vector<typename Made::Child> children;
+    children.reserve(given.size());
+    for (const PlacedShape& child : given) {
+      children.push_back({child.shape, child.pose});
+    }
+    return Made::of(children).transform([](Made made) { return AnyShape(std::move(made)); });
+  } else {
+    return make_first_assembly<Place + 1>(given);
+  }
+}
+
+}  // namespace
+
+Result<AnyShape> make_composite(std::span<const PlacedShape> children) { return make_first_assembly<0>(children); }
+
+Aabb aabb_of(const AnyShape& shape, const Pose& pose) {
+  return std::visit([&](const auto& s) { return s.aabb(pose); }, shape);
+}
+
+std::vector<Real> parameters_of(const AnyShape& shape) {
+  return std::visit([](const auto& s) { return s.parameters(); }, shape);
+}
+
+std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction,
+                               Real max_distance) {
+  return std::visit([&](const auto& s) { return s.cast_ray(origin, direction, max_distance); }, shape);
+}
+
+std::optional<Triangles> triangles_of(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& s) -> std::optional<Triangles> {
+        if constexpr (Triangulated<S>) {
+          return s.triangles();
+        } else {
+          return std::nullopt;
+        }
+      },
+      shape);
+}
+
+std::optional<BuildReport> build_report_of(const AnyShape& shape) {
+  return std::visit(
+      [](const auto& s) -> std::optional<BuildReport> {
+        if constexpr (requires { s.report(); }) {
+          const auto& its = s.report();
+          return BuildReport{its.dimension,  its.point_count, its.vertex_count,
+                             its.edge_count, its.face_count,  its.error};
+        } else {
+          return std::nullopt;
+        }
+      },
+      shape);
+}
+
+bool is_supported(std::size_t place_a, std::size_t place_b) {
+  const auto [low, high] = std::minmax(place_a, place_b);
+  return pair_kernels(low, high).route != Route::unsupported;
+}
+
+namespace {
+
+std::array<Real, 3> numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+// What tells two shapes of one kind apart, in numbers.
+std::vector<Real> form_of(const AnyShape& shape) {
+  std::vector<Real> form = parameters_of(shape);
+  const auto add = [&](const Vec3& v) { form.insert(form.end(), {v.x, v.y, v.z}); };
+  if (const std::optional<Triangles> surface = triangles_of(shape)) {
+    for (const Vec3& vertex : surface->vertices) {
+      add(vertex);
+    }
+    form.insert(form.end(), surface->indices.begin(), surface->indices.end());
+  }
+  std::visit(
+      [&]<class S>(const S& s) {
+        if constexpr (Assembly<S>) {
+          for (const auto& child : s.children()) {
+            form.push_back(static_cast<Real>(child.shape->index()));
+            for (const Vec3& part :
+                 {child.pose.position, child.pose.rotation.x, child.pose.rotation.y, child.pose.rotation.z}) {
+              add(part);
+            }
+            const std::vector<Real> its = form_of(*child.shape);
+            form.insert(form.end(), its.begin(), its.end());
+          }
+        } else if constexpr (Scattered<S>) {
+          for (std::uint32_t i = 0; i < s.particle_count(); ++i) {
+            add(s.place(i));
+            form.push_back(s.part(i).radius());
+          }
+        }
+      },
+      shape);
+  return form;
+}
+
+// Whether two shapes of one kind are ordered by their first coordinate. Where one is straight above the other that is
+// rounding.
+[[nodiscard]] [[gnu::always_inline]] inline bool are_side_by_side(const Vec3& apart) {
+  return std::fabs(apart.x) > tie_share * (std::fabs(apart.y) + std::fabs(apart.z));
+}
+
+// The rest of the order below, for poses that agree in their first coordinate.
+bool comes_after(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
+  const Vec3 apart = pose_b.position - pose_a.position;
+  if (std::fabs(apart.y) > tie_share * std::fabs(apart.z)) {
+    return apart.y < 0;
+  }
+  if (apart.z != 0) {
+    return apart.z < 0;
+  }
+  const auto place = [](const Pose& pose) {
+    return std::array{numbers(pose.position), numbers(pose.rotation.x), numbers(pose.rotation.y),
+                      numbers(pose.rotation.z)};
+  };
+  if (place(pose_a) != place(pose_b)) {
+    return place(pose_b) < place(pose_a);
+  }
+  // Most shapes are told apart by their boxes, which takes no memory.
+  const auto size = [](const AnyShape& shape) {
+    const Aabb box = aabb_of(shape, Pose::identity());
+    return std::array{numbers(box.high), numbers(box.low)};
+  };
+  return size(a) != size(b) ? size(b) < size(a) : form_of(b) < form_of(a);
+}
+
+// Whether work starts from b: by kind, else by pose, else by form. Alike in all of these, the shapes are the same one,
+// and no order can be told from the other.
+inline bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
+  if (a.index() != b.index()) {
+    return b.index() < a.index();
+  }
+  if (const Vec3 apart = pose_b.position - pose_a.position; are_side_by_side(apart)) [[likely]] {
+    return apart.x < 0;
+  }
+  return comes_after(a, b, pose_a, pose_b);
+}
+
+// Out of line, so that others need not keep what they are given across a call.
+template <class Ask>
+[[nodiscard]] [[gnu::noinline]] Outcome ask_where_poses_agree(const AnyShape& a, const AnyShape& b, const Pose& pose_a,
+                                                              const Pose& pose_b, const Ask& ask) {
+  return ask(comes_after(a, b, pose_a, pose_b));
+}
+// Asks with whether work starts from b.
+template <class Ask>
+[[nodiscard]] [[gnu::always_inline]] inline Outcome ask_in_order(const AnyShape& a, const AnyShape& b,
+                                                                 const Pose& pose_a, const Pose& pose_b,
+                                                                 const Ask& ask) {
+  if (a.index() != b.index()) {
+    return ask(b.index() < a.index());
+  }
+  const Vec3 apart = pose_b.position - pose_a.position;
+  if (!are_side_by_side(apart)) [[unlikely]] {
+    return ask_where_poses_agree(a, b, pose_a, pose_b, ask);
+  }
+  return ask(apart.x < 0);
+}
+
+}  // namespace
+
+Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                      const QuerySettings& settings, Distance& out) {
+  return ask_in_order(a, b, pose_a, pose_b, [&](bool from_b) __attribute__((always_inline)) {
+    const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+    return pair_kernels(first.index(), second.index())
+        .distance(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
+  });
+}
+
+Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                      const QuerySettings& settings, Manifold& out) {
+  return ask_in_order(a, b, pose_a, pose_b, [&](bool from_b) __attribute__((always_inline)) {
+    const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+    return pair_kernels(first.index(), second.index())
+        .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
+  });
+}
+
+Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                      const QuerySettings& settings, PairMemory& memory, Manifold& out) {
+  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
+  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+  if (memory.is_from_b != from_b) {
+    memory = {};
+    memory.is_from_b = from_b;
+  }
+  const Outcome outcome = pair_kernels(first.index(), second.index())
+                              .contacts_with_memory(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b,
+                                                    from_b, settings, memory, out);
+  memory.is_from_b = from_b;
+  return outcome;
+}
+
+}  // namespace abut

@@ -1,0 +1,82 @@
+// A shape of any kind of this build, and what can be asked of one and of two.
+export module abut.pairs.any_shape;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+export import abut.narrow.warm.pair_memory;
+import abut.capability;
+import abut.pairs.registry;
+
+export namespace abut {
+
+using ShapeHandle = Frozen<AnyShape>;
+
+inline constexpr std::size_t shape_kind_count = Shapes::count;
+
+// Place of a kind in the registry; nothing for a number that is no kind of this build.
+[[nodiscard]] std::optional<std::size_t> find_kind(std::uint32_t kind);
+[[nodiscard]] std::optional<std::size_t> find_kind(std::string_view name);
+[[nodiscard]] std::string_view kind_name(std::size_t place);
+[[nodiscard]] std::size_t kind_parameter_count(std::size_t place);
+[[nodiscard]] std::string_view kind_parameter_name(std::size_t place, std::size_t index);
+
+// A shape of the kind at a place from checked numbers.
+[[nodiscard]] Result<AnyShape> make_shape(std::size_t place, std::span<const Real> parameters,
+                                          std::span<const Real> reals, std::span<const std::uint32_t> indices);
+
+// Shapes, each at a pose of its own, as one; an error in a build without such a kind.
+struct PlacedShape {
+  ShapeHandle shape;
+  Pose pose;
+};
+[[nodiscard]] Result<AnyShape> make_composite(std::span<const PlacedShape> children);
+
+[[nodiscard]] Aabb aabb_of(const AnyShape& shape, const Pose& pose);
+[[nodiscard]] std::vector<Real> parameters_of(const AnyShape& shape);
+[[nodiscard]] std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction,
+                                             Real max_distance);
+// Nothing for shapes without a surface of plane triangles.
+[[nodiscard]] std::optional<Triangles> triangles_of(const AnyShape& shape);
+
+// What making a shape of points left of them, and how far a given point is from the shape at most. Nothing for kinds
+// that keep what they are given.
+struct BuildReport {
+  std::uint32_t dimension;
+  std::size_t point_count, vertex_count, edge_count, face_count;
+  Real error;
+};
+[[nodiscard]] std::optional<BuildReport> build_report_of(const AnyShape& shape);
+
+// Why the pair of kinds at two places is answered the way it is, in words.
+struct RouteDescription {
+  std::string_view algorithm;
+  std::string_view reason;
+};
+[[nodiscard]] RouteDescription describe_route(std::size_t place_a, std::size_t place_b);
+// Whether the kind at a place has contacts with itself, and how.
+[[nodiscard]] bool meets_itself(std::size_t place);
+[[nodiscard]] RouteDescription describe_self(std::size_t place);
+[[nodiscard]] bool is_supported(std::size_t place_a, std::size_t place_b);
+
+// Queries on two placed shapes. Results are in the world. The order of work depends on the shapes and
+// poses alone, so that swapping them changes no bit but the sides.
+[[nodiscard]] Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                                    const QuerySettings& settings, Distance& out);
+[[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                                    const QuerySettings& settings, Manifold& out);
+// With what earlier calls for the same two shapes in this order have left in `memory`, which begins all zero: the
+// answer is the same bit by bit, sooner where the bodies have moved little.
+[[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                                    const QuerySettings& settings, PairMemory& memory, Manifold& out);
+
+// The same, b being placed by ab in the frame of a. Results are in the frame of a.
+[[nodiscard]] inline Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab,
+                                           const QuerySettings& settings, Distance& out) {
+  return pair_distance(a, b, Pose::identity(), ab, settings, out);
+}
+[[nodiscard]] inline Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab,
+                                           const QuerySettings& settings, Manifold& out) {
+  return pair_contacts(a, b, Pose::identity(), ab, settings, out);
+}
+
+}  // namespace abut

@@ -1,0 +1,23 @@
+// Changes of shapes that are in use, in three steps: whether an edit is right, memory for it, and the change itself.
+export module abut.pairs.any_shape.shape_edit;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
+
+export namespace abut {
+
+// What is wrong with an edit of a shape; unsupported where shapes of its kind do not take it.
+[[nodiscard]] Fault check_edit(const AnyShape& shape, const Edit& edit);
+
+// Makes the shape and its data those of this holder alone, by a copy where there are other holders. Nobody sees a
+// change.
+void own_shape(ShapeHandle& shape);
+
+// After both: needs no memory. Answers with a box in the frame of the shape, outside of which nothing meets anything
+// else.
+Aabb apply_edit(ShapeHandle& shape, const Edit& edit);
+
+}  // namespace abut

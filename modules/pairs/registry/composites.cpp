@@ -1,0 +1,298 @@
+// Composites against anything: child by child, each pair of children by the table.
+module abut.pairs.registry;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.narrow.many.cut;
+import abut.narrow.many.surfaces;
+import abut.pairs.rows.dispatch;
+
+namespace abut {
+namespace {
+
+Aabb box_of(const AnyShape& shape, const Pose& pose) {
+  return std::visit([&](const auto& s) { return s.aabb(pose); }, shape);
+}
+
+// Children of a shape near a box in its frame, as placed in another frame; the shape itself where it has none.
+template <class Visitor>
+void visit_children(const AnyShape& shape, const Pose& pose, const Aabb& box, Visitor&& visit) {
+  std::visit(
+      [&]<class S>(const S& s) {
+        if constexpr (Assembly<S>) {
+          s.visit_children(box, [&](std::uint32_t child) {
+            visit(*s.children()[child].shape, pose * s.children()[child].pose, child);
+          });
+        } else {
+          visit(shape, pose, 0);
+        }
+      },
+      shape);
+}
+
+// Visits the pairs of children whose boxes come within `reach`, which may shrink on the way. Poses are those in
+// the frame of a.
+template <class Visitor>
+void visit_pairs(const AnyShape& a, const AnyShape& b, const Pose& ab, const Real& reach, Visitor&& visit) {
+  const Aabb around_b = box_of(b, ab);
+  Aabb near_b = around_b.inflated(std::max(reach, Real{0}));
+  visit_children(a, Pose::identity(), near_b, [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a) {
+    const Aabb around_a = box_of(of_a, ab.inverse() * pose_a);
+    Aabb near_a = around_a.inflated(std::max(reach, Real{0}));
+    visit_children(b, ab, near_a, [&](const AnyShape& of_b, const Pose& pose_b, std::uint32_t child_b) {
+      visit(of_a, pose_a, child_a, of_b, pose_b, child_b);
+      near_a = around_a.inflated(std::max(reach, Real{0}));
+    });
+    near_b = around_b.inflated(std::max(reach, Real{0}));
+  });
+}
+
+// Pairs of children are looked up in the order of the table.
+template <class Ask>
+Outcome ask(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, Ask&& ask_kernel) {
+  const bool from_b = b.index() < a.index();
+  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+  return ask_kernel(pair_kernels(first.index(), second.index()), first, second, from_b ? pose_b : pose_a,
+                    from_b ? pose_a : pose_b, from_b);
+}
+
+// Some children may have no answer, as two terrains; no answer at all is one of the whole.
+class Outcomes {
+ public:
+  void add(Outcome outcome) {
+    if (outcome == Outcome::ok) {
+      any_ok_ = true;
+    } else {
+      last_ = outcome;
+    }
+  }
+  [[nodiscard]] Outcome outcome() const { return any_ok_ ? Outcome::ok : last_.value_or(Outcome::ok); }
+
+ private:
+  bool any_ok_ = false;
+  std::optional<Outcome> last_;
+};
+
+}  // namespace
+
+namespace {
+
+bool has_holes(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& s) {
+        if constexpr (Assembly<S>) {
+          return !s.holes().empty();
+        } else {
+          return false;
+        }
+      },
+      shape);
+}
+
+bool is_assembly(const AnyShape& shape) {
+  return std::visit([]<class S>(const S&) { return Assembly<S>; }, shape);
+}
+
+bool is_scattered(const AnyShape& shape) {
+  return std::visit([]<class S>(const S&) { return Scattered<S>; }, shape);
+}
+
+Outcome contacts_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                         const QuerySettings& settings, Manifold& out) {
+  return ask(a, b, pose_a, pose_b,
+             [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second,
+                 const Pose& first_pose, const Pose& second_pose, bool from_b) {
+               return kernels.contacts(first, second, first_pose, second_pose, from_b, settings, out);
+             });
+}
+
+// Tells the contacts from `first` on which children they are of. Particles have told theirs already.
+void name_children(const AnyShape& a, const AnyShape& b, std::uint32_t child_a, std::uint32_t child_b,
+                   std::size_t first, Manifold& contacts) {
+  const bool of_a = is_assembly(a), of_b = is_assembly(b);
+  for (ContactPoint& contact : std::span(contacts).subspan(first)) {
+    contact.id = contact_id_of_child(contact_id_of_child(contact.id, child_a), child_b);
+    contact.child_a = of_a ? child_a : contact.child_a;
+    contact.child_b = of_b ? child_b : contact.child_b;
+  }
+}
+
+void flip(std::span<ContactPoint> contacts) {
+  for (ContactPoint& contact : contacts) {
+    move_by(contact, Pose::identity(), true);
+  }
+}
+
+// What a composite with holes leaves of contacts that the holes of the other side added; normals point from the
+// composite on.
+void leave_by_holes(const AnyShape& composite, const Pose& pose, Manifold& contacts) {
+  const auto leave = [&]<class S>(const S& shape) {
+    if constexpr (Assembly<S>) {
+      std::erase_if(contacts, [&](const ContactPoint& contact) { return is_in_hole(shape, pose, contact); });
+      for (ContactPoint& contact : contacts) {
+        leave_by_nearer_wall(shape, pose, contact);
+      }
+    }
+  };
+  std::visit(leave, composite);
+}
+
+// The contacts of the solids; then what the holes of either side leave of them and add to them. Either side is judged
+// by all that the solids meet, so that it is the same whichever comes first; what one adds has to be left by the other.
+void carve_both(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings, std::size_t first,
+                Manifold& out) {
+  const std::size_t count = out.size() - first;
+  std::vector<bool> is_cut(count), is_cut_by_b(count);
+  Manifold of_a, of_b;
+  if (has_holes(a)) {
+    carve(a, Pose::identity(), b, ab, settings, std::span(out).subspan(first), is_cut, of_a);
+    flip(of_a);
+    leave_by_holes(b, ab, of_a);
+    flip(of_a);
+  }
+  if (has_holes(b)) {
+    flip(std::span(out).subspan(first));
+    carve(b, ab, a, Pose::identity(), settings, std::span(out).subspan(first), is_cut_by_b, of_b);
+    flip(std::span(out).subspan(first));
+    flip(of_b);
+    leave_by_holes(a, Pose::identity(), of_b);
+  }
+  std::size_t left = first;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_cut[i] && !is_cut_by_b[i]) {
+      out[left] = out[first + i];
+      ++left;
+    }
+  }
+  out.resize(left, ContactPoint{});
+  out.insert(out.end(), of_a.begin(), of_a.end());
+  out.insert(out.end(), of_b.begin(), of_b.end());
+}
+
+Outcome distance_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                         const QuerySettings& settings, Distance& out) {
+  return ask(a, b, pose_a, pose_b,
+             [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second,
+                 const Pose& first_pose, const Pose& second_pose, bool from_b) {
+               return kernels.distance(first, second, first_pose, second_pose, from_b, settings, out);
+             });
+}
+
+// In the frame of a. `with_nearest`: with the nearest points of every pair of children, which a contact may miss:
+// surfaces push to their front only. Many solids have contacts each, which tell theirs.
+Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                                    bool with_nearest, Manifold& out) {
+  Outcomes outcomes;
+  const std::size_t first = out.size();
+  visit_pairs(a, b, ab, settings.margin,
+              [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b,
+                  const Pose& pose_b, std::uint32_t child_b) {
+                const std::size_t begin = out.size();
+                outcomes.add(contacts_of_pair(of_a, of_b, pose_a, pose_b, settings, out));
+                Distance nearest{};
+                const bool are_many = is_scattered(of_a) || is_scattered(of_b);
+                if (with_nearest && !are_many &&
+                    distance_of_pair(of_a, of_b, pose_a, pose_b, settings, nearest) == Outcome::ok) {
+                  const Feature whole{FeatureKind::whole, 0};
+                  out.push_back({nearest.point_a, nearest.point_b, nearest.normal, nearest.distance, whole, whole,
+                                 contact_id(whole, whole)});
+                }
+                name_children(a, b, child_a, child_b, begin, out);
+              });
+  if (has_holes(a) || has_holes(b)) {
+    carve_both(a, b, ab, settings, first, out);
+  }
+  return outcomes.outcome();
+}
+
+// The nearest or deepest pair of children, in the frame of a. What holes take away is still there.
+Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                           Distance& best) {
+  best = no_distance();
+  Outcomes outcomes;
+  Real reach = infinity;
+  visit_pairs(a, b, ab, reach,
+              [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t, const AnyShape& of_b, const Pose& pose_b,
+                  std::uint32_t) {
+                Distance found{};
+                const Outcome outcome = distance_of_pair(of_a, of_b, pose_a, pose_b, settings, found);
+                outcomes.add(outcome);
+                if (outcome != Outcome::ok) {
+                  return;
+                }
+                const Real lower = std::min(best.lower, found.lower), upper = std::min(best.upper, found.upper);
+                const std::uint32_t iterations = best.iterations + found.iterations;
+                if (found.distance < best.distance) {
+                  best = found;
+                  reach = found.distance;
+                }
+                best.lower = lower;
+                best.upper = upper;
+                best.iterations = iterations;
+              });
+  return outcomes.outcome();
+}
+
+}  // namespace
+
+// With holes: the deepest or nearest of all contacts however far, which is no nearer than the solids are.
+Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                          const QuerySettings& settings, Distance& out) {
+  const Pose ab = relative(pose_a, pose_b);
+  Distance best{};
+  Outcome outcome = distance_of_solids(a, b, ab, settings, best);
+  if (outcome == Outcome::ok && (has_holes(a) || has_holes(b))) {
+    QuerySettings however_far = settings;
+    however_far.margin = infinity;
+    Manifold contacts;
+    outcome = append_contacts_of_children(a, b, ab, however_far, true, contacts);
+    if (outcome == Outcome::ok && contacts.empty()) {
+      best.upper = infinity;  // nothing of the solids is left that could be met
+    } else if (outcome == Outcome::ok) {
+      const ContactPoint& least = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
+      best = {least.distance, std::min(best.lower, least.distance),
+              least.distance, least.point_a,
+              least.point_b,  least.normal,
+              best.algorithm, best.iterations};
+    }
+  }
+  if (outcome == Outcome::ok) {
+    move_by(best, pose_a, swapped);
+    out = best;
+  }
+  return outcome;
+}
+
+Outcome children_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                          const QuerySettings& settings, Manifold& out) {
+  const std::size_t first = out.size();
+  const Outcome outcome = append_contacts_of_children(a, b, relative(pose_a, pose_b), settings, false, out);
+  for (ContactPoint& contact : std::span(out).subspan(first)) {
+    move_by(contact, pose_a, swapped);
+  }
+  if (swapped && a.index() == b.index()) {
+    number_in_order_given(std::span(out).subspan(first));
+  }
+  return outcome;
+}
+
+Outcome children_contacts_with_memory(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                                      bool swapped, const QuerySettings& settings, PairMemory&, Manifold& out) {
+  return children_contacts(a, b, pose_a, pose_b, swapped, settings, out);
+}
+
+void children_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const Pose> poses,
+                              std::span<const PairJob> jobs, const QuerySettings& common, std::span<PairMemory>,
+                              Manifold& out, std::span<PairResult> results) {
+  QuerySettings settings = common;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const PairJob& job = jobs[i];
+    settings.margin = job.margin;
+    const Outcome outcome = append_contacts_of_children(*shapes[job.a], *shapes[job.b],
+                                                        relative(poses[job.a], poses[job.b]), settings, false, out);
+    results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
+  }
+}
+
+}  // namespace abut

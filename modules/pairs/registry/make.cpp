@@ -1,0 +1,61 @@
+module abut.pairs.registry;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.pairs.rows.by_route;
+
+namespace abut {
+
+Result<AnyShape> AnyShape::make(std::uint32_t kind, std::span<const Real> parameters, std::span<const Real> reals,
+                                std::span<const std::uint32_t> indices) {
+  using Maker = Result<AnyShape> (*)(std::span<const Real>, std::span<const Real>, std::span<const std::uint32_t>);
+  static constexpr auto makers = []<std::size_t... Places>(std::index_sequence<Places...>) {
+    return std::array<Maker, Shapes::count>{[](std::span<const Real> own_parameters, std::span<const Real> own_reals,
+                                               std::span<const std::uint32_t> own_indices) {
+      return Shapes::At<Places>::make(own_parameters, own_reals, own_indices).transform([](Shapes::At<Places> shape) {
+        return AnyShape(std::move(shape));
+      });
+    }...};
+  }(std::make_index_sequence<Shapes::count>{});
+  for (std::size_t place = 0; place < Shapes::count; ++place) {
+    if (Shapes::kinds[place] == kind) {
+      return makers[place](parameters, reals, indices);
+    }
+  }
+  return error_about(Errc::unknown_value, "kind", std::uint64_t{kind}, "a kind of this build");
+}
+
+// Of a point outside, on or in a shape, in the frame of the shape.
+std::optional<Distance> AnyShape::distance_to(const Vec3& point) const {
+  return std::visit(
+      [&]<class S>(const S& shape) -> std::optional<Distance> {
+        if constexpr (Assembly<S>) {
+          return std::nullopt;
+        } else {
+          Distance found{};
+          const Pose placed{Rotation::identity(), point};
+          return distance_by_route(shape, Ball(0), placed, {}, found) == Outcome::ok ? std::optional(found)
+                                                                                     : std::nullopt;
+        }
+      },
+      *this);
+}
+
+bool AnyShape::is_hole() const {
+  return std::visit([]<class S>(const S&) { return Hole<S>; }, *this);
+}
+
+bool AnyShape::cavity_holds(const Vec3& point, Real inset) const {
+  return std::visit(
+      [&]<class S>(const S& shape) {
+        if constexpr (Hole<S>) {
+          return is_within(shape, point, inset);
+        } else {
+          return false;
+        }
+      },
+      *this);
+}
+
+}  // namespace abut

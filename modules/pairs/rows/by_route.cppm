@@ -1,0 +1,165 @@
+// Asks the kernel of the route of two types of shapes. Knows no shape by name.
+export module abut.pairs.rows.by_route;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.narrow.convex;
+import abut.narrow.many.half_space;
+import abut.narrow.many.hole;
+import abut.narrow.many.surfaces;
+import abut.pairs.routes;
+
+export namespace abut {
+
+template <Scattered A, class B>
+[[nodiscard]] Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                         Distance& out);
+template <Scattered A, class B>
+[[nodiscard]] Outcome scattered_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                         Manifold& out);
+
+template <class A, class B>
+[[nodiscard]] [[gnu::always_inline]] inline Outcome distance_by_route(const A& a, const B& b, const Pose& ab,
+                                                                      const QuerySettings& settings, Distance& out) {
+  constexpr Route way = route<A, B>();
+  if constexpr (way == Route::unsupported) {
+    return Outcome::unsupported;
+  } else if constexpr (is_flipped<A, B>()) {
+    const Outcome outcome = distance_by_route(b, a, ab.inverse(), settings, out);
+    move_by(out, ab, true);
+    return outcome;
+  } else if constexpr (way == Route::half_space) {
+    return half_space_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::half_space_of_parts) {
+    return half_space_parts_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::convex) {
+    return convex_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::parts) {
+    return parts_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::scattered) {
+    return scattered_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::hole) {
+    return hole_distance(a, b, ab, settings, out);
+  } else {
+    return surfaces_distance(a, b, ab, settings, out);
+  }
+}
+
+template <class A, class B>
+[[nodiscard]] Outcome contacts_by_route(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                        Manifold& out) {
+  constexpr Route way = route<A, B>();
+  if constexpr (way == Route::unsupported) {
+    return Outcome::unsupported;
+  } else if constexpr (is_flipped<A, B>()) {
+    const std::size_t first = out.size();
+    const Outcome outcome = contacts_by_route(b, a, ab.inverse(), settings, out);
+    for (ContactPoint& contact : std::span(out).subspan(first)) {
+      move_by(contact, ab, true);
+    }
+    return outcome;
+  } else if constexpr (way == Route::half_space) {
+    return half_space_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::half_space_of_parts) {
+    return half_space_parts_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::convex) {
+    return convex_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::parts) {
+    return parts_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::scattered) {
+    return scattered_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::hole) {
+    return hole_contacts(a, b, ab, settings, out);
+  } else {
+    return surfaces_contacts(a, b, ab, settings, out);
+  }
+}
+
+// Where a shape may be met. A hole alone stands for all that is around its cavity.
+template <class B>
+[[nodiscard]] Aabb reach_of(const B& b, const Pose& ab) {
+  if constexpr (Hole<B>) {
+    return Aabb::everything();
+  } else {
+    return b.aabb(ab);
+  }
+}
+
+// The nearest or deepest of many solids, one after the other; the box of interest shrinks with every better one.
+template <Scattered A, class B>
+Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
+  const Aabb around = reach_of(b, ab);
+  const bool bounded = around.is_bounded();
+  Aabb query = around;
+  out = no_distance();
+  Outcome outcome = Outcome::ok;
+  const auto consider = [&](const Vec3& place, std::uint32_t index) {
+    Distance found{};
+    if (const Outcome one = distance_by_route(a.part(index), b, {ab.rotation, ab.position - place}, settings, found);
+        one != Outcome::ok) {
+      outcome = one;
+      return;
+    }
+    const Real lower = std::min(out.lower, found.lower), upper = std::min(out.upper, found.upper);
+    const std::uint32_t iterations = out.iterations + found.iterations;
+    if (found.distance < out.distance) {
+      out = found;
+      out.point_a += place;
+      out.point_b += place;
+      query = bounded ? around.inflated(std::max(out.distance, Real{0})) : around;
+    }
+    out.lower = lower;
+    out.upper = upper;
+    out.iterations = iterations;
+  };
+  if (bounded) {
+    const std::uint32_t first = a.place_near(around.centre());
+    consider(a.place(first), first);
+  }
+  a.visit_places(query, consider);
+  return outcome;
+}
+
+// Of the contacts from `first` on: the deepest of each direction, and of those the three deepest.
+inline void keep_deepest_of_directions(Manifold& contacts, std::size_t first) {
+  constexpr Real same_direction = 0.98;
+  constexpr std::size_t most = 3;
+  std::ranges::sort(std::span(contacts).subspan(first), [](const ContactPoint& a, const ContactPoint& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
+  });
+  std::size_t kept = first;
+  for (std::size_t i = first; i < contacts.size() && kept - first < most; ++i) {
+    const auto before = std::span(contacts).subspan(first, kept - first);
+    if (std::ranges::none_of(
+            before, [&](const ContactPoint& k) { return dot(k.normal, contacts[i].normal) > same_direction; })) {
+      contacts[kept] = contacts[i];
+      ++kept;
+    }
+  }
+  contacts.resize(kept, ContactPoint{});
+}
+
+// Contacts of each solid by itself; against a surface those of at most three directions.
+template <Scattered A, class B>
+Outcome scattered_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+  Aabb query = reach_of(b, ab).inflated(std::max(settings.margin, Real{0}));
+  Outcome outcome = Outcome::ok;
+  a.visit_places(query, [&](const Vec3& place, std::uint32_t index) {
+    const std::size_t first = out.size();
+    const Outcome one = contacts_by_route(a.part(index), b, {ab.rotation, ab.position - place}, settings, out);
+    outcome = one == Outcome::ok ? outcome : one;
+    if constexpr (Surface<B>) {
+      keep_deepest_of_directions(out, first);
+    }
+    for (ContactPoint& contact : std::span(out).subspan(first)) {
+      contact.point_a += place;
+      contact.point_b += place;
+      contact.child_a = index;
+      contact.id = contact_id_of_child(contact.id, index);
+    }
+  });
+  return outcome;
+}
+
+}  // namespace abut

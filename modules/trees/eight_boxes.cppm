@@ -1,0 +1,112 @@
+// Boxes side by side in vector registers, so that one is compared with eight at once.
+export module abut.trees.eight_boxes;
+import abut.core.standard;
+import abut.math;
+import abut.trees.box_sweep;
+
+export namespace abut {
+
+// The low sides and the negated high sides of a box. That way a box around two others has the lesser of each side, and
+// two boxes overlap when no side of one is beyond the opposite side of the other.
+using BoxSides = std::array<float, 6>;
+
+[[nodiscard]] inline BoxSides sides_of(const CompactAabb& box) {
+  return {box.low[0], box.low[1], box.low[2], -box.high[0], -box.high[1], -box.high[2]};
+}
+[[nodiscard]] inline BoxSides merged(const BoxSides& a, const BoxSides& b) {
+  BoxSides both;
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    both[i] = a[i] < b[i] ? a[i] : b[i];
+  }
+  return both;
+}
+
+// Beyond every limit: where there is no box.
+inline constexpr BoxSides no_sides = [] {
+  BoxSides sides{};
+  sides.fill(std::numeric_limits<float>::infinity());
+  return sides;
+}();
+
+// What the sides of a box that overlaps do not exceed. They are finite, so that no_sides do.
+[[nodiscard]] inline BoxSides limits_of(const CompactAabb& box) {
+  constexpr float far = std::numeric_limits<float>::max();
+  BoxSides limits;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    limits[axis] = std::min(box.high[axis], far);
+    limits[axis + 3] = std::min(-box.low[axis], far);
+  }
+  return limits;
+}
+
+struct alignas(32) EightBoxes {
+  using Floats = float __attribute__((ext_vector_type(8)));
+  using Numbers = std::int32_t __attribute__((ext_vector_type(8)));
+  static constexpr std::size_t width = 8;
+
+  // One side of all boxes. Kept as numbers, not as a vector: writing one of a vector writes them all, and several
+  // threads give boxes of one block new sides at once.
+  struct alignas(32) Side {
+    std::array<float, width> of;
+
+    inline Side() { of.fill(no_sides[0]); }
+  };
+  std::array<Side, 6> sides;
+  std::array<std::uint32_t, width> numbers{};  // whatever the owner calls the boxes
+
+  // One side of all boxes at once.
+  [[nodiscard]] inline Floats side(std::size_t i) const { return std::bit_cast<Floats>(sides[i]); }
+
+  [[nodiscard]] static inline std::uint32_t mask_of(Numbers lanes) {
+    using Mask = bool __attribute__((ext_vector_type(8)));
+    return std::bit_cast<std::uint8_t>(__builtin_convertvector(lanes, Mask));
+  }
+  // A bit for each box.
+  [[nodiscard]] inline std::uint32_t overlapping(const BoxSides& limits) const {
+    Numbers beyond = side(0) > limits[0];
+    for (std::size_t i = 1; i < limits.size(); ++i) {
+      beyond |= side(i) > limits[i];
+    }
+    return ~mask_of(beyond) & 0xffu;
+  }
+  // When each is met, as BoxSweep says it. Four at once: doubles.
+  [[nodiscard]] inline std::array<Real, width> entries(const BoxSweep& sweep, Real most) const {
+    std::array<Real, width> all;
+    for (std::size_t half = 0; half < 2; ++half) {
+      std::array<Lanes, 3> low, high;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Floats below = side(axis), above = side(axis + 3);
+        low[axis] = __builtin_convertvector(half == 0 ? below.lo : below.hi, Lanes);
+        high[axis] = -__builtin_convertvector(half == 0 ? above.lo : above.hi, Lanes);
+      }
+      const Lanes four = sweep.entries(low, high, most);
+      for (std::size_t lane = 0; lane < 4; ++lane) {
+        all[4 * half + lane] = four[lane];
+      }
+    }
+    return all;
+  }
+
+  [[nodiscard]] inline BoxSides sides_of_lane(std::size_t lane) const {
+    BoxSides lane_sides;
+    for (std::size_t i = 0; i < lane_sides.size(); ++i) {
+      lane_sides[i] = sides[i].of[lane];
+    }
+    return lane_sides;
+  }
+  // Lanes without a box do not count.
+  [[nodiscard]] inline BoxSides sides_around() const {
+    BoxSides around;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      around[i] = __builtin_reduce_min(side(i));
+    }
+    return around;
+  }
+  inline void set_sides(std::size_t lane, const BoxSides& given) {
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      sides[i].of[lane] = given[i];
+    }
+  }
+};
+
+}  // namespace abut

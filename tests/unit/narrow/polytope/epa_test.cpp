@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "../../made.hpp"
+#include "../../random_boxes.hpp"
+
+import abut.capability;
+import abut.core;
+import abut.math;
+import abut.narrow.apart.gjk;
+import abut.narrow.cores.difference;
+import abut.narrow.fan.box_sat;
+import abut.narrow.fan.sat;
+import abut.narrow.polytope.epa;
+import abut.shapes.box;
+
+namespace {
+
+using abut::Pose;
+using abut::Vec3;
+
+abut::Box box(const Vec3& half) { return test::made<abut::Box>({half.x, half.y, half.z}); }
+
+abut::EpaResult depth_of(const Vec3& half_a, const Vec3& half_b, const Pose& ab) {
+  const abut::GjkResult start = abut::gjk(box(half_a), box(half_b), ab, ab.position, 10, 1e-12, abut::infinity);
+  EXPECT_TRUE(start.overlap);
+  return abut::with_difference(box(half_a), box(half_b), ab, 10,
+                               [&](const abut::Difference& cores) { return abut::epa(cores, 1e-12, start.simplex); });
+}
+
+// The depth of boxes is known exactly from their fifteen axes.
+TEST(Epa, DepthOfRandomBoxesIsThatOfTheirAxes) {
+  test::Random random(61);
+  int deep = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 half_a = abut::absolute(random.point(1)) + Vec3{0.05, 0.05, 0.05};
+    const Vec3 half_b = abut::absolute(random.point(1)) + Vec3{0.05, 0.05, 0.05};
+    const Pose ab{random.rotation(), random.point(1)};
+    const abut::SatResult expected = abut::sat_of_boxes(half_a, half_b, ab, 0, abut::infinity);
+    if (expected.separation > -1e-6) {
+      continue;
+    }
+    ++deep;
+    const abut::EpaResult found = depth_of(half_a, half_b, ab);
+    EXPECT_NEAR(found.depth, -expected.separation, 1e-11) << i;
+    EXPECT_LE(found.lower, found.upper);
+    EXPECT_LE(found.lower, -expected.separation + 1e-12);
+    EXPECT_GE(found.upper, -expected.separation - 1e-12);
+    EXPECT_NEAR(dot(found.point_b - found.point_a, found.normal), -found.depth, 1e-12);
+    EXPECT_TRUE(test::is_inside(half_a, found.point_a, 1e-10));
+    EXPECT_TRUE(test::is_inside(half_b, ab.undo(found.point_b), 1e-10));
+  }
+  EXPECT_GT(deep, 1000);
+}
+
+TEST(Epa, ConcentricBoxes) {
+  const abut::EpaResult found = depth_of({3, 2, 1}, {3, 2, 1}, Pose::identity());
+  EXPECT_NEAR(found.depth, 2, 1e-12);
+  EXPECT_NEAR(std::fabs(found.normal.z), 1, 1e-12);
+}
+
+// A plate in a plate in the same plane: the difference has no volume, and no depth.
+TEST(Epa, DifferenceWithoutVolume) {
+  const abut::EpaResult found = depth_of({1, 1, 0}, {1, 1, 0}, {abut::Rotation::identity(), {0.5, 0.5, 0}});
+  EXPECT_EQ(found.depth, 0);
+  EXPECT_NEAR(std::fabs(found.normal.z), 1, 1e-12);
+}
+
+}  // namespace
