@@ -29,8 +29,8 @@ namespace {
 constexpr std::uint64_t seed = 1;
 // Before pairs are compared or steps are timed.
 constexpr std::size_t steps_at_start = 25;
-// Boxes that were put in together leave their larger boxes together for a while, so that one step takes ten times as
-// long as another: many boxes are timed for several such waves, however long that takes. Few are timed for hundreds of
+// Boxes that were put in together leave their larger boxes together for a while. So one step takes ten times as long
+// as another: many boxes are timed for several such waves, however long that takes. Few are timed for hundreds of
 // steps anyway.
 constexpr std::size_t many = 100'000, steps_of_many = 75;
 

@@ -12,8 +12,8 @@
 
 namespace bench {
 
-// Sides are 0.5 to 1.5. Each moving box goes by 2 % of its mean side per step in a direction that turns by about
-// seven degrees, and turns back at the walls.
+// Sides are 0.5 to 1.5. Each moving box goes by 2 % of its mean side per step. Its direction turns by about seven
+// degrees, and turns back at the walls.
 class Wandering {
  public:
   Wandering(std::size_t count, double moving_share, std::uint64_t seed) : random_(seed) {

@@ -30,8 +30,8 @@ abut_status set_one(abut_universe& its, const abut_geometry_id& geometry, const 
   return status != ABUT_OK ? status : set_options(its, std::array{geometry}, std::array{wanted});
 }
 
-// The shapes that were lent out are let go only after the universe has taken the others, from when on nothing
-// can fail any more.
+// The shapes that were lent out are let go only after the universe has taken the others. From then on nothing can
+// fail.
 abut_status set_shapes(abut_universe& its, std::span<const abut_geometry_id> ids,
                        std::span<const abut_shape* const> shapes) {
   SharedShapes shared(shapes);

@@ -1,5 +1,5 @@
-// Lets oneTBB run eight threads in this process whatever the machine has, so that tests of several threads are none of
-// two on a machine of two cores. For programs of tests; it takes effect before main.
+// Lets oneTBB run eight threads in this process, whatever the machine has. Otherwise tests of several threads would
+// run two on a machine of two cores. For programs of tests; it takes effect before main.
 #include <oneapi/tbb/global_control.h>
 
 namespace {

@@ -1,9 +1,8 @@
-// Four doubles that the compiler keeps in one vector register where the target has one, and vectors of
-// space in the first three of them. The fused multiply-add is exact on every target, so answers do not
-// depend on whether the processor has one.
+// Four doubles in one vector register, where the target has one. Vectors of space lie in the first three. The fused
+// multiply-add is exact on every target, so answers do not depend on whether the processor has one.
 //
-// All is inlined at once: optimised alone, a function that reads a vector by its address reads the numbers
-// in pairs, and then the vectors of its callers have to be in memory.
+// All is inlined at once. Optimised alone, a function that reads a vector by its address reads the numbers in pairs.
+// Then the vectors of its callers have to be in memory.
 export module abut.math.lanes;
 import abut.core.standard;
 import abut.math.vec3;

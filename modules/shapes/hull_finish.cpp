@@ -61,10 +61,9 @@ std::array<Vec3, 4> corners_of_cells(std::size_t side, std::size_t row, std::siz
   return corners;
 }
 
-// Which vertices can be extreme for some direction of a cell. A cell is the cone of its four corner
-// directions, so a vertex that another one beats at all four corners is beaten in the whole cell:
-// what is left after such eliminations is certain to hold the support point. `among`: the vertices to
-// choose from, those of a larger cell around.
+// Which vertices can be extreme for some direction of a cell. A cell is the cone of its four corner directions. So a
+// vertex that another one beats at all four corners is beaten in the whole cell: what is left after such eliminations
+// is certain to hold the support point. `among`: the vertices to choose from, those of a larger cell around.
 std::vector<std::uint32_t> candidates_of(const HullData& hull, std::span<const std::uint32_t> among,
                                          const std::array<Vec3, 4>& corners) {
   const auto values_of = [&](const Vec3& p) {

@@ -48,7 +48,7 @@ class RoundedCone {
     }
     return face;
   }
-  // The normal leads from the centre of a ball to the part of the surface that is its own, or else out of the side.
+  // The normal leads from the centre of a ball to its own part of the surface, or else out of the side.
   [[nodiscard]] SurfacePoint nearest(const Vec3& p) const {
     const Vec3 down = p - centre_of(0), up = p - centre_of(1);
     const bool top = up.z > sine_ * norm(up), bottom = down.z <= sine_ * norm(down);

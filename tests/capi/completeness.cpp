@@ -1,4 +1,4 @@
-// Every function of abut.h has a suite of its own name here, with a test for each kind of bad input that its
+// Every function of abut.h has a suite of its own name here. It has a test for each kind of bad input that its
 // parameters make possible. abut_shape_cast_ray belongs to the suite ShapeCastRay.
 #include <cctype>
 #include <fstream>

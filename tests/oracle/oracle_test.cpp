@@ -170,7 +170,7 @@ std::vector<oracle::Point> coarse_points(std::mt19937_64& random, int count, boo
   return points;
 }
 
-// The signed distance of two bodies is that of the origin to the hull of all differences of their points, which takes
+// The signed distance of two bodies is that of the origin to the hull of all differences of their points. That takes
 // another way through the code: vertices against faces only.
 TEST(Oracle, DistanceIsThatOfTheOriginToTheMinkowskiDifference) {
   std::mt19937_64 random(5);

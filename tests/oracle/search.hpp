@@ -16,9 +16,9 @@ struct Proposal {
 // The best come first.
 void keep_best(std::vector<Proposal>& list, std::size_t count);
 
-// Places on the sphere that stand for directions n: place = L^T n without its length. With L L^T = the squared extents
-// of both solids together, their difference is about as wide at every place, and a needle or a plate is searched as
-// well as a ball.
+// Places on the sphere that stand for directions n: place = L^T n without its length. Let L L^T be the squared
+// extents of both solids together. Then their difference is about as wide at every place, and a needle or a plate is
+// searched as well as a ball.
 struct Chart {
   Matrix to_direction{Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};
   Matrix to_place = to_direction;

@@ -67,8 +67,8 @@ double check_apart(const SolidCase& c, const abut_distance& result, const Vec& n
   return std::abs(distance - separation);
 }
 
-// That the points lie in the shapes and that the way between them is the overlap along the normal leaves them no place
-// but the planes of support on either side.
+// The points lie in the shapes, and the way between them is the overlap along the normal. So they lie on the planes
+// of support on either side.
 double check_overlapping(const SolidCase& c, const abut_distance& result, const Vec& n) {
   const double depth = -result.distance;
   const double overlap = static_cast<double>(overlap_along(c, n));

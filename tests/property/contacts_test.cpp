@@ -61,7 +61,7 @@ void check_on_surface(const Case& c, const Subject& shape, const abut_pose& pose
   expect(c, "contact point below the surface of " + side, off >= -tolerance || !must_reach, off, 0, tolerance);
 }
 
-// How far b has to move along a direction to be parted from all triangles that it meets, also from those that it would
+// How far b has to move along a direction to be parted from all triangles that it meets, and from those that it would
 // enter on the way; without end where that leads through the front of a height field.
 oracle::Quad depth_along(const Case& c, const std::vector<oracle::Answer>& answers, const oracle::Vec& direction) {
   const oracle::Pose pose_a = property::pose_of(c.placement.a);
@@ -216,8 +216,8 @@ void check_contacts(const Case& c, double margin) {
   property::record().add(row_of(c) + " contacts", c.a.name + " / " + c.b.name,
                          error / std::max(c.a.size + c.b.size + std::abs(truth), 1e-300), 0,
                          static_cast<std::uint32_t>(all.contacts.size()));
-  // The least way out of a triangle may lead into its neighbour, so that a contact may be deeper than each triangle by
-  // itself (no deeper than all, see above), but none is less deep, unless what it meets is the back of a sheet.
+  // The least way out of a triangle may lead into its neighbour. So a contact may be deeper than each triangle by
+  // itself, but no deeper than all (see above). None is less deep, unless it meets the back of a sheet.
   const double found = all.contacts.front().distance;
   if (is_surface(c.a) && truth < 0) {
     expect(c, "deepest contact is as deep as each triangle", found <= truth + tolerance || c.a.kind == "height_field",

@@ -33,10 +33,10 @@ using property::Random;
 using property::SolidSubject;
 using property::Visit;
 
-// What an error may be at most is a part of the size of both shapes and the way between them. It is what was measured,
-// up to a power of ten, and never more than a query promises: 1e-12, and 1e-9 where a cylinder, a cone or an ellipsoid
-// takes part. Where nothing but rounding is left (coordinates of few digits, depths that faces and edges give, relative
-// poses that are differences of nearby numbers) it is a few units of rounding.
+// What an error may be at most is a part of the size of both shapes and the way between them. It is what was
+// measured, up to a power of ten, and never more than a query promises: 1e-12, and 1e-9 where a cylinder, a cone or
+// an ellipsoid takes part. It is a few units of rounding where nothing else is left: coordinates of few digits,
+// depths that faces and edges give, relative poses that are differences of nearby numbers.
 struct Extreme {
   const char* name;
   void (*visit)(Random&, const Visit&);

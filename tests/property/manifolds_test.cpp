@@ -1,5 +1,5 @@
-// Manifolds of random convex pairs: points on the surfaces, ids of their own, the deepest one kept, the same contacts
-// after a motion that is rounding, and mirrored when the shapes are swapped.
+// Manifolds of random convex pairs: points on the surfaces, unique ids, the deepest one kept, the same contacts after
+// a motion that is rounding, mirrored contacts after a swap.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -167,8 +167,7 @@ TEST(Manifolds, ContactsHaveIdsOfTheirOwn) {
   for_pairs(rims, rims, 800, 7300, [](const Pair& pair) { expect_own_ids(contacts(pair), text_of(pair)); });
 }
 
-// Two discs like these lean on each other so flatly that the side of one crosses the rim of the other twice within a
-// sixteenth.
+// Two such discs lean on each other flatly: the side of one crosses the rim of the other twice within a sixteenth.
 TEST(Manifolds, ContactsOfTwoFlatConesHaveIdsOfTheirOwn) {
   const std::vector<double> numbers{0.10169506618342827, 1e-6};
   const Pair pair{property::make_solid("cone", "cone", numbers),

@@ -12,8 +12,8 @@ namespace property {
 // elsewhere, and of overlaps, they are the separation along one direction, which the distance does not fall below.
 [[nodiscard]] std::vector<Placement> solid_placements(const SolidSubject& a, const SolidSubject& b, Random& random);
 
-// Puts b where the middles of the faces, edges or points that lie furthest along n, to within the slack, an angle, face
-// each other, and along n the two are `gap` apart.
+// Puts b so that the middles of the features furthest along n face each other, `gap` apart along n. The slack, an
+// angle, says what ties for the furthest.
 [[nodiscard]] Placement facing(const std::string& scene, const SolidSubject& a, const abut_pose& pose_a,
                                const SolidSubject& b, const abut_quat& turn_b, const oracle::Vec& n, double gap,
                                double slack);

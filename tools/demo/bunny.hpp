@@ -8,8 +8,8 @@
 
 namespace demo {
 
-/// Vertices and triangles only; the +Y of the file becomes +Z, and the box around the model is centred over the
-/// origin, rests on the plane z = 0 and is one unit high. Throws Failure.
+/// Vertices and triangles only. The +Y of the file becomes +Z. The box around the model is centred over the origin,
+/// rests on the plane z = 0 and is one unit high. Throws Failure.
 [[nodiscard]] Triangles load_obj(const std::filesystem::path& path);
 
 }  // namespace demo

@@ -3,6 +3,7 @@
 import re
 
 from members import borrowed_members
+from sentences import sentence_length
 
 COLUMNS = 120
 HARD_LENGTH = 600
@@ -244,6 +245,7 @@ FILE_RULES = [
     macro,
     length,
     line_length,
+    sentence_length,
     concept_place,
     flag,
     word,

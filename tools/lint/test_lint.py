@@ -96,6 +96,11 @@ SNIPPETS = {
         (MODULE, "// " + "x" * 118, "// " + "x" * 117),
         ("include/abut/a.h", "int a;" + " " * 115, "int a;"),
     ],
+    "sentence_length": [
+        (MODULE, "// " + "one two three four five\n// " * 6 + "end.", "// " + "one two three four five.\n// " * 6 + "end."),
+        (MODULE, "/* " + "a " * 26 + "*/\n// " + "a " * 26, "int a;  // " + "a " * 26),
+        (MODULE, "// - " + "a " * 20 + "\n//   " + "b " * 6, "// - " + "a " * 20 + "\n// - " + "b " * 20),
+    ],
     "concept_place": [
         (MODULE, "template <class S>\nconcept Edged = true;", "// concept Edged = true;"),
         ("modules/pairs/rows/a.cppm", "template <class S>\nconcept Edged = true;", "concepts();"),

@@ -1,5 +1,5 @@
-// Casts against surfaces: the same from a universe and from a pair call, whichever side moves, and of points the
-// crossing that a straight line has with the triangles.
+// Casts against surfaces: the same from a universe and from a pair call, whichever side moves. For points it is the
+// crossing of a straight line with the triangles.
 #include <cmath>
 #include <optional>
 #include <random>

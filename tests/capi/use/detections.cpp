@@ -154,7 +154,7 @@ TEST_P(PartialDetection, FindsWhatAFullOneFinds) {
 
 INSTANTIATE_TEST_SUITE_P(, PartialDetection, testing::ValuesIn(broadphases));
 
-// A universe that was edited for long and one that was made as it is in the end have the same first step, bit by bit.
+// An edited universe and one that was made in its final state have the same first step, bit by bit.
 TEST(Detections, DoNotDependOnTheWayToAScene) {
   const Shape cube = make_box(0.5, 0.4, 0.3);
   Universe edited, made;

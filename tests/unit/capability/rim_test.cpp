@@ -25,8 +25,8 @@ TEST(Rim, CosinesAreThoseOfSixteenthsOfATurn) {
   EXPECT_EQ(abut::rim_cosine(3), std::sin(std::numbers::pi / 8));
 }
 
-// Corner k lies k sixteenths of a turn from X towards Y and edge k leads from it to corner k + 1, whichever
-// way the disc looks.
+// Corner k lies k sixteenths of a turn from X towards Y. Edge k leads from it to corner k + 1, whichever way the disc
+// looks.
 void expect_rim(bool up, std::uint32_t first) {
   const abut::Face face = abut::rim_face({2.5, -0.75, up, 7, first});
   ASSERT_EQ(face.vertices.size(), 16u);

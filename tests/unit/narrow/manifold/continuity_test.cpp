@@ -1,6 +1,6 @@
-// Contacts are continuous in the pose: while the same features touch, a small motion moves the contact polygon, and the
-// points that a reduction keeps of it, by a small multiple. rim_continuity_test.cpp does the same for cylinders and
-// cones.
+// Contacts are continuous in the pose: while the same features touch, a small motion moves the contact polygon by a
+// small multiple. So it does the points that a reduction keeps. rim_continuity_test.cpp does the same for cylinders
+// and cones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -121,8 +121,8 @@ std::vector<Body> make_grounds() {
   return grounds;
 }
 
-// Over all steps in which the features stay: how far the polygon moves, that of the points that a reduction keeps which
-// knows the step before, and that of one which does not.
+// Over all steps in which the features stay: how far the polygon moves, how far the points move that a reduction
+// keeps, with and without the step before.
 struct Motion {
   int steps = 0, changes = 0;
   double whole = 0, matched = 0, unmatched = 0;

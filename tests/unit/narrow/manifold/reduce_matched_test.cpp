@@ -139,8 +139,8 @@ class Wanderer {
     }
     return least;
   }
-  // The least of the areas that fresh choices span, each with one of the points that are no less deep than a limit as
-  // the deepest.
+  // The least of the areas that fresh choices span. Each choice takes as its deepest one of the points that are no
+  // less deep than a limit.
   [[nodiscard]] double least_area_about(const Ids& ids, double limit) const {
     double least = 1e300;
     for (const std::uint64_t id : ids) {
