@@ -1,6 +1,7 @@
 // What a shape can do. Every pair of shapes gets an algorithm from these capabilities alone.
 export module abut.capability.concepts;
 import abut.capability.records;
+import abut.capability.rim;
 import abut.core.standard;
 import abut.core;
 import abut.math;
@@ -41,13 +42,6 @@ concept FewFaced = Convex<S> && requires(const S& shape) {
   { S::is_symmetric } -> std::convertible_to<bool>;  // about its centre
 };
 
-// A core with corners, all of which can be asked for.
-template <class S>
-concept Cornered = Convex<S> && requires(const S& shape) {
-  { shape.corner_count() } -> std::convertible_to<std::uint32_t>;
-  { shape.corner(std::uint32_t{}) } -> std::convertible_to<Vec3>;
-};
-
 // A core that is a box around the origin along the axes of the shape's own frame: a whole one, a segment
 // along z (core_axes == 1), or a point.
 template <class S>
@@ -61,9 +55,34 @@ concept PointCored = BoxCored<S> && S::core_axes == 0;
 template <class S>
 concept SegmentCored = BoxCored<S> && S::core_axes == 1;
 
-// A core with a curved surface: its support points are no finite set, so that searches end by their bounds.
+// A core with a curved surface: its support points are no finite set, so that searches end by their bounds. All other
+// cores are polytopes, which list their corners: corner_count() and corner(index).
 template <class S>
 concept Curved = Convex<S> && requires { requires S::is_curved; };
+
+// The convex hull of two discs around Z, either of which may be a point. It tells which of them is the supporting face
+// along a direction.
+template <class S>
+concept Rimmed = Curved<S> && requires(const S& shape, const Vec3& direction) {
+  { shape.discs() } -> std::same_as<Discs>;
+  { shape.supporting_rim(direction) } -> std::same_as<std::optional<Rim>>;
+};
+
+// A polytope of any number of faces, which lists the planes of its faces, four at a time, and its edges with the faces
+// on either side.
+template <class S>
+concept Faceted = Convex<S> && requires(const S& shape) {
+  shape.facets().planes;  // x, y, z of unit normals, and reach
+  shape.facets().arcs;    // left_x, ..., right_z: of the normals on either side of four edges; from_x, ...
+  shape.facets().lines;   // from and along, of each edge
+  shape.facets().sides;   // left and right: the faces on either side of it
+  shape.facets().points;  // the vertices, the first ones far from each other
+  shape.vertex_blocks();  // x, y, z of four vertices
+  { shape.facets().middle } -> std::convertible_to<Vec3>;  // of a ball inside
+  { shape.facets().inner } -> std::convertible_to<Real>;   // its radius
+  { shape.facets().flatness } -> std::convertible_to<Real>;
+  { shape.facets().is_closed } -> std::convertible_to<bool>;
+};
 
 // A core that knows the point of its surface nearest to any point, from outside and from inside, in closed
 // form or nearly so.

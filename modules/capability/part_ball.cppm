@@ -1,8 +1,7 @@
 // A ball around the origin: a sphere, or one of many particles.
 export module abut.capability.part_ball;
 import abut.capability.concepts;
-import abut.capability.cores;
-import abut.capability.placed_support;
+import abut.capability.point_core;
 import abut.capability.records;
 import abut.core.standard;
 import abut.math;
@@ -11,12 +10,7 @@ export namespace abut {
 
 class Ball : public PointCore {
  public:
-  inline explicit Ball(Real radius) : radius_(radius) {}
-
-  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
-    return Aabb::around(pose.position, {radius_, radius_, radius_});
-  }
-  [[nodiscard]] inline Real radius() const { return radius_; }
+  using PointCore::PointCore;
 
   // The two roots of |origin + t direction| = radius, in the form without cancellation
   // (Haines et al., "Precision improvements for ray/sphere intersection", 2019).
@@ -24,7 +18,7 @@ class Ball : public PointCore {
                                                       Real max_distance) const {
     const Real along = -dot(origin, direction);
     const Vec3 nearest = origin + along * direction.vec();
-    const Real under = radius_ * radius_ - squared_norm(nearest);
+    const Real under = radius() * radius() - squared_norm(nearest);
     if (under < 0) {
       return std::nullopt;
     }
@@ -36,10 +30,7 @@ class Ball : public PointCore {
     const auto normal = UnitVec3::make(origin + distance * direction.vec());
     return RayHit{distance, normal.value_or(direction), {FeatureKind::whole, 0}};
   }
-
- private:
-  Real radius_;
 };
-static_assert(Placeable<Ball> && BoxCored<Ball> && FewFaced<Ball>);
+static_assert(PointCored<Ball> && RayCastable<Ball>);
 
 }  // namespace abut

@@ -1,5 +1,5 @@
-// A triangle: the part that meshes and height fields are made of. Not a solid: it has two sides
-// unless it is told to be one-sided.
+// A triangle: the part that meshes and height fields are made of, and the core of a triangle by itself. Not a solid: it
+// has two sides unless it is told to be one-sided.
 export module abut.capability.part_triangle;
 import abut.capability.concepts;
 import abut.capability.records;
@@ -10,6 +10,7 @@ export namespace abut {
 
 class Triangle {
  public:
+  using Core = Triangle;
   static constexpr bool is_symmetric = false;
 
   inline Triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t index, bool one_sided)

@@ -28,16 +28,10 @@ class Capsule : public SegmentCore {
     }
     return Capsule(parameters[0], parameters[1]);
   }
-  [[nodiscard]] std::vector<Real> parameters() const { return {radius_, half_length()}; }
+  [[nodiscard]] std::vector<Real> parameters() const { return {radius(), half_length()}; }
   [[nodiscard]] static std::vector<Capsule> samples() {
     return {Capsule(0.5, 1), Capsule(0.25, 0), Capsule(1e-3, 10), Capsule(20, 30)};
   }
-
-  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
-    const Vec3 r{radius_, radius_, radius_};
-    return Aabb::around(pose.position, half_length() * absolute(pose.rotation.z) + r);
-  }
-  [[nodiscard]] inline Real radius() const { return radius_; }
 
   // The ray enters and leaves the endless cylinder around the axis; where it does so beyond the segment,
   // it enters or leaves through the cap of that end instead. One of the two always has the crossing, so
@@ -47,7 +41,7 @@ class Capsule : public SegmentCore {
     const Real across = d.x * d.x + d.y * d.y;
     const Real along = across > 0 ? -(origin.x * d.x + origin.y * d.y) / across : 0;
     const Real x = origin.x + along * d.x, y = origin.y + along * d.y;
-    const Real under = radius_ * radius_ - (x * x + y * y);
+    const Real under = radius() * radius() - (x * x + y * y);
     if (under < 0) {
       return std::nullopt;
     }
@@ -60,7 +54,7 @@ class Capsule : public SegmentCore {
       }
       const Vec3 o = origin - Vec3{0, 0, std::copysign(half_length(), z)};
       const Real nearest = -dot(o, d);
-      const Real below = radius_ * radius_ - squared_norm(o + nearest * d);
+      const Real below = radius() * radius() - squared_norm(o + nearest * d);
       return below >= 0 ? std::optional(nearest + side * std::sqrt(below)) : std::nullopt;
     };
     std::optional<Real> hit = crossing(-1);
@@ -76,8 +70,7 @@ class Capsule : public SegmentCore {
   }
 
  private:
-  Capsule(Real radius, Real half_height) : SegmentCore(half_height), radius_(radius) {}
-  Real radius_;
+  Capsule(Real radius, Real half_height) : SegmentCore(half_height, radius) {}
 };
 static_assert(Shape<Capsule> && Placeable<Capsule> && BoxCored<Capsule> && FewFaced<Capsule>);
 

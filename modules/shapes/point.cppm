@@ -12,6 +12,8 @@ class Point : public PointCore {
   static constexpr std::string_view name = "point";
   static constexpr std::array<std::string_view, 0> parameter_names{};
 
+  inline Point() : PointCore(0) {}
+
   [[nodiscard]] static Result<Point> make(std::span<const Real> parameters, std::span<const Real> reals,
                                           std::span<const std::uint32_t> indices) {
     if (Fault fault = check_count("parameter_count", parameters.size(), 0)) {
@@ -24,9 +26,6 @@ class Point : public PointCore {
   }
   [[nodiscard]] std::vector<Real> parameters() const { return {}; }
   [[nodiscard]] static std::vector<Point> samples() { return {Point()}; }
-
-  [[nodiscard]] inline Aabb aabb(const Pose& pose) const { return {pose.position, pose.position}; }
-  [[nodiscard]] inline Real radius() const { return 0; }
 
   // No ray meets a point, but for rounding.
   [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3&, const UnitVec3&, Real) const { return std::nullopt; }

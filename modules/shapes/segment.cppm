@@ -22,16 +22,11 @@ class Segment : public SegmentCore {
   [[nodiscard]] std::vector<Real> parameters() const { return {half_length()}; }
   [[nodiscard]] static std::vector<Segment> samples() { return {Segment(1), Segment(0), Segment(1e-3), Segment(40)}; }
 
-  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
-    return Aabb::around(pose.position, half_length() * absolute(pose.rotation.z));
-  }
-  [[nodiscard]] inline Real radius() const { return 0; }
-
   // No ray meets a segment, but for rounding.
   [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3&, const UnitVec3&, Real) const { return std::nullopt; }
 
  private:
-  explicit Segment(Real half_length) : SegmentCore(half_length) {}
+  explicit Segment(Real half_length) : SegmentCore(half_length, 0) {}
 };
 static_assert(Shape<Segment> && Placeable<Segment> && SegmentCored<Segment> && FewFaced<Segment>);
 

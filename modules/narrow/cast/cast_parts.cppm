@@ -59,7 +59,7 @@ void cast_parts(CastSearch& search, const A& a, const B& b, const Pose& ab, cons
     const Pose at{frame.rotation, frame * met.place};
     const Pose from_part{ab.rotation, ab.position - met.place};
     if constexpr (Convex<B>) {
-      cast_part(search, met.part, b, from_part, motion, at, swapped, of_part);
+      cast_part(search, core_of(met.part), b, from_part, motion, at, swapped, of_part);
     } else {
       cast_parts(search, b, met.part, from_part.inverse(), seen_from_b(motion, ab), at * from_part, !swapped, of_part);
     }

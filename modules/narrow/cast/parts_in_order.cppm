@@ -19,6 +19,11 @@ struct PartMet {
   Part part;
 };
 
+template <class Part>
+[[nodiscard]] inline bool is_met_before(const PartMet<Part>& a, const PartMet<Part>& b) {
+  return a.enter != b.enter ? a.enter < b.enter : a.index < b.index;
+}
+
 // Calls visit(met) for the parts whose boxes a moving box meets, in order, as long as they are met before `limit`,
 // which visit may shrink. The way goes in stretches, so that the box around each is not much larger than the moving
 // one.
@@ -53,8 +58,7 @@ void visit_in_order(const S& shape, const Aabb& moving, const LinearMotion& moti
     } else {
       shape.visit_places(box, [&](const Vec3& place, std::uint32_t index) { add(shape.part(index), place, index); });
     }
-    std::ranges::sort(
-        met, [](const auto& a, const auto& b) { return std::pair(a.enter, a.index) < std::pair(b.enter, b.index); });
+    std::ranges::sort(met, is_met_before<typename S::Part>);
     for (const auto& each : met) {
       if (each.enter > limit) {
         break;

@@ -8,21 +8,6 @@ import abut.narrow.fan.sat;
 
 export namespace abut {
 
-// A core that lists the planes of its faces, four at a time, and its edges with the faces on either side.
-template <class S>
-concept Faceted = Convex<S> && requires(const S& shape) {
-  shape.facets().planes;  // x, y, z of unit normals, and reach
-  shape.facets().arcs;    // left_x, ..., right_z: of the normals on either side of four edges; from_x, ...
-  shape.facets().lines;   // from and along, of each edge
-  shape.facets().sides;   // left and right: the faces on either side of it
-  shape.facets().points;  // the vertices, the first ones far from each other
-  shape.vertex_blocks();  // x, y, z of four vertices
-  { shape.facets().middle } -> std::convertible_to<Vec3>;  // of a ball inside
-  { shape.facets().inner } -> std::convertible_to<Real>;   // its radius
-  { shape.facets().flatness } -> std::convertible_to<Real>;
-  { shape.facets().is_closed } -> std::convertible_to<bool>;
-};
-
 // Polytopes with more edges than this are left to other ways: to try all of them takes longer (measured with boxes).
 inline constexpr std::size_t edge_limit = 640;
 

@@ -118,17 +118,8 @@ template <class Append>
   }
 }
 
-// A shape whose supporting face may be a disc, which clipping takes for a polygon.
-template <class S>
-concept Rimmed = Curved<S> && requires(const S& shape, const Vec3& direction) {
-  { shape.supporting_rim(direction)->radius } -> std::convertible_to<Real>;
-  { shape.supporting_rim(direction)->height } -> std::convertible_to<Real>;          // along Z
-  { shape.supporting_rim(direction)->index } -> std::convertible_to<std::uint32_t>;  // of the face
-  { shape.supporting_rim(direction)->first } -> std::convertible_to<std::uint32_t>;  // of its corners
-};
-
 // The corners of a disc that looks down, and its lowest point where it is between two of them.
-template <class Rim, class Append>
+template <class Append>
 [[gnu::always_inline]] inline void rim_on_plane(const PlaneBelow& plane, const Rim& rim, const Vec3& lowest,
                                                 Real radius, Real noise, const Pose& pose, Real margin,
                                                 Append&& append) {

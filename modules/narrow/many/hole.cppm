@@ -25,7 +25,7 @@ class WallSolid {
 // support point in the direction of the last one, which never comes nearer.
 template <Convex B, class Visitor>
 void visit_outermost(const RoundWall& wall, const B& b, const Pose& ab, Visitor&& visit) {
-  if constexpr (Cornered<B>) {
+  if constexpr (!Curved<B>) {
     for (std::uint32_t i = 0; i < b.corner_count(); ++i) {
       visit(ab * b.corner(i), Feature{FeatureKind::vertex, i});
     }
@@ -119,7 +119,7 @@ template <Hole A, Convex B>
       keep_least({found.distance, found.distance, found.distance, found.point_a, found.point_b, found.normal,
                   Algorithm::analytic, 1});
     });
-    if constexpr (!Cornered<B>) {
+    if constexpr (Curved<B>) {
       // Climbs may miss the highest top; no point is further out than this.
       const Real furthest = norm(wall->radial(placed_centre(b, ab))) + std::sqrt(Real{3}) * 2 * b.extent() + b.radius();
       out.lower = std::min(out.lower, wall->radius - furthest);

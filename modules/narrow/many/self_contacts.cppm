@@ -21,8 +21,8 @@ template <Scattered A>
                                       Manifold& out) {
   const std::size_t first = out.size();
   const Vec3 place = a.place(low);
-  const Outcome outcome =
-      convex_contacts(a.part(low), a.part(high), Pose{Rotation::identity(), a.place(high) - place}, settings, out);
+  const Outcome outcome = convex_contacts(core_of(a.part(low)), core_of(a.part(high)),
+                                          {Rotation::identity(), a.place(high) - place}, settings, out);
   for (ContactPoint& contact : std::span(out).subspan(first)) {
     contact.point_a += place;
     contact.point_b += place;

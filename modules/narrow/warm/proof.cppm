@@ -21,7 +21,7 @@ template <Convex S>
 [[nodiscard]] inline Real core_reach(const S& shape) {
   if constexpr (BoxCored<S>) {
     return norm(shape.half());
-  } else if constexpr (Cornered<S>) {
+  } else if constexpr (!Curved<S>) {
     Real square = 0;
     for (std::uint32_t i = 0; i < shape.corner_count(); ++i) {
       square = std::max(square, squared_norm(shape.corner(i) - shape.centre()));

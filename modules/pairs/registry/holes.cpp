@@ -59,12 +59,13 @@ struct LonePart {
   [[nodiscard]] std::optional<Distance> distance_to(const Vec3& point) const {
     Distance found{};
     const Pose placed{Rotation::identity(), point};
-    return distance_by_route(part, Ball(0), placed, {}, found) == Outcome::ok ? std::optional(found) : std::nullopt;
+    return distance_by_route(core_of(part), PointCore(0), placed, {}, found) == Outcome::ok ? std::optional(found)
+                                                                                            : std::nullopt;
   }
   [[nodiscard]] Outcome contacts_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
                                     const QuerySettings& settings, Manifold& found) const {
     const Outcome outcome = ask_hole(hole, [&](const auto& cavity) {
-      return contacts_by_route(cavity, part, relative(placed, pose), settings, found);
+      return contacts_by_route(cavity, core_of(part), relative(placed, pose), settings, found);
     });
     for (ContactPoint& contact : found) {
       move_by(contact, placed);
@@ -74,7 +75,7 @@ struct LonePart {
   [[nodiscard]] Outcome distance_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
                                     const QuerySettings& settings, Distance& found) const {
     const Outcome outcome = ask_hole(hole, [&](const auto& cavity) {
-      return distance_by_route(cavity, part, relative(placed, pose), settings, found);
+      return distance_by_route(cavity, core_of(part), relative(placed, pose), settings, found);
     });
     move_by(found, placed);
     return outcome;
@@ -116,23 +117,28 @@ void carve(const AnyShape& composite, const Pose& pose, const AnyShape& other, c
     }
   };
   const auto carve_all = [&]<class S, class O>(const S& shape, const O& many) {
-    if constexpr (Assembly<S>) {
-      Aabb near = shape.aabb(relative(other_pose, pose)).inflated(std::max(settings.margin, Real{0}));
-      if constexpr (Assembly<O>) {
-        many.visit_children(near, [&](std::uint32_t child) {
-          carve_one(shape, LoneShape{*many.children()[child].shape}, other_pose * many.children()[child].pose, child);
-        });
-      } else if constexpr (Scattered<O>) {
-        many.visit_places(near, [&](const Vec3& place, std::uint32_t index) {
-          carve_one(shape, LonePart<typename O::Part>{many.part(index)}, {other_pose.rotation, other_pose * place},
-                    index);
-        });
-      } else {
-        carve_one(shape, LoneShape{other}, other_pose, std::nullopt);
-      }
+    Aabb near = shape.aabb(relative(other_pose, pose)).inflated(std::max(settings.margin, Real{0}));
+    if constexpr (Assembly<O>) {
+      many.visit_children(near, [&](std::uint32_t child) {
+        carve_one(shape, LoneShape{*many.children()[child].shape}, other_pose * many.children()[child].pose, child);
+      });
+    } else if constexpr (Scattered<O>) {
+      many.visit_places(near, [&](const Vec3& place, std::uint32_t index) {
+        carve_one(shape, LonePart<typename O::Part>{many.part(index)}, {other_pose.rotation, other_pose * place},
+                  index);
+      });
+    } else {
+      carve_one(shape, LoneShape{other}, other_pose, std::nullopt);
     }
   };
-  std::visit(carve_all, composite, other);
+  // One visit within the other: a visit of both at once makes a function for each pair of kinds.
+  std::visit(
+      [&]<class S>(const S& shape) {
+        if constexpr (Assembly<S>) {
+          std::visit([&](const auto& many) { carve_all(shape, many); }, other);
+        }
+      },
+      composite);
 }
 
 }  // namespace abut

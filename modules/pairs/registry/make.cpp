@@ -35,8 +35,9 @@ std::optional<Distance> AnyShape::distance_to(const Vec3& point) const {
         } else {
           Distance found{};
           const Pose placed{Rotation::identity(), point};
-          return distance_by_route(shape, Ball(0), placed, {}, found) == Outcome::ok ? std::optional(found)
-                                                                                     : std::nullopt;
+          return distance_by_route(core_of(shape), PointCore(0), placed, {}, found) == Outcome::ok
+                     ? std::optional(found)
+                     : std::nullopt;
         }
       },
       *this);

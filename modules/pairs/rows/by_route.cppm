@@ -96,7 +96,8 @@ Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySe
   Outcome outcome = Outcome::ok;
   const auto consider = [&](const Vec3& place, std::uint32_t index) {
     Distance found{};
-    if (const Outcome one = distance_by_route(a.part(index), b, {ab.rotation, ab.position - place}, settings, found);
+    const Pose from_part{ab.rotation, ab.position - place};
+    if (const Outcome one = distance_by_route(core_of(a.part(index)), b, from_part, settings, found);
         one != Outcome::ok) {
       outcome = one;
       return;
@@ -147,7 +148,8 @@ Outcome scattered_contacts(const A& a, const B& b, const Pose& ab, const QuerySe
   Outcome outcome = Outcome::ok;
   a.visit_places(query, [&](const Vec3& place, std::uint32_t index) {
     const std::size_t first = out.size();
-    const Outcome one = contacts_by_route(a.part(index), b, {ab.rotation, ab.position - place}, settings, out);
+    const Pose from_part{ab.rotation, ab.position - place};
+    const Outcome one = contacts_by_route(core_of(a.part(index)), b, from_part, settings, out);
     outcome = one == Outcome::ok ? outcome : one;
     if constexpr (Surface<B>) {
       keep_deepest_of_directions(out, first);

@@ -21,17 +21,17 @@ export namespace abut {
 
 // Where closed forms have no answer, or the route is another one. Out of line: a function that only takes closed forms
 // is entered at less cost.
-template <class Any, class A, class B>
-[[nodiscard]] [[gnu::noinline]] Outcome distance_in_frame(const Any& a, const Any& b, const Pose& pose_a,
+template <class A, class B>
+[[nodiscard]] [[gnu::noinline]] Outcome distance_in_frame(const A& a, const B& b, const Pose& pose_a,
                                                           const Pose& pose_b, bool swapped,
                                                           const QuerySettings& settings, Distance& out) {
   const Pose ab = relative(pose_a, pose_b);
   [[clang::uninitialized]] Distance found;
   Outcome outcome{};
   if constexpr (route<A, B>() == Route::convex) {
-    outcome = convex_distance_by_search(std::get<A>(a), std::get<B>(b), ab, settings, found);
+    outcome = convex_distance_by_search(a, b, ab, settings, found);
   } else {
-    outcome = distance_by_route(std::get<A>(a), std::get<B>(b), ab, settings, found);
+    outcome = distance_by_route(a, b, ab, settings, found);
   }
   if (outcome == Outcome::ok) [[likely]] {
     move_by(found, pose_a, swapped);
@@ -43,15 +43,17 @@ template <class Any, class A, class B>
 template <class Any, class A, class B>
 [[nodiscard]] Outcome distance_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                                       const QuerySettings& settings, Distance& out) {
-  if constexpr (route<A, B>() == Route::convex && ClosedForm<A, B>) {
-    if (distance_of_placed(std::get<A>(a), std::get<B>(b), pose_a, pose_b, swapped, settings, out)) [[likely]] {
+  const auto& core_a = core_of(std::get<A>(a));
+  const auto& core_b = core_of(std::get<B>(b));
+  if constexpr (route<A, B>() == Route::convex && ClosedForm<CoreOf<A>, CoreOf<B>>) {
+    if (distance_of_placed(core_a, core_b, pose_a, pose_b, swapped, settings, out)) [[likely]] {
       return Outcome::ok;
     }
   }
-  return distance_in_frame<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, out);
+  return distance_in_frame(core_a, core_b, pose_a, pose_b, swapped, settings, out);
 }
 
-// Of two shapes of one kind, which one comes first may change as they move: their numbers are in the order given.
+// Numbers of contacts tell the features in the order in which the shapes are given.
 inline void number_in_order_given(std::span<ContactPoint> contacts) {
   for (ContactPoint& contact : contacts) {
     std::uint64_t found = contact_id(contact.feature_b, contact.feature_a);
@@ -65,47 +67,53 @@ inline void number_in_order_given(std::span<ContactPoint> contacts) {
   }
 }
 
+// The order in which two shapes are given. Which of two shapes of one kind comes first may change as they move.
+struct GivenOrder {
+  bool is_swapped, is_of_one_kind;
+};
+
 // Contacts from the frame of the first shape to the world.
-template <class A, class B>
-void place_contacts(std::span<ContactPoint> contacts, const Pose& pose_a, bool swapped) {
+inline void place_contacts(std::span<ContactPoint> contacts, const Pose& pose_a, const GivenOrder& order) {
   for (ContactPoint& contact : contacts) {
-    move_by(contact, pose_a, swapped);
+    move_by(contact, pose_a, order.is_swapped);
   }
-  if (std::is_same_v<A, B> && swapped) {
+  if (order.is_of_one_kind && order.is_swapped) {
     number_in_order_given(contacts);
   }
 }
 
-template <class Any, class A, class B>
-[[nodiscard]] [[gnu::noinline]] Outcome contacts_in_frame(const Any& a, const Any& b, const Pose& pose_a,
-                                                          const Pose& pose_b, bool swapped,
+template <class A, class B>
+[[nodiscard]] [[gnu::noinline]] Outcome contacts_in_frame(const A& a, const B& b, const Pose& pose_a,
+                                                          const Pose& pose_b, const GivenOrder& order,
                                                           const QuerySettings& settings, Manifold& out) {
   const std::size_t first = out.size();
   const Pose ab = relative(pose_a, pose_b);
   Outcome outcome{};
   if constexpr (route<A, B>() == Route::convex) {
-    outcome = convex_contacts_by_search(std::get<A>(a), std::get<B>(b), ab, settings, out);
+    outcome = convex_contacts_by_search(a, b, ab, settings, out);
   } else {
-    outcome = contacts_by_route(std::get<A>(a), std::get<B>(b), ab, settings, out);
+    outcome = contacts_by_route(a, b, ab, settings, out);
   }
-  place_contacts<A, B>(std::span(out).subspan(first), pose_a, swapped);
+  place_contacts(std::span(out).subspan(first), pose_a, order);
   return outcome;
 }
 
 template <class Any, class A, class B>
 [[nodiscard]] Outcome contacts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                                       const QuerySettings& settings, Manifold& out) {
+  const auto& core_a = core_of(std::get<A>(a));
+  const auto& core_b = core_of(std::get<B>(b));
   if constexpr (route<A, B>() == Route::half_space) {
     const auto append = [&](const LaneContact& contact) {
       append_contact(with_sides(contact, swapped != is_flipped<A, B>()), out);
     };
     if constexpr (is_flipped<A, B>()) {
-      return half_space_contacts(std::get<B>(b), std::get<A>(a), pose_b, pose_a, settings, append);
+      return half_space_contacts(core_b, core_a, pose_b, pose_a, settings, append);
     } else {
-      return half_space_contacts(std::get<A>(a), std::get<B>(b), pose_a, pose_b, settings, append);
+      return half_space_contacts(core_a, core_b, pose_a, pose_b, settings, append);
     }
   } else {
-    if constexpr (route<A, B>() == Route::convex && ClosedContacts<A, B>) {
+    if constexpr (route<A, B>() == Route::convex && ClosedContacts<CoreOf<A>, CoreOf<B>>) {
       const auto append = [&](const LaneContact& contact) {
         LaneContact given = with_sides(contact, swapped);
         if constexpr (std::is_same_v<A, B>) {
@@ -113,21 +121,29 @@ template <class Any, class A, class B>
         }
         append_contact(given, out);
       };
-      if (contacts_of_placed(std::get<A>(a), std::get<B>(b), pose_a, pose_b, settings, append)) [[likely]] {
+      if (contacts_of_placed(core_a, core_b, pose_a, pose_b, settings, append)) [[likely]] {
         return Outcome::ok;
       }
     }
-    return contacts_in_frame<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, out);
+    return contacts_in_frame(core_a, core_b, pose_a, pose_b, {swapped, std::is_same_v<A, B>}, settings, out);
   }
 }
 
 template <class A, class B>
 [[nodiscard]] consteval bool gains_from_memory() {
   if constexpr (route<A, B>() == Route::convex) {
-    return Remembered<A, B>;
+    return Remembered<CoreOf<A>, CoreOf<B>>;
   } else {
     return false;
   }
+}
+
+// Once for each pair of cores.
+template <class A, class B>
+[[nodiscard]] [[gnu::noinline]] Outcome contacts_and_memory(const A& a, const B& b, const Pose& ab,
+                                                            const QuerySettings& settings, PairMemory& memory,
+                                                            Manifold& out) {
+  return convex_contacts(a, b, ab, settings, memory, out);
 }
 
 template <class Any, class A, class B>
@@ -136,9 +152,9 @@ template <class Any, class A, class B>
                                                   [[maybe_unused]] PairMemory& memory, Manifold& out) {
   if constexpr (gains_from_memory<A, B>()) {
     const std::size_t first = out.size();
-    const Outcome outcome =
-        convex_contacts(std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), settings, memory, out);
-    place_contacts<A, B>(std::span(out).subspan(first), pose_a, swapped);
+    const Outcome outcome = contacts_and_memory(core_of(std::get<A>(a)), core_of(std::get<B>(b)),
+                                                relative(pose_a, pose_b), settings, memory, out);
+    place_contacts(std::span(out).subspan(first), pose_a, {swapped, std::is_same_v<A, B>});
     return outcome;
   } else {
     return contacts_kernel<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, out);
@@ -151,7 +167,7 @@ template <class A, class B>
                                                                     std::span<PairMemory> memories, Manifold& out) {
   if constexpr (gains_from_memory<A, B>()) {
     if (place != no_memory) {
-      return convex_contacts(a, b, ab, settings, memories[place], out);
+      return contacts_and_memory(a, b, ab, settings, memories[place], out);
     }
   }
   return contacts_by_route(a, b, ab, settings, out);
@@ -179,7 +195,7 @@ void contacts_of_run_kernel(std::span<const Frozen<Any>> shapes, std::span<const
     }
     const PairJob& job = jobs[i];
     settings.margin = job.margin;
-    const Outcome outcome = contacts_of_job(std::get<A>(*shapes[job.a]), std::get<B>(*shapes[job.b]),
+    const Outcome outcome = contacts_of_job(core_of(std::get<A>(*shapes[job.a])), core_of(std::get<B>(*shapes[job.b])),
                                             relative(poses[job.a], poses[job.b]), settings, job.memory, memories, out);
     results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
   }
@@ -189,11 +205,11 @@ template <class Any, class A, class B>
 void cast_parts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                        const CastNames& names, CastSearch& search) {
   if constexpr (HasParts<A>) {
-    cast_parts(search, std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), search.motion_in(pose_a, swapped),
-               pose_a, swapped, names);
+    cast_parts(search, std::get<A>(a), core_of(std::get<B>(b)), relative(pose_a, pose_b),
+               search.motion_in(pose_a, swapped), pose_a, swapped, names);
   } else {
-    cast_parts(search, std::get<B>(b), std::get<A>(a), relative(pose_b, pose_a), search.motion_in(pose_b, !swapped),
-               pose_b, !swapped, names);
+    cast_parts(search, std::get<B>(b), core_of(std::get<A>(a)), relative(pose_b, pose_a),
+               search.motion_in(pose_b, !swapped), pose_b, !swapped, names);
   }
 }
 
@@ -209,7 +225,7 @@ template <class Any, class A, class B>
 
 template <class A, class B>
 [[nodiscard]] std::string_view name_searches_kernel() {
-  constexpr std::string_view name = name_algorithm<A, B>();
+  constexpr std::string_view name = name_algorithm<CoreOf<A>, CoreOf<B>>();
   return name;
 }
 

@@ -1,34 +1,12 @@
-// Cores that several shapes are made of: a point and a segment along Z, both around the origin.
-export module abut.capability.cores;
+// The core of segments and capsules: a segment along Z around the origin, and a radius.
+export module abut.capability.segment_core;
+import abut.capability.concepts;
 import abut.capability.placed_support;
 import abut.capability.records;
 import abut.core.standard;
 import abut.math;
 
 export namespace abut {
-
-class PointCore {
- public:
-  static constexpr bool is_symmetric = true;
-  static constexpr int core_axes = 0;
-
-  [[nodiscard]] inline Vec3 half() const { return {0, 0, 0}; }
-  [[nodiscard]] inline Vec3 centre() const { return {0, 0, 0}; }
-  [[nodiscard]] inline Real extent() const { return 0; }
-  [[nodiscard]] inline SupportPoint support(const Vec3&) const { return {{0, 0, 0}, 0}; }
-  [[nodiscard]] inline Real reach(const Vec3&) const { return 0; }
-  [[nodiscard]] inline std::uint32_t corner_count() const { return 1; }
-  [[nodiscard]] inline Vec3 corner(std::uint32_t) const { return {0, 0, 0}; }
-  [[nodiscard]] inline PlacedPoint placed(const Pose& pose) const { return {pose.position}; }
-  [[nodiscard]] inline Face supporting_face(const Vec3&) const {
-    [[clang::uninitialized]] Face face;
-    face.vertices.push_back({{0, 0, 0}, 0, 0});
-    return face;
-  }
-  [[nodiscard]] inline Feature supporting_feature(const Vec3&) const { return {FeatureKind::vertex, 0}; }
-  [[nodiscard]] inline std::array<Vec3, 0> face_normals() const { return {}; }
-  [[nodiscard]] inline std::array<Vec3, 0> edge_directions() const { return {}; }
-};
 
 // How far the surface of a rounded core lies from a point of the core, along a direction of length one.
 struct RoundReach {
@@ -56,9 +34,18 @@ struct RoundReach {
 
 class SegmentCore {
  public:
+  using Core = SegmentCore;
   static constexpr bool is_symmetric = true;
   static constexpr int core_axes = 1;
 
+  inline SegmentCore(Real half_length, Real radius) : half_length_(half_length), radius_(radius) {}
+
+  [[nodiscard]] inline Real half_length() const { return half_length_; }
+  [[nodiscard]] inline Real radius() const { return radius_; }
+  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
+    const Vec3 r{radius_, radius_, radius_};
+    return Aabb::around(pose.position, half_length_ * absolute(pose.rotation.z) + r);
+  }
   [[nodiscard]] inline Vec3 half() const { return {0, 0, half_length_}; }
   [[nodiscard]] inline Vec3 centre() const { return {0, 0, 0}; }
   [[nodiscard]] inline Real extent() const { return half_length_; }
@@ -88,12 +75,9 @@ class SegmentCore {
   [[nodiscard]] inline std::array<Vec3, 0> face_normals() const { return {}; }
   [[nodiscard]] inline std::array<Vec3, 1> edge_directions() const { return {Vec3{0, 0, 1}}; }
 
- protected:
-  inline explicit SegmentCore(Real half_length) : half_length_(half_length) {}
-  [[nodiscard]] inline Real half_length() const { return half_length_; }
-
  private:
-  Real half_length_;
+  Real half_length_, radius_;
 };
+static_assert(Placeable<SegmentCore> && SegmentCored<SegmentCore> && FewFaced<SegmentCore>);
 
 }  // namespace abut
