@@ -45,16 +45,22 @@ struct Where {
   return ABUT_OK;
 }
 
-// The first of several pointers that is null.
 template <std::size_t Count>
-[[nodiscard]] inline abut_status check_none_null(
-    const std::array<std::pair<std::string_view, const void*>, Count>& pointers) {
+using NamedPointers = std::array<std::pair<std::string_view, const void*>, Count>;
+
+// The first of several pointers that is null. By value, so that the names are put together for a refusal only.
+template <std::size_t Count>
+[[gnu::cold]] [[gnu::noinline]] abut_status refuse_null(NamedPointers<Count> pointers) {
+  const auto* first = std::ranges::find(pointers, nullptr, &NamedPointers<Count>::value_type::second);
+  return check_not_null(first->first, first->second);
+}
+template <std::size_t Count>
+[[nodiscard]] [[gnu::always_inline]] inline abut_status check_none_null(const NamedPointers<Count>& pointers) {
+  bool is_any_null = false;
   for (const auto& [name, pointer] : pointers) {
-    if (pointer == nullptr) [[unlikely]] {
-      return check_not_null(name, pointer);
-    }
+    is_any_null = is_any_null || pointer == nullptr;
   }
-  return ABUT_OK;
+  return is_any_null ? refuse_null(pointers) : static_cast<abut_status>(ABUT_OK);
 }
 
 [[nodiscard]] inline abut_status check_size(std::string_view name, std::string_view count_name, std::uint64_t count,
@@ -94,6 +100,16 @@ template <std::size_t Group = 1, class T>
   ABUT_UNSAFE_BEGIN
   return std::span<const unsigned char>(static_cast<const unsigned char*>(structs), size);
   ABUT_UNSAFE_END
+}
+
+// A struct of the caller that a module fills in its own terms, which are the same numbers at the same places.
+template <class Own, class Theirs>
+[[nodiscard]] inline Own& written_as(Theirs& out) {
+  static_assert(sizeof(Own) == sizeof(Theirs) && alignof(Own) == alignof(Theirs));
+  static_assert(std::is_trivially_copyable_v<Own> && std::is_trivially_copyable_v<Theirs>);
+  // SAFETY: both are plain numbers of one layout, and nobody here reads the struct under its other name.
+  void* place = &out;
+  return *static_cast<Own*>(place);
 }
 
 // Count-then-fill: as many of `found` as fit, changed by `convert`.

@@ -23,12 +23,12 @@ namespace abut::capi {
 [[gnu::cold]] [[nodiscard]] abut_status refuse_pose(const Where& where, const abut_pose& pose);
 
 [[nodiscard]] inline bool is_coordinate(double value) { return std::fabs(value) <= largest_coordinate; }
-[[nodiscard]] inline bool is_position(const abut_vec3& v) {
+[[nodiscard]] [[gnu::always_inline]] inline bool is_position(const abut_vec3& v) {
   return is_coordinate(v.x) && is_coordinate(v.y) && is_coordinate(v.z);
 }
 
 // Lengths off 1 by at most 1e-3. False for NaN.
-[[nodiscard]] inline bool is_orientation(const abut_quat& q) {
+[[nodiscard]] [[gnu::always_inline]] inline bool is_orientation(const abut_quat& q) {
   constexpr double slack = 1e-3;
   const double square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
   return square >= (1 - slack) * (1 - slack) && square <= (1 + slack) * (1 + slack);
@@ -42,7 +42,7 @@ namespace abut::capi {
   return refuse_vec3(where, field, v);
 }
 
-[[nodiscard]] inline abut_status check_pose(const Where& where, const abut_pose& pose) {
+[[nodiscard]] [[gnu::always_inline]] inline abut_status check_pose(const Where& where, const abut_pose& pose) {
   if (is_position(pose.position) && is_orientation(pose.orientation)) [[likely]] {
     return ABUT_OK;
   }
@@ -51,7 +51,7 @@ namespace abut::capi {
 
 // The pose of a checked argument. The matrix comes out orthonormal also if the quaternion is not quite
 // of length one.
-[[nodiscard]] inline Pose to_pose(const abut_pose& pose) {
+[[nodiscard]] [[gnu::always_inline]] inline Pose to_pose(const abut_pose& pose) {
   return {Rotation::from(to_quat(pose.orientation)), to_vec3(pose.position)};
 }
 

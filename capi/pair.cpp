@@ -56,7 +56,7 @@ inline abut_status read_options(const abut_query_options* options, Query& query)
   return options == nullptr ? static_cast<abut_status>(ABUT_OK) : read_given_options(*options, query);
 }
 
-inline abut_status check_poses(const abut_pose& pose_a, const abut_pose& pose_b) {
+[[gnu::always_inline]] inline abut_status check_poses(const abut_pose& pose_a, const abut_pose& pose_b) {
   const abut_status status = check_pose({"pose_a"}, pose_a);
   return status != ABUT_OK ? status : check_pose({"pose_b"}, pose_b);
 }
@@ -80,27 +80,23 @@ inline abut_status check_poses(const abut_pose& pose_a, const abut_pose& pose_b)
   return ABUT_OK;
 }
 
-inline abut_distance from_distance(const abut::Distance& found) {
-  return {found.distance,
-          found.lower,
-          found.upper,
-          from_vec3(found.point_a),
-          from_vec3(found.point_b),
-          from_vec3(found.normal),
-          static_cast<abut_algorithm>(found.algorithm),
-          found.iterations};
-}
+static_assert(offsetof(abut::Distance, lower) == offsetof(abut_distance, lower));
+static_assert(offsetof(abut::Distance, upper) == offsetof(abut_distance, upper));
+static_assert(offsetof(abut::Distance, point_a) == offsetof(abut_distance, point_a));
+static_assert(offsetof(abut::Distance, point_b) == offsetof(abut_distance, point_b));
+static_assert(offsetof(abut::Distance, normal) == offsetof(abut_distance, normal));
+static_assert(offsetof(abut::Distance, algorithm) == offsetof(abut_distance, algorithm));
+static_assert(offsetof(abut::Distance, iterations) == offsetof(abut_distance, iterations));
 
-// For poses that were checked.
-inline abut_status find_distance(const abut::AnyShape& a, const abut_pose& given_a, const abut::AnyShape& b,
-                                 const abut_pose& given_b, const abut::QuerySettings& settings, abut_distance& out) {
-  [[clang::uninitialized]] abut::Distance found;
-  const abut::Outcome outcome = abut::pair_distance(a, b, to_pose(given_a), to_pose(given_b), settings, found);
-  if (outcome != abut::Outcome::ok) [[unlikely]] {
-    return refuse_outcome(outcome, a, b, settings.algorithm);
-  }
-  out = from_distance(found);
-  return ABUT_OK;
+// For poses that were checked. The kernel writes to the struct of the caller: a copy would wait for what it has
+// written.
+[[gnu::always_inline]] inline abut_status find_distance(const abut::AnyShape& a, const abut_pose& given_a,
+                                                        const abut::AnyShape& b, const abut_pose& given_b,
+                                                        const abut::QuerySettings& settings, abut_distance& out) {
+  const abut::Outcome outcome =
+      abut::pair_distance(a, b, to_pose(given_a), to_pose(given_b), settings, written_as<abut::Distance>(out));
+  return outcome == abut::Outcome::ok ? static_cast<abut_status>(ABUT_OK)
+                                      : refuse_outcome(outcome, a, b, settings.algorithm);
 }
 
 abut_status distance(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,

@@ -157,13 +157,8 @@ std::vector<Real> form_of(const AnyShape& shape) {
   return form;
 }
 
-// Whether two shapes of one kind are ordered by their first coordinate. Where one is straight above the other that is
-// rounding.
-[[nodiscard]] [[gnu::always_inline]] inline bool are_side_by_side(const Vec3& apart) {
-  return std::fabs(apart.x) > tie_share * (std::fabs(apart.y) + std::fabs(apart.z));
-}
+}  // namespace
 
-// The rest of the order below, for poses that agree in their first coordinate.
 bool comes_after(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
   const Vec3 apart = pose_b.position - pose_a.position;
   if (std::fabs(apart.y) > tie_share * std::fabs(apart.z)) {
@@ -185,59 +180,6 @@ bool comes_after(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const
     return std::array{numbers(box.high), numbers(box.low)};
   };
   return size(a) != size(b) ? size(b) < size(a) : form_of(b) < form_of(a);
-}
-
-// Whether work starts from b: by kind, else by pose, else by form. Alike in all of these, the shapes are the same one,
-// and no order can be told from the other.
-inline bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
-  if (a.index() != b.index()) {
-    return b.index() < a.index();
-  }
-  if (const Vec3 apart = pose_b.position - pose_a.position; are_side_by_side(apart)) [[likely]] {
-    return apart.x < 0;
-  }
-  return comes_after(a, b, pose_a, pose_b);
-}
-
-// Out of line, so that others need not keep what they are given across a call.
-template <class Ask>
-[[nodiscard]] [[gnu::noinline]] Outcome ask_where_poses_agree(const AnyShape& a, const AnyShape& b, const Pose& pose_a,
-                                                              const Pose& pose_b, const Ask& ask) {
-  return ask(comes_after(a, b, pose_a, pose_b));
-}
-// Asks with whether work starts from b.
-template <class Ask>
-[[nodiscard]] [[gnu::always_inline]] inline Outcome ask_in_order(const AnyShape& a, const AnyShape& b,
-                                                                 const Pose& pose_a, const Pose& pose_b,
-                                                                 const Ask& ask) {
-  if (a.index() != b.index()) {
-    return ask(b.index() < a.index());
-  }
-  const Vec3 apart = pose_b.position - pose_a.position;
-  if (!are_side_by_side(apart)) [[unlikely]] {
-    return ask_where_poses_agree(a, b, pose_a, pose_b, ask);
-  }
-  return ask(apart.x < 0);
-}
-
-}  // namespace
-
-Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
-                      const QuerySettings& settings, Distance& out) {
-  return ask_in_order(a, b, pose_a, pose_b, [&](bool from_b) __attribute__((always_inline)) {
-    const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-    return pair_kernels(first.index(), second.index())
-        .distance(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
-  });
-}
-
-Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
-                      const QuerySettings& settings, Manifold& out) {
-  return ask_in_order(a, b, pose_a, pose_b, [&](bool from_b) __attribute__((always_inline)) {
-    const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-    return pair_kernels(first.index(), second.index())
-        .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
-  });
 }
 
 Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
