@@ -48,9 +48,7 @@ struct PairResult {
 };
 
 // The kernels of a pair of kinds. Single pairs are asked about in the world, with the sides swapped on
-// demand, so that what lies between the poses and the answer stays in registers. The batch is one loop
-// over one pair of types, entered by one call, and answers in the frames of the first shapes: much of that
-// is dropped before it is moved. Kinds that gain nothing from a memory leave it as it is.
+// demand, so that closed forms stay in registers from the poses to the answer.
 template <class Any>
 struct PairKernels {
   Route route;
@@ -59,12 +57,10 @@ struct PairKernels {
                       const QuerySettings& settings, Distance& out);
   Outcome (*contacts)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                       const QuerySettings& settings, Manifold& out);
-  // The same with what is known of the pair in this order, which changes no bit of the answer.
-  Outcome (*contacts_with_memory)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
-                                  const QuerySettings& settings, PairMemory& memory, Manifold& out);
-  void (*contacts_of_run)(std::span<const Frozen<Any>> shapes, std::span<const Pose> poses,
-                          std::span<const PairJob> jobs, const QuerySettings& settings, std::span<PairMemory> memories,
-                          Manifold& out, std::span<PairResult> results);
+  // In the frame of the first shape. `memory`: what is known of the pair in this order, which changes no bit of the
+  // answer, or null. Kinds that gain nothing from a memory leave it as it is.
+  Outcome (*contacts_in_frame)(const Any& a, const Any& b, const Pose& ab, const QuerySettings& settings,
+                               PairMemory* memory, Manifold& out);
   bool gains_from_memory = false;
   // Casts b against a part by part, the poses being those before the motion; with the sides swapped it is a that moves.
   // Null where neither is made of parts.
@@ -73,5 +69,63 @@ struct PairKernels {
   // Which searches find the distance of the two, in words.
   std::string_view (*searches)() = nullptr;
 };
+
+// Contacts of a run of pairs of the same two kinds, in the frames of the first shapes: much of that is dropped before
+// it is moved.
+template <class Any>
+void contacts_of_run(const PairKernels<Any>& kernels, std::span<const Frozen<Any>> shapes, std::span<const Pose> poses,
+                     std::span<const PairJob> jobs, const QuerySettings& common, std::span<PairMemory> memories,
+                     Manifold& out, std::span<PairResult> results) {
+  QuerySettings settings = common;
+  // Poses and memories of the pairs of a run lie anywhere.
+  constexpr std::size_t ahead = 4;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (i + ahead < jobs.size()) {
+      const PairJob& next = jobs[i + ahead];
+      __builtin_prefetch(&poses[next.a].rotation);
+      __builtin_prefetch(&poses[next.a].position);
+      __builtin_prefetch(&poses[next.b].rotation);
+      __builtin_prefetch(&poses[next.b].position);
+      if (next.memory != no_memory) {
+        __builtin_prefetch(&memories[next.memory]);
+      }
+    }
+    const PairJob& job = jobs[i];
+    settings.margin = job.margin;
+    PairMemory* const memory = job.memory == no_memory ? nullptr : &memories[job.memory];
+    const Outcome outcome = kernels.contacts_in_frame(*shapes[job.a], *shapes[job.b],
+                                                      relative(poses[job.a], poses[job.b]), settings, memory, out);
+    results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
+  }
+}
+
+// The order in which two shapes were given. Which of two shapes of one kind comes first may change as they move.
+struct GivenOrder {
+  bool is_swapped, is_of_one_kind;
+};
+
+// Numbers of contacts tell the features in the order in which the shapes were given.
+inline void number_in_order_given(std::span<ContactPoint> contacts) {
+  for (ContactPoint& contact : contacts) {
+    std::uint64_t found = contact_id(contact.feature_b, contact.feature_a);
+    std::uint64_t given = contact_id(contact.feature_a, contact.feature_b);
+    for (int repeat = 0; repeat < 2; ++repeat, found = mixed(found), given = mixed(given)) {
+      if (contact.id == found) {
+        contact.id = given;
+        break;
+      }
+    }
+  }
+}
+
+// Contacts from the frame of the first shape to the world.
+inline void place_contacts(std::span<ContactPoint> contacts, const Pose& pose_a, const GivenOrder& order) {
+  for (ContactPoint& contact : contacts) {
+    move_by(contact, pose_a, order.is_swapped);
+  }
+  if (order.is_of_one_kind && order.is_swapped) {
+    number_in_order_given(contacts);
+  }
+}
 
 }  // namespace abut

@@ -97,7 +97,7 @@ void Universe::find_contacts_of_chunk(std::size_t number) {
       self_contacts_of_run(shapes_, some, its, scratch.points, results);
     } else {
       const auto& kernels = pair_kernels(chunk.run / shape_kind_count, chunk.run % shape_kind_count);
-      kernels.contacts_of_run(shapes_, worlds_, some, its, pairs_.memories(), scratch.points, results);
+      contacts_of_run<AnyShape>(kernels, shapes_, worlds_, some, its, pairs_.memories(), scratch.points, results);
     }
   };
   run(jobs, settings, scratch.results);

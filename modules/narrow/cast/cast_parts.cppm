@@ -61,7 +61,8 @@ void cast_parts(CastSearch& search, const A& a, const B& b, const Pose& ab, cons
     if constexpr (Convex<B>) {
       cast_part(search, core_of(met.part), b, from_part, motion, at, swapped, of_part);
     } else {
-      cast_parts(search, b, met.part, from_part.inverse(), seen_from_b(motion, ab), at * from_part, !swapped, of_part);
+      cast_parts(search, b, core_of(met.part), from_part.inverse(), seen_from_b(motion, ab), at * from_part, !swapped,
+                 of_part);
     }
   });
 }

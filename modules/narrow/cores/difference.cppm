@@ -79,9 +79,11 @@ template <Convex A, Convex B>
   return found;
 }
 
+using DifferenceUse = std::function<void(const Difference&)>;
+
 // Calls with the difference of two cores, which lives as long as the call.
-template <Convex A, Convex B, class Use>
-[[gnu::noinline]] auto with_difference(const A& a, const B& b, const Pose& ab, Real size, Use&& use) {
+template <Convex A, Convex B>
+[[gnu::noinline]] void use_difference(const A& a, const B& b, const Pose& ab, Real size, const DifferenceUse& use) {
   const auto placement = place(b, ab);
   const auto support = [&](const Vec3& direction) {
     const SupportPoint on_a = a.support(direction), on_b = placed_support(b, placement, -direction);
@@ -102,7 +104,21 @@ template <Convex A, Convex B, class Use>
     cores.symmetries = [&symmetries] { return symmetries(); };
     cores.add_balls = [&add_balls](Real noise, DirectionCover& cover) { add_balls(noise, cover); };
   }
-  return use(static_cast<const Difference&>(cores));
+  use(cores);
+}
+
+// The same, and hands on what the call answers.
+template <Convex A, Convex B, class Use>
+auto with_difference(const A& a, const B& b, const Pose& ab, Real size, Use&& use) {
+  using Answer = std::invoke_result_t<Use, const Difference&>;
+  if constexpr (std::is_same_v<Answer, void>) {
+    use_difference(a, b, ab, size, [&use](const Difference& cores) { use(cores); });
+  } else {
+    Answer answer{};
+    const auto keep = [&](const Difference& cores) { answer = use(cores); };
+    use_difference(a, b, ab, size, [&keep](const Difference& cores) { keep(cores); });
+    return answer;
+  }
 }
 
 }  // namespace abut

@@ -160,6 +160,12 @@ template <class Vector>
   return best;
 }
 
+// Of three vertices and one more. Out of line: most of the code of a search would be this, once for each pair of cores.
+[[nodiscard]] [[gnu::noinline]] inline ClosestPoint closest_on_tetrahedron(const Simplex& three, const Vec3& newest) {
+  const auto& v = three.vertices;
+  return closest_on_tetrahedron(v[0].w, v[1].w, v[2].w, newest);
+}
+
 // Of the simplex and one vertex more, which comes by itself so that it can stay in registers.
 [[nodiscard]] [[gnu::always_inline]] inline ClosestPoint closest_to_origin(const Simplex& simplex, const Vec3& newest) {
   const auto& v = simplex.vertices;
@@ -167,7 +173,7 @@ template <class Vector>
     case 0: return {newest, 1};
     case 1: return closest_on_segment(v[0].w, newest, 1, 2);
     case 2: return closest_on_triangle(v[0].w, v[1].w, newest, 1, 2, 4);
-    default: return closest_on_tetrahedron(v[0].w, v[1].w, v[2].w, newest);
+    default: return closest_on_tetrahedron(simplex, newest);
   }
 }
 

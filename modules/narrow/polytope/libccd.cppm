@@ -18,6 +18,20 @@ using SupportFunction = std::function<Vec3(const Vec3& direction)>;
                                    const Vec3& centre_a, const Vec3& centre_b, Algorithm algorithm, Real size,
                                    Real error, Distance& out);
 
+// Of the whole shape: the core and its radius.
+[[nodiscard]] inline Vec3 rounded_off(const Vec3& core_point, const Vec3& direction, Real radius) {
+  const auto unit = UnitVec3::make(direction);
+  return unit ? core_point + radius * unit->vec() : core_point;
+}
+template <Convex S>
+[[nodiscard]] [[gnu::noinline]] Vec3 support_of_whole(const S& shape, const Vec3& direction) {
+  return rounded_off(shape.support(direction).point, direction, shape.radius());
+}
+template <Convex S>
+[[nodiscard]] [[gnu::noinline]] Vec3 support_of_whole(const S& shape, const Pose& pose, const Vec3& direction) {
+  return rounded_off(placed_support(shape, place(shape, pose), direction).point, direction, shape.radius());
+}
+
 template <Convex A, Convex B>
 [[nodiscard]] Outcome libccd_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                       Distance& out) {
@@ -25,14 +39,9 @@ template <Convex A, Convex B>
   // It does not know polytopes from curved shapes.
   asked.error_bound = asked.error_bound > 0 ? asked.error_bound : usual_error_of_curves;
   const Real size = core_size(a, b, ab) + a.radius() + b.radius();
-  const auto placement = place(b, ab);
-  const auto round_off = [](const Vec3& core, const Vec3& direction, Real radius) {
-    const auto unit = UnitVec3::make(direction);
-    return unit ? core + radius * unit->vec() : core;
-  };
-  return libccd_query([&](const Vec3& d) { return round_off(a.support(d).point, d, a.radius()); },
-                      [&](const Vec3& d) { return round_off(placed_support(b, placement, d).point, d, b.radius()); },
-                      a.centre(), placed_centre(b, ab), settings.algorithm, size, error_of(a, b, size, asked), out);
+  return libccd_query([&](const Vec3& d) { return support_of_whole(a, d); },
+                      [&](const Vec3& d) { return support_of_whole(b, ab, d); }, a.centre(), placed_centre(b, ab),
+                      settings.algorithm, size, error_of(a, b, size, asked), out);
 }
 
 }  // namespace abut

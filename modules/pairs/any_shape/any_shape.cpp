@@ -190,9 +190,15 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
     memory = {};
     memory.is_from_b = from_b;
   }
-  const Outcome outcome = pair_kernels(first.index(), second.index())
-                              .contacts_with_memory(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b,
-                                                    from_b, settings, memory, out);
+  const Pose &first_pose = from_b ? pose_b : pose_a, &second_pose = from_b ? pose_a : pose_b;
+  const auto& kernels = pair_kernels(first.index(), second.index());
+  if (!kernels.gains_from_memory) {
+    return kernels.contacts(first, second, first_pose, second_pose, from_b, settings, out);
+  }
+  const std::size_t begin = out.size();
+  const Outcome outcome =
+      kernels.contacts_in_frame(first, second, relative(first_pose, second_pose), settings, &memory, out);
+  place_contacts(std::span(out).subspan(begin), first_pose, {from_b, a.index() == b.index()});
   memory.is_from_b = from_b;
   return outcome;
 }

@@ -9,6 +9,11 @@ import abut.pairs.registry;
 namespace abut {
 namespace {
 
+// Out of line: once for all kinds and edits.
+[[gnu::noinline]] Error no_such_part(std::string_view name, std::string_view subject) {
+  return {Errc::unsupported, "geometry is a " + std::string(name) + ", which has no " + std::string(subject)};
+}
+
 template <class S, class E>
 Fault check_of(const S& shape, const E& edit) {
   if constexpr (Editable<S, E>) {
@@ -17,8 +22,7 @@ Fault check_of(const S& shape, const E& edit) {
     const Result<S> made = S::make(edit.parameters, {}, {});
     return made ? std::nullopt : Fault(made.error());
   } else {
-    return Error{Errc::unsupported,
-                 "geometry is a " + std::string(S::name) + ", which has no " + std::string(E::subject)};
+    return no_such_part(S::name, E::subject);
   }
 }
 

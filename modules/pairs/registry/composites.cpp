@@ -264,35 +264,17 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
   return outcome;
 }
 
+Outcome children_contacts_in_frame(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                                   PairMemory*, Manifold& out) {
+  return append_contacts_of_children(a, b, ab, settings, false, out);
+}
+
 Outcome children_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                           const QuerySettings& settings, Manifold& out) {
   const std::size_t first = out.size();
   const Outcome outcome = append_contacts_of_children(a, b, relative(pose_a, pose_b), settings, false, out);
-  for (ContactPoint& contact : std::span(out).subspan(first)) {
-    move_by(contact, pose_a, swapped);
-  }
-  if (swapped && a.index() == b.index()) {
-    number_in_order_given(std::span(out).subspan(first));
-  }
+  place_contacts(std::span(out).subspan(first), pose_a, {swapped, a.index() == b.index()});
   return outcome;
-}
-
-Outcome children_contacts_with_memory(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
-                                      bool swapped, const QuerySettings& settings, PairMemory&, Manifold& out) {
-  return children_contacts(a, b, pose_a, pose_b, swapped, settings, out);
-}
-
-void children_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const Pose> poses,
-                              std::span<const PairJob> jobs, const QuerySettings& common, std::span<PairMemory>,
-                              Manifold& out, std::span<PairResult> results) {
-  QuerySettings settings = common;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    const PairJob& job = jobs[i];
-    settings.margin = job.margin;
-    const Outcome outcome = append_contacts_of_children(*shapes[job.a], *shapes[job.b],
-                                                        relative(poses[job.a], poses[job.b]), settings, false, out);
-    results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
-  }
 }
 
 }  // namespace abut

@@ -47,8 +47,8 @@ template <class A, class B>
 }
 
 template <class A, class B>
-[[nodiscard]] Outcome contacts_by_route(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                        Manifold& out) {
+[[nodiscard]] [[gnu::noinline]] Outcome contacts_by_route(const A& a, const B& b, const Pose& ab,
+                                                          const QuerySettings& settings, Manifold& out) {
   constexpr Route way = route<A, B>();
   if constexpr (way == Route::unsupported) {
     return Outcome::unsupported;

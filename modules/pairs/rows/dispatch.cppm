@@ -19,20 +19,39 @@ import abut.capability;
 
 export namespace abut {
 
-// Where closed forms have no answer, or the route is another one. Out of line: a function that only takes closed forms
-// is entered at less cost.
+// Once for each pair of cores.
 template <class A, class B>
-[[nodiscard]] [[gnu::noinline]] Outcome distance_in_frame(const A& a, const B& b, const Pose& pose_a,
-                                                          const Pose& pose_b, bool swapped,
+[[nodiscard]] [[gnu::noinline]] Outcome distance_of_cores(const A& a, const B& b, const Pose& ab,
                                                           const QuerySettings& settings, Distance& out) {
+  return distance_by_route(a, b, ab, settings, out);
+}
+
+// Where closed forms have no answer, or the route is another one: in the frame of the first shape.
+template <class Any, class A, class B>
+[[nodiscard]] Outcome distance_in_frame(const Any& a, const Any& b, const Pose& ab, const QuerySettings& settings,
+                                        Distance& out) {
+  const auto& core_a = core_of(std::get<A>(a));
+  const auto& core_b = core_of(std::get<B>(b));
+  if constexpr (route<A, B>() == Route::convex) {
+    return convex_distance_by_search(core_a, core_b, ab, settings, out);
+  } else {
+    return distance_of_cores(core_a, core_b, ab, settings, out);
+  }
+}
+
+template <class Any>
+using DistanceInFrame = Outcome (*)(const Any& a, const Any& b, const Pose& ab, const QuerySettings& settings,
+                                    Distance& out);
+
+// From a kernel that answers in the frame of the first shape to the world. Out of line: a function that only takes
+// closed forms is entered at less cost.
+template <class Any>
+[[nodiscard]] [[gnu::noinline]] Outcome placed_distance(DistanceInFrame<Any> kernel, const Any& a, const Any& b,
+                                                        const Pose& pose_a, const Pose& pose_b, bool swapped,
+                                                        const QuerySettings& settings, Distance& out) {
   const Pose ab = relative(pose_a, pose_b);
   [[clang::uninitialized]] Distance found;
-  Outcome outcome{};
-  if constexpr (route<A, B>() == Route::convex) {
-    outcome = convex_distance_by_search(a, b, ab, settings, found);
-  } else {
-    outcome = distance_by_route(a, b, ab, settings, found);
-  }
+  const Outcome outcome = kernel(a, b, ab, settings, found);
   if (outcome == Outcome::ok) [[likely]] {
     move_by(found, pose_a, swapped);
     out = found;
@@ -43,90 +62,13 @@ template <class A, class B>
 template <class Any, class A, class B>
 [[nodiscard]] Outcome distance_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                                       const QuerySettings& settings, Distance& out) {
-  const auto& core_a = core_of(std::get<A>(a));
-  const auto& core_b = core_of(std::get<B>(b));
   if constexpr (route<A, B>() == Route::convex && ClosedForm<CoreOf<A>, CoreOf<B>>) {
-    if (distance_of_placed(core_a, core_b, pose_a, pose_b, swapped, settings, out)) [[likely]] {
+    if (distance_of_placed(core_of(std::get<A>(a)), core_of(std::get<B>(b)), pose_a, pose_b, swapped, settings, out))
+        [[likely]] {
       return Outcome::ok;
     }
   }
-  return distance_in_frame(core_a, core_b, pose_a, pose_b, swapped, settings, out);
-}
-
-// Numbers of contacts tell the features in the order in which the shapes are given.
-inline void number_in_order_given(std::span<ContactPoint> contacts) {
-  for (ContactPoint& contact : contacts) {
-    std::uint64_t found = contact_id(contact.feature_b, contact.feature_a);
-    std::uint64_t given = contact_id(contact.feature_a, contact.feature_b);
-    for (int repeat = 0; repeat < 2; ++repeat, found = mixed(found), given = mixed(given)) {
-      if (contact.id == found) {
-        contact.id = given;
-        break;
-      }
-    }
-  }
-}
-
-// The order in which two shapes are given. Which of two shapes of one kind comes first may change as they move.
-struct GivenOrder {
-  bool is_swapped, is_of_one_kind;
-};
-
-// Contacts from the frame of the first shape to the world.
-inline void place_contacts(std::span<ContactPoint> contacts, const Pose& pose_a, const GivenOrder& order) {
-  for (ContactPoint& contact : contacts) {
-    move_by(contact, pose_a, order.is_swapped);
-  }
-  if (order.is_of_one_kind && order.is_swapped) {
-    number_in_order_given(contacts);
-  }
-}
-
-template <class A, class B>
-[[nodiscard]] [[gnu::noinline]] Outcome contacts_in_frame(const A& a, const B& b, const Pose& pose_a,
-                                                          const Pose& pose_b, const GivenOrder& order,
-                                                          const QuerySettings& settings, Manifold& out) {
-  const std::size_t first = out.size();
-  const Pose ab = relative(pose_a, pose_b);
-  Outcome outcome{};
-  if constexpr (route<A, B>() == Route::convex) {
-    outcome = convex_contacts_by_search(a, b, ab, settings, out);
-  } else {
-    outcome = contacts_by_route(a, b, ab, settings, out);
-  }
-  place_contacts(std::span(out).subspan(first), pose_a, order);
-  return outcome;
-}
-
-template <class Any, class A, class B>
-[[nodiscard]] Outcome contacts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
-                                      const QuerySettings& settings, Manifold& out) {
-  const auto& core_a = core_of(std::get<A>(a));
-  const auto& core_b = core_of(std::get<B>(b));
-  if constexpr (route<A, B>() == Route::half_space) {
-    const auto append = [&](const LaneContact& contact) {
-      append_contact(with_sides(contact, swapped != is_flipped<A, B>()), out);
-    };
-    if constexpr (is_flipped<A, B>()) {
-      return half_space_contacts(core_b, core_a, pose_b, pose_a, settings, append);
-    } else {
-      return half_space_contacts(core_a, core_b, pose_a, pose_b, settings, append);
-    }
-  } else {
-    if constexpr (route<A, B>() == Route::convex && ClosedContacts<CoreOf<A>, CoreOf<B>>) {
-      const auto append = [&](const LaneContact& contact) {
-        LaneContact given = with_sides(contact, swapped);
-        if constexpr (std::is_same_v<A, B>) {
-          given.id = contact_id(given.feature_a, given.feature_b);
-        }
-        append_contact(given, out);
-      };
-      if (contacts_of_placed(core_a, core_b, pose_a, pose_b, settings, append)) [[likely]] {
-        return Outcome::ok;
-      }
-    }
-    return contacts_in_frame(core_a, core_b, pose_a, pose_b, {swapped, std::is_same_v<A, B>}, settings, out);
-  }
+  return placed_distance<Any>(distance_in_frame<Any, A, B>, a, b, pose_a, pose_b, swapped, settings, out);
 }
 
 template <class A, class B>
@@ -147,57 +89,67 @@ template <class A, class B>
 }
 
 template <class Any, class A, class B>
-[[nodiscard]] Outcome contacts_with_memory_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b,
-                                                  bool swapped, const QuerySettings& settings,
-                                                  [[maybe_unused]] PairMemory& memory, Manifold& out) {
+[[nodiscard]] Outcome contacts_in_frame(const Any& a, const Any& b, const Pose& ab, const QuerySettings& settings,
+                                        [[maybe_unused]] PairMemory* memory, Manifold& out) {
+  const auto& core_a = core_of(std::get<A>(a));
+  const auto& core_b = core_of(std::get<B>(b));
   if constexpr (gains_from_memory<A, B>()) {
-    const std::size_t first = out.size();
-    const Outcome outcome = contacts_and_memory(core_of(std::get<A>(a)), core_of(std::get<B>(b)),
-                                                relative(pose_a, pose_b), settings, memory, out);
-    place_contacts(std::span(out).subspan(first), pose_a, {swapped, std::is_same_v<A, B>});
-    return outcome;
+    return memory != nullptr ? contacts_and_memory(core_a, core_b, ab, settings, *memory, out)
+                             : convex_contacts(core_a, core_b, ab, settings, out);
   } else {
-    return contacts_kernel<Any, A, B>(a, b, pose_a, pose_b, swapped, settings, out);
+    return contacts_by_route(core_a, core_b, ab, settings, out);
   }
 }
 
-template <class A, class B>
-[[nodiscard]] [[gnu::always_inline]] inline Outcome contacts_of_job(const A& a, const B& b, const Pose& ab,
-                                                                    const QuerySettings& settings, std::uint32_t place,
-                                                                    std::span<PairMemory> memories, Manifold& out) {
-  if constexpr (gains_from_memory<A, B>()) {
-    if (place != no_memory) {
-      return contacts_and_memory(a, b, ab, settings, memories[place], out);
-    }
-  }
-  return contacts_by_route(a, b, ab, settings, out);
+// Where closed forms have been tried.
+template <class Any, class A, class B>
+[[nodiscard]] Outcome contacts_by_search(const Any& a, const Any& b, const Pose& ab, const QuerySettings& settings,
+                                         PairMemory*, Manifold& out) {
+  return convex_contacts_by_search(core_of(std::get<A>(a)), core_of(std::get<B>(b)), ab, settings, out);
+}
+
+template <class Any>
+using ContactsInFrame = decltype(PairKernels<Any>::contacts_in_frame);
+
+// As with distances.
+template <class Any>
+[[nodiscard]] [[gnu::noinline]] Outcome placed_contacts(ContactsInFrame<Any> kernel, const Any& a, const Any& b,
+                                                        const Pose& pose_a, const Pose& pose_b, bool swapped,
+                                                        const QuerySettings& settings, Manifold& out) {
+  const std::size_t first = out.size();
+  const Outcome outcome = kernel(a, b, relative(pose_a, pose_b), settings, nullptr, out);
+  place_contacts(std::span(out).subspan(first), pose_a, {swapped, a.index() == b.index()});
+  return outcome;
 }
 
 template <class Any, class A, class B>
-void contacts_of_run_kernel(std::span<const Frozen<Any>> shapes, std::span<const Pose> poses,
-                            std::span<const PairJob> jobs, const QuerySettings& common, std::span<PairMemory> memories,
-                            Manifold& out, std::span<PairResult> results) {
-  QuerySettings settings = common;
-  // Poses and memories of the pairs of a run lie anywhere.
-  constexpr std::size_t ahead = 4;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    if (i + ahead < jobs.size()) {
-      const PairJob& next = jobs[i + ahead];
-      __builtin_prefetch(&poses[next.a].rotation);
-      __builtin_prefetch(&poses[next.a].position);
-      __builtin_prefetch(&poses[next.b].rotation);
-      __builtin_prefetch(&poses[next.b].position);
-      if constexpr (gains_from_memory<A, B>()) {
-        if (next.memory != no_memory) {
-          __builtin_prefetch(&memories[next.memory]);
-        }
-      }
+[[nodiscard]] Outcome contacts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                                      const QuerySettings& settings, Manifold& out) {
+  [[maybe_unused]] const auto& core_a = core_of(std::get<A>(a));
+  [[maybe_unused]] const auto& core_b = core_of(std::get<B>(b));
+  if constexpr (route<A, B>() == Route::half_space) {
+    const auto append = [&](const LaneContact& contact) {
+      append_contact(with_sides(contact, swapped != is_flipped<A, B>()), out);
+    };
+    if constexpr (is_flipped<A, B>()) {
+      return half_space_contacts(core_b, core_a, pose_b, pose_a, settings, append);
+    } else {
+      return half_space_contacts(core_a, core_b, pose_a, pose_b, settings, append);
     }
-    const PairJob& job = jobs[i];
-    settings.margin = job.margin;
-    const Outcome outcome = contacts_of_job(core_of(std::get<A>(*shapes[job.a])), core_of(std::get<B>(*shapes[job.b])),
-                                            relative(poses[job.a], poses[job.b]), settings, job.memory, memories, out);
-    results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
+  } else if constexpr (route<A, B>() == Route::convex && ClosedContacts<CoreOf<A>, CoreOf<B>>) {
+    const auto append = [&](const LaneContact& contact) {
+      LaneContact given = with_sides(contact, swapped);
+      if constexpr (std::is_same_v<A, B>) {
+        given.id = contact_id(given.feature_a, given.feature_b);
+      }
+      append_contact(given, out);
+    };
+    if (contacts_of_placed(core_a, core_b, pose_a, pose_b, settings, append)) [[likely]] {
+      return Outcome::ok;
+    }
+    return placed_contacts<Any>(contacts_by_search<Any, A, B>, a, b, pose_a, pose_b, swapped, settings, out);
+  } else {
+    return placed_contacts<Any>(contacts_in_frame<Any, A, B>, a, b, pose_a, pose_b, swapped, settings, out);
   }
 }
 
@@ -240,8 +192,7 @@ template <class Any, class A, class B>
             is_flipped<A, B>(),
             distance_kernel<Any, A, B>,
             contacts_kernel<Any, A, B>,
-            contacts_with_memory_kernel<Any, A, B>,
-            contacts_of_run_kernel<Any, A, B>,
+            contacts_in_frame<Any, A, B>,
             gains_from_memory<A, B>(),
             cast_parts_of<Any, A, B>(),
             name_searches_kernel<A, B>};

@@ -61,9 +61,9 @@ TEST(Route, PairsOfTheTableFollowTheOrderOfTheRegistry) {
       const auto& kernels = abut::pair_kernels(row, column);
       if (row <= column) {
         EXPECT_NE(kernels.route, Route::none);
-        EXPECT_TRUE(kernels.distance != nullptr && kernels.contacts != nullptr && kernels.contacts_of_run != nullptr);
+        EXPECT_TRUE(kernels.distance != nullptr && kernels.contacts != nullptr && kernels.contacts_in_frame != nullptr);
       } else {
-        EXPECT_TRUE(kernels.distance == nullptr && kernels.contacts == nullptr && kernels.contacts_of_run == nullptr);
+        EXPECT_TRUE(kernels.distance == nullptr && kernels.contacts == nullptr && kernels.contacts_in_frame == nullptr);
       }
     }
   }
@@ -135,7 +135,7 @@ TEST(ContactsOfRun, AreThoseOfEachJob) {
   const auto& kernels = abut::pair_kernels(shapes[0]->index(), shapes[1]->index());
   abut::Manifold all;
   std::vector<abut::PairResult> results(jobs.size());
-  kernels.contacts_of_run(placed, poses, jobs, {}, {}, all, results);
+  abut::contacts_of_run<abut::AnyShape>(kernels, placed, poses, jobs, {}, {}, all, results);
   std::size_t begin = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     abut::QuerySettings settings;
@@ -163,18 +163,18 @@ TEST(ContactsOfRun, RememberPairsWhereTheJobsSay) {
   const abut::Hull hull = abut::Hull::make({}, corners, {}).value();
   const std::vector<abut::Frozen<abut::AnyShape>> shapes{abut::Frozen<abut::AnyShape>(box),
                                                          abut::Frozen<abut::AnyShape>(hull)};
-  const auto kernel = abut::contacts_of_run_kernel<abut::AnyShape, Box, abut::Hull>;
+  const auto& kernels = abut::pair_kernels(shapes[0]->index(), shapes[1]->index());
   std::vector<abut::PairMemory> memories(3);
   for (int step = 0; step < 3; ++step) {
     const std::vector<Pose> poses{Pose::identity(), {abut::Rotation::identity(), {0.1, 0.2, 1.6 + 0.01 * step}}};
     std::vector<abut::PairJob> jobs{{0, 1, 0, 2}, {0, 1, 0}, {0, 1, 0, 0}};
     abut::Manifold with, without;
     std::vector<abut::PairResult> results(jobs.size()), expected(jobs.size());
-    kernel(shapes, poses, jobs, {}, memories, with, results);
+    abut::contacts_of_run<abut::AnyShape>(kernels, shapes, poses, jobs, {}, memories, with, results);
     for (abut::PairJob& job : jobs) {
       job.memory = abut::no_memory;
     }
-    kernel(shapes, poses, jobs, {}, {}, without, expected);
+    abut::contacts_of_run<abut::AnyShape>(kernels, shapes, poses, jobs, {}, {}, without, expected);
     ASSERT_EQ(with.size(), without.size());
     ASSERT_GT(with.size(), 2u);
     for (std::size_t i = 0; i < with.size(); ++i) {
