@@ -61,8 +61,8 @@ abut_status cast_rays(const abut_universe& its, std::span<const abut_ray> given,
     rays.push_back(*ray);
   }
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const auto hits = abut::cast_ray(its.universe, rays[i], filter.filter, abut::HitMode::nearest, filter.ray_start);
-    out[i] = hits.empty() ? abut_query_hit{} : from_ray(hits.front());
+    const auto hit = abut::cast_ray(its.universe, rays[i], filter.filter, filter.ray_start);
+    out[i] = hit ? from_ray(*hit) : abut_query_hit{};
   }
   return ABUT_OK;
 }

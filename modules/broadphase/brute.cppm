@@ -37,12 +37,16 @@ class Brute {
   template <class Visitor>
   void sweep(const Vec3& centre, const Vec3& half, const Vec3& displacement, Real most, Visitor&& visit_proxy) const {
     const BoxSweep sweep(centre, half, displacement);
+    const CompactSweep compact_sweep(sweep);
+    float most_way = compact_sweep.way_of(most);
     for (const Block& block : blocks_) {
-      const std::array<Real, EightBoxes::width> entries = block.boxes.entries(sweep, most);
-      for (std::uint32_t shown = block.shown; shown != 0; shown &= shown - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(shown));
-        if (entries[lane] < infinity && entries[lane] <= most) {
-          most = visit_proxy(block.boxes.numbers[lane], entries[lane]);
+      const EightBoxes::Floats ways = block.boxes.entries(compact_sweep, most_way);
+      for (std::uint32_t met = EightBoxes::met(ways) & block.shown; met != 0; met &= met - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(met));
+        const Real entry = sweep.entry(box_of(block.boxes.sides_of_lane(lane)), most);
+        if (entry < infinity) {
+          most = visit_proxy(block.boxes.numbers[lane], entry);
+          most_way = compact_sweep.way_of(most);
         }
       }
     }

@@ -137,7 +137,7 @@ class FollowedBoxes {
   template <class Visitor>
   void sweep(const Vec3& centre, const Vec3& half, const Vec3& displacement, Real most, Visitor&& visit_proxy) const {
     const BoxSweep sweep(centre, half, displacement);
-    const auto meet = [&](std::uint32_t proxy, Real) {
+    const auto meet = [&](std::uint32_t proxy) {
       const BoxRecord& record = records_[proxy];
       const Real entry = record.is(BoxRecord::hidden) ? infinity : sweep.entry(record.box(), most);
       if (entry < infinity) {
@@ -146,10 +146,11 @@ class FollowedBoxes {
       return most;
     };
     for (const std::uint32_t proxy : unbounded_) {
-      meet(proxy, 0);
+      meet(proxy);
     }
-    moving_.sweep(sweep, most, meet);
-    still_.sweep(sweep, most, meet);
+    const CompactSweep compact_sweep(sweep);
+    moving_.sweep(compact_sweep, most, meet);
+    still_.sweep(compact_sweep, most, meet);
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }

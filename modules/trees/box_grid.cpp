@@ -147,7 +147,7 @@ void BoxGrid::insert(std::uint32_t leaf, const CompactAabb& box) {
 
 void BoxGrid::erase(std::uint32_t leaf) {
   const BoxSides s = blocks_[places_[leaf] / width].sides_of_lane(places_[leaf] % width);
-  exponent_sum_ -= exponent_of({{s[0], s[1], s[2]}, {-s[3], -s[4], -s[5]}});
+  exponent_sum_ -= exponent_of(box_of(s));
   take_out(leaf);
   --size_;
 }
@@ -155,8 +155,7 @@ void BoxGrid::erase(std::uint32_t leaf) {
 bool BoxGrid::moved_in_place(std::uint32_t leaf, const CompactAabb& box) {
   const std::uint32_t block = places_[leaf] / width;
   const BoxSides s = blocks_[block].sides_of_lane(places_[leaf] % width);
-  if (links_[block].key != key_of_box(box) ||
-      exponent_of({{s[0], s[1], s[2]}, {-s[3], -s[4], -s[5]}}) != exponent_of(box)) {
+  if (links_[block].key != key_of_box(box) || exponent_of(box_of(s)) != exponent_of(box)) {
     return false;
   }
   blocks_[block].set_sides(places_[leaf] % width, sides_of(box));
@@ -190,7 +189,7 @@ void BoxGrid::tidy() {
   for (std::size_t block = 0; block < blocks.size(); ++block) {
     for (std::size_t lane = 0; lane < links[block].count; ++lane) {
       const BoxSides s = blocks[block].sides_of_lane(lane);
-      add(key_of_box({{s[0], s[1], s[2]}, {-s[3], -s[4], -s[5]}}), blocks[block].numbers[lane], s);
+      add(key_of_box(box_of(s)), blocks[block].numbers[lane], s);
     }
   }
 }

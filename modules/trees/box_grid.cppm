@@ -33,12 +33,15 @@ class BoxGrid {
 
   // All boxes are tried, eight at once, in no order.
   template <class Visitor>
-  void sweep(const BoxSweep& sweep, Real most, Visitor&& visit_leaf) const {
+  void sweep(const CompactSweep& sweep, Real most, Visitor&& visit_leaf) const {
+    float most_way = sweep.way_of(most);
     for (std::size_t at = 0; at < blocks_.size(); ++at) {
-      const std::array<Real, EightBoxes::width> entries = blocks_[at].entries(sweep, most);
-      for (std::size_t lane = 0; lane < links_[at].count; ++lane) {
-        if (entries[lane] < infinity && entries[lane] <= most) {
-          most = visit_leaf(blocks_[at].numbers[lane], entries[lane]);
+      const std::uint32_t present = (1u << links_[at].count) - 1;
+      const EightBoxes::Floats entries = blocks_[at].entries(sweep, most_way);
+      for (std::uint32_t met = EightBoxes::met(entries) & present; met != 0; met &= met - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(met));
+        if (entries[lane] <= most_way) {
+          most_way = sweep.way_of(visit_leaf(blocks_[at].numbers[lane]));
         }
       }
     }

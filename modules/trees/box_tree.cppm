@@ -50,37 +50,41 @@ class BoxTree {
     }
   }
 
-  // Calls visit_leaf(leaf, entry) for the leaves whose boxes are met at some t up to `most`, nearer nodes first; it
-  // returns up to which t it wants more.
+  // Calls visit_leaf(leaf) for the leaves whose boxes are met at some t up to `most`, nearer nodes first; it returns up
+  // to which t it wants more.
   template <class Visitor>
-  void sweep(const BoxSweep& sweep, Real most, Visitor&& visit_leaf) const {
+  void sweep(const CompactSweep& sweep, Real most, Visitor&& visit_leaf) const {
     struct Waiting {
-      Real entry;
+      float entry;
       std::uint32_t child;
     };
     std::array<Waiting, most_waiting> waiting;
     waiting[0] = {0, root_};
     std::size_t count = 1;
+    float most_way = sweep.way_of(most);
     while (count > 0) {
       const Waiting nearest = waiting[--count];
-      if (nearest.entry > most) {
+      if (nearest.entry > most_way) {
         continue;
       }
       if (is_leaf(nearest.child)) {
-        most = visit_leaf(nearest.child & ~leaf_bit, nearest.entry);
+        most_way = sweep.way_of(visit_leaf(nearest.child & ~leaf_bit));
         continue;
       }
       const EightBoxes& node = nodes_[nearest.child];
-      const std::array<Real, EightBoxes::width> entries = node.entries(sweep, most);
+      const EightBoxes::Floats entries = node.entries(sweep, most_way);
+      const std::uint32_t present = (1u << links_[nearest.child].count) - 1;
       const std::size_t begin = count;
-      for (std::size_t i = 0; i < links_[nearest.child].count; ++i) {
-        if (entries[i] < infinity) {
-          // The nearest one comes last, and next off the stack.
-          std::size_t place = count++;
-          for (; place > begin && waiting[place - 1].entry < entries[i]; --place) {
-            waiting[place] = waiting[place - 1];
-          }
-          waiting[place] = {entries[i], node.numbers[i]};
+      for (std::uint32_t met = EightBoxes::met(entries) & present; met != 0; met &= met - 1) {
+        // The nearest one comes last, and next off the stack.
+        const auto lane = static_cast<std::size_t>(std::countr_zero(met));
+        std::size_t place = count++;
+        for (; place > begin && waiting[place - 1].entry < entries[lane]; --place) {
+          waiting[place] = waiting[place - 1];
+        }
+        waiting[place] = {entries[lane], node.numbers[lane]};
+        if (!is_leaf(node.numbers[lane])) {
+          fetch(nodes_[node.numbers[lane]]);
         }
       }
     }

@@ -13,6 +13,9 @@ using BoxSides = std::array<float, 6>;
 [[nodiscard]] inline BoxSides sides_of(const CompactAabb& box) {
   return {box.low[0], box.low[1], box.low[2], -box.high[0], -box.high[1], -box.high[2]};
 }
+[[nodiscard]] inline CompactAabb box_of(const BoxSides& sides) {
+  return {{sides[0], sides[1], sides[2]}, {-sides[3], -sides[4], -sides[5]}};
+}
 [[nodiscard]] inline BoxSides merged(const BoxSides& a, const BoxSides& b) {
   BoxSides both;
   for (std::size_t i = 0; i < both.size(); ++i) {
@@ -40,7 +43,7 @@ inline constexpr BoxSides no_sides = [] {
 }
 
 struct alignas(32) EightBoxes {
-  using Floats = float __attribute__((ext_vector_type(8)));
+  using Floats = CompactSweep::Floats;
   using Numbers = std::int32_t __attribute__((ext_vector_type(8)));
   static constexpr std::size_t width = 8;
 
@@ -69,22 +72,13 @@ struct alignas(32) EightBoxes {
     }
     return ~mask_of(beyond) & 0xffu;
   }
-  // When each is met, as BoxSweep says it. Four at once: doubles.
-  [[nodiscard]] inline std::array<Real, width> entries(const BoxSweep& sweep, Real most) const {
-    std::array<Real, width> all;
-    for (std::size_t half = 0; half < 2; ++half) {
-      std::array<Lanes, 3> low, high;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Floats below = side(axis), above = side(axis + 3);
-        low[axis] = __builtin_convertvector(half == 0 ? below.lo : below.hi, Lanes);
-        high[axis] = -__builtin_convertvector(half == 0 ? above.lo : above.hi, Lanes);
-      }
-      const Lanes four = sweep.entries(low, high, most);
-      for (std::size_t lane = 0; lane < 4; ++lane) {
-        all[4 * half + lane] = four[lane];
-      }
-    }
-    return all;
+  // The way at which each is met, as CompactSweep says it.
+  [[nodiscard]] [[gnu::always_inline]] inline Floats entries(const CompactSweep& sweep, float most) const {
+    return sweep.entries([&](std::size_t i) { return side(i); }, most);
+  }
+  // A bit for each box that is met.
+  [[nodiscard]] static inline std::uint32_t met(Floats entries) {
+    return mask_of(entries < std::numeric_limits<float>::infinity());
   }
 
   [[nodiscard]] inline BoxSides sides_of_lane(std::size_t lane) const {

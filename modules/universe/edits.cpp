@@ -20,7 +20,7 @@ void Universe::patch(GeometryId geometry, const Aabb& changed) {
   PlaceInfo& info = infos_[place];
   const bool is_first = info.patch == no_patch;
   const bool is_settled = presence_[place] == Presence::shown && !geometries_.at(geometry).is_changed &&
-                          !info.is_fresh && !info.is_box_stale;
+                          (happened_[place] & happened_to_box) == 0 && !info.is_box_stale;
   if (!changed.is_bounded() || (is_first && !is_settled)) {
     info.patch = no_patch;
     return;
@@ -44,7 +44,7 @@ void Universe::apply_edits(std::span<const GeometryId> geometries, std::span<con
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     const std::uint32_t place = geometries[i].slot - 1;
     patch(geometries[i], apply_edit(shapes_[place], edits[i]));
-    infos_[place].is_edited = true;
+    note(place, happened_to_surface);
     infos_[place].is_box_stale = true;
     enlist(geometries[i]);
     disturb(geometries_.at(geometries[i]).part);

@@ -20,6 +20,10 @@ Quat product(const Quat& a, const Quat& b) {
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
+bool is_identity(const Placement& its) {
+  return its.position == Vec3{0, 0, 0} && its.orientation.x == 0 && its.orientation.y == 0 && its.orientation.z == 0;
+}
+
 }  // namespace
 
 // Of a geometry that may not be anywhere as it was.
@@ -99,8 +103,9 @@ void Universe::apply_options(GeometryId geometry) {
   info.material = options.material;
   info.is_sensor = options.is_sensor;
   set_self_pairs(geometry.slot - 1, options.has_self_pairs);
-  info.is_refiltered = true;
+  info.is_at_part = is_identity(options.local);
   info.is_box_stale = true;
+  note(geometry.slot - 1, happened_to_filters);
 }
 
 Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const PartId> parts,
@@ -132,6 +137,7 @@ Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const Part
       worlds_.resize(shapes_.size(), Pose::identity());
       boxes_.resize(shapes_.size());
       infos_.resize(shapes_.size());
+      happened_.resize(shapes_.size());
       presence_.resize(shapes_.size());
       std::vector<GeometryId>& list = parts_.at(parts[i]).geometries;
       const std::size_t capacity_before = list.capacity();
@@ -139,6 +145,7 @@ Result<std::vector<GeometryId>> Universe::create_geometries(std::span<const Part
       list_bytes_ += (list.capacity() - capacity_before) * sizeof(GeometryId);
       shapes_[id.slot - 1] = shapes[i];
       infos_[id.slot - 1] = {};
+      happened_[id.slot - 1] = 0;
       infos_[id.slot - 1].kind = static_cast<std::uint8_t>((*shapes[i]).index());
       apply_options(id);
       change(id);
@@ -169,6 +176,7 @@ void Universe::forget_geometry(GeometryId geometry) {
   if (!rules_.is_empty()) {
     rules_.forget({CollidableKind::geometry, geometry.slot, geometry.generation});
   }
+  are_slots_reused_ = true;
   parked_count_ -= geometries_.at(geometry).options.parking != Parking::none ? 1 : 0;
   geometries_.erase(geometry);
 }
@@ -196,7 +204,7 @@ Result<void> Universe::set_shapes(std::span<const GeometryId> geometries, std::s
     const std::uint32_t place = geometries[i].slot - 1;
     shapes_[place] = shapes[i];
     infos_[place].kind = static_cast<std::uint8_t>((*shapes[i]).index());
-    infos_[place].is_reshaped = true;
+    note(place, happened_to_shape);
     infos_[place].is_box_stale = true;
     change(geometries[i]);
     disturb(geometries_.at(geometries[i]).part);
@@ -254,7 +262,7 @@ Result<void> Universe::park(std::span<const GeometryId> geometries, Parking park
 Placement Universe::world_of(const Geometry& geometry) const {
   const Part& part = parts_.at(geometry.part);
   const Placement& local = geometry.options.local;
-  return {part.pose * local.position, product(part.placement.orientation, local.orientation)};
+  return {part.placement.pose() * local.position, product(part.placement.orientation, local.orientation)};
 }
 
 Result<GeometryInfo> Universe::describe(GeometryId geometry) const {

@@ -16,7 +16,8 @@ bool is_before(const Pair& a, const ProxyPair& b) { return a.low < b.low || (a.l
 }  // namespace
 
 void PairStore::merge_part(std::span<const ProxyPair> near, std::span<const Pair> before,
-                           std::span<const PlaceInfo> infos, std::span<Pair> out, Part& part) const {
+                           std::span<const PlaceInfo> infos, bool are_slots_reused, std::span<Pair> out,
+                           Part& part) const {
   part.lost.clear();
   part.free_memories.clear();
   std::size_t at = 0;
@@ -33,23 +34,27 @@ void PairStore::merge_part(std::span<const ProxyPair> near, std::span<const Pair
     while (at < before.size() && is_before(before[at], pair)) {
       lose(before[at++]);
     }
-    const std::uint32_t low = infos[pair.low].generation, high = infos[pair.high].generation;
     if (at < before.size() && before[at].low == pair.low && before[at].high == pair.high) {
       const Pair& known = before[at++];
-      if (known.generation_low == low && known.generation_high == high) {
+      if (!are_slots_reused || (known.generation_low == infos[pair.low].generation &&
+                                known.generation_high == infos[pair.high].generation)) {
         out[i] = known;
         continue;
       }
       lose(known);
     }
-    out[i] = {.low = pair.low, .high = pair.high, .generation_low = low, .generation_high = high};
+    out[i] = {.low = pair.low,
+              .high = pair.high,
+              .generation_low = infos[pair.low].generation,
+              .generation_high = infos[pair.high].generation};
   }
   while (at < before.size()) {
     lose(before[at++]);
   }
 }
 
-void PairStore::merge(const Workers& workers, std::span<const ProxyPair> near, std::span<const PlaceInfo> infos) {
+void PairStore::merge(const Workers& workers, std::span<const ProxyPair> near, std::span<const PlaceInfo> infos,
+                      bool are_slots_reused) {
   pairs_.swap(before_);
   if (pairs_.capacity() < near.size()) {
     pairs_.clear();
@@ -68,7 +73,7 @@ void PairStore::merge(const Workers& workers, std::span<const ProxyPair> near, s
   };
   workers.for_each(cuts.tasks(), [&](std::size_t task) {
     const std::size_t begin = before_at(task), end = before_at(task + 1);
-    merge_part(cuts.of(near, task), std::span<const Pair>(before_).subspan(begin, end - begin), infos,
+    merge_part(cuts.of(near, task), std::span<const Pair>(before_).subspan(begin, end - begin), infos, are_slots_reused,
                cuts.of(all(), task), parts_[task]);
   });
   for (const Part& part : std::span(parts_).first(cuts.tasks())) {

@@ -11,6 +11,16 @@ export namespace abut {
 
 inline constexpr std::uint32_t no_patch = 0xffffffff;
 
+// What has happened to a geometry since the last detection, by its place. All pairs ask for that in every detection, so
+// it is one byte, apart from all that only some pairs ask for.
+enum Happened : std::uint8_t {
+  happened_to_box = 1,      // it moved, is new, or changed
+  happened_to_filters = 2,  // what filters ask about
+  happened_to_shape = 4,    // another shape: contacts of the detection before are of the one before
+  happened_to_surface = 8,  // the same shape, but not as it was
+  happened_to_tag = 16,     // the focus has given it another one
+};
+
 // What pairs ask about a geometry, by its place: one cache line.
 struct PlaceInfo {
   std::uint64_t layers = 0, mask = 0, exclusion = 0;
@@ -19,15 +29,11 @@ struct PlaceInfo {
   std::uint32_t tag = 0, material = 0;
   std::uint8_t kind = 0;  // place in the registry
   bool is_sensor = false;
-  bool is_fresh = false;       // moved, new or changed since the last detection
-  bool is_refiltered = false;  // what filters ask about has changed
-  bool is_reshaped = false;    // contacts of the step before are of another shape
-  bool is_box_stale = false;   // moved or changed while it was parked
-  bool is_queued = false;      // waits for its box
-  bool is_moving = false;      // in the broad phase as a moving one
+  bool is_at_part = false;    // its pose is that of its part
+  bool is_box_stale = false;  // moved or changed while it was parked
+  bool is_queued = false;     // waits for its box
+  bool is_moving = false;     // in the broad phase as a moving one
   bool has_self_pairs = false;
-  bool is_switched = false;        // its tag is another one than in the last detection, by the focus
-  bool is_edited = false;          // the same shape, but not as it was
   std::uint32_t patch = no_patch;  // where alone it has changed since the last detection, if that is known
 };
 static_assert(sizeof(PlaceInfo) <= 64);
@@ -84,8 +90,10 @@ class PairStore {
   [[nodiscard]] inline std::span<PairMemory> memories() [[clang::lifetimebound]] { return memories_; }
   void give_memory(Pair& pair);
 
-  // Takes what the broad phase found. New pairs are as a Pair starts. O(pairs).
-  void merge(const Workers& workers, std::span<const ProxyPair> near, std::span<const PlaceInfo> infos);
+  // Takes what the broad phase found. New pairs are as a Pair starts. Kept pairs are only asked which geometries they
+  // are of where slots may have been used again since the last merge. O(pairs).
+  void merge(const Workers& workers, std::span<const ProxyPair> near, std::span<const PlaceInfo> infos,
+             bool are_slots_reused);
 
   [[nodiscard]] std::size_t bytes() const;
 
@@ -96,7 +104,7 @@ class PairStore {
     std::vector<std::uint32_t> free_memories;
   };
   void merge_part(std::span<const ProxyPair> near, std::span<const Pair> before, std::span<const PlaceInfo> infos,
-                  std::span<Pair> out, Part& part) const;
+                  bool are_slots_reused, std::span<Pair> out, Part& part) const;
 
   std::vector<Pair> pairs_, before_, lost_;
   std::vector<PairMemory> memories_;

@@ -13,7 +13,8 @@ namespace abut {
 namespace {
 
 // The matrix of a quaternion is also that of its negative.
-bool is_same(const Pose& a, const Pose& b) {
+bool is_same(const Placement& one, const Placement& other) {
+  const Pose a = one.pose(), b = other.pose();
   return a.position == b.position && a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y &&
          a.rotation.z == b.rotation.z;
 }
@@ -30,11 +31,8 @@ Result<std::vector<PartId>> Universe::create_parts(std::span<const PartOptions> 
   created.reserve(options.size());
   try {
     for (const PartOptions& part : options) {
-      created.push_back(parts_.insert({.placement = part.placement,
-                                       .pose = part.placement.pose(),
-                                       .user_data = part.user_data,
-                                       .motion = part.motion,
-                                       .geometries = {}}));
+      created.push_back(parts_.insert(
+          {.placement = part.placement, .user_data = part.user_data, .motion = part.motion, .geometries = {}}));
     }
   } catch (...) {
     // The last one first: the next call gets the same slots.
@@ -79,10 +77,9 @@ Result<void> Universe::set_poses(std::span<const PartId> parts, std::span<const 
   make_room(moved_parts_, parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Part& part = parts_.at(parts[i]);
-    const Pose before = std::exchange(part.pose, poses[i].pose());
-    part.placement = poses[i];
-    if (sleep_.is_used() && !is_same(before, part.pose) &&
-        (part.motion != MotionKind::dynamic || sleep_.is_asleep(parts[i].slot))) {
+    const Placement before = std::exchange(part.placement, poses[i]);
+    if (sleep_.is_used() && (part.motion != MotionKind::dynamic || sleep_.is_asleep(parts[i].slot)) &&
+        !is_same(before, part.placement)) {
       disturb(parts[i]);
     }
     if (!part.is_moved) {

@@ -56,6 +56,9 @@ struct NearGeometry {
 // Ordered by the distance or the fraction, then by slot. A ray that ends on a surface meets it.
 [[nodiscard]] std::vector<RayContact> cast_ray(const Universe& universe, const Ray& ray, const QueryFilter& filter,
                                                HitMode mode, RayStart start);
+// The nearest hit alone, which asks for no memory.
+[[nodiscard]] std::optional<RayContact> cast_ray(const Universe& universe, const Ray& ray, const QueryFilter& filter,
+                                                 RayStart start);
 [[nodiscard]] std::vector<CastContact> cast_shape(const Universe& universe, const AnyShape& shape, const Pose& pose,
                                                   const Vec3& displacement, const QueryFilter& filter, HitMode mode);
 

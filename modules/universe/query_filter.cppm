@@ -4,17 +4,33 @@ import abut.core;
 import abut.core.standard;
 import abut.math;
 import abut.universe;
+import abut.universe.pairs;
 import abut.universe.queries;
 
 export namespace abut {
 
-// Ids of what is no longer there are nobody's.
-[[nodiscard]] inline bool admits(const QueryFilter& filter, const Universe& universe, std::uint32_t place) {
-  const GeometryOptions& options = universe.options_at(place);
-  return (options.layers & filter.mask) != 0 && (options.mask & filter.layers) != 0 &&
-         !(filter.skips_sensors && options.is_sensor) && universe.part_at(place) != filter.ignored_part &&
-         universe.id_at(place) != filter.ignored_geometry;
-}
+// A filter in terms of places. Ids of what is no longer there are nobody's.
+class PlaceFilter {
+ public:
+  PlaceFilter(const QueryFilter& filter, const Universe& universe)
+      : layers_(filter.layers),
+        mask_(filter.mask),
+        part_(universe.contains(filter.ignored_part) ? filter.ignored_part.slot : 0),
+        geometry_(filter.ignored_geometry),
+        skips_sensors_(filter.skips_sensors) {}
+
+  [[nodiscard]] bool admits(const Universe& universe, std::uint32_t place) const {
+    const PlaceInfo& info = universe.info_at(place);
+    return (info.layers & mask_) != 0 && (info.mask & layers_) != 0 && !(skips_sensors_ && info.is_sensor) &&
+           info.part != part_ && universe.id_at(place) != geometry_;
+  }
+
+ private:
+  std::uint64_t layers_, mask_;
+  std::uint32_t part_;  // its slot; 0 for none
+  GeometryId geometry_;
+  bool skips_sensors_;
+};
 
 // Hits by the way at which they are met. Visitors of a sweep answer with limit(), below which all else is left out.
 template <class Hit>
@@ -29,16 +45,21 @@ class Hits {
       found_.push_back({way, hit});
       return;
     }
-    if (found_.empty() || is_before({way, hit}, found_.front())) {
-      found_.assign(1, {way, hit});
+    if (!first_ || is_before({way, hit}, *first_)) {
+      first_ = {way, hit};
     }
     limit_ = mode_ == HitMode::any ? -1 : std::min(limit_, way);
   }
 
+  // Where not all are wanted.
+  [[nodiscard]] std::optional<Hit> first() const { return first_ ? std::optional(first_->hit) : std::nullopt; }
   [[nodiscard]] std::vector<Hit> in_order() {
-    std::ranges::sort(found_, is_before);
     std::vector<Hit> hits;
-    hits.reserve(found_.size());
+    if (first_) {
+      hits.push_back(first_->hit);
+    }
+    std::ranges::sort(found_, is_before);
+    hits.reserve(hits.size() + found_.size());
     for (const Entry& entry : found_) {
       hits.push_back(entry.hit);
     }
@@ -56,7 +77,8 @@ class Hits {
 
   HitMode mode_;
   Real limit_;
-  std::vector<Entry> found_;
+  std::optional<Entry> first_;  // of a mode that wants one
+  std::vector<Entry> found_;    // of one that wants all
 };
 
 }  // namespace abut

@@ -68,31 +68,48 @@ std::optional<RayContact> cast_at(const Universe& universe, std::uint32_t place,
                     pose.rotation * hit->normal, hit->feature, child_on_ray(shape, origin, direction, hit->distance)};
 }
 
-}  // namespace
-
-std::vector<RayContact> cast_ray(const Universe& universe, const Ray& ray, const QueryFilter& filter, HitMode mode,
-                                 RayStart start) {
-  // What ends on a surface must not miss it by rounding.
-  const bool is_endless = std::isinf(ray.max_distance);
-  const Real slack = is_endless ? 0 : 16 * epsilon * (largest_magnitude(ray.origin) + ray.max_distance);
-  Hits<RayContact> hits(mode, ray.max_distance + slack);
+void find_hits(const Universe& universe, const Ray& ray, const QueryFilter& filter, RayStart start,
+               Hits<RayContact>& hits) {
+  const PlaceFilter wanted(filter, universe);
   universe.sweep({ray.origin, ray.origin}, ray.direction, hits.limit(), [&](std::uint32_t place, Real) {
-    if (hits.limit() >= 0 && admits(filter, universe, place)) {
+    if (hits.limit() >= 0 && wanted.admits(universe, place)) {
       if (const auto hit = cast_at(universe, place, ray, hits.limit(), start)) {
         hits.add(*hit, hit->distance);
       }
     }
     return hits.limit();
   });
+}
+
+// What ends on a surface must not miss it by rounding.
+Real limit_of(const Ray& ray) {
+  const bool is_endless = std::isinf(ray.max_distance);
+  return ray.max_distance + (is_endless ? 0 : 16 * epsilon * (largest_magnitude(ray.origin) + ray.max_distance));
+}
+
+}  // namespace
+
+std::vector<RayContact> cast_ray(const Universe& universe, const Ray& ray, const QueryFilter& filter, HitMode mode,
+                                 RayStart start) {
+  Hits<RayContact> hits(mode, limit_of(ray));
+  find_hits(universe, ray, filter, start, hits);
   return hits.in_order();
 }
 
+std::optional<RayContact> cast_ray(const Universe& universe, const Ray& ray, const QueryFilter& filter,
+                                   RayStart start) {
+  Hits<RayContact> hits(HitMode::nearest, limit_of(ray));
+  find_hits(universe, ray, filter, start, hits);
+  return hits.first();
+}
+
 std::vector<GeometryId> find_at_point(const Universe& universe, const Vec3& point, const QueryFilter& filter) {
+  const PlaceFilter wanted(filter, universe);
   std::vector<GeometryId> found;
   universe.visit({point, point}, [&](std::uint32_t place) {
     const AnyShape& shape = universe.shape_at(place);
     const Vec3 local = universe.world_at(place).undo(point);
-    if (admits(filter, universe, place) && holds(shape, local, touching_at(shape, local))) {
+    if (wanted.admits(universe, place) && holds(shape, local, touching_at(shape, local))) {
       found.push_back(universe.id_at(place));
     }
   });

@@ -12,9 +12,10 @@ namespace abut {
 
 std::vector<CastContact> cast_shape(const Universe& universe, const AnyShape& shape, const Pose& pose,
                                     const Vec3& displacement, const QueryFilter& filter, HitMode mode) {
+  const PlaceFilter wanted(filter, universe);
   Hits<CastContact> hits(mode, 1);
   const auto visit_place = [&](std::uint32_t place) {
-    if (hits.limit() < 0 || !admits(filter, universe, place)) {
+    if (hits.limit() < 0 || !wanted.admits(universe, place)) {
       return;
     }
     std::optional<ShapeCastHit> hit;
@@ -40,11 +41,12 @@ std::vector<CastContact> cast_shape(const Universe& universe, const AnyShape& sh
 
 std::vector<GeometryId> find_overlaps(const Universe& universe, const AnyShape& shape, const Pose& pose, Real margin,
                                       const QueryFilter& filter) {
+  const PlaceFilter wanted(filter, universe);
   std::vector<GeometryId> found;
   Manifold contacts;
   const QuerySettings settings{.margin = margin};
   universe.visit(aabb_of(shape, pose).inflated(std::max(margin, Real{0})), [&](std::uint32_t place) {
-    if (!admits(filter, universe, place)) {
+    if (!wanted.admits(universe, place)) {
       return;
     }
     contacts.clear();
@@ -74,10 +76,11 @@ class Nearest {
  public:
   void search(const Universe& universe, const AnyShape& shape, const Pose& pose, Real radius,
               const QueryFilter& filter) {
+    const PlaceFilter wanted(filter, universe);
     const Aabb box = aabb_of(shape, pose);
     std::vector<Candidate> near;
     universe.visit(box.inflated(radius), [&](std::uint32_t place) {
-      if (admits(filter, universe, place)) {
+      if (wanted.admits(universe, place)) {
         near.push_back({distance_of(box, aabb_of(universe.shape_at(place), universe.world_at(place))), place});
       }
     });

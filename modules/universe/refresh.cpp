@@ -32,13 +32,13 @@ Real Universe::reach_at(std::uint32_t place) const {
   return options_.tolerance_mode == ToleranceMode::margin ? reach : 0;
 }
 
-// The world pose and the box of a place.
-void Universe::place(std::uint32_t at) {
-  const Geometry& geometry = geometries_.at(id_at(at));
-  worlds_[at] = parts_.at(geometry.part).pose * geometry.local_pose;
+// The world pose and the box of a place whose part has this pose.
+void Universe::place(std::uint32_t at, const Pose& part) {
+  PlaceInfo& info = infos_[at];
+  worlds_[at] = info.is_at_part ? part : part * geometries_.at(id_at(at)).local_pose;
   const Aabb box = aabb_of(*shapes_[at], worlds_[at]);
   boxes_[at] = compact(box.inflated(reach_at(at)), options_.origin);
-  infos_[at].is_box_stale = false;
+  info.is_box_stale = false;
 }
 
 // What lies on moved parts. A part is in one task, and with it its geometries.
@@ -51,6 +51,7 @@ void Universe::gather_moved(std::span<const PartId> parts, ChangeTask& task) {
     }
     Part& part = parts_.at(id);
     part.is_moved = false;
+    const Pose pose = part.placement.pose();
     for (const GeometryId geometry : part.geometries) {
       const std::uint32_t at = geometry.slot - 1;
       infos_[at].is_box_stale = true;
@@ -58,9 +59,10 @@ void Universe::gather_moved(std::span<const PartId> parts, ChangeTask& task) {
       if (presence_[at] != Presence::shown) {
         continue;
       }
-      place(at);
+      place(at, pose);
       task.queue.push_back(at);
-      if (!std::exchange(infos_[at].is_fresh, true)) {
+      if ((happened_[at] & happened_to_box) == 0) {
+        note(at, happened_to_box);
         task.fresh.push_back(at);
       }
     }
@@ -89,12 +91,13 @@ void Universe::queue_changed() {
   workers_.for_each(cuts.tasks(), [&](std::size_t task) {
     for (const std::uint32_t at : cuts.of(changed, task)) {
       if (infos_[at].is_box_stale) {
-        place(at);
+        place(at, parts_.at(geometries_.at(id_at(at)).part).placement.pose());
       }
     }
   });
   for (const std::uint32_t at : changed) {
-    if (!std::exchange(infos_[at].is_fresh, true)) {
+    if ((happened_[at] & happened_to_box) == 0) {
+      note(at, happened_to_box);
       fresh_.push_back(at);
     }
   }

@@ -36,6 +36,9 @@ bool Universe::is_admitted(const Pair& pair) const {
 }
 
 bool Universe::passes_rules_and_filter(const Pair& pair) const {
+  if (rules_.is_empty() && !filter_) {
+    return true;
+  }
   const GeometryId a = id_at(pair.low), b = id_at(pair.high);
   if (!rules_.is_empty()) {
     const Geometry &its = geometries_.at(a), &other = geometries_.at(b);
@@ -57,34 +60,44 @@ bool Universe::is_covered(const Pair& pair, const Scope& scope) const {
 }
 
 // Whether a geometry has moved, or changed where the box of another one reaches.
-bool Universe::has_changed_for(const PlaceInfo& its, std::uint32_t other) const {
-  return its.is_fresh && (its.patch == no_patch || patches_[its.patch].compact_box.overlaps(boxes_[other]));
+bool Universe::has_changed_for(std::uint32_t place, std::uint32_t other) const {
+  if ((happened_[place] & happened_to_box) == 0) {
+    return false;
+  }
+  const std::uint32_t patch = patches_.empty() ? no_patch : infos_[place].patch;
+  return patch == no_patch || patches_[patch].compact_box.overlaps(boxes_[other]);
+}
+
+// What a pair is like, after something has changed that it depends on beside poses.
+void Universe::renew_pair(Pair& pair, bool is_reshaped) {
+  const PlaceInfo &low = infos_[pair.low], &high = infos_[pair.high];
+  const bool was_admitted = pair.is_admitted;
+  pair.is_admitted = is_admitted(pair);
+  pair.is_unasked = false;
+  pair.run = static_cast<std::uint16_t>(run_of(pair, low.kind, high.kind));
+  pair.is_supported = jobs_.is_supported(pair.run);
+  pair.is_sensor = low.is_sensor || high.is_sensor;
+  pair.policy = static_cast<std::uint16_t>(policies_.number_of(low.tag, high.tag));
+  pair.is_new = pair.is_new || is_reshaped || (pair.is_admitted && !was_admitted);
+  pair.is_stale = true;
 }
 
 void Universe::update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lost) {
-  const PlaceInfo &low = infos_[pair.low], &high = infos_[pair.high];
+  const unsigned happened = happened_[pair.low] | happened_[pair.high];
   pair.job = no_job;
   pair.first_before = pair.first_contact;
   pair.count_before = pair.contact_count;
   pair.was_touching = pair.is_touching;
-  const bool is_reshaped = low.is_reshaped || high.is_reshaped;
+  const bool is_reshaped = (happened & happened_to_shape) != 0;
   if (is_reshaped && pair.is_touching) {
     lost.push_back(pair);
     pair.count_before = pair.contact_count = 0;
     pair.is_touching = pair.was_touching = false;
   }
-  if (pair.is_unasked || must_refilter_ || low.is_refiltered || high.is_refiltered || is_reshaped) {
-    const bool was_admitted = pair.is_admitted;
-    pair.is_admitted = is_admitted(pair);
-    pair.is_unasked = false;
-    pair.run = static_cast<std::uint16_t>(run_of(pair, low.kind, high.kind));
-    pair.is_supported = jobs_.is_supported(pair.run);
-    pair.is_sensor = low.is_sensor || high.is_sensor;
-    pair.policy = static_cast<std::uint16_t>(policies_.number_of(low.tag, high.tag));
-    pair.is_new = pair.is_new || is_reshaped || (pair.is_admitted && !was_admitted);
-    pair.is_stale = true;
+  if (pair.is_unasked || must_refilter_ || (happened & (happened_to_filters | happened_to_shape)) != 0) {
+    renew_pair(pair, is_reshaped);
   }
-  if ((is_reshaped || low.is_edited || high.is_edited) && pair.memory != no_memory) {
+  if ((happened & (happened_to_shape | happened_to_surface)) != 0 && pair.memory != no_memory) {
     pairs_.memories()[pair.memory] = {};
   }
   if (!pair.is_admitted) {
@@ -93,13 +106,13 @@ void Universe::update_pair(Pair& pair, const Scope& scope, std::vector<Pair>& lo
     pair.is_covered = true;
     return;
   }
-  const Policy& policy = policies_.at(pair.policy);
   pair.is_covered = is_covered(pair, scope);
-  pair.is_stale = pair.is_stale || has_changed_for(low, pair.high) || has_changed_for(high, pair.low) ||
+  pair.is_stale = pair.is_stale || has_changed_for(pair.low, pair.high) || has_changed_for(pair.high, pair.low) ||
                   scope.coverage == Coverage::everything;
   if (!pair.is_stale || !pair.is_covered) {
     return;
   }
+  const Policy& policy = policies_.at(pair.policy);
   if (policy.detail == Detail::box) {
     pair.is_touching = true;
     pair.contact_count = 0;
@@ -135,8 +148,8 @@ void Universe::add_self_pairs() {
 
 void Universe::update_pairs(const Scope& scope) {
   if (is_broadphase_changed_) {
-    pairs_.merge(workers_, near_, infos_);
-    is_broadphase_changed_ = false;
+    pairs_.merge(workers_, near_, infos_, are_slots_reused_);
+    is_broadphase_changed_ = are_slots_reused_ = false;
   }
   if (has_focus_) {
     follow_focus();
@@ -177,7 +190,7 @@ void Universe::finish_detection() {
   const Cuts cuts = workers_.cut(fresh_.size(), least_flags_of_task);
   workers_.for_each(cuts.tasks(), [&](std::size_t task) {
     for (const std::uint32_t at : cuts.of(std::span(fresh_), task)) {
-      infos_[at].is_fresh = infos_[at].is_refiltered = infos_[at].is_reshaped = infos_[at].is_edited = false;
+      happened_[at] = 0;
     }
   });
   for (const Patch& patch : patches_) {

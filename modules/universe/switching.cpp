@@ -32,7 +32,7 @@ void Universe::follow_focus(std::uint32_t at) {
   const std::uint32_t tag = focus_.tag_of(boxes_[at], info.tag);
   if (tag != info.tag) {
     info.tag = geometries_.at(id_at(at)).options.tag = tag;
-    info.is_switched = true;
+    note(at, happened_to_tag);
     switched_.push_back(at);
   }
 }
@@ -52,15 +52,14 @@ void Universe::follow_focus() {
     return;
   }
   for (Pair& pair : pairs_.all()) {
-    const PlaceInfo &low = infos_[pair.low], &high = infos_[pair.high];
-    if (low.is_switched || high.is_switched) {
-      pair.policy = static_cast<std::uint16_t>(policies_.number_of(low.tag, high.tag));
+    if (((happened_[pair.low] | happened_[pair.high]) & happened_to_tag) != 0) {
+      pair.policy = static_cast<std::uint16_t>(policies_.number_of(infos_[pair.low].tag, infos_[pair.high].tag));
       // At once, whatever the period: what the other policy has found may be less than this one asks for.
       pair.is_stale = pair.is_new = true;
     }
   }
   for (const std::uint32_t at : switched_) {
-    infos_[at].is_switched = false;
+    happened_[at] &= static_cast<std::uint8_t>(~happened_to_tag);
   }
   switched_.clear();
 }

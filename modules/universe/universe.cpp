@@ -103,7 +103,7 @@ Result<void> Universe::set_material(std::uint32_t a, std::uint32_t b, const std:
 std::size_t Universe::bytes() const {
   const std::size_t per_geometry = shapes_.capacity() * sizeof(ShapeHandle) + worlds_.capacity() * sizeof(Pose) +
                                    boxes_.capacity() * sizeof(CompactAabb) + infos_.capacity() * sizeof(PlaceInfo) +
-                                   presence_.capacity();
+                                   happened_.capacity() + presence_.capacity();
   const std::size_t changes =
       moved_parts_.capacity() * sizeof(PartId) + changed_geometries_.capacity() * sizeof(GeometryId) +
       patches_.capacity() * sizeof(Patch) +

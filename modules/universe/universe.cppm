@@ -183,16 +183,16 @@ class Universe {
   // Of the part; jobs name geometries by the same places. A point p of the geometry moves by
   // linear + angular x (p - origin of the part).
   [[nodiscard]] inline Velocity velocity_at(std::uint32_t place) const { return velocities_.of(infos_[place].part); }
-  [[nodiscard]] inline GeometryId id_at(std::uint32_t place) const { return geometries_.id_at_slot(place + 1); }
-  [[nodiscard]] inline PartId part_at(std::uint32_t place) const { return geometries_.at(id_at(place)).part; }
-  [[nodiscard]] inline const GeometryOptions& options_at(std::uint32_t place) const [[clang::lifetimebound]] {
-    return geometries_.at(id_at(place)).options;
+  // Of a geometry that is there.
+  [[nodiscard]] inline GeometryId id_at(std::uint32_t place) const { return {place + 1, infos_[place].generation}; }
+  [[nodiscard]] inline const PlaceInfo& info_at(std::uint32_t place) const [[clang::lifetimebound]] {
+    return infos_[place];
   }
+  [[nodiscard]] bool contains(PartId part) const { return parts_.contains(part); }
 
  private:
   struct Part {
     Placement placement;
-    Pose pose;
     std::uint64_t user_data;
     MotionKind motion;
     bool is_moved = false;
@@ -240,7 +240,8 @@ class Universe {
   void apply_edits(std::span<const GeometryId> geometries, std::span<const Edit> edits);
   void patch(GeometryId geometry, const Aabb& changed);
   [[nodiscard]] Real reach_at(std::uint32_t place) const;
-  [[nodiscard]] bool has_changed_for(const PlaceInfo& its, std::uint32_t other) const;
+  [[nodiscard]] bool has_changed_for(std::uint32_t place, std::uint32_t other) const;
+  void renew_pair(Pair& pair, bool is_reshaped);
   void apply_options(GeometryId geometry);
   void settle_parking(GeometryId geometry, Parking parking);
   void leave_broadphase(std::uint32_t place);
@@ -249,7 +250,8 @@ class Universe {
   void gather_changes();
   void gather_moved(std::span<const PartId> parts, ChangeTask& task);
   void queue_changed();
-  void place(std::uint32_t at);
+  void place(std::uint32_t at, const Pose& part);
+  void note(std::uint32_t place, Happened what) { happened_[place] |= what; }
   void update_broadphase();
   void detect(const Scope& scope);
   void run_stages(const Scope& scope);
@@ -306,6 +308,7 @@ class Universe {
   std::vector<Pose> worlds_;
   std::vector<CompactAabb> boxes_;
   std::vector<PlaceInfo> infos_;
+  std::vector<std::uint8_t> happened_;  // bits of Happened
   std::vector<Presence> presence_;
 
   // What changed since the last detection.
@@ -318,6 +321,7 @@ class Universe {
   std::vector<std::uint32_t> rejoining_;  // places that leave the broad phase and come back
   std::vector<ChangeTask> change_tasks_;
   bool is_broadphase_changed_ = false;
+  bool are_slots_reused_ = false;  // perhaps, since the pairs were merged
   bool must_refilter_ = false;
 
   Workers workers_;

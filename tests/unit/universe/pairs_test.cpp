@@ -22,9 +22,9 @@ class Store : public testing::Test {
       infos[i].generation = 100 + i;
     }
   }
-  void merge(const std::vector<ProxyPair>& near) {
+  void merge(const std::vector<ProxyPair>& near, bool are_slots_reused = false) {
     store.forget_lost();
-    store.merge(Workers(1), near, infos);
+    store.merge(Workers(1), near, infos, are_slots_reused);
   }
 
   std::array<PlaceInfo, 8> infos{};
@@ -74,7 +74,7 @@ TEST_F(Store, OthersInTheSameSlotsAreAnotherPair) {
   store.all()[0].is_touching = true;
   store.all()[0].is_unasked = false;
   infos[1].generation = 777;
-  merge({{0, 1}});
+  merge({{0, 1}}, true);
   ASSERT_EQ(store.lost().size(), 1U);
   EXPECT_EQ(store.lost()[0].generation_high, 101U);
   ASSERT_EQ(store.all().size(), 1U);
@@ -102,7 +102,7 @@ TEST(Merge, IsTheSameOnAnyNumberOfThreads) {
     for (std::uint32_t i = round; i < count; i += 17) ++infos[i].generation;
     for (PairStore* store : {&one, &many}) {
       store->forget_lost();
-      store->merge(store == &one ? single : several, near, infos);
+      store->merge(store == &one ? single : several, near, infos, true);
       for (Pair& pair : store->all()) {
         pair.is_touching = (pair.low + pair.high) % 3 == 0;
         pair.is_unasked = false;
