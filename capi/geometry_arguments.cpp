@@ -5,7 +5,7 @@
 import abut.capability;
 import abut.core;
 import abut.pairs.any_shape;
-import abut.universe.checks;
+import abut.scene.checks;
 import abut.universe;
 
 namespace abut::capi {

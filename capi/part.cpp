@@ -78,13 +78,12 @@ abut_status destroy(abut_universe& its, std::span<const abut_part_id> ids) {
 }
 
 abut_status set_poses(abut_universe& its, std::span<const abut_part_id> ids, std::span<const abut_pose> poses) {
-  std::vector<abut::Placement> placements;
-  placements.reserve(poses.size());
+  std::vector<abut::Placement> placements(poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (const abut_status status = check_pose({"poses", i}, poses[i]); status != ABUT_OK) {
       return status;
     }
-    placements.push_back(to_placement(poses[i]));
+    placements[i] = to_placement(poses[i]);
   }
   const auto done = its.universe.set_poses(to_parts(ids), placements);
   return done ? static_cast<abut_status>(ABUT_OK) : refuse_batch(its.universe, "parts", ids, done.error());

@@ -7,7 +7,7 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.universe.queries;
+import abut.queries;
 import abut.universe;
 
 using namespace abut::capi;

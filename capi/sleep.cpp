@@ -4,7 +4,7 @@
 
 import abut.core;
 import abut.universe;
-import abut.universe.sleep;
+import abut.scene.sleep;
 
 using namespace abut::capi;
 

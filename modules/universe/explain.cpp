@@ -1,16 +1,21 @@
+// What a universe did and why, from what its stages know.
 module abut.universe;
 import abut.broadphase;
 import abut.core.standard;
 import abut.core;
+import abut.detect.contacts;
+import abut.detect.islands;
+import abut.detect.jobs;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.universe.islands;
-import abut.universe.jobs;
-import abut.universe.pairs;
-import abut.universe.plan;
-import abut.universe.policies;
-import abut.universe.rules;
-import abut.universe.velocity;
+import abut.report.plan;
+import abut.scene.focus;
+import abut.scene.focus_tags;
+import abut.scene.meetings;
+import abut.scene.policies;
+import abut.scene.rules;
+import abut.scene.space;
+import abut.scene.velocity;
 
 namespace abut {
 namespace {
@@ -48,6 +53,17 @@ std::optional<double> time_of_pair(const KindTally& tally) {
 
 }  // namespace
 
+Plan::FocusCounts Universe::count_focus() const {
+  const FocusCentres& centres = focus_.centres();
+  Plan::FocusCounts counts{centres.focus(), centres.size(), 0, 0};
+  geometries_.for_each([&](GeometryId id, const Geometry&) {
+    const std::uint32_t tag = places_.infos[id.slot - 1].tag;
+    counts.near += tag == counts.focus.near_tag ? 1 : 0;
+    counts.far += tag == counts.focus.far_tag ? 1 : 0;
+  });
+  return counts;
+}
+
 std::vector<Plan::LeftOut> Universe::left_out(std::uint64_t never_met, bool has_extensions) const {
   std::vector<Plan::LeftOut> list;
   const auto leave_out = [&](bool is_left_out, std::string name, std::string why) {
@@ -57,16 +73,16 @@ std::vector<Plan::LeftOut> Universe::left_out(std::uint64_t never_met, bool has_
   };
   for (const BroadphaseKind kind :
        {BroadphaseKind::brute, BroadphaseKind::tree, BroadphaseKind::sweep_and_prune, BroadphaseKind::hash_grid}) {
-    leave_out(kind != broadphase_kind_, std::string(name_of(kind)), "another broad phase runs");
+    leave_out(kind != space_.kind(), std::string(name_of(kind)), "another broad phase runs");
   }
   leave_out(never_met > 0, count_of(never_met, "pair") + " of kinds", "never met");
   leave_out(stats_.unsupported_pairs > 0, count_of(stats_.unsupported_pairs, "unsupported pair"),
             "no algorithm, by declaration");
   leave_out(stats_.parked > 0, count_of(stats_.parked, "geometry"), "parked");
-  leave_out(rules_.is_empty(), "rules", "none set");
-  leave_out(!filter_, "filter", "none set");
-  leave_out(policies_.size() == 1, "policies", "none set");
-  leave_out(!has_focus_, "focus", "none set");
+  leave_out(meetings_.rules.is_empty(), "rules", "none set");
+  leave_out(!meetings_.filter, "filter", "none set");
+  leave_out(meetings_.policies.size() == 1, "policies", "none set");
+  leave_out(!focus_.is_on(), "focus", "none set");
   leave_out(!sleep_.is_used(), "sleep", "set for no part");
   leave_out(!follows_islands_, "islands", sleep_.is_used() ? "connected for sleep, not numbered" : "not asked for");
   leave_out(velocities_.is_empty(), "velocities", "set for no part");
@@ -79,18 +95,18 @@ std::vector<Plan::LeftOut> Universe::left_out(std::uint64_t never_met, bool has_
 
 Plan Universe::plan(std::span<const Plan::Extension> extensions) const {
   Plan plan{.stats = stats_,
-            .broadphase = name_of(broadphase_kind_),
-            .broadphase_reason = broadphase_reason_,
+            .broadphase = name_of(space_.kind()),
+            .broadphase_reason = space_.reason(),
             .is_margin = options_.tolerance_mode == ToleranceMode::margin,
             .max_contacts = options_.max_contacts,
             .threads = workers_.threads(),
-            .rules = rules_.size(),
-            .policies = policies_.size() - 1,
+            .rules = meetings_.rules.size(),
+            .policies = meetings_.policies.size() - 1,
             .stages = stages_of(stats_, options_.max_contacts),
             .kinds = {},
             .left_out = {},
             .extensions = {extensions.begin(), extensions.end()}};
-  if (has_focus_) {
+  if (focus_.is_on()) {
     plan.focus = count_focus();
   }
   if (follows_islands_) {
@@ -102,7 +118,7 @@ Plan Universe::plan(std::span<const Plan::Extension> extensions) const {
   std::uint64_t never_met = 0;
   for (std::size_t row = 0; row < shape_kind_count; ++row) {
     for (std::size_t column = row; column < shape_kind_count; ++column) {
-      const KindTally& tally = tallies_[run_of(row, column)];
+      const KindTally& tally = contacts_.tally(run_of(row, column));
       if (tally.candidates == 0) {
         ++never_met;
         continue;
@@ -113,7 +129,7 @@ Plan Universe::plan(std::span<const Plan::Extension> extensions) const {
     }
   }
   for (std::size_t kind = 0; kind < shape_kind_count; ++kind) {
-    const KindTally& tally = tallies_[self_run_of(kind)];
+    const KindTally& tally = contacts_.tally(self_run_of(kind));
     if (tally.candidates > 0) {
       const RouteDescription route = describe_self(kind);
       plan.kinds.push_back({kind_name(kind), "itself", tally.candidates, tally.examined, tally.touching, tally.contacts,

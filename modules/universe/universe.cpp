@@ -1,134 +1,226 @@
+// A detection: one stage after the other.
 module abut.universe;
+import abut.broadphase.pair_order;
 import abut.broadphase;
-import abut.capability;
 import abut.core.standard;
+import abut.core.workers;
 import abut.core;
+import abut.detect.contacts;
+import abut.detect.events;
+import abut.detect.hash;
+import abut.detect.jobs;
+import abut.detect.manifolds;
+import abut.detect.pairs;
+import abut.detect.refresh;
+import abut.detect.selection;
+import abut.detect.sleep;
+import abut.detect.stopwatch;
 import abut.math;
-import abut.pairs.any_shape;
-import abut.pairs.registry;
-import abut.universe.jobs;
-import abut.universe.pairs;
-import abut.universe.policies;
+import abut.scene.changes;
+import abut.scene.checks;
+import abut.scene.meetings;
+import abut.scene.places;
+import abut.scene.policies;
+import abut.scene.space;
 
 namespace abut {
-namespace {
-
-// Distinct for up to 2^32 universes, and far apart for neighbours (Knuth's multiplicative hash).
-std::uint32_t first_generation(std::uint32_t number, std::uint32_t salt) {
-  constexpr std::uint64_t golden = 0x9e3779b1;
-  return static_cast<std::uint32_t>((number * golden + salt) & 0xffffffff);
-}
-
-Fault check_tags(std::uint32_t tag_a, std::uint32_t tag_b) {
-  if (tag_a < tag_count && tag_b < tag_count) {
-    return std::nullopt;
-  }
-  const bool is_first = tag_a >= tag_count;
-  return error_about(Errc::out_of_range, is_first ? "tag_a" : "tag_b", std::uint64_t{is_first ? tag_a : tag_b},
-                     "below " + std::to_string(tag_count));
-}
-
-}  // namespace
 
 Universe::Universe(const UniverseOptions& options, std::uint32_t number)
-    : options_(options),
-      parts_(first_generation(number, 1)),
-      geometries_(first_generation(number, 0x80000001)),
-      vacant_(AnyShape(Shapes::At<0>::samples().front())),
-      workers_(options.threads) {}
+    : Scene(options, number), workers_(options.threads), contacts_(options.keeps_local_points) {}
 
-Result<void> Universe::set_rule(const Collidable& a, const Collidable& b, Rule rule) {
-  const auto is_known = [&](const Collidable& its) {
-    return (its.kind != CollidableKind::geometry || geometries_.contains(GeometryId{its.slot, its.generation})) &&
-           (its.kind != CollidableKind::part || parts_.contains(PartId{its.slot, its.generation}));
-  };
-  if (!is_known(a) || !is_known(b)) {
-    return Error{Errc::stale_id, std::string(is_known(a) ? "b" : "a") +
-                                     " names a geometry or a part that is stale or belongs to another universe"};
+void Universe::follow_islands(bool are_followed) {
+  follows_islands_ = are_followed;
+  if (!are_followed) {
+    islands_.clear();
   }
-  rules_.set(a, b, rule);
-  must_refilter_ = true;
-  return {};
 }
 
-void Universe::clear_rules() {
-  must_refilter_ = must_refilter_ || !rules_.is_empty();
-  rules_.clear();
+void Universe::refresh_places() {
+  const BoxFrame frame{options_.tolerance_mode, meetings_.policies.largest_tolerance(), options_.origin};
+  refresh_.run(workers_, frame, space_, parts_, geometries_, changes_, places_);
 }
 
-void Universe::set_filter(Filter filter) {
-  filter_ = std::move(filter);
-  must_refilter_ = true;
+void Universe::update_space() {
+  space_.update(workers_, places_, options_.broadphase, changes_.rejoining, refresh_.queue());
+  changes_.rejoining.clear();
 }
 
-void Universe::refilter() { must_refilter_ = true; }
+void Universe::refresh() {
+  is_torn_ = true;
+  refresh_places();
+  update_space();
+  is_torn_ = false;
+}
 
-Result<void> Universe::set_policy(std::uint32_t tag_a, std::uint32_t tag_b, const Policy& policy) {
-  if (Fault fault = check_tags(tag_a, tag_b)) {
-    return *fault;
+// From boxes that overlap to pairs that are kept, where any of that has changed.
+void Universe::find_pairs() {
+  if (space_.has_changed()) {
+    space_.find_pairs(workers_, near_);
+    add_self_pairs(self_places_, space_, near_);
   }
-  if (Fault fault = check_policy(policy)) {
-    return *fault;
+}
+
+// At once, whatever the period: what the other policy has found may be less than this one asks for.
+void Universe::follow_focus() {
+  focus_.follow(changes_.fresh, space_, places_);
+  if (!focus_.has_switched()) {
+    return;
   }
-  const Real before = policies_.largest_tolerance();
-  policies_.set(tag_a, tag_b, policy);
-  must_refilter_ = true;
-  // Boxes have to reach as far as the largest tolerance.
-  if (options_.tolerance_mode == ToleranceMode::margin && policies_.largest_tolerance() != before) {
-    for (const GeometryId geometry : geometries()) {
-      infos_[geometry.slot - 1].is_box_stale = true;
-      change(geometry);
+  for (Pair& pair : pairs_.all()) {
+    if (places_.has_happened(pair.low, happened_to_tag) || places_.has_happened(pair.high, happened_to_tag)) {
+      const PlaceInfo &low = places_.infos[pair.low], &high = places_.infos[pair.high];
+      pair.policy = static_cast<std::uint16_t>(meetings_.policies.number_of(low.tag, high.tag));
+      pair.is_stale = pair.is_new = true;
     }
   }
-  return {};
+  focus_.forget_switched(places_);
 }
 
-Result<Policy> Universe::policy(std::uint32_t tag_a, std::uint32_t tag_b) const {
-  if (Fault fault = check_tags(tag_a, tag_b)) {
-    return *fault;
+void Universe::update_islands(Real dt) {
+  if (sleep_.is_used() || follows_islands_) {
+    connect_islands(pairs_.all(), places_.infos, parts_.slot_count(), island_links_);
   }
-  return policies_.of(tag_a, tag_b);
+  if (follows_islands_) {
+    dynamic_parts_.clear();
+    parts_.for_each([&](PartId id, const Part& part) {
+      if (part.motion == MotionKind::dynamic) {
+        dynamic_parts_.push_back(id);
+      }
+    });
+    islands_.number(dynamic_parts_, island_links_);
+  }
+  if (sleep_.is_used()) {
+    update_sleep(dt, parts_, places_.infos, island_links_, pairs_, sleep_);
+  }
 }
 
-Result<void> Universe::set_material(std::uint32_t a, std::uint32_t b, const std::optional<ContactMaterial>& row) {
-  if (row) {
-    if (Fault fault = check_material(*row)) {
-      return *fault;
+// What has happened is known to all now.
+void Universe::finish_detection() {
+  // Below this many flags a task costs more than it saves.
+  constexpr std::size_t least_of_task = 16384;
+  const std::span<const std::uint32_t> fresh(changes_.fresh);
+  const Cuts cuts = workers_.cut(fresh.size(), least_of_task);
+  workers_.for_each(cuts.tasks(), [&](std::size_t task) {
+    for (const std::uint32_t at : cuts.of(fresh, task)) {
+      places_.happened[at] = 0;
     }
+  });
+  for (const Patch& patch : changes_.patches) {
+    places_.infos[patch.place].patch = no_patch;
   }
-  materials_.set(a, b, row);
-  return {};
+  changes_.patches.clear();
+  stats_.moved = changes_.fresh.size();
+  changes_.fresh.clear();
+  meetings_.must_ask_again = false;
 }
+
+void Universe::count_everything(const ContactCounts& counts) {
+  stats_.parts = parts_.size();
+  stats_.geometries = geometries_.size();
+  stats_.parked = parked_count_;
+  stats_.candidate_pairs = counts.candidates;
+  stats_.filtered_pairs = counts.filtered;
+  stats_.unsupported_pairs = counts.unsupported;
+  stats_.touching_pairs = counts.touching;
+  stats_.contacts = contacts().size();
+  stats_.events = events().size();
+  stats_.asleep = sleep_.asleep_count();
+  stats_.examined_pairs = jobs_.jobs().size();
+  stats_.kept_pairs = stats_.candidate_pairs - stats_.examined_pairs;
+  stats_.bytes = bytes();
+}
+
+void Universe::detect(Scope scope) {
+  scope.step = ++step_;
+  is_torn_ = true;
+  begin_detection();
+  try {
+    run_stages(scope);
+  } catch (...) {
+    end_detection();
+    throw;
+  }
+  end_detection();
+  apply_deferred_parking();
+  is_torn_ = false;
+}
+
+void Universe::run_stages(const Scope& scope) {
+  const bool is_timed = are_pairs_timed_.load(std::memory_order_relaxed);
+  Stopwatch watch;
+  pairs_.forget_lost();
+  refresh_places();
+  if (scope.dt > 0) {
+    velocities_.update(scope.dt, [&](PartId part) { return parts_.at(part).placement; });
+  }
+  stats_.refresh_microseconds = watch.lap();
+  update_space();
+  find_pairs();
+  stats_.broadphase_microseconds = watch.lap();
+  if (space_.has_changed()) {
+    pairs_.merge(workers_, near_, places_.infos, changes_.are_slots_reused);
+    changes_.are_slots_reused = false;
+    space_.set_changed(false);
+  }
+  if (focus_.is_on()) {
+    follow_focus();
+  }
+  selection_.run(workers_, scope, options_.tolerance_mode, places_, changes_.patches, meetings_, pairs_, jobs_);
+  stats_.pair_microseconds = watch.lap();
+  find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, jobs_);
+  stats_.narrowphase_microseconds = watch.lap();
+  const ContactCounts counts = contacts_.collect(workers_, places_.infos, is_timed, jobs_, pairs_.all());
+  update_islands(scope.dt);
+  events_.collect(workers_, options_.events, pairs_, places_.infos, contacts_, sleep_);
+  finish_detection();
+  stats_.contact_microseconds = watch.lap();
+  count_everything(counts);
+}
+
+std::uint64_t Universe::hash() const { return hash_of(contacts(), local_points(), events(), sleep_.changes()); }
 
 std::size_t Universe::bytes() const {
-  const std::size_t per_geometry = shapes_.capacity() * sizeof(ShapeHandle) + worlds_.capacity() * sizeof(Pose) +
-                                   boxes_.capacity() * sizeof(CompactAabb) + infos_.capacity() * sizeof(PlaceInfo) +
-                                   happened_.capacity() + presence_.capacity();
-  const std::size_t changes =
-      moved_parts_.capacity() * sizeof(PartId) + changed_geometries_.capacity() * sizeof(GeometryId) +
-      patches_.capacity() * sizeof(Patch) +
-      (self_places_.capacity() + fresh_.capacity() + queue_.capacity() + updates_.capacity() + rejoining_.capacity()) *
-          sizeof(std::uint32_t);
-  const std::size_t results = near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() + jobs_.bytes() +
-                              contacts_.capacity() * sizeof(Contact) + locals_.capacity() * sizeof(LocalPoints) +
-                              (histories_.capacity() + histories_before_.capacity()) * sizeof(ContactHistory) +
-                              events_.capacity() * sizeof(Event);
-  std::size_t tasks = change_tasks_.capacity() * sizeof(ChangeTask) + pair_tasks_.capacity() * sizeof(PairTask) +
-                      contact_tasks_.capacity() * sizeof(ContactTask) + event_tasks_.capacity() * sizeof(EventTask);
-  for (const ChangeTask& task : change_tasks_) {
-    tasks += (task.queue.capacity() + task.fresh.capacity()) * sizeof(std::uint32_t);
+  return sizeof(Universe) + Scene::bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() +
+         selection_.bytes() + jobs_.bytes() + contacts_.bytes() + events_.bytes() + island_links_.bytes() +
+         islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
+}
+
+Result<void> Universe::step(Real dt) {
+  if (!std::isfinite(dt)) {
+    return error_about(Errc::not_finite, "dt", dt, "finite");
   }
-  for (const PairTask& task : pair_tasks_) {
-    tasks += task.lost.capacity() * sizeof(Pair) + task.without_memory.capacity() * sizeof(std::uint32_t);
+  if (dt < 0) {
+    return error_about(Errc::out_of_range, "dt", dt, "zero or positive");
   }
-  for (const EventTask& task : event_tasks_) {
-    tasks += task.events.capacity() * sizeof(Event);
+  detect({.dt = dt});
+  return {};
+}
+
+void Universe::detect_all() { detect({.coverage = Coverage::everything}); }
+
+void Universe::detect_changed() { detect({}); }
+
+Result<void> Universe::detect_pairs(std::span<const std::pair<GeometryId, GeometryId>> pairs) {
+  std::vector<ProxyPair> wanted;
+  wanted.reserve(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [a, b] = pairs[i];
+    if (!geometries_.contains(a) || !geometries_.contains(b)) {
+      return stale(name_at(geometries_.contains(a) ? "b" : "a", i));
+    }
+    wanted.push_back({std::min(a.slot, b.slot) - 1, std::max(a.slot, b.slot) - 1});
   }
-  const std::size_t broadphase = std::visit([](const auto& its) { return its.bytes(); }, broadphase_);
-  return sizeof(Universe) + parts_.bytes() + geometries_.bytes() + list_bytes_ + per_geometry + changes + results +
-         tasks + broadphase + rules_.bytes() + policies_.bytes() + focus_.bytes() +
-         switched_.capacity() * sizeof(std::uint32_t) + materials_.bytes() + sleep_.bytes() + velocities_.bytes() +
-         island_links_.bytes() + islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
+  std::ranges::sort(wanted, is_before);
+  detect({.coverage = Coverage::pairs, .pairs = wanted});
+  return {};
+}
+
+Result<void> Universe::detect_region(const Aabb& region) {
+  if (!(region.low.x <= region.high.x && region.low.y <= region.high.y && region.low.z <= region.high.z)) {
+    return Error{Errc::invalid_argument, "region has a NaN in it, or its minimum lies above its maximum"};
+  }
+  detect({.coverage = Coverage::region, .region = compact(region, options_.origin)});
+  return {};
 }
 
 }  // namespace abut

@@ -32,6 +32,8 @@ LAYERS = [
     ("pairs/rows",),
     ("pairs/registry",),
     ("pairs/any_shape",),
+    ("scene",),
+    ("detect", "queries", "report"),
     ("universe",),
     ("picking", "response", "gpu"),
 ]

@@ -1,0 +1,67 @@
+// The contacts of a detection, and what the next one asks about them.
+export module abut.detect.contacts;
+import abut.capability;
+import abut.core.standard;
+import abut.core.workers;
+import abut.core;
+import abut.detect.jobs;
+import abut.detect.pairs;
+import abut.scene.options;
+import abut.scene.places;
+
+export namespace abut {
+
+// How many pairs of a detection are what.
+struct ContactCounts {
+  std::uint64_t candidates = 0, filtered = 0, unsupported = 0, touching = 0;
+};
+
+class ContactList {
+ public:
+  explicit ContactList(bool keeps_local_points) : keeps_local_points_(keeps_local_points) {}
+
+  // Puts all contacts in the order of the pairs, those that were kept among those that jobs have found. Pairs learn
+  // where theirs are, and whether they touch.
+  [[nodiscard]] ContactCounts collect(const Workers& workers, std::span<const PlaceInfo> infos, bool is_timed,
+                                      const JobList& jobs, std::span<Pair> pairs);
+
+  // Ordered by the slots of the two geometries, of which a has the lower one, then deepest first.
+  [[nodiscard]] std::span<const Contact> all() const [[clang::lifetimebound]] { return contacts_; }
+  [[nodiscard]] std::span<const LocalPoints> locals() const [[clang::lifetimebound]] { return locals_; }
+  [[nodiscard]] std::span<const ContactHistory> histories() const [[clang::lifetimebound]] { return histories_; }
+  // Of a pair, in this detection and in the one before.
+  [[nodiscard]] std::span<const ContactHistory> histories_of(const Pair& pair) const [[clang::lifetimebound]] {
+    return std::span(histories_).subspan(pair.first_contact, pair.contact_count);
+  }
+  [[nodiscard]] std::span<const ContactHistory> histories_before_of(const Pair& pair) const [[clang::lifetimebound]] {
+    return std::span(histories_before_).subspan(pair.first_before, pair.count_before);
+  }
+  // By run.
+  [[nodiscard]] const KindTally& tally(std::size_t run) const [[clang::lifetimebound]] { return tallies_[run]; }
+  [[nodiscard]] Result<void> set_user_data(std::span<const std::uint64_t> user_data);
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  // What one task counts.
+  struct Task {
+    std::array<KindTally, run_count> tallies{};
+    std::uint64_t candidates = 0, filtered = 0, unsupported = 0, touching = 0;
+    std::uint32_t contacts = 0, kept = 0, first_contact = 0;  // kept: of pairs that were not examined
+  };
+  static void count(std::size_t begin, std::size_t end, const JobList& jobs, std::span<Pair> pairs, Task& out);
+  void write(std::size_t begin, std::size_t end, std::uint32_t first_contact, const JobList& jobs,
+             std::span<const PlaceInfo> infos, std::span<Pair> pairs);
+  void write_pair(const Pair& pair, std::span<const ContactPoint> found, std::span<const PlaceInfo> infos);
+  void move_all_kept(std::span<Pair> pairs);
+  void make_room(std::size_t count);
+  void time_kinds(const JobList& jobs);
+
+  bool keeps_local_points_;
+  std::vector<Contact> contacts_;
+  std::vector<LocalPoints> locals_;  // of the contacts, where they are kept; else empty
+  std::vector<ContactHistory> histories_, histories_before_;
+  std::array<KindTally, run_count> tallies_{};
+  std::vector<Task> tasks_;
+};
+
+}  // namespace abut

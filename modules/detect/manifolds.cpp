@@ -1,0 +1,116 @@
+module abut.detect.manifolds;
+import abut.capability;
+import abut.core.standard;
+import abut.core.workers;
+import abut.detect.jobs;
+import abut.detect.pairs;
+import abut.detect.stopwatch;
+import abut.math;
+import abut.narrow.manifold;
+import abut.pairs.any_shape;
+import abut.pairs.registry.self_contacts;
+import abut.pairs.registry;
+import abut.pairs.table;
+import abut.scene.options;
+import abut.scene.places;
+import abut.scene.policies;
+
+namespace abut {
+namespace {
+
+// Without a tolerance touching counts; otherwise an overlap has to exceed the dead band, or a
+// separation to be below the margin.
+bool is_reported(Real distance, Real margin) { return margin == 0 ? distance <= 0 : distance < margin; }
+
+// Points of a job among those of its chunk.
+struct FoundPoints {
+  std::size_t job;
+  std::uint32_t chunk;
+  std::size_t first, count;
+};
+
+// Keeps of the points of a job what is reported, reduced and moved to the world. Jobs come in the order of kinds, so
+// that whatever it reads of its pair is far away in memory: only reductions, which are rare, look there.
+void finish_job(const FoundPoints& points, const UniverseOptions& options, Detail detail, std::span<const Pose> worlds,
+                std::span<const ContactHistory> histories, std::span<const Pair> pairs, JobList& jobs) {
+  if (points.count == 0) {
+    jobs.result(points.job) = {points.chunk, 0, 0};
+    return;
+  }
+  ChunkScratch& scratch = jobs.scratch(points.chunk);
+  const PairJob& its = jobs.jobs()[points.job];
+  const std::span<ContactPoint> found = std::span(scratch.points).subspan(points.first, points.count);
+  const auto reported = [&](const ContactPoint& contact) { return is_reported(contact.distance, its.margin); };
+  const auto kept = static_cast<std::size_t>(std::partition(found.begin(), found.end(), reported) - found.begin());
+  scratch.ids.clear();
+  if (options.max_contacts != 0 && kept > options.max_contacts) {
+    const Pair& pair = pairs[jobs.pair_of(points.job)];
+    for (const ContactHistory& history : histories.subspan(pair.first_before, pair.count_before)) {
+      scratch.ids.push_back(history.id);
+    }
+  }
+  std::size_t left = reduce_children(found.first(kept), options.max_contacts, scratch.ids);
+  left = cap(found.first(left), options.max_pair_contacts);
+  left = detail == Detail::point ? std::min<std::size_t>(left, 1) : left;
+  const bool is_swapped = its.a > its.b;
+  for (ContactPoint& contact : found.first(left)) {
+    move_by(contact, worlds[its.a], is_swapped);
+  }
+  if (options.keeps_local_points) {
+    const Pose &a = worlds[is_swapped ? its.b : its.a], &b = worlds[is_swapped ? its.a : its.b];
+    scratch.locals.resize(scratch.points.size());
+    for (std::size_t i = 0; i < left; ++i) {
+      scratch.locals[points.first + i] = {a.undo(found[i].point_a), b.undo(found[i].point_b)};
+    }
+  }
+  jobs.result(points.job) = {points.chunk, static_cast<std::uint32_t>(points.first), static_cast<std::uint32_t>(left)};
+}
+
+void find_in_chunk(std::size_t number, const UniverseOptions& options, const PolicyTable& policies,
+                   const Places& places, std::span<const ContactHistory> histories, PairStore& pairs, JobList& jobs) {
+  const Chunk& chunk = jobs.chunks()[number];
+  ChunkScratch& scratch = jobs.scratch(number);
+  const std::span<const PairJob> its_jobs = jobs.jobs().subspan(chunk.begin, chunk.end - chunk.begin);
+  const Policy& policy = policies.at(chunk.policy);
+  const QuerySettings settings{.algorithm = policy.algorithm, .error_bound = policy.error_bound};
+  scratch.points.clear();
+  scratch.results.resize(its_jobs.size());
+  const auto run = [&](std::span<const PairJob> some, const QuerySettings& its, std::span<PairResult> results) {
+    if (is_self_run(chunk.run)) {
+      self_contacts_of_run(places.shapes, some, its, scratch.points, results);
+    } else {
+      const auto& kernels = pair_kernels(chunk.run / shape_kind_count, chunk.run % shape_kind_count);
+      contacts_of_run<AnyShape>(kernels, places.shapes, places.worlds, some, its, pairs.memories(), scratch.points,
+                                results);
+    }
+  };
+  run(its_jobs, settings, scratch.results);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < its_jobs.size(); ++i) {
+    std::size_t end = scratch.results[i].contacts_end;
+    const std::size_t next = end;
+    if (scratch.results[i].outcome != Outcome::ok) {
+      // The pair does not have the algorithm of the policy, or that gave up.
+      begin = scratch.points.size();
+      run(its_jobs.subspan(i, 1), QuerySettings{}, std::span(scratch.results).subspan(i, 1));
+      end = scratch.points.size();
+    }
+    finish_job({chunk.begin + i, static_cast<std::uint32_t>(number), begin, end - begin}, options, policy.detail,
+               places.worlds, histories, pairs.all(), jobs);
+    begin = next;
+  }
+}
+
+}  // namespace
+
+void find_manifolds(const Workers& workers, const UniverseOptions& options, const PolicyTable& policies,
+                    const Places& places, std::span<const ContactHistory> histories, bool is_timed, PairStore& pairs,
+                    JobList& jobs) {
+  workers.for_each(jobs.chunks().size(), [&](std::size_t chunk) {
+    Stopwatch watch(is_timed);
+    find_in_chunk(chunk, options, policies, places, histories, pairs, jobs);
+    jobs.scratch(chunk).microseconds = watch.lap();
+  });
+}
+
+}  // namespace abut

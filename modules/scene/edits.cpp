@@ -1,0 +1,80 @@
+// Shapes that change while they are in use.
+module;
+#include "../core/check.hpp"
+module abut.scene;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.pairs.any_shape.shape_edit;
+import abut.scene.checks;
+import abut.scene.room;
+
+namespace abut {
+
+// Where alone a geometry has changed since the last detection. Nothing is known of one that has moved as well, or whose
+// box is not that of its pose.
+void Scene::patch(GeometryId geometry, const Aabb& changed) {
+  const std::uint32_t place = geometry.slot - 1;
+  PlaceInfo& info = places_.infos[place];
+  const bool is_first = info.patch == no_patch;
+  const bool is_settled = space_.is_shown(place) && !geometries_.at(geometry).is_changed &&
+                          !places_.has_happened(place, happened_to_box) && !info.is_box_stale;
+  if (!changed.is_bounded() || (is_first && !is_settled)) {
+    info.patch = no_patch;
+    return;
+  }
+  if (is_first) {
+    info.patch = static_cast<std::uint32_t>(changes_.patches.size());
+    changes_.patches.push_back({place, Aabb::empty(), {}});
+  }
+  Patch& its = changes_.patches[info.patch];
+  const Real reach = reach_of(info, options_.tolerance_mode, meetings_.policies.largest_tolerance());
+  its.box.include(transformed(changed, places_.worlds[place]).inflated(reach));
+  its.compact_box = compact(its.box, options_.origin);
+}
+
+// Of checked ids and edits. What needs memory comes first, so that nothing has changed when there is none.
+void Scene::apply_edits(std::span<const GeometryId> geometries, std::span<const Edit> edits) {
+  make_room(changes_.changed_geometries, geometries.size());
+  make_room(changes_.patches, geometries.size());
+  for (const GeometryId geometry : geometries) {
+    own_shape(places_.shapes[geometry.slot - 1]);
+  }
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    const std::uint32_t place = geometries[i].slot - 1;
+    patch(geometries[i], apply_edit(places_.shapes[place], edits[i]));
+    places_.note(place, happened_to_surface);
+    places_.infos[place].is_box_stale = true;
+    enlist(geometries[i]);
+    disturb(geometries_.at(geometries[i]).part);
+  }
+  revision_.geometries += geometries.empty() ? 0 : 1;
+}
+
+Result<void> Scene::edit_shape(GeometryId geometry, const Edit& edit) {
+  if (!geometries_.contains(geometry)) {
+    return stale("geometry");
+  }
+  if (Fault fault = check_edit(shape_at(geometry.slot - 1), edit)) {
+    return *fault;
+  }
+  apply_edits({&geometry, 1}, {&edit, 1});
+  return {};
+}
+
+Result<void> Scene::edit_shapes(std::span<const GeometryId> geometries, std::span<const Edit> edits) {
+  ABUT_CHECK(geometries.size() == edits.size());
+  if (std::optional<Error> error = check_ids(geometries_, geometries, "geometries")) {
+    return *error;
+  }
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    if (Fault fault = check_edit(shape_at(geometries[i].slot - 1), edits[i])) {
+      return Error{fault->code, name_at("geometries", i) + ": " + fault->message};
+    }
+  }
+  apply_edits(geometries, edits);
+  return {};
+}
+
+}  // namespace abut

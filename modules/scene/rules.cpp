@@ -1,0 +1,68 @@
+module abut.scene.rules;
+import abut.core.standard;
+import abut.scene.options;
+
+namespace abut {
+namespace {
+
+Collidable of_kind(const RuleSide& side, std::size_t kind) {
+  switch (static_cast<CollidableKind>(kind)) {
+    case CollidableKind::geometry: return {CollidableKind::geometry, side.geometry.slot, side.geometry.generation};
+    case CollidableKind::part: return {CollidableKind::part, side.part.slot, side.part.generation};
+    case CollidableKind::label: return {CollidableKind::label, side.label, 0};
+    case CollidableKind::any: break;
+  }
+  return {};
+}
+
+}  // namespace
+
+Rules::Key Rules::key_of(const Collidable& a, const Collidable& b) {
+  const auto packed = [](const Collidable& c) {
+    return std::array{static_cast<std::uint32_t>(c.kind), c.slot, c.generation};
+  };
+  const auto first = packed(a), second = packed(b);
+  return first <= second ? Key{first, second} : Key{second, first};
+}
+
+void Rules::set(const Collidable& a, const Collidable& b, Rule rule) {
+  const Key key = key_of(a, b);
+  std::size_t& count = counts_[key.first[0]][key.second[0]];
+  if (rule == Rule::none) {
+    count -= rules_.erase(key);
+  } else {
+    count += rules_.insert_or_assign(key, rule).second ? 1 : 0;
+  }
+}
+
+void Rules::forget(const Collidable& gone) {
+  const auto name = key_of(gone, gone).first;
+  std::erase_if(rules_, [&](const auto& entry) {
+    const bool is_about_it = entry.first.first == name || entry.first.second == name;
+    counts_[entry.first.first[0]][entry.first.second[0]] -= is_about_it ? 1 : 0;
+    return is_about_it;
+  });
+}
+
+std::optional<Rule> Rules::find(const Collidable& a, const Collidable& b) const {
+  const auto found = rules_.find(key_of(a, b));
+  return found == rules_.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool Rules::allows(const RuleSide& a, const RuleSide& b) const {
+  for (std::size_t low = 0; low < kind_count; ++low) {
+    for (std::size_t high = low; high < kind_count; ++high) {
+      if (counts_[low][high] == 0) {
+        continue;
+      }
+      const std::optional<Rule> one = find(of_kind(a, low), of_kind(b, high)),
+                                other = find(of_kind(a, high), of_kind(b, low));
+      if (one || other) {
+        return one != Rule::disable && other != Rule::disable;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace abut

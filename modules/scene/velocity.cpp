@@ -1,0 +1,105 @@
+module abut.scene.velocity;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.scene.options;
+
+namespace abut {
+namespace {
+
+Vec3 over(const Vec3& v, Real divisor) {
+  const auto quotient = [&](Real number) {
+    return std::clamp(number / divisor, -largest_coordinate, largest_coordinate);
+  };
+  return {quotient(v.x), quotient(v.y), quotient(v.z)};
+}
+
+// For |t| below 0.1, where what the series leaves out is below rounding.
+Real small_arc_tangent(Real t) {
+  const Real s = t * t;
+  return t * (1 - s * (1. / 3 - s * (1. / 5 - s * (1. / 7 - s * (1. / 9 - s * (1. / 11 - s * (1. / 13 - s / 15)))))));
+}
+
+}  // namespace
+
+// The quaternion of the turn is (cos h, sin h * axis) for half of its angle, h. The tangent of half an angle is
+// t / (1 + sqrt(1 + t^2)). Square roots are the same on every platform, unlike the functions of the library that would
+// answer at once.
+Vec3 turn_between(const Quat& before, const Quat& after) {
+  const Quat &a = after, &b = before;
+  Real w = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
+  Vec3 v{a.x * b.w - a.w * b.x + (a.z * b.y - a.y * b.z), a.y * b.w - a.w * b.y + (a.x * b.z - a.z * b.x),
+         a.z * b.w - a.w * b.z + (a.y * b.x - a.x * b.y)};
+  if (w < 0) {
+    w = -w;
+    v = -v;
+  }
+  const Real sine = norm(v);
+  if (sine == 0) {
+    return {0, 0, 0};
+  }
+  Real t = sine / (w + std::sqrt(w * w + sine * sine));  // of a quarter of the angle, at most 1
+  for (int i = 0; i < 3; ++i) {
+    t = t / (1 + std::sqrt(1 + t * t));
+  }
+  return (32 * small_arc_tangent(t) / sine) * v;
+}
+
+Velocity velocity_between(const Placement& before, const Placement& after, Real dt) {
+  return {over(after.position - before.position, dt), over(turn_between(before.orientation, after.orientation), dt)};
+}
+
+void VelocityTable::make_room(std::uint32_t highest, std::size_t measuring) {
+  if (entries_.size() < highest) {
+    entries_.resize(highest);
+  }
+  if (measured_.capacity() < measured_.size() + measuring) {
+    measured_.reserve(std::max(2 * measured_.capacity(), measured_.size() + measuring));
+  }
+}
+
+void VelocityTable::turn_to(Entry& entry, VelocitySource source) {
+  if (entry.source != VelocitySource::none) {
+    --counts_[static_cast<std::size_t>(entry.source)];
+  }
+  if (entry.source == VelocitySource::poses && source != VelocitySource::poses) {
+    measured_[entry.place] = measured_.back();
+    entries_[measured_[entry.place].part.slot - 1].place = entry.place;
+    measured_.pop_back();
+  }
+  if (source != VelocitySource::none) {
+    ++counts_[static_cast<std::size_t>(source)];
+  }
+  entry.source = source;
+}
+
+void VelocityTable::give(std::uint32_t slot, const Velocity& velocity) {
+  make_room(slot, 0);
+  turn_to(entries_[slot - 1], VelocitySource::given);
+  entries_[slot - 1].velocity = velocity;
+}
+
+void VelocityTable::measure(PartId part, const Placement& now) {
+  make_room(part.slot, 1);
+  Entry& entry = entries_[part.slot - 1];
+  if (entry.source == VelocitySource::poses) {
+    return;
+  }
+  turn_to(entry, VelocitySource::poses);
+  entry.velocity = {};
+  entry.place = static_cast<std::uint32_t>(measured_.size());
+  measured_.push_back({part, now});
+}
+
+void VelocityTable::forget(std::uint32_t slot) {
+  if (slot <= entries_.size()) {
+    turn_to(entries_[slot - 1], VelocitySource::none);
+    entries_[slot - 1].velocity = {};
+  }
+}
+
+std::size_t VelocityTable::bytes() const {
+  return entries_.capacity() * sizeof(Entry) + measured_.capacity() * sizeof(Measured);
+}
+
+}  // namespace abut

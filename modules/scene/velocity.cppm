@@ -1,0 +1,81 @@
+// How fast parts move: as the caller says, or by their poses.
+export module abut.scene.velocity;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.scene.options;
+
+export namespace abut {
+
+// In the world frame.
+struct Velocity {
+  Vec3 linear{0, 0, 0};   // of the origin of the part
+  Vec3 angular{0, 0, 0};  // its axis times radians per second
+
+  friend constexpr bool operator==(const Velocity&, const Velocity&) = default;
+};
+
+enum class VelocitySource : std::uint32_t { none, given, poses };
+
+// The turn from one orientation to another as its axis times its angle, which is at most half a turn. Exactly zero
+// for equal orientations; lengths of the quaternions do not matter.
+[[nodiscard]] Vec3 turn_between(const Quat& before, const Quat& after);
+
+// The constant velocity that leads from one placement to the other in a positive time, by the shorter turn. Numbers
+// beyond the largest coordinate are cut to it.
+[[nodiscard]] Velocity velocity_between(const Placement& before, const Placement& after, Real dt);
+
+// Velocities of parts, by the slot of the part. Empty until one is set.
+class VelocityTable {
+ public:
+  [[nodiscard]] inline bool is_empty() const {
+    return count(VelocitySource::given) + count(VelocitySource::poses) == 0;
+  }
+  [[nodiscard]] inline std::uint64_t count(VelocitySource source) const {
+    return counts_[static_cast<std::size_t>(source)];
+  }
+  // Zero for a part that has none.
+  [[nodiscard]] inline Velocity of(std::uint32_t slot) const {
+    return slot <= entries_.size() ? entries_[slot - 1].velocity : Velocity{};
+  }
+  [[nodiscard]] inline VelocitySource source_of(std::uint32_t slot) const {
+    return slot <= entries_.size() ? entries_[slot - 1].source : VelocitySource::none;
+  }
+
+  // So that calls for slots up to `highest` cannot fail, of which so many measure.
+  void make_room(std::uint32_t highest, std::size_t measuring);
+  void give(std::uint32_t slot, const Velocity& velocity);
+  // From where the part is now. One that is measured already goes on.
+  void measure(PartId part, const Placement& now);
+  void forget(std::uint32_t slot);
+
+  // What is measured follows from where parts were when the last step with time was over, and where they are.
+  template <class PlacementOf>
+  void update(Real dt, PlacementOf&& placement_of) {
+    for (Measured& its : measured_) {
+      const Placement now = placement_of(its.part);
+      entries_[its.part.slot - 1].velocity = velocity_between(std::exchange(its.before, now), now, dt);
+    }
+  }
+
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct Entry {
+    Velocity velocity;
+    VelocitySource source = VelocitySource::none;
+    std::uint32_t place = 0;  // in measured_, of one that is
+  };
+  struct Measured {
+    PartId part;
+    Placement before;
+  };
+  void turn_to(Entry& entry, VelocitySource source);
+
+  std::vector<Entry> entries_;  // by slot less one
+  std::vector<Measured> measured_;
+  std::array<std::uint64_t, 3> counts_{};  // by source
+};
+
+}  // namespace abut
