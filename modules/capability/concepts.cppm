@@ -68,7 +68,7 @@ concept Rimmed = Curved<S> && requires(const S& shape, const Vec3& direction) {
   { shape.supporting_rim(direction) } -> std::same_as<std::optional<Rim>>;
 };
 
-// A polytope of any number of faces, which lists the planes of its faces, four at a time, and its edges with the faces
+// A polytope of any number of faces. It lists the planes of its faces, four at a time, and its edges with the faces
 // on either side.
 template <class S>
 concept Faceted = Convex<S> && requires(const S& shape) {
@@ -103,11 +103,10 @@ struct AcceptsAnyPart {
   void operator()(const Part&, std::uint32_t) const {}
 };
 
-// Made of convex parts. visit_parts hands over every part whose box overlaps the given one; the
-// visitor may shrink that box on the way. part_near gives some part close to a point.
-// is_crest tells whether the surface around some corners of a part, given by bit (one is a vertex, two are an edge),
-// lies behind the plane through them across a direction: whether the direction is in their cone of normals, up to a
-// height.
+// Made of convex parts. visit_parts hands over every part whose box overlaps the given one; the visitor may shrink
+// that box on the way. part_near gives some part close to a point. is_crest is asked about some corners of a part,
+// given by bit: one is a vertex, two are an edge. It tells whether the surface around them lies behind the plane
+// through them across a direction, up to a height. The direction then is in their cone of normals.
 template <class S>
 concept Surface =
     Bounded<S> && Convex<typename S::Part> &&

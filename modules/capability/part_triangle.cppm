@@ -61,9 +61,8 @@ class Triangle {
     return {corners_[1] - corners_[0], corners_[2] - corners_[1], corners_[0] - corners_[2]};
   }
 
-  // Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013; both sides count. Seen along the
-  // ray, the side of an edge is the same number for both triangles that share it but for its sign, so
-  // that no ray slips between them.
+  // Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013; both sides count. Seen along the ray, the side
+  // of an edge is the same number, but for its sign, for both triangles that share it. So no ray slips between them.
   [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction,
                                                       Real max_distance) const {
     const Vec3 d = direction, wide = absolute(d);

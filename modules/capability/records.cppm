@@ -116,7 +116,7 @@ struct ContactPoint {
 
 using Manifold = std::vector<ContactPoint>;
 
-// Contacts of one pair in which the same features touch, as where an edge crosses a rim twice, get numbers of their
+// The same features may touch twice in one pair, as where an edge crosses a rim. Such contacts get numbers of their
 // own, in their order.
 inline void number_apart(std::span<ContactPoint> contacts) {
   std::uint64_t seen = 0;  // a bit for the last digits of each number

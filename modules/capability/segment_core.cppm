@@ -13,8 +13,8 @@ struct RoundReach {
   Real reach;
   bool is_of_other_end;  // the way ends on the ball around an end of the core that is not the point
 };
-// From the point at a height `z` of a segment along Z. Where the direction leans toward an end, the way leaves through
-// the side before the ball around the point ends, or through the ball around that end.
+// From the point at a height `z` of a segment along Z. Where the direction leans toward an end, the way leaves
+// through the side or through the ball around that end.
 [[nodiscard]] inline RoundReach reach_of_round_segment(Real half_length, Real radius, Real z, const Vec3& direction) {
   const Real left = direction.z >= 0 ? half_length - z : half_length + z;
   if (!(radius > 0 && left > 0)) {

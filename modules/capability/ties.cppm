@@ -6,9 +6,8 @@ import abut.math;
 
 export namespace abut {
 
-// Heights and places that differ by less than this share of the size are the same. Some thousand units of rounding, so
-// that what ties stays tied under motions of a picometre per metre, and a hundredth of what points of contacts may be
-// off by.
+// Heights and places that differ by less than this share of the size are the same. Some thousand units of rounding:
+// ties stay ties under motions of a picometre per metre. It is a hundredth of what points of contacts may be off by.
 inline constexpr Real tie_share = 4e-12;
 
 // The axis along which a direction is longest; of those that tie the first one.

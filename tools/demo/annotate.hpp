@@ -8,8 +8,8 @@
 
 namespace demo {
 
-/// A solid dot for each contact that the camera sees, a faint one where only a touching body is in the way, and none
-/// where anything else hides it. Returns how many dots are solid.
+/// A solid dot for each contact that the camera sees, a faint one where only a touching body is in the way. There is
+/// none where anything else hides the contact. Returns how many dots are solid.
 std::size_t mark_contacts(Picture& picture, const abut_camera& camera, std::span<const abut_contact> contacts,
                           const Scene& scene);
 
