@@ -27,6 +27,10 @@ struct HullFacets {
   struct Line {
     Lanes from, along;  // a vertex, and the way to the next one
   };
+  // Where among the points the vertices of an edge are.
+  struct Ends {
+    std::uint32_t from, to;
+  };
   // Where among the planes the faces to the left and to the right of an edge are.
   struct Sides {
     std::uint32_t left, right;
@@ -36,6 +40,7 @@ struct HullFacets {
   std::vector<Sides> sides;  // of each edge
   std::vector<Arcs> arcs;    // filled up with copies of the left side, which are arcs without length
   std::vector<Line> lines;   // of each edge
+  std::vector<Ends> ends;    // of each edge
   Vec3 middle{};             // the centre of a ball inside
   Real inner = 0;            // and its radius
   Real flatness = 0;         // no vertex of a face is further than this behind its plane

@@ -126,12 +126,14 @@ void list_cells(HullData& hull) {
   hull.first_candidates.push_back(static_cast<std::uint32_t>(hull.candidates.size()));
 }
 
-// Each vertex the one that is furthest from all before it.
-void list_points(HullData& hull) {
+// Each vertex the one that is furthest from all before it. Returns where among the points each vertex is.
+std::vector<std::uint32_t> list_points(HullData& hull) {
   std::vector<Lanes>& points = hull.facets.points;
   for (const Vec3& p : hull.vertices) {
     points.push_back(lanes_of(p));
   }
+  std::vector<std::uint32_t> vertices(points.size()), places(points.size());
+  std::iota(vertices.begin(), vertices.end(), 0u);
   constexpr std::size_t limit = 256;
   std::vector<Real> gaps(points.size(), infinity);
   for (std::size_t i = 1; points.size() <= limit && i < points.size(); ++i) {
@@ -143,7 +145,12 @@ void list_points(HullData& hull) {
     const std::size_t furthest = i + static_cast<std::size_t>(std::max_element(rest, gaps.end()) - rest);
     std::swap(points[i], points[furthest]);
     std::swap(gaps[i], gaps[furthest]);
+    std::swap(vertices[i], vertices[furthest]);
   }
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    places[vertices[i]] = i;
+  }
+  return places;
 }
 
 // Faces in an order in which each four look nearly the same way, and so can be passed over together. Polytopes with
@@ -188,7 +195,8 @@ void list_planes(HullData& hull, std::span<const std::uint32_t> order) {
   }
 }
 
-void list_lines(HullData& hull, std::span<const std::uint32_t> order) {
+// `order` of the faces; `points`: where the vertices are.
+void list_lines(HullData& hull, std::span<const std::uint32_t> order, std::span<const std::uint32_t> points) {
   std::vector<std::uint32_t> places(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) {
     places[order[i]] = i;
@@ -201,9 +209,11 @@ void list_lines(HullData& hull, std::span<const std::uint32_t> order) {
       // Edges were numbered in the order in which they come here.
       const std::size_t edge = hull.face_edges[face.first + i];
       if (edge == sides.size()) {
-        const Vec3& from = hull.vertices[hull.face_vertices[face.first + i]];
-        const Vec3& to = hull.vertices[hull.face_vertices[face.first + (i + 1 < face.count ? i + 1 : 0)]];
+        const std::uint32_t first = hull.face_vertices[face.first + i];
+        const std::uint32_t last = hull.face_vertices[face.first + (i + 1 < face.count ? i + 1 : 0)];
+        const Vec3 &from = hull.vertices[first], &to = hull.vertices[last];
         facets.lines.push_back({lanes_of(from), lanes_of(to - from)});
+        facets.ends.push_back({points[first], points[last]});
         sides.push_back({places[index], no_index});
       } else {
         sides[edge].right = places[index];
@@ -249,10 +259,10 @@ void finish_hull(HullData& hull) {
   if (hull.vertices.size() > HullData::scan_limit) {
     list_cells(hull);
   }
-  list_points(hull);
+  const std::vector<std::uint32_t> points = list_points(hull);
   const std::vector<std::uint32_t> order = faces_by_direction(hull);
   list_planes(hull, order);
-  list_lines(hull, order);
+  list_lines(hull, order, points);
 }
 
 }  // namespace abut

@@ -7,11 +7,11 @@ import abut.math;
 import abut.narrow.points.clip;
 export import abut.narrow.convex.closed_forms;
 import abut.narrow.convex.field_cores;
+import abut.narrow.convex.settle;
 import abut.narrow.points.common_region;
 import abut.narrow.points.lane_contact;
 import abut.narrow.points.round_lift;
 import abut.narrow.polytope.libccd;
-import abut.narrow.warm.proof;
 export import abut.narrow.convex.separation;
 import abut.capability;
 
@@ -182,7 +182,7 @@ template <Convex A, Convex B>
 [[nodiscard]] inline CoreSeparation separate_for_contacts(const A& a, const B& b, const Pose& ab,
                                                           const QuerySettings& settings) {
   CoreSeparation core = separate_cores(a, b, ab, settings, settings.margin + (a.radius() + b.radius()));
-  if constexpr (Featured<A, B>) {
+  if constexpr (are_featured<A, B>) {
     if (settings.algorithm == Algorithm::automatic && core.overlap && core.algorithm == Algorithm::gjk_epa) {
       const Real size = core_size(a, b, ab);
       settle_on_features(a, b, ab, size, error_of(a, b, size, settings), core);

@@ -10,6 +10,7 @@ import abut.narrow.cores.outlines;
 import abut.narrow.cores.simplex;
 import abut.narrow.fan.box_sat;
 import abut.narrow.fan.disc_depth_of_pair;
+import abut.narrow.fan.features;
 import abut.narrow.fan.hull_sat;
 import abut.narrow.fan.sat;
 import abut.narrow.points.witnesses;
@@ -23,37 +24,35 @@ export namespace abut {
 template <class A, class B>
 concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_axes == 3;
 
-// Under the normal found, with the support points along it.
-[[nodiscard]] inline CoreSeparation separation_under(const SatResult& found, const Vec3& point_a, const Vec3& point_b,
-                                                     Real size) {
+// Along a normal, with the points of the features that it belongs to, or else with open support points.
+template <Convex A, Convex B>
+[[nodiscard]] CoreSeparation separation_along(const A& a, const B& b, const Pose& ab, const Vec3& normal,
+                                              const CoreFeatures& features, Real size) {
   CoreSeparation core{};
   core.rounding = rounding_of(size);
   core.overlap = true;
   core.algorithm = Algorithm::sat;
-  core.iterations = found.axes;
-  core.normal = found.normal;
-  core.distance = core.lower = core.upper = found.separation;
-  core.point_a = point_a;
-  core.point_b = point_b;
-  core.points_open = !(found.of_edges && find_edge_witnesses(found.edge_a, found.edge_b, core));
+  core.normal = normal;
+  core.features = features;
+  core.point_a = a.support(normal).point;
+  core.point_b = placed_support(b, place(b, ab), -normal).point;
+  core.distance = core.lower = core.upper = dot(normal, core.point_b - core.point_a);
+  core.points_open = true;
+  if constexpr (are_numbered<A, B>) {
+    core.points_open = !(features.are_edges() && find_edge_witnesses(a, b, ab, size, core));
+  }
   return core;
 }
-// The lines along both edges may come closest beyond the ends of these: then the points are support points, and open.
-inline void open_points(const Vec3& point_a, const Vec3& point_b, CoreSeparation& core) {
-  core.point_a = point_a;
-  core.point_b = point_b;
-  core.points_open = true;
-}
-
 template <Convex A, Convex B>
-[[nodiscard]] CoreSeparation separate_along(const A& a, const B& b, const Pose& ab, const SatResult& found, Real size) {
-  const Vec3 point_a = a.support(found.normal).point;
-  const Vec3 point_b = placed_support(b, place(b, ab), -found.normal).point;
-  CoreSeparation core = separation_under(found, point_a, point_b, size);
-  const Real slack = rounding_of(size);
-  if (!core.points_open && !(holds(a, core.point_a, slack) && holds(b, ab.undo(core.point_b), slack))) [[unlikely]] {
-    open_points(point_a, point_b, core);
+[[nodiscard]] CoreSeparation separation_along(const A& a, const B& b, const Pose& ab, const SatResult& found,
+                                              Real size) {
+  CoreFeatures features = found.features;
+  if constexpr (are_numbered<A, B>) {
+    direct_edges(a, b, ab, found.normal, features);
   }
+  CoreSeparation core = separation_along(a, b, ab, found.normal, features, size);
+  core.iterations = found.axes;
+  core.distance = core.lower = core.upper = found.separation;
   return core;
 }
 
@@ -88,15 +87,13 @@ template <FewFaced A, FewFaced B>
 template <FewFaced A, FewFaced B>
 [[nodiscard]] [[gnu::noinline]] CoreSeparation separate_by_sat(const A& a, const B& b, const Pose& ab, Real size) {
   if constexpr (TwoBoxes<A, B>) {
-    return separate_along(a, b, ab, sat_of_boxes(a.half(), b.half(), ab, noise_of(size), infinity), size);
+    return separation_along(a, b, ab, sat_of_boxes(a.half(), b.half(), ab, noise_of(size), infinity), size);
   } else {
     if (const std::optional<SatResult> found = sat(a, b, ab, noise_of(size))) {
-      return separate_along(a, b, ab, *found, size);
+      return separation_along(a, b, ab, *found, size);
     }
     // Without any axis the cores lie on one line.
-    const Vec3 n = direction_across(a, b, ab), none{0, 0, 0};
-    const Real separation = dot(n, placed_support(b, place(b, ab), -n).point - a.support(n).point);
-    return separate_along(a, b, ab, SatResult{separation, n, 0, false, none, none}, size);
+    return separation_along(a, b, ab, direction_across(a, b, ab), {}, size);
   }
 }
 
@@ -105,42 +102,23 @@ template <Convex A, Convex B>
   requires HullAndSeen<A, B>
 [[nodiscard]] [[gnu::noinline]] bool separate_by_hull_sat(const A& a, const B& b, const Pose& ab, Real size,
                                                           CoreSeparation& core) {
-  std::optional<HullSatResult> found = hull_sat(a, b, ab, noise_of(size));
+  std::optional<SatResult> found = hull_sat(a, b, ab, noise_of(size));
   if (!found) {
     return false;
   }
-  const Vec3 point_a = a.support(found->normal).point;
-  const Vec3 point_b = placed_support(b, place(b, ab), -found->normal).point;
-  const Real separation = dot(found->normal, point_b - point_a);
+  if (found->features.are_known()) {
+    direct_edges(a, b, ab, found->normal, found->features);
+    found->normal = normal_of(a, b, ab, found->features);
+  }
+  CoreSeparation along = separation_along(a, b, ab, found->normal, found->features, size);
   // An edge that rounding has taken for the end of its core promises too much.
-  if (!(std::fabs(separation - found->separation) <= noise_of(size))) [[unlikely]] {
+  if (!(std::fabs(along.distance - found->separation) <= noise_of(size))) [[unlikely]] {
     return false;
   }
-  found->separation = separation;
-  const std::uint32_t iterations = core.iterations;
-  const auto on_edge = [&](const Vec3& support, const Vec3& on, const Vec3& edge) {
-    const Real off = noise_of(size);
-    return found->of_edges && squared_norm(cross(support - on, edge)) > off * off * squared_norm(edge) ? on : support;
-  };
-  core = separation_under(*found, on_edge(point_a, found->on_a, found->edge_a),
-                          on_edge(point_b, found->on_b, found->edge_b), size);
-  const Real slack = noise_of(size);
-  const auto is_on = [&]<class S>(const S& shape, const Vec3& own, const Vec3& point, const Vec3& from,
-                                  const Vec3& edge) {
-    if constexpr (Faceted<S>) {
-      const Real at = dot(point - from, edge), square = squared_norm(edge), room = slack * std::sqrt(square);
-      return at >= -room && at <= square + room;
-    } else {
-      return holds(shape, own, slack);
-    }
-  };
-  if (!core.points_open && !(is_on(a, core.point_a, core.point_a, found->on_a, found->edge_a) &&
-                             is_on(b, ab.undo(core.point_b), core.point_b, found->on_b, found->edge_b))) [[unlikely]] {
-    open_points(point_a, point_b, core);
-  }
-  core.iterations += iterations;
-  core.upper += flatness_of(a) + flatness_of(b);
-  core.rounding = noise_of(size);  // normals of slender faces are off by more than their corners
+  along.iterations = core.iterations + found->axes;
+  along.upper += flatness_of(a) + flatness_of(b);
+  along.rounding = noise_of(size);  // normals of slender faces are off by more than their corners
+  core = along;
   return true;
 }
 
@@ -177,6 +155,7 @@ template <Convex A, Convex B>
     const Vec3& n = least->normal;
     CoreSeparation under = core;
     under.normal = n;
+    under.features = least->features;
     under.distance = -least->depth;
     under.point_a = a.support(n).point;
     under.point_b = placed_support(b, place(b, ab), -n).point;
@@ -201,6 +180,7 @@ template <Convex A, Convex B>
       return false;
     }
     set_depth(depth, size, core);
+    core.features = least->features;
     core.points_open = false;
     return true;
   } else {

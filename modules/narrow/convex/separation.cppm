@@ -58,7 +58,7 @@ template <BoxCored A, BoxCored B>
         return true;
       }
       if (found.separation <= touching_distance(size)) {
-        core = separate_along(a, b, ab, found, size);
+        core = separation_along(a, b, ab, found, size);
         if (is_touch(core, size)) {
           // Where the steps end short of the common point the faces have it.
           const NearPoints near = near_points(a, b, ab, error);

@@ -1,6 +1,7 @@
 // The separation of two cores as a record, and the bounds that errors and rounding have.
 export module abut.narrow.cores.core_separation;
 import abut.capability;
+export import abut.capability.core_feature;
 import abut.core.standard;
 import abut.math;
 
@@ -11,6 +12,7 @@ struct CoreSeparation {
   Real distance, lower, upper;
   Real rounding;  // of the coordinates, by which the bounds may be off
   Vec3 normal;    // unit, from a to b
+  CoreFeatures features;
   Vec3 point_a, point_b;
   bool points_open;  // the points are any support points so far: find_points has to look for them
   bool beyond;       // only `lower` was found, and exceeds the limit asked for

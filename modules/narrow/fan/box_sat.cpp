@@ -1,6 +1,7 @@
 module abut.narrow.fan.box_sat;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.cores.core_separation;
 import abut.narrow.fan.sat;
 
 namespace abut {
@@ -25,6 +26,9 @@ struct Best {
 }
 // Of two symmetric bodies the side that faces the other one is the better one.
 [[nodiscard]] inline Vec3 toward(const Vec3& n, const Vec3& apart) { return dot(n, apart) < 0 ? -n : n; }
+[[nodiscard]] inline CoreFeature face_of(int axis, bool is_positive) {
+  return core_face(static_cast<std::size_t>(2 * axis) + (is_positive ? 1 : 0));
+}
 
 }  // namespace
 
@@ -42,13 +46,17 @@ SatResult sat_of_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, R
   const Real least = best_of(maximum(of_a, of_b)).value - noise;
   const Best from_a = best_of(of_a >= all_lanes(least) ? offsets_a : Lanes(-infinity));
   const Best from_b = best_of(of_b >= all_lanes(least) ? offsets_b : Lanes(-infinity));
-  SatResult best{0, {0, 0, 0}, face_axes, false, {0, 0, 0}, {0, 0, 0}};
+  SatResult best{0, {0, 0, 0}, face_axes, {}};
   if (from_b.value > from_a.value) {
+    const Vec3& n = column(ab.rotation, from_b.axis);
+    const bool is_opposite = dot(n, ab.position) < 0;
     best.separation = of_b[from_b.axis];
-    best.normal = toward(column(ab.rotation, from_b.axis), ab.position);
+    best.normal = is_opposite ? -n : n;
+    best.features.b = face_of(from_b.axis, is_opposite);
   } else {
     best.separation = of_a[from_a.axis];
     best.normal = toward(unit(from_a.axis), ab.position);
+    best.features.a = face_of(from_a.axis, !(ab.position[from_a.axis] < 0));
   }
   if (best.separation > limit) {
     return best;
@@ -79,11 +87,9 @@ SatResult sat_of_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, R
   if (edges.value > best.separation + noise) {
     const int axis = with_x[edges.axis] == edges.value ? 0 : with_y[edges.axis] == edges.value ? 1 : 2;
     best.separation = edges.value;
-    best.of_edges = true;
-    best.edge_a = unit(axis);
-    best.edge_b = column(ab.rotation, edges.axis);
-    const Vec3 n = cross(best.edge_a, best.edge_b);
-    best.normal = toward(unit_across_edges(best.edge_a, best.edge_b, n, squared_norm(n)), t);
+    best.features = {core_edge(static_cast<std::size_t>(axis)), core_edge(static_cast<std::size_t>(edges.axis))};
+    const Vec3 edge_a = unit(axis), edge_b = column(ab.rotation, edges.axis), n = cross(edge_a, edge_b);
+    best.normal = toward(unit_across_edges(edge_a, edge_b, n, squared_norm(n)), t);
   }
   return best;
 }

@@ -2,6 +2,7 @@ module abut.narrow.fan.disc_depth;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.cores.core_separation;
 
 namespace abut {
 namespace {
@@ -53,6 +54,7 @@ class Shadow {
     return discs_.height[0] * up + discs_.radius[0] * out > discs_.height[1] * up + discs_.radius[1] * out ? 0 : 1;
   }
   // Where the supporting disc or the trend of the curvature may change: across the side, along the axis and across it.
+  // Tells which of them are across the side.
   template <class Visit>
   inline void visit_seams(Visit&& visit) const {
     const Real square = dot(axis_, axis_);
@@ -61,16 +63,16 @@ class Shadow {
     }
     const Real length = std::sqrt(square);
     const Flat up{axis_.x / length, axis_.y / length}, aside{-up.y, up.x};
-    const auto visit_pair = [&](Real along, Real across) {
-      visit(Flat{along * up.x + across * aside.x, along * up.y + across * aside.y});
-      visit(Flat{along * up.x - across * aside.x, along * up.y - across * aside.y});
+    const auto visit_pair = [&](Real along, Real across, bool is_side) {
+      visit(Flat{along * up.x + across * aside.x, along * up.y + across * aside.y}, is_side);
+      visit(Flat{along * up.x - across * aside.x, along * up.y - across * aside.y}, is_side);
     };
-    visit_pair(0, 1);
-    visit(up);
-    visit({-up.x, -up.y});
     const Real along = discs_.side_up / length;
+    visit_pair(0, 1, along == 0);
+    visit(up, false);
+    visit({-up.x, -up.y}, false);
     if (along != 0 && std::fabs(along) < 1) {
-      visit_pair(along, std::sqrt((1 - along) * (1 + along)));
+      visit_pair(along, std::sqrt((1 - along) * (1 + along)), true);
     }
   }
 
@@ -200,8 +202,12 @@ void DiscDepth::search(const EdgeArc& arc) {
   std::size_t count = 0;
   const Flat start{1, 0}, end{arc.end_x, arc.end_y};
   seams[count++] = start;
-  const auto insert = [&](const Flat& seam) {
+  const auto insert = [&](const Flat& seam, bool is_side) {
     if (is_between(start, seam, end)) {
+      if (is_side) {
+        const Real depth = shadow.support(shadow.disc_toward(seam), seam, 1).depth;
+        offer(depth, seam.x * arc.x + seam.y * arc.y, {arc.edge, core_edge(side_of_discs)});
+      }
       std::size_t place = count++;
       for (; cross(seam, seams[place - 1]) > 0; --place) {
         seams[place] = seams[place - 1];
@@ -211,7 +217,7 @@ void DiscDepth::search(const EdgeArc& arc) {
   };
   shadow.visit_seams(insert);
   if (arc.end_x < 0) {
-    insert({0, 1});
+    insert({0, 1}, false);
   }
   seams[count++] = end;
   for (std::size_t i = 1; i < count; ++i) {
@@ -224,14 +230,15 @@ void DiscDepth::search(const EdgeArc& arc) {
   }
 }
 
-void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right, DiscDepth& least) {
+void search_edge(std::size_t number, const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right,
+                 DiscDepth& least) {
   const PlacedDiscs& discs = least.discs();
   const Vec3 edge = (1 / norm(along)) * along;
   const Vec3 x = UnitVec3::make(left - dot(left, edge) * edge).value_or(UnitVec3::from_unit_unchecked(left));
   const Vec3 y = cross(edge, x), corner = from + discs.centre;
   const Real end_x = dot(right, x), end_y = dot(right, y), length = std::sqrt(end_x * end_x + end_y * end_y);
   least.search({x, y, end_x / length, end_y / length, dot(corner, x), dot(corner, y), dot(discs.axis, x),
-                dot(discs.axis, y), dot(discs.axis, edge)});
+                dot(discs.axis, y), dot(discs.axis, edge), core_edge(number)});
 }
 
 void search_box(const Vec3& half, DiscDepth& least) {
@@ -254,15 +261,15 @@ void search_box(const Vec3& half, DiscDepth& least) {
       feet[static_cast<std::size_t>(i)][side] = foot;
       Vec3 normal{0, 0, 0};
       component(normal, i) = sign;
-      least.offer(half[i] + sign * foot[i], normal);
+      least.offer(half[i] + sign * foot[i], normal, {core_face(2 * static_cast<std::size_t>(i) + side), {}});
     }
   }
   // Ends of the discs.
   const Vec3 reach = {half.x * std::fabs(axis.x), half.y * std::fabs(axis.y), half.z * std::fabs(axis.z)};
   const Real along = dot(centre, axis), span = reach.x + reach.y + reach.z,
              top = std::fmax(discs.height[0], discs.height[1]);
-  least.offer(span + along + top, axis);
-  least.offer(span - along + top, -axis);
+  least.offer(span + along + top, axis, {{}, core_face(face_along_axis)});
+  least.offer(span - along + top, -axis, {{}, core_face(face_against_axis)});
   // The side against corners.
   const Real side = discs.side();
   for (unsigned corner = 0; corner < 8; ++corner) {
@@ -306,29 +313,30 @@ void search_box(const Vec3& half, DiscDepth& least) {
       component(x, j) = sign_j;
       component(y, k) = sign_k;
       least.search({x, y, 0, 1, half[j] + sign_j * centre[j], half[k] + sign_k * centre[k], sign_j * axis[j],
-                    sign_k * axis[k], axis[i]});
+                    sign_k * axis[k], axis[i], core_edge(static_cast<std::size_t>(i))});
     }
   }
 }
 
 void search_triangle(const std::array<Vec3, 3>& corners, const Vec3& normal, DiscDepth& least) {
   const PlacedDiscs& discs = least.discs();
-  const auto offer = [&](const Vec3& u) {
+  const auto offer = [&](const Vec3& u, const CoreFeatures& features) {
     const Real reach = std::fmax(dot(corners[0], u), std::fmax(dot(corners[1], u), dot(corners[2], u)));
-    least.offer(reach + discs.reach(u), u);
+    least.offer(reach + discs.reach(u), u, features);
   };
-  for (const Vec3& u : {normal, -normal, discs.axis, -discs.axis}) {
-    offer(u);
-  }
+  offer(normal, {core_face(1), {}});
+  offer(-normal, {core_face(0), {}});
+  offer(discs.axis, {{}, core_face(face_along_axis)});
+  offer(-discs.axis, {{}, core_face(face_against_axis)});
   for (const Vec3& corner : corners) {
-    offer(normal_of_side(discs, corner + discs.centre));
+    offer(normal_of_side(discs, corner + discs.centre), {});
   }
   // Across an edge from the normal of one side outward, and on to that of the other.
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 along = corners[i == 2 ? 0 : i + 1] - corners[i];
     const Vec3 outward = *UnitVec3::make(cross(along, normal));
-    search_edge(corners[i], along, normal, outward, least);
-    search_edge(corners[i], along, outward, -normal, least);
+    search_edge(i, corners[i], along, normal, outward, least);
+    search_edge(i, corners[i], along, outward, -normal, least);
   }
 }
 

@@ -12,6 +12,7 @@ export module abut.narrow.fan.disc_depth;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.cores.core_separation;
 
 export namespace abut {
 
@@ -51,6 +52,7 @@ struct EdgeArc {
   Real end_x, end_y;                // where it ends; of a polygon half a turn on up to rounding, else less
   Real corner_x, corner_y;          // the edge, and the centre of the discs
   Real axis_x, axis_y, axis_along;  // the axis of the discs; its part along the edge
+  CoreFeature edge;
 };
 
 class DiscDepth {
@@ -70,10 +72,14 @@ class DiscDepth {
   // Unit, from the other body to the discs.
   [[nodiscard]] inline const Vec3& direction() const [[clang::lifetimebound]] { return direction_; }
 
-  [[gnu::always_inline]] inline void offer(Real depth, const Vec3& direction) {
+  // Of the other body, and of the discs.
+  [[nodiscard]] inline const CoreFeatures& features() const [[clang::lifetimebound]] { return features_; }
+
+  [[gnu::always_inline]] inline void offer(Real depth, const Vec3& direction, const CoreFeatures& features = {}) {
     if (depth < depth_ - noise_) {
       depth_ = depth;
       direction_ = direction;
+      features_ = features;
     }
   }
   // Whether nothing is less between two directions, at the ends of which feet lie whose line passes the origin at the
@@ -96,11 +102,17 @@ class DiscDepth {
   Real slack_, noise_;
   Real depth_ = infinity;
   Vec3 direction_{0, 0, 1};
+  CoreFeatures features_{};
   bool is_proven_ = true;
 };
 
-// Offers the directions across an edge between the normals of its faces, seen from outside along it.
-void search_edge(const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right, DiscDepth& least);
+// The discs as features. They are mirrored: the axis leads out of the body where its lower disc is.
+inline constexpr std::size_t face_along_axis = 4, face_against_axis = 5, side_of_discs = 2;
+
+// Offers the directions across an edge between the normals of its faces, seen from outside along it. `number`: of the
+// edge.
+void search_edge(std::size_t number, const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right,
+                 DiscDepth& least);
 // Offers the directions of all faces, corners and edges of a box around the origin.
 void search_box(const Vec3& half, DiscDepth& least);
 // The same of a triangle with its unit normal.

@@ -11,6 +11,7 @@ module abut.narrow.fan.disc_depth;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.cores.core_separation;
 import abut.narrow.fan.rim_walk;
 
 namespace abut {
@@ -142,17 +143,19 @@ struct Sum {
   PlacedDiscs a, b;
   Real size;
 
-  inline void offer(const Vec3& direction, DiscDepth& least) const {
-    least.offer(a.reach(direction) + b.reach(direction), direction);
+  inline void offer(const Vec3& direction, const CoreFeatures& features, DiscDepth& least) const {
+    least.offer(a.reach(direction) + b.reach(direction), direction, features);
   }
 };
 
 // Flat faces: discs, and where a line of one side and a line of the other meet.
 void search_faces(const Sum& sum, DiscDepth& least) {
   const PlacedDiscs &a = sum.a, &b = sum.b;
-  for (const Vec3& end : {a.axis, -a.axis, b.axis, -b.axis}) {
-    sum.offer(end, least);
-  }
+  // Of the first body, which is not mirrored, the axis leads out of the upper disc.
+  sum.offer(a.axis, {core_face(face_against_axis), {}}, least);
+  sum.offer(-a.axis, {core_face(face_along_axis), {}}, least);
+  sum.offer(b.axis, {{}, core_face(face_along_axis)}, least);
+  sum.offer(-b.axis, {{}, core_face(face_against_axis)}, least);
   // Directions n with a.axis . n = a.side_up and b.axis . n = b.side_up, in terms of both axes and what is across them.
   const Vec3 across = cross(a.axis, b.axis);
   const Real square = squared_norm(across), cosine = dot(a.axis, b.axis);
@@ -170,7 +173,7 @@ void search_faces(const Sum& sum, DiscDepth& least) {
   const Real aside = std::sqrt(rest / square);
   for (const Real side : {aside, -aside}) {
     if (const auto n = UnitVec3::make(along_a * a.axis + along_b * b.axis + side * across)) {
-      sum.offer(*n, least);
+      sum.offer(*n, {core_edge(side_of_discs), core_edge(side_of_discs)}, least);
     }
   }
 }
@@ -196,7 +199,7 @@ void search_faces(const Sum& sum, DiscDepth& least) {
     }
     const Real scale = out / at.out;
     if (const auto n = UnitVec3::make((scale * at.x) * x + (scale * at.y) * y + up * z)) {
-      sum.offer(*n, least);
+      sum.offer(*n, {}, least);
     } else {
       is_proven = false;
     }

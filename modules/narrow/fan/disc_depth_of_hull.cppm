@@ -5,8 +5,10 @@ import abut.capability;
 import abut.core.standard;
 import abut.math.four_vec3;
 import abut.math;
+import abut.narrow.cores.core_separation;
 import abut.narrow.fan.disc_depth;
 import abut.narrow.fan.facets;
+import abut.narrow.fan.features;
 
 export namespace abut {
 
@@ -40,17 +42,15 @@ void search_facets(const S& shape, DiscDepth& least) {
     }
   }
   const std::size_t lane = depths.lane(), group = static_cast<std::size_t>(depths.which[lane]);
-  const auto normal_of = [&](std::size_t face) {
-    const auto& plane = facets.planes[face / 4];
-    return Vec3{plane.x[face % 4], plane.y[face % 4], plane.z[face % 4]};
-  };
-  least.offer(depths.depth[lane], normal_of(4 * group + lane));
+  least.offer(depths.depth[lane], face_normal(shape, 4 * group + lane), {core_face(4 * group + lane), {}});
 
   // Ends of the discs.
   const Real top = std::fmax(discs.height[0], discs.height[1]);
-  for (const Vec3& end : {discs.axis, -discs.axis}) {
-    least.offer(dot(shape.support(end).point + discs.centre, end) + top, end);
-  }
+  const auto offer_end = [&](const Vec3& end, std::size_t face) {
+    least.offer(dot(shape.support(end).point + discs.centre, end) + top, end, {{}, core_face(face)});
+  };
+  offer_end(discs.axis, face_along_axis);
+  offer_end(-discs.axis, face_against_axis);
 
   // The side against corners.
   const Real side = discs.side();
@@ -87,8 +87,8 @@ void search_facets(const S& shape, DiscDepth& least) {
     const Lanes reach = dot(along, cross(foot, chord));
     for (std::uint64_t lanes = least.lanes_left(reach, dot(across, across)); lanes != 0; lanes &= lanes - 1) {
       const std::size_t edge = edges[static_cast<std::size_t>(std::countr_zero(lanes))];
-      search_edge(vec3_of(facets.lines[edge].from), vec3_of(facets.lines[edge].along),
-                  normal_of(facets.sides[edge].left), normal_of(facets.sides[edge].right), least);
+      search_edge(edge, vec3_of(facets.lines[edge].from), vec3_of(facets.lines[edge].along),
+                  face_normal(shape, facets.sides[edge].left), face_normal(shape, facets.sides[edge].right), least);
     }
   }
 }

@@ -7,15 +7,9 @@ import abut.narrow.cores.core_separation;
 import abut.narrow.fan.disc_depth;
 import abut.narrow.fan.disc_depth_of_hull;
 import abut.narrow.fan.facets;
-import abut.narrow.fan.hull_vs_few;
+import abut.narrow.fan.features;
 
 export namespace abut {
-
-// A core that is the convex hull of two discs around Z.
-template <class S>
-concept HullOfDiscs = Convex<S> && requires(const S& shape) {
-  { shape.discs() } -> std::same_as<Discs>;
-};
 
 template <class S>
 concept TriedOnDiscs = (BoxCored<S> && S::core_axes > 0) || Faceted<S> || Triangular<S>;
@@ -28,18 +22,10 @@ template <HullOfDiscs S>
 [[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {
   return shape.nearest(point).distance <= slack;
 }
-// The line of the side from disc to disc that is furthest along a direction.
-template <HullOfDiscs S>
-[[nodiscard]] inline Vec3 side_line(const S& shape, const Vec3& direction) {
-  const Discs discs = shape.discs();
-  const Sideways out = sideways_of(direction);
-  const Real aside = discs.top - discs.bottom;
-  return {aside * out.x, aside * out.y, 2 * discs.half_height};
-}
-
 struct ProvenDepth {
   Real depth, lower;
   Vec3 normal;  // unit, from a to b, in the frame of a
+  CoreFeatures features;
 };
 
 // The normals of triangles that are slender beyond this are not trusted.
@@ -78,13 +64,23 @@ template <Convex A, Convex B>
     } else {
       search_box(a.half(), least);
     }
-    return least.is_proven() && least.depth() > slack
-               ? std::optional(ProvenDepth{least.depth(), least.depth() - slack, least.direction()})
-               : std::nullopt;
+    if (!least.is_proven() || !(least.depth() > slack)) {
+      return std::nullopt;
+    }
+    CoreFeatures features = least.features();
+    if (SegmentCored<A> && features.a.kind == CoreFeature::Kind::face) {
+      features = {};  // that of a box without width
+    }
+    direct_edges(a, b, ab, least.direction(), features);
+    return ProvenDepth{least.depth(), least.depth() - slack, least.direction(), features};
   } else {
-    const std::optional<ProvenDepth> found = disc_depth(b, a, ab.inverse(), size, error);
-    return found ? std::optional(ProvenDepth{found->depth, found->lower, -(ab.rotation * found->normal)})
-                 : std::nullopt;
+    std::optional<ProvenDepth> found = disc_depth(b, a, ab.inverse(), size, error);
+    if (found) {
+      found->normal = -(ab.rotation * found->normal);
+      found->features = {found->features.b, found->features.a};
+      direct_edges(a, b, ab, found->normal, found->features);
+    }
+    return found;
   }
 }
 

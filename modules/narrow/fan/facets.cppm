@@ -47,12 +47,6 @@ template <Convex S>
   return {is_thin ? settled.x : n.x, is_thin ? settled.y : n.y, is_thin ? settled.z : n.z};
 }
 
-// With a point of each edge that the normal is across: support points need not lie on them where more of a core is as
-// near. The edge of a hull leads from there to its other end.
-struct HullSatResult : SatResult {
-  Vec3 on_a, on_b;
-};
-
 // A depth per lane, the least one so far, and which it was.
 struct LeastDepths {
   Lanes depth = infinity;

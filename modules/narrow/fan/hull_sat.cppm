@@ -5,6 +5,7 @@ import abut.core.standard;
 import abut.math.four_vec3;
 import abut.math;
 export import abut.narrow.fan.facets;
+export import abut.narrow.fan.features;
 import abut.narrow.fan.hull_vs_few;
 import abut.narrow.fan.hull_vs_hull;
 import abut.narrow.fan.sat;
@@ -18,7 +19,7 @@ concept HullAndSeen = (Faceted<A> && Seen<B>) || (Seen<A> && Faceted<B>) || (Fac
 // features found: no more than the cores have along the normal.
 template <Convex A, Convex B>
   requires HullAndSeen<A, B>
-[[nodiscard]] std::optional<HullSatResult> hull_sat(const A& a, const B& b, const Pose& ab, Real noise) {
+[[nodiscard]] std::optional<SatResult> hull_sat(const A& a, const B& b, const Pose& ab, Real noise) {
   if constexpr (Faceted<A> && Faceted<B>) {
     const bool few = has_few_vertices(a) && has_few_vertices(b) && has_facets(a, noise) && has_facets(b, noise);
     return few ? sat_of_hulls(a, b, ab, noise) : std::nullopt;
@@ -28,11 +29,8 @@ template <Convex A, Convex B>
     if (!has_facets(b, noise)) {
       return std::nullopt;
     }
-    const HullSatResult found = sat_of_hull(b, seen_from(a, ab.inverse()), noise);
-    const Rotation& r = ab.rotation;
-    const SatResult axis{found.separation, -(r * found.normal), found.axes,
-                         found.of_edges,   r * found.edge_b,    r * found.edge_a};
-    return HullSatResult{axis, ab * found.on_b, ab * found.on_a};
+    const SatResult found = sat_of_hull(b, seen_from(a, ab.inverse()), noise);
+    return SatResult{found.separation, -(ab.rotation * found.normal), found.axes, {found.features.b, found.features.a}};
   }
 }
 

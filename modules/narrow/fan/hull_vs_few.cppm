@@ -6,14 +6,13 @@ import abut.capability;
 import abut.core.standard;
 import abut.math.four_vec3;
 import abut.math;
+import abut.narrow.cores.core_separation;
 import abut.narrow.fan.facets;
+import abut.narrow.fan.features;
+import abut.narrow.fan.sat;
 
 export namespace abut {
 
-template <class S>
-concept Triangular = requires(const S& shape) {
-  { shape.corners() } -> std::convertible_to<std::array<Vec3, 3>>;
-};
 // What can be seen from a polytope.
 template <class S>
 concept Seen = FewFaced<S> && (BoxCored<S> || Triangular<S>);
@@ -37,16 +36,7 @@ struct SeenBox {
   }
   // Whether an edge along this direction comes as near: of those that are parallel one always does.
   [[nodiscard]] [[gnu::always_inline]] inline bool leads(std::size_t, const Vec3&, Real) const { return true; }
-  // The middle of that one.
-  [[nodiscard]] inline Vec3 point_of_edge(std::size_t edge, const Vec3& n) const {
-    Vec3 point = centre;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i != edge) {
-        point = point - std::copysign(Real{1}, dot(n, arms[i])) * arms[i];
-      }
-    }
-    return point;
-  }
+  static constexpr std::size_t first_edge = count == 1 ? 2 : 0;  // the number of the first one
 };
 
 struct SeenTriangle {
@@ -63,7 +53,7 @@ struct SeenTriangle {
     const Real at = dot(n, corners[edge]), opposite = dot(n, corners[edge == 0 ? 2 : edge - 1]);
     return at <= opposite + noise;
   }
-  [[nodiscard]] inline Vec3 point_of_edge(std::size_t edge, const Vec3&) const { return corners[edge]; }
+  static constexpr std::size_t first_edge = 0;
 };
 
 template <Seen S>
@@ -98,19 +88,18 @@ template <Seen S>
   }
 }
 
-// In the frame of the hull; the normal points out of it.
+// In the frame of the hull, which is a; the normal points out of it.
 template <Faceted H, class Core>
-[[nodiscard]] HullSatResult sat_of_hull(const H& hull, const Core& core, Real noise) {
+[[nodiscard]] SatResult sat_of_hull(const H& hull, const Core& core, Real noise) {
   const auto& facets = hull.facets();
   constexpr std::size_t edge_count = std::tuple_size_v<decltype(core.edges)>;
-  HullSatResult best{{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, {0, 0, 0}};
-  const auto consider = [&](Real depth, const Vec3& normal, Real lead) {
-    if (-depth > best.separation + lead) {
+  SatResult best{-infinity, {0, 0, 0}, 0, {}};
+  const auto consider = [&](Real depth, const Vec3& normal, const CoreFeatures& features) {
+    if (-depth > best.separation) {
       best.separation = -depth;
       best.normal = normal;
-      return true;
+      best.features = features;
     }
-    return false;
   };
 
   LeastDepths faces;
@@ -120,9 +109,11 @@ template <Faceted H, class Core>
   }
   best.axes = static_cast<std::uint32_t>(4 * group);
   const std::size_t lane = faces.lane();
-  const auto& planes = facets.planes[static_cast<std::size_t>(faces.which[lane])];
-  consider(faces.depth[lane], {planes.x[lane], planes.y[lane], planes.z[lane]}, 0);
+  const auto four = static_cast<std::size_t>(faces.which[lane]);
+  const auto& planes = facets.planes[four];
+  consider(faces.depth[lane], {planes.x[lane], planes.y[lane], planes.z[lane]}, {core_face(4 * four + lane), {}});
 
+  std::size_t face = 0;
   for (const Vec3& normal : core.normals) {
     const Columns n = Columns::all(normal);
     Lanes high = -infinity, low = infinity;
@@ -133,9 +124,10 @@ template <Faceted H, class Core>
     }
     if (squared_norm(normal) > 0) {
       best.axes += 2;
-      consider(largest(high) - core.least(n)[0], normal, 0);
-      consider(largest(-low) - core.least(Columns::all(-normal))[0], -normal, 0);
+      consider(largest(high) - core.least(n)[0], normal, {{}, core_face(face)});
+      consider(largest(-low) - core.least(Columns::all(-normal))[0], -normal, {{}, core_face(face + 1)});
     }
+    face += 2;
   }
 
   if constexpr (edge_count > 0) {
@@ -208,13 +200,9 @@ template <Faceted H, class Core>
         [[clang::uninitialized]] Columns from, along;
         [[clang::uninitialized]] Lanes square;
         const Columns n = normals_of(first, from, along, square);
-        consider(of_edges.depth[at], n[at], noise);
-        const std::size_t edge = candidates[first + at].edge;
-        best.of_edges = core.leads(edge, n[at], noise);
-        best.edge_a = along[at];
-        best.edge_b = core.edges[edge];
-        best.on_a = from[at];
-        best.on_b = core.point_of_edge(edge, n[at]);
+        const Candidate& found = candidates[first + at];
+        const CoreFeatures pair{core_edge(found.line), core_edge(Core::first_edge + found.edge)};
+        consider(of_edges.depth[at], n[at], core.leads(found.edge, n[at], noise) ? pair : CoreFeatures{});
       }
     }
   }

@@ -6,7 +6,10 @@ import abut.capability;
 import abut.core.standard;
 import abut.math.four_vec3;
 import abut.math;
+import abut.narrow.cores.core_separation;
 import abut.narrow.fan.facets;
+import abut.narrow.fan.features;
+import abut.narrow.fan.sat;
 
 export namespace abut {
 
@@ -120,20 +123,35 @@ struct FaceSearch {
   }
 };
 
+// The edge between two vertices, if there is one.
+template <Faceted S>
+[[nodiscard]] inline std::optional<std::size_t> line_between(const S& shape, std::uint32_t first,
+                                                             std::uint32_t second) {
+  const auto& ends = shape.facets().ends;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const auto [from, to] = ends[i];
+    if ((from == first && to == second) || (from == second && to == first)) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
 // From a to b, in the frame of a. Nothing where rounding cuts arcs without end.
 template <Faceted A, Faceted B>
-[[nodiscard]] std::optional<HullSatResult> sat_of_hulls(const A& a, const B& b, const Pose& ab, Real noise) {
+[[nodiscard]] std::optional<SatResult> sat_of_hulls(const A& a, const B& b, const Pose& ab, Real noise) {
   const Pose ba = ab.inverse();
   [[clang::uninitialized]] SeenVertices of_a, of_b;
   see_vertices(b, ab, of_b);
   see_vertices(a, ba, of_a);
-  HullSatResult best{{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, {0, 0, 0}};
-  const auto take_face = [&](const LeastDepths& faces, const auto& facets, const auto& out) {
-    const std::size_t lane = faces.lane();
+  SatResult best{-infinity, {0, 0, 0}, 0, {}};
+  const auto take_face = [&](const LeastDepths& faces, CoreFeature CoreFeatures::* of, const auto& out) {
+    const std::size_t lane = faces.lane(), face = 4 * static_cast<std::size_t>(faces.which[lane]) + lane;
     if (-faces.depth[lane] > best.separation) {
-      const auto& planes = facets.planes[static_cast<std::size_t>(faces.which[lane])];
       best.separation = -faces.depth[lane];
-      best.normal = out(Vec3{planes.x[lane], planes.y[lane], planes.z[lane]});
+      best.normal = out(face);
+      best.features = {};
+      best.features.*of = core_face(face);
     }
   };
   // Rounding must not make the balls larger than they are.
@@ -142,11 +160,12 @@ template <Faceted A, Faceted B>
   const Real inner_of_b = shrunk * b.facets().inner;
   [[clang::uninitialized]] FaceSearch faces_of_a;
   faces_of_a.search<true>(a, of_b, middle_of_b, inner_of_b, infinity);
-  take_face(faces_of_a.faces, a.facets(), [](const Vec3& n) { return n; });
+  take_face(faces_of_a.faces, &CoreFeatures::a, [&](std::size_t face) { return face_normal(a, face); });
   {
     [[clang::uninitialized]] FaceSearch faces_of_b;
     faces_of_b.search<false>(b, of_a, ba * a.facets().middle, shrunk * a.facets().inner, -best.separation);
-    take_face(faces_of_b.faces, b.facets(), [&](const Vec3& n) { return -(ab.rotation * n); });
+    take_face(faces_of_b.faces, &CoreFeatures::b,
+              [&](std::size_t face) { return -(ab.rotation * face_normal(b, face)); });
   }
   best.axes = static_cast<std::uint32_t>(4 * (a.facets().planes.size() + b.facets().planes.size()));
 
@@ -191,6 +210,7 @@ template <Faceted A, Faceted B>
   }
   // A normal across edges must beat those of faces by more than the noise.
   Real least_of_edges = -best.separation - noise;
+  std::optional<Stretch> least;
   while (count > 0) {
     [[clang::uninitialized]] std::array<Stretch, 4> taken;
     const std::size_t in_hand = count < 4 ? count : 4;
@@ -231,11 +251,8 @@ template <Faceted A, Faceted B>
         least_of_edges = is_cut ? std::fmin(least_of_edges, depth[i] + noise) : depth[i];
         best.separation = -depth[i];
         best.normal = n[i];
-        best.of_edges = !is_cut;
-        best.edge_a = along[i];
-        best.edge_b = -back[i];
-        best.on_a = start[i];
-        best.on_b = from[i];
+        best.features = {};
+        least = is_cut ? std::nullopt : std::optional(taken[i]);
       }
       if (is_cut) {
         if (count + 2 > room) {
@@ -245,6 +262,10 @@ template <Faceted A, Faceted B>
         stretches[count++] = {taken[i].line, vertex, taken[i].to};
       }
     }
+  }
+  if (least) {
+    const std::optional<std::size_t> line_of_b = line_between(b, least->from, least->to);
+    best.features = line_of_b ? CoreFeatures{core_edge(least->line), core_edge(*line_of_b)} : CoreFeatures{};
   }
   return best;
 }

@@ -5,6 +5,7 @@ export module abut.narrow.fan.sat;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.cores.core_separation;
 
 export namespace abut {
 
@@ -12,9 +13,12 @@ struct SatResult {
   Real separation;  // largest over all axes
   Vec3 normal;      // unit, from a to b
   std::uint32_t axes;
-  bool of_edges;        // the normal is across an edge of each
-  Vec3 edge_a, edge_b;  // then these are their directions
+  CoreFeatures features;  // that have the normal
 };
+
+// The number of the first edge that a core lists: a segment has none along X and Y.
+template <Convex S>
+inline constexpr std::size_t first_edge = SegmentCored<S> ? 2 : 0;
 
 // The unit normal across two edges, whose cross product has this square.
 //
@@ -39,59 +43,58 @@ template <FewFaced A, FewFaced B>
 [[nodiscard]] std::optional<SatResult> sat(const A& a, const B& b, const Pose& ab, Real noise) {
   const auto placement = place(b, ab);
   const Vec3 apart = placed_centre(b, ab) - a.centre();
-  SatResult best{-infinity, {0, 0, 0}, 0, false, {0, 0, 0}, {0, 0, 0}};
+  SatResult best{-infinity, {0, 0, 0}, 0, {}};
 
   // Separation along n: from the furthest point of a to the nearest of b.
   const auto separation_along = [&](const Vec3& n) {
     return dot(n, placed_support(b, placement, -n).point) - dot(n, a.support(n).point);
   };
-  const auto try_axis = [&](const Vec3& n, Real lead) {
+  const auto try_axis = [&](const Vec3& n, Real lead, const CoreFeatures& of_axis, const CoreFeatures& of_opposite) {
     ++best.axes;
-    const Real before = best.separation;
+    const auto take = [&](Real separation, bool is_opposite) {
+      if (separation > best.separation + lead) {
+        best.separation = separation;
+        best.normal = is_opposite ? -n : n;
+        best.features = is_opposite ? of_opposite : of_axis;
+      }
+    };
     if constexpr (A::is_symmetric && B::is_symmetric) {
       // Of two symmetric bodies the side that faces the other one is the better one.
       const Real offset = dot(n, apart);
-      const Real separation = std::fabs(offset) - a.reach(n) - placement.reach(n);
-      if (separation > best.separation + lead) {
-        best.separation = separation;
-        best.normal = offset < 0 ? -n : n;
-      }
+      take(std::fabs(offset) - a.reach(n) - placement.reach(n), offset < 0);
     } else {
-      for (const Vec3& side : {n, -n}) {
-        const Real separation = separation_along(side);
-        if (separation > best.separation + lead) {
-          best.separation = separation;
-          best.normal = side;
-        }
-      }
+      take(separation_along(n), false);
+      take(separation_along(-n), true);
     }
-    return best.separation > before;
   };
 
+  std::size_t face = 0;
   for (const Vec3& n : a.face_normals()) {
     if (squared_norm(n) > 0) {
-      try_axis(n, 0);
+      try_axis(n, 0, {core_face(face + 1), {}}, {core_face(face), {}});
     }
+    face += 2;
   }
+  face = 0;
   for (const Vec3& local : b.face_normals()) {
     const Vec3 n = ab.rotation * local;
     if (squared_norm(n) > 0) {
-      try_axis(n, 0);
+      try_axis(n, 0, {{}, core_face(face)}, {{}, core_face(face + 1)});
     }
+    face += 2;
   }
+  const auto edges_a = a.edge_directions();
   const auto edges_b = b.edge_directions();
-  for (const Vec3& edge_a : a.edge_directions()) {
-    for (const Vec3& local : edges_b) {
-      const Vec3 edge_b = ab.rotation * local;
+  for (std::size_t i = 0; i < edges_a.size(); ++i) {
+    for (std::size_t j = 0; j < edges_b.size(); ++j) {
+      const Vec3 &edge_a = edges_a[i], edge_b = ab.rotation * edges_b[j];
       const Vec3 n = cross(edge_a, edge_b);
       const Real square = squared_norm(n);
       // Edges closer to parallel than rounding span no face. Leaving one out errs by at most the
       // angle times the length of an edge, which is rounding again.
-      if (square > 1e-28 * squared_norm(edge_a) * squared_norm(edge_b) && square > 0 &&
-          try_axis(unit_across_edges(edge_a, edge_b, n, square), noise)) {
-        best.of_edges = true;
-        best.edge_a = edge_a;
-        best.edge_b = edge_b;
+      if (square > 1e-28 * squared_norm(edge_a) * squared_norm(edge_b) && square > 0) {
+        const CoreFeatures edges{core_edge(first_edge<A> + i), core_edge(first_edge<B> + j)};
+        try_axis(unit_across_edges(edge_a, edge_b, n, square), noise, edges, edges);
       }
     }
   }

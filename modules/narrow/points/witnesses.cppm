@@ -6,6 +6,7 @@ import abut.math;
 import abut.narrow.cores.core_separation;
 import abut.narrow.cores.simplex;
 import abut.narrow.fan.disc_depth_of_pair;
+import abut.narrow.fan.features;
 import abut.narrow.fan.hull_sat;
 import abut.narrow.points.clip;
 import abut.narrow.points.closest_of_faces;
@@ -20,19 +21,37 @@ inline void set_points(const Vec3& point_a, const Vec3& point_b, CoreSeparation&
   core.points_open = false;
 }
 
-// The deepest pair of points under a normal across an edge of each: the closest points of the lines
-// along both edges through the support points. False where these are so nearly parallel that rounding may take the
-// points beyond the ends of the edges.
+// Closest points of edges nearer to parallel than this run along them with rounding.
 inline constexpr Real least_sine_of_edges = 1e-4;
-[[nodiscard]] inline bool find_edge_witnesses(const Vec3& edge_a, const Vec3& edge_b, CoreSeparation& core,
-                                              Real least_sine = least_sine_of_edges) {
-  const Vec3 across = cross(edge_a, edge_b), between = core.point_b - core.point_a;
-  const Real square = squared_norm(across);
-  if (!(square > least_sine * least_sine * squared_norm(edge_a) * squared_norm(edge_b))) [[unlikely]] {
+// The deepest pair of points under a normal across two edges: where these cross. False where rounding may take the
+// points beyond the ends of the edges.
+template <Convex A, Convex B>
+  requires are_numbered<A, B>
+[[nodiscard]] inline bool find_edge_witnesses(const A& a, const B& b, const Pose& ab, Real size, CoreSeparation& core) {
+  const CoreEdge edge_a = edge_of(a, core.features.a.index, core.normal);
+  const CoreEdge placed = edge_of(b, core.features.b.index, ab.rotation.undo(-core.normal));
+  const CoreEdge edge_b{ab * placed.from, ab.rotation * placed.along};
+  const Vec3 across = cross(edge_a.along, edge_b.along), between = edge_b.from - edge_a.from;
+  const Real square = squared_norm(across), square_a = squared_norm(edge_a.along),
+             square_b = squared_norm(edge_b.along);
+  if (!(square > least_sine_of_edges * least_sine_of_edges * square_a * square_b)) [[unlikely]] {
     return false;
   }
-  core.point_a += (dot(across, cross(between, edge_b)) / square) * edge_a;
-  core.point_b += (dot(across, cross(between, edge_a)) / square) * edge_b;
+  const Real at_a = dot(across, cross(between, edge_b.along)) / square;
+  const Real at_b = dot(across, cross(between, edge_a.along)) / square;
+  const Real slack = noise_of(size);
+  const auto is_within = [&](Real at, Real square_of_edge) {
+    const Real beyond = std::fmax(std::fabs(at - 0.5) - 0.5, Real{0});
+    return beyond * beyond * square_of_edge <= slack * slack;
+  };
+  const Vec3 point_a = edge_a.from + at_a * edge_a.along, point_b = edge_b.from + at_b * edge_b.along;
+  if (!(is_within(at_a, square_a) && is_within(at_b, square_b) &&
+        largest_magnitude(point_b - point_a - core.distance * core.normal) <= slack)) [[unlikely]] {
+    return false;
+  }
+  core.point_a = point_a;
+  core.point_b = point_b;
+  core.points_open = false;
   return true;
 }
 
@@ -78,41 +97,6 @@ template <Convex A, Convex B>
   return true;
 }
 
-// Cores that know the lines on them through a support point: edges of a box, one line of a side.
-template <class S>
-concept Lined = (BoxCored<S> && S::core_axes > 0) || HullOfDiscs<S>;
-template <Lined S>
-[[nodiscard]] inline auto lines_toward(const S& shape, const Vec3& direction) {
-  if constexpr (HullOfDiscs<S>) {
-    return std::array{side_line(shape, direction)};
-  } else if constexpr (S::core_axes == 1) {
-    return std::array{Vec3{0, 0, 2 * shape.half().z}};
-  } else {
-    const Vec3 full = 2.0 * shape.half();
-    return std::array{Vec3{full.x, 0, 0}, Vec3{0, full.y, 0}, Vec3{0, 0, full.z}};
-  }
-}
-
-// Under a normal across a line of each: where these cross.
-template <Lined A, Lined B>
-[[nodiscard]] inline bool find_line_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
-  constexpr Real least_sine = 1e-12;  // whatever rounding does to points, they are looked at
-  const Real slack = rounding_of(core_size(a, b, ab));
-  for (const Vec3& along_a : lines_toward(a, core.normal)) {
-    for (const Vec3& along_b : lines_toward(b, ab.rotation.undo(-core.normal))) {
-      CoreSeparation crossing = core;
-      if (find_edge_witnesses(along_a, ab.rotation * along_b, crossing, least_sine) &&
-          std::fabs(dot(core.normal, crossing.point_b - crossing.point_a) - core.distance) <= slack &&
-          holds(a, crossing.point_a, slack) && holds(b, ab.undo(crossing.point_b), slack)) {
-        core = crossing;
-        core.points_open = false;
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 // The points of a depth with discs. False where they lie on edges of a hull, or where faces rest on each other.
 template <Convex A, Convex B>
   requires WithDiscs<A, B>
@@ -120,11 +104,7 @@ template <Convex A, Convex B>
   if (find_vertex_witness(a, b, ab, rounding_of(core_size(a, b, ab)), core)) {
     return true;
   }
-  if constexpr (Lined<A> && Lined<B>) {
-    return find_line_witnesses(a, b, ab, core);
-  } else {
-    return false;
-  }
+  return core.features.are_edges() && find_edge_witnesses(a, b, ab, core_size(a, b, ab), core);
 }
 
 // How far a point of its own frame lies outside of a core, negative inside; infinite where the core cannot tell.

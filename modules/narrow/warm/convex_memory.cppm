@@ -31,7 +31,7 @@ template <Convex A, Convex B>
     (void)find_apart(a, b, ab, size, error, limit, memory);
     return Outcome::ok;
   }
-  if constexpr (Featured<A, B>) {
+  if constexpr (are_featured<A, B>) {
     if (core.overlap) {
       keep_overlap(a, b, ab, settings, size, error, core, memory);
     }
@@ -58,7 +58,7 @@ template <Convex A, Convex B>
         return Outcome::ok;
       }
     } else if (memory.state >= PairMemory::State::touching) {
-      if constexpr (Featured<A, B>) {
+      if constexpr (are_featured<A, B>) {
         CoreSeparation core{};
         if (overlap_along(a, b, ab, size, error, memory.features, core)) {
           [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);

@@ -5,20 +5,11 @@
 // difference: it moves along with b and shrinks by what b has turned. Nothing kept changes an answer: it only spares a
 // search whose end it proves.
 export module abut.narrow.warm.pair_memory;
+import abut.capability.core_feature;
 import abut.core.standard;
 import abut.math;
 
 export namespace abut {
-
-// Which features a normal belongs to: a face of one of both, or an edge of each.
-struct PairFeatures {
-  enum class Kind : std::uint8_t { none, face_of_a, face_of_b, edges };
-  Kind kind;
-  std::uint8_t side;  // of two opposite normals across the same edges
-  std::array<std::uint16_t, 3> numbers;
-
-  friend constexpr bool operator==(const PairFeatures&, const PairFeatures&) = default;
-};
 
 // All zero it knows nothing. Valid for two shapes in this order, whatever their poses. Numbers are single: rounding is
 // taken off where they are stored. A cache line of its own: threads write memories of neighbours at once.
@@ -28,7 +19,7 @@ struct alignas(64) PairMemory {
   float length;                 // apart: the gap with the pivot at zero; else the radius of the ball
   std::array<float, 3> turn_x, turn_y;  // of b, as it was
   float reach;                          // no point of the core of b is further from the pivot
-  PairFeatures features;
+  CoreFeatures features;                // touching: those of the normal
   State state;
   std::uint8_t debts;  // searches that balls have yet to spare to be worth their cost
   std::uint8_t waits;  // searches to go before the next ball is looked for

@@ -4,15 +4,13 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.apart.gjk;
+import abut.narrow.fan.features;
 import abut.narrow.fan.hull_sat;
 import abut.narrow.fan.hull_vs_hull;
-import abut.narrow.points.clip;
-import abut.narrow.points.common_region;
-import abut.narrow.warm.clearance;
-export import abut.narrow.warm.features;
+export import abut.narrow.warm.pair_memory;
 import abut.capability;
 import abut.narrow.convex.separation;
-import abut.narrow.fan.sat;
+export import abut.narrow.convex.settle;
 
 export namespace abut {
 
@@ -82,7 +80,8 @@ template <Convex A, Convex B>
 }
 
 // A ball inside a core.
-template <Edged S>
+template <Convex S>
+  requires is_numbered<S>
 [[nodiscard]] inline InnerBall inner_ball(const S& shape) {
   if constexpr (Faceted<S>) {
     return {shape.facets().middle, 0.999 * shape.facets().inner};
@@ -110,59 +109,71 @@ template <Convex A, Convex B>
 }
 
 // The overlap along the normal of features. False where there is none to speak of.
-template <Edged A, Edged B>
-  requires Featured<A, B>
+template <Convex A, Convex B>
+  requires are_featured<A, B>
 [[nodiscard]] inline bool overlap_along(const A& a, const B& b, const Pose& ab, Real size, Real error,
-                                        const PairFeatures& features, CoreSeparation& core) {
-  const CrossedEdges crossed = normal_of(a, b, ab, features);
-  const Vec3 point_a = a.support(crossed.normal).point;
-  const Vec3 point_b = placed_support(b, place(b, ab), -crossed.normal).point;
-  const Real separation = dot(crossed.normal, point_b - point_a);
-  if (!(-separation > doubt_of(size, error))) {
-    return false;
+                                        const CoreFeatures& features, CoreSeparation& core) {
+  core = separation_along(a, b, ab, normal_of(a, b, ab, features), features, size);
+  return -core.distance > doubt_of(size, error);
+}
+
+// How far a point beside a face is inside its edges, seen along its normal; of a disc one of its corners decides.
+[[nodiscard]] inline Real room_in_face(const Face& face, const Vec3& point) {
+  const auto vertices = face.vertices.span();
+  Real least = vertices.size() > 2 ? infinity : -infinity;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3& from = vertices[i].point;
+    const Vec3 along = vertices[i + 1 < vertices.size() ? i + 1 : 0].point - from;
+    const Real side = dot(cross(face.normal, along), point - from),
+               square = side * std::fabs(side) / squared_norm(along);
+    least = square < least ? square : least;
   }
-  const bool of_edges = features.kind == PairFeatures::Kind::edges;
-  core = separation_under({separation, crossed.normal, 0, of_edges, crossed.edge_a, crossed.edge_b}, point_a, point_b,
-                          size);
-  return true;
+  return least > 0 ? std::sqrt(least) : least;
+}
+
+// How far a point of an edge is from its ends.
+[[nodiscard]] inline Real room_on_edge(const CoreEdge& edge, const Vec3& point) {
+  const Real length = norm(edge.along);
+  return 0.5 * length - std::fabs(dot(point - edge.from, edge.along) / length - 0.5 * length);
 }
 
 // The room in the facet that the features make of the Minkowski difference, around its point nearest to the origin;
 // both supporting faces in the frame of a. Nothing where another face of nearly the same normal is as deep within
 // rounding, so that the search may prefer it.
-template <Edged A, Edged B>
-  requires Featured<A, B>
+template <Convex A, Convex B>
+  requires are_featured<A, B>
 [[nodiscard]] inline Real clearance_of(const A& a, const B& b, const Pose& ab, Real size, Real error,
-                                       const PairFeatures& features, const CoreSeparation& core, const Face& face_a,
-                                       const Face& face_b) {
-  using Kind = PairFeatures::Kind;
+                                       const CoreSeparation& core, const Face& face_a, const Face& face_b) {
   constexpr Real same_normal = 1e-12;
+  const CoreFeatures& features = core.features;
   const Real off_a = largest_magnitude(face_a.normal - core.normal);
   const Real off_b = largest_magnitude(face_b.normal + core.normal);
   Real clearance = 0, least_angle = 0;
-  if (features.kind == Kind::face_of_a) {
-    clearance = off_a < same_normal ? clearance_within(face_a, core.point_b) : 0;
-    least_angle = off_b;
-  } else if (features.kind == Kind::face_of_b) {
-    clearance = off_b < same_normal ? clearance_within(face_b, core.point_a) : 0;
-    least_angle = off_a;
-  } else {
-    const CrossedEdges crossed = normal_of(a, b, ab, features);
-    const Real squares = squared_norm(crossed.edge_a) * squared_norm(crossed.edge_b);
-    const Real sine = std::sqrt(squared_norm(cross(crossed.edge_a, crossed.edge_b)) / squares);
-    clearance = sine * room_on_edges(a, b, ab, features, core.normal, core.point_a, core.point_b, noise_of(size));
+  if (!features.are_edges()) {
+    const bool is_of_a = features.a.kind == CoreFeature::Kind::face;
+    const Real off = is_of_a ? off_a : off_b;
+    const Real room = is_of_a ? room_in_face(face_a, core.point_b) : room_in_face(face_b, core.point_a);
+    clearance = off < same_normal ? room : 0;
+    least_angle = is_of_a ? off_b : off_a;
+  } else if (!core.points_open) {
+    const Vec3 local = ab.rotation.undo(-core.normal);
+    const CoreEdge edge_a = edge_of(a, features.a.index, core.normal), edge_b = edge_of(b, features.b.index, local);
+    const Vec3 across = cross(edge_a.along, ab.rotation * edge_b.along);
+    const Real squares = squared_norm(edge_a.along) * squared_norm(edge_b.along);
+    const Real room = std::fmin(room_on_edge(edge_a, core.point_a), room_on_edge(edge_b, ab.undo(core.point_b)));
+    clearance = room * std::sqrt(squared_norm(across) / squares);
     least_angle = std::fmin(off_a, off_b);
   }
   return clearance * least_angle > 64 * blur_of(a, b, size, error) ? clearance : 0;
 }
 
 // Whether an overlap is the least of all, by more than what searches are off by.
-template <Edged A, Edged B>
-  requires Featured<A, B>
+template <Convex A, Convex B>
+  requires are_featured<A, B>
 [[nodiscard]] inline bool is_still_least(const A& a, const B& b, const Pose& ab, Real size, Real error,
                                          const CoreSeparation& core, const Face& face_a, const Face& face_b,
                                          PairMemory& memory) {
-  const Real clearance = clearance_of(a, b, ab, size, error, memory.features, core, face_a, face_b);
+  const Real clearance = clearance_of(a, b, ab, size, error, core, face_a, face_b);
   const Real margin = 4 * blur_of(a, b, size, error), depth = -core.distance;
   bool is_least =
       memory.state == PairMemory::State::touching_with_ball &&
@@ -176,72 +187,6 @@ template <Edged A, Edged B>
   return is_least;
 }
 
-// Whether a face has a point that is as deep as the cores are along its normal. One that a round core leans beyond has
-// none, and another normal is as good within the bound.
-template <Convex A, Convex B>
-[[nodiscard]] [[gnu::noinline]] bool meets_on_face(const A& a, const B& b, const Pose& ab,
-                                                   const CoreSeparation& along) {
-  CoreSeparation core = along;
-  if (find_round_witness(a, b, ab, core)) {
-    return true;
-  }
-  [[clang::uninitialized]] const Face face_a = a.supporting_face(along.normal);
-  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -along.normal);
-  [[clang::uninitialized]] ClipPoints region;
-  find_common_region(a, b, ab, face_a, face_b, along.normal, region);
-  const Real deepest = along.distance + curve_blur(core_size(a, b, ab));
-  return std::ranges::any_of(region.span(), [&](const ClipPoint& point) {
-    return dot(point.point_b - point.point_a, along.normal) <= deepest;
-  });
-}
-
-// An expanding polytope comes near the normal of features, within its bound; what the features themselves give is
-// exact, and the same whatever the search went through.
-template <Convex A, Convex B>
-  requires Featured<A, B>
-[[gnu::noinline]] void settle_on_features(const A& a, const B& b, const Pose& ab, Real size, Real error,
-                                          CoreSeparation& core) {
-  const Real noise = noise_of(size);
-  if (!has_features(a, noise) || !has_features(b, noise)) {
-    return;
-  }
-  const CoreSeparation found = core;
-  Real needed = found.distance - error - noise;
-  bool is_settled = false;
-  const auto take = [&](const PairFeatures& features) {
-    const CrossedEdges crossed = normal_of(a, b, ab, features);
-    const Vec3 point_a = a.support(crossed.normal).point;
-    const Vec3 point_b = placed_support(b, place(b, ab), -crossed.normal).point;
-    const Real separation = dot(crossed.normal, point_b - point_a);
-    if (!(separation >= needed)) {
-      return false;
-    }
-    const bool of_edges = features.kind == PairFeatures::Kind::edges;
-    const SatResult axis{separation, crossed.normal, found.iterations, of_edges, crossed.edge_a, crossed.edge_b};
-    const CoreSeparation along = separation_under(axis, point_a, point_b, size);
-    // Edges that do not meet are not what is furthest out.
-    if (of_edges && !(room_on_edges(a, b, ab, features, crossed.normal, along.point_a, along.point_b, noise) >= 0)) {
-      return false;
-    }
-    if constexpr (Curved<A> || Curved<B>) {
-      if (!of_edges && !meets_on_face(a, b, ab, along)) {
-        return false;
-      }
-    }
-    needed = separation + noise;
-    core = along;
-    core.algorithm = found.algorithm;
-    core.lower = std::min(found.lower, separation);
-    core.upper = std::max(found.upper, separation);
-    is_settled = true;
-    return of_edges;
-  };
-  offer_faces(a, b, ab, found.normal, take);
-  if (!is_settled) {
-    offer_edges(a, b, ab, found.normal, take);
-  }
-}
-
 // How far beyond the facet the centre of a ball is looked for: in part of the cores' own balls and of the depth
 // (measured).
 inline constexpr Real ball_share_of_cores = 0.1, ball_share_of_depth = 0.5;
@@ -251,13 +196,13 @@ inline constexpr std::uint8_t debts_of_a_ball = 2, most_debts = 7;
 
 // Keeps the features of an overlap that a search has found. Where they are the same as before, the proof has failed for
 // want of a ball: the depth of a point deeper inside the difference is the radius of one.
-template <Edged A, Edged B>
-  requires Featured<A, B>
+template <Convex A, Convex B>
+  requires are_featured<A, B>
 [[gnu::noinline]] void keep_overlap(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Real size,
                                     Real error, const CoreSeparation& core, PairMemory& memory) {
-  const bool have_features = has_features(a, noise_of(size)) && has_features(b, noise_of(size));
-  const PairFeatures features = have_features ? features_of(a, b, ab, core.normal) : PairFeatures{};
-  if (features.kind == PairFeatures::Kind::none) {
+  const CoreFeatures& features = core.features;
+  const bool are_straight = !features.are_edges() || (has_straight_edges(a) && has_straight_edges(b));
+  if (!features.are_known() || !are_straight || !has_features(a, noise_of(size)) || !has_features(b, noise_of(size))) {
     memory = {};
     return;
   }
@@ -276,13 +221,9 @@ template <Edged A, Edged B>
   [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
   [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
   const Real depth = -core.distance;
-  CoreSeparation overlap{};
-  if (!overlap_along(a, b, ab, size, error, features, overlap)) {
-    return;
-  }
-  const Real clearance = clearance_of(a, b, ab, size, error, features, overlap, face_a, face_b);
+  const Real clearance = clearance_of(a, b, ab, size, error, core, face_a, face_b);
   const Real beyond = ball_share_of_cores * (inner_ball(a).radius + inner_ball(b).radius) + ball_share_of_depth * depth;
-  if (!(clearance > 0)) {
+  if (!(clearance > 0 && depth > doubt_of(size, error))) {
     return;
   }
   const CoreSeparation deeper =

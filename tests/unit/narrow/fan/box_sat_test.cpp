@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "../../random_boxes.hpp"
 
 import abut.math;
+import abut.narrow.cores.core_separation;
 import abut.narrow.fan.box_sat;
 import abut.narrow.fan.sat;
 
@@ -18,6 +20,11 @@ using abut::Vec3;
 // Separation along a direction, from the corners.
 double separation_along(const std::vector<Vec3>& a, const std::vector<Vec3>& b, const Vec3& n) {
   return -test::corners_overreach(a, b, n, 0);
+}
+
+Vec3 axis_of(const abut::Rotation& r, std::size_t number) { return number == 0 ? r.x : number == 1 ? r.y : r.z; }
+Vec3 out_of_face(const abut::Rotation& r, std::size_t number) {
+  return number % 2 == 1 ? axis_of(r, number / 2) : -axis_of(r, number / 2);
 }
 
 double brute_force(const Vec3& half_a, const Vec3& half_b, const Pose& ab, double* of_faces) {
@@ -58,11 +65,17 @@ TEST(BoxSat, FindsTheLargestSeparationOfAllAxes) {
         separation_along(test::corners_of(half_a, Pose::identity()), test::corners_of(half_b, ab), found.normal),
         found.separation, 1e-14);
     EXPECT_EQ(found.axes, 15u);
-    if (found.of_edges) {
+    const auto [of_a, of_b] = found.features;
+    const abut::Rotation &r = ab.rotation, own = abut::Rotation::identity();
+    if (found.features.are_edges()) {
       ++of_edges;
       EXPECT_GT(found.separation, of_faces);
-      EXPECT_NEAR(dot(found.normal, found.edge_a), 0, 1e-14);
-      EXPECT_NEAR(dot(found.normal, found.edge_b), 0, 1e-14);
+      EXPECT_NEAR(dot(found.normal, axis_of(own, of_a.index)), 0, 1e-14);
+      EXPECT_NEAR(dot(found.normal, axis_of(r, of_b.index)), 0, 1e-14);
+    } else if (of_a.kind == abut::CoreFeature::Kind::face) {
+      EXPECT_EQ(found.normal, out_of_face(own, of_a.index));
+    } else {
+      EXPECT_EQ(found.normal, -out_of_face(r, of_b.index));
     }
   }
   EXPECT_GT(of_edges, 400);
@@ -73,7 +86,7 @@ TEST(BoxSat, EdgesMustLeadByMoreThanTheNoise) {
   for (int i = 0; i < 200; ++i) {
     const Pose ab{random.rotation(), random.point(1.5)};
     const abut::SatResult found = abut::sat_of_boxes({1, 1, 1}, {1, 1, 1}, ab, 10, abut::infinity);
-    EXPECT_FALSE(found.of_edges);
+    EXPECT_FALSE(found.features.are_edges());
   }
 }
 
@@ -89,7 +102,7 @@ TEST(BoxSat, ParallelEdgesSpanNoFace) {
   const abut::SatResult found = abut::sat_of_boxes({1, 1, 1}, {1, 1, 1}, ab, 0, abut::infinity);
   EXPECT_EQ(found.separation, -1.5);
   EXPECT_EQ(found.normal, (Vec3{1, 0, 0}));
-  EXPECT_FALSE(found.of_edges);
+  EXPECT_FALSE(found.features.are_edges());
 }
 
 TEST(BoxSat, ConcentricBoxesPartAlongTheirShortestWay) {

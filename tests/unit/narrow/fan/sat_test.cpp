@@ -54,7 +54,7 @@ TEST(Sat, NothingBetweenPointsOrParallelRods) {
   const auto found = abut::sat(rod, rod, {crossed, {0, 0, 0}}, 0);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->separation, 0);
-  EXPECT_TRUE(found->of_edges);
+  EXPECT_TRUE(found->features.are_edges());
 }
 
 // However small the angle between two edges, the normal across them leads along neither: their lengths would multiply

@@ -98,7 +98,7 @@ bool is_spared(const A& a, const B& b, const Pose& ab, PairMemory memory) {
   if (memory.state == PairMemory::State::apart) {
     return abut::is_still_apart(a, b, ab, size, error, a.radius() + b.radius(), memory);
   }
-  if constexpr (abut::Featured<A, B>) {
+  if constexpr (abut::are_featured<A, B>) {
     abut::CoreSeparation core{};
     if (memory.state >= PairMemory::State::touching &&
         abut::overlap_along(a, b, ab, size, error, memory.features, core)) {

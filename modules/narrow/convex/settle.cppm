@@ -1,0 +1,158 @@
+// An expanding polytope comes near the normal of two features within its bound. What the features themselves give is
+// exact, and the same whatever the search went through.
+export module abut.narrow.convex.settle;
+import abut.capability;
+import abut.core.standard;
+import abut.math.four_vec3;
+import abut.math;
+import abut.narrow.convex.separation;
+import abut.narrow.fan.facets;
+import abut.narrow.fan.features;
+import abut.narrow.points.clip;
+import abut.narrow.points.common_region;
+
+export namespace abut {
+
+// Pairs whose least overlap mostly has features that can be named. Closed forms answer for two boxes.
+template <class S>
+inline constexpr bool is_edged = is_numbered<S> && !PointCored<S> && !Triangular<S>;
+template <class A, class B>
+inline constexpr bool are_featured = is_edged<A> && is_edged<B> && !(BoxCored<A> && BoxCored<B>);
+
+// Whether all features of a core are what they are named for: numbers fit, and nothing is flat.
+template <Convex S>
+  requires is_numbered<S>
+[[nodiscard]] inline bool has_features(const S& shape, Real noise) {
+  if constexpr (Faceted<S>) {
+    const auto& facets = shape.facets();
+    return facets.is_closed && facets.flatness <= noise && facets.inner > 0 && facets.lines.size() < 0xffff;
+  } else if constexpr (BoxCored<S>) {
+    const Vec3 half = shape.half();
+    return SegmentCored<S> ? half.z > 0 : half.x > 0 && half.y > 0 && half.z > 0;
+  } else {
+    return shape.discs().bottom > 0;
+  }
+}
+
+// The place of a hull's face that looks along a direction best.
+template <Faceted S>
+[[nodiscard]] inline std::size_t facet_along(const S& hull, const Vec3& direction) {
+  const Columns n = Columns::all(direction);
+  LeastDepths faces;
+  std::size_t group = 0;
+  for (const auto& planes : hull.facets().planes) {
+    faces.consider(-dot(n, {planes.x, planes.y, planes.z}), group++);
+  }
+  const std::size_t lane = faces.lane();
+  return 4 * static_cast<std::size_t>(faces.which[lane]) + lane;
+}
+// The place of a hull's edge whose middle lies furthest along a direction.
+template <Faceted S>
+[[nodiscard]] inline std::size_t line_along(const S& hull, const Vec3& direction) {
+  const auto& lines = hull.facets().lines;
+  const Lanes n = lanes_of(direction);
+  const auto height = [&](const auto& line) { return dot(n, 2 * line.from + line.along); };
+  const auto is_lower = [&](const auto& first, const auto& second) { return height(first) < height(second); };
+  return static_cast<std::size_t>(std::max_element(lines.begin(), lines.end(), is_lower) - lines.begin());
+}
+
+// The face of a core that looks along a direction best, everything in the frame of the core.
+template <Convex S>
+  requires is_numbered<S>
+[[nodiscard]] inline CoreFeature face_along(const S& shape, const Vec3& direction) {
+  if constexpr (Faceted<S>) {
+    return core_face(facet_along(shape, direction));
+  } else if constexpr (SegmentCored<S>) {
+    return {};
+  } else {
+    const Vec3 size = absolute(direction);
+    const int axis = HullOfDiscs<S> ? 2 : size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return core_face(static_cast<std::size_t>(2 * axis) + (direction[axis] >= 0 ? 1 : 0));
+  }
+}
+// The edge that is furthest out along a direction; of a box the axis that is most across it.
+template <Convex S>
+  requires is_numbered<S>
+[[nodiscard]] inline CoreFeature edge_along(const S& shape, const Vec3& direction) {
+  if constexpr (Faceted<S>) {
+    return core_edge(line_along(shape, direction));
+  } else if constexpr (BoxCored<S> && !SegmentCored<S>) {
+    const Vec3 size = absolute(direction);
+    return core_edge(size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2);
+  } else {
+    return core_edge(2);
+  }
+}
+
+// Whether a face has a point that is as deep as the cores are along its normal. One that a round core leans beyond has
+// none, and another normal is as good within the bound.
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::noinline]] bool meets_on_face(const A& a, const B& b, const Pose& ab,
+                                                   const CoreSeparation& along) {
+  CoreSeparation core = along;
+  if (find_round_witness(a, b, ab, core)) {
+    return true;
+  }
+  [[clang::uninitialized]] const Face face_a = a.supporting_face(along.normal);
+  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -along.normal);
+  [[clang::uninitialized]] ClipPoints region;
+  find_common_region(a, b, ab, face_a, face_b, along.normal, region);
+  const Real deepest = along.distance + curve_blur(core_size(a, b, ab));
+  return std::ranges::any_of(region.span(), [&](const ClipPoint& point) {
+    return dot(point.point_b - point.point_a, along.normal) <= deepest;
+  });
+}
+
+// Turns a depth to the normal of the features that the search told, or of some near its normal that are as good.
+template <Convex A, Convex B>
+  requires are_featured<A, B>
+[[gnu::noinline]] void settle_on_features(const A& a, const B& b, const Pose& ab, Real size, Real error,
+                                          CoreSeparation& core) {
+  const Real noise = noise_of(size);
+  if (!has_features(a, noise) || !has_features(b, noise)) {
+    return;
+  }
+  const CoreSeparation found = core;
+  const auto take = [&](const CoreFeatures& features) {
+    const CoreSeparation along = separation_along(a, b, ab, normal_of(a, b, ab, features), features, size);
+    core = along;
+    core.algorithm = found.algorithm;
+    core.iterations = found.iterations;
+    core.lower = std::min(found.lower, along.distance);
+    core.upper = std::max(found.upper, along.distance);
+  };
+  if (found.features.are_known()) {
+    if (!found.features.are_edges() || (has_straight_edges(a) && has_straight_edges(b))) {
+      take(found.features);
+    }
+    return;
+  }
+  Real needed = found.distance - error - noise;
+  const auto offer = [&](const CoreFeatures& features) {
+    const CoreSeparation along = separation_along(a, b, ab, normal_of(a, b, ab, features), features, size);
+    bool is_taken = along.distance >= needed;
+    if (features.are_edges()) {
+      is_taken = is_taken && !along.points_open;  // edges that do not meet are not what is furthest out
+    } else if constexpr (Curved<A> || Curved<B>) {
+      is_taken = is_taken && meets_on_face(a, b, ab, along);
+    }
+    if (is_taken) {
+      needed = along.distance + noise;
+      take(features);
+    }
+  };
+  const Vec3 local = ab.rotation.undo(-found.normal);
+  const CoreFeatures face_of_a{face_along(a, found.normal), {}}, face_of_b{{}, face_along(b, local)};
+  for (const CoreFeatures& face : {face_of_a, face_of_b}) {
+    if (face.are_known()) {
+      offer(face);
+    }
+  }
+  if (!core.features.are_known()) {
+    CoreFeatures edges{edge_along(a, found.normal), edge_along(b, local)};
+    direct_edges(a, b, ab, found.normal, edges);
+    offer(edges);
+  }
+}
+
+}  // namespace abut
