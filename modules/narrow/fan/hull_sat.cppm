@@ -6,8 +6,8 @@ import abut.math.four_vec3;
 import abut.math;
 export import abut.narrow.fan.facets;
 export import abut.narrow.fan.features;
-import abut.narrow.fan.hull_vs_few;
-import abut.narrow.fan.hull_vs_hull;
+export import abut.narrow.fan.corners;
+import abut.narrow.fan.hull_vs_polytope;
 import abut.narrow.fan.sat;
 
 export namespace abut {
@@ -22,15 +22,16 @@ template <Convex A, Convex B>
 [[nodiscard]] std::optional<SatResult> hull_sat(const A& a, const B& b, const Pose& ab, Real noise) {
   if constexpr (Faceted<A> && Faceted<B>) {
     const bool few = has_few_vertices(a) && has_few_vertices(b) && has_facets(a, noise) && has_facets(b, noise);
-    return few ? sat_of_hulls(a, b, ab, noise) : std::nullopt;
+    return few ? sat_of_polytopes(a, b, ab, noise) : std::nullopt;
   } else if constexpr (Faceted<A>) {
-    return has_facets(a, noise) ? std::optional(sat_of_hull(a, seen_from(b, ab), noise)) : std::nullopt;
+    return has_facets(a, noise) ? sat_of_polytopes(a, b, ab, noise) : std::nullopt;
   } else {
-    if (!has_facets(b, noise)) {
-      return std::nullopt;
+    std::optional<SatResult> found = hull_sat(b, a, ab.inverse(), noise);
+    if (found) {
+      found->normal = -(ab.rotation * found->normal);
+      found->features = {found->features.b, found->features.a};
     }
-    const SatResult found = sat_of_hull(b, seen_from(a, ab.inverse()), noise);
-    return SatResult{found.separation, -(ab.rotation * found.normal), found.axes, {found.features.b, found.features.a}};
+    return found;
   }
 }
 

@@ -6,7 +6,7 @@ import abut.math;
 import abut.narrow.apart.gjk;
 import abut.narrow.fan.features;
 import abut.narrow.fan.hull_sat;
-import abut.narrow.fan.hull_vs_hull;
+import abut.narrow.fan.hull_vs_polytope;
 export import abut.narrow.warm.pair_memory;
 import abut.capability;
 import abut.narrow.convex.separation;

@@ -1,101 +1,88 @@
-// Least overlap of two polytopes of some dozens of vertices: the faces of both, and for each edge of one the arc of
-// its normals on the Gauss sphere, walked along from vertex to vertex of the other one, so that pairs of edges need
-// not be tried. Bounds pass most of both over.
-export module abut.narrow.fan.hull_vs_hull;
+// Least overlap of a polytope that lists its faces and edges with another one, a box, a triangle, a segment or a point:
+// the faces of both, and for each edge of the first one the arc of its normals on the Gauss sphere (Gregorius, "The
+// separating axis test between convex polyhedra", GDC 2013), walked along from corner to corner of the other one, so
+// that pairs of edges need not be tried. Bounds pass most of both over.
+export module abut.narrow.fan.hull_vs_polytope;
 import abut.capability;
 import abut.core.standard;
 import abut.math.four_vec3;
 import abut.math;
 import abut.narrow.cores.core_separation;
+import abut.narrow.fan.corners;
 import abut.narrow.fan.facets;
 import abut.narrow.fan.features;
 import abut.narrow.fan.sat;
 
 export namespace abut {
 
-// Polytopes with more vertices than this are left to the expanding polytope, which looks at few of them (measured).
+// Two polytopes with more vertices than this are left to the expanding polytope, which looks at few of them (measured).
 inline constexpr std::size_t vertex_limit_of_two = 64;
 
-// The vertices of a polytope in the frame of another one.
-struct SeenVertices {
-  std::array<Lanes, vertex_limit_of_two> points;
-  std::size_t count;
-
-  // How near they come along each direction, and which of them does.
-  struct Least {
-    Lanes value = infinity;
-    LaneNumbers vertex{0, 0, 0, 0};
-  };
-  template <bool with_vertex>
-  [[gnu::always_inline]] inline void search(const Columns& n, std::size_t first, std::size_t last, Least& best) const {
-    LaneNumbers vertex = LaneNumbers(static_cast<std::int64_t>(first));
-#pragma clang loop unroll_count(4)
-    for (const Lanes& p : std::span(points).subspan(first, last - first)) {
-      const Lanes value = multiply_add(n.z, p.zzzz, multiply_add(n.y, p.yyyy, n.x * p.xxxx));
-      if constexpr (with_vertex) {
-        best.vertex = value < best.value ? vertex : best.vertex;
-        vertex += LaneNumbers(1);
-      }
-      best.value = minimum(value, best.value);
-    }
-  }
-  [[nodiscard]] [[gnu::always_inline]] inline Least least(const Columns& n) const {
-    Least best;
-    search<true>(n, 0, count, best);
-    return best;
-  }
-};
-
-// Euler's formula bounds faces and edges by vertices.
+// Euler's formula bounds faces and edges by vertices, and both by edges.
 template <Faceted S>
 [[nodiscard]] inline bool has_few_vertices(const S& shape) {
   const auto& facets = shape.facets();
   return facets.points.size() <= vertex_limit_of_two && facets.planes.size() <= vertex_limit_of_two / 2 &&
          facets.lines.size() <= 3 * vertex_limit_of_two;
 }
-
-template <Faceted S>
-[[gnu::always_inline]] inline void see_vertices(const S& shape, const Pose& pose, SeenVertices& seen) {
-  seen.count = 0;
-  const LaneMatrix turn = LaneMatrix::columns_of(pose.rotation);
-  const Lanes shift = lanes_of(pose.position);
-  for (const Lanes& p : shape.facets().points) {
-    seen.points[seen.count++] = turn.apply(p, shift);
+// How many vertices a polytope can have that is tried against another core, and how many corners that one can have.
+template <class Other>
+inline constexpr std::size_t vertex_capacity = Faceted<Other> ? vertex_limit_of_two : 2 * edge_limit / 3 + 2;
+template <class Other>
+[[nodiscard]] consteval std::size_t corner_capacity() {
+  if constexpr (Faceted<Other>) {
+    return vertex_limit_of_two;
+  } else if constexpr (BoxCored<Other>) {
+    return std::size_t{1} << Other::core_axes;
+  } else {
+    return 3;
   }
 }
 
 // The least overlap along the faces of a polytope, where other ones are the vertices of another one, which has a ball
 // inside. What the ball shows to be no less than `most` is passed over.
+template <std::size_t group_limit>
 struct FaceSearch {
-  static constexpr std::size_t group_limit = vertex_limit_of_two / 2;
-
   LeastDepths faces;
   std::array<LaneNumbers, group_limit> under;  // the vertex that lies deepest under each face
   std::array<bool, group_limit> is_known;
 
   // The first vertices, which lie far from each other, often show that a face is no less deep than `most`.
   static constexpr std::size_t first_vertices = 8;
-  template <bool with_vertices, class Planes>
-  [[gnu::always_inline]] inline void look(const Planes& planes, std::size_t group, const SeenVertices& others,
-                                          Real most) {
+  template <bool with_vertices, class Planes, class Others>
+  [[gnu::always_inline]] inline void look(const Planes& planes, std::size_t group, const Others& others, Real most) {
     const Columns n{planes.x, planes.y, planes.z};
-    SeenVertices::Least least;
+    typename Others::Least least;
+    if constexpr (Others::are_few) {
+      others.template search<with_vertices>(n, 0, others.points.size(), least);
+      faces.consider(planes.reach - least.value, group);
+      under[group] = least.corner;
+      is_known[group] = true;
+      return;
+    }
     const std::size_t some = others.count < first_vertices ? others.count : first_vertices;
-    others.search<with_vertices>(n, 0, some, least);
+    others.template search<with_vertices>(n, 0, some, least);
     if (signs_of(planes.reach - least.value - all_lanes(most)) == 0) {
       return;
     }
-    others.search<with_vertices>(n, some, others.count, least);
+    others.template search<with_vertices>(n, some, others.count, least);
     faces.consider(planes.reach - least.value, group);
     if constexpr (with_vertices) {
-      under[group] = least.vertex;
+      under[group] = least.corner;
       is_known[group] = true;
     }
   }
-  template <bool with_vertices, Faceted S>
-  [[gnu::always_inline]] inline void search(const S& shape, const SeenVertices& others, const Vec3& ball, Real radius,
+  template <bool with_vertices, class Planes, class Others>
+  [[gnu::always_inline]] inline void search(const Planes& planes, const Others& others, const Vec3& ball, Real radius,
                                             Real most) {
-    const auto& planes = shape.facets().planes;
+    faces = {};
+    if constexpr (Others::are_few) {
+      std::size_t each = 0;
+      for (const auto& four : planes) {
+        look<with_vertices>(four, each++, others, infinity);
+      }
+      return;
+    }
     const Columns centre = Columns::all(ball);
     [[clang::uninitialized]] std::array<Lanes, group_limit> bounds;
     LeastDepths lowest;
@@ -106,7 +93,6 @@ struct FaceSearch {
       is_known[group] = false;
       bounds[group++] = bound;
     }
-    faces = {};
     const auto first = static_cast<std::size_t>(lowest.which[lowest.lane()]);
     look<with_vertices>(planes[first], first, others, infinity);
     Real least = -largest(-faces.depth);
@@ -123,27 +109,14 @@ struct FaceSearch {
   }
 };
 
-// The edge between two vertices, if there is one.
-template <Faceted S>
-[[nodiscard]] inline std::optional<std::size_t> line_between(const S& shape, std::uint32_t first,
-                                                             std::uint32_t second) {
-  const auto& ends = shape.facets().ends;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const auto [from, to] = ends[i];
-    if ((from == first && to == second) || (from == second && to == first)) {
-      return i;
-    }
-  }
-  return std::nullopt;
-}
-
 // From a to b, in the frame of a. Nothing where rounding cuts arcs without end.
-template <Faceted A, Faceted B>
-[[nodiscard]] std::optional<SatResult> sat_of_hulls(const A& a, const B& b, const Pose& ab, Real noise) {
+template <Faceted A, class B>
+  requires Faceted<B> || Seen<B>
+[[nodiscard]] std::optional<SatResult> sat_of_polytopes(const A& a, const B& b, const Pose& ab, Real noise) {
+  constexpr std::size_t capacity = vertex_capacity<B>, group_limit = capacity / 2;
   const Pose ba = ab.inverse();
-  [[clang::uninitialized]] SeenVertices of_a, of_b;
-  see_vertices(b, ab, of_b);
-  see_vertices(a, ba, of_a);
+  const auto& own_of_b = corners_of(b);
+  [[clang::uninitialized]] const SeenCorners<corner_capacity<B>()> of_b(own_of_b.points, ab);
   SatResult best{-infinity, {0, 0, 0}, 0, {}};
   const auto take_face = [&](const LeastDepths& faces, CoreFeature CoreFeatures::* of, const auto& out) {
     const std::size_t lane = faces.lane(), face = 4 * static_cast<std::size_t>(faces.which[lane]) + lane;
@@ -156,26 +129,31 @@ template <Faceted A, Faceted B>
   };
   // Rounding must not make the balls larger than they are.
   constexpr Real shrunk = 0.999;
-  const Vec3 middle_of_b = ab * b.facets().middle;
-  const Real inner_of_b = shrunk * b.facets().inner;
-  [[clang::uninitialized]] FaceSearch faces_of_a;
-  faces_of_a.search<true>(a, of_b, middle_of_b, inner_of_b, infinity);
+  const Vec3 middle_of_b = ab * own_of_b.middle;
+  const Real inner_of_b = shrunk * own_of_b.inner;
+  [[clang::uninitialized]] FaceSearch<group_limit> faces_of_a;
+  faces_of_a.template search<true>(a.facets().planes, of_b, middle_of_b, inner_of_b, infinity);
   take_face(faces_of_a.faces, &CoreFeatures::a, [&](std::size_t face) { return face_normal(a, face); });
-  {
-    [[clang::uninitialized]] FaceSearch faces_of_b;
-    faces_of_b.search<false>(b, of_a, ba * a.facets().middle, shrunk * a.facets().inner, -best.separation);
+  if (has_planes(b)) {
+    [[clang::uninitialized]] const SeenCorners<capacity> of_a(a.facets().points, ba);
+    [[clang::uninitialized]] FaceSearch<group_limit> faces_of_b;
+    faces_of_b.template search<false>(own_of_b.planes, of_a, ba * a.facets().middle, shrunk * a.facets().inner,
+                                      -best.separation);
     take_face(faces_of_b.faces, &CoreFeatures::b,
               [&](std::size_t face) { return -(ab.rotation * face_normal(b, face)); });
   }
-  best.axes = static_cast<std::uint32_t>(4 * (a.facets().planes.size() + b.facets().planes.size()));
+  best.axes = static_cast<std::uint32_t>(4 * (a.facets().planes.size() + own_of_b.planes.size()));
 
+  if constexpr (PointCored<B>) {
+    return best;  // a point has no edges
+  }
   // Along the arc of an edge of a, from its left face to its right one, the deepest vertex of b changes from one to
   // the other. Where both are equally deep no other vertex is less deep, which bounds the overlap from below; where
   // another one is deeper, the arc is cut there.
   struct Stretch {
     std::uint16_t line, from, to;
   };
-  constexpr std::size_t room = 6 * vertex_limit_of_two;
+  constexpr std::size_t room = 6 * vertex_limit_of_two + (Faceted<B> ? 0 : edge_limit);
   [[clang::uninitialized]] std::array<Stretch, room> stretches;
   std::size_t count = 0;
   // Heights of rounding at both ends of half a circle say nothing of its middle.
@@ -199,7 +177,7 @@ template <Faceted A, Faceted B>
       const auto& sides = a.facets().sides[line];
       for (const std::uint32_t side : {sides.left, sides.right}) {
         if (!faces_of_a.is_known[side / 4]) {
-          faces_of_a.look<true>(a.facets().planes[side / 4], side / 4, of_b, infinity);
+          faces_of_a.template look<true>(a.facets().planes[side / 4], side / 4, of_b, infinity);
         }
       }
       const auto from = static_cast<std::uint16_t>(faces_of_a.under[sides.left / 4][sides.left % 4]);
@@ -237,13 +215,13 @@ template <Faceted A, Faceted B>
       continue;
     }
     best.axes += 4;
-    const SeenVertices::Least found = of_b.least(n);
+    const auto found = of_b.least(n);
     const Lanes depth = reach - found.value;
     for (std::size_t i = 0; i < in_hand; ++i) {
       if (!(above[i] < 0)) {
         continue;
       }
-      const auto vertex = static_cast<std::uint16_t>(found.vertex[i]);
+      const auto vertex = static_cast<std::uint16_t>(found.corner[i]);
       const bool is_cut = depth[i] > lower[i] + noise && vertex != taken[i].from && vertex != taken[i].to;
       if (depth[i] < least_of_edges) {
         // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its
@@ -264,8 +242,10 @@ template <Faceted A, Faceted B>
     }
   }
   if (least) {
-    const std::optional<std::size_t> line_of_b = line_between(b, least->from, least->to);
-    best.features = line_of_b ? CoreFeatures{core_edge(least->line), core_edge(*line_of_b)} : CoreFeatures{};
+    const CoreFeature edge_of_b = edge_between(b, least->from, least->to);
+    if (edge_of_b.kind == CoreFeature::Kind::edge) {
+      best.features = {core_edge(least->line), edge_of_b};
+    }
   }
   return best;
 }
