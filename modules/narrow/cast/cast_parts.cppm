@@ -44,10 +44,11 @@ void cast_part(CastSearch& search, const A& part, const B& b, const Pose& ab, co
 }
 
 // a is made of parts and placed by `frame`; b, which is so too or convex, moves in it from ab on.
-template <HasParts A, class B>
+template <class A, class B>
+  requires has_parts<A>
 void cast_parts(CastSearch& search, const A& a, const B& b, const Pose& ab, const LinearMotion& motion,
                 const Pose& frame, bool swapped, const CastNames& names) {
-  visit_in_order(a, b.aabb(ab), motion, search.slack(), search.limit(), [&](const auto& met) {
+  const auto cast_one = [&](const PartMet<typename A::Part>& met) {
     CastNames of_part = names;
     Feature& feature = swapped ? of_part.feature_b : of_part.feature_a;
     std::uint32_t& child = swapped ? of_part.child_b : of_part.child_a;
@@ -64,7 +65,10 @@ void cast_parts(CastSearch& search, const A& a, const B& b, const Pose& ab, cons
       cast_parts(search, b, core_of(met.part), from_part.inverse(), seen_from_b(motion, ab), at * from_part, !swapped,
                  of_part);
     }
-  });
+  };
+  // One reference fits into a function itself: no memory is asked for.
+  visit_in_order(a, b.aabb(ab), motion, search.slack(), search.limit(),
+                 PartVisitor<A>([&cast_one](const PartMet<typename A::Part>& met) { cast_one(met); }));
 }
 
 }  // namespace abut

@@ -8,7 +8,7 @@ import abut.narrow.cast.linear_cast;
 export namespace abut {
 
 template <class S>
-concept HasParts = Surface<S> || Scattered<S>;
+inline constexpr bool has_parts = Surface<S> || Scattered<S>;
 
 // A part and the way after which its box is met.
 template <class Part>
@@ -24,12 +24,15 @@ template <class Part>
   return a.enter != b.enter ? a.enter < b.enter : a.index < b.index;
 }
 
+template <class S>
+using PartVisitor = std::function<void(const PartMet<typename S::Part>& met)>;
+
 // Calls visit(met) for the parts whose boxes a moving box meets, in order, as long as they are met before `limit`,
 // which visit may shrink. The way goes in stretches, so that the box around each is not much larger than the moving
-// one.
-template <HasParts S, class Visitor>
+// one. Once for each kind of shape: a cast against a part takes far longer than a call of a function.
+template <class S>
 void visit_in_order(const S& shape, const Aabb& moving, const LinearMotion& motion, Real slack, const Real& limit,
-                    Visitor&& visit) {
+                    const PartVisitor<S>& visit) {
   constexpr Real most_stretches = 64;
   const std::optional<Passage> whole = passage_of(shape.aabb(Pose::identity()).inflated(slack), moving, motion);
   if (!whole) {

@@ -16,17 +16,17 @@ import abut.narrow.points.lane_contact;
 export namespace abut {
 
 template <class A, class B>
-concept ClosedForm = PointAndField<A, B> || (BoxCored<A> && BoxCored<B>);
+inline constexpr bool have_closed_form = are_point_and_field<A, B> || (BoxCored<A> && BoxCored<B>);
 
 // False where closed forms leave the pair to a search. Those of cores that are too near for them end as soon as that
 // shows.
 template <Convex A, Convex B>
-  requires ClosedForm<A, B>
+  requires have_closed_form<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool separate_in_closed_form(const A& a, const B& b, const Pose& ab,
                                                                          const QuerySettings& settings,
                                                                          CoreSeparation& core) {
   const Real size = core_size(a, b, ab);
-  if constexpr (PointAndField<A, B>) {
+  if constexpr (are_point_and_field<A, B>) {
     core = separate_point(a, b, ab, size);
     return true;
   } else {
@@ -55,9 +55,10 @@ template <Convex A, Convex B>
 
 // Pairs of shapes that mostly touch in one point, which a closed form finds.
 template <class A, class B>
-concept TouchInAPoint = ClosedForm<A, B> && (PointCored<A> || PointCored<B> || (SegmentCored<A> && SegmentCored<B>));
+inline constexpr bool touch_in_a_point =
+    have_closed_form<A, B> && (PointCored<A> || PointCored<B> || (SegmentCored<A> && SegmentCored<B>));
 template <class A, class B>
-concept ClosedContacts = TouchInAPoint<A, B> || TwoBoxes<A, B>;
+inline constexpr bool have_closed_contacts = touch_in_a_point<A, B> || are_boxes<A, B>;
 
 // What the square of the distance of two cores exceeds only where they are beyond the margin in spite of all rounding.
 // It tells most pairs that do not touch: the root that would say how far they are takes as long as all the rest.
@@ -65,12 +66,6 @@ concept ClosedContacts = TouchInAPoint<A, B> || TwoBoxes<A, B>;
   const Real reach = margin + radii + 8 * epsilon * (std::fabs(margin) + radii);
   return reach * std::fabs(reach);
 }
-
-// A core that can tell without a root that a point is further from it than a reach; where rounding matters it says no.
-template <class S>
-concept Bounding = Field<S> && requires(const S& shape, const Vec3& point, Real reach) {
-  { shape.is_beyond(point, reach) } -> std::same_as<bool>;
-};
 
 // Hands over the one contact under a separation, if it is within the margin.
 template <Convex A, Convex B, class Append>
@@ -85,14 +80,15 @@ template <Convex A, Convex B, class Append>
   }
 }
 
-// Whether a point and a field are beyond the margin, as far as comparisons tell.
+// Whether a point and a field are beyond the margin, as far as comparisons tell. Some fields know without a root that a
+// point is further from them than a reach; where rounding matters they say no.
 template <Convex A, Convex B>
-  requires PointAndField<A, B>
+  requires are_point_and_field<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool is_point_beyond(const A& a, const B& b, const Pose& ab, Real margin) {
   const Real radii = a.radius() + b.radius(), reach = margin + radii + 8 * epsilon * (std::fabs(margin) + radii);
-  if constexpr (PointCored<A> && Bounding<B>) {
+  if constexpr (PointCored<A> && requires { b.is_beyond(ab.position, reach); }) {
     return b.is_beyond(-ab.rotation.undo(ab.position), reach);
-  } else if constexpr (PointCored<B> && Bounding<A>) {
+  } else if constexpr (PointCored<B> && requires { a.is_beyond(ab.position, reach); }) {
     return a.is_beyond(ab.position, reach);
   } else {
     return false;
@@ -101,7 +97,7 @@ template <Convex A, Convex B>
 
 // Hands over the contacts one by one, all or none. False where closed forms leave the pair to a search.
 template <Convex A, Convex B, class Append>
-  requires TouchInAPoint<A, B>
+  requires touch_in_a_point<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool contacts_in_closed_form(const A& a, const B& b, const Pose& ab,
                                                                          const QuerySettings& settings,
                                                                          Append&& append) {
@@ -110,7 +106,7 @@ template <Convex A, Convex B, class Append>
   }
   const Real size = core_size(a, b, ab);
   [[clang::uninitialized]] CoreSeparation core;
-  if constexpr (PointAndField<A, B>) {
+  if constexpr (are_point_and_field<A, B>) {
     if (is_point_beyond(a, b, ab, settings.margin)) {
       return true;
     }
@@ -133,7 +129,7 @@ template <Convex A, Convex B, class Append>
 
 // Of cores that overlap; those that are apart within the margin seldom face each other along one of the axes.
 template <Convex A, Convex B, class Append>
-  requires TwoBoxes<A, B>
+  requires are_boxes<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool contacts_in_closed_form(const A& a, const B& b, const Pose& ab,
                                                                          const QuerySettings& settings,
                                                                          Append&& append) {

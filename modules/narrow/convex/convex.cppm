@@ -33,7 +33,7 @@ export namespace abut {
 // Whether an algorithm may answer for a pair of convex shapes at all.
 template <Convex A, Convex B>
 [[nodiscard]] inline bool may_answer(Algorithm algorithm) {
-  return !(algorithm == Algorithm::analytic && !ClosedForm<A, B>) &&
+  return !(algorithm == Algorithm::analytic && !have_closed_form<A, B>) &&
          !(algorithm == Algorithm::sat && !(FewFaced<A> && FewFaced<B>));
 }
 
@@ -47,7 +47,7 @@ template <Convex A, Convex B>
 template <Convex A, Convex B>
 [[nodiscard]] inline CoreSeparation separate_for_distance(const A& a, const B& b, const Pose& ab,
                                                           const QuerySettings& settings) {
-  if constexpr (CurvedFields<A, B>) {
+  if constexpr (are_curved_fields<A, B>) {
     if (settings.algorithm == Algorithm::automatic) {
       if (const std::optional<CoreSeparation> found = separate_fields(a, b, ab, settings)) {
         return *found;
@@ -80,7 +80,7 @@ template <Convex A, Convex B>
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::always_inline]] inline Outcome convex_distance(const A& a, const B& b, const Pose& ab,
                                                                     const QuerySettings& settings, Distance& out) {
-  if constexpr (ClosedForm<A, B>) {
+  if constexpr (have_closed_form<A, B>) {
     [[clang::uninitialized]] CoreSeparation core;
     if (takes_closed_forms(settings.algorithm) && separate_in_closed_form(a, b, ab, settings, core)) [[likely]] {
       out = rounded(core, a.radius(), b.radius());
@@ -229,7 +229,7 @@ template <Convex A, Convex B>
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::always_inline]] inline Outcome convex_contacts(const A& a, const B& b, const Pose& ab,
                                                                     const QuerySettings& settings, Manifold& out) {
-  if constexpr (ClosedContacts<A, B>) {
+  if constexpr (have_closed_contacts<A, B>) {
     const auto append = [&](const LaneContact& contact) { append_contact(contact, out); };
     if (contacts_in_closed_form(a, b, ab, settings, append)) [[likely]] {
       return Outcome::ok;

@@ -14,10 +14,11 @@ export namespace abut {
 
 // Known in closed form: boxes, segments and bodies of revolution. Of an ellipsoid it is searched for.
 template <class S>
-concept ClosedField = BoxCored<S> || (Field<S> && requires(const S& shape) { shape.outline_normals(); });
+inline constexpr bool is_closed_field = BoxCored<S> || (Field<S> && Rimmed<S>);
 template <class A, class B>
-concept CurvedFields = (Field<A> || BoxCored<A>) && (Field<B> || BoxCored<B>) && (ClosedField<A> || ClosedField<B>) &&
-                       (Curved<A> || Curved<B>) && !PointCored<A> && !PointCored<B>;
+inline constexpr bool are_curved_fields =
+    (Field<A> || BoxCored<A>) && (Field<B> || BoxCored<B>) && (is_closed_field<A> || is_closed_field<B>) &&
+    (Curved<A> || Curved<B>) && !PointCored<A> && !PointCored<B>;
 
 // The point of a core nearest to one of its frame.
 template <Convex S>
@@ -61,7 +62,7 @@ inline constexpr std::uint32_t overlap_rounds = 2;
 
 // Nothing where that leaves the pair open.
 template <Convex A, Convex B>
-  requires CurvedFields<A, B>
+  requires are_curved_fields<A, B>
 [[nodiscard]] std::optional<CoreSeparation> separate_fields(const A& a, const B& b, const Pose& ab,
                                                             const QuerySettings& settings) {
   const Real size = core_size(a, b, ab), error = error_of(a, b, size, settings), least = projection_limit * size;

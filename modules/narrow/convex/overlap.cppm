@@ -21,8 +21,10 @@ import abut.narrow.polytope.polytope_depth;
 export namespace abut {
 
 // Boxes have a way of their own to try all axes.
+template <class S>
+inline constexpr bool is_box = BoxCored<S> && !PointCored<S> && !SegmentCored<S>;
 template <class A, class B>
-concept TwoBoxes = BoxCored<A> && BoxCored<B> && A::core_axes == 3 && B::core_axes == 3;
+inline constexpr bool are_boxes = is_box<A> && is_box<B>;
 
 // Along a normal, with the points of the features that it belongs to, or else with open support points.
 template <Convex A, Convex B>
@@ -86,7 +88,7 @@ template <FewFaced A, FewFaced B>
 
 template <FewFaced A, FewFaced B>
 [[nodiscard]] [[gnu::noinline]] CoreSeparation separate_by_sat(const A& a, const B& b, const Pose& ab, Real size) {
-  if constexpr (TwoBoxes<A, B>) {
+  if constexpr (are_boxes<A, B>) {
     return separation_along(a, b, ab, sat_of_boxes(a.half(), b.half(), ab, noise_of(size), infinity), size);
   } else {
     if (const std::optional<SatResult> found = sat(a, b, ab, noise_of(size))) {

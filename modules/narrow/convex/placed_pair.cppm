@@ -16,7 +16,7 @@ export namespace abut {
 
 // Pairs of which the first shape is a point and the second a box, a segment or a point.
 template <class A, class B>
-concept PointBeside = PointCored<A> && BoxCored<B>;
+inline constexpr bool is_point_beside = PointCored<A> && BoxCored<B>;
 
 // The pose of b in a frame around a that is not turned.
 [[nodiscard]] [[gnu::always_inline]] inline Pose shifted(const Pose& pose_a, const Pose& pose_b) {
@@ -25,17 +25,17 @@ concept PointBeside = PointCored<A> && BoxCored<B>;
 
 // False where closed forms leave the pair to a search. The answer is in the world.
 template <Convex A, Convex B>
-  requires ClosedForm<A, B>
+  requires have_closed_form<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool distance_of_placed(const A& a, const B& b, const Pose& pose_a,
                                                                     const Pose& pose_b, bool swapped,
                                                                     const QuerySettings& settings, Distance& out) {
   [[clang::uninitialized]] CoreSeparation core;
-  const Pose ab = PointBeside<A, B> ? shifted(pose_a, pose_b) : relative(pose_a, pose_b);
+  const Pose ab = is_point_beside<A, B> ? shifted(pose_a, pose_b) : relative(pose_a, pose_b);
   if (!takes_closed_forms(settings.algorithm) || !separate_in_closed_form(a, b, ab, settings, core)) {
     return false;
   }
   [[clang::uninitialized]] Distance found = rounded(core, a.radius(), b.radius());
-  if constexpr (PointBeside<A, B>) {
+  if constexpr (is_point_beside<A, B>) {
     move_by(found, pose_a.position, swapped);
   } else {
     move_by(found, pose_a, swapped);
@@ -74,13 +74,13 @@ template <Convex A, Convex B, class Append>
 
 // Hands over the contacts in the world one by one, all or none. False as above.
 template <Convex A, Convex B, class Append>
-  requires ClosedContacts<A, B>
+  requires have_closed_contacts<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool contacts_of_placed(const A& a, const B& b, const Pose& pose_a,
                                                                     const Pose& pose_b, const QuerySettings& settings,
                                                                     Append&& append) {
   if constexpr (SegmentCored<A> && SegmentCored<B>) {
     return contacts_of_segments(a, b, pose_a, pose_b, settings, append);
-  } else if constexpr (PointBeside<A, B>) {
+  } else if constexpr (is_point_beside<A, B>) {
     return contacts_in_closed_form(a, b, shifted(pose_a, pose_b), settings,
                                    [&](const LaneContact& contact) { append(moved_by(contact, pose_a.position)); });
   } else {

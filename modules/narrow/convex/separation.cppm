@@ -48,7 +48,7 @@ inline constexpr Real projection_limit = 1e-5;
 template <BoxCored A, BoxCored B>
 [[nodiscard]] inline bool separate_box_cores(const A& a, const B& b, const Pose& ab, Real size, Real error, Real limit,
                                              Vec3& toward, CoreSeparation& core) {
-  if constexpr (TwoBoxes<A, B>) {
+  if constexpr (are_boxes<A, B>) {
     // Whoever wants contacts mostly asks about boxes that overlap, or are known apart by an axis.
     if (limit < infinity) {
       const SatResult found = sat_of_boxes(a.half(), b.half(), ab, noise_of(size), limit);
@@ -91,10 +91,10 @@ template <BoxCored A, BoxCored B>
 
 // A point against a core that knows its nearest surface point: exact, apart or not.
 template <class A, class B>
-concept PointAndField = (PointCored<A> && Field<B>) || (Field<A> && PointCored<B>);
+inline constexpr bool are_point_and_field = (PointCored<A> && Field<B>) || (Field<A> && PointCored<B>);
 
 template <Convex A, Convex B>
-  requires PointAndField<A, B>
+  requires are_point_and_field<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline CoreSeparation separate_point(const A& a, const B& b, const Pose& ab,
                                                                           Real size) {
   CoreSeparation core{};
@@ -278,7 +278,7 @@ template <Convex A, Convex B>
                                                    const QuerySettings& settings, Real limit) {
   const Real size = core_size(a, b, ab);
   const Real error = error_of(a, b, size, settings);
-  if constexpr (PointAndField<A, B>) {
+  if constexpr (are_point_and_field<A, B>) {
     if (takes_closed_forms(settings.algorithm)) {
       CoreSeparation core = separate_point(a, b, ab, size);
       core.beyond = core.lower > limit;

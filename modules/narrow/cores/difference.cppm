@@ -52,19 +52,16 @@ struct Difference {
   [[nodiscard]] inline Real depth_along(const Vec3& n) const { return dot(n, vertex_toward(n).w); }
 };
 
-template <class S>
-concept WithDisc = Curved<S> && requires(const S& shape, const Vec3& direction) { shape.supporting_rim(direction); };
-
 template <Convex A, Convex B>
 [[nodiscard]] SymmetricDirections symmetric_directions(const A& a, const B& b, const Pose& ab, Real noise) {
   SymmetricDirections found;
   for (const Real side : {1.0, -1.0}) {
-    if constexpr (WithDisc<A>) {
+    if constexpr (Rimmed<A>) {
       if (a.supporting_rim({0, 0, side})) {
         found.discs.push_back(Vec3{0, 0, side});
       }
     }
-    if constexpr (WithDisc<B>) {
+    if constexpr (Rimmed<B>) {
       if (b.supporting_rim({0, 0, side})) {
         found.discs.push_back(-side * ab.rotation.z);
       }

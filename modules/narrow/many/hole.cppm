@@ -90,9 +90,15 @@ void visit_outermost(const RoundWall& wall, const B& b, const Pose& ab, Visitor&
           contact_id(of_wall, feature)};
 }
 
-template <Hole A, Convex B>
-[[nodiscard]] Outcome hole_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                    Distance& out) {
+// The walls of a hole, whatever it is.
+struct Walls {
+  FlatWalls flat;
+  std::optional<RoundWall> round;
+};
+
+template <Convex B>
+[[nodiscard]] Outcome distance_in_walls(const Walls& walls, const B& b, const Pose& ab, const QuerySettings& settings,
+                                        Distance& out) {
   if (!takes_closed_forms(settings.algorithm)) {
     return Outcome::unsupported;
   }
@@ -105,15 +111,14 @@ template <Hole A, Convex B>
       out = found;
     }
   };
-  const FlatWalls flat = a.flat_walls();
-  for (const FlatWall& wall : flat.span()) {
+  for (const FlatWall& wall : walls.flat.span()) {
     Distance found{};
     if (const Outcome outcome = half_space_distance(WallSolid(wall), b, ab, settings, found); outcome != Outcome::ok) {
       return outcome;
     }
     keep_least(found);
   }
-  if (const auto wall = a.round_wall()) {
+  if (const auto& wall = walls.round) {
     visit_outermost(*wall, b, ab, [&](const Vec3& point, const Feature& feature) {
       const ContactPoint found = contact_at(*wall, point, b.radius(), feature);
       keep_least({found.distance, found.distance, found.distance, found.point_a, found.point_b, found.normal,
@@ -128,14 +133,13 @@ template <Hole A, Convex B>
   return out.distance < infinity ? Outcome::ok : Outcome::unsupported;
 }
 
-template <Hole A, Convex B>
-[[nodiscard]] Outcome hole_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                    Manifold& out) {
+template <Convex B>
+[[nodiscard]] Outcome contacts_in_walls(const Walls& walls, const B& b, const Pose& ab, const QuerySettings& settings,
+                                        Manifold& out) {
   if (!takes_closed_forms(settings.algorithm)) {
     return Outcome::unsupported;
   }
-  const FlatWalls flat = a.flat_walls();
-  for (const FlatWall& wall : flat.span()) {
+  for (const FlatWall& wall : walls.flat.span()) {
     const std::size_t first = out.size();
     if (const Outcome outcome = half_space_contacts(WallSolid(wall), b, ab, settings, out); outcome != Outcome::ok) {
       return outcome;
@@ -145,7 +149,7 @@ template <Hole A, Convex B>
       contact.id = contact_id(contact.feature_a, contact.feature_b);
     }
   }
-  if (const auto wall = a.round_wall()) {
+  if (const auto& wall = walls.round) {
     const std::size_t first = out.size();
     const Real noise = 64 * epsilon * (b.extent() + largest_magnitude(ab.position) + wall->radius);
     visit_outermost(*wall, b, ab, [&](const Vec3& point, const Feature& feature) {
@@ -165,6 +169,17 @@ template <Hole A, Convex B>
     });
   }
   return Outcome::ok;
+}
+
+template <Hole A, Convex B>
+[[nodiscard]] Outcome hole_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                    Distance& out) {
+  return distance_in_walls({a.flat_walls(), a.round_wall()}, b, ab, settings, out);
+}
+template <Hole A, Convex B>
+[[nodiscard]] Outcome hole_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                    Manifold& out) {
+  return contacts_in_walls({a.flat_walls(), a.round_wall()}, b, ab, settings, out);
 }
 
 }  // namespace abut

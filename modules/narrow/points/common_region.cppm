@@ -10,12 +10,6 @@ import abut.narrow.points.clip;
 
 export namespace abut {
 
-// A core whose supporting face may be a disc.
-template <class S>
-concept WithRim = Curved<S> && requires(const S& shape, const Vec3& direction) {
-  { *shape.supporting_rim(direction) } -> std::convertible_to<Rim>;
-};
-
 // Which edge of the polygon of a rim a point of the circle lies beyond.
 [[nodiscard]] inline std::uint32_t edge_of_rim(const Rim& rim, Real x, Real y) {
   std::uint32_t edge = 0;
@@ -79,7 +73,7 @@ concept WithRim = Curved<S> && requires(const S& shape, const Vec3& direction) {
 template <Convex A, Convex B>
 [[gnu::always_inline]] inline void find_common_region(const A& a, const B& b, const Pose& ab, const Face& face_a,
                                                       const Face& face_b, const Vec3& normal, ClipPoints& out) {
-  if constexpr (WithRim<A>) {
+  if constexpr (Rimmed<A>) {
     if (face_b.vertices.size() == 2) {
       if (const std::optional<Rim> rim = a.supporting_rim(normal);
           rim && stretch_on_rim(*rim, Pose::identity(), true, face_b, normal, out)) {
@@ -87,7 +81,7 @@ template <Convex A, Convex B>
       }
     }
   }
-  if constexpr (WithRim<B>) {
+  if constexpr (Rimmed<B>) {
     if (face_a.vertices.size() == 2) {
       if (const std::optional<Rim> rim = b.supporting_rim(ab.rotation.undo(-normal));
           rim && stretch_on_rim(*rim, ab, false, face_a, normal, out)) {

@@ -14,7 +14,7 @@ export namespace abut {
 
 // Pairs whose search takes so long that what is known of them before is worth a look. Closed forms are not.
 template <class A, class B>
-concept Remembered = Convex<A> && Convex<B> && !ClosedForm<A, B>;
+inline constexpr bool is_remembered = !have_closed_form<A, B>;
 
 // The answer of a search, with what it leaves for the next time.
 template <Convex A, Convex B>
@@ -46,7 +46,7 @@ template <Convex A, Convex B>
 template <Convex A, Convex B>
 [[nodiscard]] inline Outcome convex_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                              PairMemory& memory, Manifold& out) {
-  if constexpr (!Remembered<A, B>) {
+  if constexpr (!is_remembered<A, B>) {
     return convex_contacts(a, b, ab, settings, out);
   } else {
     if (settings.algorithm != Algorithm::automatic) {

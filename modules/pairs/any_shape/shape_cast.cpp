@@ -169,7 +169,7 @@ void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& 
 
 // Shapes whose contacts at the start say more than a distance: which of their parts overlap, and on which side.
 bool is_made_of_parts(const AnyShape& shape) {
-  return std::visit([]<class S>(const S&) { return HasParts<S> || Assembly<S>; }, variant_of(shape));
+  return std::visit([]<class S>(const S&) { return has_parts<S> || Assembly<S>; }, variant_of(shape));
 }
 
 // The deepest contact before the motion, in the frame of a.

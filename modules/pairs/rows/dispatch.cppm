@@ -44,11 +44,13 @@ using DistanceInFrame = Outcome (*)(const Any& a, const Any& b, const Pose& ab, 
                                     Distance& out);
 
 // From a kernel that answers in the frame of the first shape to the world. Out of line: a function that only takes
-// closed forms is entered at less cost.
+// closed forms is entered at less cost. Not duplicated: the compiler would make a copy for each kernel.
 template <class Any>
-[[nodiscard]] [[gnu::noinline]] Outcome placed_distance(DistanceInFrame<Any> kernel, const Any& a, const Any& b,
-                                                        const Pose& pose_a, const Pose& pose_b, bool swapped,
-                                                        const QuerySettings& settings, Distance& out) {
+[[nodiscard]] [[gnu::noinline, clang::noduplicate]] Outcome placed_distance(DistanceInFrame<Any> kernel, const Any& a,
+                                                                            const Any& b, const Pose& pose_a,
+                                                                            const Pose& pose_b, bool swapped,
+                                                                            const QuerySettings& settings,
+                                                                            Distance& out) {
   const Pose ab = relative(pose_a, pose_b);
   [[clang::uninitialized]] Distance found;
   const Outcome outcome = kernel(a, b, ab, settings, found);
@@ -62,7 +64,7 @@ template <class Any>
 template <class Any, class A, class B>
 [[nodiscard]] Outcome distance_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                                       const QuerySettings& settings, Distance& out) {
-  if constexpr (route<A, B>() == Route::convex && ClosedForm<CoreOf<A>, CoreOf<B>>) {
+  if constexpr (route<A, B>() == Route::convex && have_closed_form<CoreOf<A>, CoreOf<B>>) {
     if (distance_of_placed(core_of(std::get<A>(a)), core_of(std::get<B>(b)), pose_a, pose_b, swapped, settings, out))
         [[likely]] {
       return Outcome::ok;
@@ -74,7 +76,7 @@ template <class Any, class A, class B>
 template <class A, class B>
 [[nodiscard]] consteval bool gains_from_memory() {
   if constexpr (route<A, B>() == Route::convex) {
-    return Remembered<CoreOf<A>, CoreOf<B>>;
+    return is_remembered<CoreOf<A>, CoreOf<B>>;
   } else {
     return false;
   }
@@ -113,9 +115,11 @@ using ContactsInFrame = decltype(PairKernels<Any>::contacts_in_frame);
 
 // As with distances.
 template <class Any>
-[[nodiscard]] [[gnu::noinline]] Outcome placed_contacts(ContactsInFrame<Any> kernel, const Any& a, const Any& b,
-                                                        const Pose& pose_a, const Pose& pose_b, bool swapped,
-                                                        const QuerySettings& settings, Manifold& out) {
+[[nodiscard]] [[gnu::noinline, clang::noduplicate]] Outcome placed_contacts(ContactsInFrame<Any> kernel, const Any& a,
+                                                                            const Any& b, const Pose& pose_a,
+                                                                            const Pose& pose_b, bool swapped,
+                                                                            const QuerySettings& settings,
+                                                                            Manifold& out) {
   const std::size_t first = out.size();
   const Outcome outcome = kernel(a, b, relative(pose_a, pose_b), settings, nullptr, out);
   place_contacts(std::span(out).subspan(first), pose_a, {swapped, a.index() == b.index()});
@@ -136,7 +140,7 @@ template <class Any, class A, class B>
     } else {
       return half_space_contacts(core_a, core_b, pose_a, pose_b, settings, append);
     }
-  } else if constexpr (route<A, B>() == Route::convex && ClosedContacts<CoreOf<A>, CoreOf<B>>) {
+  } else if constexpr (route<A, B>() == Route::convex && have_closed_contacts<CoreOf<A>, CoreOf<B>>) {
     const auto append = [&](const LaneContact& contact) {
       LaneContact given = with_sides(contact, swapped);
       if constexpr (std::is_same_v<A, B>) {
@@ -156,7 +160,7 @@ template <class Any, class A, class B>
 template <class Any, class A, class B>
 void cast_parts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                        const CastNames& names, CastSearch& search) {
-  if constexpr (HasParts<A>) {
+  if constexpr (has_parts<A>) {
     cast_parts(search, std::get<A>(a), core_of(std::get<B>(b)), relative(pose_a, pose_b),
                search.motion_in(pose_a, swapped), pose_a, swapped, names);
   } else {
@@ -167,8 +171,8 @@ void cast_parts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pos
 
 template <class Any, class A, class B>
 [[nodiscard]] consteval auto cast_parts_of() -> decltype(PairKernels<Any>::cast_parts) {
-  constexpr bool have_parts = HasParts<A> || HasParts<B>, have_others = Convex<A> || Convex<B>;
-  if constexpr (route<A, B>() != Route::unsupported && have_parts && (have_others || (HasParts<A> && HasParts<B>))) {
+  constexpr bool have_parts = has_parts<A> || has_parts<B>, have_others = Convex<A> || Convex<B>;
+  if constexpr (route<A, B>() != Route::unsupported && have_parts && (have_others || (has_parts<A> && has_parts<B>))) {
     return cast_parts_kernel<Any, A, B>;
   } else {
     return nullptr;

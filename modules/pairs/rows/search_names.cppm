@@ -13,13 +13,13 @@ export namespace abut {
 // Where a closed form loses its digits, GJK takes over; where SAT finds too many axes or is in doubt, EPA does.
 template <Convex A, Convex B>
 [[nodiscard]] constexpr std::string_view name_searches() {
-  constexpr bool are_boxes = BoxCored<A> && BoxCored<B>;
+  constexpr bool are_box_cores = BoxCored<A> && BoxCored<B>;
   // Points and segments overlap by chance only.
   constexpr bool are_thin = (PointCored<A> || SegmentCored<A>) && (PointCored<B> || SegmentCored<B>);
-  if constexpr (PointAndField<A, B> || are_thin) {
+  if constexpr (are_point_and_field<A, B> || are_thin) {
     return "closed form";
   } else if constexpr (FewFaced<A> && FewFaced<B>) {
-    return are_boxes ? "closed form apart, SAT in overlap" : "GJK apart, SAT in overlap";
+    return are_box_cores ? "closed form apart, SAT in overlap" : "GJK apart, SAT in overlap";
   } else if constexpr (HullAndSeen<A, B>) {
     return "GJK apart, SAT over facets in overlap";
   } else if constexpr (WithDiscs<A, B>) {
