@@ -1,7 +1,7 @@
-// Least overlap of a polytope that lists its faces and edges with another one, a box, a triangle, a segment or a point:
-// the faces of both, and for each edge of the first one the arc of its normals on the Gauss sphere (Gregorius, "The
-// separating axis test between convex polyhedra", GDC 2013), walked along from corner to corner of the other one, so
-// that pairs of edges need not be tried. Bounds pass most of both over.
+// Least overlap of a polytope that lists its faces and edges with another one, a box, a triangle, a segment or a
+// point. It tries the faces of both. For each edge of the first it takes the arc of its normals on the Gauss sphere
+// (Gregorius, "The separating axis test between convex polyhedra", GDC 2013). It walks along the arc from corner to
+// corner of the other one, so pairs of edges need not be tried. Bounds pass over most faces and edges.
 export module abut.narrow.fan.hull_vs_polytope;
 import abut.capability;
 import abut.core.standard;
@@ -147,9 +147,9 @@ template <Faceted A, class B>
   if constexpr (PointCored<B>) {
     return best;  // a point has no edges
   }
-  // Along the arc of an edge of a, from its left face to its right one, the deepest vertex of b changes from one to
-  // the other. Where both are equally deep no other vertex is less deep, which bounds the overlap from below; where
-  // another one is deeper, the arc is cut there.
+  // The arc of an edge of a leads from its left face to its right one. The deepest vertex of b changes on the way.
+  // Where both are equally deep no other vertex is less deep: this bounds the overlap from below. Where another one
+  // is deeper, the arc is cut there.
   struct Stretch {
     std::uint16_t line, from, to;
   };
