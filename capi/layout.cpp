@@ -33,6 +33,7 @@ static_assert(is_plain<abut_ray_hit>(72));
 static_assert(is_plain<abut_query_options>(32));
 static_assert(is_plain<abut_distance>(104));
 static_assert(is_plain<abut_contact>(192));
+static_assert(is_plain<abut_pair_memory>(64));
 static_assert(is_plain<abut_local_points>(48));
 static_assert(is_plain<abut_universe_options>(56));
 static_assert(is_plain<abut_part_options>(72));
@@ -157,6 +158,9 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_contact, material_b),
     ABUT_FIELD(abut_contact, tangent),
     ABUT_FIELD(abut_contact, reserved),
+
+    ABUT_STRUCT(abut_pair_memory),
+    ABUT_FIELD(abut_pair_memory, opaque),
     ABUT_STRUCT(abut_local_points),
     ABUT_FIELD(abut_local_points, a),
     ABUT_FIELD(abut_local_points, b),

@@ -88,60 +88,83 @@ static_assert(offsetof(abut::Distance, normal) == offsetof(abut_distance, normal
 static_assert(offsetof(abut::Distance, algorithm) == offsetof(abut_distance, algorithm));
 static_assert(offsetof(abut::Distance, iterations) == offsetof(abut_distance, iterations));
 
+static_assert(sizeof(abut_pair_memory) == 64);
+
+struct PlacedPair {
+  const abut_shape *a, *b;
+  const abut_pose &pose_a, &pose_b;
+};
+
 // For poses that were checked. The kernel writes to the struct of the caller: a copy would wait for what it has
-// written.
-[[gnu::always_inline]] inline abut_status find_distance(const abut::AnyShape& a, const abut_pose& given_a,
-                                                        const abut::AnyShape& b, const abut_pose& given_b,
-                                                        const abut::QuerySettings& settings, abut_distance& out) {
-  const abut::Outcome outcome =
-      abut::pair_distance(a, b, to_pose(given_a), to_pose(given_b), settings, written_as<abut::Distance>(out));
+// written. `memory` may be null.
+[[gnu::always_inline]] inline abut_status find_distance(const PlacedPair& pair, const abut::QuerySettings& settings,
+                                                        abut_pair_memory* memory, abut_distance& out) {
+  const abut::AnyShape &a = shape_of(pair.a), &b = shape_of(pair.b);
+  const abut::Pose pose_a = to_pose(pair.pose_a), pose_b = to_pose(pair.pose_b);
+  auto& found = written_as<abut::Distance>(out);
+  const abut::Outcome outcome = memory == nullptr ? abut::pair_distance(a, b, pose_a, pose_b, settings, found)
+                                                  : abut::pair_distance(a, b, pose_a, pose_b, settings,
+                                                                        written_as<abut::PairHint>(*memory), found);
   return outcome == abut::Outcome::ok ? static_cast<abut_status>(ABUT_OK)
                                       : refuse_outcome(outcome, a, b, settings.algorithm);
 }
 
-abut_status distance(const abut_shape* a, const abut_pose& pose_a, const abut_shape* b, const abut_pose& pose_b,
-                     const abut_query_options* options, abut_distance* out) {
-  if (const abut_status status = check_poses(pose_a, pose_b); status != ABUT_OK) {
+[[gnu::always_inline]] inline abut_status distance(const PlacedPair& pair, const abut_query_options* options,
+                                                   abut_pair_memory* memory, abut_distance& out) {
+  if (const abut_status status = check_poses(pair.pose_a, pair.pose_b); status != ABUT_OK) {
     return status;
   }
   Query query;
   if (const abut_status status = read_options(options, query); status != ABUT_OK) {
     return status;
   }
-  return find_distance(shape_of(a), pose_a, shape_of(b), pose_b, query.settings, *out);
+  return find_distance(pair, query.settings, memory, out);
 }
 
-struct PoseBatch {
-  std::span<const abut_pose> a, b;
+struct PairBatch {
+  const abut_shape *a, *b;
+  std::span<const abut_pose> poses_a, poses_b;
+  std::span<abut_pair_memory> memories;  // none, or one for each pair
 };
 
-abut_status check_batch(const PoseBatch& poses) {
-  for (std::size_t i = 0; i < poses.a.size(); ++i) {
-    if (const abut_status status = check_pose({"poses_a", i}, poses.a[i]); status != ABUT_OK) {
+abut_status check_batch(const PairBatch& pairs) {
+  for (std::size_t i = 0; i < pairs.poses_a.size(); ++i) {
+    if (const abut_status status = check_pose({"poses_a", i}, pairs.poses_a[i]); status != ABUT_OK) {
       return status;
     }
-    if (const abut_status status = check_pose({"poses_b", i}, poses.b[i]); status != ABUT_OK) {
+    if (const abut_status status = check_pose({"poses_b", i}, pairs.poses_b[i]); status != ABUT_OK) {
       return status;
     }
   }
   return ABUT_OK;
 }
 
-abut_status distances(const abut_shape* a, const abut_shape* b, const PoseBatch& poses,
-                      const abut_query_options* options, std::span<abut_distance> out) {
-  if (const abut_status status = check_batch(poses); status != ABUT_OK) {
+abut_status read_batch(const abut_shape* a, const abut_pose* poses_a, const abut_shape* b, const abut_pose* poses_b,
+                       std::size_t count, PairBatch& pairs) {
+  pairs.a = a;
+  pairs.b = b;
+  abut_status status = check_none_null<2>({{{"a", a}, {"b", b}}});
+  status = status != ABUT_OK ? status : read_span("poses_a", poses_a, "count", count, pairs.poses_a);
+  return status != ABUT_OK ? status : read_span("poses_b", poses_b, "count", count, pairs.poses_b);
+}
+
+abut_status distances(const PairBatch& pairs, const abut_query_options* options, std::span<abut_distance> out) {
+  if (const abut_status status = check_batch(pairs); status != ABUT_OK) {
     return status;
   }
   Query query;
   if (const abut_status status = read_options(options, query); status != ABUT_OK) {
     return status;
   }
-  // A kernel may fail at the last pair, and then nothing must have been written.
+  // A kernel may fail at the last pair, and then nothing must have been written. Those that have memories never fail
+  // after the first pair.
   std::vector<abut_distance> found;
   found.reserve(out.size());
-  for (std::size_t i = 0; i < poses.a.size(); ++i) {
+  for (std::size_t i = 0; i < pairs.poses_a.size(); ++i) {
     [[clang::uninitialized]] abut_distance one;
-    if (const abut_status status = find_distance(shape_of(a), poses.a[i], shape_of(b), poses.b[i], query.settings, one);
+    abut_pair_memory* memory = pairs.memories.empty() ? nullptr : &pairs.memories[i];
+    if (const abut_status status =
+            find_distance({pairs.a, pairs.b, pairs.poses_a[i], pairs.poses_b[i]}, query.settings, memory, one);
         status != ABUT_OK) {
       set_message("pair " + std::to_string(i) + ": " + abut_last_error_message());
       return status;
@@ -157,9 +180,9 @@ abut_status distances(const abut_shape* a, const abut_shape* b, const PoseBatch&
 constexpr std::size_t usual_points = 8;
 static_assert(usual_points * sizeof(abut::ContactPoint) <= 1024);
 
-abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_shape* b, const abut_pose& given_b,
-                     const abut_query_options* options, std::span<abut_contact> out, std::size_t* count) {
-  if (const abut_status status = check_poses(given_a, given_b); status != ABUT_OK) {
+abut_status contacts(const PlacedPair& pair, const abut_query_options* options, abut_pair_memory* memory,
+                     std::span<abut_contact> out, std::size_t& count) {
+  if (const abut_status status = check_poses(pair.pose_a, pair.pose_b); status != ABUT_OK) {
     return status;
   }
   Query query;
@@ -168,17 +191,20 @@ abut_status contacts(const abut_shape* a, const abut_pose& given_a, const abut_s
   }
   abut::Manifold found;
   found.reserve(usual_points);
-  const abut::Outcome outcome =
-      abut::pair_contacts(shape_of(a), shape_of(b), to_pose(given_a), to_pose(given_b), query.settings, found);
+  const abut::AnyShape &a = shape_of(pair.a), &b = shape_of(pair.b);
+  const abut::Pose pose_a = to_pose(pair.pose_a), pose_b = to_pose(pair.pose_b);
+  const abut::Outcome outcome = memory == nullptr ? abut::pair_contacts(a, b, pose_a, pose_b, query.settings, found)
+                                                  : abut::pair_contacts(a, b, pose_a, pose_b, query.settings,
+                                                                        written_as<abut::PairHint>(*memory), found);
   if (outcome != abut::Outcome::ok) [[unlikely]] {
-    return refuse_outcome(outcome, shape_of(a), shape_of(b), query.settings.algorithm);
+    return refuse_outcome(outcome, a, b, query.settings.algorithm);
   }
   // Most pairs have nothing to choose from.
   std::size_t kept = found.size() < 2 ? found.size() : abut::reduce_children(found, query.max_contacts);
   kept = abut::cap(std::span(found).first(kept), query.max_pair_contacts);
   fill(std::span<const abut::ContactPoint>(found).first(kept), out,
        [](const abut::ContactPoint& contact) { return from_contact(contact); });
-  *count = kept;
+  count = kept;
   return ABUT_OK;
 }
 
@@ -193,7 +219,17 @@ abut_status abut_pair_distance(const abut_shape* a, const abut_pose* pose_a, con
   return guard([&] {
     const abut_status status =
         check_none_null<5>({{{"a", a}, {"pose_a", pose_a}, {"b", b}, {"pose_b", pose_b}, {"out", out}}});
-    return status != ABUT_OK ? status : distance(a, *pose_a, b, *pose_b, options, out);
+    return status != ABUT_OK ? status : distance({a, b, *pose_a, *pose_b}, options, nullptr, *out);
+  });
+}
+
+abut_status abut_pair_distance_with_memory(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b,
+                                           const abut_pose* pose_b, const abut_query_options* options,
+                                           abut_pair_memory* memory, abut_distance* out) {
+  return guard([&] {
+    const abut_status status = check_none_null<6>(
+        {{{"a", a}, {"pose_a", pose_a}, {"b", b}, {"pose_b", pose_b}, {"memory", memory}, {"out", out}}});
+    return status != ABUT_OK ? status : distance({a, b, *pose_a, *pose_b}, options, memory, *out);
   });
 }
 
@@ -201,13 +237,24 @@ abut_status abut_pairs_distance(const abut_shape* a, const abut_pose* poses_a, c
                                 const abut_pose* poses_b, size_t count, const abut_query_options* options,
                                 abut_distance* out) {
   return guard([&] {
-    PoseBatch poses;
+    PairBatch pairs{};
     std::span<abut_distance> results;
-    abut_status status = check_none_null<2>({{{"a", a}, {"b", b}}});
-    status = status != ABUT_OK ? status : read_span("poses_a", poses_a, "count", count, poses.a);
-    status = status != ABUT_OK ? status : read_span("poses_b", poses_b, "count", count, poses.b);
+    abut_status status = read_batch(a, poses_a, b, poses_b, count, pairs);
     status = status != ABUT_OK ? status : read_span("out", out, "count", count, results);
-    return status != ABUT_OK ? status : distances(a, b, poses, options, results);
+    return status != ABUT_OK ? status : distances(pairs, options, results);
+  });
+}
+
+abut_status abut_pairs_distance_with_memories(const abut_shape* a, const abut_pose* poses_a, const abut_shape* b,
+                                              const abut_pose* poses_b, size_t count, const abut_query_options* options,
+                                              abut_pair_memory* memories, abut_distance* out) {
+  return guard([&] {
+    PairBatch pairs{};
+    std::span<abut_distance> results;
+    abut_status status = read_batch(a, poses_a, b, poses_b, count, pairs);
+    status = status != ABUT_OK ? status : read_span("memories", memories, "count", count, pairs.memories);
+    status = status != ABUT_OK ? status : read_span("out", out, "count", count, results);
+    return status != ABUT_OK ? status : distances(pairs, options, results);
   });
 }
 
@@ -219,6 +266,19 @@ abut_status abut_pair_contacts(const abut_shape* a, const abut_pose* pose_a, con
     abut_status status =
         check_none_null<5>({{{"a", a}, {"pose_a", pose_a}, {"b", b}, {"pose_b", pose_b}, {"count", count}}});
     status = status != ABUT_OK ? status : read_span("contacts", contacts_out, "capacity", capacity, results);
-    return status != ABUT_OK ? status : contacts(a, *pose_a, b, *pose_b, options, results, count);
+    return status != ABUT_OK ? status : contacts({a, b, *pose_a, *pose_b}, options, nullptr, results, *count);
+  });
+}
+
+abut_status abut_pair_contacts_with_memory(const abut_shape* a, const abut_pose* pose_a, const abut_shape* b,
+                                           const abut_pose* pose_b, const abut_query_options* options,
+                                           abut_pair_memory* memory, abut_contact* contacts_out, size_t capacity,
+                                           size_t* count) {
+  return guard([&] {
+    std::span<abut_contact> results;
+    abut_status status = check_none_null<6>(
+        {{{"a", a}, {"pose_a", pose_a}, {"b", b}, {"pose_b", pose_b}, {"memory", memory}, {"count", count}}});
+    status = status != ABUT_OK ? status : read_span("contacts", contacts_out, "capacity", capacity, results);
+    return status != ABUT_OK ? status : contacts({a, b, *pose_a, *pose_b}, options, memory, results, *count);
   });
 }

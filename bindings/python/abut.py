@@ -270,26 +270,36 @@ def _query(options):
     return byref(_options(c.QueryOptions, library.abut_query_options_init, **options))
 
 
-def pair_distance(a, pose_a, b, pose_b, **options):
-    """Signed distance of two shapes; the options are the fields of QueryOptions."""
-    out = c.Distance()
-    library.abut_pair_distance(a.pointer, byref(pose_a), b.pointer, byref(pose_b), _query(options), byref(out))
+def pair_distance(a, pose_a, b, pose_b, memory=None, **options):
+    """Signed distance of two shapes; a PairMemory of the two makes it faster; the options are the fields of QueryOptions."""
+    out, given = c.Distance(), (a.pointer, byref(pose_a), b.pointer, byref(pose_b), _query(options))
+    if memory is None:
+        library.abut_pair_distance(*given, byref(out))
+    else:
+        library.abut_pair_distance_with_memory(*given, byref(memory), byref(out))
     return out
 
 
-def pairs_distance(a, poses_a, b, poses_b, **options):
-    """Signed distances of as many pairs of poses of two shapes."""
+def pairs_distance(a, poses_a, b, poses_b, memories=None, **options):
+    """Signed distances of as many pairs of poses of two shapes; memories: an array of as many PairMemory."""
     _expect_as_many(poses_a=poses_a, poses_b=poses_b)
     out = (c.Distance * len(poses_a))()
-    library.abut_pairs_distance(a.pointer, _structs(c.Pose, poses_a), b.pointer, _structs(c.Pose, poses_b), len(out),
-                                _query(options), out)
+    given = (a.pointer, _structs(c.Pose, poses_a), b.pointer, _structs(c.Pose, poses_b), len(out), _query(options))
+    if memories is None:
+        library.abut_pairs_distance(*given, out)
+    else:
+        _expect_as_many(poses_a=poses_a, memories=memories)
+        library.abut_pairs_distance_with_memories(*given, memories, out)
     return out
 
 
-def pair_contacts(a, pose_a, b, pose_b, **options):
-    """Contacts of two shapes, deepest first."""
-    return _count_then_fill(c.Contact, lambda *rest: library.abut_pair_contacts(
-        a.pointer, byref(pose_a), b.pointer, byref(pose_b), _query(options), *rest))
+def pair_contacts(a, pose_a, b, pose_b, memory=None, **options):
+    """Contacts of two shapes, deepest first; a PairMemory of the two makes it faster."""
+    given = (a.pointer, byref(pose_a), b.pointer, byref(pose_b), _query(options))
+    if memory is None:
+        return _count_then_fill(c.Contact, lambda *rest: library.abut_pair_contacts(*given, *rest))
+    return _count_then_fill(
+        c.Contact, lambda *rest: library.abut_pair_contacts_with_memory(*given, byref(memory), *rest))
 
 
 def validate_contact(contact):

@@ -235,6 +235,10 @@ class Contact(_Struct):
     ]
 
 
+class PairMemory(_Struct):
+    _fields_ = [("opaque", c_uint64 * 8)]
+
+
 class LocalPoints(_Struct):
     _fields_ = [("a", Vec3), ("b", Vec3)]
 
@@ -462,6 +466,15 @@ FUNCTIONS = {
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Distance)]),
     "abut_pairs_distance": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), c_size_t, POINTER(QueryOptions),
+    "abut_pair_distance_with_memory": (Status, [
+        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(PairMemory),
+        POINTER(Distance)]),
+    "abut_pairs_distance_with_memories": (Status, [
+        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), c_size_t, POINTER(QueryOptions), POINTER(PairMemory),
+        POINTER(Distance)]),
+    "abut_pair_contacts_with_memory": (Status, [
+        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(PairMemory),
+        POINTER(Contact), c_size_t, POINTER(c_size_t)]),
         POINTER(Distance)]),
     "abut_pair_contacts": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Contact),

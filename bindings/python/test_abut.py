@@ -65,6 +65,21 @@ class Queries(unittest.TestCase):
             self.assertEqual([round(each.distance, 9) for each in many], [1.0, 2.0, 3.0])
             self.assertEqual(len(abut.pair_contacts(box, abut.pose(), box, abut.pose(0, 0, 1.75), max_contacts=1)), 1)
 
+    def test_memories_of_pairs_change_no_answer(self):
+        corners = [x for i in range(8) for x in ((i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5)]
+        with abut.Shape.hull(corners) as cube:
+            memory = abut.PairMemory()
+            for step in range(3):
+                there = abut.pose(2 + step, 0, 0)
+                found = abut.pair_distance(cube, abut.pose(), cube, there, memory=memory)
+                self.assertAlmostEqual(found.distance, 1 + step, places=12)
+                self.assertEqual(len(abut.pair_contacts(cube, abut.pose(), cube, there, memory=memory)), 0)
+            self.assertNotEqual(bytes(memory), bytes(64))
+            self.assertEqual(len(abut.pair_contacts(cube, abut.pose(), cube, abut.pose(0.9, 0, 0), memory=memory)), 4)
+            memories = (abut.PairMemory * 2)()
+            many = abut.pairs_distance(cube, [abut.pose()] * 2, cube, [abut.pose(3, 0, 0), abut.pose(4, 0, 0)], memories)
+            self.assertEqual([round(each.distance, 9) for each in many], [2.0, 3.0])
+
     def test_records_are_checked(self):
         with abut.Shape.sphere(1) as ball:
             contact, = abut.pair_contacts(ball, abut.pose(), ball, abut.pose(1, 0, 0))

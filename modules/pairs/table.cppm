@@ -4,6 +4,7 @@ export module abut.pairs.table;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+export import abut.narrow.apart.pair_hint;
 import abut.narrow.cast.cast_search;
 export import abut.narrow.warm.pair_memory;
 export import abut.pairs.routes;
@@ -62,12 +63,15 @@ struct PairKernels {
   Outcome (*contacts_in_frame)(const Any& a, const Any& b, const Pose& ab, const QuerySettings& settings,
                                PairMemory* memory, Manifold& out);
   bool gains_from_memory = false;
-  // Casts b against a part by part, the poses being those before the motion; with the sides swapped it is a that moves.
-  // Null where neither is made of parts.
+  // Casts b against a, part by part where either has parts, the poses being those before the motion; with the sides
+  // swapped it is a that moves. Null where the distance of the pair is all that a cast needs.
   void (*cast_parts)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                      const CastNames& names, CastSearch& search) = nullptr;
   // Which searches find the distance of the two, in words.
   std::string_view (*searches)() = nullptr;
+  // The distance with what the last query of the two in this order has left. Null where it would gain nothing.
+  Outcome (*distance_from_hint)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
+                                const QuerySettings& settings, PairHint& hint, Distance& out) = nullptr;
 };
 
 // Contacts of a run of pairs of the same two kinds, in the frames of the first shapes: much of that is dropped before

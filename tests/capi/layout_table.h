@@ -103,6 +103,8 @@
   FIELD(abut_contact, material_b, 156, 4)                    \
   FIELD(abut_contact, tangent, 160, 24)                      \
   FIELD(abut_contact, reserved, 184, 8)                      \
+  TYPE(abut_pair_memory, 64)                                 \
+  FIELD(abut_pair_memory, opaque, 0, 64)                     \
   TYPE(abut_local_points, 48)                                \
   FIELD(abut_local_points, a, 0, 24)                         \
   FIELD(abut_local_points, b, 24, 24)                        \

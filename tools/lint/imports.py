@@ -12,6 +12,7 @@ ASKERS = ("modules/pairs/table.cppm", "modules/pairs/routes.cppm", "modules/pair
 KERNELS = ("modules/narrow", "modules/pairs/rows")
 # Records that callers keep or read, and what works on records alone.
 RECORDS = (
+    "modules/narrow/apart/pair_hint.cppm",
     "modules/narrow/warm/pair_memory.cppm",
     "modules/narrow/manifold",
     "modules/narrow/cast/cast_search.cppm",

@@ -204,3 +204,36 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
 }
 
 }  // namespace abut
+Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                      const QuerySettings& settings, PairHint& hint, Distance& out) {
+  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
+  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+  const PairKernels<AnyShape>& kernels = pair_kernels(first.index(), second.index());
+  const Pose &first_pose = from_b ? pose_b : pose_a, &second_pose = from_b ? pose_a : pose_b;
+  if (kernels.distance_from_hint == nullptr) {
+    return kernels.distance(first, second, first_pose, second_pose, from_b, settings, out);
+  }
+  if ((hint.is_from_b != 0) != from_b) {
+    swap_sides(hint);
+  }
+  return kernels.distance_from_hint(first, second, first_pose, second_pose, from_b, settings, hint, out);
+}
+
+// The distance tells shapes that are apart sooner than contacts do, but only with a hint.
+Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                      const QuerySettings& settings, PairHint& hint, Manifold& out) {
+  const bool are_hinted =
+      pair_kernels(std::min(a.index(), b.index()), std::max(a.index(), b.index())).distance_from_hint != nullptr;
+  if (are_hinted && settings.algorithm == Algorithm::automatic && hint.has_contacts == 0) {
+    [[clang::uninitialized]] Distance gap;
+    const Outcome outcome = pair_distance(a, b, pose_a, pose_b, settings, hint, gap);
+    if (outcome == Outcome::ok && gap.lower > settings.margin) {
+      return Outcome::ok;
+    }
+  }
+  const std::size_t first = out.size();
+  const Outcome outcome = pair_contacts(a, b, pose_a, pose_b, settings, out);
+  hint.has_contacts = outcome == Outcome::ok && out.size() == first ? 0 : 1;
+  return outcome;
+}
+

@@ -3,6 +3,7 @@ export module abut.pairs.any_shape;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+export import abut.narrow.apart.pair_hint;
 export import abut.narrow.warm.pair_memory;
 import abut.capability;
 import abut.pairs.registry;
@@ -101,6 +102,13 @@ struct RouteDescription {
 // The same, b being placed by ab in the frame of a. Results are in the frame of a.
 [[nodiscard]] inline Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab,
                                            const QuerySettings& settings, Distance& out) {
+// With what the last query for the same two shapes has left in `hint`, and leaving there what this one found. Any hint
+// gives the answer of the queries above, within its bound.
+[[nodiscard]] Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                                    const QuerySettings& settings, PairHint& hint, Distance& out);
+[[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                                    const QuerySettings& settings, PairHint& hint, Manifold& out);
+
   return pair_distance(a, b, Pose::identity(), ab, settings, out);
 }
 [[nodiscard]] inline Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab,

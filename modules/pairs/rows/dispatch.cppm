@@ -14,6 +14,7 @@ import abut.narrow.points.lane_contact;
 import abut.narrow.warm.convex_memory;
 import abut.narrow.warm.pair_memory;
 import abut.pairs.rows.search_names;
+import abut.pairs.rows.from_hint;
 export import abut.pairs.table;
 import abut.capability;
 
@@ -199,7 +200,8 @@ template <class Any, class A, class B>
             contacts_in_frame<Any, A, B>,
             gains_from_memory<A, B>(),
             cast_parts_of<Any, A, B>(),
-            name_searches_kernel<A, B>};
+            name_searches_kernel<A, B>,
+            distance_from_hint_of<Any, A, B>()};
   }
 }
 

@@ -1,0 +1,25 @@
+// What a query leaves of a pair of shapes for the next one of the same pair: where to begin. It proves nothing. Every
+// answer is proven at the poses of its own query. Bits of another pair, or any other bits, are as good as none.
+export module abut.narrow.apart.pair_hint;
+import abut.core.standard;
+
+export namespace abut {
+
+// All zero it says nothing.
+struct alignas(8) PairHint {
+  std::array<std::uint32_t, 3> vertices_a, vertices_b;  // of the cores: their differences span the nearest point
+  std::uint32_t vertex_count;                           // 1 to 3; else the vertices say nothing
+  std::uint32_t is_from_b;                              // whether a here was the second shape of the call
+  std::uint32_t is_overlapping;                         // whether the cores overlapped, so that vertices do not help
+  std::uint32_t has_contacts;                           // whether the last query for contacts found any
+  std::array<std::uint32_t, 6> reserved;
+};
+static_assert(sizeof(PairHint) == 64 && std::is_trivially_copyable_v<PairHint>);
+
+// The same for the shapes in the other order.
+inline void swap_sides(PairHint& hint) {
+  std::swap(hint.vertices_a, hint.vertices_b);
+  hint.is_from_b = hint.is_from_b == 0 ? 1 : 0;
+}
+
+}  // namespace abut
