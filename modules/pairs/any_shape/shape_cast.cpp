@@ -24,9 +24,17 @@ Real size_of(const Aabb& a, const Aabb& b, const Pose& ab) {
   return coordinates_of(a) + coordinates_of(b) + largest_magnitude(ab.position);
 }
 
-bool is_convex(const AnyShape& shape) {
-  return std::visit([]<class S>(const S&) { return Convex<S>; }, variant_of(shape));
-}
+// What a kind is, by its place in the registry: read without a call for the shape.
+struct KindTraits {
+  bool is_convex, is_assembly, is_hole, has_parts;
+};
+constexpr auto kind_traits = []<std::size_t... Places>(std::index_sequence<Places...>) {
+  return std::array{KindTraits{Convex<Shapes::At<Places>>, Assembly<Shapes::At<Places>>, Hole<Shapes::At<Places>>,
+                               has_parts<Shapes::At<Places>>}...};
+}(std::make_index_sequence<Shapes::count>{});
+
+const KindTraits& traits_of(const AnyShape& shape) { return kind_traits[shape.index()]; }
+
 // Of a convex shape.
 Real reach(const AnyShape& shape, const Pose& pose, const Vec3& direction) {
   return std::visit(
@@ -45,7 +53,7 @@ void cast_whole(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const 
                 CastSearch& search) {
   const Pose ab = relative(pose_a, pose_b);
   const LinearMotion motion = search.motion_in(pose_a, false);
-  const bool are_convex = is_convex(a) && is_convex(b);
+  const bool are_convex = traits_of(a).is_convex && traits_of(b).is_convex;
   Real start = 0;
   const auto distance_at = [&](Real way, Distance& out) {
     const Outcome outcome = pair_distance(a, b, moved(ab, motion, way), search.settings(), out);
@@ -85,15 +93,17 @@ void cast_in_strides(const AnyShape& a, const Pose& pose_a, const AnyShape& b, c
 }
 
 bool is_cut(const AnyShape& any) {
-  return std::visit(
-      []<class S>(const S& shape) {
-        if constexpr (Assembly<S>) {
-          return !shape.holes().empty();
-        } else {
-          return false;
-        }
-      },
-      variant_of(any));
+  if (!traits_of(any).is_assembly) {
+    return false;
+  }
+  const auto has_holes = []<class S>(const S& shape) {
+    if constexpr (Assembly<S>) {
+      return !shape.holes().empty();
+    } else {
+      return false;
+    }
+  };
+  return std::visit(has_holes, variant_of(any));
 }
 
 // The pose of b is that before the motion.
@@ -132,14 +142,17 @@ void cast_children_of(const A& a, const Pose& pose_a, const AnyShape& b, const P
 // Whether a has children, all of which are then cast.
 bool cast_children(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, bool swapped,
                    const CastNames& names, CastSearch& search) {
-  return std::visit(
+  if (!traits_of(a).is_assembly) {
+    return false;
+  }
+  std::visit(
       [&]<class A>(const A& assembly) {
         if constexpr (Assembly<A>) {
           cast_children_of(assembly, pose_a, b, pose_b, swapped, names, search);
         }
-        return Assembly<A>;
       },
       variant_of(a));
+  return true;
 }
 
 void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const CastNames& names,
@@ -152,7 +165,7 @@ void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& 
       cast_children(b, pose_b, a, pose_a, true, names, search)) {
     return;
   }
-  if (a.is_hole() || b.is_hole()) {
+  if (traits_of(a).is_hole || traits_of(b).is_hole) {
     cast_in_strides(a, pose_a, b, pose_b, names, search);
     return;
   }
@@ -168,9 +181,7 @@ void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& 
 }
 
 // Shapes whose contacts at the start say more than a distance: which of their parts overlap, and on which side.
-bool is_made_of_parts(const AnyShape& shape) {
-  return std::visit([]<class S>(const S&) { return has_parts<S> || Assembly<S>; }, variant_of(shape));
-}
+bool is_made_of_parts(const AnyShape& shape) { return traits_of(shape).has_parts || traits_of(shape).is_assembly; }
 
 // The deepest contact before the motion, in the frame of a.
 Outcome touch_at_start(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,

@@ -2,6 +2,7 @@
 export module abut.pairs.rows.dispatch;
 import abut.core.standard;
 import abut.core;
+import abut.narrow.cast.box_cast;
 import abut.narrow.cast.cast_parts;
 import abut.narrow.cast.cast_search;
 import abut.narrow.cast.parts_in_order;
@@ -13,8 +14,8 @@ import abut.narrow.many.half_space;
 import abut.narrow.points.lane_contact;
 import abut.narrow.warm.convex_memory;
 import abut.narrow.warm.pair_memory;
-import abut.pairs.rows.search_names;
 import abut.pairs.rows.from_hint;
+import abut.pairs.rows.search_names;
 export import abut.pairs.table;
 import abut.capability;
 
@@ -161,7 +162,10 @@ template <class Any, class A, class B>
 template <class Any, class A, class B>
 void cast_parts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                        const CastNames& names, CastSearch& search) {
-  if constexpr (has_parts<A>) {
+  if constexpr (are_boxes<A, B>) {
+    cast_boxes(search, std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), search.motion_in(pose_a, swapped),
+               pose_a, swapped, names);
+  } else if constexpr (has_parts<A>) {
     cast_parts(search, std::get<A>(a), core_of(std::get<B>(b)), relative(pose_a, pose_b),
                search.motion_in(pose_a, swapped), pose_a, swapped, names);
   } else {
@@ -173,7 +177,8 @@ void cast_parts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pos
 template <class Any, class A, class B>
 [[nodiscard]] consteval auto cast_parts_of() -> decltype(PairKernels<Any>::cast_parts) {
   constexpr bool have_parts = has_parts<A> || has_parts<B>, have_others = Convex<A> || Convex<B>;
-  if constexpr (route<A, B>() != Route::unsupported && have_parts && (have_others || (has_parts<A> && has_parts<B>))) {
+  constexpr bool are_parts = have_parts && (have_others || (has_parts<A> && has_parts<B>));
+  if constexpr (route<A, B>() != Route::unsupported && (are_parts || are_boxes<A, B>)) {
     return cast_parts_kernel<Any, A, B>;
   } else {
     return nullptr;
