@@ -50,7 +50,7 @@ class Random {
   explicit Random(std::uint64_t seed) : state_(seed) {}
   [[nodiscard]] std::uint64_t bits() {
     state_ += 0x9e3779b97f4a7c15;
-    return mixed(state_);
+    return scrambled(state_);
   }
   [[nodiscard]] std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
   [[nodiscard]] Real between(Real low, Real high) {

@@ -23,7 +23,7 @@ Real size_or_one(Real value) { return value == 0 ? 1 : std::fabs(value); }
 Random random_of(const Numbers& numbers) {
   std::uint64_t seed = 0;
   for (std::size_t i = 3; i < 8; ++i) {
-    seed = mixed(seed + std::bit_cast<std::uint64_t>(numbers[i]));
+    seed = scrambled(seed + std::bit_cast<std::uint64_t>(numbers[i]));
   }
   return Random(seed);
 }

@@ -164,7 +164,7 @@ enum abut_feature_kind_value ABUT_ENUM(uint32_t) {
   ABUT_FEATURE_EDGE = 2,
   ABUT_FEATURE_FACE = 3,   /**< of a mesh or a height field: the triangle */
   ABUT_FEATURE_CELL = 4,   /**< of a grid. Reserved: nothing of this version reports it */
-  ABUT_FEATURE_PARTICLE = 5 /**< of many. Reserved: nothing of this version reports it */
+  ABUT_FEATURE_PARTICLE = 5 /**< one of many, by its number */
 };
 
 typedef struct abut_feature {
@@ -464,11 +464,23 @@ enum abut_contact_flags_value ABUT_ENUM(uint32_t) {
  */
 typedef struct abut_contact {
   abut_geometry_id geometry_a; /**< null in pair queries */
+/**
+ * Bit of the ids of contacts that are hashed. They are hashed where children of composites, triangles of surfaces or
+ * indices from 2^28 on take part, and where the same features touch more than once. All other ids are packed:
+ *  - bits 59 to 61 are the kind, and bits 31 to 58 the index of the feature of one shape;
+ *  - bits 28 to 30 are the kind, and bits 0 to 27 the index of the feature of the other shape;
+ *  - bit 62 is set.
+ * Which shape comes first depends on the kinds of both.
+ */
+#define ABUT_CONTACT_ID_HASHED 0x8000000000000000u
+
   abut_geometry_id geometry_b;
-  uint64_t id;                 /**< unique within the pair; the same while the same features touch */
+  uint64_t id;                 /**< unique within the pair; the same while the same features touch; packed from their
+                                    kinds and indices, or hashed: ABUT_CONTACT_ID_HASHED */
   abut_feature feature_a;
   abut_feature feature_b;
-  uint32_t child_a;            /**< of a composite, or the particle; 0 for all other shapes */
+  uint32_t child_a;            /**< of a composite, or else the particle; 0 for all other shapes. A particle of a child
+                                    is told by the feature */
   uint32_t child_b;
   abut_vec3 point_a;           /**< on the surface of a, world frame */
   abut_vec3 point_b;           /**< on the surface of b, world frame */

@@ -7,7 +7,7 @@ import abut.math;
 
 export namespace abut {
 
-enum class FeatureKind : std::uint32_t { whole, vertex, edge, face };
+enum class FeatureKind : std::uint32_t { whole, vertex, edge, face, cell, particle };
 
 struct Feature {
   FeatureKind kind;
@@ -94,27 +94,46 @@ struct ContactPoint {
   std::uint32_t child_a = 0, child_b = 0;  // of a composite, depth first, or the particle; else 0
 };
 
-// A number for a contact that depends on the features that touch and on nothing else: the finaliser
-// of SplitMix64 (Steele et al. 2014) over both features and the parts that they belong to.
-[[nodiscard]] inline constexpr std::uint64_t mixed(std::uint64_t value) {
+// The finaliser of SplitMix64 (Steele et al. 2014).
+[[nodiscard]] inline constexpr std::uint64_t scrambled(std::uint64_t value) {
   value += 0x9e3779b97f4a7c15;
   value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9;
   value = (value ^ (value >> 27)) * 0x94d049bb133111eb;
   return value ^ (value >> 31);
 }
-[[nodiscard]] inline constexpr std::uint64_t feature_bits(const Feature& feature) {
-  return (static_cast<std::uint64_t>(feature.kind) << 32) | feature.index;
-}
+
+// The number of a contact depends on the features that touch and on nothing else. It is packed where their indices fit:
+//   bit 63: 0, bit 62: 1, bits 59 to 61: kind of a, 31 to 58: index of a, 28 to 30: kind of b, 0 to 27: index of b.
+// Else, and where more than the features tells contacts apart, it is hashed, and bit 63 is 1.
+inline constexpr std::uint64_t hashed_bit = std::uint64_t{1} << 63, packed_bit = std::uint64_t{1} << 62;
+inline constexpr std::uint32_t packed_indices = 1u << 28;
+
+[[nodiscard]] inline constexpr bool is_packed(std::uint64_t id) { return (id & hashed_bit) == 0; }
+// A hashed number made from another number.
+[[nodiscard]] inline constexpr std::uint64_t mixed(std::uint64_t value) { return scrambled(value) | hashed_bit; }
+
 [[nodiscard]] inline constexpr std::uint64_t contact_id(const Feature& a, const Feature& b) {
-  return mixed(mixed(feature_bits(a)) + feature_bits(b));
+  const auto kind_a = static_cast<std::uint64_t>(a.kind), kind_b = static_cast<std::uint64_t>(b.kind);
+  if (a.index < packed_indices && b.index < packed_indices) [[likely]] {
+    return packed_bit | kind_a << 59 | std::uint64_t{a.index} << 31 | kind_b << 28 | b.index;
+  }
+  return mixed(mixed(kind_a << 32 | a.index) + (kind_b << 32 | b.index));
 }
 
-// The number of a contact with a child of a composite, or with a particle.
+// The number of a contact with a child of a composite, or with a particle that its features do not tell.
 [[nodiscard]] inline constexpr std::uint64_t contact_id_of_child(std::uint64_t id, std::uint32_t child) {
   return mixed(id ^ (std::uint64_t{child} << 32));
 }
 
 using Manifold = std::vector<ContactPoint>;
+
+// A contact with a ball of many, which was a ball by itself so far.
+inline void name_particle_a(ContactPoint& contact, std::uint32_t index) {
+  contact.child_a = index;
+  contact.feature_a = {FeatureKind::particle, index};
+  contact.id =
+      is_packed(contact.id) ? contact_id(contact.feature_a, contact.feature_b) : contact_id_of_child(contact.id, index);
+}
 
 // The same features may touch twice in one pair, as where an edge crosses a rim. Such contacts get numbers of their
 // own, in their order.

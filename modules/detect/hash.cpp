@@ -11,7 +11,7 @@ namespace {
 // A chain of words, each of which changes all bits that follow.
 class Hash {
  public:
-  void add(std::uint64_t word) { state_ = mixed(state_ ^ word); }
+  void add(std::uint64_t word) { state_ = scrambled(state_ ^ word); }
   void add(std::uint32_t low, std::uint32_t high) { add((std::uint64_t{high} << 32) | low); }
   void add(Real value) { add(std::bit_cast<std::uint64_t>(value)); }
   void add(const Vec3& v) {

@@ -98,7 +98,7 @@ std::optional<RayHit> Particles::cast_ray(const Vec3& origin, const UnitVec3& di
       auto hit = part(index).cast_ray(origin - place, direction, max_distance);
       if (hit && (!best || hit->distance < best->distance)) {
         best = hit;
-        best->feature = {FeatureKind::whole, index};
+        best->feature = {FeatureKind::particle, index};
       }
     });
   };

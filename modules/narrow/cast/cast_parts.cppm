@@ -55,6 +55,7 @@ void cast_parts(CastSearch& search, const A& a, const B& b, const Pose& ab, cons
     if constexpr (Surface<A>) {
       feature = {FeatureKind::face, met.index};
     } else {
+      feature = {FeatureKind::particle, met.index};
       child = met.index;
     }
     const Pose at{frame.rotation, frame * met.place};

@@ -26,9 +26,9 @@ template <Scattered A>
   for (ContactPoint& contact : std::span(out).subspan(first)) {
     contact.point_a += place;
     contact.point_b += place;
-    contact.child_a = low;
     contact.child_b = high;
-    contact.id = contact_id_of_child(contact_id_of_child(contact.id, low), high);
+    contact.feature_b = {FeatureKind::particle, high};
+    name_particle_a(contact, low);
   }
   return outcome;
 }

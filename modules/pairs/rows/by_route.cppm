@@ -157,8 +157,7 @@ Outcome scattered_contacts(const A& a, const B& b, const Pose& ab, const QuerySe
     for (ContactPoint& contact : std::span(out).subspan(first)) {
       contact.point_a += place;
       contact.point_b += place;
-      contact.child_a = index;
-      contact.id = contact_id_of_child(contact.id, index);
+      name_particle_a(contact, index);
     }
   });
   return outcome;

@@ -83,6 +83,36 @@ TEST(Particles, MayHaveRadiiOfTheirOwn) {
   EXPECT_NEAR(distance_of(dust, identity, ball, at(6, 2, 0)), 1.0, 1e-12);
 }
 
+TEST(Particles, AreNamedByTheFeaturesOfContactsAndCasts) {
+  const Shape dust = make_of_kind("particles", {0.5}, {0, 0, 0, 3, 0, 0, 6, 0, 0});
+  const Shape ball = make_sphere(0.5);
+  const auto found = contacts_of(ball, at(6.9, 0, 0), dust, identity);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].feature_b.kind, abut_feature_kind{ABUT_FEATURE_PARTICLE});
+  EXPECT_EQ(found[0].feature_b.index, 2U);
+  EXPECT_EQ(found[0].child_b, 2U);
+  EXPECT_EQ(found[0].id & ABUT_CONTACT_ID_HASHED, 0U);
+  const abut_pose start = at(3, 0, 4);
+  const abut_vec3 down{0, 0, -4}, still{0, 0, 0};
+  abut_cast_hit hit{};
+  std::uint32_t is_hit = 0;
+  require(abut_pair_cast(ball, &start, &down, dust, &identity, &still, nullptr, &hit, &is_hit));
+  ASSERT_EQ(is_hit, 1U);
+  EXPECT_EQ(hit.feature_b.kind, abut_feature_kind{ABUT_FEATURE_PARTICLE});
+  EXPECT_EQ(hit.feature_b.index, 1U);
+}
+
+TEST(Particles, OfAChildKeepTheirNumber) {
+  const Shape dust = make_of_kind("particles", {0.5}, {0, 0, 0, 3, 0, 0, 6, 0, 0});
+  const Shape ball = make_sphere(0.5);
+  const Shape both = make_composite({ball, dust}, {at(0, 0, 9), identity});
+  const auto found = contacts_of(both, identity, ball, at(3, 0.9, 0));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].child_a, 1U);
+  EXPECT_EQ(found[0].feature_a.kind, abut_feature_kind{ABUT_FEATURE_PARTICLE});
+  EXPECT_EQ(found[0].feature_a.index, 1U);
+}
+
 TEST(Particles, AtOnePlaceAreFoundAll) {
   const Shape dust = make_of_kind("particles", {0.5}, {1, 1, 1, 1, 1, 1, 1, 1, 1});
   EXPECT_EQ(contacts_of(dust, identity, make_sphere(1), at(1, 1, 2)).size(), 3U);
@@ -127,6 +157,7 @@ TEST(Particles, AreMetByRays) {
       ASSERT_EQ(found != 0, std::isfinite(nearest)) << i;
       if (found != 0) {
         EXPECT_NEAR(hit.distance, nearest, 1e-12);
+        EXPECT_EQ(hit.feature.kind, abut_feature_kind{ABUT_FEATURE_PARTICLE});
         EXPECT_EQ(hit.feature.index, which);
         ++hits;
       }

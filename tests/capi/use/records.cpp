@@ -53,6 +53,37 @@ abut_contact contact_along(const abut_vec3& direction) {
   return contact;
 }
 
+std::uint64_t packed_id(const abut_feature& first, const abut_feature& second) {
+  return std::uint64_t{1} << 62 | std::uint64_t{first.kind} << 59 | std::uint64_t{first.index} << 31 |
+         std::uint64_t{second.kind} << 28 | second.index;
+}
+
+TEST(ContactRecord, IdIsPackedFromTheFeatures) {
+  std::mt19937_64 random(11);
+  std::vector<Shape> shapes;
+  shapes.push_back(make_sphere(1));
+  shapes.push_back(make_box(1, 0.75, 0.5));
+  shapes.push_back(make_octahedron(1));
+  shapes.push_back(make_capsule(0.25, 1));
+  shapes.push_back(make_plane({0, 0, 1}, 0));
+  std::size_t packed = 0, hashed = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Shape& a = shapes.at(random() % shapes.size());
+    const Shape& b = shapes.at(random() % (shapes.size() - 1));
+    for (const abut_contact& contact : contacts_of(a, random_pose(random, 0.75), b, random_pose(random, 0.75))) {
+      if ((contact.id & ABUT_CONTACT_ID_HASHED) != 0) {
+        ++hashed;
+        continue;
+      }
+      ++packed;
+      EXPECT_TRUE(contact.id == packed_id(contact.feature_a, contact.feature_b) ||
+                  contact.id == packed_id(contact.feature_b, contact.feature_a));
+    }
+  }
+  // Only features that touch more than once have hashed ids.
+  EXPECT_GT(packed, 20 * hashed);
+}
+
 TEST(ContactRecord, FrictionFrameIsOrthonormalAndRightHanded) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
