@@ -92,12 +92,17 @@ abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::
   return create_named("mesh", numbers, out);
 }
 
-abut_status create_composite(const abut_shape* const* children, const abut_pose* poses, std::size_t count,
-                             abut_shape** out) {
+// `materials` may be null.
+abut_status create_composite(const abut_shape* const* children, const abut_pose* poses, const std::uint32_t* materials,
+                             std::size_t count, abut_shape** out) {
   std::span<const abut_shape* const> given;
+  std::span<const std::uint32_t> given_materials;
   std::span<const abut_pose> given_poses;
   abut_status status = read_span("children", children, "count", count, given);
   status = status != ABUT_OK ? status : read_span("poses", poses, "count", count, given_poses);
+  if (materials != nullptr) {
+    status = status != ABUT_OK ? status : read_span("materials", materials, "count", count, given_materials);
+  }
   if (status != ABUT_OK) {
     return status;
   }
@@ -110,7 +115,7 @@ abut_status create_composite(const abut_shape* const* children, const abut_pose*
     if (status = check_pose({"poses", i}, given_poses[i]); status != ABUT_OK) {
       return status;
     }
-    placed.push_back({given[i]->handle, to_pose(given_poses[i])});
+    placed.push_back({given[i]->handle, to_pose(given_poses[i]), given_materials.empty() ? 0 : given_materials[i]});
   }
   abut::Result<abut::AnyShape> made = abut::make_composite(placed);
   if (!made) {
@@ -246,7 +251,15 @@ abut_status abut_composite_create(const abut_shape* const* children, const abut_
                                   abut_shape** out) {
   return guard([&] {
     const abut_status status = check_not_null("out", out);
-    return status != ABUT_OK ? status : create_composite(children, poses, count, out);
+    return status != ABUT_OK ? status : create_composite(children, poses, nullptr, count, out);
+  });
+}
+
+abut_status abut_composite_create_with_materials(const abut_shape* const* children, const abut_pose* poses,
+                                                 const uint32_t* materials, size_t count, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_none_null<2>({{{"materials", materials}, {"out", out}}});
+    return status != ABUT_OK ? status : create_composite(children, poses, materials, count, out);
   });
 }
 

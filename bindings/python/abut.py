@@ -215,9 +215,13 @@ class Shape(_Owner):
         return cls._made_by(library.abut_particles_create, *_groups(c.c_double, "xyz", xyz, 3), radius)
 
     @classmethod
-    def composite(cls, children, poses):
-        """Shapes, each at a pose of its own, as one."""
+    def composite(cls, children, poses, materials=None):
+        """Shapes, each at a pose of its own, and with a material of its own, 0 for that of the geometry, as one."""
         _expect_as_many(children=children, poses=poses)
+        if materials is not None:
+            _expect_as_many(children=children, materials=materials)
+            return cls._made_by(library.abut_composite_create_with_materials, _pointers(children), _structs(c.Pose, poses),
+                                _array(c_uint32, materials), len(children))
         return cls._made_by(library.abut_composite_create, _pointers(children), _structs(c.Pose, poses), len(children))
 
     @classmethod

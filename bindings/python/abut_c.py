@@ -438,6 +438,8 @@ FUNCTIONS = {
     "abut_box_create": (Status, [c_double, c_double, c_double, POINTER(c_void_p)]),
     "abut_capsule_create": (Status, [c_double, c_double, POINTER(c_void_p)]),
     "abut_composite_create": (Status, [POINTER(c_void_p), POINTER(Pose), c_size_t, POINTER(c_void_p)]),
+    "abut_composite_create_with_materials": (Status, [
+        POINTER(c_void_p), POINTER(Pose), POINTER(c_uint32), c_size_t, POINTER(c_void_p)]),
     "abut_cylinder_create": (Status, [c_double, c_double, POINTER(c_void_p)]),
     "abut_plane_create": (Status, [POINTER(Vec3), c_double, POINTER(c_void_p)]),
     "abut_hull_create": (Status, [POINTER(c_double), c_size_t, POINTER(c_void_p)]),
@@ -464,8 +466,6 @@ FUNCTIONS = {
     "abut_query_options_init": (None, [POINTER(QueryOptions), c_uint32]),
     "abut_pair_distance": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Distance)]),
-    "abut_pairs_distance": (Status, [
-        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), c_size_t, POINTER(QueryOptions),
     "abut_pair_distance_with_memory": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(PairMemory),
         POINTER(Distance)]),
@@ -475,6 +475,8 @@ FUNCTIONS = {
     "abut_pair_contacts_with_memory": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(PairMemory),
         POINTER(Contact), c_size_t, POINTER(c_size_t)]),
+    "abut_pairs_distance": (Status, [
+        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), c_size_t, POINTER(QueryOptions),
         POINTER(Distance)]),
     "abut_pair_contacts": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Contact),

@@ -330,6 +330,15 @@ ABUT_API abut_status abut_composite_create(const abut_shape *const *children, co
                                            abut_shape **out);
 
 /**
+ * A composite whose children have materials of their own, which contacts of a universe report in place of that of the
+ * geometry.
+ * @param materials  count numbers, copied; 0: that of the geometry. Children of a composite that have one keep it
+ * [any]
+ */
+ABUT_API abut_status abut_composite_create_with_materials(const abut_shape *const *children, const abut_pose *poses,
+                                                          const uint32_t *materials, size_t count, abut_shape **out);
+
+/**
  * The generic door: any kind of shape from its parameters and buffers. What each kind takes is
  * listed in docs/shapes.md.
  */
@@ -456,15 +465,6 @@ enum abut_contact_flags_value ABUT_ENUM(uint32_t) {
 };
 
 /**
- * One contact point, 192 bytes. Swapping a and b swaps points and features and negates the normal. Two equal shapes at
- * one pose are the same in both orders, and so is the answer.
- * The friction frame is (tangent, cross(normal, tangent), normal): orthonormal and right-handed, and a function of the
- * normal alone, which jumps only where normal.z changes its sign. Source: Duff et al., "Building an orthonormal basis,
- * revisited" (2017).
- */
-typedef struct abut_contact {
-  abut_geometry_id geometry_a; /**< null in pair queries */
-/**
  * Bit of the ids of contacts that are hashed. They are hashed where children of composites, triangles of surfaces or
  * indices from 2^28 on take part, and where the same features touch more than once. All other ids are packed:
  *  - bits 59 to 61 are the kind, and bits 31 to 58 the index of the feature of one shape;
@@ -474,6 +474,15 @@ typedef struct abut_contact {
  */
 #define ABUT_CONTACT_ID_HASHED 0x8000000000000000u
 
+/**
+ * One contact point, 192 bytes. Swapping a and b swaps points and features and negates the normal. Two equal shapes at
+ * one pose are the same in both orders, and so is the answer.
+ * The friction frame is (tangent, cross(normal, tangent), normal): orthonormal and right-handed, and a function of the
+ * normal alone, which jumps only where normal.z changes its sign. Source: Duff et al., "Building an orthonormal basis,
+ * revisited" (2017).
+ */
+typedef struct abut_contact {
+  abut_geometry_id geometry_a; /**< null in pair queries */
   abut_geometry_id geometry_b;
   uint64_t id;                 /**< unique within the pair; the same while the same features touch; packed from their
                                     kinds and indices, or hashed: ABUT_CONTACT_ID_HASHED */
@@ -492,7 +501,8 @@ typedef struct abut_contact {
   uint32_t age;                /**< steps in a row before this one that reported it; 0 when it is new, and in pair
                                     queries */
   uint64_t user_data;          /**< as abut_contacts_set_user_data left it, while the contact stays; 0 when it is new */
-  uint32_t material_a;         /**< of the geometries; 0 in pair queries. See abut_material_pair_get */
+  uint32_t material_a;         /**< of the geometries, or of children that have one of their own; 0 in pair queries.
+                                    See abut_material_pair_get */
   uint32_t material_b;
   abut_vec3 tangent;           /**< unit, at right angles to the normal: the first axis of friction */
   uint64_t reserved;           /**< zero */
@@ -534,28 +544,6 @@ ABUT_API abut_status abut_pair_contacts(const abut_shape *a, const abut_pose *po
                                         const abut_pose *pose_b, const abut_query_options *options,
                                         abut_contact *contacts, size_t capacity, size_t *count);
 
-/* ------------------------------------------------------------------------------------------------
- * Universe
- * --------------------------------------------------------------------------------------------- */
-
-/** A space in which parts meet. Owned by its creator. */
-typedef struct abut_universe abut_universe;
-
-typedef uint32_t abut_broadphase;
-enum abut_broadphase_value ABUT_ENUM(uint32_t) {
-  ABUT_BROADPHASE_AUTO = 0,
-  ABUT_BROADPHASE_BRUTE = 1,           /**< every pair of boxes; for a few dozen geometries */
-  ABUT_BROADPHASE_TREE = 2,            /**< dynamic box trees, one of what moves and one of what does not */
-  ABUT_BROADPHASE_SWEEP_AND_PRUNE = 3, /**< sorted ends on three axes, kept from step to step */
-  ABUT_BROADPHASE_HASH_GRID = 4        /**< grids of cells, each four times as coarse as the one before; for many
-                                            boxes of about one size */
-};
-
-typedef uint32_t abut_tolerance_mode;
-enum abut_tolerance_mode_value ABUT_ENUM(uint32_t) {
-  ABUT_TOLERANCE_DEAD_BAND = 0, /**< an overlap is reported when it exceeds the tolerance */
-  ABUT_TOLERANCE_MARGIN = 1     /**< a separation is reported when it is below the tolerance */
-};
 /**
  * What queries remember of a pair of shapes, 64 bytes of the caller: zero it before the first query, then hand it in
  * with every query of the same two shapes in the same order. It makes queries faster where the two are apart and move
@@ -585,6 +573,28 @@ ABUT_API abut_status abut_pair_contacts_with_memory(const abut_shape *a, const a
                                                     abut_pair_memory *memory, abut_contact *contacts, size_t capacity,
                                                     size_t *count);
 
+/* ------------------------------------------------------------------------------------------------
+ * Universe
+ * --------------------------------------------------------------------------------------------- */
+
+/** A space in which parts meet. Owned by its creator. */
+typedef struct abut_universe abut_universe;
+
+typedef uint32_t abut_broadphase;
+enum abut_broadphase_value ABUT_ENUM(uint32_t) {
+  ABUT_BROADPHASE_AUTO = 0,
+  ABUT_BROADPHASE_BRUTE = 1,           /**< every pair of boxes; for a few dozen geometries */
+  ABUT_BROADPHASE_TREE = 2,            /**< dynamic box trees, one of what moves and one of what does not */
+  ABUT_BROADPHASE_SWEEP_AND_PRUNE = 3, /**< sorted ends on three axes, kept from step to step */
+  ABUT_BROADPHASE_HASH_GRID = 4        /**< grids of cells, each four times as coarse as the one before; for many
+                                            boxes of about one size */
+};
+
+typedef uint32_t abut_tolerance_mode;
+enum abut_tolerance_mode_value ABUT_ENUM(uint32_t) {
+  ABUT_TOLERANCE_DEAD_BAND = 0, /**< an overlap is reported when it exceeds the tolerance */
+  ABUT_TOLERANCE_MARGIN = 1     /**< a separation is reported when it is below the tolerance */
+};
 
 /** Which events a step writes down. */
 typedef uint32_t abut_event_bits;

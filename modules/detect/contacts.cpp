@@ -5,6 +5,7 @@ import abut.core.workers;
 import abut.core;
 import abut.detect.jobs;
 import abut.detect.pairs;
+import abut.pairs.any_shape;
 import abut.scene.options;
 import abut.scene.places;
 
@@ -18,6 +19,11 @@ constexpr std::size_t pairs_ahead = 8, results_ahead = 16;
 
 // Of a pair whose job is done and whose contacts are not in the list yet.
 JobResult result_of(const Pair& pair) { return {pair.job, pair.first_contact, pair.contact_count}; }
+
+// Of a child that has one of its own, else of its geometry.
+std::uint32_t material_of(std::span<const std::uint32_t> of_children, std::uint32_t child, std::uint32_t of_geometry) {
+  return child < of_children.size() && of_children[child] != 0 ? of_children[child] : of_geometry;
+}
 
 // What belongs to the contacts of pairs that were not examined goes to where it belongs, within the list: a second one
 // would hold as much again. The order stays. What goes down moves first to last, what goes up last to first, so
@@ -43,7 +49,7 @@ void move_kept(std::span<const Pair> pairs, std::span<Value> list) {
 }  // namespace
 
 // What a pair has found. What it has kept is there already.
-void ContactList::write_pair(const Pair& pair, std::span<const ContactPoint> found, std::span<const PlaceInfo> infos) {
+void ContactList::write_pair(const Pair& pair, std::span<const ContactPoint> found, const Places& places) {
   const std::span<const ContactHistory> before =
       std::span(histories_before_).subspan(pair.first_before, pair.count_before);
   const std::span<ContactHistory> histories = std::span(histories_).subspan(pair.first_contact, pair.contact_count);
@@ -55,7 +61,9 @@ void ContactList::write_pair(const Pair& pair, std::span<const ContactPoint> fou
     }
     return;
   }
-  const PlaceInfo &low = infos[pair.low], &high = infos[pair.high];
+  const PlaceInfo &low = places.infos[pair.low], &high = places.infos[pair.high];
+  const std::span<const std::uint32_t> of_low = materials_of_children(*places.shapes[pair.low]),
+                                       of_high = materials_of_children(*places.shapes[pair.high]);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const auto same = std::ranges::find(before, found[i].id, &ContactHistory::id);
     const bool is_kept = same != before.end();
@@ -66,8 +74,8 @@ void ContactList::write_pair(const Pair& pair, std::span<const ContactPoint> fou
               .flags = pair.is_sensor ? std::uint32_t{contact_of_sensor} : 0,
               .age = histories[i].age,
               .user_data = histories[i].user_data,
-              .material_a = low.material,
-              .material_b = high.material};
+              .material_a = material_of(of_low, found[i].child_a, low.material),
+              .material_b = material_of(of_high, found[i].child_b, high.material)};
   }
 }
 
@@ -103,7 +111,7 @@ void ContactList::count(std::size_t begin, std::size_t end, const JobList& jobs,
 }
 
 void ContactList::write(std::size_t begin, std::size_t end, std::uint32_t first_contact, const JobList& jobs,
-                        std::span<const PlaceInfo> infos, std::span<Pair> pairs) {
+                        const Places& places, std::span<Pair> pairs) {
   for (std::size_t place = begin; place < end; ++place) {
     if (const std::size_t ahead = place + pairs_ahead; ahead < end && pairs[ahead].job != no_job) {
       jobs.fetch_found(result_of(pairs[ahead]));
@@ -113,7 +121,7 @@ void ContactList::write(std::size_t begin, std::size_t end, std::uint32_t first_
     pair.first_contact = first_contact;
     first_contact += pair.contact_count;
     if (pair.contact_count > 0) {
-      write_pair(pair, pair.job != no_job ? jobs.found(its) : std::span<const ContactPoint>(), infos);
+      write_pair(pair, pair.job != no_job ? jobs.found(its) : std::span<const ContactPoint>(), places);
     }
     if (keeps_local_points_ && pair.job != no_job) {
       std::ranges::copy(jobs.locals(its), locals_.begin() + static_cast<std::ptrdiff_t>(pair.first_contact));
@@ -153,8 +161,8 @@ void ContactList::make_room(std::size_t count) {
 }
 
 // Contacts in the order of the pairs: counts first, then all pairs at once.
-ContactCounts ContactList::collect(const Workers& workers, std::span<const PlaceInfo> infos, bool is_timed,
-                                   const JobList& jobs, std::span<Pair> pairs) {
+ContactCounts ContactList::collect(const Workers& workers, const Places& places, bool is_timed, const JobList& jobs,
+                                   std::span<Pair> pairs) {
   histories_before_.swap(histories_);
   const Cuts cuts = workers.cut(pairs.size(), least_of_task);
   tasks_.resize(std::max(tasks_.size(), cuts.tasks()));
@@ -188,7 +196,7 @@ ContactCounts ContactList::collect(const Workers& workers, std::span<const Place
   locals_.resize(keeps_local_points_ ? total : 0);
   histories_.resize(total);
   workers.for_each(cuts.tasks(), [&](std::size_t task) {
-    write(cuts.begin(task), cuts.end(task), tasks[task].first_contact, jobs, infos, pairs);
+    write(cuts.begin(task), cuts.end(task), tasks[task].first_contact, jobs, places, pairs);
   });
   return sum;
 }

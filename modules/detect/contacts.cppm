@@ -22,8 +22,8 @@ class ContactList {
 
   // Puts all contacts in the order of the pairs, those that were kept among those that jobs have found. Pairs learn
   // where theirs are, and whether they touch.
-  [[nodiscard]] ContactCounts collect(const Workers& workers, std::span<const PlaceInfo> infos, bool is_timed,
-                                      const JobList& jobs, std::span<Pair> pairs);
+  [[nodiscard]] ContactCounts collect(const Workers& workers, const Places& places, bool is_timed, const JobList& jobs,
+                                      std::span<Pair> pairs);
 
   // Ordered by the slots of the two geometries, of which a has the lower one, then deepest first.
   [[nodiscard]] std::span<const Contact> all() const [[clang::lifetimebound]] { return contacts_; }
@@ -49,9 +49,9 @@ class ContactList {
     std::uint32_t contacts = 0, kept = 0, first_contact = 0;  // kept: of pairs that were not examined
   };
   static void count(std::size_t begin, std::size_t end, const JobList& jobs, std::span<Pair> pairs, Task& out);
-  void write(std::size_t begin, std::size_t end, std::uint32_t first_contact, const JobList& jobs,
-             std::span<const PlaceInfo> infos, std::span<Pair> pairs);
-  void write_pair(const Pair& pair, std::span<const ContactPoint> found, std::span<const PlaceInfo> infos);
+  void write(std::size_t begin, std::size_t end, std::uint32_t first_contact, const JobList& jobs, const Places& places,
+             std::span<Pair> pairs);
+  void write_pair(const Pair& pair, std::span<const ContactPoint> found, const Places& places);
   void move_all_kept(std::span<Pair> pairs);
   void make_room(std::size_t count);
   void time_kinds(const JobList& jobs);

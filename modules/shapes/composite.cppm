@@ -19,7 +19,8 @@ class CompositeOf {
 
   struct Child {
     Frozen<Any> shape;
-    Pose pose;  // in the frame of the composite
+    Pose pose;                   // in the frame of the composite
+    std::uint32_t material = 0;  // 0: that of the geometry
   };
 
   // A hole cuts the solids of its own composite, and of those within that one: children of adjoining numbers.
@@ -50,6 +51,8 @@ class CompositeOf {
 
   [[nodiscard]] std::span<const Child> children() const [[clang::lifetimebound]] { return data_->children; }
   [[nodiscard]] std::span<const Hole> holes() const [[clang::lifetimebound]] { return data_->holes; }
+  // Of each child; none where no child has one.
+  [[nodiscard]] std::span<const std::uint32_t> materials() const [[clang::lifetimebound]] { return data_->materials; }
   // Of composites in each other; 1 where no child is one.
   [[nodiscard]] std::uint32_t nesting() const { return data_->nesting; }
 
@@ -88,6 +91,7 @@ class CompositeOf {
     std::vector<Aabb> boxes;                        // of the bounded ones, in the frame of the composite
     Tree tree;                                      // over the boxes, where there are many
     std::uint32_t nesting;
+    std::vector<std::uint32_t> materials{};
   };
 
   explicit CompositeOf(Data data) : data_(std::move(data)) {}
@@ -114,7 +118,8 @@ Result<CompositeOf<Any>> CompositeOf<Any>::of(std::span<const Child> given) {
         data.holes.push_back({hole.child + before, hole.begin + before, hole.end + before});
       }
       for (const Child& inner : nested->children()) {
-        data.children.push_back({inner.shape, child.pose * inner.pose});
+        data.children.push_back(
+            {inner.shape, child.pose * inner.pose, inner.material != 0 ? inner.material : child.material});
       }
     } else {
       data.children.push_back(child);
@@ -155,6 +160,11 @@ Result<CompositeOf<Any>> CompositeOf<Any>::of(std::span<const Child> given) {
   }
   if (data.bounded.size() > most_without_tree) {
     data.tree.bvh = Bvh(data.boxes);
+  }
+  if (std::ranges::any_of(data.children, [](const Child& child) { return child.material != 0; })) {
+    for (const Child& child : data.children) {
+      data.materials.push_back(child.material);
+    }
   }
   return CompositeOf(std::move(data));
 }

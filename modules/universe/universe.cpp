@@ -169,7 +169,7 @@ void Universe::run_stages(const Scope& scope) {
   stats_.pair_microseconds = watch.lap();
   find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, jobs_);
   stats_.narrowphase_microseconds = watch.lap();
-  const ContactCounts counts = contacts_.collect(workers_, places_.infos, is_timed, jobs_, pairs_.all());
+  const ContactCounts counts = contacts_.collect(workers_, places_, is_timed, jobs_, pairs_.all());
   update_islands(scope.dt);
   events_.collect(workers_, options_.events, pairs_, places_.infos, contacts_, sleep_);
   finish_detection();

@@ -64,7 +64,7 @@ Result<AnyShape> make_first_assembly(std::span<const PlacedShape> given) {
     std::vector<typename Made::Child> children;
     children.reserve(given.size());
     for (const PlacedShape& child : given) {
-      children.push_back({child.shape, child.pose});
+      children.push_back({child.shape, child.pose, child.material});
     }
     return Made::of(children).transform([](Made made) { return AnyShape(std::move(made)); });
   } else {
@@ -96,6 +96,18 @@ std::optional<Triangles> triangles_of(const AnyShape& shape) {
           return s.triangles();
         } else {
           return std::nullopt;
+        }
+      },
+      shape);
+}
+
+std::span<const std::uint32_t> materials_of_children(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& s) -> std::span<const std::uint32_t> {
+        if constexpr (Assembly<S>) {
+          return s.materials();
+        } else {
+          return {};
         }
       },
       shape);
@@ -203,7 +215,6 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
   return outcome;
 }
 
-}  // namespace abut
 Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
                       const QuerySettings& settings, PairHint& hint, Distance& out) {
   const bool from_b = starts_from_b(a, b, pose_a, pose_b);
@@ -237,3 +248,4 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
   return outcome;
 }
 
+}  // namespace abut

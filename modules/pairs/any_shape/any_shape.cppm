@@ -29,6 +29,7 @@ inline constexpr std::size_t shape_kind_count = Shapes::count;
 struct PlacedShape {
   ShapeHandle shape;
   Pose pose;
+  std::uint32_t material = 0;  // 0: that of the geometry
 };
 [[nodiscard]] Result<AnyShape> make_composite(std::span<const PlacedShape> children);
 
@@ -36,6 +37,8 @@ struct PlacedShape {
 [[nodiscard]] std::vector<Real> parameters_of(const AnyShape& shape);
 [[nodiscard]] std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const UnitVec3& direction,
                                              Real max_distance);
+// Of the children of a composite, by their numbers; none where no child has one of its own.
+[[nodiscard]] std::span<const std::uint32_t> materials_of_children(const AnyShape& shape [[clang::lifetimebound]]);
 // Nothing for shapes without a surface of plane triangles.
 [[nodiscard]] std::optional<Triangles> triangles_of(const AnyShape& shape);
 
@@ -99,9 +102,6 @@ struct RouteDescription {
 [[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
                                     const QuerySettings& settings, PairMemory& memory, Manifold& out);
 
-// The same, b being placed by ab in the frame of a. Results are in the frame of a.
-[[nodiscard]] inline Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab,
-                                           const QuerySettings& settings, Distance& out) {
 // With what the last query for the same two shapes has left in `hint`, and leaving there what this one found. Any hint
 // gives the answer of the queries above, within its bound.
 [[nodiscard]] Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
@@ -109,6 +109,9 @@ struct RouteDescription {
 [[nodiscard]] Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
                                     const QuerySettings& settings, PairHint& hint, Manifold& out);
 
+// The same, b being placed by ab in the frame of a. Results are in the frame of a.
+[[nodiscard]] inline Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& ab,
+                                           const QuerySettings& settings, Distance& out) {
   return pair_distance(a, b, Pose::identity(), ab, settings, out);
 }
 [[nodiscard]] inline Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& ab,

@@ -95,6 +95,41 @@ TEST(CompositeCreate, RefusesNoneAndCountsThatOverflow) {
   EXPECT_TRUE(out.is_untouched());
 }
 
+TEST(CompositeCreateWithMaterials, RefusesNullPointers) {
+  Out<abut_shape*> out;
+  const CompositeCall call;
+  constexpr std::array<std::uint32_t, 2> materials{1, 2};
+  const auto create = [&](const abut_shape* const* children, const abut_pose* poses, const std::uint32_t* given,
+                          abut_shape** to) {
+    return abut_composite_create_with_materials(children, poses, given, 2, to);
+  };
+  const abut_shape* const* children = call.children.data();
+  const abut_pose* poses = call.poses.data();
+  EXPECT_TRUE(refused(create(nullptr, poses, materials.data(), out.address()), ABUT_NULL_ARGUMENT, {"children"}));
+  EXPECT_TRUE(refused(create(children, nullptr, materials.data(), out.address()), ABUT_NULL_ARGUMENT, {"poses"}));
+  EXPECT_TRUE(refused(create(children, poses, nullptr, out.address()), ABUT_NULL_ARGUMENT, {"materials", "null"}));
+  EXPECT_TRUE(refused(create(children, poses, materials.data(), nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(CompositeCreateWithMaterials, RefusesNonFiniteAndOtherBadPosesAndCountsThatOverflow) {
+  Out<abut_shape*> out;
+  CompositeCall call;
+  constexpr std::array<std::uint32_t, 2> materials{1, 2};
+  for (const std::size_t count : overflowing_counts(sizeof(abut_pose))) {
+    EXPECT_TRUE(refused(abut_composite_create_with_materials(call.children.data(), call.poses.data(), materials.data(),
+                                                             count, out.address()),
+                        ABUT_SIZE_OVERFLOW, {"count", std::to_string(count)}));
+  }
+  for (const BadPose& bad : bad_poses()) {
+    call.poses[1] = bad.pose;
+    EXPECT_TRUE(refused(abut_composite_create_with_materials(call.children.data(), call.poses.data(), materials.data(),
+                                                             2, out.address()),
+                        bad.status, {"poses[1]", bad.word}));
+  }
+  EXPECT_TRUE(out.is_untouched());
+}
+
 TEST(CompositeCreate, RefusesHolesAlone) {
   Out<abut_shape*> out;
   const double radius = 1;

@@ -51,6 +51,36 @@ TEST(Composite, MeetsAsItsChildrenDo) {
   }
 }
 
+TEST(Composite, ReportsTheMaterialsOfItsChildren) {
+  const Shape ball = make_sphere(0.5);
+  const std::array<const abut_shape*, 3> children{ball, ball, ball};
+  const std::array<abut_pose, 3> poses{at(0, 0, 0), at(3, 0, 0), at(6, 0, 0)};
+  constexpr std::array<std::uint32_t, 3> materials{7, 0, 9};
+  abut_shape* made = nullptr;
+  require(abut_composite_create_with_materials(children.data(), poses.data(), materials.data(), 3, &made));
+  const Shape row(made);
+  // What has a material keeps it within another composite, what has none takes that of the composite.
+  const std::array<const abut_shape*, 1> inner{row};
+  constexpr std::array<std::uint32_t, 1> outer{5};
+  require(abut_composite_create_with_materials(inner.data(), &identity, outer.data(), 1, &made));
+  const Shape nested(made);
+  for (const auto& [shape, expected] :
+       {std::pair<const abut_shape*, std::array<std::uint32_t, 3>>{row, {7, 0, 9}},
+        std::pair<const abut_shape*, std::array<std::uint32_t, 3>>{nested, {7, 5, 9}}}) {
+    Universe universe;
+    (void)universe.add(shape, identity);
+    for (const abut_pose& pose : poses) {
+      (void)universe.add(ball, at(pose.position.x, 0, 0.9));
+    }
+    const auto contacts = universe.step();
+    ASSERT_EQ(contacts.size(), 3U);
+    for (const abut_contact& contact : contacts) {
+      EXPECT_EQ(contact.material_a, expected.at(contact.child_a));
+      EXPECT_EQ(contact.material_b, 0U);
+    }
+  }
+}
+
 TEST(Composite, NamesTheChildrenThatTouch) {
   const Row row(12);
   const Shape probe = make_sphere(0.3);
