@@ -10,19 +10,22 @@ using enum Operation;
 
 // How often each operation comes up in random bytes. An operation that is added takes entries of others, so that the
 // others keep their bytes.
-constexpr std::array<std::pair<Operation, int>, 29> weights{{
+constexpr std::array<std::pair<Operation, int>, 33> weights{{
     {create_part, 8},
     {destroy_part, 1},
     {destroy_parts, 1},
-    {place, 12},
+    {place, 10},
+    {set_velocity, 2},
     {place_all, 3},
     {set_motion, 2},
-    {create_geometry, 8},
+    {create_geometry, 5},
+    {set_parameters, 3},
     {create_geometries, 6},
     {destroy_geometry, 2},
     {destroy_geometries, 1},
     {set_options, 6},
-    {set_shape, 3},
+    {set_shape, 2},
+    {set_samples, 1},
     {park, 5},
     {park_all, 2},
     {set_rule, 3},
@@ -33,7 +36,8 @@ constexpr std::array<std::pair<Operation, int>, 29> weights{{
     {set_policy, 2},
     {set_focus, 2},
     {set_sleep, 2},
-    {step, 12},
+    {step, 11},
+    {follow_islands, 1},
     {detect_all, 2},
     {detect_pairs, 4},
     {detect_region, 4},
@@ -61,7 +65,7 @@ constexpr std::array<Operation, weight_sum> operations = [] {
   return all;
 }();
 
-constexpr std::array<std::string_view, 28> names{"create_part",
+constexpr std::array<std::string_view, 32> names{"create_part",
                                                  "destroy_part",
                                                  "destroy_parts",
                                                  "place",
@@ -88,6 +92,10 @@ constexpr std::array<std::string_view, 28> names{"create_part",
                                                  "detect_region",
                                                  "refresh",
                                                  "mark_contacts",
+                                                 "set_parameters",
+                                                 "set_samples",
+                                                 "set_velocity",
+                                                 "follow_islands",
                                                  "bad"};
 
 }  // namespace

@@ -50,6 +50,10 @@ enum class Operation : std::uint8_t {
   detect_region,
   refresh,
   mark_contacts,
+  set_parameters,
+  set_samples,
+  set_velocity,
+  follow_islands,
   bad,
 };
 

@@ -131,6 +131,7 @@ void Play::set_shape(const Call& call) {
     Geometry& geometry = world_.geometries[place];
     geometry.shape = shape_by(call, 2);
     geometry.is_moved = geometry.is_reshaped = true;
+    geometry.is_resized = false;
     const abut_shape* shape = geometry.shape.shape;
     on_each("abut_geometry_set_shape", [&](std::size_t u, abut_universe* its) {
       return call.has(3, 0) ? abut_geometry_set_shape(its, geometry.ids.at(u), shape)

@@ -63,6 +63,7 @@ struct Part {
   std::uint64_t user_data = 0;
   std::vector<std::size_t> geometries;
   bool may_sleep = false;
+  std::optional<abut_velocity> velocity;         // as given last
   std::array<bool, universe_count> is_asleep{};  // in the last detection
   std::array<abut_pose, universe_count> rest{};  // where it fell asleep
 };
@@ -76,6 +77,7 @@ struct Geometry {
   abut_geometry_options options{};  // as set last
   bool is_moved = true;             // since the last detection
   bool is_reshaped = false;
+  bool is_resized = false;   // its shape is no longer that of the list
   bool is_switched = false;  // by the focus, in this detection
 };
 
@@ -132,6 +134,7 @@ struct World {
   FilterRule filter;
   std::map<std::pair<std::uint32_t, std::uint32_t>, abut_policy> policies;  // the lower tag first
   std::optional<Focus> focus;
+  bool are_islands_followed = false;
   std::map<Slots, Pair> pairs;
 
   // Places of those that live, by slot.

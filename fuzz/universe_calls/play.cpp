@@ -64,6 +64,10 @@ void Play::call(const Call& call) {
       return on_each("abut_universe_refresh",
                      [](std::size_t, abut_universe* its) { return abut_universe_refresh(its); });
     case Operation::mark_contacts: return mark_contacts(call);
+    case Operation::set_parameters: return set_parameters(call);
+    case Operation::set_samples: return set_samples(call);
+    case Operation::set_velocity: return set_velocity(call);
+    case Operation::follow_islands: return follow_islands(call);
     case Operation::bad: return bad(call);
   }
 }

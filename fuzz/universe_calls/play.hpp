@@ -42,6 +42,14 @@ class Play {
   void set_shape(const Call& call);
   void park(const Call& call, std::size_t count);
 
+  // Shapes in place, velocities and islands (edit_state.cpp).
+  void set_parameters(const Call& call);
+  void set_samples(const Call& call);
+  void set_velocity(const Call& call);
+  void compare_velocities() const;
+  void follow_islands(const Call& call);
+  void judge_islands() const;
+
   // Who falls asleep (sleep.cpp).
   void set_sleep(const Call& call);
   void judge_sleep();
