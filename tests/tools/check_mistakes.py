@@ -217,6 +217,9 @@ class Mistakes(program.Case):
             (["run", scene, "--contacts", "x.csv", "--events", "x.csv"], ("different files",)),
             (["run", scene, "--contacts", "x.csv", "--events", "./x.csv"], ("different files",)),
             (["explain", scene, "--contacts", "x.csv"], ("--contacts",)),
+            (["explain", "pair", scene, "a"], ("two geometries", "PART/GEOMETRY")),
+            (["explain", "pair", scene, "a", "b", "c"], ("'c'", "one argument too many")),
+            (["explain", "pair", scene, "nobody", "b"], ("'nobody'", "PART/GEOMETRY")),
             (["shapes", scene], ("one argument too many",)),
         ):
             with self.subTest(arguments=arguments):

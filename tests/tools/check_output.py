@@ -150,6 +150,26 @@ class Output(program.Case):
         self.assertEqual(json.loads(self.succeed("explain", scene, "--json", "--steps", 2).stdout)["counts"]["kept_pairs"],
                          plan["counts"]["candidate_pairs"])
 
+    def test_explain_pair_prints_every_way_to_the_distance(self):
+        scene = self.scene({"version": 1, "parts": [
+            {"name": "a", "geometries": [{"shape": {"kind": "box", "half": [1, 1, 1]}}]},
+            {"name": "b", "pose": {"position": [3.5, 0, 0]},
+             "geometries": [{"name": "core", "shape": {"kind": "box", "half": [1, 1, 1]}}]}]})
+        found = json.loads(self.succeed("explain", "pair", scene, "a", "b/core", "--json").stdout)
+        self.assertEqual((found["a"]["name"], found["b"]["name"], found["b"]["kind"]), ("a/0", "b/core", "box"))
+        ways = {way["ask"]: way for way in found["distances"]}
+        self.assertEqual(ways["default"]["by"], "analytic")
+        self.assertEqual(ways["algorithm gjk_epa"]["by"], "gjk_epa")
+        self.assertIn("ABUT_ALGORITHM_SAT", ways["algorithm sat"]["refusal"])
+        for way in ways.values():
+            if "refusal" not in way:
+                self.assertAlmostEqual(way["lower"], 1.5, places=6)
+                self.assertAlmostEqual(way["upper"], 1.5, places=6)
+                self.assertGreater(way["microseconds"], 0)
+        text = self.succeed("explain", "pair", scene, "a", "b").stdout
+        for word in ("a/0 (box) and b/core (box): 0 contacts", "algorithm sat", "analytic", "error_bound 1e-9"):
+            self.assertIn(word, text)
+
     def test_shapes_lists_all_kinds(self):
         text = self.succeed("shapes").stdout
         kinds = json.loads(self.succeed("shapes", "--json").stdout)

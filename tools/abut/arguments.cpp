@@ -41,7 +41,7 @@ void set(Arguments& arguments, const std::string& option, const std::string& val
 
 bool takes_value(Command command, const std::string& option) {
   const bool is_run = command == Command::run;
-  const bool is_step = is_run || command == Command::explain;
+  const bool is_step = is_run || command == Command::explain || command == Command::explain_pair;
   return (is_step && (option == "--steps" || option == "--dt" || option == "--threads")) ||
          (is_run && (option == "--contacts" || option == "--events"));
 }
@@ -101,9 +101,29 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return a == b || (!b.empty() && canonical(a) == canonical(b));
 }
 
+bool takes_scene(Command command) {
+  return command == Command::run || command == Command::explain || command == Command::explain_pair;
+}
+
+void read_word(Arguments& arguments, const std::string& word) {
+  const bool takes_pair = arguments.command == Command::explain_pair;
+  if (takes_scene(arguments.command) && arguments.scene.empty()) {
+    arguments.scene = word;
+  } else if (takes_pair && arguments.geometry_a.empty()) {
+    arguments.geometry_a = word;
+  } else if (takes_pair && arguments.geometry_b.empty()) {
+    arguments.geometry_b = word;
+  } else {
+    throw BadInput("'" + word + "' is one argument too many");
+  }
+}
+
 void check_whole(const Arguments& arguments) {
-  if ((arguments.command == Command::run || arguments.command == Command::explain) && arguments.scene.empty()) {
+  if (takes_scene(arguments.command) && arguments.scene.empty()) {
     throw BadInput("no scene is given; expected the name of a file");
+  }
+  if (arguments.command == Command::explain_pair && arguments.geometry_b.empty()) {
+    throw BadInput("a pair needs two geometries; expected the names of parts, or PART/GEOMETRY");
   }
   if (!arguments.contacts.empty() && is_same_file(arguments.contacts, arguments.events)) {
     throw BadInput("--contacts and --events are both '" + arguments.events + "'; expected different files");
@@ -118,7 +138,12 @@ Arguments parse_arguments(std::span<const std::string> words) {
     throw BadInput("no command is given; expected run, explain, shapes, --help or --version");
   }
   arguments.command = command_of(words.front());
-  for (std::size_t i = 1; i < words.size();) {
+  std::size_t first = 1;
+  if (arguments.command == Command::explain && words.size() > 1 && words[1] == "pair") {
+    arguments.command = Command::explain_pair;
+    first = 2;
+  }
+  for (std::size_t i = first; i < words.size();) {
     if (words[i] == "--help" || words[i] == "-h") {
       arguments.command = Command::help;
       return arguments;
@@ -127,10 +152,7 @@ Arguments parse_arguments(std::span<const std::string> words) {
       i += read_option(arguments, words.subspan(i));
       continue;
     }
-    if ((arguments.command != Command::run && arguments.command != Command::explain) || !arguments.scene.empty()) {
-      throw BadInput("'" + words[i] + "' is one argument too many");
-    }
-    arguments.scene = words[i];
+    read_word(arguments, words[i]);
     ++i;
   }
   check_whole(arguments);
@@ -140,6 +162,8 @@ Arguments parse_arguments(std::span<const std::string> words) {
 const char* usage() {
   return R"(usage: abut run SCENE.json [options]      steps a scene, writes contacts and events
        abut explain SCENE.json [options]  steps a scene, prints what the last step did and why
+       abut explain pair SCENE.json A B   steps a scene, prints every way to the distance of two of its geometries,
+                                          with bounds and times; each is a PART, or PART/GEOMETRY
        abut shapes [--json]               lists the kinds of shapes and their parameters
        abut --help | --version
 
@@ -150,7 +174,7 @@ const char* usage() {
   --contacts FILE   writes the contacts of all steps; JSON if the name ends in .json, else CSV; - is the standard output
   --events FILE     writes the events of all steps in the same way
   --quiet           neither progress nor the table at the end
-  --json            the table (run), the plan (explain), the kinds (shapes), and what goes to - as JSON
+  --json            the table (run), the plan or the pair (explain), the kinds (shapes), and what goes to - as JSON
 
 Exit status: 0 done; 1 the arguments or the scene are wrong; 2 abut failed, or memory ran out; 3 a file could not be
 written. A file has its name only when it is complete. docs/abut.md describes scenes.

@@ -8,11 +8,12 @@
 
 namespace cli {
 
-enum class Command { help, version, shapes, run, explain };
+enum class Command { help, version, shapes, run, explain, explain_pair };
 
 struct Arguments {
   Command command = Command::help;
   std::string scene;
+  std::string geometry_a, geometry_b;  // of a pair to explain
   std::optional<std::uint64_t> steps;
   std::optional<double> dt;
   std::optional<std::uint32_t> threads;

@@ -17,7 +17,7 @@ namespace {
 // The scene with what the arguments put in place of it.
 Scene scene_for(const Arguments& arguments) {
   Scene scene = read_scene(arguments.scene);
-  scene.steps = arguments.steps.value_or(arguments.command == Command::explain ? 1 : scene.steps);
+  scene.steps = arguments.steps.value_or(arguments.command == Command::run ? scene.steps : 1);
   scene.dt = arguments.dt.value_or(scene.dt);
   scene.universe.threads = arguments.threads.value_or(scene.universe.threads);
   return scene;
@@ -86,11 +86,16 @@ void run(const Arguments& arguments) {
   }
 }
 
-void explain(const Arguments& arguments) {
+World world_at_last_step(const Arguments& arguments) {
   World world = world_for(arguments);
   for (std::uint64_t step = 1; step <= world.scene().steps; ++step) {
     world.step(step);
   }
+  return world;
+}
+
+void explain(const Arguments& arguments) {
+  const World world = world_at_last_step(arguments);
   const std::string plan = arguments.json ? json_plan_of(world.universe()) : plan_of(world.universe());
   print(plan.ends_with('\n') ? plan : plan + '\n');
 }

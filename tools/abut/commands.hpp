@@ -2,8 +2,12 @@
 #pragma once
 
 #include "arguments.hpp"
+#include "world.hpp"
 
 namespace cli {
+
+/// The world of a scene after the steps that the arguments ask for, or one.
+[[nodiscard]] World world_at_last_step(const Arguments& arguments);
 
 void run(const Arguments& arguments);
 void explain(const Arguments& arguments);

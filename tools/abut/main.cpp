@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "explain_pair.hpp"
 #include "failures.hpp"
 #include "output_file.hpp"
 
@@ -19,6 +20,7 @@ void obey(const Arguments& arguments) {
     case Command::shapes: list_shapes(arguments); break;
     case Command::run: run(arguments); break;
     case Command::explain: explain(arguments); break;
+    case Command::explain_pair: explain_pair(arguments); break;
   }
 }
 

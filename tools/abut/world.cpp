@@ -118,6 +118,12 @@ const std::string& World::geometry_name(abut_geometry_id id) const {
   return scene_.geometries[geometry_of_slot_[id.slot]].name;
 }
 
+abut_pose World::pose_of(std::size_t geometry) const {
+  abut_pose pose{};
+  check(abut_geometries_poses(universe_.get(), &geometries_.at(geometry), 1, &pose), "pose of a geometry");
+  return pose;
+}
+
 const std::string& World::part_name(abut_geometry_id id) const {
   return scene_.parts[scene_.geometries[geometry_of_slot_[id.slot]].part].name;
 }

@@ -20,6 +20,8 @@ class World {
   [[nodiscard]] const abut_universe* universe() const { return universe_.get(); }
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
+  /// In the world, of the geometry of that number in the scene.
+  [[nodiscard]] abut_pose pose_of(std::size_t geometry) const;
   [[nodiscard]] const std::string& part_name(abut_geometry_id id) const;
   [[nodiscard]] const std::string& geometry_name(abut_geometry_id id) const;
 
