@@ -8,6 +8,7 @@ export module abut.narrow.apart.gjk;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+export import abut.math.tolerance;
 import abut.narrow.cores.simplex;
 
 export namespace abut {
@@ -27,9 +28,6 @@ inline constexpr std::uint32_t gjk_iteration_limit = 96;
 inline constexpr std::uint32_t stall_limit = 4;
 // Unproven distances below this many times the touching distance are left to the overlap routes.
 inline constexpr Real unproven_limit = 1e4;
-
-// Rounding of the coordinates of difference vertices: cores closer than this touch.
-[[nodiscard]] inline Real touching_distance(Real size) { return 4 * epsilon * size; }
 
 // The unit direction from the closest point of a simplex to the origin. Of a triangle it is the
 // normal, which stays exact when the distance is so small that the closest point is rounding.

@@ -63,7 +63,7 @@ inline constexpr bool have_closed_contacts = touch_in_a_point<A, B> || are_boxes
 // What the square of the distance of two cores exceeds only where they are beyond the margin in spite of all rounding.
 // It tells most pairs that do not touch: the root that would say how far they are takes as long as all the rest.
 [[nodiscard]] [[gnu::always_inline]] inline Real square_beyond(Real margin, Real radii) {
-  const Real reach = margin + radii + 8 * epsilon * (std::fabs(margin) + radii);
+  const Real reach = margin + radii + rounding_of(std::fabs(margin) + radii);
   return reach * std::fabs(reach);
 }
 
@@ -85,7 +85,7 @@ template <Convex A, Convex B, class Append>
 template <Convex A, Convex B>
   requires are_point_and_field<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool is_point_beyond(const A& a, const B& b, const Pose& ab, Real margin) {
-  const Real radii = a.radius() + b.radius(), reach = margin + radii + 8 * epsilon * (std::fabs(margin) + radii);
+  const Real radii = a.radius() + b.radius(), reach = margin + radii + rounding_of(std::fabs(margin) + radii);
   if constexpr (PointCored<A> && requires { b.is_beyond(ab.position, reach); }) {
     return b.is_beyond(-ab.rotation.undo(ab.position), reach);
   } else if constexpr (PointCored<B> && requires { a.is_beyond(ab.position, reach); }) {

@@ -76,13 +76,13 @@ template <FewFaced A, FewFaced B>
     return UnitVec3::make(apart).value_or(UnitVec3::axis_z());
   }
   const Vec3 sideways = apart - dot(apart, axis->vec()) * axis->vec();
-  const Real noise = 16 * epsilon * (largest_magnitude(apart) + a.extent() + b.extent());
+  const Real noise = rounding_of(largest_magnitude(apart) + a.extent() + b.extent());
   if (!(largest_magnitude(sideways) > noise)) {
     return tangents_of(*axis).first;
   }
   const Vec3 n = *UnitVec3::make(sideways);
   // Where little is left of a long way, part of it still leads along.
-  const bool is_little = squared_norm(sideways) < 1e-6 * squared_norm(apart);
+  const bool is_little = squared_norm(sideways) < slender_square * squared_norm(apart);
   return is_little ? UnitVec3::make(n - dot(n, axis->vec()) * axis->vec())->vec() : n;
 }
 

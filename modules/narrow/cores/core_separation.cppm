@@ -4,6 +4,7 @@ import abut.capability;
 export import abut.capability.core_feature;
 import abut.core.standard;
 import abut.math;
+export import abut.math.tolerance;
 
 export namespace abut {
 
@@ -40,12 +41,7 @@ template <Convex A, Convex B>
                                                           const QuerySettings& settings) {
   const Real shape_size = 2 * (a.extent() + b.extent()) + a.radius() + b.radius();
   constexpr Real usual = Curved<A> || Curved<B> ? usual_error_of_curves : usual_error;
-  return (settings.error_bound > 0 ? settings.error_bound : usual) * shape_size + 4 * epsilon * size;
+  return (settings.error_bound > 0 ? settings.error_bound : usual) * shape_size + touching_distance(size);
 }
-
-// What the coordinates of cores of this size may be off by, and with them all bounds.
-[[nodiscard]] [[gnu::always_inline]] inline Real rounding_of(Real size) { return 16 * epsilon * size; }
-// Depths along two axes that differ by less are the same.
-[[nodiscard]] [[gnu::always_inline]] inline Real noise_of(Real size) { return 64 * epsilon * size; }
 
 }  // namespace abut

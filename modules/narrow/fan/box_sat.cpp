@@ -1,6 +1,7 @@
 module abut.narrow.fan.box_sat;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.cores.core_separation;
 import abut.narrow.fan.sat;
 
@@ -73,9 +74,8 @@ SatResult sat_of_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, R
     const Lanes to_next = absolute(multiply_add(p, q.yzxw, -(q * p.yzxw)));
     const Lanes to_last = absolute(multiply_add(p, q.zxyw, -(q * p.zxyw)));
     const Lanes of_second = multiply_add(b.yzxw, to_next, b.zxyw * to_last);
-    // Edges closer to parallel than rounding span no face. Leaving one out errs by at most the angle
-    // times the length of an edge, which is rounding again.
-    return square > 1e-28 ? (offset - of_first - of_second) / __builtin_elementwise_sqrt(square) : Lanes(-infinity);
+    return square > parallel_square ? (offset - of_first - of_second) / __builtin_elementwise_sqrt(square)
+                                    : Lanes(-infinity);
   };
   const Vec3& t = ab.position;
   const Lanes with_x = across(rows.y, rows.z, wide_rows.y, wide_rows.z, half_a.y, half_a.z, t.y, t.z);

@@ -48,7 +48,7 @@ template <Convex A, Convex B>
     return std::nullopt;
   }
   if constexpr (HullOfDiscs<B>) {
-    DiscDepth least(mirrored(b.discs(), ab.position, ab.rotation.z), slack, 8 * epsilon * size);
+    DiscDepth least(mirrored(b.discs(), ab.position, ab.rotation.z), slack, rounding_of(size));
     if constexpr (HullOfDiscs<A>) {
       search_discs(a.discs(), least);
     } else if constexpr (Triangular<A>) {

@@ -4,6 +4,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.math.four_vec3;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.fan.sat;
 
 export namespace abut {
@@ -38,7 +39,7 @@ template <Convex S>
 [[nodiscard]] [[gnu::always_inline]] inline Columns unit_across(const Columns& first, const Columns& second,
                                                                 const Columns& products, Lanes squares, Lanes signs) {
   const Columns n = (signs / __builtin_elementwise_sqrt(squares)) * products;
-  const Lanes room = squares - 1e-6 * dot(first, first) * dot(second, second);
+  const Lanes room = squares - slender_square * dot(first, first) * dot(second, second);
   if (signs_of(room) == 0) [[likely]] {
     return n;
   }

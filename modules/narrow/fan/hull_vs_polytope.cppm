@@ -209,8 +209,9 @@ template <Faceted A, class B>
     const Lanes reach = dot(n, start) + maximum(dot(n, along), all_lanes(0));
     const Lanes lower = reach - dot(n, from);
     // Vertices that lie behind each other along the edge are one for its arc.
-    const Lanes above =
-        square > 1e-28 * dot(along, along) * dot(back, back) ? lower - all_lanes(least_of_edges) : all_lanes(0);
+    const Lanes above = square > parallel_square * dot(along, along) * dot(back, back)
+                            ? lower - all_lanes(least_of_edges)
+                            : all_lanes(0);
     if (signs_of(above) == 0) {
       continue;
     }

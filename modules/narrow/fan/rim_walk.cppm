@@ -4,6 +4,7 @@
 export module abut.narrow.fan.rim_walk;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.fan.disc_depth;
 
 export namespace abut {
@@ -171,7 +172,7 @@ template <class Aim>
 template <class Aim, class Visit>
 [[nodiscard]] bool walk_around(const RimWalk& walk, const Aim& aim, Real size, const DiscDepth& least, Visit&& visit) {
   constexpr int cut_limit = 256;
-  const Real noise = 64 * epsilon * aim.unit_of_slope(size);
+  const Real noise = noise_of(aim.unit_of_slope(size));
   [[clang::uninitialized]] std::array<RimArc, 3 * (level_count + 1)> rest;
   // Twelve arcs at first: what moves as twice the angle falls, rises, or keeps its sign in each.
   constexpr Real half_root_of_three = 0.86602540378443864676;

@@ -28,7 +28,7 @@ inline constexpr std::size_t first_edge = SegmentCored<S> ? 2 : 0;
 [[nodiscard]] inline Vec3 unit_across_edges(const Vec3& edge_a, const Vec3& edge_b, const Vec3& product, Real square) {
   const Vec3 n = (1 / std::sqrt(square)) * product;
   const Real square_a = squared_norm(edge_a);
-  if (square > 1e-6 * square_a * squared_norm(edge_b)) [[likely]] {
+  if (square > slender_square * square_a * squared_norm(edge_b)) [[likely]] {
     return n;
   }
   return UnitVec3::make(n - (dot(n, edge_a) / square_a) * edge_a).value_or(UnitVec3::from_unit_unchecked(n));
@@ -90,9 +90,7 @@ template <FewFaced A, FewFaced B>
       const Vec3 &edge_a = edges_a[i], edge_b = ab.rotation * edges_b[j];
       const Vec3 n = cross(edge_a, edge_b);
       const Real square = squared_norm(n);
-      // Edges closer to parallel than rounding span no face. Leaving one out errs by at most the
-      // angle times the length of an edge, which is rounding again.
-      if (square > 1e-28 * squared_norm(edge_a) * squared_norm(edge_b) && square > 0) {
+      if (square > parallel_square * squared_norm(edge_a) * squared_norm(edge_b) && square > 0) {
         const CoreFeatures edges{core_edge(first_edge<A> + i), core_edge(first_edge<B> + j)};
         try_axis(unit_across_edges(edge_a, edge_b, n, square), noise, edges, edges);
       }

@@ -2,6 +2,7 @@ module abut.narrow.points.box_contacts;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 
 namespace abut {
 namespace {
@@ -188,7 +189,7 @@ bool clip_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, const Ve
       half_a[a.first], half_a[a.second], {u[0], v[0], heights[0]}, {u[1], v[1], heights[1]}, {u[2], v[2], heights[2]}};
 
   const Real tie = tie_share * std::fmin(largest_magnitude(half_a), largest_magnitude(half_b));
-  const Real slack = 16 * epsilon * size + tie, doubt = 256 * epsilon * size + 4 * tie;
+  const Real slack = rounding_of(size) + tie, doubt = 4 * (noise_of(size) + tie);
   if (std::fabs(faces.first.u) <= slack && std::fabs(faces.second.v) <= slack) {
     std::swap(b.first, b.second);
     std::swap(faces.first, faces.second);
@@ -198,7 +199,7 @@ bool clip_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab, const Ve
   const Real least =
       is_rectangle ? clip_rectangle(faces, slack, doubt, margin, out) : clip_parallelogram(faces, doubt, margin, out);
   // Closest points that the region misses, as between edges that cross beside it, are to be looked for.
-  if (!(std::fabs(least - separation) <= 4 * epsilon * size) || out.corners == 0) {
+  if (!(std::fabs(least - separation) <= touching_distance(size)) || out.corners == 0) {
     return false;
   }
   out.base = plane * unit(a.axis);

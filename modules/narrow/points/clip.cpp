@@ -3,6 +3,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.points.closest_of_faces;
 import abut.narrow.points.lift;
 
@@ -316,7 +317,7 @@ namespace {
   const Vec3 &of_a = a.vertices[0].point, &of_b = b.vertices[0].point;
   const Real size_a = reach_from(of_a, a), size_b = reach_from(of_b, b);
   const Real reach = std::max(size_a, largest_magnitude(of_b - of_a) + size_b) + largest_magnitude(of_a);
-  return 16 * epsilon * reach + tie_share * std::min(size_a, size_b);
+  return rounding_of(reach) + tie_share * std::min(size_a, size_b);
 }
 
 // Faces that both look along the normal, or are edges.
@@ -363,7 +364,7 @@ void settle_closest(const Face& a, const Face& b, const Vec3& normal, Real tie, 
     bottom = std::min(bottom, dot(vertex.point, normal));
     size = std::max(size, largest_magnitude(vertex.point));
   }
-  const Real rounding = 64 * epsilon * size, closest = bottom - top;
+  const Real rounding = noise_of(size), closest = bottom - top;
   const auto find_least = [&] {
     least = infinity;
     for (const ClipPoint& point : out.span()) {

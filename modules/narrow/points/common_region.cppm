@@ -44,7 +44,7 @@ export namespace abut {
   const Real middle = -(from.x * x + from.y * y) / square, half = std::sqrt(under) / square;
   // An end of the edge that lies on the circle within a tie is one of the stretch, whichever side of the circle
   // rounding puts it on. Under the normal of a search on curved cores it lies there within the error of that.
-  const Real tie = usual_error_of_curves * std::fmin(rim.radius / std::sqrt(square), Real{1}) + 64 * epsilon;
+  const Real tie = usual_error_of_curves * std::fmin(rim.radius / std::sqrt(square), Real{1}) + noise_of(1);
   const Real enter = middle - half > tie ? middle - half : 0, leave = middle + half < 1 - tie ? middle + half : 1;
   const auto append = [&](Real t, bool is_end, std::uint32_t vertex) {
     const Vec3 on_edge = edge.vertices[0].point + t * (edge.vertices[1].point - edge.vertices[0].point);

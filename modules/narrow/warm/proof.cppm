@@ -24,7 +24,7 @@ template <Convex S>
     for (std::uint32_t i = 0; i < shape.corner_count(); ++i) {
       square = std::max(square, squared_norm(shape.corner(i) - shape.centre()));
     }
-    return std::sqrt(square) * (1 + 4 * epsilon);
+    return std::sqrt(square) * (1 + touching_distance(1));
   } else {
     return 2 * shape.extent();
   }
