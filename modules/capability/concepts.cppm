@@ -103,15 +103,21 @@ struct AcceptsAnyPart {
   void operator()(const Part&, std::uint32_t) const {}
 };
 
-// Made of convex parts. visit_parts hands over every part whose box overlaps the given one; the visitor may shrink
-// that box on the way. part_near gives some part close to a point. is_crest is asked about some corners of a part,
-// given by bit: one is a vertex, two are an edge. It tells whether the surface around them lies behind the plane
-// through them across a direction, up to a height. The direction then is in their cone of normals.
+struct AcceptsAnyCorners {
+  bool operator()(const std::array<Vec3, 3>&) const { return true; }
+};
+
+// Made of triangles. visit_parts visits every part whose box overlaps the given one, and whose corners meet a
+// condition, if there is one; the visitor may shrink that box on the way. part_near gives some part close to a point.
+// is_crest is asked about some corners of a part, given by bit: one is a vertex, two are an edge. It tells whether the
+// surface around them lies behind the plane through them across a direction, up to a height. The direction then is in
+// their cone of normals.
 template <class S>
 concept Surface =
     Bounded<S> && Convex<typename S::Part> &&
     requires(const S& shape, Aabb& box, const Vec3& point, AcceptsAnyPart visitor, std::uint32_t index, Real height) {
       shape.visit_parts(box, visitor);
+      shape.visit_parts(box, AcceptsAnyCorners{}, visitor);
       { shape.part(index) } -> std::same_as<typename S::Part>;
       { shape.part_near(point) } -> std::same_as<typename S::Part>;
       { shape.is_crest(index, 1u, point, height) } -> std::same_as<bool>;

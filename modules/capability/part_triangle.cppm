@@ -8,15 +8,67 @@ import abut.math;
 
 export namespace abut {
 
+using TriangleCorners = std::array<Vec3, 3>;
+
+[[nodiscard]] inline Aabb box_around(const TriangleCorners& corners) {
+  return {minimum(minimum(corners[0], corners[1]), corners[2]), maximum(maximum(corners[0], corners[1]), corners[2])};
+}
+
+// A ray that is asked for its distance to triangles. Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013:
+// seen along the ray, the side of an edge is the same number, but for its sign, for both triangles that share it. So no
+// ray slips between them.
+class TriangleRay {
+ public:
+  inline TriangleRay(const Vec3& origin, const UnitVec3& direction) : origin_(origin) {
+    const Vec3 d = direction, wide = absolute(d);
+    kz_ = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
+    kx_ = kz_ == 2 ? 0 : kz_ + 1;
+    ky_ = kx_ == 2 ? 0 : kx_ + 1;
+    scale_ = 1 / d[kz_];
+    slope_x_ = d[kx_] * scale_;
+    slope_y_ = d[ky_] * scale_;
+  }
+
+  [[nodiscard]] inline std::optional<Real> distance_to(const TriangleCorners& corners, Real max_distance) const {
+    const Seen a = seen(corners[0]), b = seen(corners[1]), c = seen(corners[2]);
+    const Real at_a = c.x * b.y - c.y * b.x, at_b = a.x * c.y - a.y * c.x, at_c = b.x * a.y - b.y * a.x;
+    const Real determinant = at_a + at_b + at_c;
+    if (determinant == 0 || ((at_a < 0 || at_b < 0 || at_c < 0) && (at_a > 0 || at_b > 0 || at_c > 0))) {
+      return std::nullopt;
+    }
+    const Real distance = (at_a * a.depth + at_b * b.depth + at_c * c.depth) / determinant;
+    return distance >= 0 && distance <= max_distance ? std::optional(distance) : std::nullopt;
+  }
+
+ private:
+  struct Seen {
+    Real x, y, depth;
+  };
+  [[nodiscard]] inline Seen seen(const Vec3& corner) const {
+    const Vec3 p = corner - origin_;
+    const Real z = p[kz_];
+    return {p[kx_] - slope_x_ * z, p[ky_] - slope_y_ * z, scale_ * z};
+  }
+
+  Vec3 origin_;
+  int kx_, ky_, kz_;
+  Real scale_, slope_x_, slope_y_;
+};
+
 class Triangle {
  public:
   using Core = Triangle;
   static constexpr bool is_symmetric = false;
 
   inline Triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t index, bool one_sided)
-      : corners_{a, b, c}, normal_(unit_normal(a, b, c)), index_(index), one_sided_(one_sided) {}
+      : Triangle(TriangleCorners{a, b, c}, index, one_sided) {}
+  inline Triangle(const TriangleCorners& corners, std::uint32_t index, bool one_sided)
+      : corners_(corners),
+        normal_(unit_normal(corners[0], corners[1], corners[2])),
+        index_(index),
+        one_sided_(one_sided) {}
 
-  [[nodiscard]] inline const std::array<Vec3, 3>& corners() const [[clang::lifetimebound]] { return corners_; }
+  [[nodiscard]] inline const TriangleCorners& corners() const [[clang::lifetimebound]] { return corners_; }
   [[nodiscard]] inline const Vec3& normal() const [[clang::lifetimebound]] { return normal_; }  // zero for no area
   [[nodiscard]] inline std::uint32_t index() const { return index_; }
   [[nodiscard]] inline bool is_one_sided() const { return one_sided_; }
@@ -25,10 +77,7 @@ class Triangle {
   [[nodiscard]] inline std::uint32_t corner_count() const { return 3; }
   [[nodiscard]] inline Vec3 corner(std::uint32_t index) const { return corners_[index]; }
 
-  [[nodiscard]] inline Aabb box() const {
-    return {minimum(minimum(corners_[0], corners_[1]), corners_[2]),
-            maximum(maximum(corners_[0], corners_[1]), corners_[2])};
-  }
+  [[nodiscard]] inline Aabb box() const { return box_around(corners_); }
   [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
     const Vec3 a = pose * corners_[0], b = pose * corners_[1], c = pose * corners_[2];
     return {minimum(minimum(a, b), c), maximum(maximum(a, b), c)};
@@ -61,32 +110,11 @@ class Triangle {
     return {corners_[1] - corners_[0], corners_[2] - corners_[1], corners_[0] - corners_[2]};
   }
 
-  // Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013; both sides count. Seen along the ray, the side
-  // of an edge is the same number, but for its sign, for both triangles that share it. So no ray slips between them.
+  // Both sides count.
   [[nodiscard]] inline std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction,
                                                       Real max_distance) const {
-    const Vec3 d = direction, wide = absolute(d);
-    const int kz = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
-    const int kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
-    const Real scale = 1 / d[kz], slope_x = d[kx] * scale, slope_y = d[ky] * scale;
-    struct Seen {
-      Real x, y, depth;
-    };
-    const auto seen = [&](const Vec3& corner) {
-      const Vec3 p = corner - origin;
-      return Seen{p[kx] - slope_x * p[kz], p[ky] - slope_y * p[kz], scale * p[kz]};
-    };
-    const Seen a = seen(corners_[0]), b = seen(corners_[1]), c = seen(corners_[2]);
-    const Real at_a = c.x * b.y - c.y * b.x, at_b = a.x * c.y - a.y * c.x, at_c = b.x * a.y - b.y * a.x;
-    const Real determinant = at_a + at_b + at_c;
-    if (determinant == 0 || ((at_a < 0 || at_b < 0 || at_c < 0) && (at_a > 0 || at_b > 0 || at_c > 0))) {
-      return std::nullopt;
-    }
-    const Real distance = (at_a * a.depth + at_b * b.depth + at_c * c.depth) / determinant;
-    if (!(distance >= 0 && distance <= max_distance)) {
-      return std::nullopt;
-    }
-    return RayHit{distance, normal_, {FeatureKind::face, index_}};
+    const auto distance = TriangleRay(origin, direction).distance_to(corners_, max_distance);
+    return distance ? std::optional(RayHit{*distance, normal_, {FeatureKind::face, index_}}) : std::nullopt;
   }
 
  private:
@@ -120,7 +148,7 @@ class Triangle {
     return UnitVec3::make(n - (dot(n, first) / squared_norm(first)) * first).value_or(*across);
   }
 
-  std::array<Vec3, 3> corners_;
+  TriangleCorners corners_;
   Vec3 normal_;
   std::uint32_t index_;
   bool one_sided_;

@@ -31,15 +31,13 @@ class HeightField {
   [[nodiscard]] inline Triangle part(std::uint32_t index) const {
     const Data& field = *data_;
     const std::uint32_t cell = index / 2, i = cell % (field.columns - 1), j = cell / (field.columns - 1);
-    const bool upper = index % 2 != 0;
-    return {point(i, j), upper ? point(i + 1, j + 1) : point(i + 1, j), upper ? point(i, j + 1) : point(i + 1, j + 1),
-            index, true};
+    return {corners(i, j, index % 2 != 0), index, true};
   }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
 
-  template <class Visitor>
-  void visit_parts(Aabb& box, Visitor&& visit) const {
+  template <class Wanted, class Visitor>
+  void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
     const Data& field = *data_;
     if (!box.overlaps(field.box)) {
       return;
@@ -56,14 +54,19 @@ class HeightField {
           continue;
         }
         const std::uint32_t cell = j * (field.columns - 1) + i;
-        for (const std::uint32_t index : {2 * cell, 2 * cell + 1}) {
-          const Triangle triangle = part(index);
-          if (triangle.box().overlaps(box)) {
-            visit(triangle, index);
+        for (const bool is_upper : {false, true}) {
+          const TriangleCorners of_part = corners(i, j, is_upper);
+          if (box_around(of_part).overlaps(box) && is_wanted(of_part)) {
+            const std::uint32_t index = 2 * cell + (is_upper ? 1 : 0);
+            visit(Triangle(of_part, index, true), index);
           }
         }
       }
     }
+  }
+  template <class Visitor>
+  void visit_parts(Aabb& box, Visitor&& visit) const {
+    visit_parts(box, AcceptsAnyCorners{}, visit);
   }
   [[nodiscard]] Triangle part_near(const Vec3& p) const {
     const Data& field = *data_;
@@ -72,7 +75,6 @@ class HeightField {
     return part(2 * (j * (field.columns - 1) + i));
   }
 
-  // Walks the cells under the ray (Amanatides and Woo 1987).
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
   [[nodiscard]] Triangles triangles() const;
 
@@ -96,6 +98,11 @@ class HeightField {
   }
   [[nodiscard]] inline Vec3 point(std::uint32_t i, std::uint32_t j) const {
     return {i * data_->spacing_x, j * data_->spacing_y, height(i, j)};
+  }
+  // Of a triangle of a cell.
+  [[nodiscard]] inline TriangleCorners corners(std::uint32_t i, std::uint32_t j, bool is_upper) const {
+    return {point(i, j), is_upper ? point(i + 1, j + 1) : point(i + 1, j),
+            is_upper ? point(i, j + 1) : point(i + 1, j + 1)};
   }
   [[nodiscard]] static inline std::uint32_t cell_at(Real position, std::uint32_t samples) {
     const Real last = samples - 2;

@@ -7,8 +7,7 @@ import abut.math;
 namespace abut {
 namespace {
 
-// Cells beyond those that have a changed corner whose contacts change too: an edge dips or not by the heights on both
-// sides.
+// How many cells further than the changed ones contacts change: whether an edge dips depends on both of its sides.
 constexpr Real cells_beyond = 1;
 
 Fault check_stretch(std::string_view first_name, std::string_view count_name, std::uint32_t first, std::uint32_t count,

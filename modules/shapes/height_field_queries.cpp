@@ -4,6 +4,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.trees.range_pyramid;
+import abut.trees.ray_slabs;
 
 namespace abut {
 namespace {
@@ -91,59 +92,28 @@ Result<HeightField> HeightField::make(std::span<const Real> parameters, std::spa
 
 std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
   const Data& field = *data_;
-  const Vec3 d = direction;
-  // The part of the ray over the grid, a little widened against rounding.
-  Real enter = 0, leave = max_distance;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Real low = field.box.low[axis], high = field.box.high[axis];
-    const Real slack = 8 * epsilon * (std::fabs(low) + std::fabs(high) + std::fabs(origin[axis]));
-    if (d[axis] == 0) {
-      if (origin[axis] < low - slack || origin[axis] > high + slack) {
-        return std::nullopt;
-      }
-      continue;
-    }
-    const Real a = (low - slack - origin[axis]) / d[axis], b = (high + slack - origin[axis]) / d[axis];
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  }
-  if (!(enter <= leave)) {
-    return std::nullopt;
-  }
-  const Vec3 start = origin + enter * d;
-  std::uint32_t i = cell_at(start.x / field.spacing_x, field.columns),
-                j = cell_at(start.y / field.spacing_y, field.rows);
-  const auto next_crossing = [](Real from, Real along, Real spacing, std::uint32_t cell) {
-    return along == 0 ? infinity : ((along > 0 ? cell + 1 : cell) * spacing - from) / along;
-  };
-  std::optional<RayHit> best;
-  while (true) {
-    const std::uint32_t cell = j * (field.columns - 1) + i;
-    for (const std::uint32_t index : {2 * cell, 2 * cell + 1}) {
-      const auto hit = part(index).cast_ray(origin, direction, max_distance);
-      if (hit && (!best || hit->distance < best->distance)) {
-        best = hit;
-      }
-    }
-    const Real at_x = next_crossing(origin.x, d.x, field.spacing_x, i),
-               at_y = next_crossing(origin.y, d.y, field.spacing_y, j);
-    // A hit beyond this cell would be one that rounding let in; the cell that it lies in decides.
-    const Real end = std::min(at_x, at_y);
-    if ((best && best->distance <= end) || !(end <= leave)) {
-      return best;
-    }
-    if (at_x <= at_y) {
-      if (d.x > 0 ? i + 2 >= field.columns : i == 0) {
-        return best;
-      }
-      i = d.x > 0 ? i + 1 : i - 1;
-    } else {
-      if (d.y > 0 ? j + 2 >= field.rows : j == 0) {
-        return best;
-      }
-      j = d.y > 0 ? j + 1 : j - 1;
-    }
-  }
+  const RaySlabs slabs(origin, direction, field.box);
+  const TriangleRay ray(origin, direction);
+  const RaySlabs::Stretch over_box = slabs.within(field.box, {0, max_distance});
+  Real nearest = max_distance;
+  std::uint32_t hit = no_index;
+  field.ranges.visit_ray(slabs, over_box, {field.spacing_x, field.spacing_y}, nearest,
+                         [&](std::uint32_t i, std::uint32_t j, const RaySlabs::Stretch& over) {
+                           const auto [low, high] =
+                               std::minmax({height(i, j), height(i + 1, j), height(i, j + 1), height(i + 1, j + 1)});
+                           if (slabs.within(2, low, high, over).is_empty()) {
+                             return;
+                           }
+                           for (const bool is_upper : {false, true}) {
+                             const std::uint32_t index = 2 * (j * (field.columns - 1) + i) + (is_upper ? 1 : 0);
+                             const auto distance = ray.distance_to(corners(i, j, is_upper), nearest);
+                             if (distance && (*distance < nearest || index < hit)) {
+                               nearest = *distance;
+                               hit = index;
+                             }
+                           }
+                         });
+  return hit == no_index ? std::nullopt : std::optional(RayHit{nearest, part(hit).normal(), {FeatureKind::face, hit}});
 }
 
 Triangles HeightField::triangles() const {

@@ -22,37 +22,38 @@ class Mesh {
   [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->box, pose); }
   [[nodiscard]] std::size_t triangle_count() const { return data_->indices.size() / 3; }
 
-  [[nodiscard]] Triangle part(std::uint32_t index) const {
-    const Data& mesh = *data_;
-    const std::size_t first = 3 * std::size_t{index};
-    return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]],
-            mesh.vertices[mesh.indices[first + 2]], index, mesh.one_sided};
-  }
+  [[nodiscard]] Triangle part(std::uint32_t index) const { return {corners(index), index, data_->one_sided}; }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
 
-  template <class Visitor>
-  void visit_parts(Aabb& box, Visitor&& visit) const {
+  template <class Wanted, class Visitor>
+  void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
     tree().bvh.visit_overlaps(box, [&](std::uint32_t index) {
-      const Triangle triangle = part(index);
-      if (triangle.box().overlaps(box)) {
-        visit(triangle, index);
+      const TriangleCorners of_part = corners(index);
+      if (box_around(of_part).overlaps(box) && is_wanted(of_part)) {
+        visit(Triangle(of_part, index, data_->one_sided), index);
       }
     });
+  }
+  template <class Visitor>
+  void visit_parts(Aabb& box, Visitor&& visit) const {
+    visit_parts(box, AcceptsAnyCorners{}, visit);
   }
   [[nodiscard]] Triangle part_near(const Vec3& point) const { return part(tree().bvh.item_near(point)); }
 
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
-    std::optional<RayHit> best;
-    Real limit = max_distance;
-    tree().bvh.visit_ray(origin, direction, limit, [&](std::uint32_t index) {
-      const auto hit = part(index).cast_ray(origin, direction, limit);
-      if (hit && (!best || hit->distance < best->distance)) {
-        best = hit;
-        limit = hit->distance;
+    const TriangleRay ray(origin, direction);
+    Real nearest = max_distance;
+    std::uint32_t hit = no_index;
+    tree().bvh.visit_ray(origin, direction, nearest, [&](std::uint32_t index) {
+      const auto distance = ray.distance_to(corners(index), nearest);
+      if (distance && (*distance < nearest || index < hit)) {
+        nearest = *distance;
+        hit = index;
       }
     });
-    return best;
+    return hit == no_index ? std::nullopt
+                           : std::optional(RayHit{nearest, part(hit).normal(), {FeatureKind::face, hit}});
   }
   [[nodiscard]] Triangles triangles() const { return {data_->vertices, data_->indices}; }
 
@@ -76,6 +77,12 @@ class Mesh {
   };
 
   explicit Mesh(Data data) : data_(std::move(data)) {}
+  [[nodiscard]] TriangleCorners corners(std::uint32_t index) const {
+    const Data& mesh = *data_;
+    const std::size_t first = 3 * std::size_t{index};
+    return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]],
+            mesh.vertices[mesh.indices[first + 2]]};
+  }
   [[nodiscard]] const Tree& tree() const [[clang::lifetimebound]] {
     return data_->tree.get([this] { return make_tree(*data_); });
   }

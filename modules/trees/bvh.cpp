@@ -1,6 +1,7 @@
 module abut.trees.bvh;
 import abut.core.standard;
 import abut.math;
+import abut.trees.ray_slabs;
 
 namespace abut {
 namespace {
@@ -67,9 +68,10 @@ struct Bvh::Build {
     return best;
   }
 
-  // Emits the subtree over items[first, first + count); recursion depth is bounded by the fallback to
-  // halving, which items with equal centres reach.
-  static void emit(Bvh& tree, std::span<const Aabb> boxes, std::uint32_t first, std::uint32_t count) {
+  // Emits the subtree over items[first, first + count) at a level. Items with equal centres are halved, and so is what
+  // many uneven cuts have left.
+  static void emit(Bvh& tree, std::span<const Aabb> boxes, std::uint32_t first, std::uint32_t count,
+                   std::size_t level) {
     const std::span<std::uint32_t> items = std::span(tree.items_).subspan(first, count);
     Aabb box = Aabb::empty(), centres = Aabb::empty();
     for (const std::uint32_t item : items) {
@@ -77,9 +79,9 @@ struct Bvh::Build {
       centres.include(boxes[item].centre());
     }
     const auto index = static_cast<std::uint32_t>(tree.nodes_.size());
-    tree.nodes_.push_back({box, 0, first, count, 0});
+    tree.nodes_.push_back({compact(box, tree.origin_), first, count});
     if (count > leaf_size) {
-      const Split split = best_split(boxes, items, centres);
+      const Split split = level < most_uneven_levels ? best_split(boxes, items, centres) : Split{};
       auto middle = items.begin() + count / 2;
       if (split.cost < infinity) {
         const Real low = centres.low[split.axis];
@@ -90,11 +92,10 @@ struct Bvh::Build {
       }
       const auto left = static_cast<std::uint32_t>(middle - items.begin());
       tree.nodes_[index].count = 0;
-      emit(tree, boxes, first, left);
-      tree.nodes_[index].right = static_cast<std::uint32_t>(tree.nodes_.size());
-      emit(tree, boxes, first + left, count - left);
+      emit(tree, boxes, first, left, level + 1);
+      tree.nodes_[index].next = static_cast<std::uint32_t>(tree.nodes_.size());
+      emit(tree, boxes, first + left, count - left, level + 1);
     }
-    tree.nodes_[index].skip = static_cast<std::uint32_t>(tree.nodes_.size());
   }
 };
 
@@ -104,18 +105,24 @@ Bvh::Bvh(std::span<const Aabb> boxes) {
     items_[i] = static_cast<std::uint32_t>(i);
   }
   nodes_.reserve(boxes.size());
+  for (const Aabb& box : boxes) {
+    bounds_.include(box);
+  }
   if (!boxes.empty()) {
-    Build::emit(*this, boxes, 0, static_cast<std::uint32_t>(boxes.size()));
+    origin_ = bounds_.centre();
+    Build::emit(*this, boxes, 0, static_cast<std::uint32_t>(boxes.size()), 0);
   }
 }
 
 std::uint32_t Bvh::item_near(const Vec3& point) const {
+  const Vec3 place = point - origin_;
+  const auto distance_to = [&](std::uint32_t node) { return in_double(nodes_[node].box).squared_distance(place); };
   std::uint32_t at = 0;
   while (nodes_[at].count == 0) {
-    const std::uint32_t left = at + 1, right = nodes_[at].right;
-    at = nodes_[left].box.squared_distance(point) <= nodes_[right].box.squared_distance(point) ? left : right;
+    const std::uint32_t left = at + 1, right = nodes_[at].next;
+    at = distance_to(left) <= distance_to(right) ? left : right;
   }
-  return items_[nodes_[at].first];
+  return items_[nodes_[at].next];
 }
 
 }  // namespace abut

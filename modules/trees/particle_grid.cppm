@@ -71,7 +71,7 @@ class HashGrid {
   void visit_row(std::int64_t first, std::int64_t last, std::int64_t y, std::int64_t z, Visitor& visit) const {
     std::uint64_t bucket = bucket_of({first, y, z});
     for (std::int64_t x = first; x <= last;) {
-      // As many buckets as lie before the end of the table are one stretch.
+      // The buckets up to the end of the table are one stretch.
       const auto run = std::min<std::int64_t>(last - x + 1, static_cast<std::int64_t>(mask_ + 1 - bucket));
       const std::uint32_t end = starts_[bucket + static_cast<std::uint64_t>(run)];
       for (std::uint32_t i = starts_[bucket]; i < end; ++i) {

@@ -8,17 +8,12 @@ namespace {
 using Range = RangePyramid::Range;
 using Rectangle = RangePyramid::Rectangle;
 
-constexpr std::uint32_t side = 4;  // of a block
-
-constexpr std::uint32_t blocks_of(std::uint32_t count) { return (count + side - 1) / side; }
-
-// Of the elements of a grid below a block, of which range_at(place) tells.
+// Of the elements of a rectangle of a grid, of which range_at(place) tells.
 template <class RangeAt>
-Range range_of_block(std::uint32_t column, std::uint32_t row, std::uint32_t columns, std::uint32_t rows,
-                     RangeAt&& range_at) {
+Range range_over(const Rectangle& its, std::uint32_t columns, RangeAt&& range_at) {
   Range range{infinity, -infinity};
-  for (std::uint32_t j = side * row; j < std::min(side * (row + 1), rows); ++j) {
-    for (std::uint32_t i = side * column; i < std::min(side * (column + 1), columns); ++i) {
+  for (std::uint32_t j = its.row; j < its.row + its.rows; ++j) {
+    for (std::uint32_t i = its.column; i < its.column + its.columns; ++i) {
       const Range each = range_at(std::size_t{j} * columns + i);
       range = {std::min(range.low, each.low), std::max(range.high, each.high)};
     }
@@ -27,19 +22,25 @@ Range range_of_block(std::uint32_t column, std::uint32_t row, std::uint32_t colu
 }
 
 // The blocks that hold a rectangle, which is not empty.
-Rectangle blocks_around(const Rectangle& its) {
+Rectangle blocks_around(const Rectangle& its, std::uint32_t side) {
   const std::uint32_t column = its.column / side, row = its.row / side;
   return {column, row, (its.column + its.columns - 1) / side - column + 1, (its.row + its.rows - 1) / side - row + 1};
+}
+
+// The first of the cells around a stretch of samples, and how many there are.
+std::pair<std::uint32_t, std::uint32_t> cells_around(std::uint32_t first, std::uint32_t count, std::uint32_t cells) {
+  const std::uint32_t begin = first > 0 ? first - 1 : 0;
+  return {begin, std::min(first + count, cells) - begin};
 }
 
 }  // namespace
 
 RangePyramid::RangePyramid(std::span<const Real> values, std::uint32_t columns)
     : columns_(columns), rows_(static_cast<std::uint32_t>(values.size() / columns)) {
-  std::uint32_t wide = columns_, high = rows_;
+  std::uint32_t wide = cells_along(columns_), high = cells_along(rows_);
   do {
-    wide = blocks_of(wide);
-    high = blocks_of(high);
+    wide = (wide + side - 1) / side;
+    high = (high + side - 1) / side;
     levels_.push_back({wide, high, std::vector<Range>(std::size_t{wide} * high)});
   } while (wide > 1 || high > 1);
   update(values, {0, 0, columns_, rows_});
@@ -50,13 +51,14 @@ void RangePyramid::update_level(std::span<const Real> values, std::size_t number
   for (std::uint32_t row = blocks.row; row < blocks.row + blocks.rows; ++row) {
     for (std::uint32_t column = blocks.column; column < blocks.column + blocks.columns; ++column) {
       Range& range = level.ranges[std::size_t{row} * level.columns + column];
+      Rectangle its = elements_of(number, column, row);
       if (number == 0) {
-        range = range_of_block(column, row, columns_, rows_,
-                               [&](std::size_t place) { return Range{values[place], values[place]}; });
+        its.columns = std::min(its.columns + 1, columns_ - its.column);
+        its.rows = std::min(its.rows + 1, rows_ - its.row);
+        range = range_over(its, columns_, [&](std::size_t place) { return Range{values[place], values[place]}; });
       } else {
         const Level& below = levels_[number - 1];
-        range = range_of_block(column, row, below.columns, below.rows,
-                               [&](std::size_t place) { return below.ranges[place]; });
+        range = range_over(its, below.columns, [&](std::size_t place) { return below.ranges[place]; });
       }
     }
   }
@@ -66,9 +68,11 @@ void RangePyramid::update(std::span<const Real> values, const Rectangle& changed
   if (changed.columns == 0 || changed.rows == 0) {
     return;
   }
-  Rectangle blocks = changed;
+  const auto [column, columns] = cells_around(changed.column, changed.columns, cells_along(columns_));
+  const auto [row, rows] = cells_around(changed.row, changed.rows, cells_along(rows_));
+  Rectangle blocks{column, row, columns, rows};
   for (std::size_t number = 0; number < levels_.size(); ++number) {
-    blocks = blocks_around(blocks);
+    blocks = blocks_around(blocks, side);
     update_level(values, number, blocks);
   }
 }

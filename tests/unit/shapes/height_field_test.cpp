@@ -71,6 +71,12 @@ TEST(HeightField, FrontIsUp) {
 
 TEST(HeightField, BoxHoldsTheSurface) { test::expect_boxes_hold(hills(192), 193); }
 
+TEST(HeightField, RaysSlipThroughNoEdgeOrVertex) {
+  for (const double distance : {1.0, 1e3, 1e6}) {
+    test::expect_no_gaps(hills(196), distance, 197);
+  }
+}
+
 TEST(HeightField, PartsAreThoseWhoseBoxesOverlap) { test::expect_parts(hills(194), middle, extent, 195); }
 
 TEST(HeightField, RaysMeetTheFirstTriangle) {

@@ -73,6 +73,12 @@ TEST(Mesh, BoxLeavesOutVerticesOfNoTriangle) {
   EXPECT_EQ(mesh.aabb(abut::Pose::identity()).high, (Vec3{1, 1, 0}));
 }
 
+TEST(Mesh, RaysSlipThroughNoEdgeOrVertex) {
+  for (const double distance : {1.0, 1e3, 1e6}) {
+    test::expect_no_gaps(sheet(12, false, 175), distance, 176);
+  }
+}
+
 TEST(Mesh, PartsAreThoseWhoseBoxesOverlap) { test::expect_parts(sheet(12, false, 173), {0, 0, 0.2}, {1, 1, 0.3}, 174); }
 
 TEST(Mesh, RaysMeetTheFirstTriangle) {

@@ -1,9 +1,12 @@
 // Triangles of surfaces, one by one: what trees and grids must agree with.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -74,6 +77,59 @@ void expect_first_triangle(const S& shape, const abut::Vec3& centre, const abut:
     }
   }
   EXPECT_GT(hits, least_hits);
+}
+
+// The triangles around a vertex: how many edges from it have one triangle only, and the directions in which the normals
+// look.
+struct Fan {
+  std::map<std::uint32_t, int> triangles_at;  // by the other end of the edge
+  std::vector<abut::Vec3> normals;
+  [[nodiscard]] bool is_closed() const {
+    return std::ranges::all_of(triangles_at, [](const auto& edge) { return edge.second == 2; });
+  }
+  [[nodiscard]] bool is_seen_from_one_side(const abut::Vec3& direction) const {
+    return std::ranges::all_of(normals, [&](const abut::Vec3& n) { return dot(n, direction) < -0.05 * norm(n); });
+  }
+};
+inline std::vector<Fan> fans_of(const abut::Triangles& surface) {
+  std::vector<Fan> fans(surface.vertices.size());
+  for (std::size_t k = 0; k < surface.indices.size() / 3; ++k) {
+    const Corners t = corners_at(surface, k);
+    for (std::size_t i = 0; i < 3; ++i) {
+      Fan& fan = fans[surface.indices[3 * k + i]];
+      ++fan.triangles_at[surface.indices[3 * k + (i + 1) % 3]];
+      ++fan.triangles_at[surface.indices[3 * k + (i + 2) % 3]];
+      fan.normals.push_back(cross(t.b - t.a, t.c - t.a));
+    }
+  }
+  return fans;
+}
+
+// Rays at inner vertices, and at points of the edges from there, that all triangles around look at: none slips through.
+template <class S>
+void expect_no_gaps(const S& shape, double distance, std::uint64_t seed) {
+  Random random(seed);
+  const abut::Triangles surface = shape.triangles();
+  const std::vector<Fan> fans = fans_of(surface);
+  int rays = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto vertex = static_cast<std::size_t>(random.uniform(0, static_cast<double>(fans.size())));
+    const Fan& fan = fans[vertex];
+    const abut::Vec3 slant = random.point(0.5), at = surface.vertices[vertex];
+    const abut::Vec3 direction = random.uniform(0, 1) < 0.2 ? abut::Vec3{0, 0, -1} : slant - abut::Vec3{0, 0, 1};
+    if (!fan.is_closed() || !fan.is_seen_from_one_side(direction)) {
+      continue;
+    }
+    auto edge = fan.triangles_at.begin();
+    std::advance(edge, static_cast<int>(random.uniform(0, static_cast<double>(fan.triangles_at.size()))));
+    const double share = random.uniform(0, 1) < 0.3 ? 0 : random.uniform(0, 0.5);
+    const abut::Vec3 target = at + share * (surface.vertices[edge->first] - at);
+    const abut::Vec3 origin = target - distance * random.uniform(1, 2) * direction;
+    const auto towards = abut::UnitVec3::make(target - origin).value();
+    ++rays;
+    EXPECT_TRUE(shape.cast_ray(origin, towards, abut::infinity)) << "ray " << i << " at vertex " << vertex;
+  }
+  EXPECT_GT(rays, 5000);
 }
 
 // Every part whose box overlaps the given one, each once, with its number.
