@@ -72,6 +72,7 @@ struct HullData {
   std::vector<std::uint32_t> face_vertices;
   std::vector<std::uint32_t> face_edges;  // edge i leads from face vertex i to the next
   std::vector<std::uint32_t> faces_at;    // faces around a vertex: faces_at[first_face[v] ...]
+  std::vector<std::uint32_t> next_at;     // the vertices that come next on these faces
   std::vector<std::uint32_t> first_face;  // one more than vertices
   std::vector<Four> candidates;           // of a direction cell: candidates[first_candidates[cell] ...]
   std::vector<std::uint32_t> first_candidates;
@@ -89,12 +90,18 @@ struct HullData {
   [[nodiscard]] inline std::uint32_t face_along(std::uint32_t vertex, const Vec3& direction) const {
     const Real scale = largest_magnitude(direction),
                lowest = dot(vertices[vertex], direction) - tie_share * extent * scale;
+    const std::uint32_t first = first_face[vertex], last = first_face[vertex + 1];
+    // The vertices of a convex hull fall from its highest one on: where no neighbour is as high, no other vertex is.
+    bool is_alone = true;
+    for (std::uint32_t i = first; i < last; ++i) {
+      is_alone = is_alone && dot(vertices[next_at[i]], direction) < lowest;
+    }
     std::uint32_t found = 0, most = 0;
     Real best = 0;
-    for (std::uint32_t i = first_face[vertex]; i < first_face[vertex + 1]; ++i) {
+    for (std::uint32_t i = first; i < last; ++i) {
       const HullFace& face = faces[faces_at[i]];
-      std::uint32_t held = 0;
-      for (std::uint32_t j = face.first; j < face.first + face.count; ++j) {
+      std::uint32_t held = is_alone ? 1 : 0;
+      for (std::uint32_t j = face.first; !is_alone && j < face.first + face.count; ++j) {
         held += dot(vertices[face_vertices[j]], direction) >= lowest ? 1 : 0;
       }
       const Real alignment = dot(face.normal, direction);

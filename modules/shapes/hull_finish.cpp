@@ -29,9 +29,13 @@ void list_faces_at_vertices(HullData& hull) {
   }
   std::vector<std::uint32_t> next(hull.first_face.begin(), hull.first_face.end() - 1);
   hull.faces_at.resize(hull.face_vertices.size());
+  hull.next_at.resize(hull.face_vertices.size());
   for (std::uint32_t face = 0; face < hull.faces.size(); ++face) {
-    for (std::uint32_t i = 0; i < hull.faces[face].count; ++i) {
-      hull.faces_at[next[hull.face_vertices[hull.faces[face].first + i]]++] = face;
+    const auto vertices = std::span(hull.face_vertices).subspan(hull.faces[face].first, hull.faces[face].count);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const std::uint32_t place = next[vertices[i]]++;
+      hull.faces_at[place] = face;
+      hull.next_at[place] = vertices[(i + 1) % vertices.size()];
     }
   }
 }

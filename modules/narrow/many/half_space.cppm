@@ -1,7 +1,7 @@
-// A half-space against what has support points: exact in one step.
+// A half-space against a convex shape: exact in one step.
 //
-// Heights over the plane are the same in every frame. Those of the points of a shape come from the normal in the frame
-// of the shape, so that only points that touch are placed, and at once where the contacts are wanted.
+// Heights over the plane are the same in every frame. They are taken in the frame of the shape, so that only points
+// that touch have to be placed.
 export module abut.narrow.many.half_space;
 import abut.capability;
 import abut.core.standard;
@@ -55,8 +55,8 @@ template <HalfSpace A>
           contact_id(whole, feature_b)};
 }
 
-// A point or a segment: its ends. Where the upper end of a rounded segment would touch with the ball around the lower
-// end, which has a contact already, it has none.
+// A point or the two ends of a segment. The higher end has no contact where the ball around the lower end is in the
+// way.
 template <Convex B, class Append>
   requires PointCored<B> || SegmentCored<B>
 [[gnu::always_inline]] inline void ends_on_plane(const PlaneBelow& plane, const B& b, const Pose& pose, Real margin,
@@ -70,21 +70,28 @@ template <Convex B, class Append>
   if constexpr (PointCored<B>) {
     touch(centre, plane.height, b.radius(), 0);
   } else {
-    const Real half = b.half().z, rise = half * plane.local_normal.z;
-    const Lanes along = lanes_of(pose.rotation.z);
-    const RoundReach from_low = reach_from_end(half, b.radius(), false, -plane.local_normal);
-    if (!from_low.is_of_other_end) {
-      touch(multiply_add(along, all_lanes(-half), centre), plane.height - rise, from_low.reach, 0);
+    const Real half = b.half().z, rise = std::fabs(half * plane.local_normal.z);
+    if (plane.height - rise - b.radius() > margin) {
+      return;
     }
-    const RoundReach from_high = reach_from_end(half, b.radius(), true, -plane.local_normal);
-    if (half > 0 && !from_high.is_of_other_end) {
-      touch(multiply_add(along, all_lanes(half), centre), plane.height + rise, from_high.reach, 1);
+    const bool is_upper_lower = half > 0 && plane.local_normal.z <= 0;
+    const Lanes along = lanes_of(pose.rotation.z);
+    const auto end = [&](bool is_upper) { return multiply_add(along, all_lanes(is_upper ? half : -half), centre); };
+    touch(end(is_upper_lower), plane.height - rise, b.radius(), is_upper_lower ? 1 : 0);
+    // From the higher end the way down leaves through the side, after radius / sine of the angle to the axis.
+    const Vec3& n = plane.local_normal;
+    const Real over = plane.height + rise - margin, square = over * over * (n.x * n.x + n.y * n.y);
+    if (half > 0 && !(over > 0 && square > (1 + 16 * epsilon) * b.radius() * b.radius())) {
+      const RoundReach found = reach_from_end(half, b.radius(), !is_upper_lower, -n);
+      if (!found.is_of_other_end) {
+        touch(end(!is_upper_lower), plane.height + rise, found.reach, is_upper_lower ? 0 : 1);
+      }
     }
   }
 }
 
 using LaneBits = bool __attribute__((ext_vector_type(4)));
-// A bit for each.
+// A bit for each lane.
 [[nodiscard]] [[gnu::always_inline]] inline std::uint32_t bits_within(Lanes distances, Real margin) {
   return std::bit_cast<std::uint8_t>(__builtin_convertvector(distances <= margin, LaneBits)) & 15u;
 }
@@ -99,7 +106,7 @@ template <class Append>
   }
   const int axis = longest_axis(n);
   const std::size_t across = static_cast<std::size_t>(axis), first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
-  // In arrays: which axis it is, is as good as random, and costs a branch each time that it is asked otherwise.
+  // Arrays are read without a branch. The axis is as good as random, so that a branch would be mispredicted.
   const std::array<Real, 3> normals{n.x, n.y, n.z}, rises{rise.x, rise.y, rise.z}, halves{half.x, half.y, half.z};
   const std::array<Lanes, 3> columns{lanes_of(pose.rotation.x), lanes_of(pose.rotation.y), lanes_of(pose.rotation.z)};
   const Real side = normals[across] > 0 ? -1 : 1;
@@ -118,14 +125,14 @@ template <class Append>
   }
 }
 
-// The corners of a disc that looks down, and its lowest point where it is between two of them.
+// The corners of a disc that looks down, and its lowest point where that lies between two corners.
 template <class Append>
 [[gnu::always_inline]] inline void rim_on_plane(const PlaneBelow& plane, const Rim& rim, const Vec3& lowest,
                                                 Real radius, Real noise, const Pose& pose, Real margin,
                                                 Append&& append) {
   const Real level = plane.height_of({0, 0, rim.height}) - radius;
   const Real x = rim.radius * plane.local_normal.x, y = rim.radius * plane.local_normal.y;
-  // Corners of a quarter and of the next one, those of the other two being opposite.
+  // The corners of two quarters. Those of the other two are opposite.
   constexpr Lanes cosines{rim_cosine(0), rim_cosine(1), rim_cosine(2), rim_cosine(3)};
   constexpr Lanes sines{rim_cosine(12), rim_cosine(13), rim_cosine(14), rim_cosine(15)};
   const Lanes quarter = cosines * x + sines * y, next = cosines * y - sines * x;
@@ -161,7 +168,7 @@ concept FacesAtVertices = Convex<S> && requires(const S& shape) {
   shape.data().vertices;
 };
 
-// The corners of the face that looks down, of those around the lowest vertex.
+// The corners of the face at the lowest vertex that looks down.
 template <FacesAtVertices B, class Append>
 [[gnu::always_inline]] inline void face_at_vertex_on_plane(const PlaneBelow& plane, const B& b, std::uint32_t lowest,
                                                            const Pose& pose, Real margin, Append&& append) {
@@ -178,15 +185,14 @@ template <FacesAtVertices B, class Append>
   }
 }
 
-// The corners of the face that looks down, and the lowest point where it is none of them, as on a rim between its
-// corners.
+// The corners of the face that looks down, and the lowest point where that is no corner, as on a rim.
 template <Convex B, class Append>
 [[gnu::always_inline]] inline void face_on_plane(const PlaneBelow& plane, const B& b, const Pose& pose, Real margin,
                                                  Append&& append) {
   const Vec3 down = -plane.local_normal;
-  // Of heights over the plane.
+  // The rounding of heights over the plane.
   const Real noise = 64 * epsilon * (b.extent() + std::fabs(plane.height));
-  // Most shapes that do not touch are told before the root that a point of theirs takes.
+  // A bound without a root tells most shapes that do not touch.
   if constexpr (requires { b.is_short_of(down, noise); }) {
     if (b.is_short_of(down, plane.height - b.radius() - margin - noise)) {
       return;
@@ -226,7 +232,7 @@ template <Convex B, class Append>
   }
 }
 
-// Hands over the contacts one by one, in the frame that both shapes are placed in.
+// Appends the contacts one by one, in the frame that both shapes are placed in.
 template <HalfSpace A, Convex B, class Append>
 [[nodiscard]] [[gnu::always_inline]] inline Outcome half_space_contacts(const A& a, const B& b, const Pose& pose_a,
                                                                         const Pose& pose_b,
