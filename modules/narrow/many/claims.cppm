@@ -1,6 +1,6 @@
-// Which contacts of a surface may stand beside each other. A contact claims that its depth along its normal is needed
-// to part the two sides. A triangle whose least way out is another one's says more than it knows: where a claim of the
-// other parts this triangle as well, and leaves less than this triangle claims, the contact is left to the other.
+// Which contacts of a surface may stand beside each other. A contact claims that parting the two shapes takes its depth
+// along its normal. A triangle may claim too much where a neighbour has the least way out. Where the claim of another
+// contact parts this triangle as well, by less than this triangle claims, only the other claim counts.
 export module abut.narrow.many.claims;
 import abut.core.standard;
 import abut.core;
@@ -15,7 +15,7 @@ class Claims {
  public:
   // `is_turned`: the normal is that of a face, not that of the least way out.
   void add(const Vec3& normal, Real depth, bool is_turned) {
-    // Of normals that are alike one is enough, and of a crowd of others some: fewer claims only leave more contacts.
+    // One claim is enough for normals that are alike, and some are enough of many: fewer claims leave more contacts.
     for (Claim& claim : claims_.span()) {
       if (claim.is_turned == is_turned && dot(claim.normal, normal) > 1 - 1e-4) {
         if (depth > claim.depth) {
@@ -29,7 +29,7 @@ class Claims {
     }
   }
 
-  // The depth along a normal that a triangle may claim, where its contacts there are as deep as `depth`.
+  // The depth along a normal that a triangle may claim. Its contacts there are as deep as `depth`.
   // `overlap_along` tells how far b has to move along a direction to be parted from the triangle.
   template <class OverlapAlong>
   [[nodiscard]] Real allowed_depth(const Vec3& normal, Real depth, Real noise,
@@ -38,7 +38,7 @@ class Claims {
     Real allowed = infinity;
     for (const Claim& claim : claims_.span()) {
       const Real share = claim.depth * dot(claim.normal, normal) + blur;
-      // Of two turned ones the less deep one is right.
+      // Where both are turned, the less deep one is right.
       const bool may_judge = !claim.is_turned || claim.depth < depth - blur;
       if (may_judge && share < std::min(depth, allowed) && overlap_along(claim.normal) <= claim.depth + noise) {
         allowed = share;

@@ -1,4 +1,4 @@
-// What the solids of a composite lose to its holes, the walls of those, and the rims where solids and holes end.
+// Contacts of a composite with holes: what is left of those with its solids, and those with walls and rims.
 export module abut.narrow.many.cut;
 import abut.capability;
 import abut.core.standard;
@@ -8,16 +8,15 @@ import abut.narrow.many.rim_point;
 
 export namespace abut {
 
-// A solid child, a hole that cuts it, and a place near the rim where both end.
+// A solid child, a hole that cuts it, and a place near the rim of both.
 struct RimSeed {
   std::uint32_t solid, hole;
   std::uint32_t number;  // among those of the same two
   Vec3 place;
 };
 
-// One composite against one other shape that is neither a composite nor scattered. Everything is in one frame, in which
-// the composite lies at `pose` and the other shape at `other_pose`. The other shape knows its box, its distance to a
-// point of its own frame, and what it has to do with a hole around it.
+// A composite against another shape, which is neither a composite nor made of scattered parts. Both are placed in one
+// frame. The other shape knows its box, its distance to a point of its own frame, and its contacts with a hole.
 template <class Composite, class Other>
 class Carver {
  public:
@@ -30,8 +29,8 @@ class Carver {
     noise_ = 256 * epsilon * size_;
   }
 
-  // Contacts with the solids become those of what is left of them, and then those that walls and rims add: normals from
-  // the composite to the other shape.
+  // Takes out the contacts with solids where there is a hole, and adds those with walls and rims. Normals lead from the
+  // composite to the other shape.
   void carve(const QuerySettings& settings, Manifold& contacts, Manifold& added) {
     for (const auto& hole : composite_.holes()) {
       add_walls(hole, settings, contacts, added);
@@ -50,7 +49,7 @@ class Carver {
   [[nodiscard]] bool holds(std::uint32_t hole, const Vec3& point, Real inset) const {
     return child(hole).cavity_holds(child_pose(hole).undo(point), inset);
   }
-  // Signed; nothing where the shape has no answer for a point.
+  // The signed distance. Some shapes have no answer for a point.
   [[nodiscard]] std::optional<Distance> distance_to_child(std::uint32_t number, const Vec3& point) const {
     const Pose placed = child_pose(number);
     std::optional<Distance> found = child(number).distance_to(placed.undo(point));
@@ -63,13 +62,13 @@ class Carver {
     const auto found = distance_to_child(solid, point);
     return found && found->distance <= -inset;
   }
-  // Of a solid: in a hole other than `but` that cuts it.
+  // Whether a point lies in a hole of a solid, other than the hole `but`.
   [[nodiscard]] bool is_in_hole_of(std::uint32_t solid, const Vec3& point, std::uint32_t but) const {
     return std::ranges::any_of(composite_.holes(), [&](const Hole& hole) {
       return hole.child != but && hole.begin <= solid && solid < hole.end && holds(hole.child, point, noise_);
     });
   }
-  // A solid that there is material of at a point on the wall of a hole.
+  // A solid that has material at a point on the wall of a hole.
   [[nodiscard]] std::optional<std::uint32_t> material_at(const Hole& hole, const Vec3& point) const {
     for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
       if (!child(solid).is_hole() && is_in_solid(solid, point, -noise_) && !is_in_hole_of(solid, point, hole.child)) {
@@ -79,11 +78,11 @@ class Carver {
     return std::nullopt;
   }
 
-  // Contacts with the walls of a hole where there is material behind them. What the other shape does not reach
-  // from inside, or reaches deeper than it lies in the solid, it reaches through the solid.
+  // Contacts with the walls of a hole that have material behind them. A wall does not count where the other shape comes
+  // through the solid: it is not in the hole, or it is deeper in the wall than in the solid.
   void add_walls(const Hole& hole, const QuerySettings& settings, Manifold& solids, Manifold& walls) {
     const Pose placed = child_pose(hole.child);
-    // Walls have one way, whatever way was asked for between the solids.
+    // One algorithm answers for walls, whatever algorithm was asked for.
     const QuerySettings own{.margin = settings.margin};
     Manifold found;
     Distance whole{};
@@ -118,7 +117,7 @@ class Carver {
         deepest_solid = std::min(deepest_solid, contact.distance);
       }
     }
-    // A touch counts: rounding must not decide whether the wall is behind a solid.
+    // A touch counts, so that rounding does not decide whether the wall has material.
     const bool overlap_both = deepest_solid <= noise_ && deepest_wall < 0;
     if (overlap_both && deepest_wall < deepest_solid) {
       return;
@@ -129,7 +128,7 @@ class Carver {
     }
   }
 
-  // What pokes through a wall holds the point of it that it went through; else it lies somewhere outside of the cavity.
+  // A shape that went through a wall holds a point of the wall. Otherwise it lies elsewhere outside of the cavity.
   [[nodiscard]] bool reaches_from_inside(const ContactPoint& contact) const {
     if (contact.distance >= 0) {
       return true;
@@ -138,7 +137,7 @@ class Carver {
     return found && found->distance <= noise_;
   }
 
-  // A contact with a solid at a place that a hole took, or of a shape that lies in a hole.
+  // Whether the contact with a solid lies in a hole, or the other shape does.
   [[nodiscard]] bool is_cut_away(const ContactPoint& contact) {
     for (const Hole& hole : composite_.holes()) {
       if (!(hole.begin <= contact.child_a && contact.child_a < hole.end)) {
@@ -168,8 +167,8 @@ class Carver {
     }
   }
 
-  // From every seed and from places around it, as far as the hole is wide; then the deepest of those down to where the
-  // rim is deepest.
+  // Searches start at every seed and at places around it, as far away as the hole is wide. The deepest result is
+  // followed along the rim to where the rim is deepest.
   void add_rims(const QuerySettings& settings, Manifold& contacts) {
     constexpr std::array<Vec3, 7> around{
         {{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
@@ -201,8 +200,8 @@ class Carver {
     }
   }
 
-  // The point of the rim near a place, and from it to the other shape. Apart, points of both that are nearest to each
-  // other.
+  // The point of the rim near a place, and its distance to the other shape. Where they are apart: points of both that
+  // are nearest to each other.
   [[nodiscard]] std::optional<RimContact> rim_contact_near(const RimSeed& seed, const Vec3& place) const {
     constexpr int rounds = 8;
     std::optional<RimContact> contact;
@@ -265,8 +264,8 @@ class Carver {
   std::vector<RimSeed> seeds_;
 };
 
-// Whether a hole of a composite took the place of a contact, whose normal points from the composite on. What lies in a
-// hole overlaps nothing.
+// Whether a contact lies in a hole of the composite. Its normal leads from the composite to the other shape. What lies
+// in a hole overlaps nothing.
 template <class Composite>
 [[nodiscard]] bool is_in_hole(const Composite& composite, const Pose& pose, const ContactPoint& contact) {
   const Real noise = 256 * epsilon * (largest_magnitude(contact.point_a) + largest_magnitude(pose.position));
@@ -280,7 +279,7 @@ template <class Composite>
   });
 }
 
-// A point of a rim that lies in a solid leaves it through the wall of a hole, where that is nearer than the surface.
+// A point of a rim in a solid leaves the solid through the wall of a hole, where the wall is nearer than the surface.
 template <class Composite>
 void leave_by_nearer_wall(const Composite& composite, const Pose& pose, ContactPoint& contact) {
   if (contact.feature_b.kind != FeatureKind::edge || !(contact.distance < 0)) {

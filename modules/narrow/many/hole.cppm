@@ -20,9 +20,10 @@ class WallSolid {
   FlatWall wall_;
 };
 
-// Points of a core that may lie furthest from the axis or centre of a round wall, in the frame of the wall. All
-// corners of a core that has any; of a curved one the ends of climbs from directions all around, each step to the
-// support point in the direction of the last one, which never comes nearer.
+// Points of a core that may lie furthest from the axis or centre of a round wall, in the frame of the wall.
+//  - A core with corners: all of its corners.
+//  - A curved core: the ends of climbs that start in directions all around. A climb goes to the support point in the
+//    direction of the last point. No step leads nearer to the axis or centre.
 template <Convex B, class Visitor>
 void visit_outermost(const RoundWall& wall, const B& b, const Pose& ab, Visitor&& visit) {
   if constexpr (!Curved<B>) {
@@ -50,8 +51,8 @@ void visit_outermost(const RoundWall& wall, const B& b, const Pose& ab, Visitor&
               point = next;
               break;
             }
-            // Strides shrink by about the same factor, slowly where the core is nearly round about the wall: the sum of
-            // all to come leads to the end (Aitken's extrapolation).
+            // Steps shrink by about the same factor, which is close to one where the core is nearly as round as the
+            // wall. The sum of all further steps leads to the end (Aitken's extrapolation).
             Real length = norm(stride);
             if (length < before) {
               const Vec3 ahead = top_along(wall.radial(next + (length / (before - length)) * stride));
@@ -125,7 +126,7 @@ template <Convex B>
                   Algorithm::analytic, 1});
     });
     if constexpr (Curved<B>) {
-      // Climbs may miss the highest top; no point is further out than this.
+      // Climbs may miss the furthest point. No point is further out than this.
       const Real furthest = norm(wall->radial(placed_centre(b, ab))) + std::sqrt(Real{3}) * 2 * b.extent() + b.radius();
       out.lower = std::min(out.lower, wall->radius - furthest);
     }
@@ -157,7 +158,7 @@ template <Convex B>
       if (!(found.distance <= settings.margin)) {
         return;
       }
-      // Only a point that no other one of the core hides in its own direction.
+      // Only points that no other point of the core exceeds in their own direction.
       const Vec3 outward = -found.normal;
       const Real most = dot(outward, ab * b.support(ab.rotation.undo(outward)).point);
       const auto is_same = [&](const ContactPoint& other) {

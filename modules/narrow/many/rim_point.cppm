@@ -1,6 +1,5 @@
-// The rim where the surfaces of two bodies cross: its point near a place, and its point nearest to a third body or
-// deepest in it. Bodies are functions from a point to the signed distance from the body to it, nothing where that has
-// no answer.
+// The rim where the surfaces of two bodies cross: its point near a place, and its point that is nearest to a third body
+// or deepest in it. A body is a function from a point to its signed distance, which may have no answer.
 export module abut.narrow.many.rim_point;
 import abut.capability;
 import abut.core.standard;
@@ -13,7 +12,7 @@ struct RimPoint {
   Vec3 along;  // unit, which way the rim runs
 };
 
-// On both surfaces by Newton steps within their tangent planes, and along the rim towards the place.
+// Newton's method leads onto both tangent planes, and along the rim towards the place.
 template <class ToFirst, class ToSecond>
 [[nodiscard]] std::optional<RimPoint> rim_point_near(const Vec3& place, Real noise, const ToFirst& to_first,
                                                      const ToSecond& to_second) {
@@ -41,15 +40,15 @@ template <class ToFirst, class ToSecond>
   return std::nullopt;
 }
 
-// A point of a rim, and from it to the nearest point of a body's surface.
+// A point of a rim, and its distance to a body.
 struct RimContact {
   RimPoint rim;
   Distance found;
 };
 
-// Down the signed distance along the rim from one of its points, in strides that double until it rises, then between
-// the last two by where it falls and rises. `rim_near`: the point of the rim near a place; `to_body`: the distance from
-// a point to the body; `reach`: about how large the body is.
+// Follows the rim from one of its points to where the signed distance is least: in steps that double until it rises,
+// then between the last two points. `rim_near`: the point of the rim near a place. `to_body`: the distance from a point
+// to the body. `reach`: about the size of the body.
 template <class RimNear, class ToBody>
 [[nodiscard]] RimContact nearest_on_rim(const RimContact& start, Real reach, Real noise, const RimNear& rim_near,
                                         const ToBody& to_body) {
@@ -59,7 +58,7 @@ template <class RimNear, class ToBody>
     Real slope;  // of the distance along the rim
   };
   RimContact best = start;
-  // Which way a rim runs is the same for points that are near each other.
+  // The direction of the rim has either sign. Points that are near each other take the same one.
   const auto look = [&](const Vec3& place, const Vec3& forward) -> std::optional<Side> {
     std::optional<RimPoint> rim = rim_near(place);
     if (!rim) {
@@ -92,7 +91,7 @@ template <class RimNear, class ToBody>
       before = *next;
       stride *= 2;
     } else {
-      // The rim ends or turns within the stride.
+      // The rim ends or turns within the step.
       stride /= 4;
     }
   }
@@ -103,8 +102,8 @@ template <class RimNear, class ToBody>
     if (!(std::fmax(-before.slope, after->slope) * length > noise)) {
       break;
     }
-    // Where the tangents meet finds corners at once, where the slope would vanish round bottoms; the middle bounds the
-    // work.
+    // In turn: where the tangents meet, which finds corners at once; where the slope vanishes, which finds round
+    // bottoms; the middle, which bounds the work.
     const Real meet = (after->slope + (left.found.distance - right.found.distance) / length) / bend,
                zero = -before.slope / bend;
     const Real cut = i % 3 == 0 ? meet : i % 3 == 1 ? zero : Real{0.5};

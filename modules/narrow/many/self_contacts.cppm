@@ -8,14 +8,13 @@ import abut.narrow.convex;
 
 export namespace abut {
 
-// Neighbours of a mesh, which touch wherever it lies. Corners are compared by place, as meshes come with equal
-// vertices too.
+// Neighbours of a mesh always touch. Corners are compared by place, as a mesh may have equal vertices.
 [[nodiscard]] inline bool have_common_corner(const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(
       a.corners(), [&](const Vec3& corner) { return std::ranges::find(b.corners(), corner) != b.corners().end(); });
 }
 
-// Two of many solids. Contacts tell which ones they are of.
+// Two of many solids. Contacts name their numbers.
 template <Scattered A>
 [[nodiscard]] Outcome contacts_of_two(const A& a, std::uint32_t low, std::uint32_t high, const QuerySettings& settings,
                                       Manifold& out) {
@@ -49,7 +48,7 @@ template <Scattered A>
   return outcome;
 }
 
-// Two triangles of one surface, each with both of its sides: what has passed through a surface has come from either.
+// Two triangles of one surface. Both sides of each count, as either may have been passed through.
 [[nodiscard]] inline Outcome contacts_of_two(const Triangle& a, const Triangle& b, const QuerySettings& settings,
                                              Manifold& out) {
   const std::size_t first = out.size();

@@ -9,6 +9,7 @@ import abut.core;
 import abut.math;
 import abut.narrow.convex;
 import abut.narrow.many.claims;
+import abut.narrow.many.parts_met;
 import abut.narrow.many.triangle_contacts;
 
 export namespace abut {
@@ -52,7 +53,8 @@ class SurfaceContacts {
     if constexpr (Surface<Other>) {
       turns_b = b.has_area() && !(is_allowed && leads_out(other_, b, -ab_.rotation.undo(core.normal), noise));
     }
-    const std::size_t first = out_.size();
+    const std::size_t first = out_.size(), part = met_.add(triangle, b, ab_, core.distance - radii);
+    met_.add_faces(triangle, b, ab_);
     if (!turns_a && !turns_b) {
       append(triangle, b, part_of_b, core, true);
       claim(first, false);
@@ -70,7 +72,8 @@ class SurfaceContacts {
       }
       claim(first, true);
     }
-    turned_.push_back({first, out_.size(), triangle.index(), part_of_b, core.normal, depth_from(first), noise});
+    turned_.push_back({first, out_.size(), part, depth_from(first), noise});
+    met_.add_way(core.normal);
   }
 
   // To be called after the last part.
@@ -83,13 +86,9 @@ class SurfaceContacts {
   // Contacts under the normal of a face, which may belong to a neighbour.
   struct Group {
     std::size_t first, last;
-    std::uint32_t part_of_a, part_of_b;
-    Vec3 least_way;  // the normal that was found before the turn
-    Real depth;      // of the deepest of them
-    Real noise;      // of depths
-  };
-  struct Parts {
-    std::uint32_t of_a, of_b;
+    std::size_t part;  // which of those that were met
+    Real depth;        // of the deepest of them
+    Real noise;        // of depths
   };
   // The deepest contact that was left to a neighbour across an edge.
   struct Left {
@@ -215,7 +214,7 @@ class SurfaceContacts {
       }
       const Vec3 normal = out_[group.first].normal;
       const Real claimed = claims_.allowed_depth(normal, group.depth, group.noise, [&](const Vec3& direction) {
-        return overlap_of(group.part_of_a, group.part_of_b, direction);
+        return met_.overlap_along(group.part, direction, lowest_along(direction));
       });
       const Real allowed = std::min(claimed, (1 + claim_blur) * whole + group.noise);
       if (allowed < group.depth) {
@@ -229,80 +228,29 @@ class SurfaceContacts {
     }
   }
 
-  // How far b has to move to be parted from all parts that it meets, along the best of the normals that were found. The
-  // search ends where that is the depth of the deepest contact.
+  // How far b has to move to be parted from all parts that it meets; without end where no turned contact is deeper than
+  // the others.
   [[nodiscard]] Real depth_of_whole() const {
     const Group* deepest = nullptr;
-    Real least = 0;
     for (const Group& group : turned_.span()) {
-      if (group.depth > least) {
+      if (group.depth > (deepest ? deepest->depth : 0)) {
         deepest = &group;
-        least = group.depth;
       }
     }
-    if (!deepest || least <= (1 + claim_blur) * depth_) {
+    if (!deepest || deepest->depth <= (1 + claim_blur) * depth_) {
       return infinity;
     }
-    // Parts that lately were not parted are asked first: one of them mostly stands in the way again.
-    std::array<Parts, 4> blocking;
-    blocking.fill({deepest->part_of_a, deepest->part_of_b});
-    const auto consider = [&](const Vec3& direction) {
-      const auto blocks = [&](const Parts& parts) { return overlap_of(parts.of_a, parts.of_b, direction) >= least; };
-      if (std::ranges::none_of(blocking, blocks)) {
-        least = std::min(least, largest_overlap(direction, least, blocking));
-      }
-    };
-    for (std::size_t i = first_; i < out_.size(); ++i) {
-      if (i == first_ || !(out_[i].normal == out_[i - 1].normal)) {
-        consider(out_[i].normal);
-      }
-    }
-    for (const Group& group : turned_.span()) {
-      consider(group.least_way);
-    }
-    return least;
+    return met_.depth(std::span(out_).subspan(first_), deepest->part, deepest->depth,
+                      [&](const Vec3& direction) { return lowest_along(direction); });
   }
 
-  // How far b has to move along a direction to be parted from a part; not at all where that leads through the front of
-  // a side.
-  [[nodiscard]] Real overlap_of(std::uint32_t part_of_a, std::uint32_t part_of_b, const Vec3& direction) const {
-    const Triangle triangle = a_.part(part_of_a);
-    const auto& b = part_of_other(part_of_b);
-    return Fronts<B>(triangle, b, ab_).nearly_allows(direction) ? overlap_along(triangle, b, ab_, direction) : infinity;
-  }
-
-  // The largest overlap of all parts that have contacts, or that were turned, along a direction; or some overlap that
-  // is as large as `enough`, whose parts then come first in a list.
-  [[nodiscard]] Real largest_overlap(const Vec3& direction, Real enough, std::span<Parts> blocking) const {
-    Real largest = -infinity;
-    const auto reaches = [&](const Parts& parts) {
-      largest = std::max(largest, overlap_of(parts.of_a, parts.of_b, direction));
-      if (largest >= enough) {
-        for (std::size_t i = blocking.size() - 1; i > 0; --i) {
-          blocking[i] = blocking[i - 1];
-        }
-        blocking.front() = parts;
-      }
-      return largest >= enough;
-    };
-    for (const Group& group : turned_.span()) {
-      if (reaches({group.part_of_a, group.part_of_b})) {
-        return largest;
-      }
+  // Where b begins along a direction, unless it is made of parts: each knows its own.
+  [[nodiscard]] Real lowest_along(const Vec3& direction) const {
+    if constexpr (Surface<Other>) {
+      return 0;
+    } else {
+      return dot(direction, placed_support(other_, place(other_, ab_), -direction).point) - other_.radius();
     }
-    std::uint32_t part_of_a = no_index, part_of_b = no_index;
-    for (const ContactPoint& contact : std::span(out_).subspan(first_)) {
-      const std::uint32_t next_b = Surface<Other> ? contact.feature_b.index : 0;
-      if (contact.feature_a.index == part_of_a && next_b == part_of_b) {
-        continue;
-      }
-      part_of_a = contact.feature_a.index;
-      part_of_b = next_b;
-      if (reaches({part_of_a, part_of_b})) {
-        return largest;
-      }
-    }
-    return largest;
   }
 
   // Where no neighbour reports a contact that is as deep as the deepest one left to it, that one counts after all. It
@@ -336,6 +284,7 @@ class SurfaceContacts {
   std::size_t first_;
   Claims claims_;
   Real depth_ = 0;  // of the deepest contact that was not turned: all parts together are no less deep
+  PartsMet<B> met_;
   SmallVector<Group, 32> turned_;
   std::optional<Left> left_;
 };

@@ -6,6 +6,8 @@ import abut.core;
 import abut.math;
 import abut.narrow.convex;
 import abut.narrow.many.half_space;
+import abut.narrow.many.nearest_of_parts;
+import abut.narrow.many.quick_axes;
 import abut.narrow.many.surface_contacts;
 import abut.narrow.many.triangle_contacts;
 
@@ -20,39 +22,26 @@ export namespace abut {
 template <Surface A, Convex B>
 void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& best) {
   const Aabb around = b.aabb(ab);
+  const QuickAxes<B> axes(b, ab);
+  const auto may_be_nearer = [&](const TriangleCorners& corners) {
+    return !axes.are_beyond(corners, best.distance + b.radius());
+  };
   const auto consider = [&](const typename A::Part& part) {
     const CoreSeparation core = separate_from_triangle(part, b, ab, settings, best.distance + b.radius());
-    best.iterations += core.iterations;
     if (core.beyond) {
-      return;
+      best.iterations += core.iterations;
+    } else {
+      take_part(rounded(core, 0, b.radius()), best);
     }
-    const Distance distance = rounded(core, 0, b.radius());
-    // The true distance is the least of those of the parts, and so are its bounds.
-    const Real lower = std::min(best.lower, distance.lower), upper = std::min(best.upper, distance.upper);
-    const std::uint32_t iterations = best.iterations;
-    if (distance.distance < best.distance) {
-      best = distance;
-    }
-    best.lower = lower;
-    best.upper = upper;
-    best.iterations = iterations;
   };
   consider(a.part_near(placed_centre(b, ab)));
   Aabb query = best.distance < infinity ? around.inflated(std::max(best.distance, Real{0})) : Aabb::everything();
-  a.visit_parts(query, [&](const typename A::Part& part, std::uint32_t) {
+  a.visit_parts(query, may_be_nearer, [&](const typename A::Part& part, std::uint32_t) {
     consider(part);
     if (best.distance < infinity) {
       query = around.inflated(std::max(best.distance, Real{0}));
     }
   });
-}
-
-[[nodiscard]] inline Distance no_distance() {
-  Distance none{};
-  none.distance = none.lower = none.upper = infinity;
-  none.normal = {0, 0, 1};
-  none.algorithm = Algorithm::gjk_epa;
-  return none;
 }
 
 template <Surface A, Convex B>
@@ -74,7 +63,10 @@ template <Surface A, Convex B>
   }
   SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
   Aabb query = b.aabb(ab).inflated(std::max(settings.margin, Real{0}));
-  a.visit_parts(query, [&](const typename A::Part& part, std::uint32_t) { contacts.add(part, b, 0); });
+  const QuickAxes<B> axes(b, ab);
+  a.visit_parts(
+      query, [&](const TriangleCorners& corners) { return !axes.are_beyond(corners, settings.margin + b.radius()); },
+      [&](const typename A::Part& part, std::uint32_t) { contacts.add(part, b, 0); });
   contacts.finish();
   return Outcome::ok;
 }
@@ -107,7 +99,10 @@ template <Surface A, Surface B>
   Aabb query = a.aabb(ab.inverse()).inflated(std::max(settings.margin, Real{0}));
   b.visit_parts(query, [&](const typename B::Part& part, std::uint32_t index) {
     Aabb box = part.aabb(ab).inflated(std::max(settings.margin, Real{0}));
-    a.visit_parts(box, [&](const typename A::Part& other, std::uint32_t) { contacts.add(other, part, index); });
+    const QuickAxes<typename B::Part> axes(part, ab);
+    a.visit_parts(
+        box, [&](const TriangleCorners& corners) { return !axes.are_beyond(corners, settings.margin); },
+        [&](const typename A::Part& other, std::uint32_t) { contacts.add(other, part, index); });
   });
   contacts.finish();
   return Outcome::ok;
@@ -123,8 +118,8 @@ template <HalfSpace A, Surface B>
   b.visit_parts(everything, [&](const typename B::Part& part, std::uint32_t) {
     Distance distance{};
     outcome = half_space_distance(a, part, ab, settings, distance);
-    if (outcome == Outcome::ok && distance.distance < out.distance) {
-      out = distance;
+    if (outcome == Outcome::ok) {
+      take_part(distance, out);
     }
   });
   return outcome;

@@ -6,7 +6,9 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.narrow.apart.box_cores;
 import abut.narrow.convex;
+import abut.narrow.many.triangle_point;
 
 export namespace abut {
 
@@ -51,12 +53,58 @@ template <Surface S>
   return true;
 }
 
+// A point beside a triangle. False where rounding leaves the nearest point in doubt.
+template <Convex B>
+  requires PointCored<B>
+[[nodiscard]] bool separate_from_point(const Triangle& triangle, const B& b, const Pose& ab, Real size, Real error,
+                                       CoreSeparation& core) {
+  const Vec3 point = placed_centre(b, ab), nearest = nearest_on(triangle.corners(), point), between = point - nearest;
+  const NearPoints near{lanes_of(nearest),
+                        lanes_of(point),
+                        lanes_of(between),
+                        squared_norm(between),
+                        gap_beyond(triangle.corners(), nearest, between),
+                        1};
+  if (!is_settled(near, size, error)) {
+    return false;
+  }
+  core = separation_of(near, size);
+  return true;
+}
+
+// The separation without a search for closest points, where that is quick: of points, and of polytopes where only an
+// overlap counts.
+template <Convex B>
+[[nodiscard]] bool separate_at_once(const Triangle& triangle, const B& b, const Pose& ab, const QuerySettings& settings,
+                                    Real limit, CoreSeparation& core) {
+  if (!takes_closed_forms(settings.algorithm)) {
+    return false;
+  }
+  const Real size = core_size(triangle, b, ab);
+  if constexpr (PointCored<B>) {
+    if (separate_from_point(triangle, b, ab, size, error_of(triangle, b, size, settings), core)) {
+      core.beyond = core.lower > limit;
+      return true;
+    }
+  } else if constexpr (FewFaced<B> && !SegmentCored<B>) {
+    if (limit <= 0 && separate_by_axes(triangle, b, ab, size, core)) {
+      core.beyond = core.distance > noise_of(size);
+      core.overlap = !core.beyond;
+      return core.beyond || core.distance < -noise_of(size);
+    }
+  }
+  return false;
+}
+
 // The separation of a triangle and a core. Axes that nearly agree may leave points that are not on the
 // triangle, or not across each other; the outermost features under the normal then tell better ones.
 template <Convex B>
 [[nodiscard]] CoreSeparation separate_from_triangle(const Triangle& triangle, const B& b, const Pose& ab,
                                                     const QuerySettings& settings, Real limit) {
-  CoreSeparation core = separate_cores(triangle, b, ab, settings, limit);
+  CoreSeparation core{};
+  if (!separate_at_once(triangle, b, ab, settings, limit, core)) {
+    core = separate_cores(triangle, b, ab, settings, limit);
+  }
   // Curved surfaces have no features that would tell better ones than the search did.
   if (core.overlap && !Curved<B>) {
     const Real noise = noise_of(core_size(triangle, b, ab));
@@ -73,8 +121,9 @@ template <Convex B>
 template <Convex B>
 class Fronts {
  public:
+  Fronts() = default;
   Fronts(const Triangle& triangle, const B& b, const Pose& ab)
-      : a_(triangle.is_one_sided() ? triangle.normal() : Vec3{0, 0, 0}) {
+      : a_(triangle.is_one_sided() ? triangle.normal() : Vec3{0, 0, 0}), b_{0, 0, 0} {
     if constexpr (std::same_as<B, Triangle>) {
       b_ = b.is_one_sided() ? -(ab.rotation * b.normal()) : Vec3{0, 0, 0};
     }
@@ -86,7 +135,7 @@ class Fronts {
   }
 
  private:
-  Vec3 a_, b_{0, 0, 0};
+  Vec3 a_, b_;
 };
 
 // The separation along the normal of a face.
@@ -110,13 +159,6 @@ template <Convex B>
   turned.distance = turned.lower = turned.upper = dot(normal, ab * b.corners()[0] - turned.point_a);
   turned.point_b = turned.point_a + turned.distance * normal;
   return turned;
-}
-
-// How far b has to move along a direction to be parted from a triangle.
-template <Convex B>
-[[nodiscard]] Real overlap_along(const Triangle& triangle, const B& b, const Pose& ab, const Vec3& direction) {
-  const Vec3 lowest = placed_support(b, place(b, ab), -direction).point;
-  return dot(direction, triangle.support(direction).point - lowest) + b.radius();
 }
 
 }  // namespace abut

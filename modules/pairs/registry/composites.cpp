@@ -5,7 +5,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.many.cut;
-import abut.narrow.many.surfaces;
+import abut.narrow.many.nearest_of_parts;
 import abut.pairs.rows.dispatch;
 
 namespace abut {
@@ -218,18 +218,9 @@ Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab,
                 Distance found{};
                 const Outcome outcome = distance_of_pair(of_a, of_b, pose_a, pose_b, settings, found);
                 outcomes.add(outcome);
-                if (outcome != Outcome::ok) {
-                  return;
-                }
-                const Real lower = std::min(best.lower, found.lower), upper = std::min(best.upper, found.upper);
-                const std::uint32_t iterations = best.iterations + found.iterations;
-                if (found.distance < best.distance) {
-                  best = found;
+                if (outcome == Outcome::ok && take_part(found, best)) {
                   reach = found.distance;
                 }
-                best.lower = lower;
-                best.upper = upper;
-                best.iterations = iterations;
               });
   return outcomes.outcome();
 }

@@ -7,6 +7,7 @@ import abut.math;
 import abut.narrow.convex;
 import abut.narrow.many.half_space;
 import abut.narrow.many.hole;
+import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.surfaces;
 import abut.pairs.routes;
 
@@ -102,17 +103,11 @@ Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySe
       outcome = one;
       return;
     }
-    const Real lower = std::min(out.lower, found.lower), upper = std::min(out.upper, found.upper);
-    const std::uint32_t iterations = out.iterations + found.iterations;
-    if (found.distance < out.distance) {
-      out = found;
-      out.point_a += place;
-      out.point_b += place;
-      query = bounded ? around.inflated(std::max(out.distance, Real{0})) : around;
+    found.point_a += place;
+    found.point_b += place;
+    if (take_part(found, out) && bounded) {
+      query = around.inflated(std::max(out.distance, Real{0}));
     }
-    out.lower = lower;
-    out.upper = upper;
-    out.iterations = iterations;
   };
   if (bounded) {
     const std::uint32_t first = a.place_near(around.centre());

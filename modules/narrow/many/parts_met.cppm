@@ -1,0 +1,149 @@
+// The triangles of a surface that a shape meets, and how far the shape has to move to be parted from all of them.
+export module abut.narrow.many.parts_met;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.narrow.many.triangle_contacts;
+
+export namespace abut {
+
+// The corners of b in the frame of a, where b is a triangle.
+template <Convex B>
+struct PlacedCorners {};
+template <>
+struct PlacedCorners<Triangle> {
+  TriangleCorners of;
+};
+
+// A triangle of a surface and what it meets, as far as directions are asked that might part them.
+template <Convex B>
+class PartMet {
+ public:
+  PartMet() = default;
+  // `gap`: how far both are apart; not positive where they overlap.
+  PartMet(const Triangle& triangle, const B& b, const Pose& ab, Real gap)
+      : corners_(triangle.corners()), fronts_(triangle, b, ab), gap_(gap) {
+    if constexpr (std::same_as<B, Triangle>) {
+      placed_.of = {ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]};
+    }
+  }
+  [[nodiscard]] Real gap() const { return gap_; }
+  // How far b has to move along a direction to be parted from the triangle; not at all where that leads through the
+  // front of a side. `lowest`: where b begins along the direction, unless it is a triangle.
+  [[nodiscard]] Real overlap_along(const Vec3& direction, Real lowest) const {
+    if (!fronts_.nearly_allows(direction)) {
+      return infinity;
+    }
+    if constexpr (std::same_as<B, Triangle>) {
+      lowest = least_along(placed_.of, direction);
+    }
+    return -least_along(corners_, -direction) - lowest;
+  }
+
+ private:
+  [[nodiscard]] static inline Real least_along(const TriangleCorners& corners, const Vec3& direction) {
+    return std::min(std::min(dot(direction, corners[0]), dot(direction, corners[1])), dot(direction, corners[2]));
+  }
+
+  TriangleCorners corners_;
+  Fronts<B> fronts_;
+  Real gap_;
+  [[no_unique_address]] PlacedCorners<B> placed_;
+};
+
+template <Convex B>
+class PartsMet {
+ public:
+  // The number of the new part.
+  std::size_t add(const Triangle& triangle, const B& b, const Pose& ab, Real gap) {
+    parts_.push_back(PartMet<B>(triangle, b, ab, gap));
+    return parts_.size() - 1;
+  }
+  // Directions that might part the whole: least ways out of parts, and those out of faces.
+  void add_way(const Vec3& way) {
+    if (ways_.empty() || !(ways_[ways_.size() - 1] == way)) {
+      ways_.push_back(way);
+    }
+  }
+  void add_faces(const Triangle& triangle, const B& b, const Pose& ab) {
+    add_face(triangle.normal(), triangle.is_one_sided());
+    if constexpr (std::same_as<B, Triangle>) {
+      add_face(-(ab.rotation * b.normal()), b.is_one_sided());
+    }
+  }
+
+  [[nodiscard]] Real overlap_along(std::size_t part, const Vec3& direction, Real lowest) const {
+    return parts_[part].overlap_along(direction, lowest);
+  }
+
+  // How far b has to move, along the best of the normals of contacts and of the ways; not more than `most`, by
+  // which the part `deepest` overlaps. `lowest_along`: where b begins along a direction.
+  template <class LowestAlong>
+  [[nodiscard]] Real depth(std::span<const ContactPoint> contacts, std::size_t deepest, Real most,
+                           const LowestAlong& lowest_along) const {
+    Real least = most;
+    // Parts that lately were not parted are asked first: one of them mostly stands in the way again.
+    std::array<std::size_t, 4> blocking;
+    blocking.fill(deepest);
+    const auto consider = [&](const Vec3& direction) {
+      least = std::min(least, overlap_of_all(direction, lowest_along(direction), least, blocking));
+    };
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (i == 0 || !(contacts[i].normal == contacts[i - 1].normal)) {
+        consider(contacts[i].normal);
+      }
+    }
+    for (const Vec3& way : ways_.span()) {
+      consider(way);
+    }
+    return least;
+  }
+
+ private:
+  void add_face(const Vec3& normal, bool is_one_sided) {
+    if (squared_norm(normal) > 0) {
+      add_way(normal);
+      if (!is_one_sided) {
+        add_way(-normal);
+      }
+    }
+  }
+
+  // How far b has to move along a direction to be parted from all parts that overlap, and from those that it enters on
+  // the way. Where that is as far as `enough`, the answer is `enough`, and the part that overlaps so far comes first in
+  // a list.
+  [[nodiscard]] Real overlap_of_all(const Vec3& direction, Real lowest, Real enough,
+                                    std::span<std::size_t> blocking) const {
+    for (const std::size_t part : blocking) {
+      if (parts_[part].gap() <= 0 && parts_[part].overlap_along(direction, lowest) >= enough) {
+        return enough;
+      }
+    }
+    Real depth = 0;
+    for (bool has_grown = true; has_grown;) {
+      has_grown = false;
+      for (std::size_t part = 0; part < parts_.size(); ++part) {
+        if (parts_[part].gap() > depth) {
+          continue;
+        }
+        const Real overlap = parts_[part].overlap_along(direction, lowest);
+        if (overlap >= enough) {
+          if (parts_[part].gap() <= 0) {
+            std::move_backward(blocking.begin(), blocking.end() - 1, blocking.end());
+            blocking.front() = part;
+          }
+          return enough;
+        }
+        has_grown = has_grown || overlap > depth;
+        depth = std::max(depth, overlap);
+      }
+    }
+    return depth;
+  }
+
+  SmallVector<PartMet<B>, 32> parts_;
+  SmallVector<Vec3, 128> ways_;
+};
+
+}  // namespace abut
