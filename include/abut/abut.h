@@ -615,9 +615,9 @@ typedef struct abut_universe_options {
   uint32_t struct_size;
   abut_broadphase broadphase;         /**< default ABUT_BROADPHASE_AUTO */
   abut_tolerance_mode tolerance_mode; /**< default ABUT_TOLERANCE_DEAD_BAND */
-  uint32_t max_contacts;              /**< of a patch, as in abut_query_options, but that the deepest point of a rim
-                                           gives way to corners that are as deep within 1e-4 of the extent, so that
-                                           it does not run around the rim from step to step; 0 keeps all; default 4 */
+  uint32_t max_contacts;              /**< of a patch: points that hold it and stay from step to step. The deepest
+                                           contact of a patch is always kept: it is one more where it is none of
+                                           them, unless this is 1; 0 keeps all; default 4 */
   abut_vec3 origin;                   /**< boxes of the broad phase are stored relative to it; default 0 */
   uint32_t threads;                   /**< of a step; 0: as many as there may be; the most are those that the machine
                                            runs at once, or that the process allows oneTBB; default 1. Results are

@@ -3,6 +3,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.narrow.manifold.choice;
 
 namespace abut {
 namespace {
@@ -10,43 +11,7 @@ namespace {
 // Contacts whose normals differ by less than 11.5 degrees hold like one patch.
 constexpr Real same_patch_cosine = 0.98;
 
-bool comes_before(const ContactPoint& a, const ContactPoint& b) {
-  return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
-}
-
-Vec3 middle(const ContactPoint& contact) { return 0.5 * (contact.point_a + contact.point_b); }
-
-// Twice the signed area of a triangle seen against the normal.
-Real area(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) { return dot(normal, cross(b - a, c - a)); }
-
-// A point of a patch in the plane across its normal.
-struct Flat {
-  Real u, v;
-};
-using Flats = SmallVector<Flat, 64>;
-Flat operator-(const Flat& a, const Flat& b) { return {a.u - b.u, a.v - b.v}; }
-Real cross2(const Flat& a, const Flat& b) { return a.u * b.v - a.v * b.u; }
-
-Flats flattened(std::span<const ContactPoint> patch) {
-  const Tangents tangents = tangents_of(patch[0].normal);
-  const Vec3 base = middle(patch[0]);
-  [[clang::uninitialized]] Flats points;
-  for (const ContactPoint& contact : patch) {
-    const Vec3 d = middle(contact) - base;
-    points.push_back({dot(d, tangents.first), dot(d, tangents.second)});
-  }
-  return points;
-}
-
-// Twice the area of the convex hull of four points. Of points in convex position it is the largest cross product of
-// two of their lines, which are the diagonals; else one lies in the triangle of the others.
-Real twice_hull_of_four(const Flat& a, const Flat& b, const Flat& c, const Flat& d) {
-  const Flat ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
-  const auto turn = [](const Flat& p, const Flat& q) { return std::fabs(cross2(p, q)); };
-  return std::max({turn(ac, bd), turn(ab, cd), turn(ad, bc), turn(ab, ac), turn(ab, ad), turn(ac, ad), turn(bc, bd)});
-}
-
-// Not so where a rim that rests on its face is deepest: no feature holds that point.
+// Whether a feature holds the point. None holds the deepest point of a rim that rests on its face.
 [[nodiscard]] bool is_held(const ContactPoint& contact) {
   const auto is_whole = [](const Feature& feature) { return feature.kind == FeatureKind::whole; };
   const auto is_wide = [](const Feature& feature) {
@@ -60,205 +25,7 @@ using Ids = std::span<const std::uint64_t>;
 
 bool holds(Ids ids, std::uint64_t id) { return std::ranges::find(ids, id) != ids.end(); }
 
-// How far the contacts lie from the first one.
-Real extent_of(std::span<const ContactPoint> contacts) {
-  Real square = 0;
-  for (const ContactPoint& contact : contacts) {
-    square = std::max(square, squared_norm(middle(contact) - middle(contacts[0])));
-  }
-  return std::sqrt(square);
-}
-
-// Four points of a patch by their places, and twice the area that they span.
-struct Four {
-  std::array<std::uint32_t, 4> places;
-  Real twice_area;
-};
-
-[[nodiscard]] Four spanned(std::span<const Flat> points, const std::array<std::uint32_t, 4>& places) {
-  const auto& [a, b, c, d] = places;
-  return {places, twice_hull_of_four(points[a], points[b], points[c], points[d])};
-}
-
-// Exchanges one of the last three points at a time while that gains area.
-[[nodiscard]] Four exchanged(std::span<const Flat> points, Four best, Real least_gain) {
-  for (bool is_better = true; is_better;) {
-    is_better = false;
-    for (std::size_t i = 1; i < 4; ++i) {
-      for (std::uint32_t place = 0; place < points.size(); ++place) {
-        Four other = best;
-        other.places[i] = place;
-        other = spanned(points, other.places);
-        if (other.twice_area > best.twice_area + least_gain) {
-          best = other;
-          is_better = true;
-        }
-      }
-    }
-  }
-  return best;
-}
-
-// Up to this many points every one is tried as the corner opposite to the first.
-constexpr std::size_t few_points = 64;
-
-// The first point, any other one as the opposite corner, and what lies furthest off their line on either side: the
-// largest four of which the first is a corner. Where a side is empty the first stands in.
-[[nodiscard]] Four best_about(std::span<const Flat> points, std::uint32_t first) {
-  Four best{{first, first, first, first}, 0};
-  for (std::uint32_t opposite = 0; opposite < points.size(); ++opposite) {
-    const Flat across = points[opposite] - points[first];
-    std::uint32_t left = first, right = first;
-    Real most_left = 0, most_right = 0;
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-      const Real side = cross2(across, points[i] - points[first]);
-      if (side > most_left) {
-        most_left = side;
-        left = i;
-      } else if (-side > most_right) {
-        most_right = -side;
-        right = i;
-      }
-    }
-    if (most_left + most_right > best.twice_area) {
-      best = {{first, opposite, left, right}, most_left + most_right};
-    }
-  }
-  return best;
-}
-
-// A choice of points of a patch: their places, and the polygon of those that span it, counter-clockwise seen against
-// the normal. More than 64 span no more.
-class Choice {
- public:
-  static constexpr std::size_t capacity = 64;
-  // Points no further off a line than this share of the extent are on it: what their ends hold counts, not the area.
-  static constexpr Real flatness = tied_depth;
-
-  Choice(std::span<const ContactPoint> patch, std::uint32_t first) : normal_(patch[first].normal) { add(patch, first); }
-  // A place that occurs twice counts once.
-  explicit Choice(const Four& four) : twice_area_(four.twice_area) {
-    for (const std::uint32_t place : four.places) {
-      if (!has(place)) {
-        places_[size_++] = place;
-      }
-    }
-  }
-
-  [[nodiscard]] std::span<const std::uint32_t> places() const { return std::span(places_).first(size_); }
-  [[nodiscard]] bool has(std::uint32_t place) const { return std::ranges::find(places(), place) != places().end(); }
-  [[nodiscard]] Real twice_area(std::span<const Flat> points) const {
-    return size_ == 4 ? spanned(points, four()).twice_area : twice_area_;
-  }
-  [[nodiscard]] std::array<std::uint32_t, 4> four() const { return {places_[0], places_[1], places_[2], places_[3]}; }
-
-  // Takes a point whatever it adds, unless there are as many as there may be.
-  void keep(std::uint32_t place, std::size_t most) {
-    if (!has(place) && size_ < std::min(most, capacity)) {
-      places_[size_++] = place;
-    }
-  }
-
-  // Takes the points that add most, one by one, up to `most`: the area counts, and before there is any the length of
-  // the way around, so that of points on a line the ends stay.
-  template <class Allowed>
-  void grow(std::span<const ContactPoint> patch, std::size_t most, Real extent, Allowed&& is_allowed) {
-    const auto add_best = [&](Real least, auto&& score) {
-      Best best{least, 0, false};
-      for (std::uint32_t i = 0; i < patch.size(); ++i) {
-        if (!has(i) && is_allowed(patch[i])) {
-          best.offer(score(middle(patch[i])), i);
-        }
-      }
-      if (best.is_found) {
-        add(patch, best.place);
-      }
-      return best.is_found;
-    };
-    const Real flat = flatness * extent * extent;
-    for (bool is_growing = true; is_growing && size_ < std::min(most, capacity);) {
-      is_growing = (corners_ > 1 && add_best(flat, [&](const Vec3& p) { return gain(p).area; })) ||
-                   (twice_area_ <= flat && add_best(1e-12 * extent, [&](const Vec3& p) { return detour(p); }));
-    }
-  }
-
- private:
-  struct Best {
-    Real score;
-    std::uint32_t place;
-    bool is_found;
-    void offer(Real value, std::uint32_t i) {
-      if (value > score) {
-        *this = {value, i, true};
-      }
-    }
-  };
-  // Twice the area that a point adds beside one of the sides, and the corner that this side leaves.
-  struct Gain {
-    Real area;
-    std::size_t after;
-  };
-
-  [[nodiscard]] Gain gain(const Vec3& p) const {
-    Gain best{-infinity, 0};
-    for (std::size_t i = 0; i < corners_; ++i) {
-      const Real added = area(polygon_[i + 1 < corners_ ? i + 1 : 0], polygon_[i], p, normal_);
-      best = added > best.area ? Gain{added, i} : best;
-    }
-    return best;
-  }
-  // The length by which a visit makes the way around the corners longer.
-  [[nodiscard]] Real detour(const Vec3& p) const {
-    Real least = infinity;
-    for (std::size_t i = 0; i < corners_; ++i) {
-      const Vec3 &from = polygon_[i], &to = polygon_[i + 1 < corners_ ? i + 1 : 0];
-      least = std::min(least, norm(p - from) + norm(p - to) - norm(to - from));
-    }
-    return least;
-  }
-  void add(std::span<const ContactPoint> patch, std::uint32_t place) {
-    const Vec3 point = middle(patch[place]);
-    std::size_t corner = 0;
-    if (corners_ > 0) {
-      const Gain found = gain(point);
-      twice_area_ += std::max(found.area, Real{0});
-      corner = found.after + 1;
-    }
-    const std::span<Vec3> corners = std::span(polygon_).first(++corners_);
-    const auto at = corners.begin() + static_cast<std::ptrdiff_t>(corner);
-    std::move_backward(at, corners.end() - 1, corners.end());
-    *at = point;
-    places_[size_++] = place;
-  }
-
-  Vec3 normal_{0, 0, 0};
-  std::array<Vec3, capacity> polygon_;
-  std::array<std::uint32_t, capacity> places_;
-  std::size_t size_ = 0, corners_ = 0;
-  Real twice_area_ = 0;
-};
-
-constexpr auto any_contact = [](const ContactPoint&) { return true; };
-
-// The points that span most with a first one.
-[[nodiscard]] Choice choose(std::span<const ContactPoint> patch, std::span<const Flat> points, std::uint32_t first,
-                            std::size_t most, Real extent) {
-  const Real flat = Choice::flatness * extent * extent, least_gain = 1e-12 * extent * extent;
-  if (most == 4 && patch.size() <= few_points) {
-    const Four best = best_about(points, first);
-    if (best.twice_area > flat) {
-      return Choice(exchanged(points, spanned(points, best.places), least_gain));
-    }
-  }
-  Choice choice(patch, first);
-  choice.grow(patch, most, extent, any_contact);
-  if (most == 4 && choice.places().size() == 4 && choice.twice_area(points) > flat) {
-    return Choice(exchanged(points, spanned(points, choice.four()), least_gain));
-  }
-  return choice;
-}
-
-// The place of the deepest contact; one that was kept before wins ties.
+// The place of the deepest contact. One that was kept before wins ties.
 [[nodiscard]] std::uint32_t deepest_of(std::span<const ContactPoint> contacts, Real tie, Ids before) {
   std::uint32_t deepest = 0;
   std::optional<std::uint32_t> kept;
@@ -271,18 +38,60 @@ constexpr auto any_contact = [](const ContactPoint&) { return true; };
   return kept && contacts[*kept].distance <= contacts[deepest].distance + tie ? *kept : deepest;
 }
 
-// The points that were kept before, around the first one, and what spans most with them.
-[[nodiscard]] Choice keep_again(std::span<const ContactPoint> patch, std::uint32_t first, std::size_t most, Real extent,
-                                Ids before) {
+// The place of the first contact that meets a condition. There is one.
+template <class Condition>
+[[nodiscard]] std::uint32_t first_of(std::span<const ContactPoint> patch, Condition&& is_one) {
+  std::uint32_t place = 0;
+  while (!is_one(patch[place])) {
+    ++place;
+  }
+  return place;
+}
+
+using SomeIds = SmallVector<std::uint64_t, Choice::capacity>;
+
+// The ids of a patch that were kept before. Where these are more than `most`, the ones that span most.
+[[nodiscard]] SomeIds kept_before(std::span<const ContactPoint> patch, std::span<const Flat> points, std::size_t most,
+                                  Real extent, Ids before) {
+  SomeIds all;
+  for (const ContactPoint& contact : patch) {
+    if (holds(before, contact.id)) {
+      all.push_back(contact.id);
+    }
+  }
+  if (all.size() <= most) {
+    return all;
+  }
+  SomeIds best;
+  Real most_area = -1;
+  for (const std::uint64_t left_out : all.span()) {
+    const auto stays = [&](const ContactPoint& contact) {
+      return contact.id != left_out && holds(all.span(), contact.id);
+    };
+    Choice others(patch, first_of(patch, stays));
+    others.grow(patch, most, extent, stays);
+    if (const Real twice_area = others.twice_area(points); twice_area > most_area) {
+      most_area = twice_area;
+      best.clear();
+      for (const std::uint32_t place : others.places()) {
+        best.push_back(patch[place].id);
+      }
+    }
+  }
+  return best;
+}
+
+// The points that were kept before, and the ones that span most with them.
+[[nodiscard]] Choice keep_again(std::span<const ContactPoint> patch, std::size_t most, Real extent, Ids before) {
   const auto was_kept = [&](const ContactPoint& contact) { return holds(before, contact.id); };
-  Choice choice(patch, first);
+  Choice choice(patch, first_of(patch, was_kept));
   choice.grow(patch, most, extent, was_kept);
   for (std::uint32_t place = 0; place < patch.size(); ++place) {
     if (was_kept(patch[place])) {
       choice.keep(place, most);
     }
   }
-  choice.grow(patch, most, extent, any_contact);
+  choice.grow(patch, most, extent, AnyContact{});
   return choice;
 }
 
@@ -298,8 +107,8 @@ std::size_t bring_to_front(std::span<ContactPoint> patch, std::span<const std::u
   return order.size();
 }
 
-// Leaves out what runs around rims, where a point that is held is as deep within `slack`; brings the others to the
-// front.
+// Brings the points that features hold to the front, and leaves out the others where a held one is as deep within
+// `slack`.
 [[nodiscard]] std::span<ContactPoint> without_running(std::span<ContactPoint> patch, Real slack) {
   const auto end = std::partition(patch.begin(), patch.end(), is_held);
   const std::span<ContactPoint> held = patch.first(static_cast<std::size_t>(end - patch.begin()));
@@ -309,40 +118,51 @@ std::size_t bring_to_front(std::span<ContactPoint> patch, std::span<const std::u
   return is_as_deep ? held : patch;
 }
 
-// Shares of the extent by which depths may differ and count as the same: of points kept before, and of points of rims.
+// Depths that differ by less than this share of the extent are the same: to points kept before, and to points of rims.
 struct Ties {
   Real depth, running;
   [[nodiscard]] bool are_exact() const { return depth == 0; }
 };
 
-std::size_t reduce_patch(std::span<ContactPoint> whole, std::size_t most, Ids before, const Ties& ties) {
-  if (ties.are_exact() && whole.size() <= most) {
-    return whole.size();
-  }
-  const std::span<ContactPoint> patch = without_running(whole, ties.running * extent_of(whole));
+// Brings the points that hold a patch to its front. Those that were kept before stay while one of them is as deep as
+// any, and while they span nearly as much as others could.
+std::size_t hold_patch(std::span<ContactPoint> patch, std::size_t most, Ids before, const Ties& ties) {
   std::ranges::sort(patch, comes_before);
   if (patch.size() <= most) {
     return patch.size();
   }
-  const Real extent = extent_of(patch), tie = ties.depth * extent;
-  const std::uint32_t first = deepest_of(patch, tie, before);
+  const Real extent = extent_of(patch);
   const Flats flats = flattened(patch);
   const std::span<const Flat> points = flats.span();
-  if (std::ranges::none_of(patch, [&](const ContactPoint& contact) { return holds(before, contact.id); })) {
-    return bring_to_front(patch, choose(patch, points, first, most, extent).places());
+  const auto fresh = [&](std::uint32_t first) { return choose(patch, points, first, most, extent); };
+  const SomeIds again = kept_before(patch, points, most, extent, before);
+  if (again.empty()) {
+    return bring_to_front(patch, fresh(0).places());
   }
-  const Choice same = keep_again(patch, first, most, extent, before);
-  const Real enough = same.twice_area(points) / tied_area;
+  const Choice same = keep_again(patch, most, extent, again.span());
+  const Real as_deep = patch[0].distance + ties.depth * extent, enough = same.twice_area(points) / tied_area;
   // Any of the points that tie in depth could have been the deepest when the others were chosen for it.
-  const bool is_as_good = std::ranges::any_of(same.places(), [&](std::uint32_t place) {
-    return patch[place].distance <= patch[0].distance + tie &&
-           choose(patch, points, place, most, extent).twice_area(points) <= enough;
+  const bool stays = std::ranges::any_of(same.places(), [&](std::uint32_t place) {
+    return patch[place].distance <= as_deep && fresh(place).twice_area(points) <= enough;
   });
-  return bring_to_front(patch, is_as_good ? same.places() : choose(patch, points, first, most, extent).places());
+  return bring_to_front(patch, stays ? same.places() : fresh(0).places());
+}
+
+// The deepest contact is always kept. It is one more where it is none of the points that hold the patch.
+std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, Ids before, const Ties& ties) {
+  std::size_t kept = ties.are_exact()
+                         ? hold_patch(patch, most, before, ties)
+                         : hold_patch(without_running(patch, ties.running * extent_of(patch)), most, before, ties);
+  const auto deepest = std::ranges::min_element(patch, comes_before),
+             of_kept = std::ranges::min_element(patch.first(kept), comes_before);
+  if (deepest->distance < of_kept->distance) {
+    std::swap(patch[kept++], *deepest);
+  }
+  return kept;
 }
 
 std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, Ids before, const Ties& ties) {
-  if (most == 0 || (contacts.size() <= most && (ties.are_exact() || std::ranges::all_of(contacts, is_held)))) {
+  if (most == 0 || contacts.size() <= most) {
     std::ranges::sort(contacts, comes_before);
     return contacts.size();
   }
@@ -372,7 +192,8 @@ std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most) {
   return reduce_patches(contacts, most, {}, {0, 0});
 }
 std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, Ids before) {
-  return reduce_patches(contacts, most, before, {tied_depth, running_depth});
+  return reduce_patches(contacts, most, most == 1 ? Ids{} : before,
+                        most == 1 ? Ties{0, 0} : Ties{tied_depth, running_depth});
 }
 
 }  // namespace abut

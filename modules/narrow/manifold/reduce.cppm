@@ -8,9 +8,9 @@ export namespace abut {
 
 // Depths that differ by less than this share of the extent of a patch are the same from step to step.
 inline constexpr Real tied_depth = 1e-5;
-// From step to step the deepest point of a rim that rests on its face, which runs around it, gives way to points that
-// are held by a feature and less deep by no more than this share of the extent: the corners of its polygon are, up to
-// the lean at which it rests.
+// The deepest point of a rim that rests on its face runs around it from step to step. It is none of the points that
+// hold the patch where others are less deep by no more than this share of the extent: the corners of its polygon are,
+// up to the lean at which it rests.
 inline constexpr Real running_depth = 1e-4;
 // Points that were kept before stay while they span this share of the area that others could.
 inline constexpr Real tied_area = 0.95;
@@ -22,8 +22,8 @@ inline constexpr Real tied_area = 0.95;
 [[nodiscard]] std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most);
 
 // The same from step to step. `before` holds the ids of the points that the last reduction of this pair kept. They win
-// ties of depth and of area, so that a body that hardly moves stands on the same points, and the deepest point of a rim
-// gives way. What is left out is deeper than the first one by no more than these shares of the extent.
+// ties of depth and of area, so that a body that hardly moves stands on the same points. The deepest contact of a patch
+// is always kept: it is one more where it is none of them, unless `most` is 1.
 [[nodiscard]] std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most,
                                  std::span<const std::uint64_t> before);
 

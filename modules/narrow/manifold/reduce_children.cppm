@@ -6,8 +6,8 @@ import abut.math;
 
 export namespace abut {
 
-// As reduce, without or with what was kept before, for each pair of children by itself. What is kept comes first,
-// deepest first of all.
+// Reduces each pair of children by itself, without or with the ids that were kept before. What is kept comes first, the
+// deepest first.
 [[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most);
 [[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most,
                                           std::span<const std::uint64_t> before);

@@ -132,6 +132,14 @@ struct Manifolds {
   Contacts whole, matched, unmatched;
 };
 
+// How far the points move that a reduction keeps again. The deepest one may be one more than these.
+double steady_moved_by(const Contacts& before, const Contacts& now) {
+  constexpr std::size_t most = 4;
+  const Contacts steady = test::common_to(now, before);
+  const bool are_exchanged = steady.size() < std::min({before.size(), now.size(), most});
+  return are_exchanged ? moved_by(before, now) : moved_by(test::common_to(before, now), steady);
+}
+
 Manifolds contacts_at(const Body& a, const Body& b, const test::Contact& poses, const Contacts& before) {
   Contacts found;
   EXPECT_EQ(abut::pair_contacts(a.shape, b.shape, poses.a, poses.b, {}, found), abut::Outcome::ok);
@@ -153,7 +161,7 @@ void follow(const Body& a, const Body& b, test::Contact poses, test::Random& ran
         ++motion.changes;
       } else if (have_one_normal(now.whole)) {
         motion.whole = std::fmax(motion.whole, moved_by(before.whole, now.whole));
-        motion.matched = std::fmax(motion.matched, moved_by(before.matched, now.matched));
+        motion.matched = std::fmax(motion.matched, steady_moved_by(before.matched, now.matched));
         motion.unmatched = std::fmax(motion.unmatched, moved_by(before.unmatched, now.unmatched));
       }
     }

@@ -105,6 +105,17 @@ inline std::vector<std::uint64_t> ids_of(const Contacts& contacts) {
   return ids;
 }
 
+// The contacts of one step whose ids another step has too.
+inline Contacts common_to(const Contacts& contacts, const Contacts& other) {
+  Contacts common;
+  for (const abut::ContactPoint& contact : contacts) {
+    if (std::ranges::find(other, contact.id, &abut::ContactPoint::id) != other.end()) {
+      common.push_back(contact);
+    }
+  }
+  return common;
+}
+
 inline std::set<std::uint64_t> set_of(const std::vector<std::uint64_t>& ids) { return {ids.begin(), ids.end()}; }
 
 }  // namespace test

@@ -46,23 +46,27 @@ std::vector<ContactPoint> tilted_rim(double about_x, double about_y) {
   return contacts;
 }
 
-// How often the kept set changes while the rim shakes by 0.2 micrometres.
-int changes_while_shaking(bool is_matched) {
+// How often a point of the first kept set is lost while the rim shakes by 0.2 micrometres. The deepest is always kept.
+int losses_while_shaking(bool is_matched) {
   test::Random random(261);
-  int changes = 0;
-  Ids before;
+  int losses = 0;
+  const Ids first = kept_of(tilted_rim(0, 0), {});
+  Ids before = first;
   for (int step = 0; step < 1000; ++step) {
-    const Ids kept =
-        kept_of(tilted_rim(random.uniform(-2e-7, 2e-7), random.uniform(-2e-7, 2e-7)), is_matched ? before : Ids{});
-    changes += step > 0 && kept != before ? 1 : 0;
+    const std::vector<ContactPoint> rim = tilted_rim(random.uniform(-2e-7, 2e-7), random.uniform(-2e-7, 2e-7));
+    const Ids kept = kept_of(rim, is_matched ? before : Ids{});
+    EXPECT_LE(kept.size(), 5u);
+    const auto deepest = std::ranges::min_element(rim, {}, &ContactPoint::distance);
+    EXPECT_TRUE(std::ranges::binary_search(kept, deepest->id)) << "step " << step;
+    losses += std::ranges::includes(kept, first) ? 0 : 1;
     before = kept;
   }
-  return changes;
+  return losses;
 }
 
 TEST(ReduceMatched, ARimThatShakesKeepsItsFourPoints) {
-  EXPECT_EQ(changes_while_shaking(true), 0);
-  EXPECT_GT(changes_while_shaking(false), 100) << "the scene must need the ids";
+  EXPECT_EQ(losses_while_shaking(true), 0);
+  EXPECT_GT(losses_while_shaking(false), 100) << "the scene must need the ids";
 }
 
 TEST(ReduceMatched, WithoutIdsThatOccurNothingChanges) {
@@ -76,11 +80,11 @@ TEST(ReduceMatched, WithoutIdsThatOccurNothingChanges) {
   }
 }
 
-TEST(ReduceMatched, ADeeperPointReplacesOne) {
+TEST(ReduceMatched, ADeeperPointIsOneMoreOrReplacesOne) {
   const Ids before{0, 4, 8, 12};
   std::vector<ContactPoint> contacts = tilted_rim(0, 0);
   contacts[3].distance -= 0.5 * abut::tied_depth * 2;
-  EXPECT_EQ(kept_of(contacts, before), before) << "a tie";
+  EXPECT_EQ(kept_of(contacts, before), (Ids{0, 3, 4, 8, 12})) << "a tie";
   contacts[3].distance -= abut::tied_depth * 2;
   const Ids kept = kept_of(contacts, before);
   EXPECT_TRUE(std::ranges::binary_search(kept, 3u)) << "no tie";
@@ -158,8 +162,8 @@ class Wanderer {
   std::vector<ContactPoint> contacts_;
 };
 
-// Whatever stays is as deep within the tie, and spans 95 % of what a fresh choice does for one of its points that tie;
-// it changes only when it must.
+// The deepest stays; what stays spans 95 % of what a fresh choice does for one of its points that tie, and changes only
+// when it must.
 TEST(ReduceMatched, WanderingPointsStayAsLongAsTheyHold) {
   constexpr double tie = 6 * abut::tied_depth;  // no patch here is wider than six units
   int changes = 0;
@@ -174,8 +178,8 @@ TEST(ReduceMatched, WanderingPointsStayAsLongAsTheyHold) {
       patch.move(1e-2);
       const Ids kept = kept_of(patch.contacts(), before);
       const double deepest = patch.depth_of(all), enough = 0.95 * patch.least_area_about(kept, deepest + tie) - 1e-12;
-      EXPECT_LE(kept.size(), 4u);
-      EXPECT_LE(patch.depth_of(kept), deepest + tie);
+      EXPECT_LE(kept.size(), 5u);
+      EXPECT_EQ(patch.depth_of(kept), deepest);
       EXPECT_GE(hull_area(patch.of(kept)), enough);
       if (patch.depth_of(before) == deepest && before.size() == 4 &&
           hull_area(patch.of(before)) >= 0.95 * patch.least_area_about(before, deepest) + 1e-12) {
@@ -190,7 +194,7 @@ TEST(ReduceMatched, WanderingPointsStayAsLongAsTheyHold) {
 
 // Two patches at a right angle whose deepest points take turns by less than the tie.
 TEST(ReduceMatched, PatchesStayWhenTheirDeepestTakeTurns) {
-  Ids before;
+  Ids before, first;
   for (int step = 0; step < 20; ++step) {
     std::vector<ContactPoint> contacts = tilted_rim(step % 2 == 0 ? 1e-7 : -1e-7, 1e-7);
     for (std::uint64_t id = 0; id < 8; ++id) {
@@ -200,8 +204,9 @@ TEST(ReduceMatched, PatchesStayWhenTheirDeepestTakeTurns) {
       contacts.push_back(wall);
     }
     const Ids kept = kept_of(contacts, before);
-    EXPECT_EQ(kept.size(), 8u);
-    EXPECT_TRUE(step == 0 || kept == before) << "step " << step;
+    first = step == 0 ? kept : first;
+    EXPECT_LE(kept.size(), 10u) << "four of each patch and the deepest";
+    EXPECT_TRUE(std::ranges::includes(kept, first)) << "step " << step;
     before = kept;
   }
 }

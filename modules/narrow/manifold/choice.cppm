@@ -1,0 +1,249 @@
+// The points of a patch that span the largest area. Four of a few points are found by trying; more points are added
+// one by one, the one that adds most first.
+export module abut.narrow.manifold.choice;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+
+export namespace abut {
+
+[[nodiscard]] inline bool comes_before(const ContactPoint& a, const ContactPoint& b) {
+  return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
+}
+
+[[nodiscard]] inline Vec3 middle(const ContactPoint& contact) { return 0.5 * (contact.point_a + contact.point_b); }
+
+// Twice the signed area of a triangle seen against the normal.
+[[nodiscard]] inline Real area(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
+  return dot(normal, cross(b - a, c - a));
+}
+
+// A point of a patch in the plane across its normal.
+struct Flat {
+  Real u, v;
+};
+using Flats = SmallVector<Flat, 64>;
+[[nodiscard]] inline Flat operator-(const Flat& a, const Flat& b) { return {a.u - b.u, a.v - b.v}; }
+[[nodiscard]] inline Real cross2(const Flat& a, const Flat& b) { return a.u * b.v - a.v * b.u; }
+
+[[nodiscard]] inline Flats flattened(std::span<const ContactPoint> patch) {
+  const Tangents tangents = tangents_of(patch[0].normal);
+  const Vec3 base = middle(patch[0]);
+  [[clang::uninitialized]] Flats points;
+  for (const ContactPoint& contact : patch) {
+    const Vec3 d = middle(contact) - base;
+    points.push_back({dot(d, tangents.first), dot(d, tangents.second)});
+  }
+  return points;
+}
+
+// Twice the area of the convex hull of four points: the largest cross product of two lines between them. In convex
+// position these are the diagonals. Otherwise one point lies in the triangle of the others.
+[[nodiscard]] inline Real twice_hull_of_four(const Flat& a, const Flat& b, const Flat& c, const Flat& d) {
+  const Flat ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
+  const auto turn = [](const Flat& p, const Flat& q) { return std::fabs(cross2(p, q)); };
+  return std::max({turn(ac, bd), turn(ab, cd), turn(ad, bc), turn(ab, ac), turn(ab, ad), turn(ac, ad), turn(bc, bd)});
+}
+
+// How far the contacts lie from the first one.
+[[nodiscard]] inline Real extent_of(std::span<const ContactPoint> contacts) {
+  Real square = 0;
+  for (const ContactPoint& contact : contacts) {
+    square = std::max(square, squared_norm(middle(contact) - middle(contacts[0])));
+  }
+  return std::sqrt(square);
+}
+
+// Four points of a patch by their places, and twice the area that they span.
+struct Four {
+  std::array<std::uint32_t, 4> places;
+  Real twice_area;
+};
+
+[[nodiscard]] inline Four spanned(std::span<const Flat> points, const std::array<std::uint32_t, 4>& places) {
+  const auto& [a, b, c, d] = places;
+  return {places, twice_hull_of_four(points[a], points[b], points[c], points[d])};
+}
+
+// Exchanges one of the last three points at a time while that gains area.
+[[nodiscard]] inline Four exchanged(std::span<const Flat> points, Four best, Real least_gain) {
+  for (bool is_better = true; is_better;) {
+    is_better = false;
+    for (std::size_t i = 1; i < 4; ++i) {
+      for (std::uint32_t place = 0; place < points.size(); ++place) {
+        Four other = best;
+        other.places[i] = place;
+        other = spanned(points, other.places);
+        if (other.twice_area > best.twice_area + least_gain) {
+          best = other;
+          is_better = true;
+        }
+      }
+    }
+  }
+  return best;
+}
+
+// Up to this many points, each is tried as the corner opposite to the first.
+inline constexpr std::size_t few_points = 64;
+
+// The four points of largest area that have the first as a corner: each other point is tried as the opposite corner,
+// with the points furthest off their line on either side. Where a side has no points, the first one takes the place.
+[[nodiscard]] inline Four best_about(std::span<const Flat> points, std::uint32_t first) {
+  Four best{{first, first, first, first}, 0};
+  for (std::uint32_t opposite = 0; opposite < points.size(); ++opposite) {
+    const Flat across = points[opposite] - points[first];
+    std::uint32_t left = first, right = first;
+    Real most_left = 0, most_right = 0;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const Real side = cross2(across, points[i] - points[first]);
+      if (side > most_left) {
+        most_left = side;
+        left = i;
+      } else if (-side > most_right) {
+        most_right = -side;
+        right = i;
+      }
+    }
+    if (most_left + most_right > best.twice_area) {
+      best = {{first, opposite, left, right}, most_left + most_right};
+    }
+  }
+  return best;
+}
+
+// A choice of points of a patch: their places, and the polygon of those that span it, counter-clockwise seen against
+// the normal. More than 64 span no more.
+class Choice {
+ public:
+  static constexpr std::size_t capacity = 64;
+  // Points within this share of the extent of a line are on it. Then the length counts, not the area.
+  static constexpr Real flatness = 1e-5;
+
+  Choice(std::span<const ContactPoint> patch, std::uint32_t first) : normal_(patch[first].normal) { add(patch, first); }
+  // A place that occurs twice counts once.
+  explicit Choice(const Four& four) : twice_area_(four.twice_area) {
+    for (const std::uint32_t place : four.places) {
+      if (!has(place)) {
+        places_[size_++] = place;
+      }
+    }
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> places() const { return std::span(places_).first(size_); }
+  [[nodiscard]] bool has(std::uint32_t place) const { return std::ranges::find(places(), place) != places().end(); }
+  [[nodiscard]] Real twice_area(std::span<const Flat> points) const {
+    return size_ == 4 ? spanned(points, four()).twice_area : twice_area_;
+  }
+  [[nodiscard]] std::array<std::uint32_t, 4> four() const { return {places_[0], places_[1], places_[2], places_[3]}; }
+
+  // Takes a point whatever it adds, unless there are as many as there may be.
+  void keep(std::uint32_t place, std::size_t most) {
+    if (!has(place) && size_ < std::min(most, capacity)) {
+      places_[size_++] = place;
+    }
+  }
+
+  // Takes the points that add most, one by one, up to `most`. What counts is the area. Where there is none, it is the
+  // length of the way around, so that the ends of a line stay.
+  template <class Allowed>
+  void grow(std::span<const ContactPoint> patch, std::size_t most, Real extent, Allowed&& is_allowed) {
+    const auto add_best = [&](Real least, auto&& score) {
+      Best best{least, 0, false};
+      for (std::uint32_t i = 0; i < patch.size(); ++i) {
+        if (!has(i) && is_allowed(patch[i])) {
+          best.offer(score(middle(patch[i])), i);
+        }
+      }
+      if (best.is_found) {
+        add(patch, best.place);
+      }
+      return best.is_found;
+    };
+    const Real flat = flatness * extent * extent;
+    for (bool is_growing = true; is_growing && size_ < std::min(most, capacity);) {
+      is_growing = (corners_ > 1 && add_best(flat, [&](const Vec3& p) { return gain(p).area; })) ||
+                   (twice_area_ <= flat && add_best(1e-12 * extent, [&](const Vec3& p) { return detour(p); }));
+    }
+  }
+
+ private:
+  struct Best {
+    Real score;
+    std::uint32_t place;
+    bool is_found;
+    void offer(Real value, std::uint32_t i) {
+      if (value > score) {
+        *this = {value, i, true};
+      }
+    }
+  };
+  // Twice the area that a point adds beside one of the sides, and the corner that this side leaves.
+  struct Gain {
+    Real area;
+    std::size_t after;
+  };
+
+  [[nodiscard]] Gain gain(const Vec3& p) const {
+    Gain best{-infinity, 0};
+    for (std::size_t i = 0; i < corners_; ++i) {
+      const Real added = area(polygon_[i + 1 < corners_ ? i + 1 : 0], polygon_[i], p, normal_);
+      best = added > best.area ? Gain{added, i} : best;
+    }
+    return best;
+  }
+  // The length by which a visit makes the way around the corners longer.
+  [[nodiscard]] Real detour(const Vec3& p) const {
+    Real least = infinity;
+    for (std::size_t i = 0; i < corners_; ++i) {
+      const Vec3 &from = polygon_[i], &to = polygon_[i + 1 < corners_ ? i + 1 : 0];
+      least = std::min(least, norm(p - from) + norm(p - to) - norm(to - from));
+    }
+    return least;
+  }
+  void add(std::span<const ContactPoint> patch, std::uint32_t place) {
+    const Vec3 point = middle(patch[place]);
+    std::size_t corner = 0;
+    if (corners_ > 0) {
+      const Gain found = gain(point);
+      twice_area_ += std::max(found.area, Real{0});
+      corner = found.after + 1;
+    }
+    const std::span<Vec3> corners = std::span(polygon_).first(++corners_);
+    const auto at = corners.begin() + static_cast<std::ptrdiff_t>(corner);
+    std::move_backward(at, corners.end() - 1, corners.end());
+    *at = point;
+    places_[size_++] = place;
+  }
+
+  Vec3 normal_{0, 0, 0};
+  std::array<Vec3, capacity> polygon_;
+  std::array<std::uint32_t, capacity> places_;
+  std::size_t size_ = 0, corners_ = 0;
+  Real twice_area_ = 0;
+};
+
+struct AnyContact {
+  [[nodiscard]] bool operator()(const ContactPoint&) const { return true; }
+};
+
+// The points that span most with a first one.
+[[nodiscard]] inline Choice choose(std::span<const ContactPoint> patch, std::span<const Flat> points,
+                                   std::uint32_t first, std::size_t most, Real extent) {
+  const Real flat = Choice::flatness * extent * extent, least_gain = 1e-12 * extent * extent;
+  if (most == 4 && patch.size() <= few_points) {
+    const Four best = best_about(points, first);
+    if (best.twice_area > flat) {
+      return Choice(exchanged(points, spanned(points, best.places), least_gain));
+    }
+  }
+  Choice choice(patch, first);
+  choice.grow(patch, most, extent, AnyContact{});
+  if (most == 4 && choice.places().size() == 4 && choice.twice_area(points) > flat) {
+    return Choice(exchanged(points, spanned(points, choice.four()), least_gain));
+  }
+  return choice;
+}
+
+}  // namespace abut
