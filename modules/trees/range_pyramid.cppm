@@ -28,9 +28,10 @@ class RangePyramid {
   // After heights of a rectangle have changed. O(heights of the rectangle + log(all heights)).
   void update(std::span<const Real> values, const Rectangle& changed);
 
-  // Calls visit(column, row, stretch) for the cells that a ray passes over within `limit`, which visit may lower, where
-  // the blocks around them are as high or low as the ray. `stretch`: the part of the ray over the cell. No cell comes
-  // after one that lies behind it. The ray reaches over the grid on a stretch that ends, `whole`.
+  // Calls visit(column, row, stretch) for the cells that a ray passes over within `limit`, which visit may lower.
+  // Cells are left out where the blocks around them are lower or higher than the ray. `stretch`: the part of the ray
+  // over the cell. No cell comes after one that lies behind it. The ray reaches over the grid on a stretch that ends,
+  // `whole`.
   template <class Visitor>
   void visit_ray(const RaySlabs& ray, const RaySlabs::Stretch& whole, const Spacing& spacing, const Real& limit,
                  Visitor&& visit) const {

@@ -22,8 +22,8 @@ class RaySlabs {
     [[nodiscard]] inline Stretch until(Real limit) const { return {enter, limit < leave ? limit : leave}; }
   };
 
-  // `bounds`: of all boxes that are asked about. Seen from the origin of the ray, the coordinates of points in it are
-  // off by at most three units of rounding of the furthest one, here by eight.
+  // `bounds`: of all boxes that are asked about. Seen from the origin of the ray, coordinates of points in a box are
+  // off by at most three units of rounding of the furthest one. Eight are allowed.
   inline RaySlabs(const Vec3& origin, const Vec3& direction, const Aabb& bounds)
       : origin_(origin),
         direction_(direction),
@@ -48,8 +48,8 @@ class RaySlabs {
     return within(2, box.low.z, box.high.z, within(1, box.low.y, box.high.y, within(0, box.low.x, box.high.x, before)));
   }
 
-  // The first and the last of some elements of one size that a stretch may pass over along an axis, in which element
-  // zero begins at zero.
+  // The first and the last element that a stretch may pass over along an axis. All have one size, and element zero
+  // begins at zero.
   struct Range {
     std::uint32_t first, last;
   };

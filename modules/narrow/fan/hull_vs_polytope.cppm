@@ -1,7 +1,7 @@
 // Least overlap of a polytope that lists its faces and edges with another one, a box, a triangle, a segment or a
-// point. It tries the faces of both. For each edge of the first it takes the arc of its normals on the Gauss sphere
-// (Gregorius, "The separating axis test between convex polyhedra", GDC 2013). It walks along the arc from corner to
-// corner of the other one, so pairs of edges need not be tried. Bounds pass over most faces and edges.
+// point. It tries the faces of both. The normals of an edge of the first form an arc on the Gauss sphere (Gregorius,
+// "The separating axis test between convex polyhedra", GDC 2013). The search walks along it from corner to corner of
+// the other one, so pairs of edges need not be tried. Bounds pass over most faces and edges.
 export module abut.narrow.fan.hull_vs_polytope;
 import abut.capability;
 import abut.core.standard;

@@ -110,9 +110,8 @@ class PartsMet {
     }
   }
 
-  // How far b has to move along a direction to be parted from all parts that overlap, and from those that it enters on
-  // the way. Where that is as far as `enough`, the answer is `enough`, and the part that overlaps so far comes first in
-  // a list.
+  // How far b has to move along a direction until it overlaps no part, nor enters one on the way. Where that is as
+  // far as `enough`, the answer is `enough`, and the part that overlaps so far comes first in a list.
   [[nodiscard]] Real overlap_of_all(const Vec3& direction, Real lowest, Real enough,
                                     std::span<std::size_t> blocking) const {
     for (const std::size_t part : blocking) {

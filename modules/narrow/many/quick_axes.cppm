@@ -12,8 +12,8 @@ export namespace abut {
 // wrongly.
 [[nodiscard]] [[gnu::always_inline]] inline Real length_bound(Lanes a) { return sum(absolute(a)); }
 
-// The box around a core, along the axes of the core: all separating axes of it and a triangle (Gottschalk, Lin,
-// Manocha, "OBBTree", 1996), in the frame of the box and an axis of the box per lane.
+// The box around a core, along the axes of the core, and all separating axes of it and a triangle. Source:
+// Gottschalk, Lin, Manocha, "OBBTree", 1996. All is in the frame of the box, an axis of the box per lane.
 template <Convex B>
 class QuickAxes {
  public:

@@ -1,5 +1,5 @@
-// The point of a triangle that is nearest to a given one, by the region of the triangle that it lies over (Ericson,
-// "Real-Time Collision Detection", 2005, section 5.1.5).
+// The point of a triangle that is nearest to a given one. The region that the given one lies over decides. Source:
+// Ericson, "Real-Time Collision Detection", 2005, section 5.1.5.
 export module abut.narrow.many.triangle_point;
 import abut.capability;
 import abut.core.standard;

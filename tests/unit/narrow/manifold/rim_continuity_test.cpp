@@ -79,8 +79,8 @@ Contacts held_of(Contacts contacts) {
   return contacts;
 }
 
-// Over all steps: how far the polygon of what holds the body moves, and how far any point that a reduction keeps, but
-// for the deepest one that runs.
+// Over all steps: how far the polygon of what holds the body moves, and how far any kept point moves. The deepest
+// one, which runs, does not count.
 struct Motion {
   int steps = 0, changes = 0, exchanges = 0, running = 0;
   double polygon = 0, kept = 0;
