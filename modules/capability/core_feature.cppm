@@ -42,10 +42,4 @@ concept Triangular = requires(const S& shape) {
   { shape.corners() } -> std::convertible_to<std::array<Vec3, 3>>;
 };
 
-// A core that is the convex hull of two discs around Z.
-template <class S>
-concept HullOfDiscs = Convex<S> && requires(const S& shape) {
-  { shape.discs() } -> std::same_as<Discs>;
-};
-
 }  // namespace abut

@@ -101,7 +101,7 @@ template <FewFaced A, FewFaced B>
 
 // False where there are too many axes, or rounding leaves the answer in doubt.
 template <Convex A, Convex B>
-  requires HullAndSeen<A, B>
+  requires has_hull<A, B>
 [[nodiscard]] [[gnu::noinline]] bool separate_by_hull_sat(const A& a, const B& b, const Pose& ab, Real size,
                                                           CoreSeparation& core) {
   std::optional<SatResult> found = hull_sat(a, b, ab, noise_of(size));
@@ -131,7 +131,7 @@ template <Convex A, Convex B>
   if constexpr (FewFaced<A> && FewFaced<B>) {
     core = separate_by_sat(a, b, ab, size);
     return true;
-  } else if constexpr (HullAndSeen<A, B>) {
+  } else if constexpr (has_hull<A, B>) {
     return separate_by_hull_sat(a, b, ab, size, core);
   } else {
     return false;
@@ -143,9 +143,9 @@ template <Convex A, Convex B>
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::noinline]] bool separate_by_discs(const A& a, const B& b, const Pose& ab, Real size, Real error,
                                                        CoreSeparation& core) {
-  if constexpr (WithDiscs<A, B>) {
+  if constexpr (has_discs<A, B>) {
     const Real noise = 8 * epsilon * size;
-    if constexpr (Outlined<A> && Outlined<B>) {
+    if constexpr (is_outlined<A> && is_outlined<B>) {
       if (is_coaxial(ab, noise)) {
         return false;  // one outline in another says which of many directions that are as good
       }

@@ -223,7 +223,7 @@ template <Convex A, Convex B>
       if (near.overlap || (along.distance <= error && !(near.lower > error))) {
         return along;
       }
-      if constexpr ((FewFaced<A> && FewFaced<B>) || HullAndSeen<A, B>) {
+      if constexpr ((FewFaced<A> && FewFaced<B>) || has_hull<A, B>) {
         if (is_apart_along(a, b, ab, near, reached, size, error, along)) {
           return along;
         }

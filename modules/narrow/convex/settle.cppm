@@ -66,7 +66,7 @@ template <Convex S>
     return {};
   } else {
     const Vec3 size = absolute(direction);
-    const int axis = HullOfDiscs<S> ? 2 : size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const int axis = Rimmed<S> ? 2 : size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     return core_face(static_cast<std::size_t>(2 * axis) + (direction[axis] >= 0 ? 1 : 0));
   }
 }

@@ -67,7 +67,7 @@ template <Convex A, Convex B>
       }
     }
   }
-  if constexpr (Outlined<A> && Outlined<B>) {
+  if constexpr (is_outlined<A> && is_outlined<B>) {
     found.is_coaxial = is_coaxial(ab, noise);
     if (found.is_coaxial) {
       collect_outlines(a, b, ab, found.outlines);

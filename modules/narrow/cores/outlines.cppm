@@ -10,10 +10,9 @@ export namespace abut {
 
 // A segment along Z counts as a cylinder without radius.
 template <class S>
-concept Outlined = SegmentCored<S> || (Convex<S> && requires(const S& shape) {
-                     { shape.outline_normals() } -> std::same_as<OutlineNormals>;
-                   });
-template <Outlined S>
+inline constexpr bool is_outlined = SegmentCored<S> || requires(const S& shape) { shape.outline_normals(); };
+template <Convex S>
+  requires is_outlined<S>
 [[nodiscard]] inline OutlineNormals outline_normals_of(const S& shape) {
   if constexpr (SegmentCored<S>) {
     return {{{1, 0}, {0, 1}, {0, -1}}};
@@ -30,7 +29,8 @@ template <Outlined S>
 }
 
 // Unit directions across the outlines, out of a, in the plane of X and Z.
-template <Outlined A, Outlined B, class Directions>
+template <Convex A, Convex B, class Directions>
+  requires(is_outlined<A> && is_outlined<B>)
 void collect_outlines(const A& a, const B& b, const Pose& ab, Directions& directions) {
   const auto add = [&](const OutlineNormal& normal, Real up) {
     const Vec3 n{normal.out, 0, up * normal.up};

@@ -12,7 +12,7 @@ export namespace abut {
 
 // What can be seen from a polytope: a core of few faces that knows all its corners.
 template <class S>
-concept Seen = FewFaced<S> && (BoxCored<S> || Triangular<S>);
+inline constexpr bool is_seen = FewFaced<S> && (BoxCored<S> || Triangular<S>);
 
 // Four planes, as the facets of a hull list them.
 struct FourPlanes {
@@ -39,7 +39,8 @@ struct Corners {
   box.inner = half.x < half.y ? (half.x < half.z ? half.x : half.z) : (half.y < half.z ? half.y : half.z);
   return box;
 }
-template <Seen S>
+template <class S>
+  requires is_seen<S>
 [[nodiscard]] inline auto corners_of(const S& shape) {
   if constexpr (Triangular<S>) {
     Corners<3, 1> triangle{};

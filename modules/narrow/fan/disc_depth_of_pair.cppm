@@ -12,12 +12,13 @@ import abut.narrow.fan.features;
 export namespace abut {
 
 template <class S>
-concept TriedOnDiscs = (BoxCored<S> && S::core_axes > 0) || Faceted<S> || Triangular<S>;
+inline constexpr bool is_tried_on_discs = (BoxCored<S> && !PointCored<S>) || Faceted<S> || Triangular<S>;
 template <class A, class B>
-concept WithDiscs = (HullOfDiscs<B> && (TriedOnDiscs<A> || HullOfDiscs<A>)) || (HullOfDiscs<A> && TriedOnDiscs<B>);
+inline constexpr bool has_discs =
+    (Rimmed<B> && (is_tried_on_discs<A> || Rimmed<A>)) || (Rimmed<A> && is_tried_on_discs<B>);
 
 // Whether a point of its own frame lies in a core, up to some slack.
-template <HullOfDiscs S>
+template <Rimmed S>
   requires Field<S>
 [[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {
   return shape.nearest(point).distance <= slack;
@@ -41,15 +42,15 @@ inline constexpr Real least_size_of_discs = 1e-60;
 
 // Of cores that are not apart by more than the error. Nothing where they hardly overlap, or no least depth is proven.
 template <Convex A, Convex B>
-  requires WithDiscs<A, B>
+  requires has_discs<A, B>
 [[nodiscard]] std::optional<ProvenDepth> disc_depth(const A& a, const B& b, const Pose& ab, Real size, Real error) {
   const Real slack = error / 4;
   if (!(size > least_size_of_discs)) {
     return std::nullopt;
   }
-  if constexpr (HullOfDiscs<B>) {
+  if constexpr (Rimmed<B>) {
     DiscDepth least(mirrored(b.discs(), ab.position, ab.rotation.z), slack, rounding_of(size));
-    if constexpr (HullOfDiscs<A>) {
+    if constexpr (Rimmed<A>) {
       search_discs(a.discs(), least);
     } else if constexpr (Triangular<A>) {
       if (is_slender(a.corners())) {

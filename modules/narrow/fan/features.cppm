@@ -12,7 +12,7 @@ export namespace abut {
 
 // Cores whose faces and edges have numbers.
 template <class S>
-inline constexpr bool is_numbered = Faceted<S> || HullOfDiscs<S> || Triangular<S> || BoxCored<S>;
+inline constexpr bool is_numbered = Faceted<S> || Rimmed<S> || Triangular<S> || BoxCored<S>;
 template <class A, class B>
 inline constexpr bool are_numbered = is_numbered<A> && is_numbered<B>;
 
@@ -48,7 +48,7 @@ template <Convex S>
   if constexpr (Faceted<S>) {
     const auto& line = shape.facets().lines[index];
     return {vec3_of(line.from), vec3_of(line.along)};
-  } else if constexpr (HullOfDiscs<S>) {
+  } else if constexpr (Rimmed<S>) {
     const Discs discs = shape.discs();
     const Sideways out = sideways_of(outward);
     const Real aside = discs.top - discs.bottom;
@@ -82,7 +82,7 @@ template <Convex S>
 // Whether features give a normal by themselves: lines on the side of a cone lead along its axis nowhere.
 template <Convex S>
 [[nodiscard]] inline bool has_straight_edges(const S& shape) {
-  if constexpr (HullOfDiscs<S>) {
+  if constexpr (Rimmed<S>) {
     const Discs discs = shape.discs();
     return discs.top == discs.bottom;
   } else {

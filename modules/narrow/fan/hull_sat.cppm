@@ -13,12 +13,12 @@ import abut.narrow.fan.sat;
 export namespace abut {
 
 template <class A, class B>
-concept HullAndSeen = (Faceted<A> && Seen<B>) || (Seen<A> && Faceted<B>) || (Faceted<A> && Faceted<B>);
+inline constexpr bool has_hull = (Faceted<A> && (is_seen<B> || Faceted<B>)) || (is_seen<A> && Faceted<B>);
 
 // The same from a to b, in the frame of a. Nothing where there are too many axes. The separation is that of the
 // features found: no more than the cores have along the normal.
 template <Convex A, Convex B>
-  requires HullAndSeen<A, B>
+  requires has_hull<A, B>
 [[nodiscard]] std::optional<SatResult> hull_sat(const A& a, const B& b, const Pose& ab, Real noise) {
   if constexpr (Faceted<A> && Faceted<B>) {
     const bool few = has_few_vertices(a) && has_few_vertices(b) && has_facets(a, noise) && has_facets(b, noise);
@@ -68,7 +68,7 @@ template <Faceted S>
 // Whether a point of its own frame surely lies in a core, up to some slack. Hulls without volume, or nearly, have
 // no faces on their sides that could tell, and triangles tell of their edges alone.
 template <Convex S>
-  requires Faceted<S> || Seen<S>
+  requires Faceted<S> || is_seen<S>
 [[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {
   if constexpr (Faceted<S>) {
     return outside_facets(shape, point) <= slack;

@@ -111,7 +111,7 @@ struct FaceSearch {
 
 // From a to b, in the frame of a. Nothing where rounding cuts arcs without end.
 template <Faceted A, class B>
-  requires Faceted<B> || Seen<B>
+  requires Faceted<B> || is_seen<B>
 [[nodiscard]] std::optional<SatResult> sat_of_polytopes(const A& a, const B& b, const Pose& ab, Real noise) {
   constexpr std::size_t capacity = vertex_capacity<B>, group_limit = capacity / 2;
   const Pose ba = ab.inverse();

@@ -159,17 +159,14 @@ template <class Append>
   }
 }
 
-// A polytope that knows which face at a vertex looks along a direction.
+// Whether a polytope knows which face at a vertex looks along a direction.
 template <class S>
-concept FacesAtVertices = Convex<S> && requires(const S& shape) {
-  { shape.data().face_along(std::uint32_t{}, Vec3{}) } -> std::same_as<std::uint32_t>;
-  shape.data().faces;          // where they begin and how many there are in
-  shape.data().face_vertices;  // numbers of
-  shape.data().vertices;
-};
+inline constexpr bool has_faces_at_vertices =
+    requires(const S& shape) { shape.data().face_along(std::uint32_t{}, Vec3{}); };
 
 // The corners of the face at the lowest vertex that looks down.
-template <FacesAtVertices B, class Append>
+template <Convex B, class Append>
+  requires has_faces_at_vertices<B>
 [[gnu::always_inline]] inline void face_at_vertex_on_plane(const PlaneBelow& plane, const B& b, std::uint32_t lowest,
                                                            const Pose& pose, Real margin, Append&& append) {
   const auto& hull = b.data();
@@ -203,7 +200,7 @@ template <Convex B, class Append>
   if (deepest > margin) {
     return;
   }
-  if constexpr (FacesAtVertices<B>) {
+  if constexpr (has_faces_at_vertices<B>) {
     if (!b.data().faces.empty()) [[likely]] {
       return face_at_vertex_on_plane(plane, b, lowest.index, pose, margin, append);
     }

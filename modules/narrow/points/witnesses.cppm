@@ -78,11 +78,11 @@ inline void find_points_of_faces(const Face& face_a, const Face& face_b, const C
 
 // Cores that know whether a point lies in them at little cost.
 template <class A, class B>
-concept BothHold = HullAndSeen<A, B> || (BoxCored<A> && BoxCored<B>) || WithDiscs<A, B>;
+inline constexpr bool do_both_hold = has_hull<A, B> || (BoxCored<A> && BoxCored<B>) || has_discs<A, B>;
 
 // Mostly a vertex lies under the inside of a face. False where neither support point does, up to some slack.
 template <Convex A, Convex B>
-  requires BothHold<A, B>
+  requires do_both_hold<A, B>
 [[nodiscard]] inline bool find_vertex_witness(const A& a, const B& b, const Pose& ab, Real slack,
                                               CoreSeparation& core) {
   const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
@@ -99,7 +99,7 @@ template <Convex A, Convex B>
 
 // The points of a depth with discs. False where they lie on edges of a hull, or where faces rest on each other.
 template <Convex A, Convex B>
-  requires WithDiscs<A, B>
+  requires has_discs<A, B>
 [[nodiscard]] inline bool find_disc_witnesses(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
   if (find_vertex_witness(a, b, ab, rounding_of(core_size(a, b, ab)), core)) {
     return true;
@@ -149,7 +149,7 @@ void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
     core.point_a = core.point_b - core.distance * core.normal;
     core.points_open = false;
   } else {
-    if constexpr (BothHold<A, B>) {
+    if constexpr (do_both_hold<A, B>) {
       if (core.overlap && find_vertex_witness(a, b, ab, rounding_of(core_size(a, b, ab)), core)) {
         return;
       }

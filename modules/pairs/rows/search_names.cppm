@@ -20,9 +20,9 @@ template <Convex A, Convex B>
     return "closed form";
   } else if constexpr (FewFaced<A> && FewFaced<B>) {
     return are_box_cores ? "closed form apart, SAT in overlap" : "GJK apart, SAT in overlap";
-  } else if constexpr (HullAndSeen<A, B>) {
+  } else if constexpr (has_hull<A, B>) {
     return "GJK apart, SAT over facets in overlap";
-  } else if constexpr (WithDiscs<A, B>) {
+  } else if constexpr (has_discs<A, B>) {
     return "GJK apart, SAT over facets and rims in overlap";
   } else {
     return "GJK apart, EPA in overlap";
