@@ -192,7 +192,7 @@ void search_faces(const Sum& sum, DiscDepth& least) {
   const auto offer = [&](const std::pair<Real, Real>& normal, const RimPlace<Real>& at) {
     const auto [out, up] = normal;
     // Rims that cross, and a rim that meets the axis, have no normal there.
-    const Real near = std::fmax(1e5 * least.noise(), least.touch());
+    const Real near = std::fmax(5e4 * least.noise(), least.touch());
     if (!(out * out + up * up > near * near) || !(at.out > near)) {
       is_proven = false;
       return;
