@@ -93,6 +93,12 @@ using Verdict = std::optional<std::string>;
 // The gap along a direction between two convex shapes, never more than their distance.
 [[nodiscard]] std::optional<Real> gap_along(const Scene& scene, const Vec3& direction);
 
+// How far a convex shape reaches along a unit direction of its own frame.
+[[nodiscard]] std::optional<Real> reach_along(const AnyShape& shape, const Vec3& direction);
+// How far one shape has to move to be parted from the other, where one is a surface and the other convex: along the
+// best of the normals of contacts and of triangles that overlap.
+[[nodiscard]] std::optional<Real> depth_bound(const Scene& scene, const Manifold& found);
+
 [[nodiscard]] Verdict judge_distance(const Scene& scene, const Distance& found);
 [[nodiscard]] Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manifold& found);
 // Our second route must agree. libccd may be wrong; what it says counts when the gap along its own

@@ -166,6 +166,34 @@ TEST(FuzzOracle, RefusesWrongContacts) {
   EXPECT_NE(judge_contacts(scene, found, wrong), std::nullopt) << "off the shape";
 }
 
+// A box that stands a tenth of a unit in a square of two triangles.
+TEST(FuzzOracle, RefusesContactsDeeperThanWhatPartsASurface) {
+  const auto mesh = find_kind(std::string_view("mesh"));
+  if (!mesh) GTEST_SKIP() << "this build lacks meshes";
+  const std::array<Real, 12> corners{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  const std::array<std::uint32_t, 6> triangles{0, 1, 2, 0, 2, 3};
+  const AnyShape square = make_shape(*mesh, std::array{0.0}, corners, triangles).value(),
+                 cube = make_shape(box(), std::array{0.25, 0.25, 0.25}, {}, {}).value();
+  const Scene upright{square, cube, {Rotation::identity(), {0.5, 0.5, 0.15}}, 0, 1};
+  for (const bool is_swapped : {false, true}) {
+    const Scene scene = is_swapped ? swapped(upright) : upright;
+    Manifold contacts;
+    ASSERT_EQ(pair_contacts(scene.a, scene.b, scene.ab, {}, contacts), Outcome::ok);
+    EXPECT_NEAR(depth_bound(scene, contacts).value_or(0), 0.1, 1e-12);
+    EXPECT_EQ(judge_contacts(scene, answer(scene), contacts), std::nullopt);
+    // The points of the cube, further in.
+    for (ContactPoint& contact : contacts) {
+      if (is_swapped) {
+        contact.point_a += 0.01 * contact.normal;
+      } else {
+        contact.point_b += -0.01 * contact.normal;
+      }
+      contact.distance -= 0.01;
+    }
+    EXPECT_NE(judge_contacts(scene, answer(scene), contacts), std::nullopt);
+  }
+}
+
 TEST(FuzzRecord, KeepsItsLayout) {
   Record record;
   record.flags = 3;
