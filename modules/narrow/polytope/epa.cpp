@@ -1,94 +1,297 @@
 module abut.narrow.polytope.epa;
+import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
 import abut.narrow.cores.difference;
+import abut.narrow.cores.direction_cover;
 import abut.narrow.cores.simplex;
+import abut.narrow.polytope.capped_epa;
+import abut.narrow.polytope.depth_descent;
+import abut.narrow.polytope.depth_minimum;
 import abut.narrow.polytope;
 
 namespace abut {
 namespace {
 
-// Where so many vertices were not enough, the difference is round and many directions are as good: the
-// others are spent near one of them, so that at least this one is exact.
-constexpr std::uint32_t global_rounds = 5 * Polytope::vertex_limit / 8;
+constexpr std::size_t minimum_limit = 16;
+constexpr Real same_minimum = 1 - 1e-9;  // cosine between normals of one minimum
+// After so many vertices Newton's method also starts where the depth is larger by up to this factor. A polytope alone
+// proves nothing where many directions are as good.
+constexpr std::uint32_t patience = 30;
+constexpr Real near_least = 1.25;
+// Slivers prove nothing about depths below this share of the size.
+constexpr Real sliver_share = 3e-8;
+constexpr std::size_t descent_limit = 16;
+constexpr Real same_start = 0.97;      // cosine between directions of which one is tried
+constexpr Real gain_share = 1.0 / 16;  // of the error: a depth that is less by this much is less
+
+// One search for the least depth. The polytope bounds it from below, and each direction bounds it from above.
+class DepthSearch {
+ public:
+  inline DepthSearch(const Difference& cores, Real error) : cores_(cores), error_(error), noise_(cores.noise()) {}
+
+  [[nodiscard]] EpaResult run(const Simplex& start) {
+    if (cores_.is_curved) {
+      cores_.add_balls(noise_, proven_);
+      find_first_minima(start);
+      if (proven_.is_whole()) {
+        result_.lower = infinity;
+        return answer_at_minimum();
+      }
+    }
+    return grow(start);
+  }
+
+ private:
+  [[nodiscard]] inline bool is_open() const { return result_.upper - result_.lower > error_; }
+  [[nodiscard]] inline Real least_minimum() const { return minima_.empty() ? infinity : minima_[best_].upper; }
+  [[nodiscard]] inline bool is_at_minimum() const { return least_minimum() <= result_.upper + error_; }
+  inline void set_upper(Real upper, const Vec3& normal) {
+    result_.upper = upper;
+    result_.normal = normal;
+    proven_.set_depth(upper);
+  }
+
+  // Whether Newton's method finds a minimum from a direction that was not known.
+  [[nodiscard]] bool finds_minimum_near(const Vec3& direction) {
+    return keep(minimum_near(cores_, direction, error_, noise_));
+  }
+  [[nodiscard]] bool keep(const std::optional<DepthMinimum>& found) {
+    const auto is_same = [&](const DepthMinimum& known) {
+      return dot(known.normal, found->normal) > same_minimum && known.cosine <= found->cosine;
+    };
+    // Rounding may lead Newton's method astray: the depth of a minimum is the overlap along its normal.
+    if (!found || std::ranges::any_of(minima_.span(), is_same) ||
+        cores_.depth_along(found->normal) > found->upper + error_ + noise_) {
+      return false;
+    }
+    best_ = found->upper < least_minimum() ? minima_.size() : best_;
+    if (found->upper < result_.upper) {
+      set_upper(found->upper, found->normal);
+    }
+    minima_.push_back(*found);
+    proven_.add(found->normal, found->cosine);
+    return true;
+  }
+
+  // Along the axes of discs, and from where the search for a common point has ended.
+  void find_first_minima(const Simplex& start) {
+    const SymmetricDirections symmetries = cores_.symmetries();
+    for (const Vec3& axis : symmetries.discs.span()) {
+      if (cores_.depth_along(axis) < result_.upper) {
+        static_cast<void>(keep(minimum_on_disc(cores_, axis, error_, noise_)));
+      }
+    }
+    const auto toward = start.size == 4 ? UnitVec3::make(closest_on_faces(start).point) : std::nullopt;
+    if (toward && cores_.depth_along(*toward) < result_.upper) {
+      static_cast<void>(finds_minimum_near(*toward));
+    }
+  }
+
+  // The point of the least minimum, and three support points around the other side.
+  [[nodiscard]] Simplex simplex_at_minimum() const {
+    const DepthMinimum& least = minima_[best_];
+    const Tangents across = tangents_of(least.normal);
+    constexpr std::array<std::array<Real, 2>, 3> around{{{1, 0}, {-0.5, 0.866}, {-0.5, -0.866}}};
+    Simplex simplex;
+    simplex.push(vertex_of(least));
+    for (const auto& [x, y] : around) {
+      simplex.push(cores_.vertex_toward(x * across.first + y * across.second - 0.4 * least.normal));
+    }
+    return simplex;
+  }
+  [[nodiscard]] static inline DifferenceVertex vertex_of(const DepthMinimum& minimum) {
+    return {minimum.depth * minimum.normal, minimum.point_a, no_index, no_index};
+  }
+
+  // Grows a polytope until its least face without a proof lies on the boundary, or it is full.
+  [[nodiscard]] [[gnu::noinline]] EpaResult grow(const Simplex& start) {
+    [[clang::uninitialized]] Polytope polytope;
+    polytope.reset();
+    const FlatDifference flat = polytope.start(minima_.empty() ? start : simplex_at_minimum(), noise_, cores_);
+    if (flat.is_flat) {
+      return answer_across(flat.normal);
+    }
+    LastFace last{0, 0, infinity};
+    while (result_.iterations < Polytope::vertex_limit && push_out(polytope, last)) {
+    }
+    const bool is_sliver = result_.upper > noise_ && result_.upper < sliver_share * cores_.size;
+    if (cores_.is_curved && (is_open() || is_sliver)) [[unlikely]] {
+      descend_from_faces(polytope);
+    }
+    return is_at_minimum() ? answer_at_minimum() : answer_under(polytope, last);
+  }
+
+  struct LastFace {
+    std::size_t face;
+    Real distance, reach;  // of the face, and of the support point along its normal; infinite before the first one
+  };
+  // Pushes the least face out to the support point along its normal. False where that proves the depth or is no help.
+  [[nodiscard]] bool push_out(Polytope& polytope, LastFace& last) {
+    const std::size_t face = least_open_face(polytope);
+    if (face == Polytope::none) [[unlikely]] {
+      return false;
+    }
+    ++result_.iterations;
+    // Face distances only grow; rounding must not make the bound shrink again.
+    const Real distance = polytope.distance(face);
+    result_.lower = result_.iterations == 1 ? distance : std::fmax(distance, result_.lower);
+    if (!minima_.empty() && result_.lower >= result_.upper - error_) {
+      return false;
+    }
+    const Vec3 normal = polytope.normal(face);
+    const DifferenceVertex vertex = cores_.vertex_toward(normal);
+    const Real reach = dot(normal, vertex.w);
+    last = {face, distance, reach};
+    const bool is_near = result_.iterations > patience && reach < near_least * result_.upper;
+    const bool may_be_least = reach < result_.upper + error_ || is_near;
+    // Among equal bounds the normal of the latest face, which lies nearest to the boundary.
+    if (reach <= result_.upper + noise_) {
+      set_upper(std::fmin(reach, result_.upper), normal);
+    }
+    if (cores_.is_curved && may_be_least && minima_.size() < minimum_limit && finds_minimum_near(normal)) {
+      // The point of the minimum, where the face sees it, is worth more than the support point.
+      const DifferenceVertex found = vertex_of(minima_[minima_.size() - 1]);
+      const bool is_seen = dot(normal, found.w) > distance + noise_;
+      return polytope.expand(face, is_seen ? found : vertex, noise_);
+    }
+    if (!is_open() || reach - distance <= noise_) {
+      return false;
+    }
+    if (polytope.contains(vertex)) {
+      // The normal of a sliver is rounding: the other faces tell more.
+      most_proven_ = std::fmin(most_proven_, reach);
+      polytope.hide(face);
+      return true;
+    }
+    return polytope.expand(face, vertex, noise_);
+  }
+
+  // A direction v with a depth less than `upper` has upper v beyond a face: within the angle of the cosine distance /
+  // upper from its normal. A face needs no vertex where all these directions are proven.
+  [[nodiscard]] std::size_t least_open_face(Polytope& polytope) const {
+    std::size_t face = polytope.least_face();
+    while (polytope.distance(face) < result_.upper - error_ &&
+           proven_.holds(polytope.normal(face), (polytope.distance(face) - noise_) / result_.upper)) {
+      polytope.hide(face);
+      face = polytope.least_face();
+    }
+    return face;
+  }
+
+  // Where no polytope of this size proves the depth, descents from its faces still find it.
+  void descend_from_faces(const Polytope& polytope) {
+    [[clang::uninitialized]] std::array<Real, Polytope::face_limit> depths;
+    const std::span<Real> left = std::span(depths).first(polytope.face_end());
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const bool is_open_face = polytope.distance(i) < result_.upper - error_;
+      left[i] = is_open_face ? cores_.depth_along(polytope.normal(i)) : infinity;
+    }
+    [[clang::uninitialized]] SmallVector<Vec3, descent_limit> starts;
+    Vec3 next = result_.normal;
+    while (starts.size() < descent_limit) {
+      if (std::ranges::none_of(starts.span(), [&](const Vec3& start) { return dot(start, next) > same_start; })) {
+        starts.push_back(next);
+        take(descend(cores_, next, error_, noise_));
+      }
+      const auto least = std::ranges::min_element(left);
+      if (least == left.end() || !(*least < infinity)) {
+        return;
+      }
+      *least = infinity;
+      next = polytope.normal(static_cast<std::size_t>(least - left.begin()));
+    }
+  }
+  void take(const Descent& found) {
+    // Of equal depths the one whose points are known.
+    const Real gain = gain_share * error_;
+    if (found.depth < result_.upper + (found.minimum && !is_at_minimum() ? gain : -gain)) {
+      set_upper(found.depth, found.normal);
+      if (found.minimum) {
+        best_ = minima_.size();
+        minima_.push_back(*found.minimum);
+      }
+    }
+  }
+
+  [[nodiscard]] EpaResult answer_at_minimum() const {
+    const DepthMinimum& least = minima_[best_];
+    EpaResult result = with_lower(least.depth);
+    result.depth = least.depth;
+    result.upper = least.upper;
+    result.normal = least.normal;
+    result.point_a = least.point_a;
+    result.point_b = least.point_b;
+    return result;
+  }
+  // No cap proves more than its own bound.
+  [[nodiscard]] EpaResult with_lower(Real most) const {
+    EpaResult result = result_;
+    result.lower = std::fmin(result.lower, most_proven_);
+    for (const DepthMinimum& minimum : minima_.span()) {
+      result.lower = std::fmin(result.lower, minimum.lower);
+    }
+    result.lower = std::fmin(result.lower, most);
+    return result;
+  }
+
+  // Without volume the depth is zero across the flat, up to the noise that made it flat.
+  [[nodiscard]] EpaResult answer_across(const Vec3& normal) const {
+    const DifferenceVertex top = cores_.vertex_toward(normal), bottom = cores_.vertex_toward(-normal);
+    const Real above = dot(normal, top.w), below = -dot(normal, bottom.w);
+    const bool is_up = above <= below;
+    EpaResult result{};
+    result.normal = is_up ? normal : -normal;
+    result.depth = result.upper = is_up ? above : below;
+    result.lower = std::fmin(result.depth, 0);
+    result.point_a = is_up ? top.a : bottom.a;
+    result.point_b = result.point_a - (is_up ? top.w : bottom.w);
+    return cores_.is_curved ? with_points(cores_, error_, result).value_or(result) : result;
+  }
+
+  [[nodiscard]] EpaResult answer_under(const Polytope& polytope, const LastFace& last) const {
+    EpaResult result = with_lower(result_.upper);
+    Witness witness = polytope.witness(last.face);
+    if (cores_.is_curved && last.reach - last.distance > error_) {
+      // The face does not lie on the surface yet. The points where both cores end along the normal do.
+      const DifferenceVertex end = cores_.vertex_toward(result.normal);
+      witness = {end.a, end.a - end.w};
+    } else if (cores_.is_curved && last.reach <= result.upper + error_) {
+      // The points lie under the last face: its normal is as good as the best within the error.
+      result.upper = last.reach;
+      result.normal = polytope.normal(last.face);
+    }
+    result.depth = result.upper;
+    // The points share what is left between them and the depth, which is less than the error.
+    const Vec3 half = (0.5 * (result.depth + dot(witness.b - witness.a, result.normal))) * result.normal;
+    result.point_a = witness.a + half;
+    result.point_b = witness.b - half;
+    if (!cores_.is_curved) {
+      return result;
+    }
+    if (const auto pointed = with_points(cores_, error_, result)) {
+      return *pointed;
+    }
+    if (is_open()) {
+      find_points_under(cores_, error_, result);
+    }
+    return result;
+  }
+
+  const Difference& cores_;
+  const Real error_, noise_;
+  EpaResult result_{0, 0, infinity, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
+  SmallVector<DepthMinimum, minimum_limit> minima_;
+  DirectionCover proven_;
+  Real most_proven_ = infinity;  // no more than the reach of each hidden sliver
+  std::size_t best_ = 0;
+};
 
 }  // namespace
 
 EpaResult epa(const Difference& cores, Real error, const Simplex& start) {
-  const Real noise = cores.noise();
-
-  [[clang::uninitialized]] Polytope polytope;
-  polytope.reset();
-  const FlatDifference flat = polytope.start(start, noise, cores);
-  EpaResult result{0, 0, infinity, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
-  if (flat.is_flat) {
-    // Without volume the depth is zero across the flat, up to the noise that made it flat.
-    const DifferenceVertex top = cores.vertex_toward(flat.normal);
-    const DifferenceVertex bottom = cores.vertex_toward(-flat.normal);
-    const Real above = dot(flat.normal, top.w), below = -dot(flat.normal, bottom.w);
-    const bool up = above <= below;
-    result.normal = up ? flat.normal : -flat.normal;
-    result.depth = result.upper = up ? above : below;
-    result.lower = result.depth < 0 ? result.depth : 0;
-    result.point_a = up ? top.a : bottom.a;
-    result.point_b = result.point_a - (up ? top.w : bottom.w);
-    return result;
-  }
-
-  std::size_t face = 0;
-  Real reach = 0, distance = 0;
-  for (std::uint32_t iteration = 1; iteration <= Polytope::vertex_limit; ++iteration) {
-    result.iterations = iteration;
-    const bool near_by = iteration > global_rounds;
-    const std::size_t next = !near_by                         ? polytope.least_face()
-                             : iteration == global_rounds + 1 ? polytope.face_along(result.normal)
-                                                              : polytope.least_new_face();
-    if (next == Polytope::none) [[unlikely]] {
-      break;
-    }
-    face = next;
-    const Vec3 normal = polytope.normal(face);
-    distance = polytope.distance(face);
-    const DifferenceVertex vertex = cores.vertex_toward(normal);
-    reach = dot(normal, vertex.w);
-    // Face distances only grow; rounding must not make the bound shrink again.
-    result.lower = iteration == 1 || (!near_by && distance > result.lower) ? distance : result.lower;
-    // Among equal bounds the normal of the latest face, which lies nearest to the boundary.
-    if (reach <= result.upper + noise) {
-      result.upper = reach < result.upper ? reach : result.upper;
-      result.normal = normal;
-    }
-    if (result.upper - result.lower <= error || reach - distance <= (near_by ? error : noise)) {
-      break;
-    }
-    if (polytope.contains(vertex)) {
-      // A sliver whose normal is rounding: the other faces tell more.
-      polytope.hide(face);
-      continue;
-    }
-    if (!polytope.expand(face, vertex, noise)) {
-      break;
-    }
-  }
-  Witness witness = polytope.witness(face);
-  if (cores.is_curved && reach <= result.upper + error && reach - distance <= error) {
-    // The points lie under the last face: its normal, which is as good as the best within the bound.
-    result.upper = reach;
-    result.normal = polytope.normal(face);
-  } else if (cores.is_curved && reach - distance > error) {
-    // No face lies on the surface yet; the points where both bodies end along the normal do.
-    const DifferenceVertex end = cores.vertex_toward(result.normal);
-    witness = {end.a, end.a - end.w};
-  }
-  result.depth = result.upper;
-  result.point_a = witness.a;
-  result.point_b = witness.b;
-  // What is left between the points and the depth, below the error bound, is shared by both.
-  const Vec3 half = (0.5 * (result.depth + dot(witness.b - witness.a, result.normal))) * result.normal;
-  result.point_a += half;
-  result.point_b = result.point_b - half;
-  result.lower = result.lower < result.upper ? result.lower : result.upper;
-  return result;
+  return DepthSearch(cores, error).run(start);
 }
 
 }  // namespace abut

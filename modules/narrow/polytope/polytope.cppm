@@ -20,7 +20,7 @@ struct Witness {
 
 class Polytope {
  public:
-  static constexpr std::size_t vertex_limit = 192;
+  static constexpr std::size_t vertex_limit = 224;
   static constexpr std::size_t face_limit = 2 * vertex_limit;  // a triangulated sphere has 2 V - 4 faces
   static constexpr std::size_t none = face_limit;
 
@@ -51,30 +51,8 @@ class Polytope {
     }
     return best;
   }
-  // The face whose normal is nearest to a direction.
-  [[nodiscard]] inline std::size_t face_along(const Vec3& direction) const {
-    std::size_t best = none;
-    Real most = -infinity;
-    for (std::size_t i = 0; i < face_count_; ++i) {
-      if (const Real along = dot(normal(i), direction); distance(i) < infinity && along > most) {
-        most = along;
-        best = i;
-      }
-    }
-    return best;
-  }
-  // The least one among the faces that the last vertex brought.
-  [[nodiscard]] inline std::size_t least_new_face() const {
-    std::size_t best = none;
-    Real least = infinity;
-    for (std::size_t i = 0; i < face_count_; ++i) {
-      if (corners_[i][2] + 1u == vertex_count_ && distance(i) < least) {
-        least = distance(i);
-        best = i;
-      }
-    }
-    return best;
-  }
+  // Faces have numbers below this; those that are not in use have an infinite distance.
+  [[nodiscard]] inline std::size_t face_end() const { return face_count_; }
   [[nodiscard]] inline Vec3 normal(std::size_t face) const { return vec3_of(planes_[face]); }
   [[nodiscard]] inline Real distance(std::size_t face) const { return distances_[face / 4][face % 4]; }
 

@@ -6,30 +6,13 @@ import abut.narrow.cores.core_separation;
 import abut.narrow.cores.difference;
 import abut.narrow.cores.simplex;
 import abut.narrow.polytope.capped_epa;
-import abut.narrow.polytope.depth_descent;
 import abut.narrow.polytope.epa;
 
 namespace abut {
 namespace {
 
-// Depths below this share of the size are those of needles and plates, or of touching cores: polytopes of slivers prove
-// nothing there.
-constexpr Real sliver_share = 3e-8;
-
 [[nodiscard]] EpaResult depth_by_polytope(const Difference& cores, Real error, const Simplex& start) {
-  const Real noise = noise_of(cores.size);
-  EpaResult found = cores.is_curved ? capped_epa(cores, error, start) : epa(cores, error, start);
-  const auto is_open = [&] { return found.upper - found.lower > error + noise; };
-  if (is_open()) [[unlikely]] {
-    // A polytope that starts on slivers may not grow to the end; one that starts along the axes then does.
-    const EpaResult again = epa(cores, error, Simplex{});
-    found = again.upper < found.upper ? again : found;
-  }
-  if (cores.is_curved && (is_open() || (found.depth > noise && found.depth < sliver_share * cores.size))) [[unlikely]] {
-    const EpaResult least = least_of_descents(cores, error, found);
-    found = is_open() || least.depth < found.depth - error ? least : found;
-  }
-  return found;
+  return cores.is_curved ? capped_epa(cores, error, start) : epa(cores, error, start);
 }
 
 }  // namespace
@@ -58,7 +41,9 @@ bool separate_by_touch(const Difference& cores, Real error, const Simplex& start
   const EpaResult found = capped_epa(cores, error, start);
   core.iterations += found.iterations;
   const Real apart = norm(found.point_b - found.point_a);
-  if (!(std::fabs(found.depth) <= error && found.upper - found.lower <= error && apart <= error)) {
+  // Points of cores that are apart are as far apart as these.
+  const Real farthest = found.depth < 0 ? noise_of(cores.size) - found.depth : error;
+  if (!(std::fabs(found.depth) <= error && found.upper - found.lower <= error && apart <= farthest)) {
     return false;
   }
   core.rounding = noise_of(cores.size);
