@@ -180,8 +180,9 @@ abut_status distances(const PairBatch& pairs, const abut_query_options* options,
 constexpr std::size_t usual_points = 8;
 static_assert(usual_points * sizeof(abut::ContactPoint) <= 1024);
 
-abut_status contacts(const PlacedPair& pair, const abut_query_options* options, abut_pair_memory* memory,
-                     std::span<abut_contact> out, std::size_t& count) {
+[[gnu::always_inline]] inline abut_status contacts(const PlacedPair& pair, const abut_query_options* options,
+                                                   abut_pair_memory* memory, std::span<abut_contact> out,
+                                                   std::size_t& count) {
   if (const abut_status status = check_poses(pair.pose_a, pair.pose_b); status != ABUT_OK) {
     return status;
   }
