@@ -22,7 +22,7 @@ class RaySlabs {
     [[nodiscard]] inline Stretch until(Real limit) const { return {enter, limit < leave ? limit : leave}; }
   };
 
-  // `bounds`: of all boxes that are asked about. Seen from the origin of the ray, coordinates of points in a box are
+  // `bounds`: of all boxes that are asked about. Seen from its origin, coordinates of points in a box are
   // off by at most three units of rounding of the furthest one. Eight are allowed.
   inline RaySlabs(const Vec3& origin, const Vec3& direction, const Aabb& bounds)
       : origin_(origin),

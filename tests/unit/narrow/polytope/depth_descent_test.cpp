@@ -39,8 +39,8 @@ Real overlap_along(const A& a, const B& b, const Pose& ab, const Vec3& n) {
   return dot(n, a.support(n).point - ab * b.support(ab.rotation.undo(-n)).point);
 }
 
-// Over the ring of directions that lean by an angle of a given sine out of the plane across Z, in so small steps that
-// what lies between two of them is less than the tolerance for cores that vary by parts in a million.
+// Over the ring of directions that lean out of the plane across Z by an angle of a given sine. For cores that vary by
+// parts in a million, the steps are so small that the overlap changes by less than the tolerance.
 template <class A, class B>
 Real least_on_ring(const A& a, const B& b, const Pose& ab, Real sine) {
   const Real cosine = std::sqrt(1 - sine * sine);
@@ -137,8 +137,8 @@ TEST(DepthDescent, LeavesARidge) {
   EXPECT_NEAR(found.depth, 0.75 - 1e-5, tolerance);
 }
 
-// A plate across the axis of a cylinder overlaps least along its own axis. One degree beside it the depth is larger by
-// more than the plate is thick, so that the minimum is narrow, and no side of it is smooth.
+// A plate across the axis of a cylinder overlaps least along its own axis. One degree beside it the depth is larger
+// by more than the plate is thick. So the minimum is narrow, and no side of it is smooth.
 TEST(DepthDescent, PlateInACylinder) {
   const auto plate = test::made<abut::Ellipsoid>({1.6e-6, 5.7e-4, 1.8e-3});
   const auto cylinder = test::made<abut::Cylinder>({1.6, 1.6});
