@@ -137,7 +137,8 @@ class DepthSearch {
     // Face distances only grow; rounding must not make the bound shrink again.
     const Real distance = polytope.distance(face);
     result_.lower = result_.iterations == 1 ? distance : std::fmax(distance, result_.lower);
-    if (!minima_.empty() && result_.lower >= result_.upper - error_) {
+    const bool is_covered = !(distance < infinity);
+    if (is_covered || (is_at_minimum() && !is_open())) {
       return false;
     }
     const Vec3 normal = polytope.normal(face);
@@ -273,7 +274,7 @@ class DepthSearch {
     if (const auto pointed = with_points(cores_, error_, result)) {
       return *pointed;
     }
-    if (is_open()) {
+    if (norm(result.point_b - result.point_a + result.depth * result.normal) > error_) {
       find_points_under(cores_, error_, result);
     }
     return result;
