@@ -1,11 +1,5 @@
-// Depth of overlap of cores of which one is curved: the expanding polytope algorithm, in which whole caps of directions
-// are proven at once.
-//
-// A polytope alone comes nearer to a round surface by a constant factor per vertex, and proves nothing where many
-// directions are as good. Here Newton's method finds a least depth d among nearby directions and a cap of them in which
-// nothing is less. A direction v outside all caps with less than d has d v outside the polytope, beyond one of its
-// faces: within the angle of cosine distance / d from the normal of that face. Faces all of whose such directions lie
-// in a cap need no vertex. When none is left, d is the depth.
+// Depth of overlap of cores of which one is curved: by their outlines where they turn around one axis, else by the
+// expanding polytope algorithm. And the points of both cores under a normal.
 export module abut.narrow.polytope.capped_epa;
 import abut.core.standard;
 import abut.math;
