@@ -46,14 +46,30 @@ template <Faceted S>
   const std::size_t lane = faces.lane();
   return 4 * static_cast<std::size_t>(faces.which[lane]) + lane;
 }
-// The place of a hull's edge whose middle lies furthest along a direction.
+// The place of a hull's edge that leads from the vertex furthest along a direction to the next one of its neighbours.
 template <Faceted S>
 [[nodiscard]] inline std::size_t line_along(const S& hull, const Vec3& direction) {
-  const auto& lines = hull.facets().lines;
+  const auto& points = hull.facets().points;
+  const auto& ends = hull.facets().ends;
   const Lanes n = lanes_of(direction);
-  const auto height = [&](const auto& line) { return dot(n, 2 * line.from + line.along); };
-  const auto is_lower = [&](const auto& first, const auto& second) { return height(first) < height(second); };
-  return static_cast<std::size_t>(std::max_element(lines.begin(), lines.end(), is_lower) - lines.begin());
+  std::size_t top = 0;
+  Real highest = -infinity;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Real height = dot(n, points[i]);
+    top = height > highest ? i : top;
+    highest = height > highest ? height : highest;
+  }
+  std::size_t found = 0;
+  Real next = -infinity;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const auto [from, to] = ends[i];
+    if (from == top || to == top) {
+      const Real height = dot(n, points[from == top ? to : from]);
+      found = height > next ? i : found;
+      next = height > next ? height : next;
+    }
+  }
+  return found;
 }
 
 // The face of a core that looks along a direction best, everything in the frame of the core.

@@ -142,4 +142,35 @@ struct SeenCorners {
   }
 };
 
+// The same of a box, whose corner that comes nearest is told by the signs along its three arms.
+struct SeenBox : SeenCorners<8> {
+  static constexpr bool are_few = true;
+  Vec3 centre;
+  std::array<Vec3, 3> arms;
+
+  SeenBox(std::span<const Lanes> corners, const Vec3& half, const Pose& pose)
+      : SeenCorners(corners, pose),
+        centre(pose.position),
+        arms{half.x * pose.rotation.x, half.y * pose.rotation.y, half.z * pose.rotation.z} {}
+
+  template <bool with_corner>
+  [[gnu::always_inline]] inline void search(const Columns& n, std::size_t, std::size_t, Least& best) const {
+    best.value = dot(n, Columns::all(centre));
+    std::int64_t bit = 1;
+    for (const Vec3& arm : arms) {
+      const Lanes along = dot(n, Columns::all(arm));
+      best.value -= absolute(along);
+      if constexpr (with_corner) {
+        best.corner += along < all_lanes(0) ? LaneNumbers(bit) : LaneNumbers(0);
+        bit *= 2;
+      }
+    }
+  }
+  [[nodiscard]] [[gnu::always_inline]] inline Least least(const Columns& n) const {
+    Least best;
+    search<true>(n, 0, 8, best);
+    return best;
+  }
+};
+
 }  // namespace abut

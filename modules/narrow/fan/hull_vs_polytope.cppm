@@ -25,17 +25,18 @@ template <Faceted S>
   return facets.points.size() <= vertex_limit_of_two && facets.planes.size() <= vertex_limit_of_two / 2 &&
          facets.lines.size() <= 3 * vertex_limit_of_two;
 }
-// How many vertices a polytope can have that is tried against another core, and how many corners that one can have.
+// How many vertices a polytope can have that is tried against another core.
 template <class Other>
 inline constexpr std::size_t vertex_capacity = Faceted<Other> ? vertex_limit_of_two : 2 * edge_limit / 3 + 2;
-template <class Other>
-[[nodiscard]] consteval std::size_t corner_capacity() {
+// The corners of the other core, `own` in its own frame, from where a polytope is.
+template <class Other, class Own>
+[[nodiscard]] [[gnu::always_inline]] inline auto seen_from(const Other& other, const Own& own, const Pose& pose) {
   if constexpr (Faceted<Other>) {
-    return vertex_limit_of_two;
-  } else if constexpr (BoxCored<Other>) {
-    return std::size_t{1} << Other::core_axes;
+    return SeenCorners<vertex_limit_of_two>(own.points, pose);
+  } else if constexpr (BoxCored<Other> && !PointCored<Other> && !SegmentCored<Other>) {
+    return SeenBox(own.points, other.half(), pose);
   } else {
-    return 3;
+    return SeenCorners<std::tuple_size_v<decltype(own.points)>>(own.points, pose);
   }
 }
 
@@ -116,7 +117,7 @@ template <Faceted A, class B>
   constexpr std::size_t capacity = vertex_capacity<B>, group_limit = capacity / 2;
   const Pose ba = ab.inverse();
   const auto& own_of_b = corners_of(b);
-  [[clang::uninitialized]] const SeenCorners<corner_capacity<B>()> of_b(own_of_b.points, ab);
+  [[clang::uninitialized]] const auto of_b = seen_from(b, own_of_b, ab);
   SatResult best{-infinity, {0, 0, 0}, 0, {}};
   const auto take_face = [&](const LeastDepths& faces, CoreFeature CoreFeatures::* of, const auto& out) {
     const std::size_t lane = faces.lane(), face = 4 * static_cast<std::size_t>(faces.which[lane]) + lane;
@@ -165,9 +166,14 @@ template <Faceted A, class B>
       // Where it is positive at both ends, the height of a point falls below neither in between.
       const auto& arcs = a.facets().arcs[at];
       const Columns out = Columns{arcs.from_x, arcs.from_y, arcs.from_z} - Columns::all(middle_of_b);
-      const Lanes at_left = dot({arcs.left_x, arcs.left_y, arcs.left_z}, out);
-      const Lanes lower = minimum(at_left, dot({arcs.right_x, arcs.right_y, arcs.right_z}, out));
-      open |= signs_of(lower - all_lanes(needed)) << (4 * (at - first));
+      const Columns left{arcs.left_x, arcs.left_y, arcs.left_z}, right{arcs.right_x, arcs.right_y, arcs.right_z};
+      std::uint64_t four = signs_of(minimum(dot(left, out), dot(right, out)) - all_lanes(needed));
+      if constexpr (SegmentCored<B>) {
+        // Only from one side of a segment to the other does an arc lead from one end to the other.
+        const Columns along = Columns::all(vec3_of(of_b.points[1] - of_b.points[0]));
+        four &= signs_of(dot(left, along)) ^ signs_of(dot(right, along));
+      }
+      open |= four << (4 * (at - first));
     }
     for (; open != 0; open &= open - 1) {
       const std::size_t line = 4 * first + static_cast<std::size_t>(std::countr_zero(open));
