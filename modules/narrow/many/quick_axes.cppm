@@ -12,6 +12,14 @@ export namespace abut {
 // wrongly.
 [[nodiscard]] [[gnu::always_inline]] inline Real length_bound(Lanes a) { return sum(absolute(a)); }
 
+// The normal of a sliver is rounding, and so is how far anything lies along it. `size`: of the coordinates.
+[[nodiscard]] [[gnu::always_inline]] inline Real rounding_of_normal(Real one_side, Real other_side, Real size) {
+  return 64 * epsilon * one_side * other_side * size;
+}
+[[nodiscard]] [[gnu::always_inline]] inline Real length_bound(const Vec3& a) {
+  return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
+}
+
 // The box around a core, along the axes of the core, and all separating axes of it and a triangle. Source:
 // Gottschalk, Lin, Manocha, "OBBTree", 1996. All is in the frame of the box, an axis of the box per lane.
 template <Convex B>
@@ -27,13 +35,14 @@ class QuickAxes {
   [[nodiscard]] bool are_beyond(const TriangleCorners& corners, Real limit) const {
     const Lanes a = local(corners[0]), b = local(corners[1]), c = local(corners[2]);
     const Lanes low = minimum(minimum(a, b), c), high = maximum(maximum(a, b), c);
-    const Real noise = noise_ + 64 * epsilon * largest(maximum(absolute(low), absolute(high)) + half_);
-    const Real reach = std::fmax(limit, 0) + noise;
+    const Real size = largest(maximum(absolute(low), absolute(high)) + half_);
+    const Real reach = std::fmax(limit, 0) + noise_ + 64 * epsilon * size;
     if (bits_of(maximum(low, -high) - half_ > all_lanes(reach)) != 0) {
       return true;
     }
     const Lanes normal = cross(b - a, c - a);
-    return std::fabs(dot(normal, a)) - dot(absolute(normal), half_) > reach * length_bound(normal) ||
+    const Real rounding = rounding_of_normal(length_bound(b - a), length_bound(c - a), size);
+    return std::fabs(dot(normal, a)) - dot(absolute(normal), half_) > reach * length_bound(normal) + rounding ||
            are_beyond_across(b - a, a, c, reach) || are_beyond_across(c - b, b, a, reach) ||
            are_beyond_across(a - c, c, b, reach);
   }
@@ -71,11 +80,14 @@ class QuickAxes<Triangle> {
  private:
   // Whether all corners of the second triangle are on one side of the plane of the first one.
   [[nodiscard]] static inline bool are_beside(const TriangleCorners& first, const TriangleCorners& second, Real limit) {
-    const Vec3 n = cross(first[1] - first[0], first[2] - first[0]);
+    const Vec3 one = first[1] - first[0], other = first[2] - first[0], n = cross(one, other);
     const Real a = dot(n, second[0] - first[0]), b = dot(n, second[1] - first[0]), c = dot(n, second[2] - first[0]);
-    const Real size = std::fmax(largest_magnitude(maximum(absolute(first[0]), absolute(first[1]))),
-                                largest_magnitude(maximum(absolute(second[0]), absolute(second[1]))));
-    const Real reach = (std::fmax(limit, 0) + 64 * epsilon * size) * (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z));
+    Real size = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      size = std::fmax(size, std::fmax(largest_magnitude(first[i]), largest_magnitude(second[i])));
+    }
+    const Real reach = (std::fmax(limit, 0) + 64 * epsilon * size) * length_bound(n) +
+                       rounding_of_normal(length_bound(one), length_bound(other), size);
     return std::min(std::min(a, b), c) > reach || std::max(std::max(a, b), c) < -reach;
   }
 
@@ -90,10 +102,11 @@ class QuickAxes<B> {
   QuickAxes(const B& b, const Pose& ab) : point_(placed_centre(b, ab)) {}
 
   [[nodiscard]] bool are_beyond(const TriangleCorners& corners, Real limit) const {
-    const Vec3 n = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const Vec3 one = corners[1] - corners[0], other = corners[2] - corners[0], n = cross(one, other);
     const Real size = largest_magnitude(maximum(absolute(point_), absolute(corners[0])));
-    const Real reach = std::fmax(limit, 0) + 64 * epsilon * size, height = dot(n, point_ - corners[0]);
-    return height * height > reach * reach * squared_norm(n);
+    const Real reach = (std::fmax(limit, 0) + 64 * epsilon * size) * length_bound(n) +
+                       rounding_of_normal(length_bound(one), length_bound(other), size);
+    return std::fabs(dot(n, point_ - corners[0])) > reach;
   }
 
  private:
