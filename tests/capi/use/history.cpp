@@ -1,4 +1,5 @@
 // What contacts remember from step to step: their age, the caller's value, and which of many points are kept.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -105,7 +106,8 @@ TEST(ContactHistory, UserDataIsOneValuePerContact) {
   EXPECT_EQ(universe.contacts().front().user_data, 1U);
 }
 
-// Two plates with many corners rest on each other and shake: the four points that are kept stay the same.
+// Two plates with many corners rest on each other and shake: the four points that hold them stay the same. The deepest
+// one may be one more.
 TEST(ContactHistory, KeptPointsDoNotFlicker) {
   std::vector<double> points;
   for (int i = 0; i < 12; ++i) {
@@ -125,7 +127,9 @@ TEST(ContactHistory, KeptPointsDoNotFlicker) {
     const double x = 1e-7 * std::sin(1.7 * step), y = 1e-7 * std::cos(2.3 * step);
     const abut_pose pose{{x, y, 0.099}, {1, x, y, 0}};
     ASSERT_TRUE(succeeded(abut_part_set_pose(universe, part, &pose)));
-    EXPECT_EQ(ids_of(universe.step()), first) << "step " << step;
+    const auto now = ids_of(universe.step());
+    EXPECT_TRUE(std::ranges::includes(now, first)) << "step " << step;
+    EXPECT_LE(now.size(), first.size() + 1);
   }
 }
 
