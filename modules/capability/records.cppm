@@ -120,9 +120,10 @@ inline constexpr std::uint32_t packed_indices = 1u << 28;
   return mixed(mixed(kind_a << 32 | a.index) + (kind_b << 32 | b.index));
 }
 
-// The number of a contact with a child of a composite, or with a particle that its features do not tell.
-[[nodiscard]] inline constexpr std::uint64_t contact_id_of_child(std::uint64_t id, std::uint32_t child) {
-  return mixed(id ^ (std::uint64_t{child} << 32));
+// The number of a contact with a part: a child of a composite, a triangle, or a particle that its features do not tell.
+// Packed numbers differ in few bits, so they are scrambled before the part is added.
+[[nodiscard]] inline constexpr std::uint64_t contact_id_of_part(std::uint64_t id, std::uint32_t part) {
+  return mixed(scrambled(id) + part);
 }
 
 using Manifold = std::vector<ContactPoint>;
@@ -132,7 +133,7 @@ inline void name_particle_a(ContactPoint& contact, std::uint32_t index) {
   contact.child_a = index;
   contact.feature_a = {FeatureKind::particle, index};
   contact.id =
-      is_packed(contact.id) ? contact_id(contact.feature_a, contact.feature_b) : contact_id_of_child(contact.id, index);
+      is_packed(contact.id) ? contact_id(contact.feature_a, contact.feature_b) : contact_id_of_part(contact.id, index);
 }
 
 // The same features may touch twice in one pair, as where an edge crosses a rim. Such contacts get numbers of their

@@ -104,7 +104,7 @@ class Carver {
       }
       if (material_at(hole, contact.point_a)) {
         contact.child_a = hole.child;
-        contact.id = contact_id_of_child(contact.id, hole.child);
+        contact.id = contact_id_of_part(contact.id, hole.child);
         deepest_wall = std::min(deepest_wall, contact.distance);
         reached.push_back(contact);
       } else if (contact.distance < 0) {
@@ -238,7 +238,7 @@ class Carver {
     ContactPoint contact{place, rim.found.point_b,      rim.found.normal, rim.found.distance, edge,
                          whole, contact_id(edge, whole)};
     contact.child_a = seed.hole;
-    contact.id = contact_id_of_child(contact_id_of_child(contact.id, seed.hole), seed.solid);
+    contact.id = contact_id_of_part(contact_id_of_part(contact.id, seed.hole), seed.solid);
     contacts.push_back(contact);
   }
 

@@ -56,7 +56,7 @@ template <Scattered A>
   for (ContactPoint& contact : std::span(out).subspan(first)) {
     contact.feature_a = {FeatureKind::face, a.index()};
     contact.feature_b = {FeatureKind::face, b.index()};
-    contact.id = mixed(mixed(contact.id + a.index()) ^ (std::uint64_t{b.index()} << 32));
+    contact.id = contact_id_of_part(contact_id_of_part(contact.id, a.index()), b.index());
   }
   return outcome;
 }

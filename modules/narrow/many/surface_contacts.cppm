@@ -162,10 +162,10 @@ class SurfaceContacts {
     const std::size_t first = out_.size();
     contacts_under(triangle, b, ab_, core, settings_.margin, closest_count, out_);
     for (ContactPoint& contact : std::span(out_).subspan(first)) {
-      contact.id = mixed(contact.id + triangle.index());
+      contact.id = contact_id_of_part(contact.id, triangle.index());
       contact.feature_a = {FeatureKind::face, triangle.index()};
       if constexpr (Surface<Other>) {
-        contact.id = mixed(contact.id ^ (std::uint64_t{part_of_b} << 32));
+        contact.id = contact_id_of_part(contact.id, part_of_b);
         contact.feature_b = {FeatureKind::face, part_of_b};
       }
     }

@@ -134,7 +134,7 @@ template <HalfSpace A, Surface B>
     const std::size_t first = out.size();
     outcome = half_space_contacts(a, part, ab, settings, out);
     for (std::size_t i = first; i < out.size(); ++i) {
-      out[i].id = mixed(out[i].id + index);
+      out[i].id = contact_id_of_part(out[i].id, index);
       out[i].feature_b = {FeatureKind::face, index};
     }
   });

@@ -112,7 +112,7 @@ void name_children(const AnyShape& a, const AnyShape& b, std::uint32_t child_a, 
                    std::size_t first, Manifold& contacts) {
   const bool of_a = is_assembly(a), of_b = is_assembly(b);
   for (ContactPoint& contact : std::span(contacts).subspan(first)) {
-    contact.id = contact_id_of_child(contact_id_of_child(contact.id, child_a), child_b);
+    contact.id = contact_id_of_part(contact_id_of_part(contact.id, child_a), child_b);
     contact.child_a = of_a ? child_a : contact.child_a;
     contact.child_b = of_b ? child_b : contact.child_b;
   }

@@ -112,7 +112,7 @@ void carve(const AnyShape& composite, const Pose& pose, const AnyShape& other, c
     if (number) {
       for (ContactPoint& contact : std::span(added).subspan(first)) {
         contact.child_b = *number;
-        contact.id = contact_id_of_child(contact.id, *number);
+        contact.id = contact_id_of_part(contact.id, *number);
       }
     }
   };

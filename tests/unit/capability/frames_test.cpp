@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <set>
 
 #include "../random_boxes.hpp"
 
@@ -92,6 +94,21 @@ TEST(ContactIds, TellFeaturesAndSidesApart) {
   EXPECT_NE(id, abut::contact_id(edge, vertex));
   EXPECT_NE(id, abut::contact_id(vertex, other));
   EXPECT_NE(id, abut::contact_id(vertex, vertex));
+}
+
+// Numbers of features differ in few bits, and so do those of parts.
+TEST(ContactIds, OfPartsAreApart) {
+  std::set<std::uint64_t> seen;
+  std::size_t made = 0;
+  for (std::uint32_t a = 0; a < 16; ++a) {
+    for (std::uint32_t b = 0; b < 16; ++b) {
+      const std::uint64_t id = abut::contact_id({FeatureKind::vertex, a}, {FeatureKind::face, b});
+      for (std::uint32_t part = 0; part < 16; ++part, ++made) {
+        seen.insert(abut::contact_id_of_part(id, part));
+      }
+    }
+  }
+  EXPECT_EQ(seen.size(), made);
 }
 
 }  // namespace

@@ -69,14 +69,17 @@ void append_bits(const Vec3& v, std::vector<std::uint64_t>& out) {
     out.push_back(std::bit_cast<std::uint64_t>(value));
   }
 }
+std::uint64_t bits_of(const abut::Feature& feature) {
+  return static_cast<std::uint64_t>(feature.kind) << 32 | feature.index;
+}
 std::vector<std::uint64_t> bits_of(const Manifold& contacts) {
   std::vector<std::uint64_t> bits;
   for (const abut::ContactPoint& contact : contacts) {
     append_bits(contact.point_a, bits);
     append_bits(contact.point_b, bits);
     append_bits(contact.normal, bits);
-    bits.insert(bits.end(), {std::bit_cast<std::uint64_t>(contact.distance), contact.id,
-                             abut::feature_bits(contact.feature_a), abut::feature_bits(contact.feature_b)});
+    bits.insert(bits.end(), {std::bit_cast<std::uint64_t>(contact.distance), contact.id, bits_of(contact.feature_a),
+                             bits_of(contact.feature_b)});
   }
   return bits;
 }
