@@ -24,7 +24,7 @@ LAYERS = [
     ("shapes", "broadphase"),
     ("narrow/cores",),
     ("narrow/apart", "narrow/fan", "narrow/manifold"),
-    ("narrow/polytope",),
+    ("narrow/polytope", "narrow/libccd"),
     ("narrow/points",),
     ("narrow/warm", "narrow/convex"),
     ("narrow/many", "narrow/cast"),

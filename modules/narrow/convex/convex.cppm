@@ -11,7 +11,7 @@ import abut.narrow.convex.settle;
 import abut.narrow.points.common_region;
 import abut.narrow.points.lane_contact;
 import abut.narrow.points.round_lift;
-import abut.narrow.polytope.libccd;
+import abut.narrow.libccd;
 export import abut.narrow.convex.separation;
 import abut.capability;
 

@@ -4,7 +4,7 @@ module;
 #include <ccd/ccd.h>
 #include <ccd/quat.h>
 #pragma clang diagnostic pop
-module abut.narrow.polytope.libccd;
+module abut.narrow.libccd;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
@@ -12,9 +12,9 @@ import abut.math;
 namespace abut {
 namespace {
 
-// libccd's expanding polytope knows no limit of its own, may go round in circles, and each point costs it as long as
-// there are points already: a query would take 30 ms. From this many support points on, twice what pairs of round
-// bodies need, it is shown the origin, which adds nothing to any polytope and so ends it.
+// libccd's expanding polytope knows no limit and may go round in circles. Each point costs it as long as there are
+// points already, so a query would take 30 ms. After this many support points, twice what round bodies need, it is
+// shown the origin. That adds nothing to any polytope and so ends it.
 constexpr std::uint32_t support_limit = 1000;
 constexpr Real least_size = 1e-300;  // smaller ones have no inverse
 

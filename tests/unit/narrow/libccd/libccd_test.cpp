@@ -8,7 +8,7 @@
 
 import abut.capability;
 import abut.math;
-import abut.narrow.polytope.libccd;
+import abut.narrow.libccd;
 import abut.shapes.box;
 import abut.shapes.ellipsoid;
 

@@ -1,4 +1,4 @@
-module abut.narrow.polytope.libccd;
+module abut.narrow.libccd;
 import abut.capability;
 import abut.math;
 

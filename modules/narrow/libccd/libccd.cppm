@@ -1,6 +1,6 @@
 // libccd's GJK/EPA and MPR behind the interface of our own routes: a second, independent opinion.
 // What it cannot answer (NaN, iteration limit, contradiction) is reported, never passed on.
-export module abut.narrow.polytope.libccd;
+export module abut.narrow.libccd;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
