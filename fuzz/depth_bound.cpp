@@ -21,17 +21,20 @@ struct Piece {
   Distance near;  // to the convex shape
 };
 
-// The triangles of a surface, and how far each is from the convex shape.
+// The triangles of a surface, and how far each is from the convex shape. Nothing in a build without triangles.
 std::optional<std::vector<Piece>> pieces_of(const Scene& scene) {
+  const std::optional<std::size_t> triangle = find_kind("triangle");
+  if (!triangle) {
+    return std::nullopt;
+  }
   return std::visit(
       [&]<class S>(const S& surface) -> std::optional<std::vector<Piece>> {
         if constexpr (Surface<S>) {
           std::vector<Piece> pieces;
-          const std::size_t triangle = find_kind("triangle").value();
           for (std::uint32_t i = 0; i < surface.triangles().indices.size() / 3; ++i) {
             const auto part = surface.part(i);
             const auto& [a, b, c] = part.corners();
-            const auto made = make_shape(triangle, std::array{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}, {}, {});
+            const auto made = make_shape(*triangle, std::array{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}, {}, {});
             Piece piece{part.corners(), part.normal(), !part.is_one_sided(), {}};
             if (!made || pair_distance(made.value(), scene.b, scene.ab, {}, piece.near) != Outcome::ok) {
               return std::nullopt;
