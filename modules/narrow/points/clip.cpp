@@ -212,6 +212,9 @@ struct Stretch {
     if (at_p < 0 && at_q < 0) {
       return std::nullopt;
     }
+    if (at_p >= 0 && at_q >= 0) {
+      continue;
+    }
     const Real at = at_p / (at_p - at_q);
     if (at_p < 0 && at > found.enter + tie) {
       found.enter = at;
