@@ -20,12 +20,17 @@ struct SatResult {
 template <Convex S>
 inline constexpr std::size_t first_edge = SegmentCored<S> ? 2 : 0;
 
-// The unit normal across two edges, whose cross product has this square.
+// The unit normal across two edges, whose cross product has this square. Parallel edges have none: the answer is NaN,
+// and no comparison of what lies along it holds.
 //
 // Of nearly parallel edges the product is off by rounding of their lengths, which are long beside it. What leads along
 // the edges would come back multiplied by them: it is taken out. Across them the edges are short, and what is left is
 // rounding.
 [[nodiscard]] inline Vec3 unit_across_edges(const Vec3& edge_a, const Vec3& edge_b, const Vec3& product, Real square) {
+  if (!(square > 0)) {
+    constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+    return {none, none, none};
+  }
   const Vec3 n = (1 / std::sqrt(square)) * product;
   const Real square_a = squared_norm(edge_a);
   if (square > slender_square * square_a * squared_norm(edge_b)) [[likely]] {

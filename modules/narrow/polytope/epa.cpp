@@ -173,7 +173,7 @@ class DepthSearch {
   // upper from its normal. A face needs no vertex where all these directions are proven.
   [[nodiscard]] std::size_t least_open_face(Polytope& polytope) const {
     std::size_t face = polytope.least_face();
-    while (polytope.distance(face) < result_.upper - error_ &&
+    while (result_.upper > 0 && polytope.distance(face) < result_.upper - error_ &&
            proven_.holds(polytope.normal(face), (polytope.distance(face) - noise_) / result_.upper)) {
       polytope.hide(face);
       face = polytope.least_face();
