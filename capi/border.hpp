@@ -102,12 +102,12 @@ template <std::size_t Group = 1, class T>
   ABUT_UNSAFE_END
 }
 
-// A struct of the caller that a module fills in its own terms, which are the same numbers at the same places.
+// A struct of the caller that a module reads or fills in its own terms: the same numbers at the same places.
 template <class Own, class Theirs>
 [[nodiscard]] inline Own& written_as(Theirs& out) {
   static_assert(sizeof(Own) == sizeof(Theirs) && alignof(Own) == alignof(Theirs));
   static_assert(std::is_trivially_copyable_v<Own> && std::is_trivially_copyable_v<Theirs>);
-  // SAFETY: both are plain numbers of one layout, and nobody here reads the struct under its other name.
+  // SAFETY: both are plain numbers of one layout. The interface never uses the struct under its other name.
   void* place = &out;
   return *static_cast<Own*>(place);
 }

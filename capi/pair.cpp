@@ -95,13 +95,11 @@ struct PlacedPair {
   const abut_pose &pose_a, &pose_b;
 };
 
-// For poses that were checked. The kernel writes to the struct of the caller: a copy would wait for what it has
-// written. `memory` may be null.
+// For poses that were checked. `memory` may be null.
 [[gnu::always_inline]] inline abut_status find_distance(const PlacedPair& pair, const abut::QuerySettings& settings,
-                                                        abut_pair_memory* memory, abut_distance& out) {
+                                                        abut_pair_memory* memory, abut::Distance& found) {
   const abut::AnyShape &a = shape_of(pair.a), &b = shape_of(pair.b);
   const abut::Pose pose_a = to_pose(pair.pose_a), pose_b = to_pose(pair.pose_b);
-  auto& found = written_as<abut::Distance>(out);
   const abut::Outcome outcome = memory == nullptr ? abut::pair_distance(a, b, pose_a, pose_b, settings, found)
                                                   : abut::pair_distance(a, b, pose_a, pose_b, settings,
                                                                         written_as<abut::PairHint>(*memory), found);
@@ -118,7 +116,8 @@ struct PlacedPair {
   if (const abut_status status = read_options(options, query); status != ABUT_OK) {
     return status;
   }
-  return find_distance(pair, query.settings, memory, out);
+  // The kernel writes to the struct of the caller: a copy would wait for what it has written.
+  return find_distance(pair, query.settings, memory, written_as<abut::Distance>(out));
 }
 
 struct PairBatch {
@@ -161,7 +160,7 @@ abut_status distances(const PairBatch& pairs, const abut_query_options* options,
   std::vector<abut_distance> found;
   found.reserve(out.size());
   for (std::size_t i = 0; i < pairs.poses_a.size(); ++i) {
-    [[clang::uninitialized]] abut_distance one;
+    [[clang::uninitialized]] abut::Distance one;
     abut_pair_memory* memory = pairs.memories.empty() ? nullptr : &pairs.memories[i];
     if (const abut_status status =
             find_distance({pairs.a, pairs.b, pairs.poses_a[i], pairs.poses_b[i]}, query.settings, memory, one);
@@ -169,7 +168,7 @@ abut_status distances(const PairBatch& pairs, const abut_query_options* options,
       set_message("pair " + std::to_string(i) + ": " + abut_last_error_message());
       return status;
     }
-    found.push_back(one);
+    found.push_back(std::bit_cast<abut_distance>(one));
   }
   std::copy(found.begin(), found.end(), out.begin());
   return ABUT_OK;

@@ -5,4 +5,5 @@ export import abut.math.lane_matrix;
 export import abut.math.lanes;
 export import abut.math.pose;
 export import abut.math.principal_axes;
+export import abut.math.vec2;
 export import abut.math.vec3;

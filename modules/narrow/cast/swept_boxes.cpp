@@ -1,12 +1,10 @@
 module abut.narrow.cast.swept_boxes;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.cast.linear_cast;
 
 namespace abut {
 namespace {
-
-// Axes with a shorter cross product lose too many digits: the square of a sine.
-constexpr Real parallel_square = 1e-6;
 
 // The common stretch of all axes, up to four each time. Along an axis the centre of b is at `offset` and moves by
 // `speed`. The boxes overlap where the magnitude of its place is at most `reach`.
@@ -45,7 +43,7 @@ Passage passage_of_boxes(const Vec3& half_a, const Vec3& half_b, const Pose& ab,
     const Lanes reach = multiply_add(near, __builtin_elementwise_sqrt(square), of_a + of_b);
     common.narrow(multiply_add(p, all_lanes(at_q), q * all_lanes(-at_p)),
                   multiply_add(p, all_lanes(by_q), q * all_lanes(-by_p)),
-                  square > parallel_square ? reach : all_lanes(infinity));
+                  square > slender_square ? reach : all_lanes(infinity));
   };
   across(rows.y, rows.z, half_a.y, half_a.z, at.y, at.z, by.y, by.z);
   across(rows.z, rows.x, half_a.z, half_a.x, at.z, at.x, by.z, by.x);

@@ -20,12 +20,7 @@ export namespace abut {
 }
 
 // A point of a patch in the plane across its normal.
-struct Flat {
-  Real u, v;
-};
-using Flats = SmallVector<Flat, 64>;
-[[nodiscard]] inline Flat operator-(const Flat& a, const Flat& b) { return {a.u - b.u, a.v - b.v}; }
-[[nodiscard]] inline Real cross2(const Flat& a, const Flat& b) { return a.u * b.v - a.v * b.u; }
+using Flats = SmallVector<Vec2, 64>;
 
 [[nodiscard]] inline Flats flattened(std::span<const ContactPoint> patch) {
   const Tangents tangents = tangents_of(patch[0].normal);
@@ -40,9 +35,9 @@ using Flats = SmallVector<Flat, 64>;
 
 // Twice the area of the convex hull of four points: the largest cross product of two lines between them. In convex
 // position these are the diagonals. Otherwise one point lies in the triangle of the others.
-[[nodiscard]] inline Real twice_hull_of_four(const Flat& a, const Flat& b, const Flat& c, const Flat& d) {
-  const Flat ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
-  const auto turn = [](const Flat& p, const Flat& q) { return std::fabs(cross2(p, q)); };
+[[nodiscard]] inline Real twice_hull_of_four(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const Vec2 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
+  const auto turn = [](const Vec2& p, const Vec2& q) { return std::fabs(cross(p, q)); };
   return std::max({turn(ac, bd), turn(ab, cd), turn(ad, bc), turn(ab, ac), turn(ab, ad), turn(ac, ad), turn(bc, bd)});
 }
 
@@ -61,13 +56,13 @@ struct Four {
   Real twice_area;
 };
 
-[[nodiscard]] inline Four spanned(std::span<const Flat> points, const std::array<std::uint32_t, 4>& places) {
+[[nodiscard]] inline Four spanned(std::span<const Vec2> points, const std::array<std::uint32_t, 4>& places) {
   const auto& [a, b, c, d] = places;
   return {places, twice_hull_of_four(points[a], points[b], points[c], points[d])};
 }
 
 // Exchanges one of the last three points at a time while that gains area.
-[[nodiscard]] inline Four exchanged(std::span<const Flat> points, Four best, Real least_gain) {
+[[nodiscard]] inline Four exchanged(std::span<const Vec2> points, Four best, Real least_gain) {
   for (bool is_better = true; is_better;) {
     is_better = false;
     for (std::size_t i = 1; i < 4; ++i) {
@@ -90,14 +85,14 @@ inline constexpr std::size_t few_points = 64;
 
 // The four points of largest area that have the first as a corner: each other point is tried as the opposite corner,
 // with the points furthest off their line on either side. Where a side has no points, the first one takes the place.
-[[nodiscard]] inline Four best_about(std::span<const Flat> points, std::uint32_t first) {
+[[nodiscard]] inline Four best_about(std::span<const Vec2> points, std::uint32_t first) {
   Four best{{first, first, first, first}, 0};
   for (std::uint32_t opposite = 0; opposite < points.size(); ++opposite) {
-    const Flat across = points[opposite] - points[first];
+    const Vec2 across = points[opposite] - points[first];
     std::uint32_t left = first, right = first;
     Real most_left = 0, most_right = 0;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-      const Real side = cross2(across, points[i] - points[first]);
+      const Real side = cross(across, points[i] - points[first]);
       if (side > most_left) {
         most_left = side;
         left = i;
@@ -133,7 +128,7 @@ class Choice {
 
   [[nodiscard]] std::span<const std::uint32_t> places() const { return std::span(places_).first(size_); }
   [[nodiscard]] bool has(std::uint32_t place) const { return std::ranges::find(places(), place) != places().end(); }
-  [[nodiscard]] Real twice_area(std::span<const Flat> points) const {
+  [[nodiscard]] Real twice_area(std::span<const Vec2> points) const {
     return size_ == 4 ? spanned(points, four()).twice_area : twice_area_;
   }
   [[nodiscard]] std::array<std::uint32_t, 4> four() const { return {places_[0], places_[1], places_[2], places_[3]}; }
@@ -229,7 +224,7 @@ struct AnyContact {
 };
 
 // The points that span most with a first one.
-[[nodiscard]] inline Choice choose(std::span<const ContactPoint> patch, std::span<const Flat> points,
+[[nodiscard]] inline Choice choose(std::span<const ContactPoint> patch, std::span<const Vec2> points,
                                    std::uint32_t first, std::size_t most, Real extent) {
   const Real flat = Choice::flatness * extent * extent, least_gain = 1e-12 * extent * extent;
   if (most == 4 && patch.size() <= few_points) {

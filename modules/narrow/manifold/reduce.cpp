@@ -51,7 +51,7 @@ template <class Condition>
 using SomeIds = SmallVector<std::uint64_t, Choice::capacity>;
 
 // The ids of a patch that were kept before. Where these are more than `most`, the ones that span most.
-[[nodiscard]] SomeIds kept_before(std::span<const ContactPoint> patch, std::span<const Flat> points, std::size_t most,
+[[nodiscard]] SomeIds kept_before(std::span<const ContactPoint> patch, std::span<const Vec2> points, std::size_t most,
                                   Real extent, Ids before) {
   SomeIds all;
   for (const ContactPoint& contact : patch) {
@@ -133,7 +133,7 @@ std::size_t hold_patch(std::span<ContactPoint> patch, std::size_t most, Ids befo
   }
   const Real extent = extent_of(patch);
   const Flats flats = flattened(patch);
-  const std::span<const Flat> points = flats.span();
+  const std::span<const Vec2> points = flats.span();
   const auto fresh = [&](std::uint32_t first) { return choose(patch, points, first, most, extent); };
   const SomeIds again = kept_before(patch, points, most, extent, before);
   if (again.empty()) {

@@ -19,17 +19,17 @@ class Extent {
  public:
   Extent(const Face& face, const Projection& projection) {
     for (const FaceVertex& vertex : face.vertices.span()) {
-      const Flat p = projection(vertex.point);
-      low_ = {std::min(low_.u, p.u), std::min(low_.v, p.v)};
-      high_ = {std::max(high_.u, p.u), std::max(high_.v, p.v)};
+      const Vec2 p = projection(vertex.point);
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
     }
   }
-  [[nodiscard]] bool holds(const Flat& p, Real slack) const {
-    return p.u >= low_.u - slack && p.u <= high_.u + slack && p.v >= low_.v - slack && p.v <= high_.v + slack;
+  [[nodiscard]] bool holds(const Vec2& p, Real slack) const {
+    return p.x >= low_.x - slack && p.x <= high_.x + slack && p.y >= low_.y - slack && p.y <= high_.y + slack;
   }
 
  private:
-  Flat low_{infinity, infinity}, high_{-infinity, -infinity};
+  Vec2 low_{infinity, infinity}, high_{-infinity, -infinity};
 };
 
 [[nodiscard]] bool faces_normal(const Face& face, const Vec3& normal) {
@@ -55,7 +55,7 @@ class Extent {
 // A corner of the region while it is cut: what it is on each side, and on which edge of which polygon
 // the boundary leaves it.
 struct Corner {
-  Flat at;
+  Vec2 at;
   Feature feature_a, feature_b;
   bool leaves_on_b;    // along an edge of b, else of a
   std::uint32_t edge;  // that edge's number
@@ -64,15 +64,15 @@ using Corners = SmallVector<Corner, 24>;
 
 // An edge of polygon a in the projection, and what it leads from and to.
 struct Edge {
-  Flat from, to;
+  Vec2 from, to;
   std::uint32_t number, from_vertex, to_vertex;
 };
 
 // How far to the left of a line a place lies, times the length of the direction. What ties with the line is on it, so
 // that faces that meet along an edge have it in common.
-[[nodiscard]] inline Real side_of(const Flat& place, const Flat& direction, Real tie) {
-  const Real side = cross2(direction, place);
-  return side < -tie * (std::fabs(direction.u) + std::fabs(direction.v)) ? side : std::max(side, Real{0});
+[[nodiscard]] inline Real side_of(const Vec2& place, const Vec2& direction, Real tie) {
+  const Real side = cross(direction, place);
+  return side < -tie * (std::fabs(direction.x) + std::fabs(direction.y)) ? side : std::max(side, Real{0});
 }
 
 enum class Cut : std::uint8_t { nothing, everything, some };
@@ -80,7 +80,7 @@ enum class Cut : std::uint8_t { nothing, everything, some };
 // Cuts the corners by the line of an edge; what lies left stays (Sutherland and Hodgman 1974). `out` is
 // written only where the line crosses the region.
 [[nodiscard]] Cut cut(const Corners& in, Corners& out, const Edge& edge, Real tie, std::uint32_t face_of_b) {
-  const Flat direction = edge.to - edge.from;
+  const Vec2 direction = edge.to - edge.from;
   const auto corners = in.span();
   [[clang::uninitialized]] SmallVector<Real, 24> sides;
   Real least = infinity, largest = -infinity;
@@ -130,8 +130,8 @@ enum class Cut : std::uint8_t { nothing, everything, some };
 void merge_ties(const Corners& in, Corners& out, Real tie) {
   const auto is_crossing = [](const Corner& corner) { return corner.feature_a.kind == FeatureKind::edge; };
   const auto are_tied = [&](const Corner& p, const Corner& q) {
-    const Flat step = q.at - p.at;
-    return std::fabs(step.u) + std::fabs(step.v) <= tie;
+    const Vec2 step = q.at - p.at;
+    return std::fabs(step.x) + std::fabs(step.y) <= tie;
   };
   const auto merge = [&](Corner& kept, const Corner& corner) {
     kept = is_crossing(kept) && !is_crossing(corner) ? corner : kept;
@@ -199,14 +199,14 @@ struct Stretch {
   std::uint32_t enter_edge = no_index, leave_edge = no_index;
 };
 // `tie`: a share of the segment. Of edges that meet under it the first one counts.
-[[nodiscard]] std::optional<Stretch> stretch_over(const Flat& p, const Flat& q, const Face& polygon,
+[[nodiscard]] std::optional<Stretch> stretch_over(const Vec2& p, const Vec2& q, const Face& polygon,
                                                   const Projection& projection, Real tie) {
   const bool turns = dot(polygon.normal, projection.normal) >= 0;
   const auto vertices = polygon.vertices.span();
   Stretch found;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::size_t j = (i + 1) % vertices.size();
-    const Flat from = projection(vertices[turns ? i : j].point),
+    const Vec2 from = projection(vertices[turns ? i : j].point),
                direction = projection(vertices[turns ? j : i].point) - from;
     const Real at_p = side_of(p - from, direction, projection.tie), at_q = side_of(q - from, direction, projection.tie);
     if (at_p < 0 && at_q < 0) {
@@ -268,20 +268,20 @@ void clip_segment(const Face& segment, const Face& polygon, const Projection& pr
 // Parallel segments share a stretch; crossing ones are left to the closest points.
 void clip_segments(const Face& a, const Face& b, const Projection& projection, ClipPoints& out) {
   const FaceVertex &a0 = a.vertices[0], &a1 = a.vertices[1], &b0 = b.vertices[0], &b1 = b.vertices[1];
-  const Flat p = projection(a0.point), e = projection(a1.point) - p;
-  const Flat q = projection(b0.point), f = projection(b1.point) - q;
-  const Real ee = e.u * e.u + e.v * e.v, ff = f.u * f.u + f.v * f.v;
-  const Real turn = cross2(e, f);
+  const Vec2 p = projection(a0.point), e = projection(a1.point) - p;
+  const Vec2 q = projection(b0.point), f = projection(b1.point) - q;
+  const Real ee = dot(e, e), ff = dot(f, f);
+  const Real turn = cross(e, f);
   if (!(ee > 0 && ff > 0) || turn * turn > parallel_sine * parallel_sine * ee * ff) {
     return;
   }
-  const auto on_a = [&](const Flat& x) { return ((x.u - p.u) * e.u + (x.v - p.v) * e.v) / ee; };
-  const auto on_b = [&](const Flat& x) { return ((x.u - q.u) * f.u + (x.v - q.v) * f.v) / ff; };
+  const auto on_a = [&](const Vec2& x) { return dot(x - p, e) / ee; };
+  const auto on_b = [&](const Vec2& x) { return dot(x - q, f) / ff; };
   struct End {
     Real at;
     Feature feature_a, feature_b;
   };
-  const Real start_b = on_a(q), end_b = on_a({q.u + f.u, q.v + f.v});
+  const Real start_b = on_a(q), end_b = on_a(q + f);
   const bool same_way = start_b <= end_b;
   const Feature edge_a{FeatureKind::edge, a0.edge}, edge_b{FeatureKind::edge, b0.edge};
   const auto vertex = [](const FaceVertex& v) { return Feature{FeatureKind::vertex, v.vertex}; };
@@ -302,10 +302,6 @@ void clip_segments(const Face& a, const Face& b, const Projection& projection, C
     emit(high);
   }
 }
-
-}  // namespace
-
-namespace {
 
 [[nodiscard]] Real reach_from(const Vec3& base, const Face& face) {
   Real reach = 0;

@@ -7,16 +7,6 @@ import abut.math;
 
 export namespace abut {
 
-struct Flat {
-  Real u, v;
-};
-[[nodiscard]] inline Real cross2(const Flat& a, const Flat& b) { return a.u * b.v - a.v * b.u; }
-[[nodiscard]] inline Real dot2(const Flat& a, const Flat& b) { return a.u * b.u + a.v * b.v; }
-[[nodiscard]] inline Flat operator-(const Flat& a, const Flat& b) { return {a.u - b.u, a.v - b.v}; }
-[[nodiscard]] inline Flat mix(const Flat& a, const Flat& b, Real t) {
-  return {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)};
-}
-
 // Projection along the normal onto its tangents, about a base point that keeps coordinates small.
 struct Projection {
   Vec3 base;
@@ -24,7 +14,7 @@ struct Projection {
   Vec3 normal;
   Real tie;  // places that are nearer to each other are the same one
 
-  [[nodiscard]] inline Flat operator()(const Vec3& p) const {
+  [[nodiscard]] inline Vec2 operator()(const Vec3& p) const {
     const Vec3 d = p - base;
     return {dot(d, tangents.first), dot(d, tangents.second)};
   }
@@ -43,44 +33,44 @@ class Lift {
       corners_.push_back(
           {{dot(d, projection.tangents.first), dot(d, projection.tangents.second)}, dot(d, projection.normal)});
     }
-    height_ = corners_[0].height - slope_u_ * corners_[0].at.u - slope_v_ * corners_[0].at.v;
+    height_ = corners_[0].height - slope_u_ * corners_[0].at.x - slope_v_ * corners_[0].at.y;
     for (const Corner& corner : corners_.span()) {
       is_plane_ = is_plane_ && std::fabs(height_on_plane(corner.at) - corner.height) <= projection.tie;
     }
   }
-  [[nodiscard]] inline Vec3 operator()(const Flat& p, const Projection& projection) const {
+  [[nodiscard]] inline Vec3 operator()(const Vec2& p, const Projection& projection) const {
     const Real height = is_plane_ ? height_on_plane(p) : height_on_chord(p);
-    return projection.base + p.u * projection.tangents.first + p.v * projection.tangents.second +
+    return projection.base + p.x * projection.tangents.first + p.y * projection.tangents.second +
            height * projection.normal;
   }
 
  private:
   struct Corner {
-    Flat at;
+    Vec2 at;
     Real height;
   };
-  [[nodiscard]] inline Real height_on_plane(const Flat& p) const { return height_ + slope_u_ * p.u + slope_v_ * p.v; }
+  [[nodiscard]] inline Real height_on_plane(const Vec2& p) const { return height_ + slope_u_ * p.x + slope_v_ * p.y; }
 
   // On the chord across the longest edge.
-  [[nodiscard]] [[gnu::noinline]] Real height_on_chord(const Flat& p) const {
+  [[nodiscard]] [[gnu::noinline]] Real height_on_chord(const Vec2& p) const {
     const std::span<const Corner> corners = corners_.span();
     const auto next = [&](std::size_t i) { return i + 1 < corners.size() ? i + 1 : 0; };
-    Flat edge{0, 0};
+    Vec2 edge{0, 0};
     Real nearest = infinity, height = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Flat along = corners[next(i)].at - corners[i].at, way = corners[i].at - p;
-      edge = dot2(along, along) > dot2(edge, edge) ? along : edge;
-      height = dot2(way, way) < nearest ? corners[i].height : height;
-      nearest = std::min(nearest, dot2(way, way));
+      const Vec2 along = corners[next(i)].at - corners[i].at, way = corners[i].at - p;
+      edge = dot(along, along) > dot(edge, edge) ? along : edge;
+      height = dot(way, way) < nearest ? corners[i].height : height;
+      nearest = std::min(nearest, dot(way, way));
     }
     Real low = infinity, high = -infinity, height_low = 0, height_high = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Corner &from = corners[i], &to = corners[next(i)];
-      const Real start = dot2(edge, from.at - p), end = dot2(edge, to.at - p);
+      const Real start = dot(edge, from.at - p), end = dot(edge, to.at - p);
       if ((start <= 0) == (end <= 0)) {
         continue;
       }
-      const Real t = start / (start - end), at = cross2(edge, mix(from.at, to.at, t) - p),
+      const Real t = start / (start - end), at = cross(edge, mix(from.at, to.at, t) - p),
                  here = from.height + t * (to.height - from.height);
       height_low = at < low ? here : height_low;
       height_high = at > high ? here : height_high;
