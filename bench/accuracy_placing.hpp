@@ -13,8 +13,8 @@ namespace bench {
 [[nodiscard]] Quaternion turn_from(const oracle::Vec& u, const oracle::Vec& v);
 [[nodiscard]] Quaternion small_turn(double angle, Random& random);
 
-// Where the second solid has to be so that the furthest features along the unit direction n of the world face each
-// other, with a gap along n. What is within the slack, an angle, of furthest counts with its middle.
+// Places the second solid so that the furthest features of both along n face each other, with a gap along n. n is a
+// unit direction of the world. What is within the slack, an angle, of furthest counts with its middle.
 [[nodiscard]] Placement facing(const oracle::Solid& a, const Placement& pose_a, const oracle::Solid& b,
                                const Quaternion& turn_b, const oracle::Vec& n, double gap, double slack);
 

@@ -18,8 +18,8 @@ struct Comparison {
   bool has_summary = false;         // median and 90th percentile of each contender over its cells
 };
 
-// The main of a suite: reads the flags of Google Benchmark, without which there are five short repetitions in random
-// order, runs the suite and prints what it throws. Returns what main returns, as the suite does.
+// The main of a suite: reads the flags of Google Benchmark, runs the suite and prints what it throws. Without flags
+// there are five short repetitions in random order. Returns what main returns, as the suite does.
 [[nodiscard]] int run_suite(int argument_count, char** arguments, int (*suite)());
 
 // Whether --benchmark_filter selects this name: what it leaves out need not be made ready.

@@ -40,8 +40,8 @@ bool has_back(const AnyShape& shape) {
       shape);
 }
 
-// What holes leave is as far away as the nearest contact that they leave (docs/shapes.md), which may lie beside the
-// nearest points of the solids.
+// A solid with holes is as far away as the nearest contact that the holes leave (docs/shapes.md). That one may lie
+// beside the nearest points of the solids.
 bool has_holes(const AnyShape& shape) {
   return std::visit(
       []<class S>(const S& s) {

@@ -466,7 +466,7 @@ enum abut_contact_flags_value ABUT_ENUM(uint32_t) {
 
 /**
  * Bit of the ids of contacts that are hashed. They are hashed where children of composites, triangles of surfaces or
- * indices from 2^28 on take part, and where the same features touch more than once. All other ids are packed:
+ * indices from 2^28 on take part. So are the ids of features that touch more than once. All other ids are packed:
  *  - bits 59 to 61 are the kind, and bits 31 to 58 the index of the feature of one shape;
  *  - bits 28 to 30 are the kind, and bits 0 to 27 the index of the feature of the other shape;
  *  - bit 62 is set.
@@ -718,10 +718,10 @@ ABUT_API void abut_sleep_init(abut_sleep *sleep, uint32_t struct_size);
 
 /**
  * Lets a part fall asleep; null: it never does by itself, which is the default. Dynamic parts that touch fall asleep
- * together, in the step in which each of them has been calm for its steps, unless one of their touches begins or ends
- * there or one is a dynamic part that never sleeps, or an animated or static one that has moved. Only
- * abut_universe_step with dt above 0 measures, counts and sends to sleep. A sleeping part wakes in the next step or
- * detection, with all dynamic parts that it touches, directly or through others, when
+ * together, in the step in which each of them has been calm for its steps. They stay awake while one of their touches
+ * begins or ends. They also do while one of them never sleeps, or an animated or static part that they touch has moved.
+ * Only abut_universe_step with dt above 0 measures, counts and sends to sleep. A sleeping part wakes in the next step
+ * or detection, with all dynamic parts that it touches, directly or through others, when
  *  - its pose changes in any way, or its motion, its thresholds, or the geometries that it has, their shapes or
  *  options;
  *  - a touch of it begins or ends, by moving, parking, destruction, filters or anything else: removing a support wakes
@@ -983,9 +983,9 @@ ABUT_API abut_status abut_rule_set(abut_universe *universe, const abut_collidabl
 ABUT_API abut_status abut_rules_clear(abut_universe *universe);
 
 /**
- * Decides about a pair: 0 leaves it out. Called in a step, by the thread that steps, once for each pair that
- * comes near and is not left out before, ordered by slots. It may make [const] calls, and park; contacts and events are
- * those of the step before then. It must not throw: what gets out of it makes the step answer ABUT_INTERNAL.
+ * Decides about a pair: 0 leaves it out. The thread that steps calls it once for each pair that comes near and is not
+ * left out before. Calls are ordered by slots. It may make [const] calls, and park; contacts and events are those of
+ * the step before then. It must not throw: what gets out of it makes the step answer ABUT_INTERNAL.
  */
 typedef uint32_t (*abut_filter)(void *context, const abut_universe *universe, abut_geometry_id geometry_a,
                                 abut_geometry_id geometry_b);
@@ -1047,11 +1047,11 @@ typedef struct abut_focus {
 ABUT_API void abut_focus_init(abut_focus *focus, uint32_t struct_size);
 
 /**
- * From the next step or detection on, a geometry that has one of the two tags gets near_tag when its box comes nearer
- * than near_distance to a centre, far_tag when it is farther than far_distance from all of them, and in between keeps
- * the tag that it has. abut_geometry_describe shows it. Pairs of a geometry whose tag changes are found anew in that
- * step, whatever their period, if it covers them; the filter is not asked again. Parked geometries keep their tag until
- * they come back. Boxes are those of the broad phase: in single precision, rounded outwards, inflated in
+ * Switches geometries that have one of the two tags, from the next step or detection on. One whose box comes nearer
+ * than near_distance to a centre gets near_tag. One that is farther than far_distance from all centres gets far_tag. In
+ * between it keeps its tag. abut_geometry_describe shows it. Pairs of a geometry whose tag changes are found anew in
+ * that step, whatever their period, if it covers them; the filter is not asked again. Parked geometries keep their tag
+ * until they come back. Boxes are those of the broad phase: in single precision, rounded outwards, inflated in
  * ABUT_TOLERANCE_MARGIN. Null sets none, which is the default, and leaves tags as they are. Without centres everything
  * is far. Complexity O(count), without an allocation unless there are more centres than ever; the next step
  * O(geometries * count) if anything has changed, and O(moved geometries * count) each later one. [exclusive]
@@ -1087,9 +1087,9 @@ ABUT_API abut_status abut_material_pair_set(abut_universe *universe, uint32_t ma
 
 /**
  * What contacts of two materials are like. Without a row of their own they are combined from the rows of each material
- * with itself, where one that has none counts as the default: geometric mean of frictions and static scales, sum of
- * slips, compliances and adhesive forces, the greater of damping, restitution and threshold. Set struct_size, or use
- * the _init function, before asking. [const]
+ * with itself. A material without one counts as the default. The values are combined as geometric mean of frictions and
+ * static scales, sum of slips, compliances and adhesive forces, the greater of damping, restitution and threshold. Set
+ * struct_size, or use the _init function, before asking. [const]
  */
 ABUT_API abut_status abut_material_pair_get(const abut_universe *universe, uint32_t material_a, uint32_t material_b,
                                             abut_contact_material *out);
@@ -1149,8 +1149,8 @@ enum abut_event_flags_value ABUT_ENUM(uint32_t) {
 };
 
 /**
- * A pair, or one of its contacts, that began to touch, still touches or ended. Every touch is one begin, then a
- * persist in each step, then one end, also when it ends by parking, filtering, reshaping or destruction.
+ * A pair, or one of its contacts, that began to touch, still touches or ended. Every touch is one begin, then a persist
+ * in each step, then one end. It also ends by parking, filtering, reshaping or destruction.
  */
 typedef struct abut_event {
   abut_event_kind kind;
@@ -1309,9 +1309,9 @@ typedef struct abut_island {
  *  - the id of an island goes on to the island that has the lowest slot of those parts which were in it;
  *  - an island that would get several ids so, by merging, keeps the least of them, which is the oldest;
  *  - an island that gets none is new.
- * So an island keeps its id while its parts touch, and of one that falls apart the piece with the lowest slot
- * keeps it. The same for any number of threads. Sleep finds the same islands, whatever this says. Complexity of a
- * step O(pairs + parts). [exclusive]
+ * So an island keeps its id while its parts touch. Where one falls apart, the piece with the lowest slot keeps it. The
+ * same for any number of threads. Sleep finds the same islands, whatever this says. Complexity of a step O(pairs +
+ * parts). [exclusive]
  */
 ABUT_API abut_status abut_universe_follow_islands(abut_universe *universe, uint32_t are_followed);
 
@@ -1366,10 +1366,10 @@ ABUT_API abut_status abut_parts_set_velocities(abut_universe *universe, const ab
                                                const abut_velocity *velocities, size_t count);
 
 /**
- * From now on the velocity of a part follows from its poses. It is zero until abut_universe_step with dt above 0
- * finds the constant velocity that leads in dt from the pose before to the present one, by the shorter turn. The
- * pose before is that of the last such step, or that of this call. Steps without time and detections leave it as
- * it is. Numbers are cut to 1e70. A part that is measured already goes on. O(1), and O(parts that are measured) in
+ * From now on the velocity of a part follows from its poses. It is zero until abut_universe_step with dt above 0 finds
+ * it: the constant velocity that leads in dt from the pose before to the present one. Of two turns it takes the shorter
+ * one. The pose before is that of the last such step, or that of this call. Steps without time and detections leave it
+ * as it is. Numbers are cut to 1e70. A part that is measured already goes on. O(1), and O(parts that are measured) in
  * each step. [exclusive]
  */
 ABUT_API abut_status abut_part_measure_velocity(abut_universe *universe, abut_part_id part);

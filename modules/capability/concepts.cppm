@@ -84,8 +84,7 @@ concept Faceted = Convex<S> && requires(const S& shape) {
   { shape.facets().is_closed } -> std::convertible_to<bool>;
 };
 
-// A core that knows the point of its surface nearest to any point, from outside and from inside, in closed
-// form or nearly so.
+// A core that knows the point of its surface nearest to any point, outside or inside, in closed form or nearly so.
 template <class S>
 concept Field = Convex<S> && requires(const S& shape, const Vec3& point) {
   { shape.nearest(point) } -> std::same_as<SurfacePoint>;

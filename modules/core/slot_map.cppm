@@ -1,8 +1,8 @@
 // SlotMap: values under ids that go stale when the value is erased.
 //
-// Generations of a map start at a number of its own, so that an id of one universe is stale in any other one. A
-// foreign id passes only in one case of 2^32: the starting points of the maps differ by exactly the difference in how
-// often the slot was reused.
+// Each map numbers its generations from a start of its own. So an id of one universe is stale in any other. A foreign
+// id passes only in one case of 2^32: the starting points of the maps differ by exactly the difference in how often the
+// slot was reused.
 export module abut.core.slot_map;
 import abut.core.id;
 import abut.core.standard;

@@ -34,7 +34,7 @@ class Workers {
 
   [[nodiscard]] inline std::uint32_t threads() const noexcept { return threads_; }
 
-  // Tasks of at least so many elements, as far as there are, and enough of them for threads to end at the same time. On
+  // Tasks of at least so many elements, as far as there are. There are enough of them for threads to end together. On
   // one thread it is one task.
   [[nodiscard]] inline Cuts cut(std::size_t length, std::size_t least_of_task) const {
     constexpr std::size_t tasks_of_thread = 8;

@@ -106,8 +106,8 @@ class Cone {
     if (height <= 0 && around.length <= radius_) {
       return lifted(around.length, 0, 0, -1, -height);
     }
-    // Beyond an end of the side only where the way from the corner is one of its normals, which rounding of `along` may
-    // miss.
+    // It is beyond an end of the side only where the way from the corner is one of its normals. Rounding of `along` may
+    // miss that.
     if (height <= 0 || beside >= 0) {
       const Real from_rim = around.length - radius_, from_apex = p.z - half_height_;
       if (along <= 0 && from_rim * out_z >= height * out_x) {

@@ -66,10 +66,10 @@ class Ellipsoid {
     return {{0, 0, 0}, {0, 0, 0}, std::min({radii_.x, radii_.y, radii_.z})};
   }
 
-  // The point x with p - x along the normal there is r^2 p / (r^2 + t) for the root t of |r p / (r^2 + t)| = 1 above
-  // -m^2, m being the least radius. The inverse of that length is nearly linear. Newton's method on it comes from the
-  // left without overshooting (More and Sorensen, "Computing a trust region step", 1983). It looks for t + m^2, so
-  // that next to the plane across m nothing cancels; on that plane, inside, t may end at -m^2 itself.
+  // The nearest point is r^2 p / (r^2 + t), with t the root of |r p / (r^2 + t)| = 1 above -m^2. Here m is the least
+  // radius. The inverse of that length is nearly linear. Newton's method on it comes from the left without overshooting
+  // (More and Sorensen, "Computing a trust region step", 1983). It looks for t + m^2, so that next to the plane across
+  // m nothing cancels; on that plane, inside, t may end at -m^2 itself.
   [[nodiscard]] SurfacePoint nearest(const Vec3& p) const {
     const int least = radii_.x <= radii_.y && radii_.x <= radii_.z ? 0 : radii_.y <= radii_.z ? 1 : 2;
     const Real m = radii_[least];

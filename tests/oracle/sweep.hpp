@@ -1,9 +1,9 @@
 // The least overlap of two solids over all directions, searched for without any knowledge of the pair.
 //
 // Every direction gives an upper bound of the depth, so the result is one whatever the search misses; how tight it is
-// depends on the search. It looks at the directions where the minimum can be a kink (normals of faces, cross products
-// of edges), along the circles where the overlap has a kink (across an edge, the slope of a cone), and all over the
-// sphere, both evenly and evenly for a body of the same proportions; the best of these are refined.
+// depends on the search. It looks at the directions where the minimum can be a kink: normals of faces, cross products
+// of edges. It looks along the circles where the overlap has a kink: across an edge, the slope of a cone. And it looks
+// all over the sphere, evenly, and evenly for a body of the same proportions. The best of these are refined.
 #pragma once
 
 #include "solid.hpp"

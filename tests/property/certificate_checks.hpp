@@ -1,7 +1,7 @@
 // A signed distance proved by what it comes with, where no oracle knows it beforehand.
 //
-// Apart: the points are as far from each other as the distance says, and a slab of that width across the normal parts
-// the shapes. No distance is less than the slab, none is more than that of two points: both together prove it.
+// Apart: the points are as far from each other as the distance says. A slab of that width across the normal parts the
+// shapes. No distance is less than the slab, none is more than that of two points: both together prove it.
 // Overlapping: the shapes part when one moves by the depth along the normal, and no direction that a search finds takes
 // less. Only the search can miss something; it never rejects a right answer.
 #pragma once

@@ -1,7 +1,7 @@
 // The same list for distances that are judged by their certificates, curved shapes among them.
 //
-// - "gap between the bounds": of shapes that lie in each other with a common centre or axis many directions are as
-//   good, and the polytope cannot prove the least depth, although it finds it.
+// - "gap between the bounds": shapes with a common centre or axis overlap as deep along many directions. The polytope
+//   finds the least depth there, but cannot prove it.
 // - the others are bounds, depths and points of single needles, plates and size ratios of 1e6.
 #pragma once
 

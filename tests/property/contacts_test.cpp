@@ -61,8 +61,8 @@ void check_on_surface(const Case& c, const Subject& shape, const abut_pose& pose
   expect(c, "contact point below the surface of " + side, off >= -tolerance || !must_reach, off, 0, tolerance);
 }
 
-// How far b has to move along a direction to be parted from all triangles that it meets, and from those that it would
-// enter on the way; without end where that leads through the front of a height field.
+// How far b has to move along a direction to be parted from all triangles that it meets or would enter on the way;
+// without end where that leads through the front of a height field.
 oracle::Quad depth_along(const Case& c, const std::vector<oracle::Answer>& answers, const oracle::Vec& direction) {
   const oracle::Pose pose_a = property::pose_of(c.placement.a);
   const oracle::Pose pose_b = property::pose_of(c.placement.b);

@@ -224,9 +224,9 @@ std::vector<double> telling_times(const oracle::FailureMotion& motion) {
   return times;
 }
 
-// No query follows vertices that move each in a way of its own, so the five rows of motions are not asked as motions:
-// the distances at moments of them are. Whether a motion counts as a collision stays open: the sources say yes to one
-// that stays 5e-7 apart and no to one that comes within 4.4e-7.
+// No query follows vertices that each move in their own way. So the five rows of motions are not asked as motions: the
+// distances at moments of them are. Whether a motion counts as a collision stays open: the sources say yes to one that
+// stays 5e-7 apart and no to one that comes within 4.4e-7.
 TEST(KnownFailures, HaveTheirDistanceAtAllTimesOfAMotion) {
   const abut_pose here{{0, 0, 0}, {1, 0, 0, 0}};
   std::size_t asked = 0;

@@ -290,8 +290,8 @@ TEST(Manifolds, StackedBoxesTouchTheSameWayAfterRounding) {
   for (int round = 0; round < 100; ++round) EXPECT_EQ(changes_of(pair, 1e-15, random), 0);
 }
 
-// Where rims of discs a millionth as thick as wide meet, the error of the normal is larger than what tells side from
-// end.
+// Discs a millionth as thick as wide may meet at their rims. There the error of the normal is larger than what tells
+// side from end.
 bool is_thin(const Subject& subject) { return subject.small < 0.05 * subject.size; }
 
 // Rims that are deepest on a rim, edges that cross: which face of an edge is looked at must not follow from rounding.

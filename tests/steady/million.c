@@ -1,7 +1,7 @@
 /*
- * Many geometries in little memory: makes universes of spheres and boxes that share two shapes, one part each, steps
- * three times with 2 % of them moving, and compares what the process has held at most with a limit of 2 GiB for a
- * million. usage: abut_million [geometries, default 1000000 [broad phase, default 0 for auto [spacing, default 1.1]]]
+ * Many geometries in little memory: makes universes of spheres and boxes that share two shapes, one part each. Steps
+ * three times with 2 % of them moving. Compares what the process has held at most with a limit of 2 GiB for a million.
+ * usage: abut_million [geometries, default 1000000 [broad phase, default 0 for auto [spacing, default 1.1]]]
  */
 #define _POSIX_C_SOURCE 200809L
 #include <abut/abut.h>

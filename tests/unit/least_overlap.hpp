@@ -24,8 +24,8 @@ struct Solid {
   }
 };
 
-// The least overlap of directions all over the sphere, and of what a search by ever smaller steps reaches from the best
-// of them: never less than the truth. `overlap` takes a direction of any length.
+// The least overlap of directions all over the sphere, and of those that a search by ever smaller steps reaches from
+// them: never less than the truth. `overlap` takes a direction of any length.
 template <class Overlap>
 abut::Real least_overlap(const Overlap& overlap) {
   using abut::Real;

@@ -1,5 +1,5 @@
 // The casts that can be told from the types of two shapes: of convex ones and of those that are made of convex parts.
-// Those go part by part in the order in which the boxes are met, since the normal of the nearest part says nothing of
+// The parts of the latter are cast in the order in which their boxes are met: the normal of one part says nothing of
 // the others.
 export module abut.narrow.cast.cast_parts;
 import abut.capability;

@@ -39,9 +39,9 @@ inline constexpr std::uint32_t most_cast_steps = 256;
 }
 
 // The distance of convex shapes is a convex function of the way, with the derivative dot(direction, normal): Newton's
-// method from the near side never passes its zero. A step goes to where the plane between the shapes is used up, which
-// is certain whatever the normal is worth (van den Bergen, "Ray casting against general convex objects with application
-// to continuous collision detection", 2004).
+// method from the near side never passes its zero. A step goes to where b reaches the plane between the shapes. No step
+// goes too far, whatever the normal is. Source: van den Bergen, "Ray casting against general convex objects with
+// application to continuous collision detection", 2004.
 //
 // b moves. distance_at(way, out): of the shapes after a way. gap_along(normal): how far they are apart along a unit
 // vector at the start, least of b less most of a, or -infinity. They touch when they come as near as `margin`.
@@ -117,8 +117,8 @@ struct Passage {
 }
 
 // The same for shapes that are not convex, on a part of the way that begins without a touch: no step is longer than the
-// distance, nor shorter than a stride, and the stride that ends in a touch is halved until rounding is left. A touch
-// that comes and goes within a stride is not seen. An upper bound of infinity says that nothing is there that could be
+// distance, nor shorter than a stride. A stride that ends in a touch is halved until rounding is left. A touch that
+// comes and goes within a stride is not seen. An upper bound of infinity says that nothing is there that could be
 // touched, and then the distance is only a lower bound.
 inline constexpr int most_halvings = 64;
 

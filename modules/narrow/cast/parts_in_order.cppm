@@ -27,9 +27,9 @@ template <class Part>
 template <class S>
 using PartVisitor = std::function<void(const PartMet<typename S::Part>& met)>;
 
-// Calls visit(met) for the parts whose boxes a moving box meets, in order, as long as they are met before `limit`,
-// which visit may shrink. The way goes in stretches, so that the box around each is not much larger than the moving
-// one. Once for each kind of shape: a cast against a part takes far longer than a call of a function.
+// Calls visit(met) in order for the parts whose boxes a moving box meets before `limit`. The call may shrink the limit.
+// The way goes in stretches, so that the box around each is not much larger than the moving one. Once for each kind of
+// shape: a cast against a part takes far longer than a call of a function.
 template <class S>
 void visit_in_order(const S& shape, const Aabb& moving, const LinearMotion& motion, Real slack, const Real& limit,
                     const PartVisitor<S>& visit) {

@@ -104,7 +104,8 @@ inline void write(const Candidates& candidates, std::size_t group, Real margin, 
   const Lanes beyond_u = absolute(of_b.u) - half_u, beyond_v = absolute(of_b.v) - half_v;
   of_b.are_corners = (beyond_u < 0) & (beyond_v < 0);
 
-  // The corners of a, seen from the centre of the face of b in halves of its sides, times the area of a quarter.
+  // The corners of a, seen from the centre of the face of b. The unit is half a side of it, times the area of a
+  // quarter.
   Candidates of_a;
   of_a.u = first_ends * half_u;
   of_a.v = second_ends * half_v;

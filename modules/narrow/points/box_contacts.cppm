@@ -1,10 +1,10 @@
 // The region in which the faces of two boxes meet, all corners at once. Both faces are projected along the contact
-// normal onto the plane of the one of a, which is a rectangle there and the other one a parallelogram. A corner of
-// what they have in common is a corner of either inside the other or a crossing of an edge of each: 24 candidates,
-// four to a vector register.
+// normal onto the plane of the face of a. That one is a rectangle there, and the other one a parallelogram. Their
+// common region has corners of two kinds: a corner of one face in the other, and a crossing of two edges: 24
+// candidates, four to a vector register.
 //
-// Only a region whose corners are beyond doubt is found. Where a corner of one face lies on an edge of the other within
-// rounding, cutting edge by edge as clip_faces does keeps the answers about it in agreement with each other.
+// Only a region whose corners are beyond doubt is found. A corner of one face may lie on an edge of the other within
+// rounding. Then clip_faces cuts edge by edge, and its answers agree with each other.
 export module abut.narrow.points.box_contacts;
 import abut.capability;
 import abut.core.standard;

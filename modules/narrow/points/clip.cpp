@@ -13,8 +13,8 @@ namespace {
 // A face whose normal is further than this from the contact normal is met at an edge or a vertex.
 constexpr Real steepest_cosine = 0.05;
 
-// The box of a projected face. Corners are kept when they are outside of edges by rounding only, but near
-// a sharp corner, where edges are nearly parallel, even those lie well beyond it.
+// The box of a projected face. Corners outside of edges by rounding are kept. Near a sharp corner, where edges are
+// nearly parallel, such a corner may lie well beyond it.
 class Extent {
  public:
   Extent(const Face& face, const Projection& projection) {
@@ -107,8 +107,8 @@ enum class Cut : std::uint8_t { nothing, everything, some };
     if (here_stays != (sides[j] >= 0)) {
       Corner crossing = here;
       crossing.at = mix(here.at, corners[j].at, sides[i] / (sides[i] - sides[j]));
-      // The boundary between the two runs along an edge of b, which this edge of a crosses, or along
-      // an earlier edge of a, which it meets at a vertex of a inside b.
+      // Between the two, the boundary runs along an edge of b or of a. This edge crosses one of b, and meets an earlier
+      // one of a at a vertex inside b.
       if (here.leaves_on_b) {
         crossing.feature_a = {FeatureKind::edge, edge.number};
         crossing.feature_b = {FeatureKind::edge, here.edge};
@@ -192,8 +192,7 @@ void clip_polygons(const Face& a, const Face& b, const Projection& projection, C
   }
 }
 
-// The stretch of a segment over a polygon in shares of its length, and the edges that it enters and leaves across, if
-// any.
+// The stretch of a segment over a polygon, in shares of its length, and the edges at its ends, if any.
 struct Stretch {
   Real enter = 0, leave = 1;
   std::uint32_t enter_edge = no_index, leave_edge = no_index;

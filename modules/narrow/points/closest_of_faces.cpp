@@ -33,8 +33,8 @@ void outermost(const Face& face, const Vec3& direction, Real slack, const Vec3& 
   }
 }
 
-// Whether a polygon holds a point further than `slack` from its edges. Those of a needle, and of a polygon without
-// area, are all nearer, and rounding would take what lies beyond its ends for inside.
+// Whether a polygon holds a point further than `slack` from its edges. A needle and a polygon without area hold none:
+// rounding would take points beyond their ends for inside.
 [[nodiscard]] bool holds(std::span<const Corner> polygon, const Corner& p, Real slack) {
   bool left = polygon.size() > 2, right = left;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

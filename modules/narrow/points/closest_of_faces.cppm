@@ -1,5 +1,5 @@
-// Points that lie across from each other: under a normal along which two cores separate best, their
-// outermost parts meet when one is moved onto the other, and any common point is a pair of witnesses.
+// Points that lie across from each other: move one core onto the other along the normal that separates them best. Their
+// outermost parts meet, and each common point is a pair of witnesses.
 export module abut.narrow.points.closest_of_faces;
 import abut.capability;
 import abut.core.standard;

@@ -42,8 +42,8 @@ export namespace abut {
     return true;
   }
   const Real middle = -(from.x * x + from.y * y) / square, half = std::sqrt(under) / square;
-  // An end of the edge that lies on the circle within a tie is one of the stretch, whichever side of the circle
-  // rounding puts it on. Under the normal of a search on curved cores it lies there within the error of that.
+  // An end of the edge on the circle within a tie is an end of the stretch, on whichever side rounding puts it. Under
+  // the normal of a search on curved cores it lies there within the error of that.
   const Real tie = usual_error_of_curves * std::fmin(rim.radius / std::sqrt(square), Real{1}) + noise_of(1);
   const Real enter = middle - half > tie ? middle - half : 0, leave = middle + half < 1 - tie ? middle + half : 1;
   const auto append = [&](Real t, bool is_end, std::uint32_t vertex) {

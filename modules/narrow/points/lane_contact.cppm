@@ -1,6 +1,6 @@
 // A contact on the way from a closed form to its manifold, in vector registers.
 //
-// A record that is written number by number and read back whole waits for the stores, and so does one that is moved or
+// A record that is written number by number and read back whole waits for the stores. So does one that is moved or
 // mirrored where it lies. Hence a contact is moved and mirrored before it is written, and written once, where it stays.
 export module abut.narrow.points.lane_contact;
 import abut.capability;

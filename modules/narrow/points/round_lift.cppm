@@ -8,9 +8,8 @@ import abut.narrow.points.clip;
 
 export namespace abut {
 
-// Lifts points of a core along a direction of length one, so that both points of a contact lie on the surfaces and
-// across each other. A segment that leans is lifted through its side: its upper end by radius / sine of the angle to
-// the axis.
+// Lifts points of a core along a unit direction, so that both points of a contact lie on the surfaces and across each
+// other. A segment that leans is lifted through its side: its upper end by radius / sine of the angle to the axis.
 template <Convex S>
 class RoundLift {
  public:
@@ -23,7 +22,7 @@ class RoundLift {
     }
   }
   // How far a corner of the region is from the surface; nothing where the way leaves through the ball around an end
-  // that is a corner by itself, as in a segment that nearly stands: the contact is that of the end.
+  // that is a corner by itself. So it is in a segment that nearly stands: the contact is that of the end.
   [[nodiscard]] inline std::optional<Real> operator()(const ClipPoint& corner, const Vec3& point,
                                                       std::span<const ClipPoint> region) const {
     if constexpr (SegmentCored<S>) {

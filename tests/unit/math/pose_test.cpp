@@ -117,8 +117,8 @@ TEST(Pose, RelativeIsThePoseInTheFrameOfTheFirst) {
   }
 }
 
-// Positions far out are exact multiples of 2^-10 here, so their difference is exact, and nothing of the
-// size of rounding at 1e9 may remain.
+// Positions far out are exact multiples of 2^-10 here, so their difference is exact. Nothing of the size of rounding at
+// 1e9 may remain.
 TEST(Pose, RelativeLosesNothingFarFromTheOrigin) {
   test::Random random(46);
   for (int i = 0; i < 1000; ++i) {

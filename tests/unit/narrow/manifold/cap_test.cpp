@@ -87,7 +87,7 @@ TEST(Cap, OrderOfTheInputDoesNotMatter) {
   }
 }
 
-// No fifteen normals are further apart than 53.7 degrees (Tammes' problem), so none is further than that from the
+// No fifteen normals are further apart than 53.7 degrees (Tammes' problem). So none is further than that from the
 // fourteen kept, but for the 11.5 degrees of a cluster: the cosine of both is 0.42.
 TEST(Cap, NormalsAllAroundAreAllCovered) {
   test::Random random(904);

@@ -72,8 +72,8 @@ struct Tally {
   int patches = 0, falling_short = 0;
 };
 
-// Reduces patches of 5 to 64 points. A patch falls short where it keeps less than nine tenths of the area of all its
-// points and less than 95 % of the most that four can span.
+// Reduces patches of 5 to 64 points. A patch falls short where both hold: it keeps less than nine tenths of the area of
+// all its points; it keeps less than 95 % of the most that four can span.
 Tally reduce_patches(int rounds, const Maker& make, std::uint64_t seed) {
   test::Random random(seed);
   Tally tally;

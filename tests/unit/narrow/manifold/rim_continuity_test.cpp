@@ -153,7 +153,8 @@ Motion motion_of(const Body& ground, const Body& body, std::uint64_t seed) {
   return motion;
 }
 
-// A rim that leans more than a thousandth stands on its edge, at a point that runs a thousand times as far as it turns.
+// A rim that leans more than a thousandth stands on its edge. The point there runs a thousand times as far as the rim
+// turns.
 constexpr double most_moved = 1500 * test::step_length;
 
 TEST(RimContinuity, OfBodiesThatStandLeanAndLie) {
