@@ -30,6 +30,7 @@ inline void expect_ok(abut_status status) {
 
 [[nodiscard]] inline AbutCShape abut_c_shape(const Solid& solid) {
   const std::vector<double> parameters = abut_parameters(solid), reals = abut_reals(solid);
+  const std::vector<std::uint32_t> indices = abut_indices(solid);
   abut_shape_desc desc;
   abut_shape_desc_init(&desc, sizeof desc);
   desc.kind = abut_shape_kind_by_name(std::string(abut_kind_name(solid)).c_str());
@@ -37,6 +38,8 @@ inline void expect_ok(abut_status status) {
   desc.parameter_count = parameters.size();
   desc.reals = reals.data();
   desc.real_count = reals.size();
+  desc.indices = indices.data();
+  desc.index_count = indices.size();
   abut_shape* shape = nullptr;
   expect_ok(abut_shape_create(&desc, &shape));
   return AbutCShape(shape);

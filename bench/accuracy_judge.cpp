@@ -23,7 +23,9 @@ std::optional<oracle::Body> body_of(const Solid& solid) {
     case Kind::cylinder: return std::nullopt;
     case Kind::cone:
     case Kind::ellipsoid:
-    case Kind::plane: break;
+    case Kind::plane:
+    case Kind::mesh:
+    case Kind::height_field: break;
   }
   throw std::runtime_error("a shape without a judge: " + std::string(kind_name(solid.kind)));
 }

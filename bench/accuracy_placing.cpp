@@ -59,7 +59,9 @@ Vec side_normal(const Solid& solid, Random& random) {
     case Kind::cone:
     case Kind::ellipsoid:
     case Kind::plane:
-    case Kind::triangle: return oracle::unit(vec_of(any));
+    case Kind::triangle:
+    case Kind::mesh:
+    case Kind::height_field: return oracle::unit(vec_of(any));
   }
   return {};
 }

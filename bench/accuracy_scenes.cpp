@@ -59,7 +59,9 @@ Solid made_thin(Solid solid, bool is_needle) {
     case Kind::cone:
     case Kind::ellipsoid:
     case Kind::hull:
-    case Kind::triangle: break;
+    case Kind::triangle:
+    case Kind::mesh:
+    case Kind::height_field: break;
   }
   const auto flatten = [is_needle](Point& p) {
     p[2] /= is_needle ? 1 : aspect;

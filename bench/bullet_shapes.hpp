@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <memory>
 
+#include "bullet_surfaces.hpp"
 #include "scene.hpp"
 
 namespace bench {
@@ -38,6 +39,8 @@ namespace bench {
     case Kind::cone:
       return with_margin(std::make_unique<btConeShapeZ>(to_bullet(solid.sizes[0]), to_bullet(2 * solid.sizes[1])));
     case Kind::ellipsoid: return nullptr;
+    case Kind::mesh: return with_margin(std::make_unique<BulletMesh>(solid));
+    case Kind::height_field: return with_margin(std::make_unique<BulletField>(solid));
     case Kind::triangle:
       return with_margin(std::make_unique<btTriangleShape>(to_bullet(solid.points[0]), to_bullet(solid.points[1]),
                                                            to_bullet(solid.points[2])));

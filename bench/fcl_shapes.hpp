@@ -30,6 +30,22 @@ using FclGeometry = fcl::CollisionGeometry<double>;
     case Kind::cone: return std::make_unique<fcl::Cone<double>>(s[0], 2 * s[1]);
     case Kind::ellipsoid: return std::make_unique<fcl::Ellipsoid<double>>(s[0], s[1], s[2]);
     case Kind::plane: return std::make_unique<fcl::Halfspace<double>>(0, 0, 1, 0);
+    case Kind::mesh: {
+      auto mesh = std::make_unique<fcl::BVHModel<fcl::OBBRSSd>>();
+      std::vector<Eigen::Vector3d> vertices;
+      for (const Point& p : solid.points) {
+        vertices.emplace_back(p[0], p[1], p[2]);
+      }
+      std::vector<fcl::Triangle> triangles;
+      for (const auto& [a, b, c] : solid.triangles) {
+        triangles.emplace_back(static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c));
+      }
+      mesh->beginModel();
+      mesh->addSubModel(vertices, triangles);
+      mesh->endModel();
+      return mesh;
+    }
+    case Kind::height_field: return nullptr;
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:

@@ -20,12 +20,55 @@ struct DestroyGeom {
 };
 using OdeGeom = std::unique_ptr<std::remove_pointer_t<dGeomID>, DestroyGeom>;
 
-// A hull as ODE reads it, which keeps pointers into these arrays.
+struct DestroyTriangles {
+  void operator()(dTriMeshDataID data) const { dGeomTriMeshDataDestroy(data); }
+};
+struct DestroyHeights {
+  void operator()(dHeightfieldDataID data) const { dGeomHeightfieldDataDestroy(data); }
+};
+
+// A hull or a terrain as ODE reads it, which keeps pointers into these arrays.
 struct OdeConvex {
   std::vector<dReal> planes;           // of each triangle: unit normal, offset
   std::vector<dReal> points;           // x, y, z
   std::vector<unsigned int> polygons;  // of each triangle: 3, and its corners
+  std::vector<dTriIndex> triangles;    // of a mesh: three corners each
+  std::unique_ptr<std::remove_pointer_t<dTriMeshDataID>, DestroyTriangles> mesh;
+  std::unique_ptr<std::remove_pointer_t<dHeightfieldDataID>, DestroyHeights> field;
 };
+
+// Y leads up in a height field of ODE, whose origin is the middle of the samples. Its rows run against ours.
+[[nodiscard]] inline OdeConvex ode_terrain(const Solid& solid) {
+  OdeConvex terrain;
+  if (solid.kind == Kind::mesh) {
+    for (const Point& p : solid.points) {
+      terrain.points.insert(terrain.points.end(), p.begin(), p.end());
+    }
+    for (const auto& triangle : solid.triangles) {
+      for (const int corner : triangle) {
+        terrain.triangles.push_back(static_cast<dTriIndex>(corner));
+      }
+    }
+    terrain.mesh.reset(dGeomTriMeshDataCreate());
+    dGeomTriMeshDataBuildDouble(terrain.mesh.get(), terrain.points.data(), 3 * sizeof(double),
+                                static_cast<int>(solid.points.size()), terrain.triangles.data(),
+                                static_cast<int>(terrain.triangles.size()), 3 * sizeof(dTriIndex));
+    return terrain;
+  }
+  const auto side = static_cast<std::size_t>(solid.sizes[0]);
+  for (std::size_t j = side; j-- > 0;) {
+    for (std::size_t i = 0; i < side; ++i) {
+      terrain.points.push_back(solid.points[j * side + i][2]);
+    }
+  }
+  const double length = static_cast<double>(side - 1) * solid.sizes[1];
+  terrain.field.reset(dGeomHeightfieldDataCreate());
+  dGeomHeightfieldDataBuildDouble(terrain.field.get(), terrain.points.data(), 0, length, length, static_cast<int>(side),
+                                  static_cast<int>(side), 1, 0, 1, 0);
+  const auto [low, high] = std::ranges::minmax(terrain.points);
+  dGeomHeightfieldDataSetBounds(terrain.field.get(), low, high);
+  return terrain;
+}
 
 [[nodiscard]] inline OdeConvex ode_convex(const Solid& solid) {
   OdeConvex convex;
@@ -52,7 +95,7 @@ struct OdeConvex {
 [[nodiscard]] inline std::vector<OdeConvex> ode_convexes(std::span<const Solid> solids) {
   std::vector<OdeConvex> convexes;
   for (const Solid& solid : solids) {
-    convexes.push_back(ode_convex(solid));
+    convexes.push_back(is_surface(solid.kind) ? ode_terrain(solid) : ode_convex(solid));
   }
   return convexes;
 }
@@ -77,6 +120,8 @@ struct OdeConvex {
       return dCreateConvex(nullptr, convex.planes.data(), static_cast<unsigned int>(convex.planes.size() / 4),
                            convex.points.data(), static_cast<unsigned int>(convex.points.size() / 3),
                            convex.polygons.data());
+    case Kind::mesh: return dCreateTriMesh(nullptr, convex.mesh.get(), nullptr, nullptr, nullptr);
+    case Kind::height_field: return dCreateHeightfield(nullptr, convex.field.get(), 1);
     case Kind::plane:
     case Kind::cone:
     case Kind::ellipsoid:
@@ -91,6 +136,13 @@ struct OdeConvex {
     return OdeGeom(placed_ode_plane(placement));
   }
   OdeGeom geom(unplaced_ode_geom(solid, convex));
+  if (solid.kind == Kind::height_field) {
+    const double half = 0.5 * (solid.sizes[0] - 1) * solid.sizes[1], root = std::sqrt(0.5);
+    const std::array<dReal, 4> quarter_turn{root, root, 0, 0};
+    dGeomSetPosition(geom.get(), half, half, 0);
+    dGeomSetQuaternion(geom.get(), quarter_turn.data());
+    return geom;
+  }
   const Point& p = placement.position;
   dGeomSetPosition(geom.get(), p[0], p[1], p[2]);
   dGeomSetQuaternion(geom.get(), placement.orientation.data());

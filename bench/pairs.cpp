@@ -37,6 +37,7 @@ constexpr std::array kinds{Kind::sphere, Kind::capsule,   Kind::box,    Kind::cy
 // The first one is what the others are compared with.
 constexpr std::array makers{Maker{"abut", make_abut},
                             Maker{"abut-c", make_abut_c},
+                            Maker{"abut-c-warm", make_abut_c_warm},
                             Maker{"bullet", make_bullet},
                             Maker{"fcl", make_fcl},
                             Maker{"ode", make_ode},
@@ -55,7 +56,7 @@ struct Scene {
   std::vector<Case> separated, overlapping, mixed;
 
   [[nodiscard]] Cell cell(Query query) const {
-    return {solids_a, solids_b, query == Query::distance ? separated : query == Query::depth ? overlapping : mixed};
+    return {solids_a, solids_b, query == Query::depth ? overlapping : query == Query::contacts ? mixed : separated};
   }
 };
 
@@ -84,6 +85,10 @@ Scene make_scene(Kind kind_a, Kind kind_b) {
         scene.overlapping.push_back(tried[i]);
       }
     }
+  }
+  Random moves(7 + 16 * static_cast<std::uint64_t>(kind_a) + static_cast<std::uint64_t>(kind_b));
+  for (Case& one : scene.separated) {
+    give_motion(one, bounding_radius(scene.solids_a[one.a]) + bounding_radius(scene.solids_b[one.b]), moves);
   }
   // As many of one as of the other, in no order.
   for (std::size_t i = 0; i < case_count / 2; ++i) {
@@ -188,18 +193,24 @@ std::vector<Scene> make_scenes(std::span<const std::pair<Kind, Kind>> pairs, std
 }
 
 int run() {
-  std::vector<std::pair<Kind, Kind>> bounded, with_plane;
+  std::vector<std::pair<Kind, Kind>> bounded, with_plane, with_surface;
   for (std::size_t b = 0; b < kinds.size(); ++b) {
     for (std::size_t a = 0; a <= b; ++a) {
       bounded.emplace_back(kinds[a], kinds[b]);
     }
     with_plane.emplace_back(Kind::plane, kinds[b]);
   }
-  constexpr std::array all_queries{Query::distance, Query::depth, Query::contacts};
+  for (const Kind surface : {Kind::mesh, Kind::height_field}) {
+    for (const Kind b : {Kind::sphere, Kind::capsule, Kind::box, Kind::cylinder, Kind::hull32}) {
+      with_surface.emplace_back(surface, b);
+    }
+  }
+  constexpr std::array all_queries{Query::distance, Query::depth, Query::contacts, Query::cast};
   // Closest points to a half-space are a query that the peers do not have.
   constexpr std::array contacts_only{Query::contacts};
   const std::vector<Scene> scenes = make_scenes(bounded, all_queries);
   const std::vector<Scene> planes = make_scenes(with_plane, contacts_only);
+  const std::vector<Scene> surfaces = make_scenes(with_surface, contacts_only);
 
   Suite suite;
   for (const Query query : all_queries) {
@@ -207,13 +218,15 @@ int run() {
       suite.add(query, scene);
     }
   }
-  for (const Scene& scene : planes) {
-    suite.add(Query::contacts, scene);
+  for (const std::vector<Scene>& scenes_of_contacts : {planes, surfaces}) {
+    for (const Scene& scene : scenes_of_contacts) {
+      suite.add(Query::contacts, scene);
+    }
   }
   suite.print();
   return run_and_compare({"abut",
                           {"bullet", "fcl", "ode"},
-                          {"libccd-gjk", "libccd-mpr", "abut-c", "abut-ccd-gjk", "abut-ccd-mpr"},
+                          {"libccd-gjk", "libccd-mpr", "abut-c", "abut-c-warm", "abut-ccd-gjk", "abut-ccd-mpr"},
                           static_cast<double>(case_count),
                           "ns",
                           1e-9,

@@ -11,12 +11,14 @@
 
 namespace bench {
 
-// distance: of separated pairs. depth: signed distance of overlapping pairs. contacts: of both.
-enum class Query : std::uint8_t { distance, depth, contacts };
+// distance: of separated pairs. depth: signed distance of overlapping pairs. contacts: of both. cast: of separated
+// pairs, the share of the motion of b at the first touch, 1 without one.
+enum class Query : std::uint8_t { distance, depth, contacts, cast };
 
 struct Case {
   std::size_t a = 0, b = 0;  // which of the solids
   Placement pose_a, pose_b;
+  Point motion{};  // of b, for casts
 };
 
 struct Cell {
@@ -25,7 +27,7 @@ struct Cell {
 };
 
 struct Answer {
-  double distance = 0;       // signed; of contacts: of the deepest one
+  double distance = 0;       // signed; of contacts: of the deepest one; of a cast: the share
   std::uint32_t points = 0;  // contacts that overlap; 1 for the other queries, 0 where the library gave up
 };
 
@@ -54,6 +56,8 @@ struct Maker {
 [[gnu::visibility("default")]] std::unique_ptr<Contender> make_ode(Query query, const Cell& cell);
 std::unique_ptr<Contender> make_abut(Query query, const Cell& cell);
 std::unique_ptr<Contender> make_abut_c(Query query, const Cell& cell);
+// With a memory for each pair, of which b sways by a thousandth of its size from call to call.
+std::unique_ptr<Contender> make_abut_c_warm(Query query, const Cell& cell);
 // abut's own routes through libccd.
 std::unique_ptr<Contender> make_abut_ccd_gjk(Query query, const Cell& cell);
 std::unique_ptr<Contender> make_abut_ccd_mpr(Query query, const Cell& cell);

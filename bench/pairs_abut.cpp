@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <span>
 #include <string>
@@ -15,6 +16,7 @@
 #include "pairs.hpp"
 
 import abut;
+import abut.pairs.any_shape.shape_cast;
 
 namespace bench {
 namespace {
@@ -29,7 +31,7 @@ abut::AnyShape shape_of(const Solid& solid) {
   if (!place) {
     throw std::runtime_error("this build of abut lacks a shape of the benchmark");
   }
-  auto shape = abut::make_shape(*place, abut_parameters(solid), abut_reals(solid), {});
+  auto shape = abut::make_shape(*place, abut_parameters(solid), abut_reals(solid), abut_indices(solid));
   if (!shape) {
     throw std::runtime_error(std::string(shape.error().message));
   }
@@ -48,13 +50,16 @@ class Abut final : public Contender {
       b_.push_back(shape_of(solid));
     }
     for (const Case& one : cell.cases) {
-      jobs_.push_back({one.a, one.b, pose_of(one.pose_a), pose_of(one.pose_b)});
+      const auto& [x, y, z] = one.motion;
+      jobs_.push_back({one.a, one.b, pose_of(one.pose_a), pose_of(one.pose_b), {x, y, z}});
     }
   }
 
   void answer(std::span<Answer> answers) override {
     if (query_ == Query::contacts) {
       contacts(answers);
+    } else if (query_ == Query::cast) {
+      casts(answers);
     } else {
       distances(answers);
     }
@@ -74,6 +79,7 @@ class Abut final : public Contender {
   struct Job {
     std::size_t a, b;
     abut::Pose pose_a, pose_b;
+    abut::Vec3 motion;
   };
 
   [[nodiscard]] abut::Outcome distance(const Job& job, abut::Distance& out) const {
@@ -85,6 +91,16 @@ class Abut final : public Contender {
       abut::Distance out;
       const abut::Outcome outcome = distance(jobs_[i], out);
       answers[i] = {out.distance, outcome == abut::Outcome::ok ? 1u : 0u};
+    }
+  }
+
+  void casts(std::span<Answer> answers) const {
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      const Job& job = jobs_[i];
+      std::optional<abut::ShapeCastHit> hit;
+      const abut::Outcome outcome =
+          abut::cast_shapes(a_[job.a], job.pose_a, {0, 0, 0}, b_[job.b], job.pose_b, job.motion, settings_, 1, hit);
+      answers[i] = {hit ? hit->fraction : 1, outcome == abut::Outcome::ok ? 1u : 0u};
     }
   }
 
@@ -133,10 +149,10 @@ std::unique_ptr<Contender> make_abut(Query query, const Cell& cell) {
 }
 // libccd answers nothing for shapes that are apart, for planes, and in builds without it.
 std::unique_ptr<Contender> make_abut_ccd_gjk(Query query, const Cell& cell) {
-  return make_abut(query, cell, {ABUT_ALGORITHM_LIBCCD_GJK});
+  return query == Query::cast ? nullptr : make_abut(query, cell, {ABUT_ALGORITHM_LIBCCD_GJK});
 }
 std::unique_ptr<Contender> make_abut_ccd_mpr(Query query, const Cell& cell) {
-  return make_abut(query, cell, {ABUT_ALGORITHM_LIBCCD_MPR});
+  return query == Query::cast ? nullptr : make_abut(query, cell, {ABUT_ALGORITHM_LIBCCD_MPR});
 }
 
 void find_surface(Solid& hull) {

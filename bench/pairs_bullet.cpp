@@ -2,6 +2,7 @@
 // distance is that of the shape itself.
 #include <btBulletCollisionCommon.h>
 
+#include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
@@ -18,12 +19,18 @@ namespace {
 struct Job {
   std::size_t a, b;
   btTransform pose_a, pose_b;
+  btVector3 motion;
 };
 
 std::vector<Job> jobs_of(const Cell& cell) {
+  const Solid& first = cell.solids_a.front();
+  const btVector3 middle =
+      first.kind == Kind::height_field ? to_bullet(BulletField::middle(first)) : btVector3(0, 0, 0);
   std::vector<Job> jobs;
   for (const Case& one : cell.cases) {
-    jobs.push_back({one.a, one.b, bullet_transform(one.pose_a), bullet_transform(one.pose_b)});
+    const btTransform pose_a = bullet_transform(one.pose_a);
+    jobs.push_back({one.a, one.b, btTransform(pose_a.getBasis(), pose_a(middle)), bullet_transform(one.pose_b),
+                    to_bullet(one.motion)});
   }
   return jobs;
 }
@@ -52,6 +59,32 @@ class Distance final : public Contender {
       btPointCollector result;
       detector.getClosestPointsNonVirtual(input, result, nullptr);
       answers[i] = {static_cast<double>(result.m_distance), result.m_hasResult ? 1u : 0u};
+    }
+  }
+
+ private:
+  std::vector<Job> jobs_;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes_a_, shapes_b_;
+  btVoronoiSimplexSolver simplex_;
+  btGjkEpaPenetrationDepthSolver depth_;
+};
+
+// What its world asks for sweeps of convex shapes.
+class Cast final : public Contender {
+ public:
+  explicit Cast(const Cell& cell)
+      : jobs_(jobs_of(cell)), shapes_a_(shapes_of(cell.solids_a)), shapes_b_(shapes_of(cell.solids_b)) {}
+
+  void answer(std::span<Answer> answers) override {
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      const Job& job = jobs_[i];
+      btContinuousConvexCollision search(static_cast<const btConvexShape*>(shapes_b_[job.b].get()),
+                                         static_cast<const btConvexShape*>(shapes_a_[job.a].get()), &simplex_, &depth_);
+      const btTransform end(job.pose_b.getBasis(), job.pose_b.getOrigin() + job.motion);
+      btConvexCast::CastResult result;
+      result.m_fraction = 1;
+      const bool is_hit = search.calcTimeOfImpact(job.pose_b, end, job.pose_a, job.pose_a, result);
+      answers[i] = {is_hit ? static_cast<double>(result.m_fraction) : 1, 1};
     }
   }
 
@@ -133,6 +166,9 @@ std::unique_ptr<Contender> make_bullet(Query query, const Cell& cell) {
   // The closest-point query is one of convex shapes, which Bullet's plane is not.
   if (has(Kind::plane)) {
     return nullptr;
+  }
+  if (query == Query::cast) {
+    return std::make_unique<Cast>(cell);
   }
   return std::make_unique<Distance>(cell);
 }

@@ -25,7 +25,8 @@ class Fcl final : public Contender {
     distance_.enable_nearest_points = true;
     distance_.enable_signed_distance = query == Query::depth;
     contacts_.enable_contact = true;
-    contacts_.num_max_contacts = 4;
+    // The first triangles that it meets, not the deepest ones.
+    contacts_.num_max_contacts = cell.solids_a.front().kind == Kind::mesh ? 64 : 4;
   }
 
   void answer(std::span<Answer> answers) override {
@@ -70,6 +71,10 @@ class Fcl final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_fcl(Query query, const Cell& cell) { return std::make_unique<Fcl>(query, cell); }
+// It has no height fields, and its casts are not asked.
+std::unique_ptr<Contender> make_fcl(Query query, const Cell& cell) {
+  return cell.solids_a.front().kind == Kind::height_field || query == Query::cast ? nullptr
+                                                                                  : std::make_unique<Fcl>(query, cell);
+}
 
 }  // namespace bench

@@ -60,7 +60,9 @@ Point local_support(const Solid& solid, const Point& d) {
       return {scale * solid.sizes[0] * stretched[0], scale * solid.sizes[1] * stretched[1],
               scale * solid.sizes[2] * stretched[2]};
     }
-    case Kind::plane: return {};
+    case Kind::plane:
+    case Kind::mesh:
+    case Kind::height_field: return {};
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:
@@ -135,7 +137,7 @@ class Libccd final : public Contender {
 
 std::unique_ptr<Contender> make_libccd(Penetration penetration, Query query, const Cell& cell) {
   const bool has_plane = cell.solids_a.front().kind == Kind::plane || cell.solids_b.front().kind == Kind::plane;
-  if (query == Query::distance || has_plane) {
+  if (query == Query::distance || query == Query::cast || has_plane || is_surface(cell.solids_a.front().kind)) {
     return nullptr;
   }
   return std::make_unique<Libccd>(penetration, cell);

@@ -16,7 +16,10 @@ namespace {
 
 class Ode final : public Contender {
  public:
-  explicit Ode(const Cell& cell) : convexes_a_(ode_convexes(cell.solids_a)), convexes_b_(ode_convexes(cell.solids_b)) {
+  explicit Ode(const Cell& cell)
+      : most_contacts_(is_surface(cell.solids_a.front().kind) ? 64 : 4),
+        convexes_a_(ode_convexes(cell.solids_a)),
+        convexes_b_(ode_convexes(cell.solids_b)) {
     for (const Case& one : cell.cases) {
       jobs_.push_back({ode_geom(cell.solids_a[one.a], convexes_a_[one.a], one.pose_a),
                        ode_geom(cell.solids_b[one.b], convexes_b_[one.b], one.pose_b)});
@@ -24,11 +27,10 @@ class Ode final : public Contender {
   }
 
   void answer(std::span<Answer> answers) override {
-    constexpr int most_contacts = 4;
-    std::array<dContactGeom, most_contacts> contacts;
+    std::array<dContactGeom, 64> contacts;
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       const int count =
-          dCollide(jobs_[i].a.get(), jobs_[i].b.get(), most_contacts, contacts.data(), sizeof(dContactGeom));
+          dCollide(jobs_[i].a.get(), jobs_[i].b.get(), most_contacts_, contacts.data(), sizeof(dContactGeom));
       Answer found;
       for (const dContactGeom& contact : std::span(contacts).first(static_cast<std::size_t>(count))) {
         found.distance = std::min(found.distance, -contact.depth);
@@ -43,6 +45,7 @@ class Ode final : public Contender {
     OdeGeom a, b;
   };
 
+  int most_contacts_;
   std::vector<OdeConvex> convexes_a_, convexes_b_;
   std::vector<Job> jobs_;
 };

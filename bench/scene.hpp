@@ -31,21 +31,28 @@ enum class Kind : std::uint8_t {
   cone,
   ellipsoid,
   hull,
-  triangle
+  triangle,
+  mesh,
+  height_field
 };
 
 [[nodiscard]] constexpr std::string_view kind_name(Kind kind) {
-  constexpr std::array<std::string_view, 11> names{"sphere",   "box",  "capsule",   "plane", "hull32",  "hull200",
-                                                   "cylinder", "cone", "ellipsoid", "hull",  "triangle"};
+  constexpr std::array<std::string_view, 13> names{"sphere",   "box",      "capsule",     "plane",     "hull32",
+                                                   "hull200",  "cylinder", "cone",        "ellipsoid", "hull",
+                                                   "triangle", "mesh",     "height_field"};
   return names[static_cast<std::size_t>(kind)];
 }
 [[nodiscard]] constexpr bool is_hull(Kind kind) {
   return kind == Kind::hull32 || kind == Kind::hull200 || kind == Kind::hull;
 }
 
+[[nodiscard]] constexpr bool is_surface(Kind kind) { return kind == Kind::mesh || kind == Kind::height_field; }
+
 // Sphere: radius. Box: half extents. Capsule, cylinder, cone: radius and half height, along z, the apex of the
 // cone above. Ellipsoid: radii. Plane: the half-space below z = 0. Triangle: its corners. Hull: its vertices and
-// its surface, counter-clockwise seen from outside; hull32 and hull200 are made of so many points, hull of any.
+// its surface, counter-clockwise seen from outside; hull32 and hull200 are made of so many points, hull of any. Mesh
+// and height field: a square terrain. Sizes: samples of a side, and the spacing. The corner of the samples is the
+// origin.
 struct Solid {
   Kind kind = Kind::sphere;
   Point sizes{};
@@ -102,6 +109,29 @@ class Random {
   return solid;
 }
 
+// Hills of two lengths, rough in the small: 131,072 triangles, of which about forty meet a solid of random_solid. Row
+// by row, X fastest, and each cell split from its first corner to its last.
+[[nodiscard]] inline Solid terrain(Kind kind, Random& random) {
+  constexpr int side = 257;
+  constexpr double spacing = 0.25;
+  Solid solid{kind, {side, spacing, 0}, {}, {}};
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      const double z = 0.75 * std::sin(0.11 * i) * std::cos(0.13 * j) + 0.15 * std::sin(0.5 * i + 0.3 * j) +
+                       random.uniform(-0.025, 0.025);
+      solid.points.push_back({spacing * i, spacing * j, z});
+    }
+  }
+  for (int j = 0; j + 1 < side; ++j) {
+    for (int i = 0; i + 1 < side; ++i) {
+      const int first = j * side + i, last = first + side + 1;
+      solid.triangles.push_back({first, first + 1, last});
+      solid.triangles.push_back({first, last, last - 1});
+    }
+  }
+  return solid;
+}
+
 // Radius of a ball around the origin that holds the solid; of a plane 0.
 [[nodiscard]] inline double bounding_radius(const Solid& solid) {
   double square = 0;
@@ -113,6 +143,8 @@ class Random {
     case Kind::cone: return std::hypot(solid.sizes[0], solid.sizes[1]);
     case Kind::ellipsoid: return std::fmax(solid.sizes[0], std::fmax(solid.sizes[1], solid.sizes[2]));
     case Kind::plane: return 0;
+    case Kind::mesh:
+    case Kind::height_field: return solid.sizes[0] * solid.sizes[1];
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:
