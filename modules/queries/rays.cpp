@@ -3,6 +3,7 @@ module abut.queries;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 import abut.pairs.any_shape.ray_child;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
@@ -15,7 +16,7 @@ namespace {
 Real touching_at(const AnyShape& shape, const Vec3& point) {
   const Aabb box = aabb_of(shape, Pose::identity());
   const Real size = box.is_bounded() ? std::max(largest_magnitude(box.low), largest_magnitude(box.high)) : 0;
-  return 4 * epsilon * (size + largest_magnitude(point));
+  return touching_distance(size + largest_magnitude(point));
 }
 
 // Whether a shape holds a point of its own frame, or comes within `reach` of it.
@@ -80,7 +81,7 @@ void find_hits(const Scene& scene, const Ray& ray, const QueryFilter& filter, Ra
 // What ends on a surface must not miss it by rounding.
 Real limit_of(const Ray& ray) {
   const bool is_endless = std::isinf(ray.max_distance);
-  return ray.max_distance + (is_endless ? 0 : 16 * epsilon * (largest_magnitude(ray.origin) + ray.max_distance));
+  return ray.max_distance + (is_endless ? 0 : rounding_of(largest_magnitude(ray.origin) + ray.max_distance));
 }
 
 }  // namespace

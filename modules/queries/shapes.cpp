@@ -3,6 +3,7 @@ module abut.queries;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 import abut.pairs.any_shape;
 import abut.queries.filter;
 import abut.scene;
@@ -28,7 +29,7 @@ std::vector<CastContact> cast_shape(const Scene& scene, const AnyShape& shape, c
     scene.visit(Aabb::everything(), visit_place);
   } else {
     const Real size = std::max(largest_magnitude(box.low), largest_magnitude(box.high));
-    const Aabb reached = box.inflated(16 * epsilon * (size + largest_magnitude(displacement)));
+    const Aabb reached = box.inflated(rounding_of(size + largest_magnitude(displacement)));
     scene.sweep(reached, displacement, 1, [&](std::uint32_t place, Real) {
       visit_place(place);
       return hits.limit();

@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.trees.bvh;
 
 export namespace abut {
@@ -311,7 +312,7 @@ std::optional<RayHit> CompositeOf<Any>::cast_ray_at(std::uint32_t number, const 
       return hit;
     }
     // Behind the crossing by more than it may be off.
-    start = hit->distance + 64 * epsilon * (largest_magnitude(place) + hit->distance);
+    start = hit->distance + noise_of(largest_magnitude(place) + hit->distance);
   }
   return std::nullopt;
 }

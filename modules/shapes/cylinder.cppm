@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 
 export namespace abut {
 
@@ -81,15 +82,15 @@ class Cylinder {
   }
   // Whether a point is further from the cylinder than `reach`; near its edges it need not be told.
   [[nodiscard]] [[gnu::always_inline]] inline bool is_beyond(const Vec3& p, Real reach) const {
-    const Real wide = radius_ + reach, slack = 1 + 16 * epsilon;
+    const Real wide = radius_ + reach, slack = 1 + rounding_of(1);
     return reach >= 0 &&
            (std::fabs(p.z) > slack * (half_height_ + reach) || p.x * p.x + p.y * p.y > slack * (wide * wide));
   }
 
   // Whether no point lies as far as `reach` along a direction; where rounding matters it need not be told.
   [[nodiscard]] [[gnu::always_inline]] inline bool is_short_of(const Vec3& d, Real reach) const {
-    const Real left = reach - half_height_ * std::fabs(d.z) - 16 * epsilon * (std::fabs(reach) + half_height_);
-    return left > 0 && left * left > (1 + 16 * epsilon) * (radius_ * radius_) * (d.x * d.x + d.y * d.y);
+    const Real left = reach - half_height_ * std::fabs(d.z) - rounding_of(std::fabs(reach) + half_height_);
+    return left > 0 && left * left > (1 + rounding_of(1)) * (radius_ * radius_) * (d.x * d.x + d.y * d.y);
   }
 
   // Faces 0 and 1 are the top and the bottom, corners and edges below 32 their rims. Seen from the side a

@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 
 export namespace abut {
 
@@ -56,7 +57,7 @@ class Ellipsoid {
     germ.yy = (squared_norm(y) - point.y * point.y) * inverse;
     germ.share = length / largest;
     germ.slope = std::sqrt(point.x * point.x + point.y * point.y) / largest;
-    if (const Real least = std::min({radii_.x, radii_.y, radii_.z}); length <= least * (1 + 4 * epsilon)) {
+    if (const Real least = std::min({radii_.x, radii_.y, radii_.z}); length <= least * (1 + touching_distance(1))) {
       germ.ball = least;
     }
     return germ;

@@ -9,6 +9,7 @@ module;
 module abut.shapes.hull_data;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 
 namespace abut {
 namespace {
@@ -68,7 +69,7 @@ HullData flat_hull(std::span<const Vec3> points, const Frame& frame) {
   }
   std::sort(sorted.begin(), sorted.end(),
             [](const Flat& a, const Flat& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
-  const Real smallest_area = 16 * epsilon * (frame.high.x - frame.low.x) * (frame.high.y - frame.low.y);
+  const Real smallest_area = rounding_of((frame.high.x - frame.low.x) * (frame.high.y - frame.low.y));
   const auto turns_left = [&](const Flat& a, const Flat& b, const Flat& c) {
     return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u) > smallest_area;
   };
@@ -177,7 +178,7 @@ HullData build_hull(std::span<const Vec3> points) {
     magnitude = std::max(magnitude, largest_magnitude(p));
   }
   // Extents below this are rounding of the given coordinates.
-  const Real noise = 16 * epsilon * magnitude;
+  const Real noise = rounding_of(magnitude);
   HullData hull;
   if (size.x <= noise) {
     hull.vertices.push_back(points[0]);

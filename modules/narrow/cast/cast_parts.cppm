@@ -5,6 +5,7 @@ export module abut.narrow.cast.cast_parts;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.cast.cast_search;
 import abut.narrow.cast.linear_cast;
 import abut.narrow.cast.parts_in_order;
@@ -22,7 +23,7 @@ template <class Part>
 [[nodiscard]] bool stops(const Part& part, const FirstTouch& touch, const Vec3& outward) {
   if constexpr (requires { part.is_one_sided(); }) {
     // Rounding must not open edges of triangles that stand upright.
-    return !part.is_one_sided() || (touch.travelled > 0 && dot(part.normal(), outward) > -64 * epsilon);
+    return !part.is_one_sided() || (touch.travelled > 0 && dot(part.normal(), outward) > -noise_of(1));
   } else {
     return true;
   }

@@ -3,6 +3,7 @@ export module abut.narrow.cast.linear_cast;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 
 export namespace abut {
 
@@ -21,7 +22,7 @@ struct FirstTouch {
 };
 
 // What rounding leaves of coordinates after a way: within it shapes touch.
-[[nodiscard]] inline Real touching_after(Real size, Real travelled) { return 4 * epsilon * (size + travelled); }
+[[nodiscard]] inline Real touching_after(Real size, Real travelled) { return touching_distance(size + travelled); }
 
 // Newton's method takes a few steps, and one for each bit of the way when the shapes graze each other. Whoever needs
 // more than these is stopped before the contact.
