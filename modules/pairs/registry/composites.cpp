@@ -227,7 +227,8 @@ Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab,
 
 }  // namespace
 
-// With holes: the deepest or nearest of all contacts however far, which is no nearer than the solids are.
+// With holes: of all contacts however far, the one whose distance is nearest to that of the solids. Holes bring nothing
+// nearer: what is deeper is a contact of a surface, which pushes out of the whole surface and not out of one triangle.
 Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                           const QuerySettings& settings, Distance& out) {
   const Pose ab = relative(pose_a, pose_b);
@@ -241,10 +242,11 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
     if (outcome == Outcome::ok && contacts.empty()) {
       best.upper = infinity;  // nothing of the solids is left that could be met
     } else if (outcome == Outcome::ok) {
-      const ContactPoint& least = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
-      best = {least.distance, std::min(best.lower, least.distance),
-              least.distance, least.point_a,
-              least.point_b,  least.normal,
+      const ContactPoint& left = *std::ranges::min_element(
+          contacts, {}, [&](const ContactPoint& contact) { return std::fabs(contact.distance - best.distance); });
+      best = {left.distance,  std::min(best.lower, left.distance),
+              left.distance,  left.point_a,
+              left.point_b,   left.normal,
               best.algorithm, best.iterations};
     }
   }

@@ -102,4 +102,21 @@ TEST(HolesOfMany, FindWhereARimIsDeepest) {
   }
 }
 
+// A rod through the middle of a triangle leaves the triangle sideways sooner than it leaves the surface along itself.
+TEST(HolesOfMany, FarAwayChangeNoDistanceToASurface) {
+  const abut_pose aside = at(0, 0, -40);
+  const Shape ground = make_of_kind("height_field", {5, 4, 1.5, 18}, std::vector<double>(20, 0.0));
+  const Shape rod = make_of_kind("segment", {0.9}), ball = make_sphere(0.1), hole = sphere_hole(0.2);
+  const Shape whole = make_composite({rod, ball}, {identity, aside});
+  const Shape pierced = make_composite({rod, ball, hole}, {identity, aside, aside});
+  for (int i = 0; i < 200; ++i) {
+    const abut_pose place = at(0.03 * i, 0.25 * i, 0.004 * (i - 150));
+    abut_distance expected{}, found{};
+    ASSERT_TRUE(succeeded(abut_pair_distance(whole, &place, ground, &identity, nullptr, &expected)));
+    ASSERT_TRUE(succeeded(abut_pair_distance(pierced, &place, ground, &identity, nullptr, &found)));
+    EXPECT_NEAR(found.distance, expected.distance, 1e-12) << i;
+    EXPECT_NEAR(found.normal.x, expected.normal.x, 1e-12) << i;
+  }
+}
+
 }  // namespace
