@@ -6,20 +6,8 @@ import abut.trees.eight_boxes;
 namespace abut {
 namespace {
 
-// Children of a node that is made, so that the first ones that come do not split it.
-constexpr std::size_t usual_fill = 6;
-
 // Nodes of leaves with fewer are given up, their leaves put elsewhere.
 constexpr std::size_t least_fill = 3;
-
-// The tree is made anew after this many changes per leaf, and never for fewer. When all leaves are new it is time for
-// that.
-constexpr std::size_t most_changes_of_each = 3;
-constexpr std::size_t least_changes = 64;
-constexpr std::size_t changes_of_new = most_changes_of_each + 1;
-
-// From so many leaves on, the scratch of the first making is given back: most of them may never move.
-constexpr std::size_t many_leaves = 65'536;
 
 }  // namespace
 
@@ -267,87 +255,23 @@ void BoxTree::move_elsewhere(std::uint32_t leaf, const CompactAabb& box) {
   changes_ += places_[leaf] / width == node ? 1 : 2;
 }
 
-// Halves along the longest axis of the centres until what is left fills a node. Cuts lie at whole nodes of the highest
-// level that both sides have.
-void BoxTree::put_in_order_of_space(std::span<Entry> entries) {
-  while (entries.size() > usual_fill) {
-    BoxSides around = no_sides;
-    const auto centre = [](const Entry& entry, std::size_t axis) { return entry.sides[axis] - entry.sides[axis + 3]; };
-    for (const Entry& entry : entries) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        around[axis] = std::min(around[axis], centre(entry, axis));
-        around[axis + 3] = std::min(around[axis + 3], -centre(entry, axis));
-      }
+std::uint32_t BoxTree::leaf_near(const std::array<float, 3>& point) const {
+  std::uint32_t at = root_;
+  while (!is_leaf(at)) {
+    const EightBoxes& node = nodes_[at];
+    EightBoxes::Floats square(0.0f);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const EightBoxes::Floats below = node.side(axis) - point[axis], above = point[axis] + node.side(axis + 3);
+      const EightBoxes::Floats beyond = below > above ? below : above;
+      square += beyond > 0.0f ? beyond * beyond : EightBoxes::Floats(0.0f);
     }
-    std::size_t longest = 0;
-    for (std::size_t axis = 1; axis < 3; ++axis) {
-      longest = around[axis] + around[axis + 3] < around[longest] + around[longest + 3] ? axis : longest;
+    std::size_t nearest = 0;
+    for (std::size_t lane = 1; lane < links_[at].count; ++lane) {
+      nearest = square[lane] < square[nearest] ? lane : nearest;
     }
-    std::size_t unit = usual_fill;
-    while (unit * usual_fill < entries.size()) {
-      unit *= usual_fill;
-    }
-    const std::size_t units = (entries.size() + unit - 1) / unit;
-    const std::size_t cut = units / 2 * unit;
-    std::nth_element(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(cut), entries.end(),
-                     [&](const Entry& a, const Entry& b) {
-                       const float at_a = centre(a, longest), at_b = centre(b, longest);
-                       return at_a < at_b || (at_a == at_b && a.child < b.child);
-                     });
-    put_in_order_of_space(entries.first(cut));
-    entries = entries.subspan(cut);
+    at = node.numbers[nearest];
   }
-}
-
-void BoxTree::tidy() {
-  if (changes_ < least_changes + most_changes_of_each * size_ && links_[root_].level < most_levels / 2) {
-    return;
-  }
-  const bool are_all_new = changes_ >= changes_of_new * size_;
-  changes_ = 0;
-  entries_.clear();
-  entries_.reserve(size_);
-  std::array<std::uint32_t, most_waiting> waiting;
-  waiting[0] = root_;
-  std::size_t count_waiting = 1;
-  while (count_waiting > 0) {
-    const std::uint32_t node = waiting[--count_waiting];
-    for (std::size_t lane = 0; lane < links_[node].count; ++lane) {
-      const std::uint32_t child = nodes_[node].numbers[lane];
-      if (is_leaf(child)) {
-        entries_.push_back({nodes_[node].sides_of_lane(lane), child});
-      } else {
-        waiting[count_waiting++] = child;
-      }
-    }
-  }
-  put_in_order_of_space(entries_);
-  nodes_.clear();
-  links_.clear();
-  free_ = none;
-  // Level by level; each becomes the entries of the next.
-  for (std::uint8_t level = 0;; ++level) {
-    std::size_t above = 0;
-    for (std::size_t begin = 0; begin < entries_.size() || begin == 0; begin += usual_fill) {
-      const std::size_t count = std::min(usual_fill, entries_.size() - begin);
-      const std::uint32_t node = make_node(level);
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        set_lane(node, lane, entries_[begin + lane]);
-      }
-      links_[node].count = static_cast<std::uint8_t>(count);
-      root_ = node;
-      if (count > 0) {
-        entries_[above++] = {nodes_[node].sides_around(), node};
-      }
-    }
-    entries_.resize(above);
-    if (above <= 1) {
-      break;
-    }
-  }
-  if (are_all_new && size_ >= many_leaves) {
-    std::vector<Entry>().swap(entries_);
-  }
+  return at & ~leaf_bit;
 }
 
 }  // namespace abut

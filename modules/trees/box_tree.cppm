@@ -11,6 +11,10 @@ export namespace abut {
 // all children of a node are compared at once. Leaves are numbers of the caller.
 class BoxTree {
  public:
+  BoxTree() = default;
+  // Of boxes that stay: leaves are numbered as the boxes are, and nodes are full.
+  explicit BoxTree(std::span<const CompactAabb> boxes);
+
   // Boxes are finite and small enough for their surface to be (|coordinate| below 1e18).
   void insert(std::uint32_t leaf, const CompactAabb& box);
   void erase(std::uint32_t leaf);
@@ -27,12 +31,17 @@ class BoxTree {
   template <class Visitor>
   void visit(const CompactAabb& box, Visitor&& visit_leaf) const {
     const BoxSides limits = limits_of(box);
+    visit_within([&]() -> const BoxSides& { return limits; }, visit_leaf);
+  }
+  // The same for a box that may shrink on the way. `limits_now`: of the box as it is.
+  template <class Limits, class Visitor>
+  void visit_within(const Limits& limits_now, Visitor&& visit_leaf) const {
     std::array<std::uint32_t, most_waiting> waiting;
     std::size_t count = 0;
     std::uint32_t at = root_;
     for (;;) {
       const EightBoxes& node = nodes_[at];
-      std::uint32_t overlapping = node.overlapping(limits);
+      std::uint32_t overlapping = node.overlapping(limits_now());
       while (overlapping != 0) {
         const std::uint32_t child = node.numbers[static_cast<std::size_t>(std::countr_zero(overlapping))];
         overlapping &= overlapping - 1;
@@ -90,6 +99,9 @@ class BoxTree {
     }
   }
 
+  // A leaf close to a point: down the side whose box is closer. The tree has leaves.
+  [[nodiscard]] std::uint32_t leaf_near(const std::array<float, 3>& point) const;
+
   // Numbers that are near each other belong to leaves that are, mostly.
   [[nodiscard]] std::uint32_t place_of(std::uint32_t leaf) const { return places_[leaf]; }
 
@@ -116,6 +128,13 @@ class BoxTree {
 
  private:
   static constexpr std::size_t width = EightBoxes::width;
+
+  // The tree is made anew after this many changes per leaf, and never for fewer. When all leaves are new it is time for
+  // that.
+  static constexpr std::size_t most_changes_of_each = 3;
+  static constexpr std::size_t least_changes = 64;
+  static constexpr std::size_t changes_of_new = most_changes_of_each + 1;
+
   static constexpr std::size_t most_levels = 24;
   static constexpr std::size_t most_waiting = most_levels * width;
 
@@ -155,7 +174,8 @@ class BoxTree {
   void take_out(std::uint32_t node, std::size_t lane);
   void take_away(std::uint32_t leaf);
   void fit_from(std::uint32_t node);
-  void put_in_order_of_space(std::span<Entry> entries);
+  static void put_in_order_of_space(std::span<Entry> entries, std::size_t fill);
+  void build(std::size_t fill);
 
   std::vector<EightBoxes> nodes_{EightBoxes{}};  // numbered by their children
   std::vector<Link> links_{Link{}};
@@ -164,7 +184,7 @@ class BoxTree {
   std::uint32_t free_ = none;
   std::size_t size_ = 0;
   std::size_t changes_ = 0;     // since the tree was made
-  std::vector<Entry> entries_;  // scratch of tidy
+  std::vector<Entry> entries_;  // scratch of build
 };
 
 }  // namespace abut

@@ -136,7 +136,7 @@ TEST(Bvh, VisitorMayShrinkTheQuery) {
     query = {{100, 100, 100}, {101, 101, 101}};  // away from all of them
   });
   EXPECT_GE(visits, 1u);
-  EXPECT_LE(visits, 4u);  // what is left of one leaf
+  EXPECT_LE(visits, 8u);  // what is left of one node
 }
 
 TEST(Bvh, NoBoxOnARayIsMissed) {
