@@ -13,6 +13,7 @@ import abut.narrow.fan.disc_depth_of_pair;
 import abut.narrow.fan.features;
 import abut.narrow.fan.hull_sat;
 import abut.narrow.fan.sat;
+export import abut.narrow.fan.triangle_sat;
 import abut.narrow.points.witnesses;
 import abut.narrow.polytope.capped_epa;
 import abut.narrow.polytope.epa;
@@ -21,8 +22,6 @@ import abut.narrow.polytope.polytope_depth;
 export namespace abut {
 
 // Boxes have a way of their own to try all axes.
-template <class S>
-inline constexpr bool is_box = BoxCored<S> && !PointCored<S> && !SegmentCored<S>;
 template <class A, class B>
 inline constexpr bool are_boxes = is_box<A> && is_box<B>;
 
@@ -91,6 +90,11 @@ template <FewFaced A, FewFaced B>
   if constexpr (are_boxes<A, B>) {
     return separation_along(a, b, ab, sat_of_boxes(a.half(), b.half(), ab, noise_of(size), infinity), size);
   } else {
+    if constexpr (has_triangle_sat<A, B>) {
+      if (const std::optional<SatResult> found = triangle_sat(a, b, ab, noise_of(size))) {
+        return separation_along(a, b, ab, *found, size);
+      }
+    }
     if (const std::optional<SatResult> found = sat(a, b, ab, noise_of(size))) {
       return separation_along(a, b, ab, *found, size);
     }
