@@ -22,8 +22,8 @@ class PartMet {
  public:
   PartMet() = default;
   // `gap`: how far both are apart; not positive where they overlap.
-  PartMet(const Triangle& triangle, const B& b, const Pose& ab, Real gap)
-      : corners_(triangle.corners()), fronts_(triangle, b, ab), gap_(gap) {
+  PartMet(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real gap)
+      : corners_(triangle.corners()), fronts_(fronts), gap_(gap) {
     if constexpr (std::same_as<B, Triangle>) {
       placed_.of = {ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]};
     }
@@ -56,20 +56,18 @@ template <Convex B>
 class PartsMet {
  public:
   // The number of the new part.
-  std::size_t add(const Triangle& triangle, const B& b, const Pose& ab, Real gap) {
-    parts_.push_back(PartMet<B>(triangle, b, ab, gap));
-    return parts_.size() - 1;
-  }
-  // Directions that might part the whole: least ways out of parts, and those out of faces.
-  void add_way(const Vec3& way) {
-    if (ways_.empty() || !(ways_[ways_.size() - 1] == way)) {
-      ways_.push_back(way);
-    }
-  }
-  void add_faces(const Triangle& triangle, const B& b, const Pose& ab) {
+  std::size_t add(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real gap) {
+    parts_.push_back(PartMet<B>(triangle, b, ab, fronts, gap));
     add_face(triangle.normal(), triangle.is_one_sided());
     if constexpr (std::same_as<B, Triangle>) {
       add_face(-(ab.rotation * b.normal()), b.is_one_sided());
+    }
+    return parts_.size() - 1;
+  }
+  // Directions that might part the whole: the least way out of a part, beside those out of faces.
+  void add_way(const Vec3& way) {
+    if (ways_.empty() || !(ways_[ways_.size() - 1] == way)) {
+      ways_.push_back(way);
     }
   }
 

@@ -4,20 +4,22 @@ export module abut.narrow.many.quick_axes;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.apart.segment_cores;
+import abut.narrow.many.triangle_point;
 
 export namespace abut {
 
 // Sums of the magnitudes of the coordinates stand for lengths: they are no shorter, so that no triangle is left out
 // wrongly.
 [[nodiscard]] [[gnu::always_inline]] inline Real length_bound(Lanes a) { return sum(absolute(a)); }
+[[nodiscard]] [[gnu::always_inline]] inline Real length_bound(const Vec3& a) {
+  return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
+}
 
 // The normal of a sliver is rounding, and so is how far anything lies along it. `size`: of the coordinates.
 [[nodiscard]] [[gnu::always_inline]] inline Real rounding_of_normal(Real one_side, Real other_side, Real size) {
-  return 64 * epsilon * one_side * other_side * size;
-}
-[[nodiscard]] [[gnu::always_inline]] inline Real length_bound(const Vec3& a) {
-  return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
+  return noise_of(one_side * other_side * size);
 }
 
 // The box around a core, along the axes of the core, and all separating axes of it and a triangle. Source:
@@ -29,14 +31,14 @@ class QuickAxes {
     const Aabb box = b.aabb(Pose::identity());
     half_ = lanes_of(0.5 * (box.high - box.low)) - Lanes{b.radius(), b.radius(), b.radius(), 0};
     centre_ = lanes_of(box.centre());
-    noise_ = 64 * epsilon * largest_magnitude(ab.position);
+    noise_ = noise_of(largest_magnitude(ab.position));
   }
 
   [[nodiscard]] bool are_beyond(const TriangleCorners& corners, Real limit) const {
     const Lanes a = local(corners[0]), b = local(corners[1]), c = local(corners[2]);
     const Lanes low = minimum(minimum(a, b), c), high = maximum(maximum(a, b), c);
     const Real size = largest(maximum(absolute(low), absolute(high)) + half_);
-    const Real reach = std::fmax(limit, 0) + noise_ + 64 * epsilon * size;
+    const Real reach = std::fmax(limit, 0) + noise_ + noise_of(size);
     if (bits_of(maximum(low, -high) - half_ > all_lanes(reach)) != 0) {
       return true;
     }
@@ -86,7 +88,7 @@ class QuickAxes<Triangle> {
     for (std::size_t i = 0; i < 3; ++i) {
       size = std::fmax(size, std::fmax(largest_magnitude(first[i]), largest_magnitude(second[i])));
     }
-    const Real reach = (std::fmax(limit, 0) + 64 * epsilon * size) * length_bound(n) +
+    const Real reach = (std::fmax(limit, 0) + noise_of(size)) * length_bound(n) +
                        rounding_of_normal(length_bound(one), length_bound(other), size);
     return std::min(std::min(a, b), c) > reach || std::max(std::max(a, b), c) < -reach;
   }
@@ -94,7 +96,7 @@ class QuickAxes<Triangle> {
   TriangleCorners corners_;
 };
 
-// A point: the plane of the triangle.
+// A point: the line to the nearest point of the triangle.
 template <Convex B>
   requires PointCored<B>
 class QuickAxes<B> {
@@ -102,11 +104,12 @@ class QuickAxes<B> {
   QuickAxes(const B& b, const Pose& ab) : point_(placed_centre(b, ab)) {}
 
   [[nodiscard]] bool are_beyond(const TriangleCorners& corners, Real limit) const {
-    const Vec3 one = corners[1] - corners[0], other = corners[2] - corners[0], n = cross(one, other);
     const Real size = largest_magnitude(maximum(absolute(point_), absolute(corners[0])));
-    const Real reach = (std::fmax(limit, 0) + 64 * epsilon * size) * length_bound(n) +
-                       rounding_of_normal(length_bound(one), length_bound(other), size);
-    return std::fabs(dot(n, point_ - corners[0])) > reach;
+    const Real reach = std::fmax(limit, 0) + noise_of(size);
+    const Vec3 nearest = nearest_on(corners, point_), between = point_ - nearest;
+    // Along the line between both no point of the triangle comes nearer than this share of it.
+    const Real square = squared_norm(between), proven = square - gap_beyond(corners, nearest, between);
+    return proven > 0 && proven * proven > reach * reach * square;
   }
 
  private:

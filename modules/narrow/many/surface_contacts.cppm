@@ -53,8 +53,7 @@ class SurfaceContacts {
     if constexpr (Surface<Other>) {
       turns_b = b.has_area() && !(is_allowed && leads_out(other_, b, -ab_.rotation.undo(core.normal), noise));
     }
-    const std::size_t first = out_.size(), part = met_.add(triangle, b, ab_, core.distance - radii);
-    met_.add_faces(triangle, b, ab_);
+    const std::size_t first = out_.size(), part = met_.add(triangle, b, ab_, fronts, core.distance - radii);
     if (!turns_a && !turns_b) {
       append(triangle, b, part_of_b, core, true);
       claim(first, false);

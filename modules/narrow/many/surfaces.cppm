@@ -27,19 +27,23 @@ void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
     return !axes.are_beyond(corners, best.distance + b.radius());
   };
   const auto consider = [&](const typename A::Part& part) {
-    const CoreSeparation core = separate_from_triangle(part, b, ab, settings, best.distance + b.radius());
+    CoreSeparation core = separate_from_triangle(part, b, ab, settings, best.distance + b.radius());
     if (core.beyond) {
       best.iterations += core.iterations;
     } else {
+      if (core.distance - b.radius() < best.distance) {
+        find_points(part, b, ab, core);
+      }
       take_part(rounded(core, 0, b.radius()), best);
     }
   };
-  consider(a.part_near(placed_centre(b, ab)));
+  const auto start = a.part_near(placed_centre(b, ab));
+  consider(start);
   Aabb query = best.distance < infinity ? around.inflated(std::max(best.distance, Real{0})) : Aabb::everything();
-  a.visit_parts(query, may_be_nearer, [&](const typename A::Part& part, std::uint32_t) {
-    consider(part);
-    if (best.distance < infinity) {
-      query = around.inflated(std::max(best.distance, Real{0}));
+  a.visit_parts(query, may_be_nearer, [&](const typename A::Part& part, std::uint32_t index) {
+    if (index != start.index()) {
+      consider(part);
+      query = best.distance < infinity ? around.inflated(std::max(best.distance, Real{0})) : query;
     }
   });
 }

@@ -97,7 +97,7 @@ template <Convex B>
 }
 
 // The separation of a triangle and a core. Axes that nearly agree may leave points that are not on the
-// triangle, or not across each other; the outermost features under the normal then tell better ones.
+// triangle, or not across each other. Such points stay open: the outermost features under the normal tell better ones.
 template <Convex B>
 [[nodiscard]] CoreSeparation separate_from_triangle(const Triangle& triangle, const B& b, const Pose& ab,
                                                     const QuerySettings& settings, Real limit) {
@@ -106,13 +106,12 @@ template <Convex B>
     core = separate_cores(triangle, b, ab, settings, limit);
   }
   // Curved surfaces have no features that would tell better ones than the search did.
-  if (core.overlap && !Curved<B>) {
+  if (core.overlap && !core.points_open && !Curved<B>) {
     const Real noise = noise_of(core_size(triangle, b, ab));
     const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
-    core.points_open = core.points_open || largest_magnitude(aside) > noise ||
+    core.points_open = largest_magnitude(aside) > noise ||
                        !triangle.box().inflated(noise).overlaps({core.point_a, core.point_a}) ||
                        (triangle.has_area() && !is_over(triangle, core.point_a));
-    find_points(triangle, b, ab, core);
   }
   return core;
 }
@@ -144,6 +143,7 @@ template <Convex B>
                                         const CoreSeparation& core, const Vec3& normal) {
   CoreSeparation turned = core;
   turned.normal = normal;
+  turned.points_open = false;
   turned.point_b = placed_support(b, place(b, ab), -normal).point;
   turned.distance = turned.lower = turned.upper = dot(normal, turned.point_b - triangle.corners()[0]);
   turned.point_a = turned.point_b - turned.distance * normal;
@@ -155,6 +155,7 @@ template <Convex B>
                                                      const CoreSeparation& core, const Vec3& normal) {
   CoreSeparation turned = core;
   turned.normal = normal;
+  turned.points_open = false;
   turned.point_a = triangle.support(normal).point;
   turned.distance = turned.lower = turned.upper = dot(normal, ab * b.corners()[0] - turned.point_a);
   turned.point_b = turned.point_a + turned.distance * normal;

@@ -81,9 +81,9 @@ Counts check(const S& shape, const std::function<double(const Vec3&)>& outside, 
   return counts;
 }
 
-void expect_both(const Counts& counts) {
+void expect_both(const Counts& counts, int least_kept = 100) {
   EXPECT_GT(counts.left_out, 500);
-  EXPECT_GT(counts.kept, 100);
+  EXPECT_GT(counts.kept, least_kept);
 }
 
 double outside_box(const Vec3& half, const Vec3& p) {
@@ -110,7 +110,8 @@ TEST(QuickAxes, OfACylinderLeaveOutNothingThatMeetsIt) {
 }
 
 TEST(QuickAxes, OfABallSeeItsCentre) {
-  expect_both(check(test::made<abut::Sphere>({0.5}), [](const Vec3& p) { return norm(p); }, 804, false));
+  // Few triangles come as near to a point as the limits are.
+  expect_both(check(test::made<abut::Sphere>({0.5}), [](const Vec3& p) { return norm(p); }, 804, true), 20);
 }
 
 TEST(QuickAxes, OfTwoTrianglesLeaveOutNoneThatComesNear) {
