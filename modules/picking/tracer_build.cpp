@@ -127,6 +127,7 @@ abut_status Tracer::build_still() {
   single_still_ = single_device_ ? make_still(single_device_.get(), with_quads) : embree::Scene(still_.get());
   if (!still_ || !single_still_) return ABUT_OUT_OF_MEMORY;
   if (!single_device_) rtcRetainScene(still_.get());
+  still_planes_.resize(planes_beside);
   for (std::size_t i = 0; i < baked_.size(); ++i) {
     Baked& baked = baked_[i];
     const Entry& entry = entries_[baked.entry];
@@ -150,6 +151,7 @@ abut_status Tracer::build_still() {
     if (!attach(device_.get(), still_.get(), i, list)) return ABUT_OUT_OF_MEMORY;
     if (single_device_ && !attach(single_device_.get(), single_still_.get(), i, list)) return ABUT_OUT_OF_MEMORY;
   }
+  still_planes_.resize(still_planes_.size() + planes_beside);
   rtcCommitScene(still_.get());
   if (single_device_) rtcCommitScene(single_still_.get());
   return embree_status();
