@@ -48,14 +48,14 @@ class HeightField {
                         j1 = cell_at(box.high.y / field.spacing_y, field.rows);
     for (std::uint32_t j = j0; j <= j1; ++j) {
       for (std::uint32_t i = i0; i <= i1; ++i) {
-        const Real a = height(i, j), b = height(i + 1, j), c = height(i, j + 1), d = height(i + 1, j + 1);
-        if (std::max(std::max(a, b), std::max(c, d)) < box.low.z ||
-            std::min(std::min(a, b), std::min(c, d)) > box.high.z) {
+        const Vec3 a = point(i, j), b = point(i + 1, j), c = point(i, j + 1), d = point(i + 1, j + 1);
+        if (std::max(std::max(a.z, b.z), std::max(c.z, d.z)) < box.low.z ||
+            std::min(std::min(a.z, b.z), std::min(c.z, d.z)) > box.high.z) {
           continue;
         }
         const std::uint32_t cell = j * (field.columns - 1) + i;
         for (const bool is_upper : {false, true}) {
-          const TriangleCorners of_part = corners(i, j, is_upper);
+          const TriangleCorners of_part{a, is_upper ? d : b, is_upper ? c : d};
           if (box_around(of_part).overlaps(box) && is_wanted(of_part)) {
             const std::uint32_t index = 2 * cell + (is_upper ? 1 : 0);
             visit(Triangle(of_part, index, true), index);

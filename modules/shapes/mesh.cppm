@@ -28,12 +28,30 @@ class Mesh {
 
   template <class Wanted, class Visitor>
   void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
-    tree().bvh.visit_overlaps(box, [&](std::uint32_t index) {
-      const TriangleCorners of_part = corners(index);
-      if (box_around(of_part).overlaps(box) && is_wanted(of_part)) {
-        visit(Triangle(of_part, index, data_->one_sided), index);
+    const Tree& tree = this->tree();
+    // Corners of triangles that are near each other lie far apart in memory. Those of some triangles are read at once,
+    // so that the memory is waited for once.
+    [[clang::uninitialized]] SmallVector<std::uint32_t, most_at_once> near;
+    const auto visit_near = [&] {
+      [[clang::uninitialized]] std::array<TriangleCorners, most_at_once> corners_of;
+      for (std::size_t i = 0; i < near.size(); ++i) {
+        corners_of[i] = corners(tree.linked[near[i]].corners);
+      }
+      for (std::size_t i = 0; i < near.size(); ++i) {
+        if (box_around(corners_of[i]).overlaps(box) && is_wanted(corners_of[i])) {
+          visit(Triangle(corners_of[i], near[i], data_->one_sided), near[i]);
+        }
+      }
+      near.clear();
+    };
+    tree.bvh.visit_overlaps(box, [&](std::uint32_t index) {
+      __builtin_prefetch(&tree.linked[index]);
+      near.push_back(index);
+      if (near.size() == most_at_once) {
+        visit_near();
       }
     });
+    visit_near();
   }
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {
@@ -61,12 +79,29 @@ class Mesh {
   [[nodiscard]] bool has_tree() const { return data_->tree.is_made(); }
 
  private:
+  static constexpr std::size_t most_at_once = 32;
+
+  // The corners that a triangle has beside one of its vertices.
+  struct OtherCorners {
+    std::uint32_t next, last;
+  };
+  // A triangle by its corners, and by the corners that its neighbours have across its edges. Edge i leads from corner i
+  // to the next one. Across a border it is the corner opposite to the edge; where several neighbours share an edge,
+  // no_index.
+  struct Linked {
+    std::array<std::uint32_t, 3> corners, across;
+  };
   struct Tree {
     Bvh bvh;
+    std::vector<Linked> linked;
     // The triangles around each vertex: those of vertex v are around[first_around[v]] to around[first_around[v + 1] -
     // 1].
     std::vector<std::size_t> first_around;
-    std::vector<std::uint32_t> around;
+    std::vector<OtherCorners> around;
+
+    [[nodiscard]] std::span<const OtherCorners> around_vertex(std::uint32_t vertex) const [[clang::lifetimebound]] {
+      return std::span(around).subspan(first_around[vertex], first_around[vertex + 1] - first_around[vertex]);
+    }
   };
   struct Data {
     std::vector<Vec3> vertices;
@@ -77,16 +112,20 @@ class Mesh {
   };
 
   explicit Mesh(Data data) : data_(std::move(data)) {}
-  [[nodiscard]] TriangleCorners corners(std::uint32_t index) const {
+  [[nodiscard]] inline TriangleCorners corners(const std::array<std::uint32_t, 3>& vertices) const {
+    const Data& mesh = *data_;
+    return {mesh.vertices[vertices[0]], mesh.vertices[vertices[1]], mesh.vertices[vertices[2]]};
+  }
+  [[nodiscard]] inline TriangleCorners corners(std::uint32_t index) const {
     const Data& mesh = *data_;
     const std::size_t first = 3 * std::size_t{index};
-    return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]],
-            mesh.vertices[mesh.indices[first + 2]]};
+    return corners({mesh.indices[first], mesh.indices[first + 1], mesh.indices[first + 2]});
   }
   [[nodiscard]] const Tree& tree() const [[clang::lifetimebound]] {
     return data_->tree.get([this] { return make_tree(*data_); });
   }
   [[nodiscard]] static Tree make_tree(const Data& data);
+  [[nodiscard]] static std::vector<Linked> linked_by(const Tree& tree, std::span<const std::uint32_t> indices);
 
   Frozen<Data> data_;
 };

@@ -28,8 +28,9 @@ Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> 
     return error_about(Errc::invalid_argument, "index_count", static_cast<std::uint64_t>(indices.size()),
                        "a multiple of 3");
   }
-  if (reals.size() / 3 > no_index || indices.size() / 3 > no_index) {
-    return Error{Errc::size_overflow, "a mesh has at most 2^32 - 1 vertices and triangles"};
+  constexpr std::size_t most_triangles = 0x7fffffff;  // leaves of a tree of boxes
+  if (reals.size() / 3 > no_index || indices.size() / 3 > most_triangles) {
+    return Error{Errc::size_overflow, "a mesh has at most 2^32 - 1 vertices and 2^31 - 1 triangles"};
   }
   if (Fault fault = check_all_finite("xyz", reals)) {
     return *fault;
@@ -64,34 +65,70 @@ Mesh::Tree Mesh::make_tree(const Data& data) {
   for (std::size_t vertex = 0; vertex < data.vertices.size(); ++vertex) {
     first[vertex + 1] += first[vertex];
   }
-  std::vector<std::uint32_t> around(data.indices.size());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  std::vector<OtherCorners> around(data.indices.size());
+  std::vector<std::size_t> place(first.begin(), first.end() - 1);
   for (std::size_t i = 0; i < data.indices.size(); ++i) {
-    around[next[data.indices[i]]++] = static_cast<std::uint32_t>(i / 3);
+    const std::size_t triangle = i - i % 3;
+    around[place[data.indices[i]]++] = {data.indices[triangle + (i + 1) % 3], data.indices[triangle + (i + 2) % 3]};
   }
-  return {Bvh(boxes), std::move(first), std::move(around)};
+  Tree tree{Bvh(boxes), {}, std::move(first), std::move(around)};
+  tree.linked = linked_by(tree, data.indices);
+  return tree;
+}
+
+std::vector<Mesh::Linked> Mesh::linked_by(const Tree& tree, std::span<const std::uint32_t> indices) {
+  std::vector<Linked> linked;
+  linked.reserve(indices.size() / 3);
+  for (std::size_t triangle = 0; triangle < indices.size(); triangle += 3) {
+    Linked of{{indices[triangle], indices[triangle + 1], indices[triangle + 2]}, {}};
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      std::uint32_t start = of.corners[edge], end = of.corners[(edge + 1) % 3];
+      // A fan may have many triangles at one vertex, but then few at the others.
+      if (tree.around_vertex(end).size() < tree.around_vertex(start).size()) {
+        std::swap(start, end);
+      }
+      const std::uint32_t opposite = of.corners[(edge + 2) % 3];
+      std::size_t sharing = 0;
+      of.across[edge] = opposite;
+      for (const OtherCorners& others : tree.around_vertex(start)) {
+        if (others.next == end || others.last == end) {
+          const std::uint32_t corner = others.next == end ? others.last : others.next;
+          of.across[edge] = corner == opposite ? of.across[edge] : corner;
+          ++sharing;
+        }
+      }
+      of.across[edge] = sharing <= 2 ? of.across[edge] : no_index;
+    }
+    linked.push_back(of);
+  }
+  return linked;
 }
 
 bool Mesh::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
   const Data& mesh = *data_;
   const Tree& tree = this->tree();
-  const auto corners_of = [&](std::uint32_t triangle) {
-    return std::span(mesh.indices).subspan(3 * std::size_t{triangle}, 3);
-  };
-  const auto own = corners_of(index);
-  const auto lowest = static_cast<unsigned>(std::countr_zero(corners));
-  const unsigned others = corners & (corners - 1);
-  const std::uint32_t vertex = own[lowest],
-                      second = others != 0 ? own[static_cast<unsigned>(std::countr_zero(others))] : vertex;
+  const Linked& own = tree.linked[index];
+  const auto corner = static_cast<std::size_t>(std::countr_zero(corners));
+  const std::uint32_t vertex = own.corners[corner];
   const Real highest = dot(direction, mesh.vertices[vertex]) + height;
-  const auto around =
-      std::span(tree.around)
-          .subspan(tree.first_around[vertex], tree.first_around[vertex + 1] - tree.first_around[vertex]);
-  return std::ranges::all_of(around, [&](std::uint32_t triangle) {
-    const auto next = corners_of(triangle);
-    return std::ranges::find(next, second) == next.end() || std::ranges::all_of(next, [&](std::uint32_t corner) {
-             return dot(direction, mesh.vertices[corner]) <= highest;
-           });
+  const auto is_below = [&](std::uint32_t other) { return dot(direction, mesh.vertices[other]) <= highest; };
+  const unsigned others = corners & (corners - 1);
+  if (others == 0) {
+    // The neighbours across edges mostly tell.
+    const auto is_above = [&](std::uint32_t across) { return across != no_index && !is_below(across); };
+    if (is_above(own.across[corner]) || is_above(own.across[(corner + 2) % 3])) {
+      return false;
+    }
+    return std::ranges::all_of(tree.around_vertex(vertex),
+                               [&](const OtherCorners& of) { return is_below(of.next) && is_below(of.last); });
+  }
+  const auto second = static_cast<std::size_t>(std::countr_zero(others));
+  if (const std::uint32_t across = own.across[second == corner + 1 ? corner : second]; across != no_index) {
+    return is_below(own.corners[3 - corner - second]) && is_below(across);
+  }
+  const std::uint32_t end = own.corners[second];
+  return std::ranges::all_of(tree.around_vertex(vertex), [&](const OtherCorners& of) {
+    return (of.next != end && of.last != end) || (is_below(of.next) && is_below(of.last));
   });
 }
 

@@ -11,7 +11,6 @@
 #include "../../random_boxes.hpp"
 
 import abut.capability;
-import abut.core;
 import abut.math;
 import abut.narrow.fan.features;
 import abut.narrow.fan.sat;
