@@ -92,20 +92,6 @@ void cast_in_strides(const AnyShape& a, const Pose& pose_a, const AnyShape& b, c
   search.add(outcome, touch, pose_a, false, names);
 }
 
-bool is_cut(const AnyShape& any) {
-  if (!traits_of(any).is_assembly) {
-    return false;
-  }
-  const auto has_holes = []<class S>(const S& shape) {
-    if constexpr (Assembly<S>) {
-      return !shape.holes().empty();
-    } else {
-      return false;
-    }
-  };
-  return std::visit(has_holes, variant_of(any));
-}
-
 // The pose of b is that before the motion.
 void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const CastNames& names,
           CastSearch& search);
@@ -157,7 +143,7 @@ bool cast_children(const AnyShape& a, const Pose& pose_a, const AnyShape& b, con
 
 void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b, const CastNames& names,
           CastSearch& search) {
-  if (is_cut(a) || is_cut(b)) {
+  if (a.has_holes() || b.has_holes()) {
     cast_in_strides(a, pose_a, b, pose_b, names, search);
     return;
   }

@@ -78,18 +78,6 @@ class Outcomes {
 
 namespace {
 
-bool has_holes(const AnyShape& shape) {
-  return std::visit(
-      []<class S>(const S& s) {
-        if constexpr (Assembly<S>) {
-          return !s.holes().empty();
-        } else {
-          return false;
-        }
-      },
-      shape);
-}
-
 bool is_assembly(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Assembly<S>; }, shape);
 }
@@ -145,13 +133,13 @@ void carve_both(const AnyShape& a, const AnyShape& b, const Pose& ab, const Quer
   const std::size_t count = out.size() - first;
   std::vector<bool> is_cut(count), is_cut_by_b(count);
   Manifold of_a, of_b;
-  if (has_holes(a)) {
+  if (a.has_holes()) {
     carve(a, Pose::identity(), b, ab, settings, std::span(out).subspan(first), is_cut, of_a);
     flip(of_a);
     leave_by_holes(b, ab, of_a);
     flip(of_a);
   }
-  if (has_holes(b)) {
+  if (b.has_holes()) {
     flip(std::span(out).subspan(first));
     carve(b, ab, a, Pose::identity(), settings, std::span(out).subspan(first), is_cut_by_b, of_b);
     flip(std::span(out).subspan(first));
@@ -200,7 +188,7 @@ Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const 
                 }
                 name_children(a, b, child_a, child_b, begin, out);
               });
-  if (has_holes(a) || has_holes(b)) {
+  if (a.has_holes() || b.has_holes()) {
     carve_both(a, b, ab, settings, first, out);
   }
   return outcomes.outcome();
@@ -234,7 +222,7 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
   const Pose ab = relative(pose_a, pose_b);
   Distance best{};
   Outcome outcome = distance_of_solids(a, b, ab, settings, best);
-  if (outcome == Outcome::ok && (has_holes(a) || has_holes(b))) {
+  if (outcome == Outcome::ok && (a.has_holes() || b.has_holes())) {
     QuerySettings however_far = settings;
     however_far.margin = infinity;
     Manifold contacts;

@@ -47,6 +47,18 @@ bool AnyShape::is_hole() const {
   return std::visit([]<class S>(const S&) { return Hole<S>; }, *this);
 }
 
+bool AnyShape::has_holes() const {
+  return std::visit(
+      []<class S>(const S& shape) {
+        if constexpr (Assembly<S>) {
+          return !shape.holes().empty();
+        } else {
+          return false;
+        }
+      },
+      *this);
+}
+
 bool AnyShape::cavity_holds(const Vec3& point, Real inset) const {
   return std::visit(
       [&]<class S>(const S& shape) {
