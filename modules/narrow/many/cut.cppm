@@ -279,7 +279,7 @@ template <class Composite>
   });
 }
 
-// A point of a rim in a solid leaves the solid through the wall of a hole, where the wall is nearer than the surface.
+// Lets a point of a rim, which lies in a solid, leave through the wall of a hole. The wall is nearer than the surface.
 template <class Composite>
 void leave_by_nearer_wall(const Composite& composite, const Pose& pose, ContactPoint& contact) {
   if (contact.feature_b.kind != FeatureKind::edge || !(contact.distance < 0)) {

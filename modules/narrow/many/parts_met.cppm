@@ -1,4 +1,4 @@
-// The triangles of a surface that a shape meets, and how far the shape has to move to be parted from all of them.
+// The triangles of a surface that a shape meets. They tell how far the shape has to move to be parted from all.
 export module abut.narrow.many.parts_met;
 import abut.capability;
 import abut.core.standard;
