@@ -99,6 +99,10 @@ TEST(Mesh, CrestOfThreeTrianglesLooksAtAll) {
   EXPECT_FALSE(mesh.is_crest(1, 3, {0, 0, 1}, 1e-12));
   EXPECT_TRUE(mesh.is_crest(0, 3, {0, 0, -1}, 1e-12));
   EXPECT_TRUE(mesh.is_crest(2, 4, {0, 0, 1}, 1e-12));
+  const Mesh before =
+      test::made<Mesh>({0}, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, -1, 0, 0, 0, 1}, {0, 1, 2, 0, 1, 4, 1, 0, 3});
+  EXPECT_FALSE(before.is_crest(0, 3, {0, 0, 1}, 1e-12));
+  EXPECT_FALSE(before.is_crest(2, 3, {0, 0, 1}, 1e-12));
 }
 
 TEST(Mesh, TreeIsMadeWhenItIsNeeded) {
