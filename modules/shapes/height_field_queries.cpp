@@ -97,22 +97,24 @@ std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& 
   const RaySlabs::Stretch over_box = slabs.within(field.box, {0, max_distance});
   Real nearest = max_distance;
   std::uint32_t hit = no_index;
-  field.ranges.visit_ray(slabs, over_box, {field.spacing_x, field.spacing_y}, nearest,
-                         [&](std::uint32_t i, std::uint32_t j, const RaySlabs::Stretch& over) {
-                           const auto [low, high] =
-                               std::minmax({height(i, j), height(i + 1, j), height(i, j + 1), height(i + 1, j + 1)});
-                           if (slabs.within(2, low, high, over).is_empty()) {
-                             return;
-                           }
-                           for (const bool is_upper : {false, true}) {
-                             const std::uint32_t index = 2 * (j * (field.columns - 1) + i) + (is_upper ? 1 : 0);
-                             const auto distance = ray.distance_to(corners(i, j, is_upper), nearest);
-                             if (distance && (*distance < nearest || index < hit)) {
-                               nearest = *distance;
-                               hit = index;
-                             }
-                           }
-                         });
+  const auto meet = [&](const TriangleCorners& corners, std::uint32_t index) {
+    const auto distance = ray.distance_to(corners, nearest);
+    if (distance && (*distance < nearest || index < hit)) {
+      nearest = *distance;
+      hit = index;
+    }
+  };
+  const auto meet_cell = [&](std::uint32_t i, std::uint32_t j, const RaySlabs::Stretch& over) {
+    const Vec3 a = point(i, j), b = point(i + 1, j), c = point(i, j + 1), d = point(i + 1, j + 1);
+    const Real low = std::min(std::min(a.z, b.z), std::min(c.z, d.z)),
+               high = std::max(std::max(a.z, b.z), std::max(c.z, d.z));
+    if (!slabs.within(2, low, high, over).is_empty()) {
+      const std::uint32_t index = 2 * (j * (field.columns - 1) + i);
+      meet({a, b, d}, index);
+      meet({a, d, c}, index + 1);
+    }
+  };
+  field.ranges.visit_ray(slabs, over_box, {field.spacing_x, field.spacing_y}, nearest, meet_cell);
   return hit == no_index ? std::nullopt : std::optional(RayHit{nearest, part(hit).normal(), {FeatureKind::face, hit}});
 }
 
