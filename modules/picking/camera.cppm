@@ -13,7 +13,7 @@ import :vector;
 
 namespace abut::picking {
 
-/// Directions of a camera in the world, and its focal length in pixels.
+// Directions of a camera in the world, and its focal length in pixels.
 struct View {
   abut_vec3 eye;
   abut_vec3 right;
@@ -40,7 +40,7 @@ struct View {
           .limit = camera.far_distance - camera.near_distance};
 }
 
-/// A point of a picture, and how many pixels around it count.
+// A point of a picture, and how many pixels around it count.
 struct Aim {
   View view;
   double x;
@@ -48,7 +48,7 @@ struct Aim {
   double radius;
 };
 
-/// Unit direction through a point of the picture. In pixels and then tamed: a quotient may overflow.
+// Unit direction through a point of the picture. In pixels and then tamed: a quotient may overflow.
 [[nodiscard]] inline abut_vec3 direction_through(const View& view, double x, double y) {
   const abut_vec3 seen = tamed({x - view.centre_x, view.centre_y - y, view.focal});
   return normalized(add(add(scale(view.right, seen.x), scale(view.up, seen.y)), scale(view.forward, seen.z)));
@@ -63,16 +63,16 @@ struct Aim {
 
 export namespace abut::picking {
 
-/// Ray through a point of the picture; x to the right, y down, in pixels.
+// Ray through a point of the picture; x to the right, y down, in pixels.
 [[nodiscard]] inline abut_ray camera_ray(const abut_camera& camera, double x, double y) {
   return ray_through(view_of(camera), x, y);
 }
 
-/// Orientation of a camera that looks along `forward` with `up` upwards; both have any length but
-/// zero and are not parallel.
+// Orientation of a camera that looks along `forward` with `up` upwards; both have any length but
+// zero and are not parallel.
 [[nodiscard]] abut_quat look_along(const abut_vec3& forward, const abut_vec3& up);
 
-/// Whether two vectors are parallel, or one is zero, up to rounding.
+// Whether two vectors are parallel, or one is zero, up to rounding.
 [[nodiscard]] bool are_parallel(const abut_vec3& a, const abut_vec3& b);
 
 }  // namespace abut::picking

@@ -29,7 +29,7 @@ using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Release>;
 using NativeContext = RTCRayQueryContext;
 inline constexpr RTCSceneFlags filtered_scene = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
 
-/// Context of one query; derive from it to hand data to callbacks.
+// Context of one query; derive from it to hand data to callbacks.
 struct Query : NativeContext {
   RTCIntersectArguments arguments;
 
@@ -43,7 +43,7 @@ struct Query : NativeContext {
   Query(const Query&) = delete;
   Query& operator=(const Query&) = delete;
 
-  /// Sets the function that sees each hit on a triangle; null for none.
+  // Sets the function that sees each hit on a triangle; null for none.
   void filter_hits(RTCFilterFunctionN function) noexcept {
     arguments.filter = function;
     arguments.flags = function != nullptr ? RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER : RTC_RAY_QUERY_FLAG_INCOHERENT;
@@ -66,7 +66,7 @@ inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit1
 using NativeContext = RTCIntersectContext;
 inline constexpr RTCSceneFlags filtered_scene = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 
-/// Context of one query; derive from it to hand data to callbacks.
+// Context of one query; derive from it to hand data to callbacks.
 struct Query : NativeContext {
   explicit Query(bool coherent) noexcept : NativeContext{} {
     rtcInitIntersectContext(this);
@@ -75,7 +75,7 @@ struct Query : NativeContext {
   Query(const Query&) = delete;
   Query& operator=(const Query&) = delete;
 
-  /// Sets the function that sees each hit on a triangle; null for none.
+  // Sets the function that sees each hit on a triangle; null for none.
   void filter_hits(RTCFilterFunctionN function) noexcept { filter = function; }
 };
 

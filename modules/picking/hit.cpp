@@ -8,6 +8,7 @@ module;
 #include <vector>
 
 module abut.picking;
+import :entry;
 import :hit;
 import :tracer;
 import :vector;

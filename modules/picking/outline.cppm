@@ -14,7 +14,7 @@ import :vector;
 
 namespace abut::picking {
 
-/// A point of the picture relative to the one asked for, in pixels.
+// A point of the picture relative to the one asked for, in pixels.
 struct Offset {
   double x;
   double y;
@@ -24,7 +24,7 @@ struct Offset {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
-/// The picture around a point. View coordinates are right, up and depth of a point, from the eye.
+// The picture around a point. View coordinates are right, up and depth of a point, from the eye.
 struct Sight {
   Aim aim;
 
@@ -44,30 +44,30 @@ struct Sight {
   [[nodiscard]] inline abut_ray ray_at(const Offset& offset) const {
     return ray_through(aim.view, aim.x + offset.x, aim.y + offset.y);
   }
-  /// Whether a box may have a point in the picture within the radius. The sphere around the box against a cone.
+  // Whether a box may have a point in the picture within the radius. The sphere around the box against a cone.
   [[nodiscard]] bool may_show(const abut_aabb& box) const;
 };
 
-/// A place of the picture to try, and a place further inside, towards which to go when the outline itself is missed.
+// A place of the picture to try, and a place further inside, towards which to go when the outline itself is missed.
 struct Candidate {
   double size = infinity;  // distance from the point asked for, in pixels
   Offset nearest{};
   Offset inside{};
 };
 
-/// Looks at a triangle in view coordinates.
+// Looks at a triangle in view coordinates.
 void look_at_triangle(const Sight& sight, const std::array<abut_vec3, 3>& seen, Candidate& best);
 
-/// Looks at balls along a segment, of a positive radius.
+// Looks at balls along a segment, of a positive radius.
 void look_at_rounded(const Sight& sight, const Frame& frame, const RoundedSegment& rounded, Candidate& best);
 
-/// A point of a segment in view coordinates: the one that is nearest in the picture.
+// A point of a segment in view coordinates: the one that is nearest in the picture.
 struct ThinCandidate {
   double size = infinity;
   abut_vec3 seen{};
 };
 
-/// Looks at a segment without a radius.
+// Looks at a segment without a radius.
 [[nodiscard]] ThinCandidate look_at_segment(const Sight& sight, const Frame& frame, double half_length);
 
 }  // namespace abut::picking

@@ -13,6 +13,7 @@ module;
 
 module abut.picking;
 import :camera;
+import :entry;
 import :source;
 import :tracer;
 

@@ -15,7 +15,7 @@ export import :camera;
 
 namespace abut::picking {
 class Tracer;
-/// Deletes a tracer where its type is complete.
+// Deletes a tracer where its type is complete.
 struct TracerDeleter {
   void operator()(Tracer* tracer) const noexcept;
 };
@@ -23,34 +23,34 @@ struct TracerDeleter {
 
 export namespace abut::picking {
 
-/// How similar the rays of a batch are; changes only the speed.
+// How similar the rays of a batch are; changes only the speed.
 enum class Coherence : unsigned char { none, neighbours };
 
-/// Rays against one world. Follows its source by itself: each query first compares the counters
-/// with those that it has seen. Queries may run together. Arguments are trusted: finite, directions
-/// not zero, distances not negative. A filter may be null, when all geometries count.
+// Rays against one world. Follows its source by itself: each query first compares the counters
+// with those that it has seen. Queries may run together. Arguments are trusted: finite, directions
+// not zero, distances not negative. A filter may be null, when all geometries count.
 class Picker {
  public:
-  /// The counters are there for as long as the picker is.
+  // The counters are there for as long as the picker is.
   Picker(std::unique_ptr<Source> source, Counters counters);
 
-  /// Follows the source now.
+  // Follows the source now.
   [[nodiscard]] abut_status update() noexcept;
-  /// As cast_ray, for the usual ray only, which is then finite, with a direction and a limit that is not
-  /// negative. False, and nothing is written, for any other.
+  // As cast_ray, for the usual ray only, which is then finite, with a direction and a limit that is not
+  // negative. False, and nothing is written, for any other.
   [[nodiscard]] bool cast_usual_ray(const abut_ray& ray, abut_pick& out) const noexcept;
-  /// First thing that a ray meets; a null geometry when there is none.
+  // First thing that a ray meets; a null geometry when there is none.
   [[nodiscard]] abut_status cast_ray(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) noexcept;
-  /// First things that rays meet; `out` is as long as `rays`.
+  // First things that rays meet; `out` is as long as `rays`.
   [[nodiscard]] abut_status cast_rays(std::span<const abut_ray> rays, Coherence coherence,
                                       const abut_query_filter* filter, std::span<abut_pick> out) noexcept;
-  /// Everything that a ray meets, nearest first.
+  // Everything that a ray meets, nearest first.
   [[nodiscard]] abut_status cast_ray_all(const abut_ray& ray, const abut_query_filter* filter,
                                          std::vector<abut_pick>& out) noexcept;
-  /// What lies at a point of a picture, or nearest to it within a radius in pixels.
+  // What lies at a point of a picture, or nearest to it within a radius in pixels.
   [[nodiscard]] abut_status pick_pixel(const abut_camera& camera, double x, double y, double radius,
                                        const abut_query_filter* filter, abut_pick& out) noexcept;
-  /// One ray per pixel, row by row from the top; `out` holds width * height picks.
+  // One ray per pixel, row by row from the top; `out` holds width * height picks.
   [[nodiscard]] abut_status render(const abut_camera& camera, const abut_query_filter* filter,
                                    std::span<abut_pick> out) noexcept;
 

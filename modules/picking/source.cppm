@@ -27,23 +27,23 @@ export using ::abut_vec3;
 
 export namespace abut::picking {
 
-/// Triangles in the frame of their shape.
+// Triangles in the frame of their shape.
 struct TriangleList {
   std::vector<double> xyz;
   std::vector<std::uint32_t> indices;
 };
 
-/// A ray from the front of a triangle at its middle.
+// A ray from the front of a triangle at its middle.
 [[nodiscard]] abut_ray ray_at_triangle(const TriangleList& list, std::size_t triangle);
 
-/// All points within `radius` of the segment from (0, 0, -half_height) to (0, 0, half_height).
-/// A point or a segment when the radius is 0.
+// All points within `radius` of the segment from (0, 0, -half_height) to (0, 0, half_height).
+// A point or a segment when the radius is 0.
 struct RoundedSegment {
   double radius;
   double half_height;
 };
 
-/// A shape as the picker sees it. Keeps the shape alive.
+// A shape as the picker sees it. Keeps the shape alive.
 class PickableShape {
  public:
   PickableShape() = default;
@@ -51,21 +51,21 @@ class PickableShape {
   PickableShape& operator=(const PickableShape&) = delete;
   virtual ~PickableShape() = default;
 
-  /// Box around the shape under a pose; infinite sides where it is unbounded.
+  // Box around the shape under a pose; infinite sides where it is unbounded.
   [[nodiscard]] virtual abut_status bounds(const abut_pose& pose, abut_aabb& out) const = 0;
-  /// Number of triangles of its surface; 0 when it has none.
+  // Number of triangles of its surface; 0 when it has none.
   [[nodiscard]] virtual abut_status triangle_count(std::size_t& out) const = 0;
-  /// Its surface, when triangle_count is not 0.
+  // Its surface, when triangle_count is not 0.
   [[nodiscard]] virtual abut_status triangles(TriangleList& out) const = 0;
-  /// The face of each triangle, as rays name it; empty when triangle i is face i.
+  // The face of each triangle, as rays name it; empty when triangle i is face i.
   [[nodiscard]] virtual abut_status faces(const TriangleList& list, std::vector<std::uint32_t>& out) const = 0;
-  /// First crossing with its surface, as abut_shape_cast_ray. Runs on several threads at once.
+  // First crossing with its surface, as abut_shape_cast_ray. Runs on several threads at once.
   [[nodiscard]] virtual std::optional<abut_ray_hit> cast(const abut_pose& pose, const abut_ray& ray) const noexcept = 0;
-  /// Whether the shape is a sphere, a capsule, a point or a segment, and which one.
+  // Whether the shape is a sphere, a capsule, a point or a segment, and which one.
   [[nodiscard]] virtual std::optional<RoundedSegment> rounded() const = 0;
 };
 
-/// What queries are filtered by: see abut_query_filter.
+// What queries are filtered by: see abut_query_filter.
 struct Traits {
   std::uint64_t layers;
   std::uint64_t mask;
@@ -73,7 +73,7 @@ struct Traits {
   bool is_sensor;
 };
 
-/// A geometry: which shape, and where. Equal keys are the same shape.
+// A geometry: which shape, and where. Equal keys are the same shape.
 struct GeometryView {
   std::uintptr_t shape_key;
   abut_pose pose;
@@ -81,20 +81,20 @@ struct GeometryView {
   bool is_parked;
 };
 
-/// Lent, and not freed with what borrows it.
+// Lent, and not freed with what borrows it.
 struct Borrowed {
   template <class Lent>
   void operator()(const Lent* /*lent*/) const noexcept {}
 };
 
-/// Numbers that grow with each change of the world: `geometries` when a geometry comes, goes or changes, `poses` when a
-/// pose is set. Read where they are, since each query looks at them.
+// Numbers that grow with each change of the world: `geometries` when a geometry comes, goes or changes, `poses` when a
+// pose is set. Read where they are, since each query looks at them.
 struct Counters {
   std::unique_ptr<const std::uint64_t, Borrowed> geometries;
   std::unique_ptr<const std::uint64_t, Borrowed> poses;
 };
 
-/// The world.
+// The world.
 class Source {
  public:
   Source() = default;
@@ -102,12 +102,12 @@ class Source {
   Source& operator=(const Source&) = delete;
   virtual ~Source() = default;
 
-  /// All geometries, ordered by slot.
+  // All geometries, ordered by slot.
   [[nodiscard]] virtual abut_status geometries(std::vector<abut_geometry_id>& out) const = 0;
   [[nodiscard]] virtual abut_status describe(abut_geometry_id id, GeometryView& out) const = 0;
-  /// World poses, in the order of `ids`.
+  // World poses, in the order of `ids`.
   [[nodiscard]] virtual abut_status poses(std::span<const abut_geometry_id> ids, std::vector<abut_pose>& out) const = 0;
-  /// Access to the shape of a geometry.
+  // Access to the shape of a geometry.
   [[nodiscard]] virtual abut_status shape(abut_geometry_id id, std::unique_ptr<PickableShape>& out) const = 0;
 };
 

@@ -28,92 +28,17 @@ module;
 
 module abut.picking:tracer;
 import :camera;
+import :entry;
 import :source;
 import :surface;
 import :vector;
 
 namespace abut::picking {
 
-inline constexpr std::uint32_t nowhere = ~std::uint32_t{0};
-/// How many planes are asked for on each side of one that was hit: two lines of the cache.
+// How many planes are asked for on each side of one that was hit: two lines of the cache.
 inline constexpr std::size_t planes_beside = 4;
-/// In a hit: the rest of the geometry number is an entry, not the number of a baked surface.
-inline constexpr std::uint32_t entry_flag = std::uint32_t{1} << 31U;
 
-enum class Role : std::uint8_t { baked, instance, exact, apart };
-
-/// A geometry.
-struct Entry {
-  abut_geometry_id id{};
-  std::uint32_t shape = nowhere;
-  std::uint32_t place = nowhere;  // in baked_, moving_ or apart_
-  Role role = Role::exact;
-  std::uint64_t epoch = 0;  // when it was last listed
-  Traits traits{};
-  abut_pose pose{};
-  Frame frame;
-  abut_aabb box = empty_box;  // world
-};
-
-/// Whether a filter lets rays meet a geometry; null lets them meet all.
-[[nodiscard]] inline bool admits(const abut_query_filter* filter, const Entry& entry) noexcept {
-  if (filter == nullptr) return true;
-  const Traits& its = entry.traits;
-  const auto is = [](const auto& ignored, const auto& id) {
-    return ignored.slot != 0 && ignored.slot == id.slot && ignored.generation == id.generation;
-  };
-  const bool skips_sensors = (filter->flags & ABUT_QUERY_FILTER_SKIP_SENSORS) != 0;
-  return (its.layers & filter->mask) != 0 && (its.mask & filter->layers) != 0 && !(skips_sensors && its.is_sensor) &&
-         !is(filter->ignore_part, its.part) && !is(filter->ignore_geometry, entry.id);
-}
-
-/// A surface in the frame of its shape with a scene of its own.
-struct Instanced {
-  Space space;
-  Surface surface;
-  embree::Scene scene;
-};
-
-/// A shape, shared by entries.
-struct ShapeRecord {
-  std::uintptr_t key = 0;
-  std::unique_ptr<PickableShape> access;
-  std::uint32_t users = 0;
-  std::size_t triangle_count = 0;
-  bool is_surface = false;
-  bool is_paired = false;            // a surface whose triangles come in pairs
-  abut_aabb local_box = empty_box;   // of a surface
-  std::vector<std::uint32_t> faces;  // of its triangles, of a surface; empty when they are the faces
-  std::optional<RoundedSegment> rounded;
-  std::unique_ptr<Instanced> instanced;  // made when first needed
-
-  [[nodiscard]] bool is_thin() const noexcept { return rounded && rounded->radius == 0; }
-};
-
-/// A surface as it lies in the world. Found by a shift, since each hit asks for it.
-struct alignas(32) Baked {
-  abut_geometry_id id{};
-  std::uint32_t entry = nowhere;
-  std::uint32_t first_face = nowhere;  // in the faces of the still scene; nowhere when its triangles are the faces
-  bool has_quads = false;              // of two triangles each
-  std::size_t first_plane = 0;         // in the planes of the still scene
-};
-static_assert(sizeof(Baked) == 32);
-
-/// The triangle that was hit. The coordinates on a quad are those on its first half, or 1 minus those
-/// on its second one.
-[[nodiscard]] [[gnu::always_inline]] inline std::uint32_t triangle_of(const Baked& baked, std::uint32_t primitive,
-                                                                      float u, float v) {
-  return baked.has_quads ? 2 * primitive + (u + v > 1 ? 1U : 0U) : primitive;
-}
-
-struct MovingBox {
-  std::array<float, 3> lower;
-  std::array<float, 3> upper;
-  std::uint32_t entry;
-};
-
-/// Context of a query; says which of the types below it is.
+// Context of a query; says which of the types below it is.
 struct Trace : embree::Query {
   bool collects;                                              // it is AllHits
   std::unique_ptr<const abut_query_filter, Borrowed> wanted;  // null when all geometries count
@@ -121,7 +46,7 @@ struct Trace : embree::Query {
       : embree::Query(are_neighbours), collects(collects_all), wanted(given) {}
 };
 
-/// The first hit of one ray in the moving scene.
+// The first hit of one ray in the moving scene.
 struct FirstHit : Trace {
   abut_ray ray;          // unit direction
   double advance = 0;    // where the float ray starts, from the origin of the ray
@@ -130,15 +55,15 @@ struct FirstHit : Trace {
       : Trace(false, false, given), ray(unit_ray) {}
 };
 
-/// Filter function of the still scene.
+// Filter function of the still scene.
 void reject_hits(const RTCFilterFunctionNArguments* arguments);
 
-/// First hits in the still scene, where Embree asks about each hit only when there is a filter.
+// First hits in the still scene, where Embree asks about each hit only when there is a filter.
 struct StillHit : Trace {
   StillHit(bool are_neighbours, const abut_query_filter* given) noexcept;
 };
 
-/// Collects everything that one ray meets.
+// Collects everything that one ray meets.
 struct AllHits : Trace {
   abut_ray ray;
   abut_ray local_ray;             // in the frame of `entry`
@@ -159,10 +84,10 @@ class Tracer {
   Tracer(std::unique_ptr<Source> source, Counters counters)
       : source_(std::move(source)), counters_(std::move(counters)) {}
 
-  /// Brings the scenes up to date when the world has changed.
+  // Brings the scenes up to date when the world has changed.
   [[nodiscard]] inline abut_status follow() { return is_current() ? ABUT_OK : catch_up(); }
 
-  /// As trace, for the usual ray only; false for any other, and when the scenes are not up to date.
+  // As trace, for the usual ray only; false for any other, and when the scenes are not up to date.
   [[nodiscard]] bool trace_usual(const abut_ray& ray, abut_pick& out) const noexcept;
   void trace(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) const;
   // Without surfaces in the still scene packets have nothing to share.
@@ -171,7 +96,7 @@ class Tracer {
                         std::span<abut_pick> out) const;
   void trace_unrelated(std::span<const abut_ray> rays, const abut_query_filter* filter, std::span<abut_pick> out) const;
   void render(const abut_camera& camera, const abut_query_filter* filter, std::span<abut_pick> out) const;
-  /// False when memory ran out.
+  // False when memory ran out.
   [[nodiscard]] bool trace_all(const abut_ray& ray, const abut_query_filter* filter, std::vector<abut_pick>& out) const;
   [[nodiscard]] abut_status pick_pixel(const Aim& aim, const abut_query_filter* filter, abut_pick& out) const;
 
@@ -235,8 +160,8 @@ class Tracer {
   [[nodiscard]] inline const Facet& plane_of(const Baked& baked, std::uint32_t triangle) const {
     return still_planes_[baked.first_plane + triangle];
   }
-  /// Asks for the planes on both sides of one: the next ray of a picture mostly meets a neighbour of the triangle, and
-  /// neighbours are mostly near each other in a mesh.
+  // Asks for the planes on both sides of one: the next ray of a picture mostly meets a neighbour of the triangle, and
+  // neighbours are mostly near each other in a mesh.
   [[gnu::always_inline]] inline void prefetch_beside(const Baked& baked, std::uint32_t triangle) const {
     const std::size_t place = baked.first_plane + triangle;
     __builtin_prefetch(&still_planes_[place - planes_beside]);
@@ -249,8 +174,8 @@ class Tracer {
       return triangle;
     return still_faces_[std::size_t{baked.first_face} + triangle];
   }
-  /// Whether the ray reaches the plane of a triangle on which a hit was found; `from` and `along` are
-  /// the halves of a ray with a unit direction, the fourth number of `along` is not looked at.
+  // Whether the ray reaches the plane of a triangle on which a hit was found; `from` and `along` are
+  // the halves of a ray with a unit direction, the fourth number of `along` is not looked at.
   [[gnu::always_inline]] inline bool resolve_still(const Four& from, const Four& along, double limit, const RTCHit& hit,
                                                    double found, abut_pick& out) const {
     const Baked& baked = baked_[hit.geomID];
@@ -313,7 +238,7 @@ class Tracer {
 template <std::size_t Width>
 struct Batch;
 
-/// Rays in packets (tracer_packet.cpp).
+// Rays in packets (tracer_packet.cpp).
 struct PacketTracer {
   template <std::size_t Width, class Expect, class Fill, class Place>
   static void trace(const Tracer& tracer, Trace& query, std::size_t count, const Expect& expect, const Fill& fill,
@@ -338,7 +263,7 @@ struct PacketTracer {
   static void render(const Tracer& tracer, const abut_camera& camera, Trace& query, std::span<abut_pick> out);
 };
 
-/// A miss.
+// A miss.
 [[nodiscard]] inline abut_pick nothing() { return {{0, 0}, {0, 0}, 0, 0, infinity, {0, 0, 0}, {0, 0, 0}}; }
 
 [[nodiscard]] inline abut_pick pick_of(const abut_geometry_id& id, const abut_ray_hit& hit) {

@@ -15,6 +15,7 @@ module;
 #include <vector>
 
 module abut.picking;
+import :entry;
 import :source;
 import :surface;
 import :tracer;

@@ -13,6 +13,7 @@ module;
 #include <vector>
 
 module abut.picking;
+import :entry;
 import :source;
 import :tracer;
 import :vector;

@@ -16,6 +16,7 @@ module;
 #include <vector>
 
 module abut.picking;
+import :entry;
 import :source;
 import :surface;
 import :tracer;
@@ -197,9 +198,9 @@ abut_status Tracer::place_box(Entry& entry) const {
   const abut_aabb& local = shape.local_box;
   entry.box = empty_box;
   for (unsigned corner = 0; corner < 8; ++corner) {
-    extend(entry.box, to_world(entry.frame, {(corner & 1U) != 0 ? local.maximum.x : local.minimum.x,
-                                             (corner & 2U) != 0 ? local.maximum.y : local.minimum.y,
-                                             (corner & 4U) != 0 ? local.maximum.z : local.minimum.z}));
+    extend(entry.box, to_world(entry.frame, {(corner & 1u) != 0 ? local.maximum.x : local.minimum.x,
+                                             (corner & 2u) != 0 ? local.maximum.y : local.minimum.y,
+                                             (corner & 4u) != 0 ? local.maximum.z : local.minimum.z}));
   }
   return ABUT_OK;
 }

@@ -15,6 +15,7 @@ module;
 #include <vector>
 
 module abut.picking;
+import :entry;
 import :hit;
 import :source;
 import :surface;

@@ -16,6 +16,7 @@ module;
 
 module abut.picking;
 import :camera;
+import :entry;
 import :outline;
 import :source;
 import :surface;

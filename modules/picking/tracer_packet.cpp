@@ -16,6 +16,7 @@ module;
 
 module abut.picking;
 import :camera;
+import :entry;
 import :hit;
 import :source;
 import :surface;
@@ -86,7 +87,7 @@ template <std::size_t Width>
 template <std::size_t Width>
 Batch<Width>::Batch() noexcept : native{}, valid{}, active{}, advances(false), is_traced(false) {
   for (std::size_t i = 0; i < Width; ++i) {
-    native.ray.mask[i] = ~0U;
+    native.ray.mask[i] = ~0u;
     native.ray.id[i] = static_cast<unsigned>(i);
     native.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
     valid[i] = -1;

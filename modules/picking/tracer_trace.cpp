@@ -11,6 +11,7 @@ module;
 #include <span>
 
 module abut.picking;
+import :entry;
 import :hit;
 import :source;
 import :surface;

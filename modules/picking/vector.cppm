@@ -33,16 +33,16 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
   return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
 }
 
-/// A squared length this close to 1 needs one Newton step only: it is exact to the last bits.
+// A squared length this close to 1 needs one Newton step only: it is exact to the last bits.
 inline constexpr double nearly_unit = 1e-8;
 
-/// A vector times a power of two, so that its largest component is from 1 to 2. Exact; subnormals included.
+// A vector times a power of two, so that its largest component is from 1 to 2. Exact; subnormals included.
 [[nodiscard]] inline abut_vec3 tamed(const abut_vec3& a) {
   const int exponent = -std::ilogb(largest_component(a));
   return {std::scalbn(a.x, exponent), std::scalbn(a.y, exponent), std::scalbn(a.z, exponent)};
 }
 
-/// Unit vector of any finite vector but zero. Tamed first where a square may overflow or underflow.
+// Unit vector of any finite vector but zero. Tamed first where a square may overflow or underflow.
 [[nodiscard]] inline abut_vec3 normalized(const abut_vec3& a) {
   const double square = dot(a, a);
   if (square > 1e-200 && square < 1e200) {
@@ -53,15 +53,15 @@ inline constexpr double nearly_unit = 1e-8;
   return scale(tame, 1.0 / length(tame));
 }
 
-/// Four numbers in one register.
+// Four numbers in one register.
 using Four = double __attribute__((ext_vector_type(4)));
 
 struct FourRows {
   Four a, b, c, d;
 };
 
-/// A ray as it lies in memory, in two registers that overlap by one number. Vectors that are put
-/// together from other parts cost more than all that is computed with them.
+// A ray as it lies in memory, in two registers that overlap by one number. Vectors that are put
+// together from other parts cost more than all that is computed with them.
 [[nodiscard]] inline Four first_half(const abut_ray& ray) {
   return {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x};
 }
@@ -69,13 +69,13 @@ struct FourRows {
   return {ray.direction.x, ray.direction.y, ray.direction.z, ray.max_distance};
 }
 
-/// Scalar product of the first three.
+// Scalar product of the first three.
 [[nodiscard]] inline double dot_of_three(const Four& a, const Four& b) {
   const Four product = a * b;
   return product[0] + product[1] + product[2];
 }
 
-/// Rows to columns.
+// Rows to columns.
 [[nodiscard]] inline FourRows transposed(const FourRows& rows) {
   const Four low_ab = __builtin_shufflevector(rows.a, rows.b, 0, 4, 2, 6);
   const Four high_ab = __builtin_shufflevector(rows.a, rows.b, 1, 5, 3, 7);
@@ -85,7 +85,7 @@ struct FourRows {
           __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7), __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7)};
 }
 
-/// A pose with its rotation as a matrix, whose rows are `rows`.
+// A pose with its rotation as a matrix, whose rows are `rows`.
 struct Frame {
   std::array<abut_vec3, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   abut_vec3 position{0, 0, 0};
@@ -134,38 +134,38 @@ inline void extend(abut_aabb& box, const abut_vec3& p) {
 
 [[nodiscard]] inline double diagonal_of(const abut_aabb& box) { return length(subtract(box.maximum, box.minimum)); }
 
-/// Largest coordinate of a box relative to a point.
+// Largest coordinate of a box relative to a point.
 [[nodiscard]] inline double reach_of(const abut_aabb& box, const abut_vec3& origin) {
   return std::max(largest_component(subtract(box.minimum, origin)), largest_component(subtract(box.maximum, origin)));
 }
 
-/// A cube in which rays are traced in single precision: its centre, and the half of its side.
+// A cube in which rays are traced in single precision: its centre, and the half of its side.
 struct Space {
   abut_vec3 origin{0, 0, 0};
   double extent = 0;
 
-  /// In one register. A member function of a named module is inline only when it says so.
+  // In one register. A member function of a named module is inline only when it says so.
   [[nodiscard]] inline Four numbers() const { return {origin.x, origin.y, origin.z, extent}; }
 };
 
-/// Whether all four are at most as large as the bounds, whatever their signs. Not when one is no number.
+// Whether all four are at most as large as the bounds, whatever their signs. Not when one is no number.
 [[nodiscard]] inline bool are_within(const Four& a, const Four& bounds) {
   return __builtin_reduce_and(__builtin_elementwise_abs(a) <= bounds) != 0;
 }
 
-/// Where a ray starts in a space, and how far that is from its own origin.
+// Where a ray starts in a space, and how far that is from its own origin.
 struct Entrance {
   abut_vec3 point;
   double advance;
 };
 
-/// Where a ray that starts far outside of a space enters it; none when it passes by.
+// Where a ray that starts far outside of a space enters it; none when it passes by.
 [[nodiscard]] std::optional<Entrance> enter_from_afar(const Space& space, const abut_vec3& origin,
                                                       const abut_vec3& direction, double limit);
 
-/// Rays that start far outside of a space begin where they enter it, so that single precision is
-/// spent on the space and not on the way. False when such a ray passes by. Inlined: handing the
-/// result over through memory would cost more than computing it.
+// Rays that start far outside of a space begin where they enter it, so that single precision is
+// spent on the space and not on the way. False when such a ray passes by. Inlined: handing the
+// result over through memory would cost more than computing it.
 [[nodiscard]] [[gnu::always_inline]] inline bool enter(const Space& space, const abut_vec3& origin,
                                                        const abut_vec3& direction, double limit, Entrance& out) {
   out = {subtract(origin, space.origin), 0};
