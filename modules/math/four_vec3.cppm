@@ -23,6 +23,9 @@ struct Columns {
     return {x[lane], y[lane], z[lane]};
   }
 };
+[[nodiscard]] [[gnu::always_inline]] inline Columns operator+(const Columns& a, const Columns& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
 [[nodiscard]] [[gnu::always_inline]] inline Columns operator-(const Columns& a, const Columns& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }

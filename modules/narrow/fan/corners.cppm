@@ -58,8 +58,9 @@ template <class S>
   } else if constexpr (PointCored<S>) {
     return Corners<1, 0>{};
   } else if constexpr (SegmentCored<S>) {
-    Corners<2, 0> segment{};
+    Corners<2, 1> segment{};
     segment.points = {Lanes{0, 0, -shape.half().z, 0}, Lanes{0, 0, shape.half().z, 0}};
+    segment.planes = {FourPlanes{{-1, 1, 0, 0}, {0, 0, -1, 1}, all_lanes(0), all_lanes(0)}};
     return segment;
   } else {
     return corners_of_box(shape.half());
@@ -79,26 +80,87 @@ template <class S>
   }
 }
 
+// An edge by its ends among the corners, and the faces to its left and right, seen from outside along it.
+struct EdgeNumbers {
+  std::uint32_t from, to, left, right;
+};
+// Four edges along each axis.
+inline constexpr std::array<EdgeNumbers, 12> edges_of_box = [] {
+  std::array<EdgeNumbers, 12> edges{};
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    const std::uint32_t axis = i / 4, next = (axis + 1) % 3, last = (axis + 2) % 3;
+    const std::uint32_t is_beyond_next = i & 1, is_beyond_last = i >> 1 & 1, is_odd = is_beyond_next ^ is_beyond_last;
+    const std::uint32_t from = (is_beyond_next << next) | (is_beyond_last << last), to = from | (1u << axis);
+    const std::uint32_t first = 2 * next + is_beyond_next, second = 2 * last + is_beyond_last;
+    edges.at(i) = is_odd != 0 ? EdgeNumbers{from, to, second, first} : EdgeNumbers{from, to, first, second};
+  }
+  return edges;
+}();
+inline constexpr std::array<EdgeNumbers, 3> edges_of_triangle{{{0, 1, 1, 0}, {1, 2, 1, 0}, {2, 0, 1, 0}}};
+// A segment is a box without width.
+inline constexpr std::array<EdgeNumbers, 4> edges_of_segment{{{0, 1, 0, 2}, {0, 1, 2, 1}, {0, 1, 1, 3}, {0, 1, 3, 0}}};
+
+template <class S>
+  requires is_seen<S>
+[[nodiscard]] consteval auto edges_of() {
+  if constexpr (Triangular<S>) {
+    return edges_of_triangle;
+  } else if constexpr (SegmentCored<S>) {
+    return edges_of_segment;
+  } else {
+    return edges_of_box;
+  }
+}
+template <class S>
+[[nodiscard]] inline std::size_t edge_count(const S& shape) {
+  if constexpr (Faceted<S>) {
+    return shape.facets().ends.size();
+  } else {
+    return edges_of<S>().size();
+  }
+}
+
+// An edge and the numbers of the faces to its left and right. `own`: the corners of the shape.
+struct SeenEdge {
+  Lanes from, along;
+  std::uint32_t left, right;
+};
+template <class S, class Own>
+[[nodiscard]] [[gnu::always_inline]] inline SeenEdge edge_at(const S& shape, const Own& own, std::size_t index) {
+  if constexpr (Faceted<S>) {
+    const auto& line = shape.facets().lines[index];
+    const auto& sides = shape.facets().sides[index];
+    return {line.from, line.along, sides.left, sides.right};
+  } else {
+    static constexpr auto edges = edges_of<S>();
+    const EdgeNumbers& edge = edges[index];
+    return {own.points[edge.from], own.points[edge.to] - own.points[edge.from], edge.left, edge.right};
+  }
+}
+// The number of an edge as a feature.
+template <class S>
+[[nodiscard]] inline CoreFeature edge_feature(std::size_t index) {
+  if constexpr (Faceted<S> || Triangular<S>) {
+    return core_edge(index);
+  } else {
+    return core_edge(SegmentCored<S> ? 2 : index / 4);
+  }
+}
 // The edge between two corners, if there is one.
 template <class S>
 [[nodiscard]] inline CoreFeature edge_between(const S& shape, std::size_t first, std::size_t second) {
-  if constexpr (Faceted<S>) {
-    const auto& ends = shape.facets().ends;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const auto [from, to] = ends[i];
-      if ((from == first && to == second) || (from == second && to == first)) {
-        return core_edge(i);
+  const auto find = [&](const auto& edges) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if ((edges[i].from == first && edges[i].to == second) || (edges[i].from == second && edges[i].to == first)) {
+        return edge_feature<S>(i);
       }
     }
-    return {};
-  } else if constexpr (Triangular<S>) {
-    return core_edge(second == (first + 1) % 3 ? first : second);
-  } else if constexpr (SegmentCored<S>) {
-    return core_edge(2);
+    return CoreFeature{};
+  };
+  if constexpr (Faceted<S>) {
+    return find(shape.facets().ends);
   } else {
-    const std::size_t across = first ^ second;
-    return across != 0 && (across & (across - 1)) == 0 ? core_edge(static_cast<std::size_t>(std::countr_zero(across)))
-                                                       : CoreFeature{};
+    return find(edges_of<S>());
   }
 }
 

@@ -1,13 +1,15 @@
-// How deep the convex hull of two discs across one axis, a cylinder or a cone, overlaps with a polyhedron or another
-// one.
+// How deep the convex hull of two discs across one axis, a cylinder or a cone, overlaps with a polytope or another one.
 //
-// The least depth is the least support function h of the difference D of both over all unit directions. Where D is
-// smooth or has a face there can be a minimum, which leaves few directions. Of a polyhedron: normals of the faces of
-// either, normals of the side of the discs toward a corner, and one family for each edge: the directions across it
-// between the normals of its two faces. Within a family only the shadows of both along the edge matter, which are
-// plane: a corner, and two ellipses with all between them. No other direction needs to be tried, so that the least one
-// found is proven (faces of sums of convex bodies: Schneider, "Convex bodies: the Brunn-Minkowski theory",
-// section 1.7). Of two hulls of discs: disc_depth_of_discs.cpp.
+// The least depth is the least support function h of the difference D of both over all unit directions. Where h is
+// least, D is smooth or has a face. Such directions come in a few families (faces of sums of convex bodies: Schneider,
+// "Convex bodies: the Brunn-Minkowski theory", section 1.7):
+//
+// - faces: of a polytope, the ends of discs, a line of one side across a line of the other or across an edge;
+// - the side of discs toward a corner, a tip, or a rim of the other body;
+// - a rim across an edge of a polytope, or a rim of the other discs.
+//
+// Where a rim takes part, a family is a curve: rim_walk.cppm finds where on it D is nearest to the origin. No other
+// direction needs to be tried, so the least depth found is proven.
 export module abut.narrow.fan.disc_depth;
 import abut.capability;
 import abut.core.standard;
@@ -25,6 +27,10 @@ struct PlacedDiscs {
 
   // How far the side is from the centre.
   [[nodiscard]] inline Real side() const { return height[0] * side_up + radius[0] * side_out; }
+  // A bound of all coordinates.
+  [[nodiscard]] inline Real size() const {
+    return largest_magnitude(centre) + std::fabs(height[0]) + radius[0] + radius[1];
+  }
   // The part of a vector across the axis, in terms of x and y. To subtract the part along the axis would not do:
   // next to the axis the rest is rounding, and may lead along it.
   [[nodiscard]] inline Sideways across(const Vec3& vector) const {
@@ -34,6 +40,13 @@ struct PlacedDiscs {
   [[nodiscard]] inline Real reach(const Vec3& direction) const {
     const Real up = dot(axis, direction), out = across(direction).length;
     return dot(centre, direction) + std::fmax(height[0] * up + radius[0] * out, height[1] * up + radius[1] * out);
+  }
+  // The point that is furthest along a direction of any length.
+  [[nodiscard]] inline Vec3 support(const Vec3& direction) const {
+    const Real up = dot(axis, direction);
+    const Sideways out = across(direction);
+    const std::size_t disc = height[0] * up + radius[0] * out.length > height[1] * up + radius[1] * out.length ? 0 : 1;
+    return centre + height[disc] * axis + (radius[disc] * out.x) * x + (radius[disc] * out.y) * y;
   }
 };
 [[nodiscard]] PlacedDiscs placed(const Discs& discs, const Vec3& centre, const Vec3& axis);
@@ -46,15 +59,10 @@ inline constexpr Real least_aside = 1e-140;
 // The normal of the side that leads from a point to the axis; of one on the axis any.
 [[nodiscard]] Vec3 normal_of_side(const PlacedDiscs& discs, const Vec3& point);
 
-// The directions across an edge from the normal of one of its faces to that of the other, and both shadows along it.
-struct EdgeArc {
-  Vec3 x, y;                        // orthonormal and across the edge; x is where the arc begins
-  Real end_x, end_y;                // where it ends; of a polygon half a turn on up to rounding, else less
-  Real corner_x, corner_y;          // the edge, and the centre of the discs
-  Real axis_x, axis_y, axis_along;  // the axis of the discs; its part along the edge
-  CoreFeature edge;
-};
+// The discs as features. They are mirrored: the axis leads out of the body where its lower disc is.
+inline constexpr std::size_t face_along_axis = 4, face_against_axis = 5, side_of_discs = 2;
 
+// The least depth of all directions offered.
 class DiscDepth {
  public:
   // Depths that differ by less than `slack` need not be told apart, those that differ by less than `noise` cannot be.
@@ -64,14 +72,14 @@ class DiscDepth {
   [[nodiscard]] inline bool is_proven() const { return is_proven_; }
   [[nodiscard]] inline const PlacedDiscs& discs() const [[clang::lifetimebound]] { return discs_; }
   [[nodiscard]] inline Real depth() const { return depth_; }
-  [[nodiscard]] inline Real goal() const { return depth_ - slack_; }  // nothing below it is left out
+  [[nodiscard]] inline Real slack() const { return slack_; }
   [[nodiscard]] inline Real noise() const { return noise_; }
-  [[nodiscard]] inline Real touch() const {
-    return 4 * slack_ + noise_;
-  }  // bodies that are apart by less may be taken to overlap
+  // Nothing below it is left out.
+  [[nodiscard]] inline Real goal() const { return depth_ - slack_; }
+  // Bodies that are apart by less may be taken to overlap.
+  [[nodiscard]] inline Real touch() const { return 4 * slack_ + noise_; }
   // Unit, from the other body to the discs.
   [[nodiscard]] inline const Vec3& direction() const [[clang::lifetimebound]] { return direction_; }
-
   // Of the other body, and of the discs.
   [[nodiscard]] inline const CoreFeatures& features() const [[clang::lifetimebound]] { return features_; }
 
@@ -82,19 +90,6 @@ class DiscDepth {
       features_ = features;
     }
   }
-  // Whether nothing is less between two directions, at the ends of which feet lie whose line passes the origin at the
-  // distance reach / sqrt(square): between the feet it lies in the shadow.
-  [[nodiscard]] [[gnu::always_inline]] inline bool is_excluded(Real reach, Real square) const {
-    return reach >= 0 && reach * reach >= goal() * goal() * square;
-  }
-
-  // The same of four at once: a bit for each that is not excluded.
-  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t lanes_left(Lanes reach, Lanes square) const {
-    return ~bits_of((reach >= all_lanes(0)) & (reach * reach >= (goal() * goal()) * square)) & 15u;
-  }
-
-  // What is less in the directions of an arc than both ends have.
-  void search(const EdgeArc& arc);
   inline void give_up() { is_proven_ = false; }
 
  private:
@@ -106,17 +101,14 @@ class DiscDepth {
   bool is_proven_ = true;
 };
 
-// The discs as features. They are mirrored: the axis leads out of the body where its lower disc is.
-inline constexpr std::size_t face_along_axis = 4, face_against_axis = 5, side_of_discs = 2;
-
-// Offers the directions across an edge between the normals of its faces, seen from outside along it. `number`: of the
-// edge.
-void search_edge(std::size_t number, const Vec3& from, const Vec3& along, const Vec3& left, const Vec3& right,
-                 DiscDepth& least);
-// Offers the directions of all faces, corners and edges of a box around the origin.
-void search_box(const Vec3& half, DiscDepth& least);
-// The same of a triangle with its unit normal.
-void search_triangle(const std::array<Vec3, 3>& corners, const Vec3& normal, DiscDepth& least);
+// An edge of a polytope, with the unit normals of the faces to its left and right, seen from outside along it. A foot
+// is the point of the discs that is furthest along a normal.
+struct EdgeOfFaces {
+  Vec3 from, along, left, right, left_foot, right_foot;
+  CoreFeature feature;
+};
+// Offers the directions across an edge between the normals of its faces. Those of the faces were offered before.
+void search_edge(const EdgeOfFaces& edge, DiscDepth& least);
 // Offers the directions of all discs, sides and rims of the other body, around Z, and of the discs.
 void search_discs(const Discs& other, DiscDepth& least);
 

@@ -5,7 +5,7 @@ import abut.core.standard;
 import abut.math;
 import abut.narrow.cores.core_separation;
 import abut.narrow.fan.disc_depth;
-import abut.narrow.fan.disc_depth_of_hull;
+import abut.narrow.fan.disc_depth_of_polytope;
 import abut.narrow.fan.facets;
 import abut.narrow.fan.features;
 
@@ -37,6 +37,18 @@ inline constexpr Real least_height_of_triangles = 1e-4;  // by the longest edge
   return !(norm(cross(first, second)) > least_height_of_triangles * longest);
 }
 
+// Faces that rounding has bent say nothing.
+template <class S>
+[[nodiscard]] inline bool has_trusted_faces(const S& shape, Real size) {
+  if constexpr (Triangular<S>) {
+    return !is_slender(shape.corners());
+  } else if constexpr (Faceted<S>) {
+    return has_facets(shape, noise_of(size));
+  } else {
+    return true;
+  }
+}
+
 // Squares of squares of lengths below it vanish.
 inline constexpr Real least_size_of_discs = 1e-60;
 
@@ -52,18 +64,11 @@ template <Convex A, Convex B>
     DiscDepth least(mirrored(b.discs(), ab.position, ab.rotation.z), slack, rounding_of(size));
     if constexpr (Rimmed<A>) {
       search_discs(a.discs(), least);
-    } else if constexpr (Triangular<A>) {
-      if (is_slender(a.corners())) {
-        return std::nullopt;
-      }
-      search_triangle(a.corners(), a.normal(), least);
-    } else if constexpr (Faceted<A>) {
-      if (!has_facets(a, noise_of(size))) {
-        return std::nullopt;
-      }
-      search_facets(a, least);
     } else {
-      search_box(a.half(), least);
+      if (!has_trusted_faces(a, size)) {
+        return std::nullopt;
+      }
+      search_polytope(a, least);
     }
     if (!least.is_proven() || !(least.depth() > slack)) {
       return std::nullopt;

@@ -143,7 +143,8 @@ template <Faceted A, class B>
     take_face(faces_of_b.faces, &CoreFeatures::b,
               [&](std::size_t face) { return -(ab.rotation * face_normal(b, face)); });
   }
-  best.axes = static_cast<std::uint32_t>(4 * (a.facets().planes.size() + own_of_b.planes.size()));
+  const std::size_t planes = a.facets().planes.size() + (has_planes(b) ? own_of_b.planes.size() : 0);
+  best.axes = static_cast<std::uint32_t>(4 * planes);
 
   if constexpr (PointCored<B>) {
     return best;  // a point has no edges

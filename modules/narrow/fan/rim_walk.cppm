@@ -1,6 +1,9 @@
-// A rim around a body, seen from the axis of another one: in the half plane through that axis it is a closed curve. Its
-// points that are nearest to a corner or to a line there are found by dividing arcs of the rim until all in them is too
-// far, or a derivative has one sign all along: of the distance, or of its derivative.
+// A rim seen from a line: the axis of another body, or an edge. In the half plane through the line the rim is a closed
+// curve. An aim there is a corner, another line, or the first line itself. Where the curve is nearest to its aim is
+// found by dividing arcs of the rim until
+// - all in an arc is too far, or
+// - a derivative has one sign all along: of the distance, or of its derivative, or
+// - the distance is the same all along, within the slack.
 export module abut.narrow.fan.rim_walk;
 import abut.core.standard;
 import abut.math;
@@ -25,17 +28,22 @@ struct Around {
 [[nodiscard]] [[gnu::always_inline]] inline Around operator-(const Around& a, Real b) {
   return {a.middle - b, a.spread};
 }
+inline constexpr Real boundless = 1e150;
 [[nodiscard]] [[gnu::always_inline]] inline Around operator*(Real a, const Around& b) {
   return {a * b.middle, std::fabs(a) * b.spread};
 }
 [[nodiscard]] [[gnu::always_inline]] inline Around operator*(const Around& a, const Around& b) {
   return {a.middle * b.middle, absolute(a.middle) * b.spread + a.spread * (absolute(b.middle) + b.spread)};
 }
-// By what is above zero; by what may not be, anything.
+// By what is above zero; by what may not be, anything: finite, so that none of it is nothing.
 [[nodiscard]] [[gnu::always_inline]] inline Around operator/(const Around& a, const Around& b) {
   const Lanes middle = a.middle / b.middle, least = b.middle - b.spread;
-  return {middle, least > all_lanes(0) ? (a.spread + absolute(middle) * b.spread) / least : all_lanes(infinity)};
+  return {middle, least > all_lanes(0) ? (a.spread + absolute(middle) * b.spread) / least : all_lanes(boundless)};
 }
+
+// Points that are as near to each other meet: where one lies from the other is rounding. A direction that is off by an
+// angle costs half its square of the size, so this is far above the noise.
+[[nodiscard]] inline Real near_of(const DiscDepth& least) { return std::fmax(5e4 * least.noise(), least.touch()); }
 
 // Half the angle of an arc. Each level divides the arcs of the one before by four.
 struct Opening {
@@ -67,12 +75,44 @@ inline constexpr std::array<Opening, level_count> openings = [] {
   return result;
 }();
 
-// A rim around its middle, in a frame of the other body: z is its axis, and y is across both axes. Its point at an
+// A rim around its middle, in a frame along a line, Z, with Y across the line and the axis of the rim. Its point at an
 // angle t is middle + (along_x cos t, radius sin t, along_z cos t).
 struct RimWalk {
   Vec3 middle;
   Real radius, along_x, along_z;
 };
+
+// A frame along a line Z. The axis of discs is (axis_x, 0, axis_z) in it.
+struct AxisFrame {
+  Vec3 x, y, z;
+  Real axis_x, axis_z;
+
+  // One of the rims of discs whose centre is given.
+  [[nodiscard]] inline RimWalk walk(const Vec3& centre, const PlacedDiscs& discs, std::size_t rim) const {
+    const Vec3 middle = centre + discs.height[rim] * discs.axis;
+    const Real radius = discs.radius[rim];
+    return {{dot(middle, x), dot(middle, y), dot(middle, z)}, radius, radius * axis_z, -radius * axis_x};
+  }
+  // Visits the unit directions with these parts along the axis of the discs and along Z: normals across lines of two
+  // sides. Nearly parallel lines are compared without the difference of their parts, which would lose digits.
+  template <class Visit>
+  inline void visit_lines(Real up_axis, Real up_z, Visit&& visit) const {
+    const Real turn = std::copysign(Real{1}, axis_z);
+    const Real along_x = (up_axis - turn * up_z) / axis_x + turn * up_z * axis_x / (1 + std::fabs(axis_z));
+    const Real rest = 1 - along_x * along_x - up_z * up_z;
+    if (rest >= 0) {  // not so where parallel lines never meet
+      const Real along_y = std::sqrt(rest);
+      visit(along_x, along_y, up_z);
+      visit(along_x, -along_y, up_z);
+    }
+  }
+};
+[[nodiscard]] inline AxisFrame frame_along(const Vec3& z, const Vec3& axis) {
+  const Vec3 across = cross(z, axis);
+  const Vec3 y = UnitVec3::make(across).value_or(UnitVec3::from_unit_unchecked(tangents_of(z).first));
+  const Vec3 x = cross(y, z);
+  return {x, y, z, dot(x, axis), dot(z, axis)};
+}
 
 template <class Number>
 struct RimPlace {
@@ -94,6 +134,10 @@ template <class Number>
 [[nodiscard]] [[gnu::always_inline]] inline RimPlace<Number> point_at(const RimWalk& walk, Number cosine, Number sine) {
   const Number x = walk.middle.x + walk.along_x * cosine, y = walk.middle.y + walk.radius * sine;
   return {x, y, walk.middle.z + walk.along_z * cosine, root(x * x + y * y)};
+}
+[[nodiscard]] inline RimPlace<Real> middle_of(const RimWalk& walk) {
+  const auto& [x, y, z] = walk.middle;
+  return {x, y, z, root(x * x + y * y)};
 }
 template <class Number>
 [[nodiscard]] [[gnu::always_inline]] inline RimCurve<Number> curve_at(const RimWalk& walk, const RimPlace<Number>& at,
@@ -129,10 +173,24 @@ template <class Number>
           d_half};
 }
 
-struct RimArc {
-  Real cosine, sine;  // of its middle
-  std::size_t level;  // of what it is divided into
+// Four arcs of a rim next to each other: their middles, and a bit for each that may hold what is looked for.
+struct FourArcs {
+  Lanes cosine, sine;
+  RimPlace<Lanes> at;
+  std::uint64_t left;
+  std::size_t level;
 };
+// What a larger arc around an angle is divided into.
+template <class Aim>
+[[nodiscard]] [[gnu::always_inline]] inline FourArcs four_arcs(const RimWalk& walk, const Aim& aim, Real cosine,
+                                                               Real sine, std::size_t level, const DiscDepth& least) {
+  const Opening& opening = openings[level];
+  const Lanes across{-opening.sine_of_three, -opening.sine, opening.sine, opening.sine_of_three};
+  const Lanes ahead{opening.cosine_of_three, opening.cosine, opening.cosine, opening.cosine_of_three};
+  const Lanes cosines = cosine * ahead - sine * across, sines = sine * ahead + cosine * across;
+  const RimPlace<Lanes> at = point_at(walk, cosines, sines);
+  return {cosines, sines, at, aim.lanes_left(at, walk.radius * opening.chord + least.touch(), least.goal()), level};
+}
 
 // Newton's method doubles the digits, and the depth is off by the square of what is left: no step after one as short as
 // this.
@@ -167,48 +225,58 @@ template <class Aim>
   }
 }
 
+// All around, twelve arcs at first: what moves as twice the angle falls, rises, or keeps its sign in each.
+template <class Visit>
+[[gnu::always_inline]] inline void visit_turn(Visit&& visit) {
+  constexpr Real half_root_of_three = 0.86602540378443864676;
+  visit(Real{1}, Real{0});
+  visit(Real{-0.5}, half_root_of_three);
+  visit(Real{-0.5}, -half_root_of_three);
+}
+
 // Visits each point of a walk at which it is nearest to what is aimed for, and nearer than the least depth. False where
 // that cannot be told.
 template <class Aim, class Visit>
 [[nodiscard]] bool walk_around(const RimWalk& walk, const Aim& aim, Real size, const DiscDepth& least, Visit&& visit) {
   constexpr int cut_limit = 256;
-  const Real noise = noise_of(aim.unit_of_slope(size));
-  [[clang::uninitialized]] std::array<RimArc, 3 * (level_count + 1)> rest;
-  // Twelve arcs at first: what moves as twice the angle falls, rises, or keeps its sign in each.
-  constexpr Real half_root_of_three = 0.86602540378443864676;
-  std::size_t count = 3;
-  rest[0] = {1, 0, 0};
-  rest[1] = {-0.5, half_root_of_three, 0};
-  rest[2] = {-0.5, -half_root_of_three, 0};
+  const Real noise = noise_of(walk.radius * aim.unit_of_speed(size));
+  [[clang::uninitialized]] std::array<FourArcs, 3 * (level_count + 1)> rest;
+  std::size_t count = 0;
+  const auto push = [&](Real cosine, Real sine, std::size_t level) {
+    rest[count] = four_arcs(walk, aim, cosine, sine, level, least);
+    count += rest[count].left != 0 ? 1 : 0;
+  };
+  aim.visit_starts([&](Real cosine, Real sine) { push(cosine, sine, 0); });
   for (int cuts = 0; count > 0; ++cuts) {
-    const RimArc arc = rest[--count];
-    if (cuts == cut_limit || arc.level == level_count) {
-      return false;
+    const FourArcs arcs = rest[--count];
+    const Opening& opening = openings[arcs.level];
+    const RimPlace<Lanes>& at = arcs.at;
+    const RimCurve<Lanes> curve = curve_at(walk, at, arcs.cosine, arcs.sine);
+    const Lanes slope = aim.slope(curve);
+    const Around bend = aim.bend(curve_around(walk, curve, arcs.cosine, arcs.sine, opening));
+    const Lanes steepest = absolute(slope) + opening.angle * (absolute(bend.middle) + bend.spread);
+    const std::uint64_t left = arcs.left & ~(bits_of(2 * absolute(slope) > steepest + noise) |
+                                             bits_of(bend.middle + bend.spread < all_lanes(-noise)));
+    const std::uint64_t rising = left & bits_of(bend.middle - bend.spread > all_lanes(noise));
+    for (std::uint64_t lanes = rising; lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      visit(lowest_in(walk, aim, arcs.cosine[lane], arcs.sine[lane], opening, -slope[lane] / bend.middle[lane], size));
     }
-    const Opening& opening = openings[arc.level];
-    const Lanes across{-opening.sine_of_three, -opening.sine, opening.sine, opening.sine_of_three};
-    const Lanes ahead{opening.cosine_of_three, opening.cosine, opening.cosine, opening.cosine_of_three};
-    const Lanes cosine = arc.cosine * ahead - arc.sine * across, sine = arc.sine * ahead + arc.cosine * across;
-    const RimPlace<Lanes> at = point_at(walk, cosine, sine);
-    const Real reach = walk.radius * opening.chord + least.touch();
-    std::uint64_t left = aim.lanes_left(at, reach, least.goal());
-    if (left == 0) {
+    if (left == rising) {
       continue;
     }
-
-    const RimCurve<Lanes> curve = curve_at(walk, at, cosine, sine);
-    const Lanes slope = aim.slope(curve);
-    const Around bend = aim.bend(curve_around(walk, curve, cosine, sine, opening));
-    const Lanes change = opening.angle * (absolute(bend.middle) + bend.spread);
-    left &= ~bits_of((absolute(slope) > change + noise) | (bend.middle + bend.spread < all_lanes(-noise)));
-    const std::uint64_t rising = bits_of(bend.middle - bend.spread > all_lanes(noise));
-    for (; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      if ((rising >> lane & 1) != 0) {
-        visit(lowest_in(walk, aim, cosine[lane], sine[lane], opening, -slope[lane] / bend.middle[lane], size));
-      } else {
-        rest[count++] = {cosine[lane], sine[lane], arc.level + 1};
-      }
+    const std::uint64_t level = left & ~rising & aim.lanes_level(at, steepest, opening.angle, least);
+    for (std::uint64_t lanes = level; lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      visit(RimPlace<Real>{at.x[lane], at.y[lane], at.z[lane], at.out[lane]});
+    }
+    std::uint64_t divided = left & ~rising & ~level;
+    if (divided != 0 && (cuts == cut_limit || arcs.level + 1 == level_count)) {
+      return false;
+    }
+    for (; divided != 0; divided &= divided - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(divided));
+      push(arcs.cosine[lane], arcs.sine[lane], arcs.level + 1);
     }
   }
   return true;

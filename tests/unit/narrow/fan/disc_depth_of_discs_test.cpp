@@ -114,6 +114,35 @@ TEST(DiscDepthOfDiscs, NothingWrongIsProvenWhereARimMeetsTheAxis) {
   }
 }
 
+// Rims in one plane cross, or a rim crosses the axis of the other body: there the normal is across both lines.
+TEST(DiscDepthOfDiscs, IsFoundWhereRimsMeetRimsAndAxes) {
+  const Rotation sideways{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+  const std::vector<Case> cases{
+      {{0.5, 1, false}, {0.5, 1, false}, {Rotation::identity(), {0.5, 0.25, 0}}},
+      {{1.25, 1, false}, {1, 0.5, true}, {Rotation::identity(), {0.5, -0.25, -0.5}}},
+      {{1, 0.5, false}, {0.75, 1, false}, {sideways, {-0.5, -0.5, -0.5}}},
+      {{1, 0.25, false}, {0.75, 0.5, false}, {Rotation{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, {0.5, -0.5, -0.25}}},
+  };
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    EXPECT_GT(test::least_overlap([&](const Vec3& d) { return overlap(cases[i], d); }), 0.1) << i;
+    check(cases[i], static_cast<int>(i));
+  }
+}
+
+// Of a speck in the middle of a giant every direction is nearly as good.
+TEST(DiscDepthOfDiscs, IsFoundForASpeckInAGiant) {
+  test::Random random(34);
+  for (int i = 0; i < 40; ++i) {
+    const Solid giant{800, 1000, i % 2 == 0}, speck{1e-3, 2e-3, i % 4 < 2};
+    const Case c{giant, speck, {random.rotation(), {0, 0, 0}}};
+    const auto found = with_shape(giant, [&](const auto& a) {
+      return with_shape(speck, [&](const auto& b) { return abut::disc_depth(a, b, c.ab, 4000, 4e-7); });
+    });
+    ASSERT_TRUE(found) << i;
+    EXPECT_LE(found->depth, test::least_overlap([&](const Vec3& d) { return overlap(c, d); }) + 4e-7) << i;
+  }
+}
+
 TEST(DiscDepthOfDiscs, IsTheSameFromTheOtherSide) {
   test::Random random(33);
   for (int i = 0; i < 200; ++i) {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "../hull_of.hpp"
-#include "../made.hpp"
-#include "../random_boxes.hpp"
+#include "../../hull_of.hpp"
+#include "../../made.hpp"
+#include "../../random_boxes.hpp"
 
 import abut.capability;
 import abut.core;
