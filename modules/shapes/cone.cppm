@@ -43,38 +43,31 @@ class Cone {
     return {{radius_ * side.x, radius_ * side.y, -half_height_}, no_index};
   }
 
-  // The apex alone, or the base with a step to the apex.
-  [[nodiscard]] inline Germ germ(const GermFrame& frame) const {
+  // The apex alone, or the base with an edge to the apex.
+  [[nodiscard]] inline SecondOrder second_order(const DirectionFrame& frame) const {
     const Sideways side = sideways_of(frame.n);
     const Vec3 apex{0, 0, half_height_};
     if (side.length < flat_sine) {
-      Germ germ = germ_of_point(in_frame(frame, frame.n.z > 0 ? apex : -apex));
-      germ.disc = frame.n.z > 0 && half_height_ > 0 ? 0 : radius_;
-      return germ;
+      SecondOrder near = second_order_of_point(in_frame(frame, frame.n.z > 0 ? apex : -apex));
+      near.disc = frame.n.z > 0 && half_height_ > 0 ? 0 : radius_;
+      return near;
     }
     const Vec3 rim{radius_ * side.x, radius_ * side.y, -half_height_};
-    const InFrame step = in_frame(frame, apex - rim);
-    if (step.n > apex_lead * half_height_) {
-      return germ_of_point(in_frame(frame, apex));
+    const InFrame edge = in_frame(frame, apex - rim);
+    if (edge.n > apex_lead * half_height_) {
+      return second_order_of_point(in_frame(frame, apex));
     }
-    Germ germ = germ_of_point(in_frame(frame, rim));
-    bend_by_disc(frame, {side.x, side.y, side.length}, radius_, germ);
+    SecondOrder near = second_order_of_point(in_frame(frame, rim));
+    bend_by_disc(frame, {side.x, side.y, side.length}, radius_, near);
     if (half_height_ > 0) {
-      germ.steps[0] = step;
-      germ.step_count = 1;
-      germ.is_sum = false;
+      near.edges[0] = edge;
+      near.edge_count = 1;
+      near.is_sum = false;
     }
-    return germ;
+    return near;
   }
 
   [[nodiscard]] inline Discs discs() const { return {half_height_, 0, radius_}; }
-  [[nodiscard]] inline OutlineNormals outline_normals() const {
-    if (half_height_ == 0) {
-      return {{{0, 1}, {0, -1}, {radius_ > 0 ? 0.0 : 1.0, 0}}};
-    }
-    const Real slant = norm({2 * half_height_, radius_, 0});
-    return {{{2 * half_height_ / slant, radius_ / slant}, {0, -1}, {0, 0}}};
-  }
   // The circle inside the triangle that a plane through the axis cuts out.
   [[nodiscard]] inline InnerBalls inner_balls() const {
     const Real sides = radius_ + norm({2 * half_height_, radius_, 0});

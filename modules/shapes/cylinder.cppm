@@ -41,25 +41,25 @@ class Cylinder {
   }
 
   // A disc and a segment, added up.
-  [[nodiscard]] inline Germ germ(const GermFrame& frame) const {
+  [[nodiscard]] inline SecondOrder second_order(const DirectionFrame& frame) const {
     const Sideways side = sideways_of(frame.n);
     const Real z = std::copysign(half_height_, frame.n.z);
     const bool is_flat = side.length < flat_sine;
-    Germ germ = germ_of_point(in_frame(frame, is_flat ? Vec3{0, 0, z} : Vec3{radius_ * side.x, radius_ * side.y, z}));
+    SecondOrder near =
+        second_order_of_point(in_frame(frame, is_flat ? Vec3{0, 0, z} : Vec3{radius_ * side.x, radius_ * side.y, z}));
     if (is_flat) {
-      germ.disc = radius_;
-      return germ;
+      near.disc = radius_;
+      return near;
     }
-    bend_by_disc(frame, {side.x, side.y, side.length}, radius_, germ);
+    bend_by_disc(frame, {side.x, side.y, side.length}, radius_, near);
     if (half_height_ > 0) {
-      germ.steps[0] = in_frame(frame, {0, 0, -2 * z});
-      germ.step_count = 1;
+      near.edges[0] = in_frame(frame, {0, 0, -2 * z});
+      near.edge_count = 1;
     }
-    return germ;
+    return near;
   }
 
   [[nodiscard]] inline Discs discs() const { return {half_height_, radius_, radius_}; }
-  [[nodiscard]] inline OutlineNormals outline_normals() const { return {{{1, 0}, {0, 1}, {0, -1}}}; }
   [[nodiscard]] inline InnerBalls inner_balls() const {
     const Real ball = radius_ < half_height_ ? radius_ : half_height_;
     return {{0, 0, 0}, {0, 0, half_height_ - ball}, ball};

@@ -42,35 +42,37 @@ class Ellipsoid {
     return {on_ball ? scaled(*on_ball) : Vec3{0, 0, 0}, no_index};
   }
   // The support function is |E v| with the radii in E.
-  [[nodiscard]] inline Germ germ(const GermFrame& frame) const {
+  [[nodiscard]] inline SecondOrder second_order(const DirectionFrame& frame) const {
     const Vec3 on_ball = scaled(frame.n);
     const Real length = norm(on_ball), largest = extent();
     if (!(length > flat_sine * largest)) {
-      return germ_of_point({0, 0, 0});
+      return second_order_of_point({0, 0, 0});
     }
     const Real inverse = 1 / length;
     const InFrame point = in_frame(frame, scaled(inverse * on_ball));
-    Germ germ = germ_of_point(point);
+    SecondOrder near = second_order_of_point(point);
     const Vec3 x = scaled(frame.x), y = scaled(frame.y);
-    germ.xx = (squared_norm(x) - point.x * point.x) * inverse;
-    germ.xy = (dot(x, y) - point.x * point.y) * inverse;
-    germ.yy = (squared_norm(y) - point.y * point.y) * inverse;
-    germ.share = length / largest;
-    germ.slope = std::sqrt(point.x * point.x + point.y * point.y) / largest;
+    near.xx = (squared_norm(x) - point.x * point.x) * inverse;
+    near.xy = (dot(x, y) - point.x * point.y) * inverse;
+    near.yy = (squared_norm(y) - point.y * point.y) * inverse;
+    near.share = length / largest;
+    near.slope = std::sqrt(point.x * point.x + point.y * point.y) / largest;
     if (const Real least = std::min({radii_.x, radii_.y, radii_.z}); length <= least * (1 + touching_distance(1))) {
-      germ.ball = least;
+      near.ball = least;
     }
-    return germ;
+    return near;
   }
 
   [[nodiscard]] inline InnerBalls inner_balls() const {
     return {{0, 0, 0}, {0, 0, 0}, std::min({radii_.x, radii_.y, radii_.z})};
   }
 
-  // The nearest point is r^2 p / (r^2 + t), with t the root of |r p / (r^2 + t)| = 1 above -m^2. Here m is the least
-  // radius. The inverse of that length is nearly linear. Newton's method on it comes from the left without overshooting
-  // (More and Sorensen, "Computing a trust region step", 1983). It looks for t + m^2, so that next to the plane across
-  // m nothing cancels; on that plane, inside, t may end at -m^2 itself.
+  // The nearest point x has p - x along the normal there, so that x = r^2 p / (r^2 + t) for each axis. With the least
+  // radius m, t is the root above -m^2 of
+  //   |r p / (r^2 + t)| = 1.
+  // The inverse of that length is nearly linear. Newton's method on it comes from the left without overshooting (More
+  // and Sorensen, "Computing a trust region step", 1983). It looks for t + m^2, so that nothing cancels next to the
+  // plane across m. On that plane, inside, t may end at -m^2 itself.
   [[nodiscard]] SurfacePoint nearest(const Vec3& p) const {
     const int least = radii_.x <= radii_.y && radii_.x <= radii_.z ? 0 : radii_.y <= radii_.z ? 1 : 2;
     const Real m = radii_[least];

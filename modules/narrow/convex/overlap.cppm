@@ -6,7 +6,6 @@ import abut.core.standard;
 import abut.math;
 import abut.narrow.cores.core_separation;
 import abut.narrow.cores.difference;
-import abut.narrow.cores.outlines;
 import abut.narrow.cores.simplex;
 import abut.narrow.fan.box_sat;
 import abut.narrow.fan.disc_depth_of_pair;
@@ -15,8 +14,8 @@ import abut.narrow.fan.hull_sat;
 import abut.narrow.fan.sat;
 export import abut.narrow.fan.triangle_sat;
 import abut.narrow.points.witnesses;
-import abut.narrow.polytope.capped_epa;
 import abut.narrow.polytope.epa;
+import abut.narrow.polytope.points_under;
 import abut.narrow.polytope.polytope_depth;
 
 export namespace abut {
@@ -148,12 +147,6 @@ template <Convex A, Convex B>
 [[nodiscard]] [[gnu::noinline]] bool separate_by_discs(const A& a, const B& b, const Pose& ab, Real size, Real error,
                                                        CoreSeparation& core) {
   if constexpr (has_discs<A, B>) {
-    const Real noise = 8 * epsilon * size;
-    if constexpr (is_outlined<A> && is_outlined<B>) {
-      if (is_coaxial(ab, noise)) {
-        return false;  // one outline in another says which of many directions that are as good
-      }
-    }
     const std::optional<ProvenDepth> least = disc_depth(a, b, ab, size, error);
     if (!least) {
       return false;

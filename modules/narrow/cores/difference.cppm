@@ -7,8 +7,8 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.cores.direction_cover;
-import abut.narrow.cores.outlines;
 import abut.narrow.cores.second_order_of_pair;
 import abut.narrow.cores.simplex;
 
@@ -20,30 +20,20 @@ struct SupportPair {
   std::uint32_t index_a, index_b;
 };
 
-// Directions in which the depth of two cores may be least for their symmetry.
-struct SymmetricDirections {
-  SmallVector<Vec3, 4> discs;     // unit: along the axes of flat discs
-  SmallVector<Vec3, 6> outlines;  // across the outlines of two bodies of revolution around one axis; empty for others
-  bool is_coaxial = false;
-};
-
 using SupportPairFunction = std::function<SupportPair(const Vec3& direction)>;
-using PairGermFunction = std::function<PairGerm(const GermFrame& frame)>;
+using SecondOrderFunction = std::function<PairSecondOrder(const DirectionFrame& frame)>;
 using AddBallsFunction = std::function<void(Real noise, DirectionCover& cover)>;
 
 struct Difference {
   SupportPairFunction support;  // of a along a direction and of b against it, in the frame of a
-  // Of curved cores: the support function to second order, their symmetries, and the balls inside.
-  PairGermFunction germ;
-  std::function<SymmetricDirections()> symmetries;
+  // Only where a core is curved: the support function to second order, and the balls inside.
+  SecondOrderFunction second_order;
   AddBallsFunction add_balls;
-  Real size;                 // bounds all coordinates
-  Real least_extent;         // of the smaller core
-  std::array<Vec3, 6> axes;  // unit: of the frames of both
+  Real size;  // bounds all coordinates
   bool is_curved;
 
-  // By which vertices and depths may be off.
-  [[nodiscard]] inline Real noise() const { return 8 * epsilon * size; }
+  // By which vertices and depths may be off: both points of a vertex by a coordinate.
+  [[nodiscard]] inline Real noise() const { return 2 * touching_distance(size); }
   [[nodiscard]] inline DifferenceVertex vertex_toward(const Vec3& direction) const {
     const SupportPair pair = support(direction);
     return {pair.a - pair.b, pair.a, pair.index_a, pair.index_b};
@@ -51,30 +41,6 @@ struct Difference {
   // The support function: how deep the cores overlap along a unit direction.
   [[nodiscard]] inline Real depth_along(const Vec3& n) const { return dot(n, vertex_toward(n).w); }
 };
-
-template <Convex A, Convex B>
-[[nodiscard]] SymmetricDirections symmetric_directions(const A& a, const B& b, const Pose& ab, Real noise) {
-  SymmetricDirections found;
-  for (const Real side : {1.0, -1.0}) {
-    if constexpr (Rimmed<A>) {
-      if (a.supporting_rim({0, 0, side})) {
-        found.discs.push_back(Vec3{0, 0, side});
-      }
-    }
-    if constexpr (Rimmed<B>) {
-      if (b.supporting_rim({0, 0, side})) {
-        found.discs.push_back(-side * ab.rotation.z);
-      }
-    }
-  }
-  if constexpr (is_outlined<A> && is_outlined<B>) {
-    found.is_coaxial = is_coaxial(ab, noise);
-    if (found.is_coaxial) {
-      collect_outlines(a, b, ab, found.outlines);
-    }
-  }
-  return found;
-}
 
 using DifferenceUse = std::function<void(const Difference&)>;
 
@@ -86,19 +52,15 @@ template <Convex A, Convex B>
     const SupportPoint on_a = a.support(direction), on_b = placed_support(b, placement, -direction);
     return SupportPair{on_a.point, on_b.point, on_a.index, on_b.index};
   };
-  const auto germ = [&](const GermFrame& frame) { return pair_germ(a, b, ab, frame); };
-  const auto symmetries = [&] { return symmetric_directions(a, b, ab, 8 * epsilon * size); };
+  const auto second_order = [&](const DirectionFrame& frame) { return pair_second_order(a, b, ab, frame); };
   const auto add_balls = [&](Real noise, DirectionCover& cover) { add_inner_balls(a, b, ab, noise, cover); };
   Difference cores;
   // One reference fits into a function itself: no memory is asked for.
   cores.support = [&support](const Vec3& direction) { return support(direction); };
   cores.size = size;
-  cores.least_extent = std::fmin(a.extent(), b.extent());
-  cores.axes = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, ab.rotation.x, ab.rotation.y, ab.rotation.z};
   cores.is_curved = Curved<A> || Curved<B>;
   if constexpr (Curved<A> || Curved<B>) {
-    cores.germ = [&germ](const GermFrame& frame) { return germ(frame); };
-    cores.symmetries = [&symmetries] { return symmetries(); };
+    cores.second_order = [&second_order](const DirectionFrame& frame) { return second_order(frame); };
     cores.add_balls = [&add_balls](Real noise, DirectionCover& cover) { add_balls(noise, cover); };
   }
   use(cores);

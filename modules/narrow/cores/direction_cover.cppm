@@ -1,7 +1,7 @@
-// Caps of directions in which the support function of a difference D is surely no less than a depth: around minima, and
-// seen from the middles of balls inside D.
+// Caps of directions in which the support function of a difference D is surely no less than a depth.
 //
-// A ball of radius r around m has support dot(m, v) + r, which is at least d in a cap around m.
+// There is one around each least depth that is known, and one for each ball inside D. A ball of radius r around m has
+// the support function dot(m, v) + r, which is at least d in a cap around m.
 export module abut.narrow.cores.direction_cover;
 import abut.capability.second_order;
 import abut.capability;
@@ -37,26 +37,6 @@ class DirectionCover {
     }
   }
 
-  // Whether all directions are in one cap, or in two.
-  [[nodiscard]] inline bool is_whole() const {
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Real first = caps_[i].cosine;
-      if (first <= -1) {
-        return true;
-      }
-      for (std::size_t j = 0; j < i; ++j) {
-        const Real second = caps_[j].cosine;
-        if (first <= 1 && second <= 1 && first + second <= 0 && second > -1) {
-          const Real sines = std::sqrt((1 - first * first) * (1 - second * second));
-          if (dot(caps_[i].normal, caps_[j].normal) <= first * second - sines) {
-            return true;
-          }
-        }
-      }
-    }
-    return false;
-  }
-
   // Whether one cap holds all directions within an angle of a normal. `share`: the cosine of the angle.
   [[nodiscard]] [[gnu::always_inline]] inline bool holds(const Vec3& normal, Real share) const {
     const Real share_square = share < 1 ? 1 - share * share : 0;
@@ -81,7 +61,7 @@ class DirectionCover {
   Real ball_radius_ = 0;
 };
 
-// Of a polytope: the ball that it knows of. A box has balls along its longest axis.
+// A box has balls along its longest axis; a hull knows of one ball.
 template <Convex S>
 [[nodiscard]] inline InnerBalls inner_balls_of(const S& shape) {
   if constexpr (requires { shape.inner_balls(); }) {

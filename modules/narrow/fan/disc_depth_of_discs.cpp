@@ -251,12 +251,29 @@ void search_faces(const Sum& sum, DiscDepth& least) {
   });
 }
 
+// Whether both turn around one axis, but for rounding.
+[[nodiscard]] bool is_coaxial(const Sum& sum, Real noise) {
+  return largest_magnitude(cross(sum.other.axis, sum.walker.axis)) <= touching_distance(1) &&
+         largest_magnitude(cross(sum.other.axis, sum.walker.centre)) <= noise;
+}
+
+// Then the sum turns around that axis too, and is as deep all around it: both sides need one direction each.
+void search_sides(const Sum& sum, DiscDepth& least) {
+  const PlacedDiscs &a = sum.other, &b = sum.walker;
+  sum.offer(a.side_out * a.x + a.side_up * a.axis, {}, least);
+  sum.offer(b.side_out * a.x + b.side_up * b.axis, {}, least);
+}
+
 }  // namespace
 
 void search_discs(const Discs& other, DiscDepth& least) {
   const PlacedDiscs a = placed(other, {0, 0, 0}, {0, 0, 1}), &b = least.discs();
   const Sum sum = added(b, a);
   search_faces(sum, least);
+  if (is_coaxial(sum, least.noise())) {
+    search_sides(sum, least);
+    return;
+  }
   if (!(least.goal() > 0) || !search_rims_of(added(a, b), true, least) || !search_rims_of(sum, false, least)) {
     least.give_up();
   }

@@ -12,7 +12,6 @@ import abut.math;
 import abut.narrow.cores.difference;
 import abut.narrow.cores.second_order_of_pair;
 import abut.narrow.polytope.depth_minimum;
-import abut.narrow.polytope.epa;
 
 export namespace abut {
 
@@ -22,7 +21,7 @@ struct Move {
 };
 
 // The move across the valley around a direction to its bottom; zero where the bottom is farther than a radius.
-[[nodiscard]] Move move_to_bottom(const PairGerm& germ, Real radius);
+[[nodiscard]] Move move_to_bottom(const PairSecondOrder& near, Real radius);
 
 // Where a descent ended: at a minimum whose points are known, or where no move that was tried leads further down.
 struct Descent {
@@ -32,8 +31,5 @@ struct Descent {
 };
 
 [[nodiscard]] Descent descend(const Difference& cores, const Vec3& from, Real error, Real noise);
-
-// Finds the points of both cores under a normal from where the cores are apart along it.
-void find_points_under(const Difference& cores, Real error, EpaResult& found);
 
 }  // namespace abut

@@ -6,9 +6,9 @@ import abut.math;
 import abut.narrow.cores.difference;
 import abut.narrow.cores.direction_cover;
 import abut.narrow.cores.simplex;
-import abut.narrow.polytope.capped_epa;
 import abut.narrow.polytope.depth_descent;
 import abut.narrow.polytope.depth_minimum;
+import abut.narrow.polytope.points_under;
 import abut.narrow.polytope;
 
 namespace abut {
@@ -31,16 +31,24 @@ class DepthSearch {
  public:
   inline DepthSearch(const Difference& cores, Real error) : cores_(cores), error_(error), noise_(cores.noise()) {}
 
+  // Grows a polytope until its least face without a proof lies on the boundary, or it is full.
   [[nodiscard]] EpaResult run(const Simplex& start) {
     if (cores_.is_curved) {
       cores_.add_balls(noise_, proven_);
-      find_first_minima(start);
-      if (proven_.is_whole()) {
-        result_.lower = infinity;
-        return answer_at_minimum();
-      }
     }
-    return grow(start);
+    [[clang::uninitialized]] Polytope polytope;
+    polytope.reset();
+    const FlatDifference flat = polytope.start(start, noise_, cores_);
+    if (flat.is_flat) {
+      return answer_across(flat.normal);
+    }
+    while (result_.iterations < Polytope::vertex_limit && push_out(polytope)) {
+    }
+    const bool is_sliver = result_.upper > noise_ && result_.upper < sliver_share * cores_.size;
+    if (cores_.is_curved && (is_open() || is_sliver)) [[unlikely]] {
+      descend_from_faces(polytope);
+    }
+    return is_at_minimum() ? answer_at_minimum() : answer_under(polytope);
   }
 
  private:
@@ -55,9 +63,7 @@ class DepthSearch {
 
   // Whether Newton's method finds a minimum from a direction that was not known.
   [[nodiscard]] bool finds_minimum_near(const Vec3& direction) {
-    return keep(minimum_near(cores_, direction, error_, noise_));
-  }
-  [[nodiscard]] bool keep(const std::optional<DepthMinimum>& found) {
+    const auto found = minimum_near(cores_, direction, error_, noise_);
     const auto is_same = [&](const DepthMinimum& known) {
       return dot(known.normal, found->normal) > same_minimum && known.cosine <= found->cosine;
     };
@@ -75,60 +81,12 @@ class DepthSearch {
     return true;
   }
 
-  // Along the axes of discs, and from where the search for a common point has ended.
-  void find_first_minima(const Simplex& start) {
-    const SymmetricDirections symmetries = cores_.symmetries();
-    for (const Vec3& axis : symmetries.discs.span()) {
-      if (cores_.depth_along(axis) < result_.upper) {
-        static_cast<void>(keep(minimum_on_disc(cores_, axis, error_, noise_)));
-      }
-    }
-    const auto toward = start.size == 4 ? UnitVec3::make(closest_on_faces(start).point) : std::nullopt;
-    if (toward && cores_.depth_along(*toward) < result_.upper) {
-      static_cast<void>(finds_minimum_near(*toward));
-    }
-  }
-
-  // The point of the least minimum, and three support points around the other side.
-  [[nodiscard]] Simplex simplex_at_minimum() const {
-    const DepthMinimum& least = minima_[best_];
-    const Tangents across = tangents_of(least.normal);
-    constexpr std::array<std::array<Real, 2>, 3> around{{{1, 0}, {-0.5, 0.866}, {-0.5, -0.866}}};
-    Simplex simplex;
-    simplex.push(vertex_of(least));
-    for (const auto& [x, y] : around) {
-      simplex.push(cores_.vertex_toward(x * across.first + y * across.second - 0.4 * least.normal));
-    }
-    return simplex;
-  }
   [[nodiscard]] static inline DifferenceVertex vertex_of(const DepthMinimum& minimum) {
     return {minimum.depth * minimum.normal, minimum.point_a, no_index, no_index};
   }
 
-  // Grows a polytope until its least face without a proof lies on the boundary, or it is full.
-  [[nodiscard]] [[gnu::noinline]] EpaResult grow(const Simplex& start) {
-    [[clang::uninitialized]] Polytope polytope;
-    polytope.reset();
-    const FlatDifference flat = polytope.start(minima_.empty() ? start : simplex_at_minimum(), noise_, cores_);
-    if (flat.is_flat) {
-      return answer_across(flat.normal);
-    }
-    LastFace last{0, 0, infinity};
-    while (result_.iterations < Polytope::vertex_limit && push_out(polytope, last)) {
-    }
-    const bool is_sliver = result_.upper > noise_ && result_.upper < sliver_share * cores_.size;
-    if (cores_.is_curved && (is_open() || is_sliver)) [[unlikely]] {
-      descend_from_faces(polytope);
-    }
-    return is_at_minimum() ? answer_at_minimum() : answer_under(polytope, last);
-  }
-
-  struct LastFace {
-    std::size_t face;
-    Real distance, reach;  // of the face, and of the support point along its normal; infinite before the first one
-  };
   // Pushes the least face out to the support point along its normal. False where that proves the depth or is no help.
-  [[nodiscard]] bool push_out(Polytope& polytope, LastFace& last) {
+  [[nodiscard]] bool push_out(Polytope& polytope) {
     const std::size_t face = least_open_face(polytope);
     if (face == Polytope::none) [[unlikely]] {
       return false;
@@ -144,27 +102,23 @@ class DepthSearch {
     const Vec3 normal = polytope.normal(face);
     const DifferenceVertex vertex = cores_.vertex_toward(normal);
     const Real reach = dot(normal, vertex.w);
-    last = {face, distance, reach};
     const bool is_near = result_.iterations > patience && reach < near_least * result_.upper;
     const bool may_be_least = reach < result_.upper + error_ || is_near;
     // Among equal bounds the normal of the latest face, which lies nearest to the boundary.
-    if (reach <= result_.upper + noise_) {
+    const bool is_least = reach <= result_.upper + noise_;
+    if (is_least) {
       set_upper(std::fmin(reach, result_.upper), normal);
     }
+    last_face_ = face;
+    is_on_surface_ = is_least && reach - distance <= error_;
     if (cores_.is_curved && may_be_least && minima_.size() < minimum_limit && finds_minimum_near(normal)) {
       // The point of the minimum, where the face sees it, is worth more than the support point.
       const DifferenceVertex found = vertex_of(minima_[minima_.size() - 1]);
       const bool is_seen = dot(normal, found.w) > distance + noise_;
       return polytope.expand(face, is_seen ? found : vertex, noise_);
     }
-    if (!is_open() || reach - distance <= noise_) {
+    if (!is_open() || reach - distance <= noise_ || polytope.contains(vertex)) {
       return false;
-    }
-    if (polytope.contains(vertex)) {
-      // The normal of a sliver is rounding: the other faces tell more.
-      most_proven_ = std::fmin(most_proven_, reach);
-      polytope.hide(face);
-      return true;
     }
     return polytope.expand(face, vertex, noise_);
   }
@@ -229,7 +183,6 @@ class DepthSearch {
   // No cap proves more than its own bound.
   [[nodiscard]] EpaResult with_lower(Real most) const {
     EpaResult result = result_;
-    result.lower = std::fmin(result.lower, most_proven_);
     for (const DepthMinimum& minimum : minima_.span()) {
       result.lower = std::fmin(result.lower, minimum.lower);
     }
@@ -251,19 +204,15 @@ class DepthSearch {
     return cores_.is_curved ? with_points(cores_, error_, result).value_or(result) : result;
   }
 
-  [[nodiscard]] EpaResult answer_under(const Polytope& polytope, const LastFace& last) const {
+  [[nodiscard]] EpaResult answer_under(const Polytope& polytope) const {
     EpaResult result = with_lower(result_.upper);
-    Witness witness = polytope.witness(last.face);
-    if (cores_.is_curved && last.reach - last.distance > error_) {
-      // The face does not lie on the surface yet. The points where both cores end along the normal do.
+    result.depth = result.upper;
+    Witness witness = polytope.witness(last_face_);
+    if (cores_.is_curved && !is_on_surface_) {
+      // Both cores surely end along the normal.
       const DifferenceVertex end = cores_.vertex_toward(result.normal);
       witness = {end.a, end.a - end.w};
-    } else if (cores_.is_curved && last.reach <= result.upper + error_) {
-      // The points lie under the last face: its normal is as good as the best within the error.
-      result.upper = last.reach;
-      result.normal = polytope.normal(last.face);
     }
-    result.depth = result.upper;
     // The points share what is left between them and the depth, which is less than the error.
     const Vec3 half = (0.5 * (result.depth + dot(witness.b - witness.a, result.normal))) * result.normal;
     result.point_a = witness.a + half;
@@ -285,8 +234,9 @@ class DepthSearch {
   EpaResult result_{0, 0, infinity, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 0};
   SmallVector<DepthMinimum, minimum_limit> minima_;
   DirectionCover proven_;
-  Real most_proven_ = infinity;  // no more than the reach of each hidden sliver
-  std::size_t best_ = 0;
+  std::size_t best_ = 0;  // of the minima, the least one
+  std::size_t last_face_ = 0;
+  bool is_on_surface_ = false;  // the last face, whose normal is that of the result
 };
 
 }  // namespace

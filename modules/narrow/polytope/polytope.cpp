@@ -2,6 +2,7 @@ module abut.narrow.polytope;
 import abut.core.standard;
 import abut.math.four_vec3;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.cores.difference;
 import abut.narrow.cores.simplex;
 
@@ -36,7 +37,7 @@ void Polytope::set_faces(const Triangles& triangles, std::size_t count) {
   const LaneNumbers has_area = square > all_lanes(0);
   const Lanes inverse = has_area ? 1 / __builtin_elementwise_sqrt(square) : all_lanes(0);
   Columns normal = inverse * n;
-  const LaneNumbers is_thin = square < all_lanes(1e-6) * dot(u, u) * dot(v, v);
+  const LaneNumbers is_thin = square < all_lanes(slender_square) * dot(u, u) * dot(v, v);
   if (largest(is_thin ? inverse : all_lanes(0)) > 0) [[unlikely]] {
     const Columns settled = settled_on_longest(normal, u, v);
     normal = {is_thin ? settled.x : normal.x, is_thin ? settled.y : normal.y, is_thin ? settled.z : normal.z};

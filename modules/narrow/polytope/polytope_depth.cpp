@@ -5,18 +5,9 @@ import abut.math;
 import abut.narrow.cores.core_separation;
 import abut.narrow.cores.difference;
 import abut.narrow.cores.simplex;
-import abut.narrow.polytope.capped_epa;
 import abut.narrow.polytope.epa;
 
 namespace abut {
-namespace {
-
-[[nodiscard]] EpaResult depth_by_polytope(const Difference& cores, Real error, const Simplex& start) {
-  return cores.is_curved ? capped_epa(cores, error, start) : epa(cores, error, start);
-}
-
-}  // namespace
-
 void set_depth(const EpaResult& found, Real size, CoreSeparation& core) {
   core.algorithm = Algorithm::gjk_epa;
   core.iterations += found.iterations;
@@ -30,7 +21,7 @@ void set_depth(const EpaResult& found, Real size, CoreSeparation& core) {
 }
 
 void separate_by_polytope(const Difference& cores, Real error, const Simplex& start, CoreSeparation& core) {
-  set_depth(depth_by_polytope(cores, error, start), cores.size, core);
+  set_depth(epa(cores, error, start), cores.size, core);
   // The polytope knows one triangle of a face, which need not hold the closest points of both faces. Curved
   // surfaces have no such faces.
   const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
@@ -38,7 +29,7 @@ void separate_by_polytope(const Difference& cores, Real error, const Simplex& st
 }
 
 bool separate_by_touch(const Difference& cores, Real error, const Simplex& start, CoreSeparation& core) {
-  const EpaResult found = capped_epa(cores, error, start);
+  const EpaResult found = epa(cores, error, start);
   core.iterations += found.iterations;
   const Real apart = norm(found.point_b - found.point_a);
   // Points of cores that are apart are as far apart as these.
