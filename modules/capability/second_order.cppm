@@ -46,16 +46,17 @@ struct SecondOrder {
   return near;
 }
 
-// Of |E v|, E being symmetric with values up to 1: sqrt(p^2 + ...) lies between |E n| + |w| and |v|. `share` is |E n|,
-// `slope` the part of E E n / |E n| across n.
+// The support function is |E v| times a length, where E is symmetric with eigenvalues up to 1. `share` is |E n|, and
+// `slope` the part of E E n / |E n| across n. The bound comes from two others:
+//   |E v| <= |E n| + |w|,  |E v| <= |v|
 [[nodiscard]] [[gnu::always_inline]] inline Real stiffness_at(const SecondOrder& near, Real reach) {
   const Real beyond = near.slope * reach - (1 - near.share);
   const Real wide = 1 + 0.5 * (beyond > 0 ? beyond : 0), narrow = near.share + reach;
   return near.share / (wide < narrow ? wide : narrow);
 }
 
-// Support along n of a disc of a radius around a point, across the axis (0, 0, 1): n has the part `side` across that
-// axis, in the direction (x, y).
+// How a direction n looks at a disc across Z: `side` is the length of its part across Z, and (x, y) the direction of
+// that part.
 struct DiscEdge {
   Real x, y, side;
 };

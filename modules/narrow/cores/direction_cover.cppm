@@ -1,7 +1,8 @@
 // Caps of directions in which the support function of a difference D is surely no less than a depth.
 //
 // There is one around each least depth that is known, and one for each ball inside D. A ball of radius r around m has
-// the support function dot(m, v) + r, which is at least d in a cap around m.
+// this support function, which is at least d in a cap around m:
+//   dot(m, v) + r
 export module abut.narrow.cores.direction_cover;
 import abut.capability.second_order;
 import abut.capability;
@@ -20,7 +21,7 @@ class DirectionCover {
       caps_[count_++] = {normal, cosine, 0};
     }
   }
-  // For a depth so far, and no more of it later on.
+  // Its cap depends on the depth, which set_depth() tells.
   inline void add_ball(const Vec3& middle, Real radius) {
     ball_radius_ = radius;
     const Real away = norm(middle);

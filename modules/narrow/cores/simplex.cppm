@@ -1,9 +1,9 @@
 // The point of a simplex that is closest to the origin, for GJK.
 //
-// Which face of a simplex is closest is decided by the signs of sub-determinants compared with the
-// sign of the whole (signed volumes: Montanari, Petrinic, Barbieri, "Improving the GJK algorithm for
-// faster and more reliable distance queries", ACM TOG 36(3), 2017), so that slivers and flat simplices
-// need no thresholds: where a determinant vanishes, all its faces are candidates and the closest wins.
+// Signs of sub-determinants, compared with the sign of the whole, decide which face is closest (signed volumes:
+// Montanari, Petrinic, Barbieri, "Improving the GJK algorithm for faster and more reliable distance queries", ACM TOG
+// 36(3), 2017). Slivers and flat simplices need no thresholds. Where a determinant vanishes, all its faces are
+// candidates and the closest wins.
 export module abut.narrow.cores.simplex;
 import abut.capability;
 import abut.core.standard;
@@ -112,8 +112,7 @@ template <class Vector>
   return best;
 }
 
-// With cofactors of mixed signs the origin is outside the faces opposite to the vertices whose sign
-// differs from that of the volume.
+// The sign of a cofactor differs from that of the volume where the origin is outside the face opposite to its vertex.
 template <class Vector>
 [[nodiscard]] [[gnu::always_inline]] inline ClosestPointOf<Vector> closest_on_tetrahedron(const Vector& p,
                                                                                           const Vector& q,

@@ -23,8 +23,8 @@ struct Body {
   Vec3 centre;
   Real size;
   mutable std::uint32_t supports_asked = 0;
-  mutable bool is_lost =
-      false;  // what is not a number came in or out: it would reach for vertices that it does not have
+  // What is not a number came in or out: libccd would reach for vertices that it does not have.
+  mutable bool is_lost = false;
 
   [[nodiscard]] bool is_over() const { return is_lost || supports_asked > support_limit; }
   [[nodiscard]] Vec3 support_toward(const Vec3& direction) const {

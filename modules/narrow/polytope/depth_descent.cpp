@@ -16,6 +16,10 @@ constexpr int descent_rounds = 40, corrections = 2;
 constexpr Real longest_move = 0.5, shortest_move = 1e-9, settled_move = 1e-14;
 constexpr Real stiff_share = 1e-3;  // of the depth: less bend than that makes no valley
 
+// From a direction n to n + (x, y).
+struct Move {
+  Real x, y;
+};
 [[nodiscard]] inline Real length_of(Real x, Real y) { return std::sqrt(x * x + y * y); }
 
 // To the bottom of a smooth valley, across which the second-order model bends most.
@@ -31,6 +35,30 @@ constexpr Real stiff_share = 1e-3;  // of the depth: less bend than that makes n
   }
   const Real stride = std::clamp(-(r.x * across.x + r.y * across.y) / most, -radius, radius);
   return {stride * across.x, stride * across.y};
+}
+
+// The move across the valley around a direction to its bottom; zero where the bottom is farther than a radius.
+[[nodiscard]] Move move_to_bottom(const PairSecondOrder& near, Real radius) {
+  const InFrame& r = near.point;
+  Move to_bottom{0, 0};
+  Real deepest = -1;
+  for (std::size_t i = 0; i < near.edge_count(); ++i) {
+    const InFrame& u = near.edge(i);
+    const Real length = length_of(u.x, u.y);
+    if (!(length > 0)) {
+      continue;
+    }
+    // The depth falls up to the crease and rises beyond it.
+    const Real away = -u.n / length, fall = -(r.x * u.x + r.y * u.y) / length, rise = length - fall;
+    if (!(std::fabs(away) < radius) || fall < 0 || rise < 0) {
+      continue;
+    }
+    if (const Real drop = away > 0 ? away * fall : -away * rise; drop > deepest) {
+      deepest = drop;
+      to_bottom = {away * u.x / length, away * u.y / length};
+    }
+  }
+  return deepest >= 0 ? to_bottom : move_across_bend(near, radius);
 }
 
 // Moves of one length that may lead down: against the slope, and along each crease from where it is nearest.
@@ -82,29 +110,6 @@ struct Lowest {
 };
 
 }  // namespace
-
-Move move_to_bottom(const PairSecondOrder& near, Real radius) {
-  const InFrame& r = near.point;
-  Move to_bottom{0, 0};
-  Real deepest = -1;
-  for (std::size_t i = 0; i < near.edge_count(); ++i) {
-    const InFrame& u = near.edge(i);
-    const Real length = length_of(u.x, u.y);
-    if (!(length > 0)) {
-      continue;
-    }
-    // The depth falls up to the crease and rises beyond it.
-    const Real away = -u.n / length, fall = -(r.x * u.x + r.y * u.y) / length, rise = length - fall;
-    if (!(std::fabs(away) < radius) || fall < 0 || rise < 0) {
-      continue;
-    }
-    if (const Real drop = away > 0 ? away * fall : -away * rise; drop > deepest) {
-      deepest = drop;
-      to_bottom = {away * u.x / length, away * u.y / length};
-    }
-  }
-  return deepest >= 0 ? to_bottom : move_across_bend(near, radius);
-}
 
 Descent descend(const Difference& cores, const Vec3& from, Real error, Real noise) {
   const Real least_gain = error / 64;

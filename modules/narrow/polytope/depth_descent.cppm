@@ -2,26 +2,17 @@
 // share an axis, a speck inside a round core.
 //
 // The support function of their difference D then has a long valley whose bottom hardly falls. A straight step along it
-// leaves the bottom by more than it gains. So each step is brought back to the bottom before the depth itself judges it
-// (second-order corrections against the Maratos effect: Nocedal and Wright, "Numerical optimization", 2006, chapters 15
-// and 18).
+// leaves the bottom by more than it gains. So each step is brought back to the bottom before the depth judges it. These
+// are second-order corrections against the Maratos effect (Nocedal and Wright, "Numerical optimization", 2006, chapters
+// 15 and 18).
 export module abut.narrow.polytope.depth_descent;
 import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.cores.difference;
-import abut.narrow.cores.second_order_of_pair;
 import abut.narrow.polytope.depth_minimum;
 
 export namespace abut {
-
-// From a direction n to n + (x, y).
-struct Move {
-  Real x, y;
-};
-
-// The move across the valley around a direction to its bottom; zero where the bottom is farther than a radius.
-[[nodiscard]] Move move_to_bottom(const PairSecondOrder& near, Real radius);
 
 // Where a descent ended: at a minimum whose points are known, or where no move that was tried leads further down.
 struct Descent {

@@ -7,7 +7,8 @@ import abut.narrow.polytope.epa;
 
 export namespace abut {
 
-// By what the cores are to second order; nothing where that tells no points of this depth.
+// By what the cores are to second order, under the normal or at a minimum beside it. Nothing where neither has this
+// depth.
 [[nodiscard]] std::optional<EpaResult> with_points(const Difference& cores, Real error, const EpaResult& found);
 
 // By GJK, from where the cores are apart along the normal.

@@ -26,8 +26,8 @@ class Polytope {
 
   inline void reset() { vertex_count_ = face_count_ = free_count_ = 0; }
 
-  // Builds a tetrahedron with volume, from the vertices of a simplex where they do, else from support
-  // points in the directions that are still missing.
+  // Builds a tetrahedron with volume: from the vertices of a simplex where they do, else from support points in the
+  // directions that are missing.
   [[nodiscard]] FlatDifference start(const Simplex& simplex, Real noise, const Difference& cores);
 
   // The first one among equals.

@@ -8,6 +8,7 @@ import abut.narrow.cores.simplex;
 import abut.narrow.polytope.epa;
 
 namespace abut {
+
 void set_depth(const EpaResult& found, Real size, CoreSeparation& core) {
   core.algorithm = Algorithm::gjk_epa;
   core.iterations += found.iterations;
@@ -30,22 +31,16 @@ void separate_by_polytope(const Difference& cores, Real error, const Simplex& st
 
 bool separate_by_touch(const Difference& cores, Real error, const Simplex& start, CoreSeparation& core) {
   const EpaResult found = epa(cores, error, start);
-  core.iterations += found.iterations;
   const Real apart = norm(found.point_b - found.point_a);
   // Points of cores that are apart are as far apart as these.
   const Real farthest = found.depth < 0 ? noise_of(cores.size) - found.depth : error;
   if (!(std::fabs(found.depth) <= error && found.upper - found.lower <= error && apart <= farthest)) {
+    core.iterations += found.iterations;
     return false;
   }
-  core.rounding = noise_of(cores.size);
-  core.algorithm = Algorithm::gjk_epa;
+  set_depth(found, cores.size, core);
   core.overlap = true;
-  core.normal = found.normal;
-  core.distance = -found.depth;
-  core.lower = -found.upper;
-  core.upper = apart > -found.lower ? apart : -found.lower;
-  core.point_a = found.point_a;
-  core.point_b = found.point_b;
+  core.upper = std::fmax(apart, core.upper);
   return true;
 }
 

@@ -30,8 +30,8 @@ template <class A, class B>
 abut::EpaResult depth_of(const A& a, const B& b, const Pose& ab) {
   const abut::GjkResult start = abut::gjk(a, b, ab, ab.position, 8, error, abut::infinity);
   EXPECT_TRUE(start.overlap);
-  return abut::with_difference(
-      a, b, ab, 8, [&](const abut::Difference& cores) { return abut::epa(cores, error, start.simplex); });
+  return abut::with_difference(a, b, ab, 8,
+                               [&](const abut::Difference& cores) { return abut::epa(cores, error, start.simplex); });
 }
 
 template <class A, class B>
