@@ -1,14 +1,13 @@
 // Closest points of two cores that are boxes, segments or points, without a simplex.
 //
-// Two boxes: each is projected on the other in turn (von Neumann's alternating projections). Between a
-// corner and a face the points stand still after one step; between two edges the steps shrink by a
-// constant factor, known from the one before, so that all steps to come are taken at once. A box and a
-// segment: Newton's method on the derivative of the distance along the segment, which is piecewise
+// - Two boxes: each is projected on the other in turn (von Neumann's alternating projections). Between a corner and a
+//   face the points stand still after one step. Between two edges the steps shrink by a constant factor, which the step
+//   before tells. All steps to come are taken at once.
+// - A box and a segment: Newton's method on the derivative of the distance along the segment, which is piecewise
 // linear.
 //
-// Both end as GJK does, by the duality gap between the distance of the points and the extent of the
-// cores along the line between them; where that does not close in a few rounds, the caller goes on
-// with GJK.
+// Both end as GJK does, by the duality gap: the distance of the points less the gap of the cores along the line between
+// them. Where that stays open after a few rounds, the caller goes on with GJK.
 export module abut.narrow.apart.box_cores;
 import abut.capability;
 import abut.core.standard;

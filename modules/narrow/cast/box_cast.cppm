@@ -15,12 +15,11 @@ export namespace abut {
 template <Convex A, Convex B>
 [[nodiscard]] std::optional<Distance> contact_of_boxes(const A& a, const B& b, const Pose& ab,
                                                        const QuerySettings& settings, Real touching) {
-  const Real size = core_size(a, b, ab), error = error_of(a, b, size, settings);
   CoreSeparation core{};
   Vec3 toward{0, 0, 0};
   // A limit makes it try the axes first.
-  if (!separate_box_cores(a, b, ab, size, error, touching, toward, core) || core.beyond ||
-      !(std::fabs(core.distance) <= touching)) {
+  const SearchBounds bounds = search_bounds(a, b, ab, settings, touching);
+  if (!separate_box_cores(a, b, ab, bounds, toward, core) || core.beyond || !(std::fabs(core.distance) <= touching)) {
     return std::nullopt;
   }
   find_points(a, b, ab, core);

@@ -127,7 +127,7 @@ template <Convex A, Convex B, class Append>
   return true;
 }
 
-// Of cores that overlap; those that are apart within the margin seldom face each other along one of the axes.
+// Boxes that overlap. Those that are apart within the margin seldom face each other along one of the axes.
 template <Convex A, Convex B, class Append>
   requires are_boxes<A, B>
 [[nodiscard]] [[gnu::always_inline]] inline bool contacts_in_closed_form(const A& a, const B& b, const Pose& ab,

@@ -47,7 +47,8 @@ struct Projection {
   }
   const Real along = dot(later, one.move), square_earlier = squared_norm(earlier), common = dot(later, earlier);
   const Real area = square * square_earlier - common * common;
-  if (count < 3 || !(area > 1e-10 * square * square_earlier)) {
+  constexpr Real parallel_moves = 1e-10;  // square of a sine: nearer to parallel, both moves tell one direction only
+  if (count < 3 || !(area > parallel_moves * square * square_earlier)) {
     return one.point - (along / square) * (one.point - two.point);
   }
   const Real along_earlier = dot(earlier, one.move);

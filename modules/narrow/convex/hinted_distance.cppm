@@ -33,34 +33,20 @@ template <Convex A, Convex B>
   return true;
 }
 
-// Whether the closest point of the simplex is that of the cores. Like GJK: with v that point and w the support point
-// against it, dot(v, w) / |v| <= distance <= |v|.
+// Whether the closest point v of the simplex is that of the cores. With n the unit direction of v, the distance lies
+// between the gap of the cores along n and |v|.
 template <Convex A, Convex B>
 [[nodiscard]] inline bool is_still_nearest(const A& a, const B& b, const Pose& ab, Real error, GjkResult& near) {
   const ClosestPoint closest = closest_to_origin(near.simplex);
   keep(near.simplex, closest.vertices);
-  const Vec3 v = near.closest = closest.point;
-  const Vec3 newest = a.support(-v).point - placed_support(b, place(b, ab), v).point;
-  near.upper = norm(v);
-  near.lower = dot(v, newest) / near.upper;
-  near.normal = normal_of(near.simplex, v, near.upper);
+  near.closest = closest.point;
+  near.upper = norm(near.closest);
+  near.normal = normal_of(near.simplex, near.closest, near.upper);
+  const Vec3 end_of_a = a.support(near.normal).point, end_of_b = placed_support(b, place(b, ab), -near.normal).point;
+  near.lower = dot(near.normal, end_of_b - end_of_a);
   near.overlap = near.beyond = false;
   near.iterations = 1;
   return near.lower > 0 && near.upper - near.lower <= error;
-}
-
-// The separation under a closest point. False where only the other searches can tell it: the cores overlap or nearly
-// touch, or rounding has spoilt the simplex.
-template <Convex A, Convex B>
-[[nodiscard]] inline bool separate_at(const A& a, const B& b, const Pose& ab, const GjkResult& near, Real size,
-                                      Real error, CoreSeparation& core) {
-  if (near.overlap || !(near.lower > 0) || near.upper - near.lower > error + noise_of(size) ||
-      is_turned(a, b, ab, near, size, error)) {
-    return false;
-  }
-  const WeightedPoint reached = point_with(near.simplex, weights_of(near.simplex, near.closest));
-  core = separation_of(near, reached.a, reached.a - near.closest, size, 0);
-  return largest_magnitude(reached.w - near.closest) <= error + noise_of(size);
 }
 
 inline void keep_vertices(const Simplex& simplex, PairHint& hint) {
@@ -90,18 +76,22 @@ template <Convex A, Convex B>
   if (hint.is_overlapping != 0) {
     return search_with_hint(a, b, ab, settings, hint, out);
   }
-  const Real size = core_size(a, b, ab), error = error_of(a, b, size, settings);
+  const SearchBounds bounds = search_bounds(a, b, ab, settings, infinity);
   [[clang::uninitialized]] GjkResult near;
   const bool is_known = rebuild(a, b, ab, hint, near.simplex);
-  if (!(is_known && is_still_nearest(a, b, ab, error, near))) {
+  bool is_found = is_known && is_still_nearest(a, b, ab, bounds.error, near);
+  if (!is_found) {
     const Vec3 toward = is_known && near.upper > 0 ? -near.closest : placed_centre(b, ab) - a.centre();
-    near = gjk(a, b, ab, toward, size, error, infinity, error_of(a, b, size, QuerySettings{}));
+    near = gjk(a, b, ab, toward, bounds.size, bounds.error, bounds.limit, bounds.unproven);
+    is_found = is_proven(a, b, ab, near, bounds);
   }
-  CoreSeparation core{};
-  if (!separate_at(a, b, ab, near, size, error, core)) {
+  const WeightedPoint reached =
+      is_found ? point_with(near.simplex, weights_of(near.simplex, near.closest)) : WeightedPoint{};
+  if (!is_found || is_missed(near, reached, bounds)) {
     return search_with_hint(a, b, ab, settings, hint, out);
   }
   keep_vertices(near.simplex, hint);
+  const CoreSeparation core = separation_of(near, reached.a, reached.a - near.closest, bounds.size, 0);
   out = rounded(core, a.radius(), b.radius());
   return Outcome::ok;
 }
