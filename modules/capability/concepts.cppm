@@ -73,6 +73,7 @@ concept Rimmed = Curved<S> && requires(const S& shape, const Vec3& direction) {
 template <class S>
 concept Faceted = Convex<S> && requires(const S& shape) {
   shape.facets().planes;  // x, y, z of unit normals, and reach
+  shape.facets().faces;   // the shape's own number of each
   shape.facets().arcs;    // left_x, ..., right_z: of the normals on either side of four edges; from_x, ...
   shape.facets().lines;   // from and along, of each edge
   shape.facets().sides;   // left and right: the faces on either side of it

@@ -1,6 +1,7 @@
 // Support points of a shape under a pose, by the shape's own way where it has one.
 export module abut.capability.placed_support;
 import abut.capability.concepts;
+import abut.capability.core_feature;
 import abut.capability.records;
 import abut.core.standard;
 import abut.math;
@@ -36,9 +37,20 @@ template <Convex S>
   }
 }
 
+// `feature`: of a core that knows its features, what lies furthest along the direction; else none.
 template <Convex S>
-[[nodiscard]] inline Face placed_face(const S& shape, const Pose& pose, const Vec3& direction) {
-  Face face = shape.supporting_face(pose.rotation.undo(direction));
+[[nodiscard]] inline Face supporting_face(const S& shape, const Vec3& direction, const CoreFeature& feature) {
+  if constexpr (Faceted<S>) {
+    if (feature.kind != CoreFeature::Kind::none && shape.facets().is_closed) {
+      return shape.supporting_face(direction, feature);
+    }
+  }
+  return shape.supporting_face(direction);
+}
+template <Convex S>
+[[nodiscard]] inline Face placed_face(const S& shape, const Pose& pose, const Vec3& direction,
+                                      const CoreFeature& feature = {}) {
+  Face face = supporting_face(shape, pose.rotation.undo(direction), feature);
   for (FaceVertex& vertex : face.vertices.span()) {
     vertex.point = pose * vertex.point;
   }

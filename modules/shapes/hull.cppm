@@ -1,5 +1,6 @@
 // Solid convex hull of points.
 export module abut.shapes.hull;
+import abut.capability.core_feature;
 import abut.capability;
 import abut.core.standard;
 import abut.core;
@@ -78,12 +79,20 @@ class Hull {
       }
       return face;
     }
-    face.index = hull.face_along(top.index, direction);
-    const HullFace& found = hull.faces[face.index];
-    face.normal = found.normal;
-    for (std::uint32_t i = found.first; i < found.first + found.count; ++i) {
-      const std::uint32_t vertex = hull.face_vertices[i];
-      face.vertices.push_back({hull.vertices[vertex], vertex, hull.face_edges[i]});
+    write_face(hull.face_along(top.index, direction), face);
+    return face;
+  }
+  // The same where the face or the edge that lies furthest along the direction is known.
+  [[nodiscard]] Face supporting_face(const Vec3& direction, const CoreFeature& feature) const {
+    const HullData& hull = *data_;
+    [[clang::uninitialized]] Face face;
+    if (feature.kind == CoreFeature::Kind::face) {
+      write_face(hull.facets.faces[feature.index], face);
+    } else {
+      const auto& sides = hull.facets.sides[feature.index];
+      const auto [first, second] = std::minmax(hull.facets.faces[sides.left], hull.facets.faces[sides.right]);
+      const Real lead = dot(hull.faces[second].normal - hull.faces[first].normal, direction);
+      write_face(lead > tie_share * largest_magnitude(direction) ? second : first, face);
     }
     return face;
   }
@@ -140,6 +149,17 @@ class Hull {
   }
 
  private:
+  void write_face(std::uint32_t index, Face& out) const {
+    const HullData& hull = *data_;
+    const HullFace& face = hull.faces[index];
+    out.index = index;
+    out.normal = face.normal;
+    for (std::uint32_t i = face.first; i < face.first + face.count; ++i) {
+      const std::uint32_t vertex = hull.face_vertices[i];
+      out.vertices.push_back({hull.vertices[vertex], vertex, hull.face_edges[i]});
+    }
+  }
+
   // Whether a point of the plane of a face lies within it.
   [[nodiscard]] bool covers(const HullFace& face, const Vec3& point) const {
     const HullData& hull = *data_;

@@ -37,14 +37,15 @@ struct HullFacets {
   };
   std::vector<Lanes> points;  // the vertices, the first ones far from each other
   std::vector<Planes> planes;
-  std::vector<Sides> sides;  // of each edge
-  std::vector<Arcs> arcs;    // filled up with copies of the left side, which are arcs without length
-  std::vector<Line> lines;   // of each edge
-  std::vector<Ends> ends;    // of each edge
-  Vec3 middle{};             // the centre of a ball inside
-  Real inner = 0;            // and its radius
-  Real flatness = 0;         // no vertex of a face is further than this behind its plane
-  bool is_closed = false;    // whether every edge has a face on either side
+  std::vector<std::uint32_t> faces;  // which face each plane is of
+  std::vector<Sides> sides;          // of each edge
+  std::vector<Arcs> arcs;            // filled up with copies of the left side, which are arcs without length
+  std::vector<Line> lines;           // of each edge
+  std::vector<Ends> ends;            // of each edge
+  Vec3 middle{};                     // the centre of a ball inside
+  Real inner = 0;                    // and its radius
+  Real flatness = 0;                 // no vertex of a face is further than this behind its plane
+  bool is_closed = false;            // whether every edge has a face on either side
 };
 
 // What building a hull left of the points.
@@ -88,28 +89,23 @@ struct HullData {
   // The face that looks along a direction, of those around a vertex that lies furthest that way. Where an edge or a
   // face lies as far, one that holds all of it: rounding picks the vertex, and must not pick the face.
   [[nodiscard]] inline std::uint32_t face_along(std::uint32_t vertex, const Vec3& direction) const {
-    const Real scale = largest_magnitude(direction),
-               lowest = dot(vertices[vertex], direction) - tie_share * extent * scale;
-    const std::uint32_t first = first_face[vertex], last = first_face[vertex + 1];
+    const Real tie = tie_share * largest_magnitude(direction), lowest = dot(vertices[vertex], direction) - tie * extent;
+    const auto is_as_high = [&](std::uint32_t other) { return dot(vertices[other], direction) >= lowest; };
+    const std::size_t first = first_face[vertex], count = first_face[vertex + 1] - first;
     // The vertices of a convex hull fall from its highest one on: where no neighbour is as high, no other vertex is.
-    bool is_alone = true;
-    for (std::uint32_t i = first; i < last; ++i) {
-      is_alone = is_alone && dot(vertices[next_at[i]], direction) < lowest;
-    }
-    std::uint32_t found = 0, most = 0;
+    const bool is_alone = std::ranges::none_of(std::span(next_at).subspan(first, count), is_as_high);
+    std::uint32_t found = 0;
+    std::ptrdiff_t most = 0;
     Real best = 0;
-    for (std::uint32_t i = first; i < last; ++i) {
-      const HullFace& face = faces[faces_at[i]];
-      std::uint32_t held = is_alone ? 1 : 0;
-      for (std::uint32_t j = face.first; !is_alone && j < face.first + face.count; ++j) {
-        held += dot(vertices[face_vertices[j]], direction) >= lowest ? 1 : 0;
-      }
+    for (const std::uint32_t place : std::span(faces_at).subspan(first, count)) {
+      const HullFace& face = faces[place];
+      const std::ptrdiff_t held =
+          is_alone ? 1 : std::ranges::count_if(std::span(face_vertices).subspan(face.first, face.count), is_as_high);
       const Real alignment = dot(face.normal, direction);
-      if (held > most || (held == most && alignment > best + tie_share * scale)) {
-        found = faces_at[i];
-        most = held;
-        best = alignment;
-      }
+      const bool is_better = held > most || (held == most && alignment > best + tie);
+      found = is_better ? place : found;
+      most = is_better ? held : most;
+      best = is_better ? alignment : best;
     }
     return found;
   }

@@ -183,6 +183,8 @@ void list_planes(HullData& hull, std::span<const std::uint32_t> order) {
   // No ball fits between the two sides of a polygon, whose planes may leave rounding between them.
   facets.inner = order.size() > 2 ? infinity : 0;
   facets.planes.resize((order.size() + 3) / 4);
+  facets.faces.assign(order.begin(), order.end());
+  facets.faces.resize(4 * facets.planes.size(), order.empty() ? 0 : order.back());
   for (std::size_t i = 0; i < 4 * facets.planes.size(); ++i) {
     const HullFace& face = hull.faces[order[std::min(i, order.size() - 1)]];
     HullFacets::Planes& planes = facets.planes[i / 4];

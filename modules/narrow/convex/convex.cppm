@@ -108,8 +108,8 @@ template <Convex S>
   return feature_of(face);
 }
 
-// Appends the corners of the region that two supporting faces share under a given separation, and the closest points
-// where the region misses them, unless those are known not to count.
+// Appends the corners of the region that two supporting faces share under a given separation. Where the region misses
+// the closest points, it appends these too, unless they are known not to count.
 template <Convex A, Convex B>
 [[gnu::always_inline]] inline void contacts_between(const A& a, const B& b, const Pose& ab, const Face& face_a,
                                                     const Face& face_b, const CoreSeparation& core, Real margin,
@@ -161,8 +161,8 @@ template <Convex A, Convex B>
 void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
                     Manifold& out) {
   if (!meet_in_a_point<A, B>(ab)) {
-    [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
-    [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
+    [[clang::uninitialized]] const Face face_a = supporting_face(a, core.normal, core.features.a);
+    [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal, core.features.b);
     contacts_between(a, b, ab, face_a, face_b, core, margin, closest_count, out);
   } else if (closest_count) {
     CoreSeparation closest = core;

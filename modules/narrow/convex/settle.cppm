@@ -34,6 +34,35 @@ template <Convex S>
   }
 }
 
+// Whether a core has a face or an edge of a number.
+template <Convex S>
+  requires is_numbered<S>
+[[nodiscard]] inline bool has_feature(const S& shape, const CoreFeature& feature) {
+  const bool is_face = feature.kind == CoreFeature::Kind::face;
+  if constexpr (Faceted<S>) {
+    return feature.index < (is_face ? shape.facets().faces.size() : shape.facets().lines.size());
+  } else if constexpr (BoxCored<S> && !SegmentCored<S>) {
+    return feature.index < (is_face ? 6 : 3);
+  } else {
+    return is_face ? Rimmed<S> && (feature.index == 4 || feature.index == 5) : feature.index == 2;
+  }
+}
+// Whether features of two cores give a normal, which features that come from a caller need not.
+template <Convex A, Convex B>
+  requires are_featured<A, B>
+[[nodiscard]] inline bool have_features(const A& a, const B& b, const CoreFeatures& features, Real noise) {
+  using Kind = CoreFeature::Kind;
+  if (!has_features(a, noise) || !has_features(b, noise)) {
+    return false;
+  }
+  if (features.are_edges()) {
+    return has_feature(a, features.a) && has_feature(b, features.b) && has_straight_edges(a) && has_straight_edges(b);
+  }
+  return features.a.kind == Kind::face
+             ? features.b.kind == Kind::none && has_feature(a, features.a)
+             : features.a.kind == Kind::none && features.b.kind == Kind::face && has_feature(b, features.b);
+}
+
 // The place of a hull's face that looks along a direction best.
 template <Faceted S>
 [[nodiscard]] inline std::size_t facet_along(const S& hull, const Vec3& direction) {
@@ -129,45 +158,46 @@ template <Convex A, Convex B>
     return;
   }
   const CoreSeparation found = core;
-  const auto take = [&](const CoreFeatures& features) {
-    const CoreSeparation along = separation_along(a, b, ab, normal_of(a, b, ab, features), features, size);
-    core = along;
+  const auto along = [&](const CoreFeatures& features) {
+    return separation_along(a, b, ab, normal_of(a, b, ab, features), features, size);
+  };
+  const auto take = [&](const CoreSeparation& taken) {
+    core = taken;
     core.algorithm = found.algorithm;
     core.iterations = found.iterations;
-    core.lower = std::min(found.lower, along.distance);
-    core.upper = std::max(found.upper, along.distance);
+    core.lower = std::min(found.lower, taken.distance);
+    core.upper = std::max(found.upper, taken.distance);
   };
   if (found.features.are_known()) {
     if (!found.features.are_edges() || (has_straight_edges(a) && has_straight_edges(b))) {
-      take(found.features);
+      take(along(found.features));
     }
     return;
   }
   Real needed = found.distance - error - noise;
-  const auto offer = [&](const CoreFeatures& features) {
-    const CoreSeparation along = separation_along(a, b, ab, normal_of(a, b, ab, features), features, size);
-    bool is_taken = along.distance >= needed;
-    if (features.are_edges()) {
-      is_taken = is_taken && !along.points_open;  // edges that do not meet are not what is furthest out
+  const auto offer = [&](const CoreSeparation& offered) {
+    bool is_taken = offered.distance >= needed;
+    if (offered.features.are_edges()) {
+      is_taken = is_taken && !offered.points_open;  // edges that do not meet are not what is furthest out
     } else if constexpr (Curved<A> || Curved<B>) {
-      is_taken = is_taken && meets_on_face(a, b, ab, along);
+      is_taken = is_taken && meets_on_face(a, b, ab, offered);
     }
     if (is_taken) {
-      needed = along.distance + noise;
-      take(features);
+      needed = offered.distance + noise;
+      take(offered);
     }
   };
   const Vec3 local = ab.rotation.undo(-found.normal);
   const CoreFeatures face_of_a{face_along(a, found.normal), {}}, face_of_b{{}, face_along(b, local)};
   for (const CoreFeatures& face : {face_of_a, face_of_b}) {
     if (face.are_known()) {
-      offer(face);
+      offer(along(face));
     }
   }
   if (!core.features.are_known()) {
     CoreFeatures edges{edge_along(a, found.normal), edge_along(b, local)};
     direct_edges(a, b, ab, found.normal, edges);
-    offer(edges);
+    offer(along(edges));
   }
 }
 

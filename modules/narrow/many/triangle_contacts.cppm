@@ -144,6 +144,7 @@ template <Convex B>
   CoreSeparation turned = core;
   turned.normal = normal;
   turned.points_open = false;
+  turned.features = {};  // those of the search belong to its own normal
   turned.point_b = placed_support(b, place(b, ab), -normal).point;
   turned.distance = turned.lower = turned.upper = dot(normal, turned.point_b - triangle.corners()[0]);
   turned.point_a = turned.point_b - turned.distance * normal;
@@ -156,6 +157,7 @@ template <Convex B>
   CoreSeparation turned = core;
   turned.normal = normal;
   turned.points_open = false;
+  turned.features = {};
   turned.point_a = triangle.support(normal).point;
   turned.distance = turned.lower = turned.upper = dot(normal, ab * b.corners()[0] - turned.point_a);
   turned.point_b = turned.point_a + turned.distance * normal;

@@ -6,6 +6,7 @@ import abut.math;
 import abut.math.tolerance;
 import abut.narrow.points.closest_of_faces;
 import abut.narrow.points.lift;
+import abut.narrow.points.small_polygons;
 
 namespace abut {
 namespace {
@@ -328,7 +329,7 @@ void clip_facing(const Face& a, const Face& b, const Vec3& normal, Real tie, Cli
     clip_segment(a, b, projection, false, out);
   } else if (edge_b) {
     clip_segment(b, a, projection, true, out);
-  } else {
+  } else if (!(are_small(a, b) && clip_small_polygons(a, b, projection, out))) {
     clip_polygons(a, b, projection, out);
   }
 }

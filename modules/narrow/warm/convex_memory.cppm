@@ -60,9 +60,10 @@ template <Convex A, Convex B>
     } else if (memory.state >= PairMemory::State::touching) {
       if constexpr (are_featured<A, B>) {
         CoreSeparation core{};
-        if (overlap_along(a, b, ab, size, error, memory.features, core)) {
-          [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
-          [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
+        if (have_features(a, b, memory.features, noise_of(size)) &&
+            overlap_along(a, b, ab, size, error, memory.features, core)) {
+          [[clang::uninitialized]] const Face face_a = supporting_face(a, core.normal, core.features.a);
+          [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal, core.features.b);
           if (is_still_least(a, b, ab, size, error, core, face_a, face_b, memory)) {
             if (core.distance - (a.radius() + b.radius()) <= settings.margin) {
               contacts_between(a, b, ab, face_a, face_b, core, settings.margin, true, out);

@@ -1,9 +1,11 @@
 // What is kept of a pair from one query to the next, and what it still proves after both bodies have moved.
 //
-// A pair that was apart keeps a direction and the gap along it, which shrinks by no more than b has turned and moved
-// toward a. A pair that overlaps keeps the features whose normal has the least overlap, and a ball inside the Minkowski
-// difference: it moves along with b and shrinks by what b has turned. Nothing kept changes an answer: it only spares a
-// search whose end it proves.
+// - A pair that was apart keeps a direction and the gap along it. The gap shrinks by no more than b has turned and
+// moved
+//   toward a.
+// - A pair that overlaps keeps the features whose normal has the least depth, and a ball inside the Minkowski
+//   difference. The ball moves along with b and shrinks by what b has turned.
+// Nothing kept changes an answer. It spares a search whose end it proves.
 export module abut.narrow.warm.pair_memory;
 import abut.capability.core_feature;
 import abut.core.standard;
@@ -39,8 +41,8 @@ inline constexpr Real single_rounding = 1.5e-7;
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// How far no point of b has been moved at most by turning about its pivot: the largest stretch of a difference of two
-// rotations is that of its columns' lengths over the root of two. What is kept of the first one is rounded.
+// No point of b has moved further by turning about its pivot. A difference of two rotations stretches a vector by at
+// most the norm of its three columns over the root of two. The first rotation is kept rounded.
 [[nodiscard]] inline Real turned_by(const PairMemory& memory, const Rotation& now) {
   const Vec3 x = vec3_of(memory.turn_x), y = vec3_of(memory.turn_y);
   const Real square = squared_norm(now.x - x) + squared_norm(now.y - y) + squared_norm(now.z - cross(x, y));
@@ -85,14 +87,14 @@ inline void keep_ball(const InnerBall& ball, const Rotation& now, const Vec3& pi
   memory.state = PairMemory::State::touching_with_ball;
 }
 
-// Part of the disc that the proof below goes without, so that what it passes over is deeper by more than rounding.
+// The proof below uses this part of the disc. What it passes over is then deeper by more than rounding.
 inline constexpr Real disc_share = 0.9;
 
-// The Minkowski difference has the origin inside, a facet at `depth` along the unit `normal`, in the facet a disc of
-// radius `clearance` around the point nearest to the origin, and a ball. True where the hull of the disc and the ball
-// holds all directions away from that of the facet at `depth` at least, away from it by more than `margin`: then no
-// other facet is nearer. In the plane of the normal and any other direction the disc reaches `depth` up to the angle
-// with the tangent of half of it clearance / depth; from there on the ball has to.
+// The Minkowski difference contains the origin, a ball, and a facet at `depth` along the unit `normal`. The facet
+// contains a disc of radius `clearance` around its point nearest to the origin. True where no other facet is as near:
+// - t is the angle between the normal and another direction. The disc reaches depth cos(t) + clearance sin(t) there.
+// - That is at least `depth` while tan(t / 2) <= clearance / depth.
+// - Beyond that angle the ball has to reach `depth` and `margin`.
 [[nodiscard]] inline bool is_least_depth(Real depth, const Vec3& normal, Real clearance, const InnerBall& ball,
                                          Real margin) {
   if (!(clearance > 0 && ball.radius > 0)) {
@@ -103,8 +105,8 @@ inline constexpr Real disc_share = 0.9;
   const Real aside = std::sqrt(std::max(squared_norm(ball.centre) - along * along, Real{0}));
   const Real squares = 1 / (depth * depth + disc * disc);
   const Real cosine = (depth * depth - disc * disc) * squares, sine = 2 * depth * disc * squares;
-  // Of the directions with this angle the worst one leads away from the ball, and those beyond it are better, unless
-  // the direction straight away from the ball is one of them.
+  // The worst direction at this angle leads away from the ball. Those beyond it are better, unless one of them leads
+  // straight away from the ball.
   const bool is_growing = -along * sine - aside * cosine >= 0;
   const Real least = is_growing ? along * cosine - aside * sine : -norm(ball.centre);
   return least + ball.radius >= depth + margin;

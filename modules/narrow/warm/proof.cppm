@@ -144,7 +144,6 @@ template <Convex A, Convex B>
   requires are_featured<A, B>
 [[nodiscard]] inline Real clearance_of(const A& a, const B& b, const Pose& ab, Real size, Real error,
                                        const CoreSeparation& core, const Face& face_a, const Face& face_b) {
-  constexpr Real same_normal = 1e-12;
   const CoreFeatures& features = core.features;
   const Real off_a = largest_magnitude(face_a.normal - core.normal);
   const Real off_b = largest_magnitude(face_b.normal + core.normal);
@@ -153,7 +152,7 @@ template <Convex A, Convex B>
     const bool is_of_a = features.a.kind == CoreFeature::Kind::face;
     const Real off = is_of_a ? off_a : off_b;
     const Real room = is_of_a ? room_in_face(face_a, core.point_b) : room_in_face(face_b, core.point_a);
-    clearance = off < same_normal ? room : 0;
+    clearance = off <= noise_of(1) ? room : 0;
     least_angle = is_of_a ? off_b : off_a;
   } else if (!core.points_open) {
     const Vec3 local = ab.rotation.undo(-core.normal);
@@ -201,8 +200,7 @@ template <Convex A, Convex B>
 [[gnu::noinline]] void keep_overlap(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Real size,
                                     Real error, const CoreSeparation& core, PairMemory& memory) {
   const CoreFeatures& features = core.features;
-  const bool are_straight = !features.are_edges() || (has_straight_edges(a) && has_straight_edges(b));
-  if (!features.are_known() || !are_straight || !has_features(a, noise_of(size)) || !has_features(b, noise_of(size))) {
+  if (!have_features(a, b, features, noise_of(size))) {
     memory = {};
     return;
   }
@@ -218,8 +216,8 @@ template <Convex A, Convex B>
   }
   memory.waits = static_cast<std::uint8_t>((1u << memory.debts) - 1);
   memory.debts = std::min(static_cast<std::uint8_t>(memory.debts + debts_of_a_ball), most_debts);
-  [[clang::uninitialized]] const Face face_a = a.supporting_face(core.normal);
-  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal);
+  [[clang::uninitialized]] const Face face_a = supporting_face(a, core.normal, core.features.a);
+  [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal, core.features.b);
   const Real depth = -core.distance;
   const Real clearance = clearance_of(a, b, ab, size, error, core, face_a, face_b);
   const Real beyond = ball_share_of_cores * (inner_ball(a).radius + inner_ball(b).radius) + ball_share_of_depth * depth;

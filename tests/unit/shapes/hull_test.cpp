@@ -9,6 +9,7 @@
 #include "../hull_of.hpp"
 #include "surface_checks.hpp"
 
+import abut.capability.core_feature;
 import abut.capability;
 import abut.core;
 import abut.math;
@@ -203,6 +204,33 @@ TEST(Hull, RaysMeetFlatHullsInTheirPolygonOnly) {
   EXPECT_EQ(hit->distance, 3);
   EXPECT_EQ(hit->normal, (Vec3{0, 0, 1}));
   EXPECT_FALSE(square.cast_ray({1.5, 0.5, 3}, down, 10).has_value());
+}
+
+TEST(Hull, SupportingFaceOfAFeatureIsTheOneAlongItsNormal) {
+  test::Random random(149);
+  for (const std::size_t count : {4u, 8u, 32u, 100u}) {
+    for (const auto& points : {points_on_ball(count, random), points_in_cube(count, random)}) {
+      const Hull hull = hull_of(points);
+      const auto& facets = hull.facets();
+      const auto normal_of_plane = [&](std::size_t i) {
+        const auto& planes = facets.planes[i / 4];
+        return Vec3{planes.x[i % 4], planes.y[i % 4], planes.z[i % 4]};
+      };
+      for (std::size_t i = 0; i < 4 * facets.planes.size(); ++i) {
+        const Vec3 normal = normal_of_plane(i);
+        const abut::Face face = hull.supporting_face(normal, abut::core_face(i));
+        EXPECT_EQ(face.index, hull.supporting_face(normal).index);
+        EXPECT_EQ(face.normal, normal);
+      }
+      for (std::size_t i = 0; i < facets.lines.size(); ++i) {
+        const Vec3 left = normal_of_plane(facets.sides[i].left), right = normal_of_plane(facets.sides[i].right);
+        for (const double share : {0.01, 0.3, 0.45, 0.55, 0.9}) {
+          const Vec3 between = left + share * (right - left);
+          EXPECT_EQ(hull.supporting_face(between, abut::core_edge(i)).index, hull.supporting_face(between).index);
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -47,10 +48,18 @@ Face bottom_square(double half, const Vec3& centre, double turn) {
                  -up);
 }
 
+// Of a convex region; its corners come in any order.
 double area_of(std::span<const abut::ClipPoint> points) {
+  std::vector<Vec3> corners;
+  Vec3 middle{0, 0, 0};
+  for (const abut::ClipPoint& point : points) {
+    corners.push_back(point.point_a);
+    middle += (1.0 / static_cast<double>(points.size())) * point.point_a;
+  }
+  std::ranges::sort(corners, {}, [&](const Vec3& p) { return std::atan2(p.y - middle.y, p.x - middle.x); });
   double twice = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 &p = points[i].point_a, &q = points[(i + 1) % points.size()].point_a;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3 &p = corners[i], &q = corners[(i + 1) % corners.size()];
     twice += p.x * q.y - p.y * q.x;
   }
   return std::fabs(twice) / 2;

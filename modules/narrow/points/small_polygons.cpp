@@ -1,0 +1,112 @@
+module abut.narrow.points.small_polygons;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.math.four_vec3;
+import abut.narrow.points.clip;
+import abut.narrow.points.lift;
+
+namespace abut {
+namespace {
+
+[[nodiscard]] inline Lanes next(Lanes corners) { return __builtin_shufflevector(corners, corners, 1, 2, 3, 0); }
+[[nodiscard]] inline std::uint64_t next(std::uint64_t bits) { return (bits >> 1 | bits << 3) & 15u; }
+
+// A polygon in the plane across the normal, a corner a lane. The last corner of a triangle stands twice, with an edge
+// without length between, which every point is to the left of.
+struct Polygon {
+  Lanes u, v, height;
+  Lanes along_u, along_v;  // from each corner to the next one, with the polygon to the left
+  Real slope_u, slope_v;   // of its plane
+  bool is_plane;           // whether all corners are in that plane
+
+  Polygon(const Face& face, const Projection& projection) {
+    const auto& [base, tangents, normal, tie] = projection;
+    const std::span<const FaceVertex> vertices = face.vertices.span();
+    const auto corner = [&](std::size_t i) { return lanes_of(vertices[i].point); };
+    const Columns from_base =
+        Columns::of(corner(0), corner(1), corner(2), corner(vertices.size() - 1)) - Columns::all(base);
+    u = dot(from_base, Columns::all(tangents.first));
+    v = dot(from_base, Columns::all(tangents.second));
+    height = dot(from_base, Columns::all(normal));
+    const Real facing = dot(face.normal, normal), turn = std::copysign(1.0, facing);
+    along_u = turn * (next(u) - u);
+    along_v = turn * (next(v) - v);
+    slope_u = -dot(face.normal, tangents.first) / facing;
+    slope_v = -dot(face.normal, tangents.second) / facing;
+    const Lanes off = height - height[0] - slope_u * (u - u[0]) - slope_v * (v - v[0]);
+    is_plane = largest(absolute(off)) <= tie;
+  }
+  [[nodiscard]] Real height_at(Real at_u, Real at_v) const {
+    return height[0] + slope_u * (at_u - u[0]) + slope_v * (at_v - v[0]);
+  }
+};
+
+// On which sides of the lines of one polygon's edges the corners of another one are.
+struct Sides {
+  std::array<Lanes, 4> left;  // of each line: how far to the left each corner is, times the length of the edge
+  std::uint64_t inside = 15;  // the corners that are to the left of all lines
+  std::uint64_t crossed = 0;  // four bits for each line: the edges that it crosses, each named by its first corner
+  bool are_clear = true;
+
+  Sides(const Polygon& lines, const Polygon& corners, Real doubt) {
+    const Lanes least = doubt * (absolute(lines.along_u) + absolute(lines.along_v));
+    for (std::size_t i = 0; i < 4; ++i) {
+      left[i] = lines.along_u[i] * (corners.v - lines.v[i]) - lines.along_v[i] * (corners.u - lines.u[i]);
+      const std::uint64_t right = signs_of(left[i]);
+      inside &= ~right;
+      crossed |= (right ^ next(right)) << (4 * i);
+      are_clear = are_clear && bits_of(absolute(left[i]) >= all_lanes(least[i])) == 15;
+    }
+  }
+};
+
+// Rows and columns of four by four bits exchanged, two by two and then in blocks of that.
+[[nodiscard]] inline std::uint64_t transposed(std::uint64_t bits) {
+  const std::uint64_t single = (bits ^ bits >> 3) & 0x0a0a;
+  bits ^= single ^ single << 3;
+  const std::uint64_t block = (bits ^ bits >> 6) & 0x00cc;
+  return bits ^ block ^ block << 6;
+}
+
+template <class Visit>
+inline void for_each_bit(std::uint64_t bits, Visit&& visit) {
+  for (; bits != 0; bits &= bits - 1) {
+    visit(static_cast<std::size_t>(std::countr_zero(bits)));
+  }
+}
+
+}  // namespace
+
+bool clip_small_polygons(const Face& a, const Face& b, const Projection& projection, ClipPoints& out) {
+  const Polygon of_a(a, projection), of_b(b, projection);
+  const Real doubt = 4 * projection.tie;
+  const Sides beside_a(of_a, of_b, doubt), beside_b(of_b, of_a, doubt);
+  if (!(of_a.is_plane && of_b.is_plane && beside_a.are_clear && beside_b.are_clear)) {
+    return false;
+  }
+  const auto append = [&](Real u, Real v, const Feature& feature_a, const Feature& feature_b) {
+    const Vec3 foot = projection.base + u * projection.tangents.first + v * projection.tangents.second;
+    out.push_back({foot + of_a.height_at(u, v) * projection.normal, foot + of_b.height_at(u, v) * projection.normal,
+                   feature_a, feature_b});
+  };
+  const std::span<const FaceVertex> vertices_a = a.vertices.span(), vertices_b = b.vertices.span();
+  const std::uint64_t corners_a = (1u << vertices_a.size()) - 1, corners_b = (1u << vertices_b.size()) - 1;
+  for_each_bit(beside_a.inside & corners_b, [&](std::size_t i) {
+    append(of_b.u[i], of_b.v[i], {FeatureKind::face, a.index}, {FeatureKind::vertex, vertices_b[i].vertex});
+  });
+  for_each_bit(beside_b.inside & corners_a, [&](std::size_t i) {
+    append(of_a.u[i], of_a.v[i], {FeatureKind::vertex, vertices_a[i].vertex}, {FeatureKind::face, b.index});
+  });
+  for_each_bit(beside_a.crossed & transposed(beside_b.crossed), [&](std::size_t bit) {
+    const std::size_t i = bit / 4, j = bit % 4, end = (j + 1) % 4;
+    const Real t = beside_a.left[i][j] / (beside_a.left[i][j] - beside_a.left[i][end]);
+    // The edge that closes a triangle is the last one of four here.
+    const std::size_t edge_a = std::min(i, vertices_a.size() - 1), edge_b = std::min(j, vertices_b.size() - 1);
+    append(of_b.u[j] + t * (of_b.u[end] - of_b.u[j]), of_b.v[j] + t * (of_b.v[end] - of_b.v[j]),
+           {FeatureKind::edge, vertices_a[edge_a].edge}, {FeatureKind::edge, vertices_b[edge_b].edge});
+  });
+  return true;
+}
+
+}  // namespace abut
