@@ -546,11 +546,12 @@ ABUT_API abut_status abut_pair_contacts(const abut_shape *a, const abut_pose *po
 
 /**
  * What queries remember of a pair of shapes, 64 bytes of the caller: zero it before the first query, then hand it in
- * with every query of the same two shapes in the same order. It makes queries faster where the two are apart and move
- * little: of hulls and triangles, with each other and with boxes, capsules, segments and balls. Others leave it as it
- * is. It says where a search begins and proves nothing: with a memory of other shapes, of poses far away, or with any
- * other bytes, answers are as good as without. Their last digits depend on it, within the error bound. Only one thread
- * at a time may use it.
+ * with every query of the same two shapes in the same order. It makes queries faster where the two move little:
+ * - distances of hulls and triangles that are apart, from each other and from boxes, capsules, segments and balls;
+ * - contacts of hulls, cylinders and cones that overlap, with each other and with boxes, capsules and segments.
+ * Others gain nothing. It says where a search begins and proves nothing: with a memory of other shapes, of poses far
+ * away, or with any other bytes, answers are as good as without. The last digits of distances depend on it, within the
+ * error bound. Only one thread at a time may use it.
  */
 typedef struct abut_pair_memory {
   uint64_t opaque[8];
@@ -567,7 +568,7 @@ ABUT_API abut_status abut_pairs_distance_with_memories(const abut_shape *a, cons
                                                        const abut_query_options *options, abut_pair_memory *memories,
                                                        abut_distance *out);
 
-/** abut_pair_contacts with a memory of the pair, which tells sooner that the two are apart. [any] */
+/** abut_pair_contacts with a memory of the pair. Contacts are the same bit by bit. [any] */
 ABUT_API abut_status abut_pair_contacts_with_memory(const abut_shape *a, const abut_pose *pose_a, const abut_shape *b,
                                                     const abut_pose *pose_b, const abut_query_options *options,
                                                     abut_pair_memory *memory, abut_contact *contacts, size_t capacity,

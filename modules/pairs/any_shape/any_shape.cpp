@@ -230,6 +230,20 @@ Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
   return kernels.distance_from_hint(first, second, first_pose, second_pose, from_b, settings, hint, out);
 }
 
+namespace {
+
+// The features of a hint, as a memory that proves nothing and gets no ball: a ball of this call would be lost.
+PairMemory memory_of(const PairHint& hint) {
+  PairMemory memory{};
+  memory.is_from_b = hint.is_from_b != 0;
+  memory.features = {unpacked(hint.features[0]), unpacked(hint.features[1])};
+  memory.state = PairMemory::State::touching;
+  memory.waits = 1;
+  return memory;
+}
+
+}  // namespace
+
 // The distance tells shapes that are apart sooner than contacts do, but only with a hint.
 Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
                       const QuerySettings& settings, PairHint& hint, Manifold& out) {
@@ -243,7 +257,17 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
     }
   }
   const std::size_t first = out.size();
-  const Outcome outcome = pair_contacts(a, b, pose_a, pose_b, settings, out);
+  Outcome outcome = Outcome::ok;
+  if (hint.has_contacts == 0) {
+    outcome = pair_contacts(a, b, pose_a, pose_b, settings, out);
+  } else {
+    PairMemory memory = memory_of(hint);
+    outcome = pair_contacts(a, b, pose_a, pose_b, settings, memory, out);
+    if (memory.is_from_b != (hint.is_from_b != 0)) {
+      swap_sides(hint);
+    }
+    hint.features = {packed(memory.features.a), packed(memory.features.b)};
+  }
   hint.has_contacts = outcome == Outcome::ok && out.size() == first ? 0 : 1;
   return outcome;
 }

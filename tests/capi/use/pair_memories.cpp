@@ -1,8 +1,10 @@
 // Memories of pairs: no bytes of one change what is true, and the right ones spare the search.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "support.hpp"
 
@@ -27,17 +29,20 @@ class Random {
   abut_pose pose(double reach) {
     return {{uniform(-reach, reach), uniform(-reach, reach), uniform(-reach, reach)}, orientation()};
   }
-  // Either anything, or numbers as small as those of vertices are.
+  // Either anything, or numbers as small as those of vertices and features are.
   abut_pair_memory memory() {
     abut_pair_memory made{};
-    const bool is_small = (bits() & 1) != 0;
+    const std::uint64_t style = bits() % 3;
     for (std::uint64_t& part : made.opaque) {
-      part = is_small ? (bits() % 9) | (bits() % 9) << 32 : bits();
+      part = style == 0 ? bits() : style == 1 ? (bits() % 9) | (bits() % 9) << 32 : feature() | feature() << 32;
     }
     return made;
   }
 
  private:
+  // As a memory keeps features of cores: a kind, a direction and a number.
+  std::uint64_t feature() { return (bits() % 4) << 24 | (bits() & 1) << 16 | bits() % 12; }
+
   std::mt19937_64 engine_{20261123};
 };
 
@@ -72,14 +77,25 @@ abut_distance distance(const Shape& a, const abut_pose& pose_a, const Shape& b, 
   return out.value();
 }
 
-std::size_t count_contacts(const Shape& a, const abut_pose& pose_a, const Shape& b, const abut_pose& pose_b,
-                           abut_pair_memory* memory) {
+// The bits of all numbers of the contacts.
+std::vector<std::uint64_t> contacts(const Shape& a, const abut_pose& pose_a, const Shape& b, const abut_pose& pose_b,
+                                    abut_pair_memory* memory) {
+  std::array<abut_contact, 16> found{};
   std::size_t count = 0;
   const abut_status status =
-      memory == nullptr ? abut_pair_contacts(a, &pose_a, b, &pose_b, nullptr, nullptr, 0, &count)
-                        : abut_pair_contacts_with_memory(a, &pose_a, b, &pose_b, nullptr, memory, nullptr, 0, &count);
+      memory == nullptr
+          ? abut_pair_contacts(a, &pose_a, b, &pose_b, nullptr, found.data(), found.size(), &count)
+          : abut_pair_contacts_with_memory(a, &pose_a, b, &pose_b, nullptr, memory, found.data(), found.size(), &count);
   EXPECT_TRUE(succeeded(status));
-  return count;
+  std::vector<std::uint64_t> bits;
+  for (const abut_contact& contact : std::span(found).first(std::min(count, found.size()))) {
+    for (const abut_vec3& v : {contact.point_a, contact.point_b, contact.normal}) {
+      bits.insert(bits.end(), {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y),
+                               std::bit_cast<std::uint64_t>(v.z)});
+    }
+    bits.insert(bits.end(), {std::bit_cast<std::uint64_t>(contact.distance), contact.id});
+  }
+  return bits;
 }
 
 // Both are proven within the bound of polytopes, and the witnesses are what the distance says.
@@ -106,7 +122,7 @@ TEST(PairMemory, OfAnyBytesChangesNoAnswer) {
     abut_pair_memory memory = random.memory();
     expect_same(distance(a, pose_a, b, pose_b, memory), distance(a, pose_a, b, pose_b));
     memory = random.memory();
-    EXPECT_EQ(count_contacts(a, pose_a, b, pose_b, &memory), count_contacts(a, pose_a, b, pose_b, nullptr));
+    EXPECT_EQ(contacts(a, pose_a, b, pose_b, &memory), contacts(a, pose_a, b, pose_b, nullptr));
   }
 }
 
@@ -119,7 +135,7 @@ TEST(PairMemory, OfOtherShapesAndPosesChangesNoAnswer) {
     const Shape& b = shapes.at(random.bits() % shapes.size());
     const abut_pose pose_a = random.pose(1.5), pose_b = random.pose(1.5);
     expect_same(distance(a, pose_a, b, pose_b, memory), distance(a, pose_a, b, pose_b));
-    EXPECT_EQ(count_contacts(a, pose_a, b, pose_b, &memory), count_contacts(a, pose_a, b, pose_b, nullptr));
+    EXPECT_EQ(contacts(a, pose_a, b, pose_b, &memory), contacts(a, pose_a, b, pose_b, nullptr));
   }
 }
 
@@ -133,8 +149,7 @@ TEST(PairMemory, FollowsAPairThatMoves) {
     for (int step = 0; step < 200; ++step) {
       pose.position = {4 - 0.03 * step, 0.1 * std::sin(0.3 * step), 0.2};
       expect_same(distance(shapes.at(1), identity, b, pose, memory), distance(shapes.at(1), identity, b, pose));
-      EXPECT_EQ(count_contacts(shapes.at(1), identity, b, pose, &memory),
-                count_contacts(shapes.at(1), identity, b, pose, nullptr));
+      EXPECT_EQ(contacts(shapes.at(1), identity, b, pose, &memory), contacts(shapes.at(1), identity, b, pose, nullptr));
     }
   }
 }
@@ -153,6 +168,23 @@ TEST(PairMemory, SparesTheSearchWhereNothingMoved) {
   const abut_pose beside{{-3, -0.5, -0.25}, there.orientation};
   (void)distance(hull, identity, hull, beside, memory);
   EXPECT_EQ(distance(hull, identity, hull, beside, memory).iterations, 1U);
+}
+
+TEST(PairMemory, KeepsWhatContactsFollowFrom) {
+  Random random;
+  const std::vector<Shape> shapes = shapes_with_corners(random);
+  const Shape &hull = shapes.at(1), &cylinder = shapes.at(8);
+  for (const Shape* other : {&hull, &shapes.at(4), &shapes.at(5), &cylinder}) {
+    const abut_pose there{{0.8, 0.1, 0.2}, random.orientation()};
+    abut_pair_memory memory{};
+    for (int query = 0; query < 2; ++query) {
+      EXPECT_FALSE(contacts(hull, identity, *other, there, &memory).empty());
+    }
+    const abut_pair_memory second = memory;
+    EXPECT_NE(std::span(second.opaque)[5], 0U);
+    EXPECT_FALSE(contacts(hull, identity, *other, there, &memory).empty());
+    EXPECT_TRUE(std::ranges::equal(memory.opaque, second.opaque));
+  }
 }
 
 TEST(PairMemory, StaysAsItIsWhereItGainsNothing) {
