@@ -35,16 +35,11 @@ Vec3 normal_of_side(const PlacedDiscs& discs, const Vec3& point) {
 
 namespace {
 
-// A direction across an edge.
-struct Across {
-  Real x, y;
-};
-
 // The line of an edge, along Z through the origin, seen from a rim.
 struct EdgeAim {
-  Across after_left, before_right;  // directions between the normals of both faces have a part along each
-  std::optional<Across> middle;     // of the part of the rim whose normals are between, if that is a third of a turn
-  Real axis, up, away;              // the rim supports where away * (axis * x - up * distance) is above zero
+  Vec2 after_left, before_right;  // directions between the normals of both faces have a part along each
+  std::optional<Vec2> middle;     // of the part of the rim whose normals are between, if that is a third of a turn
+  Real axis, up, away;            // the rim supports where away * (axis * x - up * distance) is above zero
 
   [[nodiscard]] inline bool is_between(Real x, Real y) const {
     return after_left.x * x + after_left.y * y > 0 && before_right.x * x + before_right.y * y > 0;
@@ -83,18 +78,17 @@ struct EdgeAim {
 
 // The middle of the angles of a rim at which its normals lie between two directions across an edge. Nothing where they
 // are more than a third of a turn apart.
-[[nodiscard]] inline std::optional<Across> middle_between(const AxisFrame& frame, const Vec3& left, const Vec3& right) {
-  const auto place_toward = [&](const Vec3& n) -> Across {
+[[nodiscard]] inline std::optional<Vec2> middle_between(const AxisFrame& frame, const Vec3& left, const Vec3& right) {
+  const auto place_toward = [&](const Vec3& n) -> Vec2 {
     const Real x = frame.axis_z * dot(n, frame.x), y = dot(n, frame.y), scale = 1 / std::sqrt(x * x + y * y);
     return {scale * x, scale * y};
   };
-  const Across from = place_toward(left), to = place_toward(right), sum{from.x + to.x, from.y + to.y};
-  const Real square = sum.x * sum.x + sum.y * sum.y;
+  const Vec2 sum = place_toward(left) + place_toward(right);
+  const Real square = dot(sum, sum);
   if (!(square > 1)) {
     return std::nullopt;
   }
-  const Real scale = 1 / std::sqrt(square);
-  return Across{scale * sum.x, scale * sum.y};
+  return (1 / std::sqrt(square)) * sum;
 }
 
 // Whether nothing between the directions of both faces and one in the middle is below the goal: of each two, the chord
