@@ -1,10 +1,10 @@
 // What is kept of a pair from one query to the next, and what it still proves after both bodies have moved.
 //
 // - A pair that was apart keeps a direction and the gap along it. The gap shrinks by no more than b has turned and
-// moved
-//   toward a.
+//   moved toward a.
 // - A pair that overlaps keeps the features whose normal has the least depth, and a ball inside the Minkowski
 //   difference. The ball moves along with b and shrinks by what b has turned.
+//
 // Nothing kept changes an answer. It spares a search whose end it proves.
 export module abut.narrow.warm.pair_memory;
 import abut.capability.core_feature;
