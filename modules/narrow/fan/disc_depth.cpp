@@ -80,7 +80,8 @@ struct EdgeAim {
 // are more than a third of a turn apart.
 [[nodiscard]] inline std::optional<Vec2> middle_between(const AxisFrame& frame, const Vec3& left, const Vec3& right) {
   const auto place_toward = [&](const Vec3& n) -> Vec2 {
-    const Real x = frame.axis_z * dot(n, frame.x), y = dot(n, frame.y), scale = 1 / std::sqrt(x * x + y * y);
+    const Real x = frame.axis_z * dot(n, frame.x), y = dot(n, frame.y), square = x * x + y * y;
+    const Real scale = square > 0 ? 1 / std::sqrt(square) : infinity;  // without a place nothing is between
     return {scale * x, scale * y};
   };
   const Vec2 sum = place_toward(left) + place_toward(right);

@@ -97,10 +97,13 @@ struct AxisFrame {
   // sides. Nearly parallel lines are compared without the difference of their parts, which would lose digits.
   template <class Visit>
   inline void visit_lines(Real up_axis, Real up_z, Visit&& visit) const {
+    if (axis_x == 0) {
+      return;  // parallel lines never meet
+    }
     const Real turn = std::copysign(Real{1}, axis_z);
     const Real along_x = (up_axis - turn * up_z) / axis_x + turn * up_z * axis_x / (1 + std::fabs(axis_z));
     const Real rest = 1 - along_x * along_x - up_z * up_z;
-    if (rest >= 0) {  // not so where parallel lines never meet
+    if (rest >= 0) {
       const Real along_y = std::sqrt(rest);
       visit(along_x, along_y, up_z);
       visit(along_x, -along_y, up_z);
