@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Builds every pair's target and puts it with its seeds into $OUT. Compiler and flags are the project's
 # own; the engine is what $LIB_FUZZING_ENGINE links.
 set -euo pipefail

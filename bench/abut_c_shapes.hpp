@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids and placements as the C interface of abut wants them.
 #pragma once
 #include <abut/abut.h>

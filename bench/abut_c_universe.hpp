@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Universes of the C interface of abut, and bodies in them.
 #pragma once
 #include <abut/abut.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids in the terms of abut: the name of a kind, its parameters, and its points.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What abut can be asked beside the pair itself: an algorithm and an error bound.
 #pragma once
 #include <abut/abut.h>

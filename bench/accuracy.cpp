@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Error against run time: signed distances of abut, Bullet, FCL and libccd beside the float128 oracle of the tests,
 // under conditions from ordinary to extreme.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the signed distance of two solids is: by the oracle of the tests, in 113-bit floating point. It shares no code
 // with abut.
 #pragma once

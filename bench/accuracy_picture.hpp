@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Error over time as a picture: one panel for each condition, one mark for each contender.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Places two solids where a question is hard: faces to faces, a hair apart, one in the other.
 #pragma once
 #include "oracle/quad.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What one library, asked in one way, answered to the cases of a cell, and in what time.
 #pragma once
 #include <cstddef>

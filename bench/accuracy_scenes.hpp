@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of placed solids under conditions from ordinary to extreme, with what their signed distances are.
 #pragma once
 #include <array>

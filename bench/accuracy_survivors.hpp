@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which cases a library can be asked at all: some stop the program at an assertion of their own.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows as tables on the screen and as comma-separated values.
 #pragma once
 #include <filesystem>

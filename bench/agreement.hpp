@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far the answers of libraries are from those that are expected.
 #pragma once
 #include <cstddef>

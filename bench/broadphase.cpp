@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes that wander, all of them or a tenth: the broad phases of abut beside those of Bullet and FCL on
 // one thread, and that of abut on two.
 #include "broadphase.hpp"

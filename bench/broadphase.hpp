@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many boxes of which some move, and the pairs of them that overlap, asked to one library.
 #pragma once
 #include <array>

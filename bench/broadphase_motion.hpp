@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes with about four overlaps each that wander through a room.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids and placements as Bullet wants them.
 #pragma once
 #include <btBulletCollisionCommon.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfaces as Bullet wants them: shapes that own the arrays which Bullet only points to.
 #pragma once
 #include <btBulletCollisionCommon.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The signed distance of pairs on which other libraries failed, each by itself: the same pair again and again.
 #include "known_cases.hpp"
 

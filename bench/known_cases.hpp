@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs on which other libraries failed, read from tests/data/known_failures.jsonl.
 #pragma once
 #include <string>

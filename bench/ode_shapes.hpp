@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids and placements as ODE wants them.
 #pragma once
 #include <ode/ode.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of shapes: abut beside Bullet, FCL, ODE and libccd on the same placed pairs, one thread, no caches
 // kept from call to call.
 #include "pairs.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One question about many placed pairs of solids, asked to one library.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // abut through its modules: poses in the world, the relative pose formed inside the timed part.
 #include <algorithm>
 #include <array>

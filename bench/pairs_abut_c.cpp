@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // abut through its C interface: poses with quaternions, checked on every call.
 #include <abut/abut.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bullet, single precision as most builds have it. Margins are 0 where the shape allows it, so that the
 // distance is that of the shape itself.
 #include <btBulletCollisionCommon.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FCL in double precision with its default solver, libccd.
 #include <fcl/fcl.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // libccd by itself, with support functions of our own: penetration by GJK and EPA, and by MPR.
 #include <ccd/ccd.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ODE in double precision: contacts only, it has no query for distances.
 #include <ode/ode.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What parked geometries cost: a step of 100 moving boxes, alone and beside 9,900 that are parked, and parking itself.
 #include <abut/abut.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays through abut_picking beside Embree's own calls: the same mesh, the same rays, one thread.
 //
 // The raw rows use Embree as its manual shows it: one triangle geometry, default flags, rays prepared

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random solids of a kind, and random places of two of them, some apart and some overlapping.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the registered benchmarks with repetitions in random order and prints a table of ratios.
 #pragma once
 #include <set>

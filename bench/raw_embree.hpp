@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Embree as its manual uses it, to compare with.
 #ifndef ABUT_BENCH_RAW_EMBREE_HPP
 #define ABUT_BENCH_RAW_EMBREE_HPP

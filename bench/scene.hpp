@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the benchmarks give to every library: solids, placements, and the seeded numbers behind them.
 #pragma once
 #include <array>

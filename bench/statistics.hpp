@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Middle and tail of a list of numbers, which must not be empty.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing in SVG, from the top left corner, in pixels.
 #pragma once
 #include <filesystem>

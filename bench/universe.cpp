@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A step of a universe with 5,000 moving bodies: abut on one thread and on two, beside Bullet, FCL and ODE on one; and
 // one of 100,000 bodies, for the two threads.
 #include "universe.hpp"

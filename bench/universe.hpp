@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many moving bodies and what touches what, asked to one library.
 #pragma once
 #include <cstddef>

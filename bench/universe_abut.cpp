@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // abut through its C interface.
 #include <abut/abut.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FCL in double precision: a dynamic box tree, and contacts of each pair that it finds.
 #include <fcl/fcl.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ODE in double precision: its hash space, and contacts of each pair that it finds.
 #include <ode/ode.h>
 

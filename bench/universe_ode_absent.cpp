@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // In the place of ODE where it is not installed.
 #include <memory>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks of what comes in, and the only place where pointers of the caller become spans.
 #ifndef ABUT_CAPI_BORDER_HPP
 #define ABUT_CAPI_BORDER_HPP

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a step found: contacts, and what began and ended.
 #include "universe_handle.hpp"
 

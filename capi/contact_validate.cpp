@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks of a contact record by itself, whoever made it.
 #include "convert.hpp"
 #include "guard.hpp"

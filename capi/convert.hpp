@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of the C interface into checked values of the modules, and back.
 #ifndef ABUT_CAPI_CONVERT_HPP
 #define ABUT_CAPI_CONVERT_HPP

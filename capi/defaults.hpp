@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the _init functions do.
 #ifndef ABUT_CAPI_DEFAULTS_HPP
 #define ABUT_CAPI_DEFAULTS_HPP

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a call fails: the message of this thread, and statuses for errors of the modules.
 #ifndef ABUT_CAPI_ERROR_HPP
 #define ABUT_CAPI_ERROR_HPP

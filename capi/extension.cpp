@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Extension libraries of a universe.
 #include "universe_handle.hpp"
 

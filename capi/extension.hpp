@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which extension libraries stand on a universe.
 #ifndef ABUT_CAPI_EXTENSION_HPP
 #define ABUT_CAPI_EXTENSION_HPP

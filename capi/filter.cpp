@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who meets whom, as far as it is not an option of a geometry: rules, and the filter of the caller.
 #include "options.hpp"
 #include "universe_handle.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which of two tags geometries have, by their distance from centres.
 #include "convert.hpp"
 #include "options.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Geometries: shapes on parts.
 #include "geometry_arguments.hpp"
 #include "options.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "geometry_arguments.hpp"
 #include "options.hpp"
 #include "universe_handle.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the functions that make and change geometries are given.
 #ifndef ABUT_CAPI_GEOMETRY_ARGUMENTS_HPP
 #define ABUT_CAPI_GEOMETRY_ARGUMENTS_HPP

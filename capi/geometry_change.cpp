@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What becomes of geometries: other options, another shape, parked.
 #include "geometry_arguments.hpp"
 #include "options.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes that change while geometries have them.
 #include "border.hpp"
 #include "shape_handle.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The firewall: nothing is thrown through an exported function.
 #ifndef ABUT_CAPI_GUARD_HPP
 #define ABUT_CAPI_GUARD_HPP

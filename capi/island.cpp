@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Islands: dynamic parts that touch each other.
 #include "universe_handle.hpp"
 

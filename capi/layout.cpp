@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The memory layout of every public struct: fixed here, and reported to bindings.
 #include "border.hpp"
 #include "guard.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the contacts of two materials are like.
 #include "options.hpp"
 #include "universe_handle.hpp"

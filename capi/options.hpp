@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Structs that begin with struct_size: what a caller with an older or a newer header hands over.
 #ifndef ABUT_CAPI_OPTIONS_HPP
 #define ABUT_CAPI_OPTIONS_HPP

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Questions about two shapes. The way to the kernel and back allocates nothing and builds no text
 // unless something is wrong.
 #include "convert.hpp"

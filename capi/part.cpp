@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of a universe.
 #include "universe_handle.hpp"
 #include "options.hpp"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # libabut_picking.so: picking.h on top of abut.h. Included by CMakeLists.txt beside it.
 add_library(abut_picking SHARED picking.cpp picking_arguments.cpp picking_source.cpp)
 add_library(abut::picking ALIAS abut_picking)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // picking.h: checks arguments, keeps exceptions in, and hands on to abut.picking.
 #include <abut/picking.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks of what callers hand to picking.h. Each writes this thread's message and answers the
 // status; ABUT_OK when there is nothing to object to.
 #ifndef ABUT_CAPI_PICKING_ARGUMENTS_HPP

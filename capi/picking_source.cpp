@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "picking_source.hpp"
 
 #include <abut/abut.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The world of a picker, seen through abut.h.
 #ifndef ABUT_CAPI_PICKING_SOURCE_HPP
 #define ABUT_CAPI_PICKING_SOURCE_HPP

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Everything textual that the C border includes: each header here starts with it, so that includes
 // come before imports in every translation unit.
 #ifndef ABUT_CAPI_PRELUDE_HPP

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries on a universe. Batches write nothing before all of their arguments are checked.
 #include "query_arguments.hpp"
 

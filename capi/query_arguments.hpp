@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arguments of queries on a universe.
 #ifndef ABUT_CAPI_QUERY_ARGUMENTS_HPP
 #define ABUT_CAPI_QUERY_ARGUMENTS_HPP

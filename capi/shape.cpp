@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Making and owning shapes. No class of a shape is named here: kinds are found by name.
 #include "convert.hpp"
 #include "guard.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two shapes that move.
 #include "options.hpp"
 #include "query_arguments.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // abut_shape: a frozen shape and the number of its owners on the C side.
 #ifndef ABUT_CAPI_SHAPE_HANDLE_HPP
 #define ABUT_CAPI_SHAPE_HANDLE_HPP

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which kinds of shapes this build has, and what pairs of them answer.
 #include "border.hpp"
 #include "guard.hpp"

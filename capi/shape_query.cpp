@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Questions about one shape.
 #include "convert.hpp"
 #include "guard.hpp"

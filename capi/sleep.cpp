@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts that fall asleep.
 #include "options.hpp"
 #include "universe_handle.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Steps of a universe, and how they went.
 #include "options.hpp"
 #include "universe_handle.hpp"

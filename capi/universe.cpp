@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Universes as a whole.
 #include "universe_handle.hpp"
 #include "options.hpp"

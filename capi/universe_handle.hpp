@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // abut_universe: a universe of the modules, and what the C interface lends out of it.
 #ifndef ABUT_CAPI_UNIVERSE_HANDLE_HPP
 #define ABUT_CAPI_UNIVERSE_HANDLE_HPP

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Version and contents of the library that was loaded.
 #include "guard.hpp"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Optional parts. A part that is left out is not compiled, not linked and not looked for.
 set(abut_known_features libccd hull picking threads)
 foreach(feature IN LISTS ABUT_FEATURES)

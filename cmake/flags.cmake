@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The only place that names a compiler flag.
 #
 # Module interfaces (BMIs) do not record -D_GLIBCXX_ASSERTIONS, -fsanitize or -march, so a mismatch

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Installs the C library, the picking library, the C headers, and the modules as sources: compiled
 # module interfaces are not portable, so each consumer compiles them again. The C ABI is the stable
 # product.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The list of shapes, and what is generated from it. Adding a shape is one file in modules/shapes and one line
 # here.
 include_guard(GLOBAL)

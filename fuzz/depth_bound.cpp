@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a convex shape has to move to be parted from a surface: an upper bound of the depth of every contact of both.
 module;
 #include <algorithm>

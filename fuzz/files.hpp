@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that a program without a fuzzing engine plays.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes of two shapes from any bytes, and a judge of what the library answers about them. Knows
 // nothing of the fuzzing engine.
 module;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The judge must be able to say no.
 #include <gtest/gtest.h>
 #include <array>

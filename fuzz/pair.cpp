@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The live target of all pairs. Its name, a link, says which: fuzz_<a>_<b>.
 #include <algorithm>
 #include <array>

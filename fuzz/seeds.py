@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes the committed corpus: six records for each pair of kinds of cmake/registry.cmake.
 
 usage: fuzz/seeds.py

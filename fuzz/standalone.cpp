@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Judges the committed records of all pairs, and random ones, without a fuzzing engine.
 // Findings named in open.txt of the folder are known defects: they are expected to be refused still, and to be off by
 // no more than the list says.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Everything of abut that a C++ program uses.
 export module abut;
 export import abut.core;

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """abut, 3D collision detection, in Python: shapes, distances and contacts of pairs, universes, picking.
 
     with Shape.sphere(1.0) as ball, Shape.box(1.0, 1.0, 1.0) as box:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The C interface of abut as it is, through ctypes: constants, structs, functions.
 
 The names are those of abut.h and picking.h without their prefix for constants and structs. Functions are attributes of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Smoke test of the Python binding: layouts, completeness, queries, a universe, errors.
 
 With the path of the folder of the C headers as its first argument it also checks that no function is missing.

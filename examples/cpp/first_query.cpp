@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distance and contacts of two shapes, and one step of a universe.
 #include <array>
 #include <cstdio>

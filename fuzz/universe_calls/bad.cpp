@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls that have to be refused: ids that name nothing, and pointers that are
 // null. Nothing that can be seen may change.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls that have to be refused: structs of a wrong size, numbers that are
 // none, values that do not exist, huge counts.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sequences of calls from any bytes. A call is a record of 16 bytes, the first
 // record says how the universes are made.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Detections, and what is compared after each.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Geometries are made, changed, parked and destroyed.
 #include <array>
 

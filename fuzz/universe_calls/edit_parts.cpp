@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts are made, placed and destroyed.
 #include "play.hpp"
 

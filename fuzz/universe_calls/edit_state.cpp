@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes of geometries change in place, parts get velocities, islands are followed.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The filter: decides by user data, makes the calls that it may make and those
 // that it may not.
 #include <array>

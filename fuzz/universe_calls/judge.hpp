@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares what a detection found with what the model says, and takes the model
 // one detection further.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who meets whom, and who touches, as docs/universe.md and abut.h say it.
 #include <algorithm>
 #include <array>

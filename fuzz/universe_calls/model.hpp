@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a universe should hold and find, by plain vectors and integers. Knows
 // nothing of the library but its records.
 #pragma once

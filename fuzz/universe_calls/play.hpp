@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plays a sequence of calls on three universes and on the model, and compares
 // them.
 #pragma once

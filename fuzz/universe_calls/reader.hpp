@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the contacts and events of a detection in the order in which they have
 // to be.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plays the committed sequences and random ones, without a fuzzing engine.
 // usage: abut_fuzz_universe <folder with corpus/ and regress/> [random sequences] [calls of each] [first seed]
 #include <algorithm>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes the committed corpus: random sequences of calls, as random_sequence of call.cpp makes them.
 
 usage: fuzz/universe_calls/seeds.py

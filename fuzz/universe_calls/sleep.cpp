@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts that fall asleep. The model does not foretell when; it knows what holds of those that do.
 #include <algorithm>
 #include <iterator>

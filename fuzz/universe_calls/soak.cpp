@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs one universe for a long time in which the same load comes back again and
 // again, and watches its memory.
 // usage: abut_soak [steps, default 100000, at least 4000]

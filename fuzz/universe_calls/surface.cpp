@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Invariants of one contact.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The live target of sequences of calls.
 #include <algorithm>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The judge refuses wrong answers, sequences keep their records whole, and
 // random ones reach what they are meant to.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Three universes that get the same calls, and everything that can be seen of
 // one.
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /*
  * abut.h - C interface of abut, a 3D collision-detection library.
  *

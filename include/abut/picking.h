@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /*
  * picking.h - rays and the mouse against a universe, through Embree.
  *

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.broadphase.automatic;
 import abut.core.standard;
 

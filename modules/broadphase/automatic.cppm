@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which broad phase suits the boxes of a scene.
 export module abut.broadphase.automatic;
 import abut.core.standard;

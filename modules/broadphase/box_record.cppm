@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A box with what decides whom it may pair with, in half a cache line.
 export module abut.broadphase.box_record;
 import abut.broadphase.proxy;

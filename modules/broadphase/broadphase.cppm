@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From boxes to pairs of boxes that overlap.
 export module abut.broadphase;
 export import abut.broadphase.automatic;

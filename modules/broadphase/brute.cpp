@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module;
 #include "../core/check.hpp"
 module abut.broadphase.brute;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every box against every box: for a few dozen of them nothing is faster.
 export module abut.broadphase.brute;
 import abut.broadphase.box_record;

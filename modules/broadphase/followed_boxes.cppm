@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the broad phases that keep pairs from call to call have in common, whatever finds neighbours for them.
 module;
 #include "../core/check.hpp"

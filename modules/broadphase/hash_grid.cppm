@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of boxes from grids of cells.
 export module abut.broadphase.hash_grid;
 import abut.broadphase.followed_boxes;

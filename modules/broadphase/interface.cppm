@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every broad phase can do.
 export module abut.broadphase.interface;
 import abut.broadphase.brute;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.broadphase.kept_pairs;
 import abut.broadphase.box_record;
 import abut.broadphase.pair_order;

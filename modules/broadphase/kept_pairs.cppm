@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs that stay in order from call to call while some go and some come.
 export module abut.broadphase.kept_pairs;
 import abut.broadphase.box_record;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.broadphase.pair_order;
 import abut.broadphase.proxy;
 import abut.core.standard;

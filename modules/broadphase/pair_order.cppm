@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs in order of their numbers.
 export module abut.broadphase.pair_order;
 import abut.broadphase.proxy;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a broad phase works on: numbered boxes, and the pairs of them that overlap.
 export module abut.broadphase.proxy;
 import abut.core.standard;

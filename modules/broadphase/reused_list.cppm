@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A list that is filled anew in every call.
 export module abut.broadphase.reused_list;
 import abut.core.standard;

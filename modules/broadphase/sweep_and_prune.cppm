@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of boxes from the order of their ends along the three axes.
 export module abut.broadphase.sweep_and_prune;
 import abut.broadphase.box_record;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of boxes from trees that follow their motion.
 export module abut.broadphase.tree;
 import abut.broadphase.followed_boxes;

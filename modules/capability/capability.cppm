@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What shapes are: capabilities, records and checks.
 export module abut.capability;
 export import abut.capability.checks;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks of the numbers that shapes are made from. Each answers with the first fault, if any.
 export module abut.capability.checks;
 import abut.core.standard;

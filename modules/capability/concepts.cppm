@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a shape can do. Every pair of shapes gets an algorithm from these capabilities alone.
 export module abut.capability.concepts;
 import abut.capability.records;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The features of cores by the numbers that searches know them by, and which cores have such numbers.
 export module abut.capability.core_feature;
 import abut.capability.concepts;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the searches see of a shape.
 //
 // A convex shape is a core, rounded by a radius. Shapes with the same kind of core are the same to all searches, which

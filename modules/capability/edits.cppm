@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What can be changed of a shape that is in use, and which shapes can do it.
 export module abut.capability.edits;
 import abut.capability.checks;

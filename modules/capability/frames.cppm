@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results of queries on two shapes, seen from elsewhere and from the other side.
 export module abut.capability.frames;
 import abut.capability.records;

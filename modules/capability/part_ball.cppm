@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A ball around the origin: a sphere, or one of many particles.
 export module abut.capability.part_ball;
 import abut.capability.concepts;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A triangle: the part that meshes and height fields are made of, and the core of a triangle by itself. Not a solid: it
 // has two sides unless it is told to be one-sided.
 export module abut.capability.part_triangle;

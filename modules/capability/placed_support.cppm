@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Support points of a shape under a pose, by the shape's own way where it has one.
 export module abut.capability.placed_support;
 import abut.capability.concepts;

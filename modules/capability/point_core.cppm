@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The core of points, spheres and particles: the origin, and a radius.
 export module abut.capability.point_core;
 import abut.capability.concepts;

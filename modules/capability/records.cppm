@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What queries on shapes answer with. Frames are those of the query: world at the C border, the
 // frame of shape a inside the narrow phase.
 export module abut.capability.records;

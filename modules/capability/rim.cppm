@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rims of cylinders and cones for clipping: regular polygons that turn with the shape, so that their
 // corners keep their numbers while it moves.
 export module abut.capability.rim;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the support function of a core runs near a direction, up to second order: what Newton's method needs to find the
 // least depth of curved cores, and what proves that it is the least one nearby.
 //

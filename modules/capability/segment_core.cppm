@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The core of segments and capsules: a segment along Z around the origin, and a radius.
 export module abut.capability.segment_core;
 import abut.capability.concepts;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When two choices of a feature are equally good. Rounding of coordinates must not decide between them, or contacts
 // would change their number and their ids under the least motion.
 export module abut.capability.ties;

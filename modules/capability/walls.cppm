@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The walls of a cavity, seen from inside: flat ones, and a round one around a point or along Z. Where a wall is
 // missing the cavity is open and goes on without end.
 export module abut.capability.walls;

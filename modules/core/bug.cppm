@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A broken invariant of abut itself.
 export module abut.core.bug;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The macros of abut, for the global module fragment of modules and for capi/.
 #ifndef ABUT_CORE_CHECK_HPP
 #define ABUT_CORE_CHECK_HPP

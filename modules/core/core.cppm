@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every layer stands on.
 export module abut.core;
 export import abut.core.bug;

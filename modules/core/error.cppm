@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expected failures: a stable code, and a sentence for people.
 export module abut.core.error;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frozen<T>: shared immutable data with the value semantics of a plain T. The only owner of a
 // shared_ptr; a change means a new Frozen, or a value that nobody else holds.
 export module abut.core.frozen;

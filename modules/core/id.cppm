@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ids instead of pointers: a slot and the generation that lived in it.
 export module abut.core.id;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lazy<T>: made when first asked for, by exactly one of the threads that ask.
 export module abut.core.lazy;
 import abut.core.standard;

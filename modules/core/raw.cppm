@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The only raw memory of abut.
 export module abut.core.raw;
 import abut.core.standard;

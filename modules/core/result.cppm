@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Result<T>: a value or an Error. The members are named as in std::expected, without its unchecked
 // operator*, so that C++23 code can take its place by renaming.
 module;

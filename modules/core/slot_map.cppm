@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SlotMap: values under ids that go stale when the value is erased.
 //
 // Each map numbers its generations from a start of its own. So an id of one universe is stale in any other. A foreign

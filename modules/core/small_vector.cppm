@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SmallVector: the first N elements live inside, more go to the heap. For trivial types; the inside
 // elements are not initialised before they are pushed.
 export module abut.core.small_vector;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names of the standard library that modules/ uses. Were the headers included instead, each module would hold a
 // copy of their declarations, and every importer would compare and merge all copies: most of the time of compiling.
 module;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Threads that share the work of one call.
 export module abut.core.workers;
 import abut.core.standard;

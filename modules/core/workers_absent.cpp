@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A build without threads: every call runs in the caller.
 module abut.core.workers;
 import abut.core.standard;

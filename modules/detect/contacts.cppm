@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contacts of a detection, and what the next one asks about them.
 export module abut.detect.contacts;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The last stage: what began, persists and ended in a detection.
 export module abut.detect.events;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One number for all that a detection found.
 export module abut.detect.hash;
 import abut.core.standard;

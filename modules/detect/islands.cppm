@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Islands: dynamic parts that touch each other, directly or through others. What does not move is in no island, or
 // the ground would join all of them.
 export module abut.detect.islands;

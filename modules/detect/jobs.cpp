@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.detect.jobs;
 import abut.core.standard;
 import abut.core;

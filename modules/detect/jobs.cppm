@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs to examine as runs of equal kinds, which is how the narrow phase takes them, cut into chunks that
 // threads take.
 export module abut.detect.jobs;

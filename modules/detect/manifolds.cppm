@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The narrow phase of a detection: from jobs to the points of each, reduced and in the world.
 export module abut.detect.manifolds;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.detect.pairs;
 import abut.broadphase;
 import abut.core.standard;

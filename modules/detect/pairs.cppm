@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is kept of a pair of geometries while their boxes overlap.
 export module abut.detect.pairs;
 import abut.broadphase;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The first stage of a detection: from poses to boxes, for what moved, is new or was changed.
 export module abut.detect.refresh;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.detect.selection;
 import abut.broadphase;
 import abut.broadphase.pair_order;

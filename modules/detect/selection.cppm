@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stage from boxes to jobs: which pairs there are, and which of them are examined.
 export module abut.detect.selection;
 import abut.broadphase;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stages after the contacts that look at which parts hang together: islands, and sleep.
 export module abut.detect.sleep;
 import abut.core.standard;

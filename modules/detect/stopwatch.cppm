@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Microseconds between two points of a program.
 export module abut.detect.stopwatch;
 import abut.core.standard;

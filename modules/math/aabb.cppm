@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Axis-aligned boxes: exact ones in double, and compact ones in float for the broad phase.
 export module abut.math.aabb;
 import abut.core.standard;

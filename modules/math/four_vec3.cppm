@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Four vectors of space at a time, one per lane.
 export module abut.math.four_vec3;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rotations on vectors in lanes, and placements relative to each other.
 export module abut.math.lane_matrix;
 import abut.math.lanes;

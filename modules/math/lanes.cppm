@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Four doubles in one vector register, where the target has one. Vectors of space lie in the first three. The fused
 // multiply-add is exact on every target, so answers do not depend on whether the processor has one.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers, vectors, poses and boxes. The folder is the only one that knows Eigen.
 export module abut.math;
 export import abut.math.aabb;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rotations and rigid placements.
 export module abut.math.pose;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one file that includes Eigen: behind this implementation unit no importer pays for its
 // templates, and no consumer of an installed abut needs its headers.
 module;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shape of a cloud of points: in which directions, and how far, it extends.
 export module abut.math.principal_axes;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far computed lengths may be off: the one scale of the narrow phase, in units in the last place of `size`, the
 // largest coordinate.
 //

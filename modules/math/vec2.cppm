@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors of a plane.
 export module abut.math.vec2;
 import abut.core.standard;

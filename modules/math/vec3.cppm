@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors of three numbers, and those of length one.
 export module abut.math.vec3;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of twice the digits, each the sum of two that do not overlap: error-free sums by Knuth (1969), products by a
 // fused multiply-add, the rest as in Hida, Li, Bailey, "Algorithms for quad-double precision floating point
 // arithmetic", 2001.

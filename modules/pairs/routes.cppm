@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From two types of shapes to an algorithm, at compile time. Knows no shape by name and no kernel.
 export module abut.pairs.routes;
 import abut.capability;

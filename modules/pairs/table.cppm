@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the table of all pairs of the shapes of a registry holds. Knows no shape by name, and no kernel: those who ask
 // the table are not compiled again where a kernel changes.
 export module abut.pairs.table;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one file that knows which Embree this is: 3 and 4 differ in the folder of the headers and in
 // the signatures of the queries. Only implementation units include it.
 #ifndef ABUT_PICKING_EMBREE_HPP

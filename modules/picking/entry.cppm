@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the scene of rays holds: geometries, the shapes that they share, and where a geometry lies in the scene.
 module;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From what Embree found in single precision to hits in double.
 module;
 

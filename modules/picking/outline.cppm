@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Outlines of shapes in a picture, and which point of them is nearest to the one asked for.
 module;
 

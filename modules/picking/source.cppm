@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the picker asks of the world that it looks at. One implementation stands on the C interface;
 // another one can stand on any container of shapes.
 module;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles prepared for rays: outlines for Embree in single precision, planes for us in double.
 //
 // Single precision leaves cracks between neighbouring triangles; Embree's robust mode has fewer, at a

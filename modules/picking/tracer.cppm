@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene of rays: what Embree holds of a world, and how rays meet it.
 //
 //  - still:   surfaces of geometries that are used once and have not moved, baked as they lie; rays

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Building what Embree traverses: surfaces as they lie, and those in the frames of their shapes.
 module;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Building the scene of what moves: one box for each geometry.
 module;
 

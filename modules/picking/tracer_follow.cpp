@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Following the world: which geometries came, went and moved.
 module;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What Embree calls back: rays against the boxes of the moving scene, and crossings to collect.
 module;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What lies under a point of a picture, or nearest to it when nothing lies there.
 module;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors, frames and spaces of the picker, on the plain structs of the C interface.
 module;
 

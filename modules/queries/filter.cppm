@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What queries have in common: whom they look at, and how they keep what they find.
 export module abut.queries.filter;
 import abut.core;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Questions to a whole universe: rays, points, overlaps, closest geometries and moving shapes. They see boxes and poses
 // as of the last step or refresh, and never a parked geometry. They change nothing, and may run at once on many
 // threads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays and points against a scene.
 module abut.queries;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes against a universe: what they overlap, what is closest, and what they meet when they move.
 module abut.queries;
 import abut.capability;

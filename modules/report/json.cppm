@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text of JSON, written from the outside in.
 export module abut.report.json;
 import abut.core;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.report.plan;
 import abut.core;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a step did and why, for people and for programs.
 export module abut.report.plan;
 import abut.core.standard;

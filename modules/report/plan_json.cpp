@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plan for programs.
 module abut.report.plan;
 import abut.core;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What edits of a scene leave for the next refresh and the next detection.
 export module abut.scene.changes;
 import abut.core.standard;

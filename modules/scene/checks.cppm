@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is wrong with ids and placements that a caller hands over, in words.
 export module abut.scene.checks;
 import abut.capability;

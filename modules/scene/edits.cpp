@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes that change while they are in use.
 module;
 #include "../core/check.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which geometries are near what matters and which are far from it: near ones may be treated with more care.
 export module abut.scene.focus;
 import abut.capability;

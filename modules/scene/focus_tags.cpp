@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.scene.focus_tags;
 import abut.core.standard;
 import abut.scene.places;

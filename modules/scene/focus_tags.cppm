@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tags of geometries that follow a focus.
 export module abut.scene.focus_tags;
 import abut.core.standard;

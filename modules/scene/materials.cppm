@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact materials: what a solver wants to know of the contacts of two materials.
 export module abut.scene.materials;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who meets whom, and how.
 export module abut.scene.meetings;
 import abut.core.standard;

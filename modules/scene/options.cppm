@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The records that a universe takes and gives.
 export module abut.scene.options;
 export import abut.broadphase.automatic;

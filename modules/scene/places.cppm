@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a scene keeps of each geometry for those who look at many of them: arrays by place.
 export module abut.scene.places;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the pairs of two tags are treated.
 export module abut.scene.policies;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Room in lists for what must not fail later.
 export module abut.scene.room;
 import abut.core.standard;

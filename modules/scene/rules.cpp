@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.scene.rules;
 import abut.core.standard;
 import abut.scene.options;

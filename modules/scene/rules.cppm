@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which pairs are examined, by rules of the caller.
 export module abut.scene.rules;
 import abut.core.standard;

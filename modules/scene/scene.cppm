@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts with geometries, where they are, and what the caller says about them: data and edits, no detection.
 export module abut.scene;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which parts have come to rest.
 export module abut.scene.sleep;
 import abut.capability;

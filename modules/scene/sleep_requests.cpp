@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What callers say about sleep.
 module;
 #include "../core/check.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.scene.space;
 import abut.broadphase;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the geometries of a scene are: their boxes in a broad phase.
 export module abut.scene.space;
 import abut.broadphase;

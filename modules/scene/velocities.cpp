@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Velocities of the parts of a universe.
 module;
 #include "../core/check.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How fast parts move: as the caller says, or by their poses.
 export module abut.scene.velocity;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid box, centred, by half extents. Vertex i has the sign bits of i (bit 0: x positive, ...).
 export module abut.shapes.box;
 import abut.capability;

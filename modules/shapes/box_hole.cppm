@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hole in the shape of a box, centred: cuts the solids of the composite that it is a child of. Where a face is
 // removed the hole goes on beyond it without end; faces are removed along one axis at most.
 export module abut.shapes.box_hole;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid capsule along local Z: all points within a radius of a segment.
 export module abut.shapes.capsule;
 import abut.capability;

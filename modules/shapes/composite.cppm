@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes of any kind, each at a pose of its own, that never meet each other: one shape to the broad phase. Holes
 // among them cut the solids. A template, since the list of all kinds (Any) has this one in it.
 export module abut.shapes.composite;

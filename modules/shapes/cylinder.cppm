@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid cylinder along local Z with flat ends, centred.
 export module abut.shapes.cylinder;
 import abut.capability.second_order;

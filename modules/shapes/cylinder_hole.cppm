@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hole in the shape of a cylinder along Z, centred: cuts the solids of the composite that it is a child of.
 // Where an end is removed the hole goes on beyond it without end.
 export module abut.shapes.cylinder_hole;

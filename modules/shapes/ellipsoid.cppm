@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid ellipsoid, centred, by its radii along the axes.
 export module abut.shapes.ellipsoid;
 import abut.capability.second_order;

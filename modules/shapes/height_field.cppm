@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Terrain over a regular grid: sample (i, j) is the point (i * spacing_x, j * spacing_y, height).
 // Each cell holds two triangles, split from (i, j) to (i + 1, j + 1). One-sided: the front is +Z.
 // Cells under a box are found by division.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid convex hull of points.
 export module abut.shapes.hull;
 import abut.capability.core_feature;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From points to hull vertices and faces: Qhull, behind a clean-up that hands it only clouds that
 // extend in all three directions, scaled so that they extend alike.
 module;

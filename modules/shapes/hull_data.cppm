@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The data of a convex hull: vertices for support points, faces for clipping, and the way there.
 export module abut.shapes.hull_data;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What became of the points that a hull was given, and how far outside of it the worst of them lies.
 module abut.shapes.hull_data;
 import abut.core.standard;

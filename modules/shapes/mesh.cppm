@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangle mesh: a surface without inside.
 export module abut.shapes.mesh;
 import abut.capability;

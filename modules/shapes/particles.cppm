@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many small balls in one shape.
 export module abut.shapes.particles;
 import abut.capability;

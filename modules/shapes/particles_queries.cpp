@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.shapes.particles;
 import abut.capability;
 import abut.core.standard;

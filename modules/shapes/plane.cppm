@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Half-space: everything behind a plane. Unbounded; the normal points out of the solid.
 export module abut.shapes.plane;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A point: the origin of its own frame.
 export module abut.shapes.point;
 import abut.capability;

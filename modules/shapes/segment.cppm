@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A segment along local Z, centred: a capsule without a radius.
 export module abut.shapes.segment;
 import abut.capability;

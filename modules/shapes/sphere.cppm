@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid ball, centred.
 export module abut.shapes.sphere;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hole in the shape of a ball, centred: cuts the solids of the composite that it is a child of.
 export module abut.shapes.sphere_hole;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A triangle by itself, both sides solid; meshes and height fields are made of surface triangles instead.
 export module abut.shapes.triangle;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes in cells of space, of which only those with something in them exist.
 export module abut.trees.box_grid;
 import abut.core.standard;

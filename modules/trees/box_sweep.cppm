@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a box that moves along a line meets boxes.
 export module abut.trees.box_sweep;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tree of boxes, eight to a node, whose leaves come, go and move.
 export module abut.trees.box_tree;
 import abut.core.standard;

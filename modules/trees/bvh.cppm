@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bounding volume hierarchy of boxes that stay, such as those of the triangles of a mesh: a tree of boxes about the
 // middle of all, so that single precision loses little far from the origin.
 export module abut.trees.bvh;

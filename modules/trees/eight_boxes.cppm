@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes side by side in vector registers, so that one is compared with eight at once.
 export module abut.trees.eight_boxes;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far boxes that are kept reach beyond the given ones.
 export module abut.trees.larger_box;
 import abut.core.standard;

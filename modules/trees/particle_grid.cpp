@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.trees.particle_grid;
 import abut.core.standard;
 import abut.math;

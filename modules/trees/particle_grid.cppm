@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points sorted into the cells of a uniform grid, of which only a hash table is kept (Teschner et al., "Optimized
 // spatial hashing for collision detection of deformable objects", 2003). Cells that follow each other along x
 // have buckets that do so too, so that a row of cells is one stretch of memory.

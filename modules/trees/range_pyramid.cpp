@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.trees.range_pyramid;
 import abut.core.standard;
 import abut.math;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The least and the greatest height of the cells of a grid, which follow when heights change: of blocks of 4 x 4 cells,
 // of blocks of 4 x 4 of these, and so on up to a single block. A cell lies between four samples.
 export module abut.trees.range_pyramid;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A ray against boxes, slab by slab. The boxes count as a little wider than they are: triangles are met in coordinates
 // that are rounded, and the box of a triangle that is met so must not be missed.
 export module abut.trees.ray_slabs;

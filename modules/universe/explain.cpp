@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a universe did and why, from what its stages know.
 module abut.universe;
 import abut.broadphase;

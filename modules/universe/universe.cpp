@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A detection: one stage after the other.
 module abut.universe;
 import abut.broadphase.pair_order;

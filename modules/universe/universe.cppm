@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A space in which parts meet: a scene, and detections of what touches what in it.
 export module abut.universe;
 import abut.broadphase;

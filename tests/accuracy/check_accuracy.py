@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs the benchmark of errors on a few pairs and checks what it writes. No time is judged.
 
 usage: check_accuracy.py PROGRAM

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* What both programs of this test share: the added shape, made by name through the generic door. */
 #ifndef ADDED_H
 #define ADDED_H

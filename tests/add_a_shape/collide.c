@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Collides the added shape with every kind of shape that the library has, as a pair and in a universe. */
 #include "added.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* The rounded cone with radii 1 and 0.4 and centres at heights -0.5 and 0.5: its side rises by 3 in 4 and runs from
  * (0.8, 0, 0.1) to (0.32, 0, 0.74), so that rays, spheres and planes have answers in closed form. */
 #include "added.h"

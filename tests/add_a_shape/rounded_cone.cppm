@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid rounded cone along local Z: the convex hull of two balls, the origin half-way between their centres.
 export module abut.shapes.rounded_cone;
 import abut.capability;

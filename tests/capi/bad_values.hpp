@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values that no entry point may accept, and loops that feed them to one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A universe of boxes that never turn, beside a model that knows by itself which of them touch.
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* A program of C99 on libabut.so: shapes, a pair query, a universe. */
 #include <abut/abut.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every function of abut.h has a suite of its own name here. It has a test for each kind of bad input that its
 // parameters make possible. abut_shape_cast_ray belongs to the suite ShapeCastRay.
 #include <cctype>

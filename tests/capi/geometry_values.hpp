@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls that give each geometry of a list another value, and what all of them have to refuse.
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Every struct of the C interface has the size and the offsets of layout_table.h, and the library reports the same.
  * Compiles as C99 and as C++98. */
 #include <abut/picking.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Sizes and offsets of the structs of the C interface, as every binding may rely on them: TYPE(struct, size) and
  * FIELD(struct, field, offset, size). On targets with 64-bit pointers, whatever the compiler. */
 #ifndef ABUT_TESTS_LAYOUT_TABLE_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picker is told by the plan of its universe for as long as it is there.
 #include <string>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // picking.h: no finite input ends the process, and rays stay right where numbers are very large or very small.
 #include "picking_scene.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // picking.h: a picker answers what its universe answers, whatever was edited before.
 #include "picking_scene.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // picking.h: grids, whose triangles are traced in pairs.
 #include "picking_support.hpp"
 

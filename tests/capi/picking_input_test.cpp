@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // picking.h: bad input of every kind has a status and a message of its own, and nothing is written.
 #include "picking_support.hpp"
 

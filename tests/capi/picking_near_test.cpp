@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // picking.h: points, segments and filters under the mouse.
 #include "picking_scene.hpp"
 

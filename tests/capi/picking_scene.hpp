@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene with shapes of every kind that is edited at random, and the universe's own answers to compare with.
 #pragma once
 

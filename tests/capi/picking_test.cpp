@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // picking.h: rays against a universe, compared with rays against each shape in double.
 #include "picking_scene.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All queries on a universe behind one signature, and what each of them has to refuse.
 #pragma once
 

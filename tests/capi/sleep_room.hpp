@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes on a floor that may fall asleep.
 #pragma once
 

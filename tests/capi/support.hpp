@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the tests of the C interface share: owners of its objects, out-parameters that notice when they are written,
 // and assertions on statuses and messages.
 #pragma once

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Compiles a program with the command of another one and compares the errors with what it expects.
 
 usage: compile.py compile_commands.json control.cpp case.cpp

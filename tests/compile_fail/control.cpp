@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiles: the right way to do what the other files do wrong.
 #include <array>
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A failure that nobody looks at.
 // expect: ignoring return value of .*declared with 'nodiscard'
 import abut;

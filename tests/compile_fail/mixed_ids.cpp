@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An id of one kind where another is asked.
 // expect: no known conversion from 'Id<Geometry>' to 'Id<Part>'
 import abut;

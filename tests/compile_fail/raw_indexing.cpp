@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An index into a pointer, which nothing can check.
 // expect: unsafe buffer access
 import abut;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two shapes that have nothing in common and that nobody has declared unsupported.
 // expect: (?s)no capability in common.*route<Ghost, Phantom>
 import abut;

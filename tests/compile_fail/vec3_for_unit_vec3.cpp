@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A vector of any length where a direction is asked.
 // expect: no known conversion from 'const .*Vec3' to 'const .*UnitVec3'
 import abut;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A reference into something that is gone when the statement ends.
 // expect: temporary bound to local reference .* will be destroyed
 import abut;

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs abut-demo on a small scene and checks what it writes.
 
 usage: check_demo.py PROGRAM DATA_FOLDER

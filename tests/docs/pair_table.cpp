@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints docs/pairs.md: the table of all pairs as this build answers them.
 #include <algorithm>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What becomes of exceptions at the border of the C interface.
 #include <gtest/gtest.h>
 

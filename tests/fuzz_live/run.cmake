@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The steps of the test fuzz.live. `-D chosen=a;b;c` takes these kinds instead of those that the commit stands for.
 cmake_minimum_required(VERSION 3.28)
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Runs one fixed scene with every broad phase and several numbers of threads and prints the hash of all contacts and
  * events. It is the same number on every instruction set. The motion takes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The steps of the test install_consumer.
 cmake_minimum_required(VERSION 3.28)
 

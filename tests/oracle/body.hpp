@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the oracle measures: convex bodies, half-spaces and triangle soups, described by plain numbers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closest points of two segments, and of a point and the inside of a triangle.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distance of two shapes by brute force over their features, in 113-bit floating point.
 //
 // Apart: the least distance of vertices, edges and faces. Overlapping: the largest separation (negative) over the

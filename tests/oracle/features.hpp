@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faces and edges of the convex hull of placed points, found by trying every triple.
 #pragma once
 

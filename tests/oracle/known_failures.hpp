@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inputs on which libraries failed, read from tests/data/known_failures.jsonl and tests/data/found.jsonl.
 #pragma once
 

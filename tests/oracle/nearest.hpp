@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distance of two convex solids by GJK in 113-bit floating point: support points and nothing else, so that it serves
 // curved solids and hulls of thousands of points alike.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distances from support points against distances from features, values worked out by hand, and known failures.
 #include "nearest.hpp"
 

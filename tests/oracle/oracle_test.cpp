@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The oracle against closed forms and against independent reference values.
 #include <gtest/gtest.h>
 

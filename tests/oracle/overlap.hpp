@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The overlap of two solids along a direction in double, fast enough to propose directions that float128 judges.
 #pragma once
 

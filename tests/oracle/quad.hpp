@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors and rotations in 113-bit floating point, for the oracle only.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches for the directions of least overlap: all over the sphere, and along circles where the overlap has a kink.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distance of two convex cores from their features.
 #pragma once
 

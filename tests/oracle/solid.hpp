@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Convex solids, curved ones included, described by plain numbers. Local frame, centred, along Z.
 #pragma once
 

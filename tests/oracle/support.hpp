@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Support functions of convex solids, and the distance of a point to one, in closed form.
 //
 // A direction n, the support heights of two solids along it and a point on each prove a distance without any search:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Support functions, distances of points and least overlaps of solids against values worked out by hand.
 #include "support.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The least overlap of two solids over all directions, searched for without any knowledge of the pair.
 //
 // Every direction gives an upper bound of the depth, so the result is one whatever the search misses; how tight it is

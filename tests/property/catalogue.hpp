@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shapes that the property tests pair with each other: ordinary, tiny, huge, thin, flat and degenerate ones.
 #pragma once
 

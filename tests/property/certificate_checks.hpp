@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A signed distance proved by what it comes with, where no oracle knows it beforehand.
 //
 // Apart: the points are as far from each other as the distance says. A slab of that width across the normal parts the

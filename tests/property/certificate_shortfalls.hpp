@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same list for distances that are judged by their certificates, curved shapes among them.
 //
 // - "gap between the bounds": shapes with a common centre or axis overlap as deep along many directions. The polytope

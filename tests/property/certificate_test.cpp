@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distances of all pairs of bounded convex shapes, curved ones included, by their certificates.
 #include <gtest/gtest.h>
 

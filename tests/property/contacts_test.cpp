@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact points of pairs: what must hold for any of them, over seeded placements.
 #include <gtest/gtest.h>
 

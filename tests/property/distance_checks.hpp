@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What must hold for the signed distance of every pair in every placement.
 #pragma once
 

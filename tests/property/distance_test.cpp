@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distances of all pairs of shapes against the oracle, over seeded placements.
 #include <gtest/gtest.h>
 

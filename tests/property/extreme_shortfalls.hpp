@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the library falls short in the extremes, as in shortfalls.hpp: row, fact, number of cases. It only shrinks.
 //
 // - "gap between the bounds" of concentric shapes: many directions are as good, as in certificate_shortfalls.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Extremes that collision code has to stand, each as a list of placed pairs of convex shapes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distances of extreme pairs against the oracle, and the table of the worst errors and iterations.
 //
 // Where both shapes have few features the oracle knows the distance from these; elsewhere, where the cores are apart,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Floors of triangles that are flat up to noise, as shapes of the library, and where their normals may point.
 #pragma once
 

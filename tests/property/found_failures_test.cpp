@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inputs on which this library itself failed. Each is asked in many common frames and from both sides.
 #include <gtest/gtest.h>
 

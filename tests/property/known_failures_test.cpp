@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inputs on which other libraries failed, judged by the rule of tests/data/README.md.
 #include "oracle/known_failures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the tests of a program, prints its table of worst errors, and writes it as CSV where the environment variable
 // ABUT_PROPERTY_CSV says. A run of all tests fails where the list of known shortfalls says more or less than was found.
 #include <gtest/gtest.h>

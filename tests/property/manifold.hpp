@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact points of a pair as a set: asking for them, and measuring their area.
 #pragma once
 

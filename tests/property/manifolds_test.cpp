@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Manifolds of random convex pairs: points on the surfaces, unique ids, the deepest one kept, the same contacts after
 // a motion that is rounding, mirrored contacts after a swap.
 #include <gtest/gtest.h>

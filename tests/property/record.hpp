@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Worst errors per row, printed and written as CSV at the end of a program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Manifolds of bodies that rest on each other, of which the points are known.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded placements of two shapes: the situations in which collision code goes wrong.
 #pragma once
 

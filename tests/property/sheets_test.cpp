@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What sheets (meshes and height fields) owe to those that meet them, in scenes that once went wrong.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A row of the tables of the property tests in which the library falls short of a fact: in how many cases, and by how
 // much.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the library falls short of a fact, row by row: pair of kinds, scene, fact; number of cases; largest offence.
 // A ratchet: one more case, an offence that is larger by a tenth, or a row that is not here fails the test. Fewer
 // cases, or an offence that is half as large, fail it too: lower the number. The program prints the right lines.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies that slide and roll over floors which are flat but for noise or rounding: no seam may turn a normal.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scenes of scenes.hpp for solids whose distance no oracle knows beforehand: placed by their support points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Convex shapes of the library, curved ones included, each with the same solid for the oracle.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes of the library, each with the same shape for the oracle.
 #pragma once
 

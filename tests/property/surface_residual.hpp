@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a point lies from the surface of a convex solid, from formulas of the solid alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes and height fields: the separated distance against all triangles, and the sign and consistency otherwise.
 #include <gtest/gtest.h>
 

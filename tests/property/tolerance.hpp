@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a result may be off by. The one place that says so for the property tests.
 #pragma once
 

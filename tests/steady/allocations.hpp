@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts what is asked of the allocator: malloc and its like are those of this program, and hand on to those of the C
 // library.
 #pragma once

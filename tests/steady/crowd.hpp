@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A block of bodies of all kinds, each in contact with its neighbours, over a ground and a terrain that stay.
 #pragma once
 

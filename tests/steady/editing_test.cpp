@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What it costs to change a shape that nobody else holds: no copy.
 #include "allocations.hpp"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Many geometries in little memory: makes universes of spheres and boxes that share two shapes, one part each. Steps
  * three times with 2 % of them moving. Compares what the process has held at most with a limit of 2 GiB for a million.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A step asks for no memory once its lists have grown to what the scene needs.
 #include "allocations.hpp"
 #include "crowd.hpp"

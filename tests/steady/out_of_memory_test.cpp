@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every request for memory of a call is refused in turn: the call says so, and nothing is lost but a universe in the
 // middle of a step.
 #include "allocations.hpp"

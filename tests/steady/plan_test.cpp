@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a scene does not use is not there: shown by memory, loaded libraries and results, not by what the plan says of
 // itself.
 #include "allocations.hpp"

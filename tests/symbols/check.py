@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A shared library exports what its header declares and its committed list names, nothing else, and
 needs no library that it must do without.
 

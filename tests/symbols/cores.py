@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Searches are compiled for cores: none of their functions has a shape among its types that has the core of another
 one. A sphere is a point with a radius, so a search that knows `Sphere` is there twice.
 

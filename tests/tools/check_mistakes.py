@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Broken scenes and arguments: exit status 1, a message with the place, the value and what was expected, and no file.
 
 usage: check_mistakes.py ABUT DIRECT SCENES

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the command line program writes: contacts and events, the same in every form and in every run.
 
 usage: check_output.py ABUT DIRECT SCENES

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The scenes of examples/scenes, each with counts that follow from what it says.
 
 usage: check_scenes.py ABUT DIRECT SCENES

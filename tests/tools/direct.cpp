@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene stack.json built by calls of the C interface; prints each contact as a row of numbers, for comparison with
 // what the command line program writes.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hull around points that are known to be good.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How deep bodies overlap, by trying directions: what the depths along few proven ones are held against.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shape from numbers that are known to be good.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded boxes and placements, and a proof of distance that looks at corners only.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded shapes whose parameters are lengths of about one unit.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the program can be asked to do.
 #pragma once
 

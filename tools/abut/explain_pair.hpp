@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How one pair of geometries of a scene is answered: every way to its distance, one by one.
 #pragma once
 

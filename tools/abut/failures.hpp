@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Why the program ends, and its exit status for each.
 #pragma once
 

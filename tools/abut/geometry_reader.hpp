@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Geometries: shapes on a part, with everything that decides whom they meet and how.
 #pragma once
 

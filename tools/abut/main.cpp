@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // abut: steps a scene that is written as JSON; see usage() for what it does.
 #include <algorithm>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names that a scene gives to numbers: layers, exclusions, labels, tags and materials.
 #pragma once
 

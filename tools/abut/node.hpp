@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A place in a scene document: a value and the way to it. Everything that reads a value refuses it in one form:
 // where it stands, what it is, what was expected.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A file that gets its name when it is complete, so that a failure leaves nothing that looks like a result.
 #pragma once
 

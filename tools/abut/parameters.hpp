@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scalar parameters of a shape, under the names that the library gives them.
 #pragma once
 

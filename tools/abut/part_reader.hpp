@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts, their geometries, and how they move.
 #pragma once
 

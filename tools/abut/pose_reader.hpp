@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Poses: a position, and an orientation as a quaternion or as an axis and degrees.
 #pragma once
 

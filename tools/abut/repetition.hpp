@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many copies of a part from one entry of a scene: a grid, or places chosen by a seed.
 #pragma once
 

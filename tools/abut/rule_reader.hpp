@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules, which say who meets whom, policies, which say how, and the focus, which says where with more care.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene as it was read: plain data, and the shapes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prescribed motion of a part: a constant velocity and spin, or keyframes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The arrays of shapes that are made of many numbers: inline in the scene, or from a file beside it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shapes of a scene, by name, and those that are written where they are used.
 #pragma once
 

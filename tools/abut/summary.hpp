@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts and times of all steps, as a table or as JSON.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows of values, as CSV with a header or as a JSON list of objects. Numbers are written with as many digits as it
 // takes to read the same bits back.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rotations about an axis by degrees, the same bits on every machine: sine and cosine by their series, since those of
 // the system differ from one processor to the next.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A universe built from a scene, its motion, and the names of what is in it.
 #pragma once
 

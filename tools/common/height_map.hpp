@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads heights from a picture in grey (PGM).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Owners of the objects of the C interface, and the one way in which tools fail.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Progress on the error output: a bar on a terminal; elsewhere a line now and then, or nothing.
 #pragma once
 

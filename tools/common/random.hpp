@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded random numbers. The distributions of the standard library differ from one implementation to the next;
 // these do not.
 #pragma once

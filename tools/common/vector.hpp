@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small arithmetic on the vectors, quaternions and poses of the C interface. Only operations that IEEE 754 rounds
 // correctly (+ - * / sqrt) are used, so that a motion built from them is the same on every machine.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads vertices and faces from a Wavefront OBJ file.
 #pragma once
 

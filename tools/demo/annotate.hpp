@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is drawn over the picture: marks of contacts and the legend.
 #pragma once
 

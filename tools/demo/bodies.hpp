@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kinds of bodies and how each is made of shapes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tables as comma-separated values; numbers are written with a fixed count of decimals, so that equal results give
 // equal bytes.
 #pragma once

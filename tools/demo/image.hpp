@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture of linear light, anti-aliased drawing on it, and its way into a PNG file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shadows: rays from what the picture shows towards the sun and into the sky.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // abut-demo: bodies of many shapes slide over real terrain; see usage() for what it does and writes.
 #include <algorithm>
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The prescribed motion: bodies lie on the terrain and slide down it with drag.
 #pragma once
 

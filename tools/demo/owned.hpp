@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the demo shares with other tools, and owners of the objects of the picking interface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The picture: one ray a pixel through the picker, then light, then more rays where the picture has edges.
 #pragma once
 

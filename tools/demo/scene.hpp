@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The universe of the demo: terrain and bodies, and what belongs to what.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What things look like: light, sky, ground and the colours of bodies.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The elevation grid as a height field. World frame: metres, x to the east, y to the north, z up; the origin lies in
 // the middle of the grid at sea level. Heights are exaggerated.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text in straight strokes. Capital letters, digits and a few signs; small letters are drawn as capitals.
 #pragma once
 

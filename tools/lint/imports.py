@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The graph of module imports and includes, and the rule on who may reach a kernel."""
 
 import posixpath

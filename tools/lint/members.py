@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Data members of classes, found by following braces; enough of C++ for code that is formatted."""
 
 import re

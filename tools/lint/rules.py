@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Rules for one file at a time. Each is a function of a Source that yields (line, message)."""
 
 import re
@@ -9,6 +10,7 @@ COLUMNS = 120
 HARD_LENGTH = 600
 SOFT_LENGTH = 300
 RAW = "modules/core/raw"
+LICENCE = "SPDX-License-Identifier: Apache-2.0"
 
 # The only folders that may touch a library, by the name of its include folder.
 LIBRARY_OWNERS = {
@@ -185,6 +187,13 @@ def line_length(source):
                 yield number, f"{len(line)} columns; the limit is {COLUMNS}"
 
 
+def licence_line(source):
+    """Every source names its licence, in the first line, or below the line that names its interpreter."""
+    limited = source.is_cxx or source.is_c or source.is_cmake or source.suffix in (".py", ".sh", ".map", ".yml", ".yaml", "")
+    if limited and source.suffix != ".json" and LICENCE not in "\n".join(source.text.split("\n")[:2]):
+        yield 1, f"no line {LICENCE}"
+
+
 def concept_place(source):
     """What a kernel may ask a shape for stands in one room, documented."""
     if source.is_cxx and source.within("modules") and not source.within("modules/capability"):
@@ -245,6 +254,7 @@ FILE_RULES = [
     macro,
     length,
     line_length,
+    licence_line,
     sentence_length,
     concept_place,
     flag,

@@ -1,9 +1,10 @@
+# SPDX-License-Identifier: Apache-2.0
 """The rule on the length of sentences in comments."""
 
 import re
 
 WORDS = 25
-_COMMENT = re.compile(r"^\s*(?://+<?|/\*\*?<?|\*)(?: (.*))?$")
+_COMMENT = re.compile(r"^\s*(?://+<?|/\*\*?<?|\*)(?: (?!SPDX)(.*))?$")
 _END = re.compile(r"(?<=[.!?;:])\s+")
 _ITEM = re.compile(r"^\s*[-*@] |^\s*@\w+|^\s{3,}\S")
 

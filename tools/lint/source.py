@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A file of the tree as the rules see it: raw, without comments, and without comments and strings."""
 
 import functools

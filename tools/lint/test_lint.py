@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Each rule of the lint fires on a bad snippet and is silent on a good one."""
 
 import unittest
@@ -104,6 +105,10 @@ SNIPPETS = {
     "concept_place": [
         (MODULE, "template <class S>\nconcept Edged = true;", "// concept Edged = true;"),
         ("modules/pairs/rows/a.cppm", "template <class S>\nconcept Edged = true;", "concepts();"),
+    ],
+    "licence_line": [
+        (MODULE, "// What this is for.", "// SPDX-License-Identifier: Apache-2.0\n// What this is for."),
+        ("scripts/a", "#!/bin/sh\n# What this is for.\n# SPDX-License-Identifier: Apache-2.0", "#!/bin/sh\n# SPDX-License-Identifier: Apache-2.0"),
     ],
     "closed_source": [
         (MODULE, "// Source: SPEC VX-07", "// Source: Gottschalk, \"Separating axis theorem\", 1996"),

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Rules that look at several files: layers, the registry of shapes, the C headers and their symbols.
 Each is a function of {path: Source} that yields (path, line, message)."""
 

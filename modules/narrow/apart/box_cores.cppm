@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closest points of two cores that are boxes, segments or points, without a simplex.
 //
 // - Two boxes: each is projected on the other in turn (von Neumann's alternating projections). Between a corner and a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distance of two convex cores by GJK (Gilbert, Johnson, Keerthi 1988).
 //
 // Ends by a proof, not by a count: with v the closest point of the current simplex of the Minkowski

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a search for the separation of two cores may leave open.
 export module abut.narrow.apart.search_bounds;
 import abut.capability;

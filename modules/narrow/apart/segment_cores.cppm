@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closest points of two segments in closed form (Ericson, "Real-Time Collision Detection", 2005, 5.1.9).
 export module abut.narrow.apart.segment_cores;
 import abut.core.standard;

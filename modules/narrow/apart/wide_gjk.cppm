@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // GJK with twice the digits, for cores on which rounding stops the usual one: slivers and needles beside bodies that
 // are a million times as large, rims and edges that almost touch. Takes some ten times as long, and is compiled once
 // for all cores.

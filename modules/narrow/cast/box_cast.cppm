@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The first touch of two boxes: separating axes tell when, and the axes at that time tell where.
 export module abut.narrow.cast.box_cast;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The casts that can be told from the types of two shapes: of convex ones and of those that are made of convex parts.
 // The parts of the latter are cast in the order in which their boxes are met: the normal of one part says nothing of
 // the others.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The first touch of a shape that is cast, found so far. Knows no kernel.
 export module abut.narrow.cast.cast_search;
 import abut.capability;

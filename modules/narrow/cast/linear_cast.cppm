@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When two shapes first touch, one of which moves along a line without turning.
 export module abut.narrow.cast.linear_cast;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of a shape in the order in which something that moves meets their boxes.
 export module abut.narrow.cast.parts_in_order;
 import abut.capability;

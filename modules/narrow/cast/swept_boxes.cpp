@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.narrow.cast.swept_boxes;
 import abut.math;
 import abut.math.tolerance;

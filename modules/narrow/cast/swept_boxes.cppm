@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When two boxes overlap of which one moves without turning. On each of the fifteen separating axes they do in a
 // stretch of the way. The boxes overlap in what all stretches have in common (Gottschalk et al., "OBBTree", 1996).
 export module abut.narrow.cast.swept_boxes;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far two cores are apart or in each other, where closed forms know it: boxes, segments and points, and a point
 // beside a core that knows its nearest surface point.
 export module abut.narrow.convex.closed_cores;

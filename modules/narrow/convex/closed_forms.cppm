@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closed forms of the separation and the contacts of two convex shapes, from cores that have them.
 export module abut.narrow.convex.closed_forms;
 import abut.capability;

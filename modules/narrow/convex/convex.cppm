@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distance and contacts of two convex shapes from the separation of their cores. Radii are added
 // at the end, so a shallow contact of rounded shapes comes exactly from the distance of the cores.
 export module abut.narrow.convex;

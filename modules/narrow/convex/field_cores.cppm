@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closest points of two cores that are apart, where each knows its point nearest to any other and one is curved,
 // without a simplex.
 //

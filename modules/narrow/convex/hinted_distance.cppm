@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The distance of two cores with corners, beginning at the vertices that were nearest the last time. Where these still
 // are, one support point of each core proves it. Else GJK goes on toward them.
 export module abut.narrow.convex.hinted_distance;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How deep two cores overlap: all separating axes, or the expanding polytope, which also answers for cores that GJK
 // leaves open.
 export module abut.narrow.convex.overlap;

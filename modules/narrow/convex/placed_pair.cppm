@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closed forms of two convex shapes that are both placed in the world. A point looks the same from everywhere, and a
 // segment is known by its axis. Such pairs are answered without turning one into the frame of the other and back.
 export module abut.narrow.convex.placed_pair;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An expanding polytope comes near the normal of two features within its bound. What the features themselves give is
 // exact, and the same whatever the search went through.
 export module abut.narrow.convex.settle;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The separation of two cores as a record, and the bounds that errors and rounding have.
 export module abut.narrow.cores.core_separation;
 import abut.capability;

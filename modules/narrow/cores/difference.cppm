@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Minkowski difference a - b of two cores behind functions, for searches that are compiled once for all cores.
 //
 // A call through a function costs some nanoseconds; these searches take microseconds.

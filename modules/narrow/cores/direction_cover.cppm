@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Caps of directions in which the support function of a difference D is surely no less than a depth.
 //
 // There is one around each least depth that is known, and one for each ball inside D. A ball of radius r around m has

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The point of a simplex that is closest to the origin, for GJK.
 //
 // Signs of sub-determinants, compared with the sign of the whole, decide which face is closest (signed volumes:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All fifteen axes of two boxes at once, an axis per lane (Gottschalk, Lin, Manocha, "OBBTree", 1996).
 module;
 export module abut.narrow.fan.box_sat;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The corners and planes of polytopes as the search for separating axes sees them from another one.
 export module abut.narrow.fan.corners;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An edge of a polytope and discs, added up: the edge sweeps the outline that the discs have along it.
 // - A line of the side and the edge span a face.
 // - A rim is nearest to the origin where its distance from the line of the edge is least.

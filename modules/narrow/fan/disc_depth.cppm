@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How deep the convex hull of two discs across one axis, a cylinder or a cone, overlaps with a polytope or another one.
 //
 // The least depth is the least support function h of the difference D of both over all unit directions. Where h is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two hulls of discs, added up. Their sum has flat faces, along the axes and where lines of both sides meet, and two
 // families of places at which it may be nearest to the origin:
 //

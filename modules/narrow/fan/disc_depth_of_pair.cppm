@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How deep a cylinder or a cone and a polyhedron or another one overlap, of any two shapes that can be asked so.
 export module abut.narrow.fan.disc_depth_of_pair;
 import abut.capability;

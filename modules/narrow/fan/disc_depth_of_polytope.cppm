@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The directions in which a polytope and two discs may overlap least, four at a time.
 export module abut.narrow.fan.disc_depth_of_polytope;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Polytopes that list their faces and edges for separating axes, four at a time.
 export module abut.narrow.fan.facets;
 import abut.capability;

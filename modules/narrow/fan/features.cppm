@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The features of cores by their numbers: normals of faces, edges with their ends, and the normal that two features
 // give. Searches and pair memory both make their normals here, so that the same features give the same bits.
 export module abut.narrow.fan.features;

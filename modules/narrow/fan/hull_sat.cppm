@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Least overlap of two cores of which one is a polytope that lists its faces and edges, by separating axes.
 export module abut.narrow.fan.hull_sat;
 import abut.capability;

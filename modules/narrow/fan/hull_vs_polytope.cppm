@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Least overlap of a polytope that lists its faces and edges with another one, a box, a triangle, a segment or a
 // point. It tries the faces of both. The normals of an edge of the first form an arc on the Gauss sphere (Gregorius,
 // "The separating axis test between convex polyhedra", GDC 2013). The search walks along it from corner to corner of

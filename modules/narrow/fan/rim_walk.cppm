@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rim seen from a line: the axis of another body, or an edge. In the half plane through the line the rim is a closed
 // curve. An aim there is a corner, another line, or the first line itself. Where the curve is nearest to its aim is
 // found by dividing arcs of the rim until

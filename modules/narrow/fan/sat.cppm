@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed separation of two cores with few faces by trying every axis that can be a face normal of
 // their Minkowski difference: face normals of both, and cross products of their edges (Gottschalk,
 // Lin, Manocha, "OBBTree", 1996). Exact for overlap; a lower bound of the distance when apart.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All axes of a triangle with a box or another triangle, four at a time (Gottschalk, Lin, Manocha, "OBBTree", 1996).
 export module abut.narrow.fan.triangle_sat;
 import abut.capability;

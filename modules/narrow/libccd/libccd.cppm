@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // libccd's GJK/EPA and MPR behind the interface of our own routes: a second, independent opinion.
 // What it cannot answer (NaN, iteration limit, contradiction) is reported, never passed on.
 export module abut.narrow.libccd;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module;
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Weverything"

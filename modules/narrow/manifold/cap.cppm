@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Caps the contacts of one pair whose shapes have many parts. Each normal of a ball in a mesh is a patch of its own.
 export module abut.narrow.manifold.cap;
 import abut.capability;

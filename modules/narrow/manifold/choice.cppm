@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The points of a patch that span the largest area. Four of a few points are found by trying; more points are added
 // one by one, the one that adds most first.
 export module abut.narrow.manifold.choice;

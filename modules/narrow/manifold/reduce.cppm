@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reduces a manifold to the few points that hold a body as well as all of them.
 export module abut.narrow.manifold.reduce;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reduces contacts of composites and particles: each pair of children is a manifold of its own.
 export module abut.narrow.manifold.reduce_children;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which contacts of a surface may stand beside each other. A contact claims that parting the two shapes takes its depth
 // along its normal. A triangle may claim too much where a neighbour has the least way out. Where the claim of another
 // contact parts this triangle as well, by less than this triangle claims, only the other claim counts.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contacts of a composite with holes: what is left of those with its solids, and those with walls and rims.
 export module abut.narrow.many.cut;
 import abut.capability;

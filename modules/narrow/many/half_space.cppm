@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A half-space against a convex shape: exact in one step.
 //
 // Heights over the plane are the same in every frame. They are taken in the frame of the shape, so that only points

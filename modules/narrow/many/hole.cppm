@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A cavity against what is in it: the cavity stands for the solid that fills all space around it.
 export module abut.narrow.many.hole;
 import abut.capability;

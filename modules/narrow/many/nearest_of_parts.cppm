@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The distance of a shape of many parts, from those of its parts one by one.
 export module abut.narrow.many.nearest_of_parts;
 import abut.capability;

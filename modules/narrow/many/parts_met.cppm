@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The triangles of a surface that a shape meets. They tell how far the shape has to move to be parted from all.
 export module abut.narrow.many.parts_met;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a triangle is further from a core than a limit, told by a few axes that cost little. Most triangles that a
 // tree of boxes finds near a shape are left out so.
 export module abut.narrow.many.quick_axes;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rim where the surfaces of two bodies cross: its point near a place, and its point that is nearest to a third body
 // or deepest in it. A body is a function from a point to its signed distance, which may have no answer.
 export module abut.narrow.many.rim_point;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shape against itself: the solids or triangles that it is made of, each pair of them once.
 export module abut.narrow.many.self_contacts;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contacts of a surface. A contact at an edge or a vertex counts only where its normal is in the cone of normals of the
 // whole surface there, so that sliding shapes do not trip over seams. Elsewhere a neighbour is nearer and has its own
 // contact: of this triangle only what its face touches counts, turned to the normal of the face, as far as the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfaces: a mesh or a height field against anything, triangle by triangle.
 export module abut.narrow.many.surfaces;
 import abut.capability;

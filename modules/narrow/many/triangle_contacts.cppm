@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A triangle of a surface against a convex shape, or against a triangle of another surface: their separation, and which
 // normals may part them. A one-sided triangle only pushes to its front, and a way out of a triangle is one out of its
 // surface only where no neighbour reaches further.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The point of a triangle that is nearest to a given one. The region that the given one lies over decides. Source:
 // Ericson, "Real-Time Collision Detection", 2005, section 5.1.5.
 export module abut.narrow.many.triangle_point;

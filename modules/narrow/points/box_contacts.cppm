@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The region in which the faces of two boxes meet, all corners at once. Both faces are projected along the contact
 // normal onto the plane of the face of a. That one is a rectangle there, and the other one a parallelogram. Their
 // common region has corners of two kinds: a corner of one face in the other, and a crossing of two edges: 24

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The region in which two supporting faces meet: both are projected along the contact normal, the
 // projections are intersected, and each corner is lifted back onto both faces. The construction is the
 // same for both sides, so swapping them gives the same points.

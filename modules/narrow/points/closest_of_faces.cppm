@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points that lie across from each other: move one core onto the other along the normal that separates them best. Their
 // outermost parts meet, and each common point is a pair of witnesses.
 export module abut.narrow.points.closest_of_faces;

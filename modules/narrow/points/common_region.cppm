@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The region that two supporting faces of cores share, corner by corner. A rim is a polygon to most of them; an edge
 // that lies across it ends on the circle itself, as no corner of the polygon would be as deep.
 export module abut.narrow.points.common_region;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A contact on the way from a closed form to its manifold, in vector registers.
 //
 // A record that is written number by number and read back whole waits for the stores. So does one that is moved or

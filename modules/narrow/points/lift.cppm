@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faces seen along a normal: points of them in the plane across it, and back from there onto a face.
 export module abut.narrow.points.lift;
 import abut.capability;

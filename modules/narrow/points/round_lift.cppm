@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From corners of the region that two cores share to the surfaces of the rounded shapes.
 export module abut.narrow.points.round_lift;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The region that two polygons of three or four corners share, all corners at once. Its corners are corners of either
 // inside the other, and crossings of an edge of each.
 //

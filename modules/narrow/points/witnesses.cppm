@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The points of two cores that are closest or deepest, under a separation that is known.
 export module abut.narrow.points.witnesses;
 import abut.capability;

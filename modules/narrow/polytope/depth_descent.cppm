@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A descent to the least depth of two cores where many directions are nearly as good: bodies of revolution that almost
 // share an axis, a speck inside a round core.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Least depths of two cores of which one is curved: directions in which the support function of their difference D is
 // least among those nearby, and the cap of directions around each in which surely nothing is less.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Depth and direction of least overlap of two convex cores by the expanding polytope algorithm (van den Bergen,
 // "Proximity queries and penetration depth computation on 3D game objects", 2001). An incremental convex hull grows:
 // its least face is pushed out until it lies on the boundary.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.narrow.polytope.newton_step;
 import abut.capability.second_order;
 import abut.capability;

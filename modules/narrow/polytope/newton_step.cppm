@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A step of Newton's method to the least depth of two cores of which one is curved.
 //
 // The support function of their difference is a few smooth pieces near a direction. They meet in creases, which lie

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The points of both cores under a normal along which their depth is known.
 export module abut.narrow.polytope.points_under;
 import abut.core.standard;

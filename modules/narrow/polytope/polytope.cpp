@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.narrow.polytope;
 import abut.core.standard;
 import abut.math.four_vec3;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A convex polytope of triangles that grows vertex by vertex: the body of the expanding polytope
 // algorithm. All storage is inside, no allocation.
 export module abut.narrow.polytope;

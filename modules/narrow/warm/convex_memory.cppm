@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contacts of two convex shapes with what is remembered of the pair. Where the memory proves the answer no search is
 // made; else the search is the same as without, and the memory keeps what it found.
 export module abut.narrow.warm.convex_memory;

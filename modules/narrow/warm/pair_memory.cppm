@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is kept of a pair from one query to the next, and what it still proves after both bodies have moved.
 //
 // - A pair that was apart keeps a direction and the gap along it. The gap shrinks by no more than b has turned and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether what is kept of a pair still proves its answer, and keeping it.
 export module abut.narrow.warm.proof;
 import abut.core.standard;

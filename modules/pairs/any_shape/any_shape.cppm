@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shape of any kind of this build, and what can be asked of one and of two.
 export module abut.pairs.any_shape;
 import abut.core.standard;

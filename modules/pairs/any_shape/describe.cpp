@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Why a pair of kinds is answered the way it is, in words.
 module abut.pairs.any_shape;
 import abut.capability;

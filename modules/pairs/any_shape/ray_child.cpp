@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.pairs.any_shape.ray_child;
 import abut.capability;
 import abut.core.standard;

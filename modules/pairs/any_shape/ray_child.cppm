@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which child of a composite a ray meets.
 export module abut.pairs.any_shape.ray_child;
 import abut.core.standard;

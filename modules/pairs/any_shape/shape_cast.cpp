@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Convex shapes are cast as they are, those that are made of parts by the kernel of the pair, composites child by child
 // in the order in which the boxes are met, and what holes leave of solids in strides.
 module abut.pairs.any_shape.shape_cast;

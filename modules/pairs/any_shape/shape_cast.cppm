@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes of any kind that move along a line: when they first touch.
 export module abut.pairs.any_shape.shape_cast;
 import abut.capability;

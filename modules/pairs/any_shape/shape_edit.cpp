@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 module abut.pairs.any_shape.shape_edit;
 import abut.capability;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes of shapes that are in use, in three steps: whether an edit is right, memory for it, and the change itself.
 export module abut.pairs.any_shape.shape_edit;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Composites against anything: child by child, each pair of children by the table.
 module abut.pairs.registry;
 import abut.capability;

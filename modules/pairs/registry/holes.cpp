@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Composites with holes: what the holes take of the contacts with another shape, and what they add.
 module abut.pairs.registry;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shape of any kind against itself.
 export module abut.pairs.registry.self_contacts;
 import abut.capability;

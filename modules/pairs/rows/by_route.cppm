@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Asks the kernel of the route of two types of shapes. Knows no shape by name.
 export module abut.pairs.rows.by_route;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernels of all pairs of the shapes of a registry, which fill the rows of its table. Knows no shape by name.
 export module abut.pairs.rows.dispatch;
 import abut.core.standard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernels of distances that begin where the last query ended. Knows no shape by name.
 export module abut.pairs.rows.from_hint;
 import abut.capability;

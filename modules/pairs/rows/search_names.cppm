@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which searches answer a pair of types of shapes, in words.
 export module abut.pairs.rows.search_names;
 import abut.capability;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls from a filter, while the universe steps: those that change it are refused, whatever their other arguments are.
 #include <functional>
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What abut_contact_validate and abut_universe_local_points refuse.
 #include <limits>
 

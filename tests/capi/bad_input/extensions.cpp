@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of extension libraries that are none.
 #include "bad_values.hpp"
 

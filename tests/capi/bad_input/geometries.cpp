@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Single geometries under bad input.
 #include "bad_values.hpp"
 

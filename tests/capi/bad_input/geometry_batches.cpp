@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Batches of geometries under bad input: one bad element spoils all, whichever it is.
 #include "bad_values.hpp"
 

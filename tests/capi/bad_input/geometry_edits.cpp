@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes of shapes in use under bad input: each is refused with the word for what is wrong, and leaves the universe as
 // it was.
 #include "bad_values.hpp"

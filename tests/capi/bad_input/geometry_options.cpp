@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Options of geometries that exist under bad input.
 #include "geometry_values.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Other shapes for geometries under bad input.
 #include "geometry_values.hpp"
 

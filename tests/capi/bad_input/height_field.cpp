@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Height fields under bad input.
 #include "bad_values.hpp"
 

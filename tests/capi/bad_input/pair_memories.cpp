@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries of a pair with a memory under bad input: a call that fails leaves the memory as it is.
 #include "bad_values.hpp"
 

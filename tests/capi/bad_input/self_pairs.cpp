@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Self pairs of kinds that do not meet themselves.
 #include "bad_values.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The generic door for shapes, and the references to them, under bad input.
 #include "bad_values.hpp"
 

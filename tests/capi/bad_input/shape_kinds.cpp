@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The list of shape kinds: questions about kinds that do not exist have an answer, never a crash.
 #include <limits>
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes against a universe under bad input.
 #include "query_calls.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Spheres, boxes, capsules and planes under bad input.
 #include "bad_values.hpp"
 

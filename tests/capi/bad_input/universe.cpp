@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The universe as a whole under bad input.
 #include "bad_values.hpp"
 

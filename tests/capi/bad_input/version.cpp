@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Version, names and messages under bad input.
 #include <thread>
 

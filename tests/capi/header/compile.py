@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Compiles the public headers alone, twice and in the layout test, in every language version of one compiler.
 
 usage: compile.py gcc|g++|clang|clang++ ROOT

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* The header alone, first in its file: it brings abut.h along. */
 #include <abut/picking.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Both headers twice, in either order. */
 #include <abut/picking.h>
 #include <abut/abut.h>

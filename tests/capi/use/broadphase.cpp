@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole scenes: both broad phases find the same contacts, whatever happens to the scene.
 #include <cmath>
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Casts against surfaces: the same from a universe and from a pair call, whichever side moves. For points it is the
 // crossing of a straight line with the triangles.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes that move: when they first touch, beside their distances on the way.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Geometries that change: another shape, other options, sensors and materials.
 #include "support.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Composites: several shapes as one.
 #include <cmath>
 #include <limits>

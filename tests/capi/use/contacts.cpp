@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contacts of a universe: their order, their ids, how long they can be read.
 #include <cmath>
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arrays of unknown length: ask for the count, then fill.
 #include <cmath>
 

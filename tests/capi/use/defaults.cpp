@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The _init functions write as much of a struct as the caller knows, and nothing of what lies behind it.
 #include <gtest/gtest.h>
 

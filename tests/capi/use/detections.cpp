@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Detections of some pairs and of some regions: together with a full one they find what a full one would have found
 // from the start. CI-3 of the specification.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes that change while geometries have them: what becomes of contacts, of other holders and of those who sleep.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A universe whose shapes are edited against one that is made anew with the shapes that come of it: the answers are the
 // same bits.
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events: every touch is one begin, then a persist in each step, then one end, whatever happens to the scene.
 #include "box_world.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plan in words.
 #include "bad_values.hpp"
 

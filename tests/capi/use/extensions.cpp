@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Extension libraries that stand on a universe, as the plan tells them.
 #include <thread>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The filter of the caller: asked last, once for each pair, in order, and again only when it is told to.
 #include "support.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which pairs are examined, and from which distance on they have contacts.
 #include "bad_values.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The focus: tags by distance from centres, and what contacts make of a switch. FW-2 of the specification.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The focus in a crowd: every tag of every step, under every broad phase and on several threads. FW-2 of the
 // specification.
 #include <cmath>

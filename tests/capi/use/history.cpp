@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What contacts remember from step to step: their age, the caller's value, and which of many points are kept.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Holes: cavities in the solids of a composite.
 #include <cmath>
 #include <random>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Holes where one of the two bodies is made of many: particles, and composites with holes of their own.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies with cavities, for tests of holes.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several universes with the same shapes: each goes its own way, to the bit. PL-03 of the specification.
 #include <cmath>
 #include <thread>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Islands of a universe against a search of the graph that its contacts make.
 #include <map>
 #include <random>

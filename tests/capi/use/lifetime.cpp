@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who owns what, and for how long.
 #include "bad_values.hpp"
 

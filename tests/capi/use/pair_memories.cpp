@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memories of pairs: no bytes of one change what is true, and the right ones spare the search.
 #include <algorithm>
 #include <array>

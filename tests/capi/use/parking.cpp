@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parked geometries take no part in anything: VX-07 of the specification.
 #include "support.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Particles: many balls as one shape.
 #include <cmath>
 #include <limits>

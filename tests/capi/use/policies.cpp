@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Policies: pairs of tags with algorithms, details and rates of their own over one broad phase. PL-02 of the
 // specification.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries on a universe, as a program of the C interface asks them.
 #include <cmath>
 #include <limits>

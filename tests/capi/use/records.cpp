@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The record of a contact: its friction frame, its room, and its points in the frames of the geometries.
 #include <cmath>
 #include <random>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Back to an earlier state: what a caller sets again is all that contacts depend on. PL-03 of the specification.
 #include <cmath>
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who meets whom: rules at every level, layers and masks, exclusion bits. VX-04 and CM-04 of the specification.
 #include "bad_values.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Geometries that meet themselves, against all pairs of what they are made of.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts that fall asleep where they have come to rest: VX-23 of the specification.
 #include <cmath>
 

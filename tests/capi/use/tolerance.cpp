@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tolerance of contacts for every kind of shape, rule by rule: VX-09 of the specification. Balls of given gaps are
 // in filtering.cpp.
 #include <cmath>

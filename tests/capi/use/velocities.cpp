@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Velocities of parts: stored, measured and handed out, and without any effect.
 #include <cmath>
 

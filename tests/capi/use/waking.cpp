@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What wakes parts that sleep: VX-23 of the specification.
 #include "sleep_room.hpp"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* A C program that knows abut by pkg-config: the distance of two unit balls 4 apart. */
 #include <abut/abut.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* A C program that knows abut_picking by pkg-config: a ray meets a unit ball from 3 away. */
 #include <abut/picking.h>
 #include <stdio.h>

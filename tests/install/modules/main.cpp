@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A C++ program that imports the installed modules: the distance of two unit balls 4 apart.
 #include <array>
 #include <cstdio>

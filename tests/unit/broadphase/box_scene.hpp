@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random boxes that come, go, move, jump, hide and grow, and what a plain loop says about them.
 #pragma once
 #include <algorithm>

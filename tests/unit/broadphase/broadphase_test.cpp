@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All broad phases find the pairs that a plain double loop finds, whatever happens to the boxes.
 #include "box_scene.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The memory of the broad phases that keep pairs from call to call.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a list of scratch keeps from call to call, and what it gives back.
 #include <gtest/gtest.h>
 

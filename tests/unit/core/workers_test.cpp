@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Work that threads share.
 #include <gtest/gtest.h>
 

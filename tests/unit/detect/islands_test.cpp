@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Islands against a search of the graph, over many detections that connect and part at random.
 #include <gtest/gtest.h>
 

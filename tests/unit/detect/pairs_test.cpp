@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is kept of pairs from detection to detection.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The closest and deepest points of bodies that are thin up to rounding lie on these bodies.
 #include <gtest/gtest.h>
 

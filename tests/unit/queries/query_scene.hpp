@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A universe full of shapes of all kinds, and a loop over all of them to hold queries against.
 #pragma once
 #include <algorithm>

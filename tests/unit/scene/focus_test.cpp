@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Near and far: the two tags of a focus by the distance of boxes from its centres.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Policies of pairs of tags.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which rule counts for a pair.
 #include <gtest/gtest.h>
 

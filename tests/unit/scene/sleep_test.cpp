@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of sleeping parts, without a universe around it.
 #include <gtest/gtest.h>
 

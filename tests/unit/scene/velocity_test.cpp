@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Velocities by the poses of parts, and the table of them, without a universe around it.
 #include <gtest/gtest.h>
 

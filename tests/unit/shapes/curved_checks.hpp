@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What curved surfaces promise about support points, faces and nearest points, judged by searching them.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a hull reports of its points. The error is judged by the method of Gilbert, Johnson and Keerthi in long double
 // on the vertices alone: the hull is all convex combinations of them, and each answer is one.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every shape promises about its surface, judged by functions that know nothing of its code.
 #pragma once
 #include <gtest/gtest.h>

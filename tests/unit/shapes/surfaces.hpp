@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles of surfaces, one by one: what trees and grids must agree with.
 #pragma once
 #include <algorithm>

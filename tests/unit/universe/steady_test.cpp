@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes that go on as they are: nothing grows, and nothing is done twice.
 #include <gtest/gtest.h>
 

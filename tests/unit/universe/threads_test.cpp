@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every stage of a step on several threads: whatever happens to a scene, it has the same bits as on one.
 #include <gtest/gtest.h>
 

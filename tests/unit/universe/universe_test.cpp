@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts, geometries and steps of a universe.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Velocities where jobs look for them: by the places of geometries, before pairs are examined.
 #include <gtest/gtest.h>
 

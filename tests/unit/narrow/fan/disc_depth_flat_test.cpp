@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies without thickness, and axes along faces and through corners: rounding of the frame must not count.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each search tells the features of its normal: those that all corners of both cores confirm.
 #include <gtest/gtest.h>
 

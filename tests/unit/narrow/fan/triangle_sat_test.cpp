@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All axes of a triangle at once against the axes one by one, and against the corners under the normal.
 #include <gtest/gtest.h>
 

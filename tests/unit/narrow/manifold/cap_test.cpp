@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cap of a pair: few contacts of many, the deepest one among them, spread over normals and places.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contacts are continuous in the pose: while the same features touch, a small motion moves the contact polygon by a
 // small multiple. So it does the points that a reduction keeps. rim_continuity_test.cpp does the same for cylinders
 // and cones.

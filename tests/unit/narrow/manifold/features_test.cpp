@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of contacts: the same while the same features touch, and different for different features.
 #include <gtest/gtest.h>
 

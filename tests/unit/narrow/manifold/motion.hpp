@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far the polygon of the contacts of a pair moves from one step to the next.
 #pragma once
 #include <algorithm>

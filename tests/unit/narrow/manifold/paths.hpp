@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of bodies that touch and move along smooth random paths in steps of 0.2 micrometres.
 #pragma once
 #include <array>

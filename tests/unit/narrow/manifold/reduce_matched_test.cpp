@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A reduction that knows what the one before kept: the set stays while it holds a body as well as another one would.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a reduction to four keeps of random patches: the deepest point, and the area.
 #include <gtest/gtest.h>
 

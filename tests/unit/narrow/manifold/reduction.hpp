@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contacts of a flat patch, and areas of points in the plane, for tests of the reduction.
 #pragma once
 #include <algorithm>

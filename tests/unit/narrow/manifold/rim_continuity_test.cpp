@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cylinders and cones that rest on a face, lean on it or lie on their side: a motion of 0.2 micrometres moves what
 // holds them, and the points that a reduction keeps, by a small multiple, however little they lean.
 #include <gtest/gtest.h>

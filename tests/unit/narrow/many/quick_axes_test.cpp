@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles are left out only where they are further away than the limit, and what is well apart is left out. Points of
 // triangles, one by one, and their distance from the shape judge that.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cores that overlap equally deep, but for parts in a million, along a whole ring of directions.
 #include <gtest/gtest.h>
 

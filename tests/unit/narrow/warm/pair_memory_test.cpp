@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is remembered of a pair spares a search and changes no bit of its answer, however the bodies move.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which searches answer a pair of kinds, as far as the kinds tell.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes, poses and casts for tests of shapes that move.
 #pragma once
 #include <gtest/gtest.h>
