@@ -84,10 +84,17 @@ struct Four {
 // Up to this many points, each is tried as the corner opposite to the first.
 inline constexpr std::size_t few_points = 64;
 
+// Four points about the first of a patch, and whether no four of the patch span more.
+struct BestAbout {
+  Four four;
+  bool is_best;
+};
+
 // The four points of largest area that have the first as a corner: each other point is tried as the opposite corner,
 // with the points furthest off their line on either side. Where a side has no points, the first one takes the place.
-[[nodiscard]] inline Four best_about(std::span<const Vec2> points, std::uint32_t first) {
-  Four best{{first, first, first, first}, 0};
+// The first point is then a corner of the hull of all: four points within which it lies do not exist.
+[[nodiscard]] inline BestAbout best_about(std::span<const Vec2> points, std::uint32_t first) {
+  BestAbout best{{{first, first, first, first}, 0}, false};
   for (std::uint32_t opposite = 0; opposite < points.size(); ++opposite) {
     const Vec2 across = points[opposite] - points[first];
     std::uint32_t left = first, right = first;
@@ -102,8 +109,9 @@ inline constexpr std::size_t few_points = 64;
         right = i;
       }
     }
-    if (most_left + most_right > best.twice_area) {
-      best = {{first, opposite, left, right}, most_left + most_right};
+    best.is_best = best.is_best || (most_left == 0) != (most_right == 0);
+    if (most_left + most_right > best.four.twice_area) {
+      best.four = {{first, opposite, left, right}, most_left + most_right};
     }
   }
   return best;
@@ -229,9 +237,9 @@ struct AnyContact {
                                    std::uint32_t first, std::size_t most, Real extent) {
   const Real flat = Choice::flatness * extent * extent, least_gain = 1e-12 * extent * extent;
   if (most == 4 && patch.size() <= few_points) {
-    const Four best = best_about(points, first);
+    const auto [best, is_best] = best_about(points, first);
     if (best.twice_area > flat) {
-      return Choice(exchanged(points, spanned(points, best.places), least_gain));
+      return Choice(is_best ? best : exchanged(points, spanned(points, best.places), least_gain));
     }
   }
   Choice choice(patch, first);

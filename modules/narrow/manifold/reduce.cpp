@@ -26,6 +26,13 @@ using Ids = std::span<const std::uint64_t>;
 
 bool holds(Ids ids, std::uint64_t id) { return std::ranges::find(ids, id) != ids.end(); }
 
+// Contacts are large, so that one which stays is not moved.
+void exchange(ContactPoint& a, ContactPoint& b) {
+  if (&a != &b) {
+    std::swap(a, b);
+  }
+}
+
 // The place of the deepest contact. One that was kept before wins ties.
 [[nodiscard]] std::uint32_t deepest_of(std::span<const ContactPoint> contacts, Real tie, Ids before) {
   std::uint32_t deepest = 0;
@@ -103,7 +110,7 @@ std::size_t bring_to_front(std::span<ContactPoint> patch, std::span<const std::u
   std::ranges::copy(places, order.begin());
   std::ranges::sort(order);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    std::swap(patch[i], patch[order[i]]);
+    exchange(patch[i], patch[order[i]]);
   }
   return order.size();
 }
@@ -170,8 +177,7 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, I
   std::size_t kept = 0;
   std::span<ContactPoint> rest = contacts;
   while (!rest.empty()) {
-    std::iter_swap(rest.begin(),
-                   rest.begin() + deepest_of(rest, before.empty() ? 0 : ties.depth * extent_of(rest), before));
+    exchange(rest[0], rest[deepest_of(rest, before.empty() ? 0 : ties.depth * extent_of(rest), before)]);
     const Vec3 normal = rest[0].normal;
     const auto end = std::partition(rest.begin(), rest.end(), [&](const ContactPoint& contact) {
       return dot(contact.normal, normal) >= same_patch_cosine;
@@ -179,7 +185,7 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, I
     const auto count = static_cast<std::size_t>(end - rest.begin());
     const std::size_t kept_of_patch = reduce_patch(rest.first(count), most, before, ties);
     for (std::size_t i = 0; i < kept_of_patch; ++i) {
-      std::swap(contacts[kept++], rest[i]);
+      exchange(contacts[kept++], rest[i]);
     }
     rest = rest.subspan(count);
   }
