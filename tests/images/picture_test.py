@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A picture refuses text that nobody can read, and every picture stands in a document."""
+
+import re
+import unittest
+from pathlib import Path
+
+from draw import FOLDER, PICTURES, ROOT, stale
+from picture import Picture
+
+
+class PictureTest(unittest.TestCase):
+    def setUp(self):
+        self.picture = Picture(200, 100, "a picture")
+        self.picture.text(20, 50, "first")
+
+    def test_small_text_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "size 11"):
+            self.picture.text(20, 80, "second", size=11)
+
+    def test_text_beyond_the_border_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "leaves the picture"):
+            self.picture.text(150, 80, "a long line of text")
+
+    def test_text_on_other_text_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "'second' runs into 'first'"):
+            self.picture.text(40, 55, "second")
+
+    def test_text_beside_other_text_is_drawn(self):
+        self.picture.text(20, 80, "a < b")
+        self.assertIn(">a &lt; b</text>", self.picture.svg())
+
+
+class FolderTest(unittest.TestCase):
+    def test_pictures_that_nobody_draws_are_named(self):
+        others = [(FOLDER / f"{name}.svg", (FOLDER / f"{name}.svg").read_text(encoding="utf-8")) for name in PICTURES[1:]]
+        self.assertEqual(stale(others), [FOLDER / f"{PICTURES[0]}.svg"])
+
+    def test_every_picture_stands_in_a_document_with_words_for_who_does_not_see_it(self):
+        texts = [path.read_text(encoding="utf-8") for path in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]]
+        shown = {name for text in texts for words, name in re.findall(r"!\[([^\]]{20,})\]\((?:docs/)?images/(\w+)\.svg\)", text)}
+        self.assertEqual(shown, set(PICTURES))
+
+
+if __name__ == "__main__":
+    unittest.main()
