@@ -4,7 +4,7 @@
 import re
 
 from members import borrowed_members
-from sentences import sentence_length
+from sentences import prose_length, sentence_length
 
 COLUMNS = 120
 HARD_LENGTH = 600
@@ -256,6 +256,7 @@ FILE_RULES = [
     line_length,
     licence_line,
     sentence_length,
+    prose_length,
     concept_place,
     flag,
     word,

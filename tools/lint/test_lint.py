@@ -102,6 +102,15 @@ SNIPPETS = {
         (MODULE, "/* " + "a " * 26 + "*/\n// " + "a " * 26, "int a;  // " + "a " * 26),
         (MODULE, "// - " + "a " * 20 + "\n//   " + "b " * 6, "// - " + "a " * 20 + "\n// - " + "b " * 20),
     ],
+    "prose_length": [
+        ("docs/a.md", "word " * 26 + ".", "word " * 20 + ".\n" + "word " * 20 + "."),
+        ("docs/a.md", "- " + "word " * 20 + "\n  " + "word " * 6, "- " + "word " * 20 + "\n- " + "word " * 20),
+        ("docs/a.md", "| " + "word " * 26 + "|", "| " + "word " * 20 + "| " + "word " * 20 + "|"),
+        ("docs/a.md", "[" + "word " * 26 + "](a.md)", "```\n" + "word " * 26 + "\n```"),
+        ("README.md", "word " * 26, "`" + "word " * 26 + "`\n\n    " + "word " * 26),
+        ("README.md", "word " * 26, "![" + "word " * 26 + "](a.svg)"),
+        ("docs/b.md", "word " * 26, "# " + "word " * 5 + "\n" + "word " * 22),
+    ],
     "concept_place": [
         (MODULE, "template <class S>\nconcept Edged = true;", "// concept Edged = true;"),
         ("modules/pairs/rows/a.cppm", "template <class S>\nconcept Edged = true;", "concepts();"),
