@@ -6,7 +6,9 @@ import unittest
 from pathlib import Path
 
 from draw import FOLDER, PICTURES, ROOT, stale
+from layers import FLOORS
 from picture import Picture
+from tree_rules import RANKS
 
 
 class PictureTest(unittest.TestCase):
@@ -40,6 +42,13 @@ class FolderTest(unittest.TestCase):
         texts = [path.read_text(encoding="utf-8") for path in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]]
         shown = {name for text in texts for words, name in re.findall(r"!\[([^\]]{20,})\]\((?:docs/)?images/(\w+)\.svg\)", text)}
         self.assertEqual(shown, set(PICTURES))
+
+    def test_the_house_has_the_order_of_the_lint(self):
+        rooms = [name for _, rooms in FLOORS for name, _ in rooms]
+        ranks = {folder.split("/")[0]: rank for folder, rank in sorted(RANKS.items(), key=lambda item: item[1])}
+        shown = [ranks[room] for room in rooms if room in ranks]
+        self.assertEqual(shown, sorted(shown, reverse=True))
+        self.assertEqual({path.name for path in (ROOT / "modules").iterdir() if path.is_dir()} - set(rooms), set())
 
 
 if __name__ == "__main__":
