@@ -3,10 +3,12 @@
 
 import re
 import unittest
+import xml.etree.ElementTree
 from pathlib import Path
 
 from draw import FOLDER, PICTURES, ROOT, stale
 from layers import FLOORS
+from palette import COLOURS, GROUND
 from picture import Picture
 from tree_rules import RANKS
 
@@ -33,10 +35,37 @@ class PictureTest(unittest.TestCase):
         self.assertIn(">a &lt; b</text>", self.picture.svg())
 
 
+def _brightness(colour):
+    """Relative luminance by the Web Content Accessibility Guidelines 2."""
+    channels = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def _contrast(first, second):
+    darker, brighter = sorted((_brightness(first), _brightness(second)))
+    return (brighter + 0.05) / (darker + 0.05)
+
+
+class PaletteTest(unittest.TestCase):
+    def test_text_stands_out_from_the_ground_and_from_areas_in_light_and_dark(self):
+        for name, (full, pale) in COLOURS.items():
+            for side, ground in enumerate(GROUND):
+                with self.subTest(name=name, side=side):
+                    self.assertGreaterEqual(_contrast(full[side], ground), 4.5)
+                    self.assertGreaterEqual(_contrast(full[side], pale[side]), 4.5)
+                    self.assertGreaterEqual(_contrast(COLOURS["ink"][0][side], pale[side]), 4.5)
+
+
 class FolderTest(unittest.TestCase):
     def test_pictures_that_nobody_draws_are_named(self):
         others = [(FOLDER / f"{name}.svg", (FOLDER / f"{name}.svg").read_text(encoding="utf-8")) for name in PICTURES[1:]]
         self.assertEqual(stale(others), [FOLDER / f"{PICTURES[0]}.svg"])
+
+    def test_pictures_are_well_formed(self):
+        for name in PICTURES:
+            root = xml.etree.ElementTree.parse(FOLDER / f"{name}.svg").getroot()
+            self.assertTrue(root.findtext("{http://www.w3.org/2000/svg}title"), name)
 
     def test_every_picture_stands_in_a_document_with_words_for_who_does_not_see_it(self):
         texts = [path.read_text(encoding="utf-8") for path in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]]

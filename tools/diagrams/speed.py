@@ -29,7 +29,7 @@ def _legend(picture):
         picture.text(x + 18, 62, peer, name=name, is_bold=True)
         x += 82
     _mark(picture, 300, 58, "soft", True)
-    picture.text(312, 62, "open: other depths, or fewer contacts", name="soft")
+    picture.text(312, 62, "open: another answer, or fewer contacts", name="soft")
 
 
 def _scale(picture, bottom):
