@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The loaded libraries: `library`, and `picking`, which is None where that library is not there.
+
+A function that answers a status other than ABUT_OK raises Error. Calls release the interpreter's lock while they run.
+
+A library is looked for in the file that ABUT_LIBRARY or ABUT_PICKING_LIBRARY names, then among the files of this
+package, where a wheel carries it, then where the loader looks.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import pathlib
+
+from .constants import OK
+from .functions import FUNCTIONS, PICKING_FUNCTIONS, Status
+
+VERSION_MAJOR = 0
+VERSION_MINOR = 2
+ABI = f"{VERSION_MAJOR}.{VERSION_MINOR}" if VERSION_MAJOR == 0 else f"{VERSION_MAJOR}"
+CARRIED = pathlib.Path(__file__).parent.parent / "lib"
+
+
+class Error(Exception):
+    """A call that failed: `status` is its number, `name` the name of that, `message` says which argument and why."""
+
+    def __init__(self, status: int, name: str, message: str) -> None:
+        super().__init__(status, name, message)
+        self.status = status
+        self.name = name
+        self.message = message
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.message}"
+
+
+def _raise_failures(status, _function, _arguments):
+    if status != OK:
+        message = library.abut_last_error_message().decode("utf-8", "replace")
+        raise Error(status, library.abut_status_name(status).decode(), message)
+
+
+def _declare(loaded, functions):
+    for name, (result, arguments) in functions.items():
+        function = getattr(loaded, name, None)
+        if function is None:
+            raise ImportError(f"{loaded._name} has no function {name}: it is of another version than this package")
+        function.restype = result
+        function.argtypes = arguments
+        # abut_set_last_error answers the status that it was given.
+        if result is Status and name != "abut_set_last_error":
+            function.errcheck = _raise_failures
+    return loaded
+
+
+def _load(name, variable):
+    file = f"{name}.so.{ABI}"
+    carried = CARRIED / file
+    return ctypes.CDLL(os.environ.get(variable) or (str(carried) if carried.exists() else file))
+
+
+def _load_library():
+    try:
+        return _load("libabut", "ABUT_LIBRARY")
+    except OSError as failure:
+        raise ImportError(
+            f"the library of abut cannot be loaded: {failure}. `pip install ./bindings/python` installs it with this "
+            "package; ABUT_LIBRARY may name the file of another one") from failure
+
+
+library = _declare(_load_library(), FUNCTIONS)
+library.abut_check_version(VERSION_MAJOR, VERSION_MINOR)
+
+try:
+    picking = _declare(_load("libabut_picking", "ABUT_PICKING_LIBRARY"), PICKING_FUNCTIONS)
+    picking_failure = None
+except OSError as failure:
+    picking, picking_failure = None, str(failure)

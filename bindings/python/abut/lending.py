@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Answers that stay in the memory of a universe, and what keeps them from being read when they are over.
+
+The library lends contacts until the next change of the universe. A Borrowed knows the number of changes at which it was
+lent, and raises StaleError after the next one. Arrays of NumPy cannot look at a number. While one of them still looks at
+lent memory, the universe therefore refuses to change, with BufferError, as a bytearray does.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import gc
+import threading
+import weakref
+from typing import Any
+
+from . import c
+from .owner import Owner
+from .records import Records
+
+
+class StaleError(RuntimeError):
+    """Borrowed records were used after the universe had changed."""
+
+
+class Borrowed(Records):
+    """Records in the memory of a universe, good until it changes. copy() has no such end; one record is a copy, too."""
+
+    __slots__ = ("_address", "_changes", "_count", "_kind", "_universe")
+
+    def __init__(self, universe: Lender, kind: Any, address: int, count: int) -> None:
+        self._universe = universe
+        self._kind = kind
+        self._address = address
+        self._count = count
+        self._changes = universe.change_count
+
+    @property
+    def kind(self) -> Any:
+        return self._kind
+
+    @property
+    def is_stale(self) -> bool:
+        """Whether the universe has changed since."""
+        return self._changes != self._universe.change_count
+
+    @property
+    def memory(self) -> ctypes.Array:
+        if self.is_stale:
+            raise StaleError(f"the universe has changed since these {self._count} records were borrowed; "
+                             "borrow them again, or copy() them before the change")
+        return self._universe.lend(self._kind, self._address, self._count)
+
+    def _one(self, index):
+        return self._kind.from_buffer_copy(self.memory[index])
+
+    def __getitem__(self, index: Any) -> Any:
+        # A slice is a copy like one record, so that only arrays hold a universe back.
+        return super().__getitem__(index).copy() if isinstance(index, slice) else super().__getitem__(index)
+
+    def __repr__(self) -> str:
+        return f"<stale {self._kind.__name__}>" if self.is_stale else super().__repr__()
+
+
+class Lender(Owner):
+    """Makes calls that change something, and refuses them while arrays look at what they would overwrite."""
+
+    def __init__(self, pointer: Any) -> None:
+        self.change_count = 0
+        self._loans: list[weakref.ref] = []
+        self._detection = threading.Lock()
+        self._detecting_thread: int | None = None
+        super().__init__(pointer)
+
+    @property
+    def pointer(self) -> Any:
+        if self._detecting_thread not in (None, threading.get_ident()):
+            raise RuntimeError("another thread runs a detection of this universe; join it first")
+        return super().pointer
+
+    def lend(self, kind: Any, address: int, count: int) -> ctypes.Array:
+        """Memory of the library as an array, which holds back changes for as long as it lives."""
+        if self._detecting_thread is not None:
+            raise RuntimeError("a filter cannot borrow, since its step overwrites what it would get; copy instead")
+        if not count:
+            return (kind * 0)()
+        memory: Any = (kind * count).from_address(address)
+        memory.keeps = self
+        self._loans.append(weakref.ref(memory))
+        return memory
+
+    def _is_lent(self):
+        self._loans = [loan for loan in self._loans if loan() is not None]
+        return bool(self._loans)
+
+    def _end_loans(self):
+        if self._is_lent():
+            gc.collect()  # an array may be held by nothing but a cycle
+            if self._is_lent():
+                raise BufferError("an array still looks at borrowed records, which this would overwrite; "
+                                  "delete the array, or make it from a copy()")
+        self.change_count += 1
+
+    def _change(self, function: Any, *arguments: Any) -> None:
+        """An exclusive call."""
+        pointer = self.pointer
+        self._end_loans()
+        function(pointer, *arguments)
+
+    def _detect(self, detection: Any, *arguments: Any) -> None:
+        """An exclusive call that lasts and may call a filter."""
+        pointer = self.pointer
+        if not self._detection.acquire(blocking=False):
+            detection(pointer, *arguments)  # from a filter: the library refuses it
+            return
+        try:
+            self._end_loans()
+            self._detecting_thread = threading.get_ident()
+            detection(pointer, *arguments)
+        finally:
+            self._detecting_thread = None
+            self._detection.release()
+
+    def close(self) -> None:
+        if self._pointer:
+            if self._detecting_thread is not None:
+                raise RuntimeError("a universe cannot be closed while it runs a detection")
+            self._end_loans()
+        super().close()

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Questions about two shapes without a universe: `pair_` asks once, `pairs_` asks for many poses."""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import byref, c_size_t, c_uint32, c_uint64
+from typing import Any
+
+from . import answers, c, given, options
+from .c import library
+from .progress import Progress, chunks
+from .records import Groups, Records, empty, part_of
+from .shapes import Shape
+from .values import poses
+
+_NO_WAY = (0.0, 0.0, 0.0)
+
+
+def _placed(a, pose_a, b, pose_b):
+    return (given.shape_pointer("a", a), byref(given.pose("pose_a", pose_a)),
+            given.shape_pointer("b", b), byref(given.pose("pose_b", pose_b)))
+
+
+def pair_distance(a: Shape, pose_a: Any, b: Shape, pose_b: Any, memory: Any = None,
+                  **fields: Any) -> c.Distance:
+    """Signed distance of two shapes; a PairMemory of the two makes it faster; the fields are those of QueryOptions."""
+    out, asked = c.Distance(), (*_placed(a, pose_a, b, pose_b), options.query(fields))
+    if memory is None:
+        library.abut_pair_distance(*asked, byref(out))
+    else:
+        library.abut_pair_distance_with_memory(*asked, byref(memory), byref(out))
+    return out
+
+
+def pairs_distance(a: Shape, poses_a: Any, b: Shape, poses_b: Any, memories: Any = None, out: Records | None = None,
+                   progress: Progress = None, **fields: Any) -> Records:
+    """Signed distances of two shapes at many pairs of poses; one pose of either serves for all of the other.
+
+    Poses are (N, 7) numbers or Poses. `memories` are as many PairMemory. `out` is an earlier answer of as many, to be
+    filled again; a failure may leave it filled in part. The fields are those of QueryOptions.
+    """
+    first, second = given.structs(c.Pose, "poses_a", poses_a), given.structs(c.Pose, "poses_b", poses_b)
+    belonging = [first, second] + ([] if memories is None else [given.structs(c.PairMemory, "memories", memories)])
+    count = given.together(*belonging)
+    found = empty(c.Distance, count) if out is None else _memory_of(out, count)
+    pointers, query = (given.shape_pointer("a", a), given.shape_pointer("b", b)), options.query(fields)
+    for start, length in chunks(count, progress):
+        asked = [part_of(each.memory, start, length) for each in belonging]
+        call = (pointers[0], asked[0], pointers[1], asked[1], length, query)
+        if memories is None:
+            library.abut_pairs_distance(*call, part_of(found, start, length))
+        else:
+            library.abut_pairs_distance_with_memories(*call, asked[2], part_of(found, start, length))
+    return Records(found) if out is None else out
+
+
+def _memory_of(out, count):
+    if not isinstance(out, Records) or out.kind is not c.Distance or len(out) != count:
+        raise ValueError(f"out is {out!r}; it must be the answer for {count} distances")
+    return out.memory
+
+
+def points_distance(shape: Shape, at: Any, points: Any, progress: Progress = None, **fields: Any) -> Records:
+    """Signed distances of a shape at a pose from (N, 3) points, which are b."""
+    with Shape.point() as point:
+        return pairs_distance(shape, given.pose("at", at), point, poses(_rows_of("points", points)), progress=progress,
+                              **fields)
+
+
+def _rows_of(name, points):
+    memory, count = given.rows(name, points, 3)
+    return (c.Vec3 * count).from_buffer(memory) if count else (c.Vec3 * 0)()
+
+
+def pair_contacts(a: Shape, pose_a: Any, b: Shape, pose_b: Any, memory: Any = None,
+                  **fields: Any) -> Records:
+    """Contacts of two shapes, deepest first; a PairMemory of the two makes it faster; fields are those of QueryOptions."""
+    asked = (*_placed(a, pose_a, b, pose_b), options.query(fields))
+    if memory is None:
+        return answers.records(c.Contact, lambda *rest: library.abut_pair_contacts(*asked, *rest))
+    return answers.records(
+        c.Contact, lambda *rest: library.abut_pair_contacts_with_memory(*asked, byref(memory), *rest))
+
+
+def pairs_contacts(a: Shape, poses_a: Any, b: Shape, poses_b: Any, progress: Progress = None, **fields: Any) -> Groups:
+    """Contacts of two shapes at many pairs of poses: group i are those of pair i, deepest first."""
+    first, second = given.structs(c.Pose, "poses_a", poses_a), given.structs(c.Pose, "poses_b", poses_b)
+    count = given.together(first, second)
+    pointers, query = (given.shape_pointer("a", a), given.shape_pointer("b", b)), options.query(fields)
+    offsets, found, filled, more = (c_uint64 * (count + 1))(), (c.Contact * max(4 * count, 16))(), 0, c_size_t()
+    for start, length in chunks(count, progress):
+        for i in range(start, start + length):
+            asked = (pointers[0], first.memory[i], pointers[1], second.memory[i], query)
+            library.abut_pair_contacts(*asked, part_of(found, filled, len(found) - filled), len(found) - filled, byref(more))
+            if more.value > len(found) - filled:
+                found = _longer(found, filled, filled + more.value)
+                library.abut_pair_contacts(*asked, part_of(found, filled, more.value), more.value, byref(more))
+            filled += more.value
+            offsets[i + 1] = filled
+    return Groups(offsets, Records(part_of(found, 0, filled)))
+
+
+def _longer(memory, filled, needed):
+    """A copy that has room for more, at least twice as much."""
+    longer = (memory._type_ * max(needed, 2 * len(memory)))()
+    ctypes.memmove(longer, memory, filled * ctypes.sizeof(memory._type_))
+    return longer
+
+
+def validate_contact(contact: c.Contact) -> None:
+    """Raises Error, which names the field, for a record that no detection would report."""
+    library.abut_contact_validate(byref(contact))
+
+
+def pair_cast(a: Shape, pose_a: Any, displacement_a: Any, b: Shape, pose_b: Any, displacement_b: Any = _NO_WAY,
+              **fields: Any) -> c.CastHit | None:
+    """When two shapes that move by their displacements first touch, or None; the fields are those of QueryOptions."""
+    hit, found = c.CastHit(), c_uint32()
+    pointer_a, place_a, pointer_b, place_b = _placed(a, pose_a, b, pose_b)
+    library.abut_pair_cast(pointer_a, place_a, byref(given.vec3("displacement_a", displacement_a)), pointer_b, place_b,
+                           byref(given.vec3("displacement_b", displacement_b)), options.query(fields), byref(hit),
+                           byref(found))
+    return hit if found.value else None
+
+
+def pairs_cast(a: Shape, poses_a: Any, displacements_a: Any, b: Shape, poses_b: Any, displacements_b: Any = _NO_WAY,
+               progress: Progress = None, **fields: Any) -> Records:
+    """The same for many poses and displacements; `fraction` is infinite where the two never touch."""
+    belonging = (given.structs(c.Pose, "poses_a", poses_a), given.structs(c.Vec3, "displacements_a", displacements_a),
+                 given.structs(c.Pose, "poses_b", poses_b), given.structs(c.Vec3, "displacements_b", displacements_b))
+    count = given.together(*belonging)
+    places_a, ways_a, places_b, ways_b = (each.memory for each in belonging)
+    pointers, query = (given.shape_pointer("a", a), given.shape_pointer("b", b)), options.query(fields)
+    hits, found = (c.CastHit * count)(), c_uint32()
+    for start, length in chunks(count, progress):
+        for i in range(start, start + length):
+            library.abut_pair_cast(pointers[0], places_a[i], ways_a[i], pointers[1], places_b[i], ways_b[i], query,
+                                   hits[i], byref(found))
+            if not found.value:
+                hits[i].fraction = float("inf")
+    return Records(hits)
+
+
+def pair_memories(count: int) -> Records:
+    """Memories for pairs_distance, empty at first."""
+    return Records((c.PairMemory * count)())

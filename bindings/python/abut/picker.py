@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rays and the mouse against a universe, through the library for picking."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_void_p
+from typing import Any
+
+from . import answers, c, given, options
+from .c import picking
+from .options import filter_of
+from .owner import Owner
+from .records import Records
+from .universe import Universe
+from .values import given_rays
+
+
+def _expect_picking():
+    if picking is None:
+        raise RuntimeError(f"libabut_picking is not there ({c.picking_failure}); ABUT_PICKING_LIBRARY may name it")
+
+
+def camera(eye: Any = None, target: Any = None, up: Any = (0.0, 0.0, 1.0), **fields: Any) -> c.Camera:
+    """A camera; the fields are those of Camera. With eye and target it looks from one to the other."""
+    _expect_picking()
+    out = options.filled(c.Camera, picking.abut_camera_init, fields)
+    if (eye is None) != (target is None):
+        raise ValueError("eye and target belong together; one of them is missing")
+    if eye is not None:
+        picking.abut_camera_look_at(byref(out), byref(given.vec3("eye", eye)), byref(given.vec3("target", target)),
+                                    byref(given.vec3("up", up)))
+    return out
+
+
+class Picker(Owner):
+    """Rays against a universe; keeps the universe alive. The keywords are the fields of QueryFilter."""
+
+    def __init__(self, universe: Universe) -> None:
+        _expect_picking()
+        out = c_void_p()
+        picking.abut_picker_create(universe.pointer, byref(out))
+        self._universe = universe
+        super().__init__(out)
+        universe._pickers.add(self)
+
+    @property
+    def pointer(self) -> Any:
+        if self._pointer:
+            self._universe.pointer  # raises while another thread runs a detection
+        return super().pointer
+
+    def _release(self, pointer):
+        picking.abut_picker_destroy(pointer)
+
+    def update(self) -> None:
+        """Follows the universe now rather than at the next query."""
+        picking.abut_picker_update(self.pointer)
+
+    def cast_ray(self, along: c.Ray, **filter: Any) -> c.Pick:
+        """What a ray meets first; the geometry is null when there is nothing."""
+        out = c.Pick()
+        picking.abut_picker_cast_ray(self.pointer, byref(along), filter_of(filter), byref(out))
+        return out
+
+    def cast_rays(self, rays: Any, coherence: int = c.COHERENCE_NONE, **filter: Any) -> Records:
+        """What each ray meets first. Rays are those of abut.rays, or (N, 6) numbers: origin and direction."""
+        along = given_rays("rays", rays)
+        out = (c.Pick * len(along))()
+        picking.abut_picker_cast_rays(self.pointer, along.memory, len(along), coherence, filter_of(filter), out)
+        return Records(out)
+
+    def cast_ray_all(self, along: c.Ray, **filter: Any) -> Records:
+        """Everything that a ray meets, nearest first."""
+        return answers.records(c.Pick, lambda *rest: picking.abut_picker_cast_ray_all(
+            self.pointer, byref(along), filter_of(filter), *rest))
+
+    def pick_pixel(self, through: c.Camera, x: float, y: float, radius: float = 0.0, **filter: Any) -> c.Pick:
+        """What lies under the mouse."""
+        out = c.Pick()
+        picking.abut_picker_pick_pixel(self.pointer, byref(through), x, y, radius, filter_of(filter), byref(out))
+        return out
+
+    def render(self, through: c.Camera, **filter: Any) -> Records:
+        """What each pixel of a camera shows, row by row from the top."""
+        out = (c.Pick * (through.width * through.height))()
+        picking.abut_picker_render(self.pointer, byref(through), filter_of(filter), out, len(out))
+        return Records(out)

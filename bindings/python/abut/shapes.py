@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Shapes: made once, immutable, shared by any number of universes."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_double, c_size_t, c_uint32, c_void_p
+from typing import Any
+
+from . import answers, c, given, meshes, options
+from .c import library
+from .owner import Owner
+from .values import pose
+
+
+class Shape(Owner):
+    """A shape: immutable, shared, independent of any universe. docs/shapes.md tells the kinds and their frames."""
+
+    def _release(self, pointer):
+        library.abut_shape_release(pointer)
+
+    @classmethod
+    def _made_by(cls, function, *arguments):
+        out = c_void_p()
+        function(*arguments, byref(out))
+        return cls(out)
+
+    @classmethod
+    def sphere(cls, radius: float) -> Shape:
+        """A solid ball."""
+        return cls._made_by(library.abut_sphere_create, radius)
+
+    @classmethod
+    def box(cls, half_x: float, half_y: float, half_z: float) -> Shape:
+        """A solid box, centred, from its half extents."""
+        return cls._made_by(library.abut_box_create, half_x, half_y, half_z)
+
+    @classmethod
+    def capsule(cls, radius: float, half_height: float) -> Shape:
+        """All points within the radius of a segment along Z from -half_height to half_height."""
+        return cls._made_by(library.abut_capsule_create, radius, half_height)
+
+    @classmethod
+    def cylinder(cls, radius: float, half_height: float) -> Shape:
+        """A solid cylinder along Z, centred."""
+        return cls._made_by(library.abut_cylinder_create, radius, half_height)
+
+    @classmethod
+    def cone(cls, radius: float, half_height: float) -> Shape:
+        """A solid cone along Z: its base at -half_height, its apex at half_height."""
+        return cls.of_kind("cone", (radius, half_height))
+
+    @classmethod
+    def ellipsoid(cls, radius_x: float, radius_y: float, radius_z: float) -> Shape:
+        """A solid ellipsoid, centred, from its radii along the axes."""
+        return cls.of_kind("ellipsoid", (radius_x, radius_y, radius_z))
+
+    @classmethod
+    def point(cls) -> Shape:
+        """The origin of its frame."""
+        return cls.of_kind("point")
+
+    @classmethod
+    def segment(cls, half_length: float) -> Shape:
+        """A segment along Z, centred."""
+        return cls.of_kind("segment", (half_length,))
+
+    @classmethod
+    def triangle(cls, a: Any, b: Any, c: Any) -> Shape:
+        """A triangle of three points; both sides are solid."""
+        corners = (given.vec3("a", a), given.vec3("b", b), given.vec3("c", c))
+        return cls.of_kind("triangle", [number for corner in corners for number in corner])
+
+    @classmethod
+    def plane(cls, normal: Any, offset: float) -> Shape:
+        """The half-space of the points p with dot(normal, p) <= offset."""
+        return cls._made_by(library.abut_plane_create, byref(given.vec3("normal", normal)), offset)
+
+    @classmethod
+    def hull(cls, xyz: Any) -> Shape:
+        """Convex hull of (N, 3) points, of x, y, z, x, y, z, ..., of a file, or of an object that has vertices."""
+        return cls._made_by(library.abut_hull_create, *given.rows("xyz", meshes.vertices_of(xyz), 3))
+
+    @classmethod
+    def mesh(cls, xyz: Any, triangles: Any = None, **fields: Any) -> Shape:
+        """A triangle mesh from vertices and triangles, each (N, 3) or flat.
+
+        Without triangles `xyz` is the name of an OBJ or STL file, or an object that has `vertices` and `faces`, such as
+        a mesh of trimesh. The fields are those of MeshOptions.
+        """
+        if triangles is None:
+            xyz, triangles = meshes.triangles_of(xyz)
+        points, corners = given.rows("xyz", xyz, 3), given.rows("triangles", triangles, 3, c_uint32)
+        read_as = options.filled(c.MeshOptions, library.abut_mesh_options_init, fields)
+        return cls._made_by(library.abut_mesh_create, *points, *corners, byref(read_as))
+
+    @classmethod
+    def height_field(cls, columns: int | None = None, rows: int | None = None, heights: Any = (),
+                     spacing_x: float = 1.0, spacing_y: float = 1.0) -> Shape:
+        """Terrain over a grid: `rows` times `columns` heights, X fastest. An array of two dimensions tells both."""
+        shape: Any = getattr(heights, "shape", ())
+        if len(shape) == 2:
+            if (rows or shape[0], columns or shape[1]) != tuple(shape):
+                raise ValueError(f"heights has shape {tuple(shape)}; it must be (rows, columns), ({rows}, {columns})")
+            (rows, columns), heights = shape, heights.reshape(-1)
+        if columns is None or rows is None:
+            raise ValueError("columns and rows are missing; only heights of two dimensions tell them")
+        values = given.numbers("heights", heights)
+        if len(values) != columns * rows:
+            raise ValueError(f"heights has {len(values)} numbers; it must have {columns} * {rows}")
+        desc = options.filled(c.HeightFieldDesc, library.abut_height_field_desc_init, {
+            "columns": columns, "rows": rows, "spacing_x": spacing_x, "spacing_y": spacing_y})
+        desc.heights = values
+        return cls._made_by(library.abut_height_field_create, byref(desc))
+
+    @classmethod
+    def particles(cls, xyz: Any, radius: float) -> Shape:
+        """Many balls of one radius about (N, 3) centres."""
+        return cls._made_by(library.abut_particles_create, *given.rows("xyz", xyz, 3), radius)
+
+    @classmethod
+    def composite(cls, children: Any, poses: Any, materials: Any = None) -> Shape:
+        """Shapes, each at a pose of its own, and with a material of its own, 0 for that of the geometry, as one."""
+        shapes, places = given.shape_pointers("children", children), given.structs(c.Pose, "poses", poses)
+        if materials is None:
+            count = given.together(shapes, places)
+            return cls._made_by(library.abut_composite_create, shapes.memory, places.memory, count)
+        stuff = given.Given("materials", given.numbers("materials", materials, c_uint32))
+        count = given.together(shapes, places, stuff)
+        return cls._made_by(library.abut_composite_create_with_materials, shapes.memory, places.memory, stuff.memory, count)
+
+    @classmethod
+    def of_kind(cls, name: str, parameters: Any = (), reals: Any = (), indices: Any = ()) -> Shape:
+        """A shape of any kind from its parameters and buffers."""
+        numbers, points = given.numbers("parameters", parameters), given.numbers("reals", reals)
+        corners = given.numbers("indices", indices, c_uint32)
+        desc = options.filled(c.ShapeDesc, library.abut_shape_desc_init, {})
+        desc.kind = library.abut_shape_kind_by_name(name.encode())
+        desc.parameters, desc.parameter_count = numbers, len(numbers)
+        desc.reals, desc.real_count = points, len(points)
+        desc.indices, desc.index_count = corners, len(corners)
+        if not desc.kind:
+            raise ValueError(f"there is no kind of shape {name!r}; there are {', '.join(shape_kinds())}")
+        return cls._made_by(library.abut_shape_create, byref(desc))
+
+    @property
+    def kind(self) -> str:
+        """The name of its kind, such as "box"."""
+        return library.abut_shape_kind_name(library.abut_shape_kind_of(self.pointer)).decode()
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Parameters by name."""
+        kind = library.abut_shape_kind_of(self.pointer)
+        values = answers.filled(c_double, lambda *rest: library.abut_shape_parameters(self.pointer, *rest))
+        return {library.abut_shape_kind_parameter_name(kind, i).decode(): value for i, value in enumerate(values)}
+
+    def hull_report(self) -> c.HullReport:
+        """What a hull has left of its points, and the error of that."""
+        out = options.filled(c.HullReport, library.abut_hull_report_init, {})
+        library.abut_hull_describe(self.pointer, byref(out))
+        return out
+
+    def aabb(self, at: Any = pose()) -> c.Aabb:
+        """The box around it at a pose."""
+        out = c.Aabb()
+        library.abut_shape_aabb(self.pointer, byref(given.pose("at", at)), byref(out))
+        return out
+
+    def triangles(self) -> tuple[Any, Any]:
+        """Vertices and indices of the surface, flat. numpy.reshape(vertices, (-1, 3)) makes rows of them."""
+        vertices, triangles = c_size_t(), c_size_t()
+        library.abut_shape_triangles(self.pointer, None, 0, byref(vertices), None, 0, byref(triangles))
+        xyz, indices = (c_double * (3 * vertices.value))(), (c_uint32 * (3 * triangles.value))()
+        library.abut_shape_triangles(self.pointer, xyz, vertices, byref(vertices), indices, triangles, byref(triangles))
+        return xyz, indices
+
+    def cast_ray(self, at: Any, along: c.Ray) -> c.RayHit | None:
+        """The first hit of a ray on the shape at a pose, or None."""
+        hit, found = c.RayHit(), c_uint32()
+        library.abut_shape_cast_ray(self.pointer, byref(given.pose("at", at)), byref(along), byref(hit), byref(found))
+        return hit if found.value else None
+
+    def __repr__(self) -> str:
+        if not self._pointer:
+            return "<Shape, closed>"
+        return f"<Shape {' '.join([self.kind, *(f'{name}={value:g}' for name, value in self.parameters.items())])}>"
+
+
+def shape_kinds() -> list[str]:
+    """Names of the kinds of shape that the library contains."""
+    return [library.abut_shape_kind_name(library.abut_shape_kind_at(i)).decode()
+            for i in range(library.abut_shape_kind_count())]
+
+
+def pair_support(kind_a: str, kind_b: str, query: int = c.QUERY_CONTACTS) -> bool:
+    """Whether two kinds of shape answer QUERY_DISTANCE or QUERY_CONTACTS."""
+    out = c_uint32()
+    numbers = (library.abut_shape_kind_by_name(name.encode()) for name in (kind_a, kind_b))
+    library.abut_pair_support(*numbers, query, byref(out))
+    return out.value == 1

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A universe: parts that hold geometries, steps that find what touches what, and queries."""
+
+from __future__ import annotations
+
+import weakref
+from ctypes import byref, c_void_p
+from typing import Any
+
+from .. import c, options
+from ..c import library
+from .detection import Detection
+from .geometries import Geometries
+from .parts import Parts
+from .queries import Queries, shape_cast_rays
+
+
+class Universe(Parts, Geometries, Detection, Queries):
+    """A space in which parts meet; the fields are those of UniverseOptions.
+
+    Methods that only read may run on several threads at once. Those that change something run alone.
+    """
+
+    def __init__(self, **fields: Any) -> None:
+        out = c_void_p()
+        library.abut_universe_create(byref(options.filled(c.UniverseOptions, library.abut_universe_options_init, fields)),
+                                     byref(out))
+        self._pickers: weakref.WeakSet = weakref.WeakSet()
+        super().__init__(out)
+
+    def close(self) -> None:
+        """Destroys it with everything in it, and closes its pickers before."""
+        for picker in list(self._pickers):
+            picker.close()
+        super().close()
+
+    def _release(self, pointer):
+        library.abut_universe_destroy(pointer)
+
+    def __repr__(self) -> str:
+        if not self._pointer:
+            return "<Universe, closed>"
+        return (f"<Universe of {len(self.parts())} parts and {len(self.geometries())} geometries, "
+                f"{self.stats().contacts} contacts in the last step>")

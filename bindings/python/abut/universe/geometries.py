@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Geometries of a universe: shapes on parts, and what is said about them."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_double, c_size_t, c_void_p
+from typing import Any
+
+from .. import answers, c, given, options
+from ..c import library
+from ..lending import Lender
+from ..records import Records
+from ..shapes import Shape
+from .parts import _fit
+
+
+class Geometries(Lender):
+    """Where several geometries are asked for, they are a list, Records or an array of GeometryId."""
+
+    def add_geometry(self, part: c.PartId, shape: Shape, **fields: Any) -> c.GeometryId:
+        """A shape on a part; the fields are those of GeometryOptions."""
+        out = c.GeometryId()
+        described = options.filled(c.GeometryOptions, library.abut_geometry_options_init, fields)
+        self._change(library.abut_geometry_create, part, given.shape_pointer("shape", shape), byref(described), byref(out))
+        return out
+
+    def add_geometries(self, parts: Any, shapes: Any, **fields: Any) -> Records:
+        """A shape on each part, or one shape on all; a field of GeometryOptions is the same for all, or one for each."""
+        ids, pointers = given.structs(c.PartId, "parts", parts), given.shape_pointers("shapes", shapes)
+        out = (c.GeometryId * given.together(ids, pointers))()
+        described = options.of_each(c.GeometryOptions, library.abut_geometry_options_init, len(out), fields)
+        self._change(library.abut_geometries_create, ids.memory, pointers.memory, described, len(out), out)
+        return Records(out)
+
+    def _change_geometries(self, function, geometries, *more):
+        ids = given.structs(c.GeometryId, "geometries", geometries)
+        _fit(ids, *more)
+        self._change(function, ids.memory, *(each.memory for each in more), len(ids))
+
+    def destroy_geometries(self, geometries: Any) -> None:
+        """Takes geometries away, all or none."""
+        self._change_geometries(library.abut_geometries_destroy, geometries)
+
+    def geometries(self, part: c.PartId | None = None) -> Records:
+        """Geometries of one part, or all."""
+        if part is None:
+            return answers.records(c.GeometryId, lambda *rest: library.abut_universe_geometries(self.pointer, *rest))
+        return answers.records(c.GeometryId, lambda *rest: library.abut_part_geometries(self.pointer, part, *rest))
+
+    def describe(self, geometry: c.GeometryId) -> c.GeometryInfo:
+        """What a geometry is and where."""
+        out = options.filled(c.GeometryInfo, library.abut_geometry_info_init, {})
+        library.abut_geometry_describe(self.pointer, geometry, byref(out))
+        return out
+
+    def shape_of(self, geometry: c.GeometryId) -> Shape:
+        """The shape that a geometry has at present."""
+        out = c_void_p()
+        library.abut_geometry_shape(self.pointer, geometry, byref(out))
+        return Shape(out)
+
+    def geometry_poses(self, geometries: Any) -> Records:
+        """World poses of geometries; their array has the shape (N, 7)."""
+        ids = given.structs(c.GeometryId, "geometries", geometries)
+        out = (c.Pose * len(ids))()
+        library.abut_geometries_poses(self.pointer, ids.memory, len(ids), out)
+        return Records(out)
+
+    def options_of(self, geometry: c.GeometryId) -> c.GeometryOptions:
+        """The options of a geometry as they are, for set_options."""
+        info = self.describe(geometry)
+        fields = {name: getattr(info, name) for name, _ in c.GeometryOptions._fields_ if name not in ("struct_size", "pose")}
+        return options.filled(c.GeometryOptions, library.abut_geometry_options_init, {"pose": info.local, **fields})
+
+    def set_options(self, geometries: Any, described: Any) -> None:
+        """Replaces the options of geometries, all of them."""
+        self._change_geometries(library.abut_geometries_set_options, geometries,
+                                given.structs(c.GeometryOptions, "options", described))
+
+    def change(self, geometry: c.GeometryId, **fields: Any) -> None:
+        """Changes some fields of the GeometryOptions of a geometry."""
+        described = self.options_of(geometry)
+        options.set_fields(described, fields)
+        self.set_options([geometry], [described])
+
+    def set_shapes(self, geometries: Any, shapes: Any) -> None:
+        """Gives geometries other shapes, or all the same one."""
+        self._change_geometries(library.abut_geometries_set_shapes, geometries, given.shape_pointers("shapes", shapes))
+
+    def set_parameters(self, geometries: Any, parameters: Any) -> None:
+        """Changes the parameters of the shapes of geometries: one row of them for each."""
+        ids = given.structs(c.GeometryId, "geometries", geometries)
+        if given.is_array(parameters):
+            flat = given.borrowed(given.converted("parameters", parameters, c_double), c_double)
+        else:
+            flat = given.numbers("parameters", [number for row in parameters for number in row])
+        if not len(ids) or len(flat) % len(ids):
+            raise ValueError(f"parameters has {len(flat)} numbers; it must be as many for each of {len(ids)} geometries")
+        self._change(library.abut_geometries_set_parameters, ids.memory, flat, len(flat) // len(ids), len(ids))
+
+    def set_heights(self, geometry: c.GeometryId, column: int, row: int, heights: Any) -> None:
+        """Changes heights of a height field: rows of them, from a first sample on. The array has two dimensions."""
+        rows = [list(each) for each in heights]
+        columns = len(rows[0]) if rows else 0
+        flat, _ = given.rows("heights", rows, columns or 1)
+        self._change(library.abut_geometry_set_heights, geometry, column, row, columns, len(rows), flat)
+
+    def set_particles(self, geometry: c.GeometryId, first: int, xyz: Any, radii: Any = None) -> None:
+        """Moves particles of a geometry to (N, 3) centres, from the number `first` on."""
+        centres, count = given.rows("xyz", xyz, 3)
+        sizes = None if radii is None else given.numbers("radii", radii)
+        if sizes is not None and len(sizes) != count:
+            raise ValueError(f"xyz has {count} and radii has {len(sizes)}; they must have as many elements")
+        self._change(library.abut_geometry_set_particles, geometry, c_size_t(first), centres, sizes, count)
+
+    def park(self, geometries: Any, parking: int = c.PARKING_SHORT_TERM) -> None:
+        """Parks geometries, or brings them back with PARKING_NONE. A filter may do that, too."""
+        ids = given.structs(c.GeometryId, "geometries", geometries)
+        self._change(library.abut_geometries_park, ids.memory, len(ids), parking)

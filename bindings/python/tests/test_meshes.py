@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Meshes from files and from objects of other libraries."""
+
+import importlib.util
+import pathlib
+import struct
+import tempfile
+import types
+import unittest
+
+import abut
+
+CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+SQUARE = [(0, 1, 2), (0, 2, 3)]
+
+
+class Meshes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def expect_square(self, mesh):
+        xyz, triangles = mesh.triangles()
+        points = [tuple(xyz[i:i + 3]) for i in range(0, len(xyz), 3)]
+        self.assertEqual(points, CORNERS)
+        self.assertEqual(list(triangles), [corner for triangle in SQUARE for corner in triangle])
+
+    def test_objects_with_vertices_and_faces(self):
+        source = types.SimpleNamespace(vertices=CORNERS, faces=SQUARE)
+        self.expect_square(abut.Shape.mesh(source))
+        self.expect_square(abut.Shape.mesh(CORNERS, SQUARE))
+        self.assertEqual(abut.Shape.hull(source).hull_report().vertex_count, 4)
+        with self.assertRaisesRegex(TypeError, "a list is no mesh: triangles are missing"):
+            abut.Shape.mesh(CORNERS)
+
+    def test_obj(self):
+        corners = "".join(f"v {x} {y} {z}\n" for x, y, z in CORNERS)
+        for faces in ("f 1 2 3 4\n", "f 1/1 2/2/2 3//3 4\n", "f -4 -3 -2\nf -4 -2 -1\n"):
+            path = self.file("square.obj", "# a square\n" + corners + "vn 0 0 1\n" + faces)
+            self.expect_square(abut.Shape.mesh(path))
+        self.assertEqual(abut.Shape.hull(str(path)).kind, "hull")
+        for line in ("v 1 2", "v 1 2 x", "f 1 2 0", "f 1 2 -9"):
+            path = self.file("wrong.obj", corners + line + "\n")
+            with self.subTest(line), self.assertRaisesRegex(ValueError, f"wrong.obj, line 5: '{line}' cannot be read"):
+                abut.Shape.mesh(path)
+        with self.assertRaisesRegex(abut.Error, "ABUT_INDEX_OUT_OF_RANGE"):
+            abut.Shape.mesh(self.file("far.obj", corners + "f 1 2 5\n"))
+
+    def test_stl(self):
+        binary = b"solid, but binary".ljust(80) + struct.pack("<I", 2)
+        text = "solid square\n"
+        for triangle in SQUARE:
+            binary += struct.pack("<12fH", 0, 0, 1, *(x for corner in triangle for x in CORNERS[corner]), 0)
+            text += "facet normal 0 0 1\nouter loop\n"
+            text += "".join("vertex {} {} {}\n".format(*CORNERS[corner]) for corner in triangle) + "endloop\nendfacet\n"
+        self.expect_square(abut.Shape.mesh(self.file("binary.STL", binary)))
+        self.expect_square(abut.Shape.mesh(self.file("text.stl", text)))
+        with self.assertRaisesRegex(ValueError, "is no STL file: it has 183 bytes and speaks of 2 triangles"):
+            abut.Shape.mesh(self.file("cut.stl", binary.replace(b"solid", b"other")[:-1]))
+        with self.assertRaisesRegex(ValueError, "text.stl, line 4: 'vertex 0 0' is no vertex"):
+            abut.Shape.mesh(self.file("text.stl", text.replace("vertex 0 0 0", "vertex 0 0", 1)))
+
+    @unittest.skipIf(importlib.util.find_spec("trimesh"), "trimesh is installed")
+    def test_formats_of_others_name_what_reads_them(self):
+        with self.assertRaisesRegex(ValueError, "obj and .stl are read by abut; .ply needs trimesh"):
+            abut.Shape.mesh(self.file("square.ply", "ply\n"))
+
+    def test_a_file_that_is_missing(self):
+        with self.assertRaises(FileNotFoundError):
+            abut.Shape.mesh(self.folder / "none.obj")
+
+
+if __name__ == "__main__":
+    unittest.main()
