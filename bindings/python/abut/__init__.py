@@ -9,23 +9,16 @@ carries the status and the message. Poses, points and rays are structs, sequence
 many are Records, whose fields are columns. NumPy is needed for arrays only. docs/python.md tells more.
 """
 
-from . import c
-from .c import VERSION_MAJOR, VERSION_MINOR, Error, library
-from .c.constants import *
-from .c.structs import (
-    Aabb, Camera, CastHit, Closest, Collidable, Contact, ContactMaterial, Distance, Event, Feature, Finding, Focus,
-    GeometryId, GeometryInfo, GeometryOptions, HeightFieldDesc, HullReport, Island, LayoutEntry, LocalPoints, MeshOptions,
-    PairMemory, PartId, PartOptions, Pick, Policy, Pose, Quat, QueryFilter, QueryHit, QueryOptions, Ray, RayHit, Revision,
-    ShapeDesc, Sleep, SleepChange, StepStats, UniverseOptions, Vec3, Velocity)
-from .lending import Borrowed, StaleError
-from .pairs import (
-    pair_cast, pair_contacts, pair_distance, pair_memories, pairs_cast, pairs_contacts, pairs_distance, points_distance,
-    validate_contact)
-from .picker import Picker, camera
-from .records import Groups, Records
-from .shapes import Shape, pair_support, shape_kinds
-from .universe import Universe, shape_cast_rays
-from .values import pose, poses, ray, rays
+from . import c as c
+from .c import *
+from .c import library
+from .lending import *
+from .pairs import *
+from .picker import *
+from .records import *
+from .shapes import *
+from .universe import *
+from .values import *
 
 __version__ = "0.2.0"
 

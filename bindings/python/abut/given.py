@@ -170,7 +170,7 @@ def _row(kind, name, item):
         return item
     width = ROWS.get(kind)
     if width is None or not hasattr(item, "__iter__"):
-        raise TypeError(f"{name} has a {type(item).__name__}; it must be a {kind.__name__}")
+        raise TypeError(f"{name} is of type {type(item).__name__}; it must be a {kind.__name__}")
     found = item.tolist() if is_array(item) else tuple(item)
     if len(found) != width:
         raise ValueError(f"{name} has {len(found)} numbers; it must have {width}")
@@ -191,6 +191,14 @@ def vec3(name: str, value: Any) -> c.Vec3:
     return one(c.Vec3, name, value)
 
 
+def reals(**named: Any) -> list[float]:
+    """Real numbers, which are refused by their names when they are none."""
+    for name, value in named.items():
+        if not hasattr(value, "__float__") and not hasattr(value, "__index__"):
+            raise TypeError(f"{name} is {value!r}; it must be a number")
+    return [float(value) for value in named.values()]
+
+
 def shape_pointers(name: str, shapes: Any) -> Given:
     """Pointers of one shape or of several."""
     if hasattr(shapes, "pointer"):
@@ -201,5 +209,5 @@ def shape_pointers(name: str, shapes: Any) -> Given:
 
 def shape_pointer(name: str, shape: Any) -> Any:
     if not hasattr(shape, "pointer"):
-        raise TypeError(f"{name} is a {type(shape).__name__}; it must be a Shape")
+        raise TypeError(f"{name} is of type {type(shape).__name__}; it must be a Shape")
     return shape.pointer

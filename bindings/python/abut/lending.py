@@ -18,6 +18,8 @@ from . import c
 from .owner import Owner
 from .records import Records
 
+__all__ = ["Borrowed", "StaleError"]
+
 
 class StaleError(RuntimeError):
     """Borrowed records were used after the universe had changed."""

@@ -21,7 +21,7 @@ def triangles_of(source: Any) -> tuple[Any, Any]:
         return _read(pathlib.Path(source))
     if hasattr(source, "vertices") and hasattr(source, "faces"):
         return source.vertices, source.faces
-    raise TypeError(f"a {type(source).__name__} is no mesh: triangles are missing. Give vertices and triangles, the name "
+    raise TypeError(f"something of type {type(source).__name__} is no mesh: triangles are missing. Give vertices and triangles, the name "
                     "of a file, or an object that has vertices and faces")
 
 

@@ -14,6 +14,10 @@ from .records import Groups, Records, empty, part_of
 from .shapes import Shape
 from .values import poses
 
+__all__ = [
+    "pair_cast", "pair_contacts", "pair_distance", "pair_memories", "pairs_cast", "pairs_contacts",
+    "pairs_distance", "points_distance", "validate_contact"]
+
 _NO_WAY = (0.0, 0.0, 0.0)
 
 

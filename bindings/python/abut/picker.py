@@ -14,6 +14,8 @@ from .records import Records
 from .universe import Universe
 from .values import given_rays
 
+__all__ = ["Picker", "camera"]
+
 
 def _expect_picking():
     if picking is None:
@@ -58,8 +60,8 @@ class Picker(Owner):
 
     def cast_ray(self, along: c.Ray, **filter: Any) -> c.Pick:
         """What a ray meets first; the geometry is null when there is nothing."""
-        out = c.Pick()
-        picking.abut_picker_cast_ray(self.pointer, byref(along), filter_of(filter), byref(out))
+        out, line = c.Pick(), given.one(c.Ray, "along", along)
+        picking.abut_picker_cast_ray(self.pointer, byref(line), filter_of(filter), byref(out))
         return out
 
     def cast_rays(self, rays: Any, coherence: int = c.COHERENCE_NONE, **filter: Any) -> Records:
@@ -71,8 +73,9 @@ class Picker(Owner):
 
     def cast_ray_all(self, along: c.Ray, **filter: Any) -> Records:
         """Everything that a ray meets, nearest first."""
+        line = given.one(c.Ray, "along", along)
         return answers.records(c.Pick, lambda *rest: picking.abut_picker_cast_ray_all(
-            self.pointer, byref(along), filter_of(filter), *rest))
+            self.pointer, byref(line), filter_of(filter), *rest))
 
     def pick_pixel(self, through: c.Camera, x: float, y: float, radius: float = 0.0, **filter: Any) -> c.Pick:
         """What lies under the mouse."""

@@ -20,7 +20,7 @@ def chunks(count: int, progress: Progress = None) -> Iterator[tuple[int, int]]:
     """First element and length of each chunk. `progress` is called with how many are done, and of how many."""
     tell = _to_stderr if progress is True else progress or None
     if tell is not None and not callable(tell):
-        raise TypeError(f"progress is a {type(tell).__name__}; it must be True or callable with (done, count)")
+        raise TypeError(f"progress is of type {type(tell).__name__}; it must be True or callable with (done, count)")
     for first in range(0, max(count, 1), CHUNK):
         length = min(CHUNK, count - first)
         yield first, length

@@ -11,6 +11,8 @@ from .c import library
 from .owner import Owner
 from .values import pose
 
+__all__ = ["Shape", "pair_support", "shape_kinds"]
+
 
 class Shape(Owner):
     """A shape: immutable, shared, independent of any universe. docs/shapes.md tells the kinds and their frames."""
@@ -27,32 +29,32 @@ class Shape(Owner):
     @classmethod
     def sphere(cls, radius: float) -> Shape:
         """A solid ball."""
-        return cls._made_by(library.abut_sphere_create, radius)
+        return cls._made_by(library.abut_sphere_create, *given.reals(radius=radius))
 
     @classmethod
     def box(cls, half_x: float, half_y: float, half_z: float) -> Shape:
         """A solid box, centred, from its half extents."""
-        return cls._made_by(library.abut_box_create, half_x, half_y, half_z)
+        return cls._made_by(library.abut_box_create, *given.reals(half_x=half_x, half_y=half_y, half_z=half_z))
 
     @classmethod
     def capsule(cls, radius: float, half_height: float) -> Shape:
         """All points within the radius of a segment along Z from -half_height to half_height."""
-        return cls._made_by(library.abut_capsule_create, radius, half_height)
+        return cls._made_by(library.abut_capsule_create, *given.reals(radius=radius, half_height=half_height))
 
     @classmethod
     def cylinder(cls, radius: float, half_height: float) -> Shape:
         """A solid cylinder along Z, centred."""
-        return cls._made_by(library.abut_cylinder_create, radius, half_height)
+        return cls._made_by(library.abut_cylinder_create, *given.reals(radius=radius, half_height=half_height))
 
     @classmethod
     def cone(cls, radius: float, half_height: float) -> Shape:
         """A solid cone along Z: its base at -half_height, its apex at half_height."""
-        return cls.of_kind("cone", (radius, half_height))
+        return cls.of_kind("cone", given.reals(radius=radius, half_height=half_height))
 
     @classmethod
     def ellipsoid(cls, radius_x: float, radius_y: float, radius_z: float) -> Shape:
         """A solid ellipsoid, centred, from its radii along the axes."""
-        return cls.of_kind("ellipsoid", (radius_x, radius_y, radius_z))
+        return cls.of_kind("ellipsoid", given.reals(radius_x=radius_x, radius_y=radius_y, radius_z=radius_z))
 
     @classmethod
     def point(cls) -> Shape:
@@ -62,7 +64,7 @@ class Shape(Owner):
     @classmethod
     def segment(cls, half_length: float) -> Shape:
         """A segment along Z, centred."""
-        return cls.of_kind("segment", (half_length,))
+        return cls.of_kind("segment", given.reals(half_length=half_length))
 
     @classmethod
     def triangle(cls, a: Any, b: Any, c: Any) -> Shape:
@@ -73,7 +75,7 @@ class Shape(Owner):
     @classmethod
     def plane(cls, normal: Any, offset: float) -> Shape:
         """The half-space of the points p with dot(normal, p) <= offset."""
-        return cls._made_by(library.abut_plane_create, byref(given.vec3("normal", normal)), offset)
+        return cls._made_by(library.abut_plane_create, byref(given.vec3("normal", normal)), *given.reals(offset=offset))
 
     @classmethod
     def hull(cls, xyz: Any) -> Shape:
@@ -115,7 +117,7 @@ class Shape(Owner):
     @classmethod
     def particles(cls, xyz: Any, radius: float) -> Shape:
         """Many balls of one radius about (N, 3) centres."""
-        return cls._made_by(library.abut_particles_create, *given.rows("xyz", xyz, 3), radius)
+        return cls._made_by(library.abut_particles_create, *given.rows("xyz", xyz, 3), *given.reals(radius=radius))
 
     @classmethod
     def composite(cls, children: Any, poses: Any, materials: Any = None) -> Shape:
@@ -177,7 +179,7 @@ class Shape(Owner):
     def cast_ray(self, at: Any, along: c.Ray) -> c.RayHit | None:
         """The first hit of a ray on the shape at a pose, or None."""
         hit, found = c.RayHit(), c_uint32()
-        library.abut_shape_cast_ray(self.pointer, byref(given.pose("at", at)), byref(along), byref(hit), byref(found))
+        library.abut_shape_cast_ray(self.pointer, byref(given.pose("at", at)), byref(given.one(c.Ray, "along", along)), byref(hit), byref(found))
         return hit if found.value else None
 
     def __repr__(self) -> str:

@@ -9,6 +9,8 @@ from typing import Any
 from . import c, given
 from .records import Records, is_numpy_loaded
 
+__all__ = ["pose", "poses", "ray", "rays"]
+
 INFINITY = float("inf")
 
 

@@ -128,17 +128,39 @@ class Queries(unittest.TestCase):
         self.assertEqual(abut.Shape.plane((0, 0, 2), 1).kind, "plane")
         self.assertEqual(abut.Shape.height_field(2, 2, [0, 0, 0, 1]).kind, "height_field")
         self.assertEqual(abut.Shape.of_kind("sphere", [2.0]).parameters, {"radius": 2.0})
+        triangle = abut.Shape.triangle((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        for shape in (abut.Shape.cone(1, 2), abut.Shape.ellipsoid(1, 2, 3), abut.Shape.point(), abut.Shape.segment(1), triangle):
+            self.assertIn(shape.kind, abut.shape_kinds())
+        self.assertEqual(list(triangle.parameters.values()), [0, 0, 0, 1, 0, 0, 0, 1, 0])
+        self.assertEqual(repr(capsule), "<Shape capsule radius=0.5 half_height=2>")
+        self.assertFalse(abut.pair_support("plane", "plane"))
+        self.assertTrue(abut.pair_support("plane", "box", abut.QUERY_DISTANCE))
 
     def test_errors(self):
+        closed = abut.Shape.sphere(1)
         with self.assertRaises(abut.Error) as caught:
             abut.Shape.sphere(-2.5)
         self.assertEqual(caught.exception.status, abut.OUT_OF_RANGE)
         self.assertEqual(caught.exception.name, "ABUT_OUT_OF_RANGE")
         self.assertIn("radius", caught.exception.message)
         self.assertIn("-2.5", str(caught.exception))
-        with self.assertRaises(TypeError):
-            abut.Universe(broad_phase=1)
-        closed = abut.Shape.sphere(1)
+        for expected, call in {
+            "UniverseOptions has no field broad_phase; it has broadphase": lambda: abut.Universe(broad_phase=1),
+            "radius is 'big'; it must be a number": lambda: abut.Shape.sphere("big"),
+            "b is of type Pose; it must be a Shape": lambda: abut.pair_distance(closed, abut.pose(), abut.pose(), abut.pose()),
+            "along is of type int; it must be a Ray": lambda: closed.cast_ray(abut.pose(), 1),
+        }.items():
+            with self.subTest(expected), self.assertRaisesRegex(TypeError, expected):
+                call()
+        for expected, call in {
+            r"threads is -1; it must be in \[0, 4294967295\]": lambda: abut.Universe(threads=-1),
+            "there is no kind of shape 'ball'; there are sphere": lambda: abut.Shape.of_kind("ball"),
+            "indices has the number -1": lambda: abut.Shape.of_kind("mesh", [0], [0] * 9, [0, 1, -1]),
+        }.items():
+            with self.subTest(expected), self.assertRaisesRegex(ValueError, expected):
+                call()
+        with self.assertRaisesRegex(ctypes.ArgumentError, "-1 is not in"):
+            abut.Universe().set_policy(-1, 0)
         closed.close()
         with self.assertRaises(ValueError):
             closed.aabb(abut.pose())

@@ -78,10 +78,17 @@ class Inputs(unittest.TestCase):
             "xyz holds complex128; it must hold numbers": lambda: abut.Shape.hull(numpy.zeros((4, 3), complex)),
             "triangles holds float64; it must hold whole numbers": lambda: abut.Shape.mesh(three, numpy.zeros((1, 3))),
             "parts holds float64 of shape": lambda: universe.poses(numpy.zeros(3)),
-            "a is a str; it must be a Shape": lambda: abut.pairs_distance("ball", HERE, ball, HERE),
+            "a is of type str; it must be a Shape": lambda: abut.pairs_distance("ball", HERE, ball, HERE),
         }.items():
             with self.subTest(expected), self.assertRaisesRegex(TypeError, expected):
                 call()
+
+    def test_numbers_of_numpy_are_numbers(self):
+        self.assertEqual(abut.Shape.sphere(numpy.float32(2)).parameters["radius"], 2)
+        universe = abut.Universe(threads=numpy.int64(1), origin=numpy.zeros(3, "f4"))
+        universe.set_policy(numpy.uint8(3), 1, period=numpy.int32(2))
+        universe.step(numpy.float32(0.5))
+        self.assertEqual(universe.policy(1, numpy.int16(3)).period, 2)
 
     def test_a_pose_that_is_not_finite_is_refused_and_named(self):
         there = poses_along_x(3, numpy.nan)
@@ -167,6 +174,12 @@ class Universes(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "user_data has 2 elements; it must have 3"):
             self.universe.add_parts(poses_along_x(0, 3, 6), user_data=[7, 8])
         self.assertEqual(len(self.universe.parts()), 3)
+
+    def test_pairs_of_geometries_are_an_array(self):
+        pairs = self.geometries.array[numpy.array([[0, 1], [2, 1]])]
+        self.universe.set_poses(self.parts, abut.pose())
+        self.universe.detect_pairs(pairs)
+        self.assertEqual(self.universe.contacts().geometry_a["slot"].tolist(), [each.slot for each in self.geometries[:2]])
 
     def test_poses_go_in_and_out_as_rows(self):
         rows = self.universe.poses(self.parts).array

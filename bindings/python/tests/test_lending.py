@@ -151,7 +151,7 @@ class Progress(unittest.TestCase):
         found = abut.pairs_distance(ball, abut.pose(), ball, poses, progress=lambda *now: told.append(now))
         self.assertEqual(told, [(1 << 15, count), (1 << 16, count), (count, count)])
         self.assertEqual((found[0].distance, found[count - 1].distance), (1, 1))
-        with self.assertRaisesRegex(TypeError, "progress is a str"):
+        with self.assertRaisesRegex(TypeError, "progress is of type str"):
             abut.pairs_distance(ball, abut.pose(), ball, poses, progress="yes")
 
     def test_what_progress_raises_ends_the_batch(self):

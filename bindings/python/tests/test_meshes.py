@@ -36,7 +36,7 @@ class Meshes(unittest.TestCase):
         self.expect_square(abut.Shape.mesh(source))
         self.expect_square(abut.Shape.mesh(CORNERS, SQUARE))
         self.assertEqual(abut.Shape.hull(source).hull_report().vertex_count, 4)
-        with self.assertRaisesRegex(TypeError, "a list is no mesh: triangles are missing"):
+        with self.assertRaisesRegex(TypeError, "of type list is no mesh: triangles are missing"):
             abut.Shape.mesh(CORNERS)
 
     def test_obj(self):

@@ -6,6 +6,6 @@ The names are those of abut.h and picking.h without their prefix for constants a
 """
 
 from .constants import *
-from .functions import FUNCTIONS, PICKING_FUNCTIONS, Filter
-from .library import VERSION_MAJOR, VERSION_MINOR, Error, library, picking, picking_failure
+from .functions import *
+from .library import *
 from .structs import *

@@ -5,6 +5,8 @@ from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int32, c_size_t, c_
 
 from .structs import *
 
+__all__ = ["FUNCTIONS", "Filter", "PICKING_FUNCTIONS"]
+
 Status = c_int32
 
 # A filter of pairs: context, universe and two geometries to a number, of which 0 leaves the pair out.

@@ -10,11 +10,14 @@ package, where a wheel carries it, then where the loader looks.
 from __future__ import annotations
 
 import ctypes
+import operator
 import os
 import pathlib
 
 from .constants import OK
 from .functions import FUNCTIONS, PICKING_FUNCTIONS, Status
+
+__all__ = ["Error", "VERSION_MAJOR", "VERSION_MINOR", "library", "picking", "picking_failure"]
 
 VERSION_MAJOR = 0
 VERSION_MINOR = 2
@@ -41,13 +44,35 @@ def _raise_failures(status, _function, _arguments):
         raise Error(status, library.abut_status_name(status).decode(), message)
 
 
+class _Real:
+    """What functions take as a double: any real number, those of NumPy as well."""
+
+    @staticmethod
+    def from_param(value):
+        return ctypes.c_double(float(value))
+
+
+class _Whole:
+    """What functions take as a uint32_t: any whole number that fits, where ctypes would cut what does not."""
+
+    @staticmethod
+    def from_param(value):
+        number = operator.index(value)
+        if not 0 <= number < 2**32:
+            raise ValueError(f"{number} is not in [0, {2**32 - 1}]")
+        return ctypes.c_uint32(number)
+
+
+_TAKEN = {ctypes.c_double: _Real, ctypes.c_uint32: _Whole}
+
+
 def _declare(loaded, functions):
     for name, (result, arguments) in functions.items():
         function = getattr(loaded, name, None)
         if function is None:
             raise ImportError(f"{loaded._name} has no function {name}: it is of another version than this package")
         function.restype = result
-        function.argtypes = arguments
+        function.argtypes = [_TAKEN.get(argument, argument) for argument in arguments]
         # abut_set_last_error answers the status that it was given.
         if result is Status and name != "abut_set_last_error":
             function.errcheck = _raise_failures

@@ -14,6 +14,8 @@ from .geometries import Geometries
 from .parts import Parts
 from .queries import Queries, shape_cast_rays
 
+__all__ = ["Universe", "shape_cast_rays"]
+
 
 class Universe(Parts, Geometries, Detection, Queries):
     """A space in which parts meet; the fields are those of UniverseOptions.

@@ -37,8 +37,9 @@ class Detection(Filters):
 
     def detect_pairs(self, pairs: Any) -> None:
         """A step that looks at pairs of geometries only."""
-        first, second = ((c.GeometryId * len(pairs))(*(pair[side] for pair in pairs)) for side in (0, 1))
-        self._run(library.abut_universe_detect_pairs, first, second, len(pairs))
+        columns = (pairs[:, 0], pairs[:, 1]) if given.is_array(pairs) else ([a for a, _ in pairs], [b for _, b in pairs])
+        first, second = (given.structs(c.GeometryId, "pairs", column) for column in columns)
+        self._run(library.abut_universe_detect_pairs, first.memory, second.memory, len(first))
 
     def detect_region(self, minimum: Any, maximum: Any) -> None:
         """A step that looks at what meets a box of the world only."""

@@ -69,7 +69,8 @@ class Geometries(Lender):
     def options_of(self, geometry: c.GeometryId) -> c.GeometryOptions:
         """The options of a geometry as they are, for set_options."""
         info = self.describe(geometry)
-        fields = {name: getattr(info, name) for name, _ in c.GeometryOptions._fields_ if name not in ("struct_size", "pose")}
+        names = [field[0] for field in c.GeometryOptions._fields_ if field[0] not in ("struct_size", "pose")]
+        fields = {name: getattr(info, name) for name in names}
         return options.filled(c.GeometryOptions, library.abut_geometry_options_init, {"pose": info.local, **fields})
 
     def set_options(self, geometries: Any, described: Any) -> None:
@@ -100,10 +101,9 @@ class Geometries(Lender):
 
     def set_heights(self, geometry: c.GeometryId, column: int, row: int, heights: Any) -> None:
         """Changes heights of a height field: rows of them, from a first sample on. The array has two dimensions."""
-        rows = [list(each) for each in heights]
-        columns = len(rows[0]) if rows else 0
-        flat, _ = given.rows("heights", rows, columns or 1)
-        self._change(library.abut_geometry_set_heights, geometry, column, row, columns, len(rows), flat)
+        columns = len(heights[0]) if len(heights) else 0
+        flat, rows = given.rows("heights", heights, columns or 1)
+        self._change(library.abut_geometry_set_heights, geometry, column, row, columns, rows, flat)
 
     def set_particles(self, geometry: c.GeometryId, first: int, xyz: Any, radii: Any = None) -> None:
         """Moves particles of a geometry to (N, 3) centres, from the number `first` on."""

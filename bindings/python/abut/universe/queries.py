@@ -21,8 +21,9 @@ class Queries(Lender):
 
     def cast_ray(self, along: c.Ray, mode: int = c.HIT_NEAREST, **filter: Any) -> Records:
         """Hits of a ray, in order."""
+        line = given.one(c.Ray, "along", along)
         return answers.records(c.QueryHit, lambda *rest: library.abut_universe_cast_ray(
-            self.pointer, byref(along), filter_of(filter), mode, *rest))
+            self.pointer, byref(line), filter_of(filter), mode, *rest))
 
     def cast_rays(self, rays: Any, progress: Progress = None, **filter: Any) -> Records:
         """The nearest hit of each ray; its geometry is null where there is none. Rays are those of abut.rays, or

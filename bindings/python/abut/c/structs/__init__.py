@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Structs of abut.h and picking.h, field by field."""
+
+from .queries import (
+    Camera, CastHit, Closest, Pick, QueryFilter, QueryHit)
+from .shapes import (
+    Contact, Distance, HeightFieldDesc, HullReport, MeshOptions, PairMemory, QueryOptions, Ray, RayHit, ShapeDesc)
+from .universe import (
+    Collidable, ContactMaterial, Event, Finding, Focus, GeometryInfo, GeometryOptions, Island, LocalPoints,
+    PartOptions, Policy, Revision, Sleep, SleepChange, StepStats, UniverseOptions, Velocity)
+from .values import (
+    Aabb, Feature, GeometryId, LayoutEntry, PartId, Pose, Quat, Vec3)
+
+__all__ = [
+    "Aabb", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance", "Event",
+    "Feature", "Finding", "Focus", "GeometryId", "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport",
+    "Island", "LayoutEntry", "LocalPoints", "MeshOptions", "PairMemory", "PartId", "PartOptions", "Pick", "Policy",
+    "Pose", "Quat", "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision", "ShapeDesc", "Sleep",
+    "SleepChange", "StepStats", "UniverseOptions", "Vec3", "Velocity"]
