@@ -14,7 +14,6 @@ import threading
 import weakref
 from typing import Any
 
-from . import c
 from .owner import Owner
 from .records import Records
 

@@ -79,7 +79,7 @@ def _rows_of(name, points):
 
 def pair_contacts(a: Shape, pose_a: Any, b: Shape, pose_b: Any, memory: Any = None,
                   **fields: Any) -> Records:
-    """Contacts of two shapes, deepest first; a PairMemory of the two makes it faster; fields are those of QueryOptions."""
+    """Contacts of two shapes, deepest first; a PairMemory makes it faster; the fields are those of QueryOptions."""
     asked = (*_placed(a, pose_a, b, pose_b), options.query(fields))
     if memory is None:
         return answers.records(c.Contact, lambda *rest: library.abut_pair_contacts(*asked, *rest))
@@ -92,21 +92,21 @@ def pairs_contacts(a: Shape, poses_a: Any, b: Shape, poses_b: Any, progress: Pro
     first, second = given.structs(c.Pose, "poses_a", poses_a), given.structs(c.Pose, "poses_b", poses_b)
     count = given.together(first, second)
     pointers, query = (given.shape_pointer("a", a), given.shape_pointer("b", b)), options.query(fields)
-    offsets, found, filled, more = (c_uint64 * (count + 1))(), (c.Contact * max(4 * count, 16))(), 0, c_size_t()
+    offsets, found, filled, more = (c_uint64 * (count + 1))(), (c.Contact * (4 * count + 16))(), 0, c_size_t()
     for start, length in chunks(count, progress):
         for i in range(start, start + length):
             asked = (pointers[0], first.memory[i], pointers[1], second.memory[i], query)
-            library.abut_pair_contacts(*asked, part_of(found, filled, len(found) - filled), len(found) - filled, byref(more))
-            if more.value > len(found) - filled:
-                found = _longer(found, filled, filled + more.value)
-                library.abut_pair_contacts(*asked, part_of(found, filled, more.value), more.value, byref(more))
+            library.abut_pair_contacts(*asked, found[filled], len(found) - filled, byref(more))
+            if filled + more.value >= len(found):
+                found = _longer(found, filled, filled + more.value + 1)
+                library.abut_pair_contacts(*asked, found[filled], len(found) - filled, byref(more))
             filled += more.value
             offsets[i + 1] = filled
     return Groups(offsets, Records(part_of(found, 0, filled)))
 
 
 def _longer(memory, filled, needed):
-    """A copy that has room for more, at least twice as much."""
+    """A copy of what is filled that has room for more, at least twice as much."""
     longer = (memory._type_ * max(needed, 2 * len(memory)))()
     ctypes.memmove(longer, memory, filled * ctypes.sizeof(memory._type_))
     return longer

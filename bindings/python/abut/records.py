@@ -43,7 +43,8 @@ def dtype_of(kind: Any) -> Any:
                               "offsets": [getattr(kind, name).offset for name in names],
                               "itemsize": ctypes.sizeof(kind)})
     if issubclass(kind, ctypes.Array):
-        return numpy().dtype(f"S{kind._length_}" if kind._type_ is ctypes.c_char else (dtype_of(kind._type_), kind._length_))
+        is_text = kind._type_ is ctypes.c_char
+        return numpy().dtype(f"S{kind._length_}" if is_text else (dtype_of(kind._type_), kind._length_))
     return numpy().dtype("u8")  # a pointer
 
 
@@ -61,9 +62,7 @@ class Records:
     @classmethod
     def of_array(cls, kind: Any, array: Any) -> Records:
         """A copy of an array as dtype_of(kind) describes it."""
-        packed = numpy().ascontiguousarray(array, dtype_of(kind).base)
-        count = packed.nbytes // ctypes.sizeof(kind)
-        return Records((kind * count).from_buffer_copy(packed.tobytes()))
+        return _restored(kind, numpy().ascontiguousarray(array, dtype_of(kind).base).tobytes())
 
     @property
     def kind(self) -> Any:
@@ -86,12 +85,16 @@ class Records:
         return array.copy() if copy and dtype is None else array if dtype is None else array.astype(dtype)
 
     def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
         kind = self.kind
         fields = dict(kind._fields_)
         if name not in fields:
             raise AttributeError(f"records of {kind.__name__} have no field {name!r}; they have {', '.join(fields)}")
         memory = self.memory
         dtype = dtype_of(fields[name])
+        if not len(memory):
+            return numpy().empty((0, *dtype.shape), dtype.base)
         return numpy().ndarray((len(memory), *dtype.shape), dtype.base, memory, getattr(kind, name).offset,
                                (ctypes.sizeof(kind), *_packed_strides(dtype)))
 
@@ -120,9 +123,17 @@ class Records:
         """The same in memory of their own."""
         return Records(type(self.memory).from_buffer_copy(self.memory))
 
+    def __reduce__(self) -> Any:
+        return _restored, (self.kind, bytes(self.memory))
+
     def __repr__(self) -> str:
         shown = [repr(self[i]) for i in range(min(3, len(self)))] + ["..."] * (len(self) > 3)
         return f"<{len(self)} {self.kind.__name__}: [{', '.join(shown)}]>"
+
+
+def _restored(kind, data):
+    """Records from their bytes, as pickle keeps them."""
+    return Records((kind * (len(data) // ctypes.sizeof(kind))).from_buffer_copy(data))
 
 
 def empty(kind: Any, count: int) -> ctypes.Array:

@@ -128,7 +128,8 @@ class Shape(Owner):
             return cls._made_by(library.abut_composite_create, shapes.memory, places.memory, count)
         stuff = given.Given("materials", given.numbers("materials", materials, c_uint32))
         count = given.together(shapes, places, stuff)
-        return cls._made_by(library.abut_composite_create_with_materials, shapes.memory, places.memory, stuff.memory, count)
+        return cls._made_by(library.abut_composite_create_with_materials, shapes.memory, places.memory, stuff.memory,
+                            count)
 
     @classmethod
     def of_kind(cls, name: str, parameters: Any = (), reals: Any = (), indices: Any = ()) -> Shape:
@@ -179,7 +180,8 @@ class Shape(Owner):
     def cast_ray(self, at: Any, along: c.Ray) -> c.RayHit | None:
         """The first hit of a ray on the shape at a pose, or None."""
         hit, found = c.RayHit(), c_uint32()
-        library.abut_shape_cast_ray(self.pointer, byref(given.pose("at", at)), byref(given.one(c.Ray, "along", along)), byref(hit), byref(found))
+        place, line = given.pose("at", at), given.one(c.Ray, "along", along)
+        library.abut_shape_cast_ray(self.pointer, byref(place), byref(line), byref(hit), byref(found))
         return hit if found.value else None
 
     def __repr__(self) -> str:

@@ -107,13 +107,26 @@ def _libraries(settings):
             library = _built() / f"libabut.so.{abi}"
     print(f"abut: the wheel carries {library}")
     picking = library.with_name(f"libabut_picking.so.{abi}")
-    return [library, picking] if picking.exists() else [library]
+    libraries = [library, picking] if picking.exists() else [library]
+    _expect_functions(libraries)
+    return libraries
+
+
+def _expect_functions(libraries):
+    """An older library would lack functions, which would show when the package is imported."""
+    table = (PACKAGE / "abut" / "c" / "functions.py").read_text(encoding="utf-8")
+    for library, part in zip(libraries, table.split("PICKING_FUNCTIONS = {")):
+        data = library.read_bytes()
+        for name in re.findall(r'"(abut_\w+)": \(', part):
+            if name.encode() + b"\0" not in data:
+                raise RuntimeError(f"{library} is older than this package, for it has no function {name}; build it again")
 
 
 def _built():
     """The folder of a library that CMake has built from this checkout."""
     if not (ROOT / "CMakePresets.json").exists():
-        raise FileNotFoundError("the sources of the library are not here; name its file: pip install --config-settings library=FILE")
+        raise FileNotFoundError("the sources of the library are not here; name its file: "
+                                "pip install --config-settings library=FILE")
     if shutil.which("cmake") is None:
         raise FileNotFoundError(f"CMake is missing; {ROOT}/scripts/setup installs what a build needs")
     folder = ROOT / "build" / "python"

@@ -365,6 +365,14 @@ class Picking(unittest.TestCase):
                 # Seen from five radii the ball is 3 pixels wide: it covers the centres of the middle four.
                 self.assertEqual(sum(each.geometry.slot != 0 for each in picture), 4)
 
+    def test_a_universe_closes_its_pickers_first(self):
+        universe = abut.Universe()
+        picker = abut.Picker(universe)
+        universe.close()
+        self.assertIsNone(picker._pointer)
+        with self.assertRaisesRegex(ValueError, "this picker is closed"):
+            picker.update()
+
 
 if __name__ == "__main__":
     unittest.main()

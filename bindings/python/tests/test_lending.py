@@ -68,6 +68,7 @@ class Lending(unittest.TestCase):
         depths, gone = universe.borrow_contacts().distance, weakref.ref(universe)
         del universe
         gc.collect()
+        self.assertIsNotNone(gone())
         self.assertEqual(depths.tolist(), [-0.5, -0.5])
         del depths
         gc.collect()
