@@ -17,16 +17,16 @@ static double seconds(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   if (argc != 4) {
     fprintf(stderr, "usage: distances FILE COUNT REPEATS\n");
     return 2;
   }
   size_t count = strtoul(argv[2], NULL, 10), repeats = strtoul(argv[3], NULL, 10);
-  abut_pose *poses = malloc(2 * count * sizeof *poses);
-  abut_distance *out = malloc(count * sizeof *out);
+  abut_pose* poses = malloc(2 * count * sizeof *poses);
+  abut_distance* out = malloc(count * sizeof *out);
   double least = 1e9;
-  FILE *file = fopen(argv[1], "rb");
+  FILE* file = fopen(argv[1], "rb");
   if (!poses || !out || !file || fread(poses, sizeof *poses, 2 * count, file) != 2 * count) {
     fprintf(stderr, "distances: cannot read %s\n", argv[1]);
     return 1;

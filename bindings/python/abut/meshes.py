@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Triangles from files and from objects of other libraries.
 
-OBJ and STL are read here. Other formats are read by trimesh, where it is installed.
+OBJ and STL are read here. Other formats are read by trimesh or meshio, where one of them is installed.
 """
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import pathlib
 import struct
@@ -38,13 +39,28 @@ def _read(path):
         return _read_obj(path)
     if suffix == ".stl":
         return _read_stl(path)
-    try:
-        import trimesh  # type: ignore
-    except ImportError:
-        raise ValueError(f"{path}: .obj and .stl are read by abut; {suffix or 'files without a suffix'} needs "
-                         "trimesh, which is not installed: pip install trimesh") from None
+    for name, read in (("trimesh", _read_by_trimesh), ("meshio", _read_by_meshio)):
+        if importlib.util.find_spec(name):
+            return read(path)
+    raise ValueError(f"{path}: .obj and .stl are read by abut; {suffix or 'a file without a suffix'} needs trimesh or meshio, "
+                     "and neither is installed: pip install trimesh")
+
+
+def _read_by_trimesh(path):
+    import trimesh  # type: ignore
+
     mesh = trimesh.load(path, force="mesh")
     return mesh.vertices, mesh.faces
+
+
+def _read_by_meshio(path):
+    import meshio  # type: ignore
+
+    mesh = meshio.read(path)
+    kinds = set(mesh.cells_dict) - {"vertex", "line"}
+    if kinds != {"triangle"}:
+        raise ValueError(f"{path} has cells of the kinds {', '.join(sorted(kinds))}; they must be triangles")
+    return mesh.points, mesh.cells_dict["triangle"]
 
 
 def _read_obj(path):

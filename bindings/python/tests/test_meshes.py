@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Meshes from files and from objects of other libraries."""
 
-import importlib.util
 import pathlib
 import struct
 import tempfile
 import types
 import unittest
+import unittest.mock
 
 import abut
 
@@ -66,10 +66,26 @@ class Meshes(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "text.stl, line 4: 'vertex 0 0' is no vertex"):
             abut.Shape.mesh(self.file("text.stl", text.replace("vertex 0 0 0", "vertex 0 0", 1)))
 
-    @unittest.skipIf(importlib.util.find_spec("trimesh"), "trimesh is installed")
     def test_formats_of_others_name_what_reads_them(self):
-        with self.assertRaisesRegex(ValueError, "obj and .stl are read by abut; .ply needs trimesh"):
-            abut.Shape.mesh(self.file("square.ply", "ply\n"))
+        path = self.file("square.ply", "ply\n")
+        with unittest.mock.patch("importlib.util.find_spec", lambda name: None):
+            with self.assertRaisesRegex(ValueError, "obj and .stl are read by abut; .ply needs trimesh or meshio"):
+                abut.Shape.mesh(path)
+
+    def test_formats_of_others_are_read_by_what_is_installed(self):
+        mesh = types.SimpleNamespace(points=CORNERS, cells_dict={"triangle": SQUARE, "line": [(0, 1)]})
+        meshio = types.SimpleNamespace(read=lambda path: mesh)
+        trimesh = types.SimpleNamespace(load=lambda path, force: types.SimpleNamespace(vertices=CORNERS, faces=SQUARE))
+        path = self.file("square.ply", "ply\n")
+        for name, module in (("meshio", meshio), ("trimesh", trimesh)):
+            with unittest.mock.patch("importlib.util.find_spec", lambda asked: asked == name), \
+                    unittest.mock.patch.dict("sys.modules", {name: module}):
+                self.expect_square(abut.Shape.mesh(path))
+        mesh.cells_dict["quad"] = [(0, 1, 2, 3)]
+        with unittest.mock.patch("importlib.util.find_spec", lambda asked: asked == "meshio"), \
+                unittest.mock.patch.dict("sys.modules", {"meshio": meshio}):
+            with self.assertRaisesRegex(ValueError, "square.ply has cells of the kinds quad, triangle; they must be triangles"):
+                abut.Shape.mesh(path)
 
     def test_a_file_that_is_missing(self):
         with self.assertRaises(FileNotFoundError):

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from ctypes import POINTER, Structure, c_char, c_char_p, c_double, c_uint32, c_uint64, c_void_p
 from typing import Annotated, Any, Iterator, TypeVar, get_type_hints
 
@@ -22,6 +23,8 @@ EightWords = Annotated[Any, c_uint64 * 8]
 def struct(cls: type[T]) -> type[T]:
     """Lays out the annotated fields of a class in their order, as C does."""
     hints = get_type_hints(cls, include_extras=True)
+    name_of_c = re.sub(r"(?<!^)(?=[A-Z])", "_", cls.__name__).lower()
+    cls.__doc__ = f"The struct abut_{name_of_c} of the headers, with the fields {', '.join(cls.__annotations__)}."
     cls._fields_ = [(name, getattr(hints[name], "__metadata__", [hints[name]])[0]) for name in cls.__annotations__]
     return cls
 
