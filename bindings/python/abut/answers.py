@@ -8,18 +8,18 @@ from ctypes import byref, c_size_t, c_uint64
 from typing import Any, Callable
 
 from . import c
-from .records import Groups, Records
+from .records import Groups, Records, part_of
 
 
-def filled(kind: Any, ask: Callable) -> ctypes.Array:
-    """The whole answer of a function that fills arrays of unknown length: it is asked for the count first."""
+def filled(kind: Any, ask: Callable, room: int = 16) -> ctypes.Array:
+    """The whole answer of a function that fills arrays of unknown length. It is asked again where room was missing."""
     count = c_size_t()
-    ask(None, 0, byref(count))
     while True:
-        values = (kind * count.value)()
-        ask(values, len(values), byref(count))
-        if count.value <= len(values):
-            return values if count.value == len(values) else (kind * count.value).from_buffer(values)
+        values = (kind * room)()
+        ask(values, room, byref(count))
+        if count.value <= room:
+            return part_of(values, 0, count.value)
+        room = count.value
 
 
 def records(kind: Any, ask: Callable) -> Records:
@@ -29,7 +29,8 @@ def records(kind: Any, ask: Callable) -> Records:
 def groups(query_count: int, ask: Callable) -> Groups:
     """Geometries of each query of a batch."""
     offsets = (c_uint64 * (query_count + 1))()
-    return Groups(offsets, records(c.GeometryId, lambda *rest: ask(offsets, *rest)))
+    found = filled(c.GeometryId, lambda *rest: ask(offsets, *rest), 2 * query_count + 16)
+    return Groups(offsets, Records(found))
 
 
 def text(ask: Callable) -> str:

@@ -3,7 +3,7 @@
 
 The library lends contacts until the next change of the universe. A Borrowed knows the number of changes at which it was
 lent, and raises StaleError after the next one. Arrays of NumPy cannot look at a number. While one of them still looks at
-lent memory, the universe therefore refuses to change, with BufferError, as a bytearray does.
+lent memory, the universe refuses to change, with BufferError, as a bytearray does.
 """
 
 from __future__ import annotations

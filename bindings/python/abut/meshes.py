@@ -22,8 +22,8 @@ def triangles_of(source: Any) -> tuple[Any, Any]:
         return _read(pathlib.Path(source))
     if hasattr(source, "vertices") and hasattr(source, "faces"):
         return source.vertices, source.faces
-    raise TypeError(f"something of type {type(source).__name__} is no mesh: triangles are missing. Give vertices and triangles, the name "
-                    "of a file, or an object that has vertices and faces")
+    raise TypeError(f"something of type {type(source).__name__} is no mesh: triangles are missing. Give vertices and "
+                    "triangles, the name of a file, or an object that has vertices and faces")
 
 
 def vertices_of(source: Any) -> Any:
@@ -42,8 +42,8 @@ def _read(path):
     for name, read in (("trimesh", _read_by_trimesh), ("meshio", _read_by_meshio)):
         if importlib.util.find_spec(name):
             return read(path)
-    raise ValueError(f"{path}: .obj and .stl are read by abut; {suffix or 'a file without a suffix'} needs trimesh or meshio, "
-                     "and neither is installed: pip install trimesh")
+    raise ValueError(f"{path}: .obj and .stl are read by abut; {suffix or 'a file without a suffix'} needs trimesh or "
+                     "meshio, and neither is installed: pip install trimesh")
 
 
 def _read_by_trimesh(path):

@@ -79,15 +79,15 @@ class Shape(Owner):
 
     @classmethod
     def hull(cls, xyz: Any) -> Shape:
-        """Convex hull of (N, 3) points, of x, y, z, x, y, z, ..., of a file, or of an object that has vertices."""
+        """Convex hull of points, (N, 3) or flat, of those in a file, or of an object that has vertices."""
         return cls._made_by(library.abut_hull_create, *given.rows("xyz", meshes.vertices_of(xyz), 3))
 
     @classmethod
     def mesh(cls, xyz: Any, triangles: Any = None, **fields: Any) -> Shape:
         """A triangle mesh from vertices and triangles, each (N, 3) or flat.
 
-        Without triangles `xyz` is the name of an OBJ or STL file, or an object that has `vertices` and `faces`, such as
-        a mesh of trimesh. The fields are those of MeshOptions.
+        Without triangles `xyz` is the name of an OBJ or STL file. Or it is an object that has `vertices` and `faces`,
+        such as a mesh of trimesh. The fields are those of MeshOptions.
         """
         if triangles is None:
             xyz, triangles = meshes.triangles_of(xyz)
@@ -121,7 +121,7 @@ class Shape(Owner):
 
     @classmethod
     def composite(cls, children: Any, poses: Any, materials: Any = None) -> Shape:
-        """Shapes, each at a pose of its own, and with a material of its own, 0 for that of the geometry, as one."""
+        """Shapes, each at a pose of its own, as one. Materials are one for each; 0 is that of the geometry."""
         shapes, places = given.shape_pointers("children", children), given.structs(c.Pose, "poses", poses)
         if materials is None:
             count = given.together(shapes, places)

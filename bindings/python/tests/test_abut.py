@@ -51,6 +51,11 @@ class Layout(unittest.TestCase):
                 self.assertEqual(getattr(c, name), int(value), name)
 
 
+class Version(unittest.TestCase):
+    def test_the_package_has_the_version_of_the_library(self):
+        self.assertEqual(abut.__version__, abut.version())
+
+
 class Queries(unittest.TestCase):
     def test_two_boxes(self):
         with abut.Shape.box(1, 1, 1) as box:

@@ -226,6 +226,12 @@ class Universes(unittest.TestCase):
         assert_allclose(self.universe.cast_shapes(small, poses_along_x(-5, -5), (10, 0, 0)).fraction, [0.35, 0.35])
         touched = self.universe.overlaps_of_each(small, poses_along_x(1.2, 30))
         self.assertEqual([list(group) for group in touched], [[self.geometries[0]], []])
+        # More answers than there is room for at first: all 30 geometries in each of 3 queries.
+        self.universe.add_geometries(self.universe.add_parts([HERE] * 27), small)
+        self.universe.refresh()
+        everywhere = self.universe.overlaps_of_each(abut.Shape.sphere(99), [HERE] * 3)
+        self.assertEqual(everywhere.counts.tolist(), [30] * 3)
+        self.assertEqual([list(group) for group in everywhere], [list(self.universe.geometries())] * 3)
         assert_allclose(self.universe.closest_to_each(small, poses_along_x(-5, 10)).distance["distance"], [3.5, 2.5])
 
     def test_shapes_change_by_rows(self):

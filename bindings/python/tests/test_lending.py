@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Borrowed answers, threads and progress. The tests of arrays need NumPy."""
 
+import contextlib
 import gc
 import importlib.util
+import io
 import threading
 import unittest
 import weakref
@@ -154,6 +156,12 @@ class Progress(unittest.TestCase):
         self.assertEqual((found[0].distance, found[count - 1].distance), (1, 1))
         with self.assertRaisesRegex(TypeError, "progress is of type str"):
             abut.pairs_distance(ball, abut.pose(), ball, poses, progress="yes")
+
+    def test_true_writes_to_stderr(self):
+        ball, written = abut.Shape.sphere(1), io.StringIO()
+        with contextlib.redirect_stderr(written):
+            abut.pairs_cast(ball, [abut.pose()] * 3, (1, 0, 0), ball, abut.pose(9), progress=True)
+        self.assertEqual(written.getvalue(), "\r100 %  3 of 3\n")
 
     def test_what_progress_raises_ends_the_batch(self):
         ball = abut.Shape.sphere(1)

@@ -3,8 +3,8 @@
 
 A function that answers a status other than ABUT_OK raises Error. Calls release the interpreter's lock while they run.
 
-A library is looked for in the file that ABUT_LIBRARY or ABUT_PICKING_LIBRARY names, then among the files of this
-package, where a wheel carries it, then where the loader looks.
+ABUT_LIBRARY and ABUT_PICKING_LIBRARY may name their files. Else they are those that a wheel carries, in this package,
+and else those that the loader finds.
 """
 
 from __future__ import annotations

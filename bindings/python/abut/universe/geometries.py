@@ -21,7 +21,8 @@ class Geometries(Lender):
         """A shape on a part; the fields are those of GeometryOptions."""
         out = c.GeometryId()
         described = options.filled(c.GeometryOptions, library.abut_geometry_options_init, fields)
-        self._change(library.abut_geometry_create, part, given.shape_pointer("shape", shape), byref(described), byref(out))
+        pointer = given.shape_pointer("shape", shape)
+        self._change(library.abut_geometry_create, part, pointer, byref(described), byref(out))
         return out
 
     def add_geometries(self, parts: Any, shapes: Any, **fields: Any) -> Records:

@@ -47,7 +47,8 @@ class Queries(Lender):
         return answers.records(c.CastHit, lambda *rest: library.abut_universe_cast_shape(
             self.pointer, pointer, byref(place), byref(way), filter_of(filter), mode, *rest))
 
-    def cast_shapes(self, shapes: Any, poses: Any, displacements: Any, progress: Progress = None, **filter: Any) -> Records:
+    def cast_shapes(self, shapes: Any, poses: Any, displacements: Any, progress: Progress = None,
+                    **filter: Any) -> Records:
         """The nearest hit of each shape; its geometry is null where there is none."""
         belonging = [*_placed(shapes, poses), given.structs(c.Vec3, "displacements", displacements)]
         return self._in_chunks(c.CastHit, belonging, progress, lambda pointers, places, ways, count, out: (
