@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Functions of abut.h and picking.h: what each answers and takes."""
 
-from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
+import ctypes
+from ctypes import POINTER, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 
 from .structs import *
 
@@ -10,7 +11,7 @@ __all__ = ["FUNCTIONS", "Filter", "PICKING_FUNCTIONS"]
 Status = c_int32
 
 # A filter of pairs: context, universe and two geometries to a number, of which 0 leaves the pair out.
-Filter = CFUNCTYPE(c_uint32, c_void_p, c_void_p, GeometryId, GeometryId)
+Filter = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_void_p, GeometryId, GeometryId)
 
 FUNCTIONS = {
     "abut_set_last_error": (Status, [Status, c_char_p]),
