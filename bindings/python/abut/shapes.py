@@ -115,9 +115,34 @@ class Shape(Owner):
         return cls._made_by(library.abut_height_field_create, byref(desc))
 
     @classmethod
-    def particles(cls, xyz: Any, radius: float) -> Shape:
-        """Many balls of one radius about (N, 3) centres."""
-        return cls._made_by(library.abut_particles_create, *given.rows("xyz", xyz, 3), *given.reals(radius=radius))
+    def particles(cls, xyz: Any, radius: Any) -> Shape:
+        """Many balls about (N, 3) centres, of one radius, or of N radii."""
+        centres, count = given.rows("xyz", xyz, 3)
+        if not hasattr(radius, "__len__"):
+            return cls._made_by(library.abut_particles_create, centres, count, *given.reals(radius=radius))
+        radii = given.numbers("radius", radius)
+        if len(radii) != count:
+            raise ValueError(f"xyz has {count} and radius has {len(radii)}; they must have as many elements")
+        balls = (c_double * (4 * count))()
+        for column in range(3):
+            balls[column::4] = centres[column::3]
+        balls[3::4] = radii[:]
+        return cls.of_kind("particles", (0,), balls)
+
+    @classmethod
+    def sphere_hole(cls, radius: float) -> Shape:
+        """A cavity of the shape of a ball, centred. Holes are children of composites, whose solids they cut."""
+        return cls.of_kind("sphere_hole", given.reals(radius=radius))
+
+    @classmethod
+    def cylinder_hole(cls, radius: float, half_height: float, open_ends: int = 0) -> Shape:
+        """A cavity along Z; OPEN_TOP and OPEN_BOTTOM are ends without a wall."""
+        return cls.of_kind("cylinder_hole", given.reals(radius=radius, half_height=half_height, open_ends=open_ends))
+
+    @classmethod
+    def box_hole(cls, half_x: float, half_y: float, half_z: float, open_faces: int = 0) -> Shape:
+        """A cavity of the shape of a box; OPEN_X_HIGH and the like are faces without a wall, all of one axis."""
+        return cls.of_kind("box_hole", given.reals(half_x=half_x, half_y=half_y, half_z=half_z, open_faces=open_faces))
 
     @classmethod
     def composite(cls, children: Any, poses: Any, materials: Any = None) -> Shape:

@@ -136,6 +136,18 @@ class Queries(unittest.TestCase):
         triangle = abut.Shape.triangle((0, 0, 0), (1, 0, 0), (0, 1, 0))
         for shape in (abut.Shape.cone(1, 2), abut.Shape.ellipsoid(1, 2, 3), abut.Shape.point(), abut.Shape.segment(1), triangle):
             self.assertIn(shape.kind, abut.shape_kinds())
+        plate = abut.Shape.box(2, 2, 1)
+        for hole in (abut.Shape.cylinder_hole(1, 1, abut.OPEN_TOP | abut.OPEN_BOTTOM),
+                     abut.Shape.box_hole(1, 1, 1, abut.OPEN_Z_HIGH | abut.OPEN_Z_LOW)):
+            drilled = abut.Shape.composite([plate, hole], [abut.pose()] * 2)
+            self.assertIsNone(drilled.cast_ray(abut.pose(), abut.ray((0, 0, 5), (0, 0, -1))))
+            self.assertEqual(drilled.cast_ray(abut.pose(), abut.ray((1.5, 0, 5), (0, 0, -1))).distance, 4)
+        self.assertEqual(abut.Shape.sphere_hole(2).kind, "sphere_hole")
+        balls = abut.Shape.particles([(0, 0, 0), (5, 0, 0)], [1, 2])
+        for x, distance in ((0, 8), (5, 7)):
+            self.assertEqual(balls.cast_ray(abut.pose(), abut.ray((x, 0, 9), (0, 0, -1))).distance, distance)
+        with self.assertRaisesRegex(ValueError, "xyz has 2 and radius has 1"):
+            abut.Shape.particles([(0, 0, 0), (5, 0, 0)], [1])
         self.assertEqual(list(triangle.parameters.values()), [0, 0, 0, 1, 0, 0, 0, 1, 0])
         self.assertEqual(repr(capsule), "<Shape capsule radius=0.5 half_height=2>")
         self.assertFalse(abut.pair_support("plane", "plane"))
