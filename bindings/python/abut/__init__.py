@@ -10,6 +10,7 @@ many are Records, whose fields are columns. NumPy is needed for arrays only. doc
 """
 
 from . import c as c
+from . import given
 from .c import *
 from .c import library
 from .lending import *
@@ -30,4 +31,4 @@ def version() -> str:
 
 def has_feature(name: str) -> bool:
     """Whether the library contains a feature, such as "threads" or "hull"."""
-    return library.abut_has_feature(name.encode()) == 1
+    return library.abut_has_feature(given.text("name", name)) == 1

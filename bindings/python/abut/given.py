@@ -171,7 +171,7 @@ def _row(kind, name, item):
     width = ROWS.get(kind)
     if width is None or not hasattr(item, "__iter__"):
         raise TypeError(f"{name} is of type {type(item).__name__}; it must be a {kind.__name__}")
-    found = item.tolist() if is_array(item) else tuple(item)
+    found = item.tolist() if hasattr(item, "tolist") else tuple(item)
     if len(found) != width:
         raise ValueError(f"{name} has {len(found)} numbers; it must have {width}")
     return kind.from_buffer(_packed(name, found, c_double))
@@ -197,6 +197,13 @@ def reals(**named: Any) -> list[float]:
         if not hasattr(value, "__float__") and not hasattr(value, "__index__"):
             raise TypeError(f"{name} is {value!r}; it must be a number")
     return [float(value) for value in named.values()]
+
+
+def text(name: str, value: Any) -> bytes:
+    """A name as C takes it."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is of type {type(value).__name__}; it must be a str")
+    return value.encode()
 
 
 def shape_pointers(name: str, shapes: Any) -> Given:

@@ -34,6 +34,7 @@ def vertices_of(source: Any) -> Any:
 
 
 def _read(path):
+    path.stat()  # a file that is missing is told by Python itself, whatever would read it
     suffix = path.suffix.lower()
     if suffix == ".obj":
         return _read_obj(path)

@@ -162,12 +162,10 @@ class Shape(Owner):
         numbers, points = given.numbers("parameters", parameters), given.numbers("reals", reals)
         corners = given.numbers("indices", indices, c_uint32)
         desc = options.filled(c.ShapeDesc, library.abut_shape_desc_init, {})
-        desc.kind = library.abut_shape_kind_by_name(name.encode())
+        desc.kind = _kind_of("name", name)
         desc.parameters, desc.parameter_count = numbers, len(numbers)
         desc.reals, desc.real_count = points, len(points)
         desc.indices, desc.index_count = corners, len(corners)
-        if not desc.kind:
-            raise ValueError(f"there is no kind of shape {name!r}; there are {', '.join(shape_kinds())}")
         return cls._made_by(library.abut_shape_create, byref(desc))
 
     @property
@@ -215,6 +213,14 @@ class Shape(Owner):
         return f"<Shape {' '.join([self.kind, *(f'{name}={value:g}' for name, value in self.parameters.items())])}>"
 
 
+def _kind_of(argument, name):
+    """The number of a kind by its name."""
+    kind = library.abut_shape_kind_by_name(given.text(argument, name))
+    if not kind:
+        raise ValueError(f"{argument} is {name!r}; the kinds of shape are {', '.join(shape_kinds())}")
+    return kind
+
+
 def shape_kinds() -> list[str]:
     """Names of the kinds of shape that the library contains."""
     return [library.abut_shape_kind_name(library.abut_shape_kind_at(i)).decode()
@@ -224,6 +230,5 @@ def shape_kinds() -> list[str]:
 def pair_support(kind_a: str, kind_b: str, query: int = c.QUERY_CONTACTS) -> bool:
     """Whether two kinds of shape answer QUERY_DISTANCE or QUERY_CONTACTS."""
     out = c_uint32()
-    numbers = (library.abut_shape_kind_by_name(name.encode()) for name in (kind_a, kind_b))
-    library.abut_pair_support(*numbers, query, byref(out))
+    library.abut_pair_support(_kind_of("kind_a", kind_a), _kind_of("kind_b", kind_b), query, byref(out))
     return out.value == 1

@@ -165,13 +165,14 @@ class Queries(unittest.TestCase):
             "UniverseOptions has no field broad_phase; it has broadphase": lambda: abut.Universe(broad_phase=1),
             "radius is 'big'; it must be a number": lambda: abut.Shape.sphere("big"),
             "b is of type Pose; it must be a Shape": lambda: abut.pair_distance(closed, abut.pose(), abut.pose(), abut.pose()),
+            "name is of type int; it must be a str": lambda: abut.has_feature(1),
             "along is of type int; it must be a Ray": lambda: closed.cast_ray(abut.pose(), 1),
         }.items():
             with self.subTest(expected), self.assertRaisesRegex(TypeError, expected):
                 call()
         for expected, call in {
             r"threads is -1; it must be in \[0, 4294967295\]": lambda: abut.Universe(threads=-1),
-            "there is no kind of shape 'ball'; there are sphere": lambda: abut.Shape.of_kind("ball"),
+            "name is 'ball'; the kinds of shape are sphere": lambda: abut.Shape.of_kind("ball"),
             "indices has the number -1": lambda: abut.Shape.of_kind("mesh", [0], [0] * 9, [0, 1, -1]),
         }.items():
             with self.subTest(expected), self.assertRaisesRegex(ValueError, expected):

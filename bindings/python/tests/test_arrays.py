@@ -72,6 +72,7 @@ class Inputs(unittest.TestCase):
             r"rays has shape \(2, 3\); it must be \(N, 6\)": lambda: universe.cast_rays(numpy.zeros((2, 3))),
             r"heights has shape \(2, 3\)": lambda: abut.Shape.height_field(2, 2, numpy.zeros((2, 3))),
             r"xyz has a row of 2 numbers; each must have 3": lambda: abut.Shape.hull([(0, 0)]),
+            r"pairs has shape \(3,\); it must be \(N, 2\)": lambda: universe.detect_pairs(numpy.zeros(3)),
             "orientations has 2": lambda: abut.poses(three, numpy.zeros((2, 4))),
         }.items():
             with self.subTest(expected), self.assertRaisesRegex(ValueError, expected):

@@ -88,8 +88,9 @@ class Meshes(unittest.TestCase):
                 abut.Shape.mesh(path)
 
     def test_a_file_that_is_missing(self):
-        with self.assertRaises(FileNotFoundError):
-            abut.Shape.mesh(self.folder / "none.obj")
+        for name in ("none.obj", "none.ply"):
+            with self.assertRaises(FileNotFoundError):
+                abut.Shape.mesh(self.folder / name)
 
 
 if __name__ == "__main__":

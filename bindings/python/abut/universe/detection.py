@@ -37,7 +37,7 @@ class Detection(Filters):
 
     def detect_pairs(self, pairs: Any) -> None:
         """A step that looks at pairs of geometries only."""
-        columns = (pairs[:, 0], pairs[:, 1]) if given.is_array(pairs) else ([a for a, _ in pairs], [b for _, b in pairs])
+        columns: Any = ([a for a, _ in pairs], [b for _, b in pairs]) if not given.is_array(pairs) else _columns(pairs)
         first, second = (given.structs(c.GeometryId, "pairs", column) for column in columns)
         self._run(library.abut_universe_detect_pairs, first.memory, second.memory, len(first))
 
@@ -145,3 +145,11 @@ class Detection(Filters):
     def explain_json(self) -> dict:
         """The same as a dictionary."""
         return json.loads(answers.text(lambda *rest: library.abut_universe_explain_json(self.pointer, *rest)))
+
+
+def _columns(pairs):
+    """Both columns of an array of pairs."""
+    shape = getattr(pairs, "shape", (len(pairs),))
+    if len(shape) != 2 or shape[1] != 2:
+        raise ValueError(f"pairs has shape {shape}; it must be (N, 2)")
+    return pairs[:, 0], pairs[:, 1]
