@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The raw layer: layouts of structs, constants, functions, the version.
+
+With the folder of the C headers in ABUT_HEADERS it also checks that no function is missing.
+"""
+
+import ctypes
+import os
+import pathlib
+import re
+import unittest
+
+import abut
+from abut import c
+
+HEADERS = pathlib.Path(os.environ["ABUT_HEADERS"]) if "ABUT_HEADERS" in os.environ else None
+
+
+class Layout(unittest.TestCase):
+    def test_structs_are_those_of_the_library(self):
+        structs = {"abut_" + re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower(): value for name, value in vars(c).items()
+                   if isinstance(value, type) and issubclass(value, ctypes.Structure) and name[0] != "_"}
+        reported = {}
+        for index in range(c.library.abut_layout_count()):
+            entry = c.LayoutEntry()
+            c.library.abut_layout_at(index, ctypes.byref(entry))
+            reported.setdefault(entry.type.decode(), {})[entry.field.decode()] = (entry.offset, entry.size)
+        self.assertGreater(len(reported), 20)
+        for name, fields in reported.items():
+            ours = {field: (getattr(structs[name], field).offset, getattr(structs[name], field).size)
+                    for field, _ in structs[name]._fields_}
+            ours[""] = (0, ctypes.sizeof(structs[name]))
+            self.assertEqual(ours, fields, name)
+
+    def test_no_function_is_missing(self):
+        if HEADERS is None:
+            self.skipTest("the folder of the headers was not given")
+        for header, functions in (("abut.h", c.FUNCTIONS), ("picking.h", c.PICKING_FUNCTIONS)):
+            text = (HEADERS / "abut" / header).read_text()
+            declared = set(re.findall(r"^ABUT_API [^;(]*?(abut_\w+)\(", text, re.MULTILINE))
+            self.assertGreater(len(declared), 8)
+            self.assertEqual(declared, set(functions))
+
+    def test_constants_are_those_of_the_header(self):
+        if HEADERS is None:
+            self.skipTest("the folder of the headers was not given")
+        for header in ("abut.h", "picking.h"):
+            text = (HEADERS / "abut" / header).read_text()
+            for name, value in re.findall(r"^  ABUT_(\w+) = (\d+)", text, re.MULTILINE):
+                self.assertEqual(getattr(c, name), int(value), name)
+
+
+class Version(unittest.TestCase):
+    def test_the_package_has_the_version_of_the_library(self):
+        self.assertEqual(abut.__version__, abut.version())
+
+
+if __name__ == "__main__":
+    unittest.main()
