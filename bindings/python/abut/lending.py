@@ -29,12 +29,12 @@ class Borrowed(Records):
 
     __slots__ = ("_address", "_changes", "_count", "_kind", "_universe")
 
-    def __init__(self, universe: Lender, kind: Any, address: int, count: int) -> None:
+    def __init__(self, universe: Lender, kind: Any, address: int, count: int, changes: int) -> None:
         self._universe = universe
         self._kind = kind
         self._address = address
         self._count = count
-        self._changes = universe.change_count
+        self._changes = changes
 
     @property
     def kind(self) -> Any:
@@ -47,10 +47,7 @@ class Borrowed(Records):
 
     @property
     def memory(self) -> ctypes.Array:
-        if self.is_stale:
-            raise StaleError(f"the universe has changed since these {self._count} records were borrowed; "
-                             "borrow them again, or copy() them before the change")
-        return self._universe.lend(self._kind, self._address, self._count)
+        return self._universe.lend(self._kind, self._address, self._count, self._changes)
 
     def _one(self, index):
         return self._kind.from_buffer_copy(self.memory[index])
@@ -64,31 +61,64 @@ class Borrowed(Records):
 
 
 class Lender(Owner):
-    """Makes calls that change something, and refuses them while arrays look at what they would overwrite."""
+    """Any number of threads may read, or one may change. Arrays that look at lent memory hold changes back."""
 
     def __init__(self, pointer: Any) -> None:
         self.change_count = 0
         self._loans: list[weakref.ref] = []
-        self._detection = threading.Lock()
-        self._detecting_thread: int | None = None
+        self._lock = threading.RLock()  # a collected object may come back here
+        self._reader_count = 0
+        self._changing_thread: int | None = None
         super().__init__(pointer)
 
-    @property
-    def pointer(self) -> Any:
-        if self._detecting_thread not in (None, threading.get_ident()):
-            raise RuntimeError("another thread runs a detection of this universe; join it first")
-        return super().pointer
+    def _read(self, function: Any, *arguments: Any) -> None:
+        """A call that may run together with others that read. A filter may read while its own thread changes."""
+        with self._lock:
+            if self._changing_thread not in (None, threading.get_ident()):
+                raise RuntimeError("another thread changes this universe; wait for it before you use the universe")
+            self._reader_count += 1
+        try:
+            function(self.pointer, *arguments)
+        finally:
+            with self._lock:
+                self._reader_count -= 1
 
-    def lend(self, kind: Any, address: int, count: int) -> ctypes.Array:
+    def _change(self, function: Any, *arguments: Any) -> None:
+        """A call that must run alone. From a filter, which runs within another one, the library refuses most of them."""
+        is_outermost = self._begin_change()
+        try:
+            pointer = self.pointer
+            if is_outermost:
+                self._end_loans()
+            function(pointer, *arguments)
+        finally:
+            if is_outermost:
+                self._changing_thread = None
+
+    def _begin_change(self):
+        with self._lock:
+            if self._changing_thread == threading.get_ident():
+                return False
+            if self._changing_thread is not None or self._reader_count:
+                doing = "reads" if self._changing_thread is None else "changes"
+                raise RuntimeError(f"another thread {doing} this universe; wait for it before you change the universe")
+            self._changing_thread = threading.get_ident()
+            return True
+
+    def lend(self, kind: Any, address: int, count: int, changes: int) -> ctypes.Array:
         """Memory of the library as an array, which holds back changes for as long as it lives."""
-        if self._detecting_thread is not None:
-            raise RuntimeError("a filter cannot borrow, since its step overwrites what it would get; copy instead")
-        if not count:
-            return (kind * 0)()
-        memory: Any = (kind * count).from_address(address)
-        memory.keeps = self
-        self._loans.append(weakref.ref(memory))
-        return memory
+        with self._lock:
+            if changes != self.change_count:
+                raise StaleError(f"the universe has changed since these {count} records were borrowed; "
+                                 "borrow them again, or copy() them before the change")
+            if self._changing_thread is not None:
+                raise RuntimeError("a filter cannot borrow, since its step overwrites what it would get; copy instead")
+            if not count:
+                return (kind * 0)()
+            memory: Any = (kind * count).from_address(address)
+            memory.keeps = self
+            self._loans.append(weakref.ref(memory))
+            return memory
 
     def _is_lent(self):
         self._loans = [loan for loan in self._loans if loan() is not None]
@@ -102,29 +132,13 @@ class Lender(Owner):
                                   "delete the array, or make it from a copy()")
         self.change_count += 1
 
-    def _change(self, function: Any, *arguments: Any) -> None:
-        """An exclusive call."""
-        pointer = self.pointer
-        self._end_loans()
-        function(pointer, *arguments)
-
-    def _detect(self, detection: Any, *arguments: Any) -> None:
-        """An exclusive call that lasts and may call a filter."""
-        pointer = self.pointer
-        if not self._detection.acquire(blocking=False):
-            detection(pointer, *arguments)  # from a filter: the library refuses it
+    def close(self) -> None:
+        if not self._pointer:
             return
+        if not self._begin_change():
+            raise RuntimeError("a filter cannot close the universe that asks it")
         try:
             self._end_loans()
-            self._detecting_thread = threading.get_ident()
-            detection(pointer, *arguments)
+            super().close()
         finally:
-            self._detecting_thread = None
-            self._detection.release()
-
-    def close(self) -> None:
-        if self._pointer:
-            if self._detecting_thread is not None:
-                raise RuntimeError("a universe cannot be closed while it runs a detection")
-            self._end_loans()
-        super().close()
+            self._changing_thread = None

@@ -40,51 +40,50 @@ class Picker(Owner):
     def __init__(self, universe: Universe) -> None:
         _expect_picking()
         out = c_void_p()
-        picking.abut_picker_create(universe.pointer, byref(out))
+        universe._read(picking.abut_picker_create, byref(out))
         self._universe = universe
         super().__init__(out)
         universe._pickers.add(self)
 
-    @property
-    def pointer(self) -> Any:
-        if self._pointer:
-            self._universe.pointer  # raises while another thread runs a detection
-        return super().pointer
+    def _ask(self, function, *arguments):
+        """A call that reads the universe."""
+        pointer = self.pointer
+        self._universe._read(lambda _: function(pointer, *arguments))
 
     def _release(self, pointer):
         picking.abut_picker_destroy(pointer)
 
     def update(self) -> None:
         """Follows the universe now rather than at the next query."""
-        picking.abut_picker_update(self.pointer)
+        self._ask(picking.abut_picker_update)
 
     def cast_ray(self, along: c.Ray, **filter: Any) -> c.Pick:
         """What a ray meets first; the geometry is null when there is nothing."""
         out, line = c.Pick(), given.one(c.Ray, "along", along)
-        picking.abut_picker_cast_ray(self.pointer, byref(line), filter_of(filter), byref(out))
+        self._ask(picking.abut_picker_cast_ray, byref(line), filter_of(filter), byref(out))
         return out
 
     def cast_rays(self, rays: Any, coherence: int = c.COHERENCE_NONE, **filter: Any) -> Records:
         """What each ray meets first. Rays are those of abut.rays, or (N, 6) numbers: origin and direction."""
         along = given_rays("rays", rays)
         out = (c.Pick * len(along))()
-        picking.abut_picker_cast_rays(self.pointer, along.memory, len(along), coherence, filter_of(filter), out)
+        self._ask(picking.abut_picker_cast_rays, along.memory, len(along), coherence, filter_of(filter), out)
         return Records(out)
 
     def cast_ray_all(self, along: c.Ray, **filter: Any) -> Records:
         """Everything that a ray meets, nearest first."""
         line = given.one(c.Ray, "along", along)
-        return answers.records(c.Pick, lambda *rest: picking.abut_picker_cast_ray_all(
-            self.pointer, byref(line), filter_of(filter), *rest))
+        return answers.records(c.Pick, lambda *rest: self._ask(
+            picking.abut_picker_cast_ray_all, byref(line), filter_of(filter), *rest))
 
     def pick_pixel(self, through: c.Camera, x: float, y: float, radius: float = 0.0, **filter: Any) -> c.Pick:
         """What lies under the mouse."""
         out = c.Pick()
-        picking.abut_picker_pick_pixel(self.pointer, byref(through), x, y, radius, filter_of(filter), byref(out))
+        self._ask(picking.abut_picker_pick_pixel, byref(through), x, y, radius, filter_of(filter), byref(out))
         return out
 
     def render(self, through: c.Camera, **filter: Any) -> Records:
         """What each pixel of a camera shows, row by row from the top."""
         out = (c.Pick * (through.width * through.height))()
-        picking.abut_picker_render(self.pointer, byref(through), filter_of(filter), out, len(out))
+        self._ask(picking.abut_picker_render, byref(through), filter_of(filter), out, len(out))
         return Records(out)

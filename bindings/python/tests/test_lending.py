@@ -135,7 +135,44 @@ class Threads(unittest.TestCase):
         universe.set_filter(keeps)
         universe.step()
         self.assertEqual(len(refused), 3)
-        self.assertIn("another thread runs a detection", refused[0])
+        self.assertEqual(refused[0], "another thread changes this universe; wait for it before you use the universe")
+        self.assertEqual(refused[1], "another thread changes this universe; wait for it before you change the universe")
+        self.assertEqual(len(universe.contacts()), 2)
+
+    def test_a_change_is_refused_while_another_thread_reads(self):
+        universe, reads, is_over = touching(), threading.Event(), threading.Event()
+        count = universe.change_count
+
+        def read(_pointer):
+            reads.set()
+            is_over.wait(60)
+
+        thread = threading.Thread(target=lambda: universe._read(read))
+        thread.start()
+        reads.wait(60)
+        for call in (universe.step, universe.add_part, universe.close):
+            with self.assertRaisesRegex(RuntimeError, "another thread reads this universe; wait for it"):
+                call()
+        self.assertEqual((len(universe.contacts()), universe.change_count), (2, count))
+        is_over.set()
+        thread.join()
+        universe.step()
+
+    def test_a_filter_cannot_step_or_close_its_universe(self):
+        universe, refused = touching(), []
+
+        def keeps(a, b):
+            for call in (universe.step, universe.close):
+                try:
+                    call()
+                except (abut.Error, RuntimeError) as failure:
+                    refused.append(str(failure))
+            return len(universe.contacts()) == 2
+
+        universe.set_filter(keeps)
+        universe.step()
+        self.assertIn("ABUT_BUSY", refused[0])
+        self.assertEqual(refused[1], "a filter cannot close the universe that asks it")
         self.assertEqual(len(universe.contacts()), 2)
 
     def test_any_number_of_threads_gives_the_same_bits(self):

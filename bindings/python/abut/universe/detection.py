@@ -20,7 +20,7 @@ class Detection(Filters):
 
     def _run(self, detection, *arguments):
         self._failure = None
-        self._detect(detection, *arguments)
+        self._change(detection, *arguments)
         self._raise_what_the_filter_raised()
 
     def step(self, dt: float = 0.0) -> None:
@@ -50,19 +50,22 @@ class Detection(Filters):
         """Brings the boxes up to date with the poses, for queries."""
         self._run(library.abut_universe_refresh)
 
-    def _place_of(self, kind, lend):
-        first, count = POINTER(kind)(), c_size_t()
-        lend(self.pointer, byref(first), byref(count))
-        return ctypes.cast(first, ctypes.c_void_p).value or 0, count.value
-
     def _copy(self, kind, lend):
-        address, count = self._place_of(kind, lend)
-        out = (kind * count)()
-        ctypes.memmove(out, address, ctypes.sizeof(out))
-        return Records(out)
+        out = []
+
+        def copy(pointer):
+            address, count = _place_of(pointer, kind, lend)
+            memory = (kind * count)()
+            ctypes.memmove(memory, address, ctypes.sizeof(memory))
+            out.append(Records(memory))
+
+        self._read(copy)
+        return out[0]
 
     def _borrow(self, kind, lend):
-        return Borrowed(self, kind, *self._place_of(kind, lend))
+        out = []
+        self._read(lambda pointer: out.append(Borrowed(self, kind, *_place_of(pointer, kind, lend), self.change_count)))
+        return out[0]
 
     def contacts(self) -> Records:
         """Contacts of the last step, ordered by the slots of their geometries, then deepest first."""
@@ -107,13 +110,13 @@ class Detection(Filters):
     def island_of(self, part: c.PartId) -> c.Island:
         """Island of a part in the last step; zeros for a part that was in none."""
         out = c.Island()
-        library.abut_part_island(self.pointer, part, byref(out))
+        self._read(library.abut_part_island, part, byref(out))
         return out
 
     def hash(self) -> int:
         """A number of every bit of the contacts, events and sleep changes of the last step."""
         out = c_uint64()
-        library.abut_universe_hash(self.pointer, byref(out))
+        self._read(library.abut_universe_hash, byref(out))
         return out.value
 
     def set_contact_user_data(self, values: Any) -> None:
@@ -124,27 +127,34 @@ class Detection(Filters):
     def revision(self) -> c.Revision:
         """Counters that grow with each change."""
         out = c.Revision()
-        library.abut_universe_revision(self.pointer, byref(out))
+        self._read(library.abut_universe_revision, byref(out))
         return out
 
     def stats(self) -> c.StepStats:
         """Counts and times of the last step."""
         out = options.filled(c.StepStats, library.abut_step_stats_init, {})
-        library.abut_universe_stats(self.pointer, byref(out))
+        self._read(library.abut_universe_stats, byref(out))
         return out
 
     def validate(self) -> list[tuple[int, str]]:
         """What is odd about the scene: pairs of a code and a sentence."""
-        findings = answers.filled(c.Finding, lambda *rest: library.abut_universe_validate(self.pointer, *rest))
+        findings = answers.filled(c.Finding, lambda *rest: self._read(library.abut_universe_validate, *rest))
         return [(finding.code, finding.message.decode()) for finding in findings]
 
     def explain(self) -> str:
         """What the last step did, and why, in words."""
-        return answers.text(lambda *rest: library.abut_universe_explain(self.pointer, *rest))
+        return answers.text(lambda *rest: self._read(library.abut_universe_explain, *rest))
 
     def explain_json(self) -> dict:
         """The same as a dictionary."""
-        return json.loads(answers.text(lambda *rest: library.abut_universe_explain_json(self.pointer, *rest)))
+        return json.loads(answers.text(lambda *rest: self._read(library.abut_universe_explain_json, *rest)))
+
+
+def _place_of(pointer, kind, lend):
+    """Address and count of what the library lends."""
+    first, count = POINTER(kind)(), c_size_t()
+    lend(pointer, byref(first), byref(count))
+    return ctypes.cast(first, ctypes.c_void_p).value or 0, count.value
 
 
 def _columns(pairs):

@@ -65,7 +65,7 @@ class Filters(Lender):
     def policy(self, tag_a: int, tag_b: int) -> c.Policy:
         """How geometries of two tags meet."""
         out = options.filled(c.Policy, library.abut_policy_init, {})
-        library.abut_policy_get(self.pointer, tag_a, tag_b, byref(out))
+        self._read(library.abut_policy_get, tag_a, tag_b, byref(out))
         return out
 
     def set_focus(self, centres: Any, **fields: Any) -> None:
@@ -85,7 +85,7 @@ class Filters(Lender):
     def material(self, material_a: int, material_b: int) -> c.ContactMaterial:
         """What contacts of two materials are like."""
         out = options.filled(c.ContactMaterial, library.abut_contact_material_init, {})
-        library.abut_material_pair_get(self.pointer, material_a, material_b, byref(out))
+        self._read(library.abut_material_pair_get, material_a, material_b, byref(out))
         return out
 
     def _raise_what_the_filter_raised(self):

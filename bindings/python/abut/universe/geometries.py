@@ -45,26 +45,26 @@ class Geometries(Lender):
     def geometries(self, part: c.PartId | None = None) -> Records:
         """Geometries of one part, or all."""
         if part is None:
-            return answers.records(c.GeometryId, lambda *rest: library.abut_universe_geometries(self.pointer, *rest))
-        return answers.records(c.GeometryId, lambda *rest: library.abut_part_geometries(self.pointer, part, *rest))
+            return answers.records(c.GeometryId, lambda *rest: self._read(library.abut_universe_geometries, *rest))
+        return answers.records(c.GeometryId, lambda *rest: self._read(library.abut_part_geometries, part, *rest))
 
     def describe(self, geometry: c.GeometryId) -> c.GeometryInfo:
         """What a geometry is and where."""
         out = options.filled(c.GeometryInfo, library.abut_geometry_info_init, {})
-        library.abut_geometry_describe(self.pointer, geometry, byref(out))
+        self._read(library.abut_geometry_describe, geometry, byref(out))
         return out
 
     def shape_of(self, geometry: c.GeometryId) -> Shape:
         """The shape that a geometry has at present."""
         out = c_void_p()
-        library.abut_geometry_shape(self.pointer, geometry, byref(out))
+        self._read(library.abut_geometry_shape, geometry, byref(out))
         return Shape(out)
 
     def geometry_poses(self, geometries: Any) -> Records:
         """World poses of geometries; their array has the shape (N, 7)."""
         ids = given.structs(c.GeometryId, "geometries", geometries)
         out = (c.Pose * len(ids))()
-        library.abut_geometries_poses(self.pointer, ids.memory, len(ids), out)
+        self._read(library.abut_geometries_poses, ids.memory, len(ids), out)
         return Records(out)
 
     def options_of(self, geometry: c.GeometryId) -> c.GeometryOptions:

@@ -52,7 +52,7 @@ class Parts(Lender):
     def _of_each_part(self, kind, ask, parts):
         ids = given.structs(c.PartId, "parts", parts)
         out = (kind * len(ids))()
-        ask(self.pointer, ids.memory, len(ids), out)
+        self._read(ask, ids.memory, len(ids), out)
         return Records(out)
 
     def set_motions(self, parts: Any, motions: Any) -> None:
@@ -64,18 +64,18 @@ class Parts(Lender):
     def motion(self, part: c.PartId) -> int:
         """How a part moves."""
         out = c_uint32()
-        library.abut_part_motion(self.pointer, part, byref(out))
+        self._read(library.abut_part_motion, part, byref(out))
         return out.value
 
     def user_data(self, part: c.PartId) -> int:
         """Your number on a part."""
         out = c_uint64()
-        library.abut_part_user_data(self.pointer, part, byref(out))
+        self._read(library.abut_part_user_data, part, byref(out))
         return out.value
 
     def parts(self) -> Records:
         """All parts, ordered by slot."""
-        return answers.records(c.PartId, lambda *rest: library.abut_universe_parts(self.pointer, *rest))
+        return answers.records(c.PartId, lambda *rest: self._read(library.abut_universe_parts, *rest))
 
     def set_sleep(self, parts: Any, **fields: Any) -> None:
         """Lets parts fall asleep; the fields are those of Sleep."""
@@ -90,7 +90,7 @@ class Parts(Lender):
     def is_asleep(self, part: c.PartId) -> bool:
         """Whether a part slept at the end of the last step."""
         out = c_uint32()
-        library.abut_part_is_asleep(self.pointer, part, byref(out))
+        self._read(library.abut_part_is_asleep, part, byref(out))
         return out.value == 1
 
     def wake(self, parts: Any) -> None:
@@ -116,7 +116,7 @@ class Parts(Lender):
     def velocity_source(self, part: c.PartId) -> int:
         """Where the velocity of a part comes from: VELOCITY_NONE, VELOCITY_GIVEN or VELOCITY_FROM_POSES."""
         velocity, source = c.Velocity(), c_uint32()
-        library.abut_part_velocity(self.pointer, part, byref(velocity), byref(source))
+        self._read(library.abut_part_velocity, part, byref(velocity), byref(source))
         return source.value
 
 

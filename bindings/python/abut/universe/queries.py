@@ -22,15 +22,15 @@ class Queries(Lender):
     def cast_ray(self, along: c.Ray, mode: int = c.HIT_NEAREST, **filter: Any) -> Records:
         """Hits of a ray, in order."""
         line = given.one(c.Ray, "along", along)
-        return answers.records(c.QueryHit, lambda *rest: library.abut_universe_cast_ray(
-            self.pointer, byref(line), filter_of(filter), mode, *rest))
+        return answers.records(c.QueryHit, lambda *rest: self._read(
+            library.abut_universe_cast_ray, byref(line), filter_of(filter), mode, *rest))
 
     def cast_rays(self, rays: Any, progress: Progress = None, **filter: Any) -> Records:
         """The nearest hit of each ray; its geometry is null where there is none. Rays are those of abut.rays, or
         (N, 6) numbers: origin and direction."""
         along = given_rays("rays", rays)
-        return self._in_chunks(c.QueryHit, [along], progress, lambda lines, count, out: library.abut_universe_cast_rays(
-            self.pointer, lines, count, filter_of(filter), out))
+        return self._in_chunks(c.QueryHit, [along], progress, lambda lines, count, out: self._read(
+            library.abut_universe_cast_rays, lines, count, filter_of(filter), out))
 
     def _in_chunks(self, kind, belonging, progress, ask):
         """The answer of a batch: one record for each of what belongs together."""
@@ -44,45 +44,46 @@ class Queries(Lender):
         """Hits of a shape that moves without turning, in order."""
         place, way = given.pose("at", at), given.vec3("displacement", displacement)
         pointer = given.shape_pointer("shape", shape)
-        return answers.records(c.CastHit, lambda *rest: library.abut_universe_cast_shape(
-            self.pointer, pointer, byref(place), byref(way), filter_of(filter), mode, *rest))
+        return answers.records(c.CastHit, lambda *rest: self._read(
+            library.abut_universe_cast_shape, pointer, byref(place), byref(way), filter_of(filter), mode, *rest))
 
     def cast_shapes(self, shapes: Any, poses: Any, displacements: Any, progress: Progress = None,
                     **filter: Any) -> Records:
         """The nearest hit of each shape; its geometry is null where there is none."""
         belonging = [*_placed(shapes, poses), given.structs(c.Vec3, "displacements", displacements)]
         return self._in_chunks(c.CastHit, belonging, progress, lambda pointers, places, ways, count, out: (
-            library.abut_universe_cast_shapes(self.pointer, pointers, places, ways, count, filter_of(filter), out)))
+            self._read(library.abut_universe_cast_shapes, pointers, places, ways, count, filter_of(filter), out)))
 
     def overlaps(self, shape: Shape, at: Any, margin: float = 0.0, **filter: Any) -> Records:
         """Geometries with which a shape has contacts up to a distance."""
         place, pointer = given.pose("at", at), given.shape_pointer("shape", shape)
-        return answers.records(c.GeometryId, lambda *rest: library.abut_universe_overlaps(
-            self.pointer, pointer, byref(place), filter_of(filter), margin, *rest))
+        return answers.records(c.GeometryId, lambda *rest: self._read(
+            library.abut_universe_overlaps, pointer, byref(place), filter_of(filter), margin, *rest))
 
     def overlaps_of_each(self, shapes: Any, poses: Any, margin: float = 0.0, **filter: Any) -> Groups:
         """The same for each of many shapes: group i are the geometries of shape i."""
         pointers, places = _placed(shapes, poses)
         count = given.together(pointers, places)
-        return answers.groups(count, lambda *rest: library.abut_universe_overlaps_of_each(
-            self.pointer, pointers.memory, places.memory, count, filter_of(filter), margin, *rest))
+        return answers.groups(count, lambda *rest: self._read(
+            library.abut_universe_overlaps_of_each, pointers.memory, places.memory, count, filter_of(filter), margin,
+            *rest))
 
     def at_point(self, point: Any, **filter: Any) -> Records:
         """Geometries that hold a point."""
         place = given.vec3("point", point)
-        return answers.records(c.GeometryId, lambda *rest: library.abut_universe_at_point(
-            self.pointer, byref(place), filter_of(filter), *rest))
+        return answers.records(c.GeometryId, lambda *rest: self._read(
+            library.abut_universe_at_point, byref(place), filter_of(filter), *rest))
 
     def at_points(self, points: Any, **filter: Any) -> Groups:
         """Geometries that hold each of (N, 3) points: group i are those of point i."""
         places = given.structs(c.Vec3, "points", points)
-        return answers.groups(len(places), lambda *rest: library.abut_universe_at_points(
-            self.pointer, places.memory, len(places), filter_of(filter), *rest))
+        return answers.groups(len(places), lambda *rest: self._read(
+            library.abut_universe_at_points, places.memory, len(places), filter_of(filter), *rest))
 
     def closest(self, shape: Shape, at: Any, max_distance: float = INFINITY, **filter: Any) -> c.Closest | None:
         """The closest geometry and its distance, or None."""
         out, found, place = c.Closest(), c_uint32(), given.pose("at", at)
-        library.abut_universe_closest(self.pointer, given.shape_pointer("shape", shape), byref(place), max_distance,
+        self._read(library.abut_universe_closest, given.shape_pointer("shape", shape), byref(place), max_distance,
                                       filter_of(filter), byref(out), byref(found))
         return out if found.value else None
 
@@ -90,7 +91,7 @@ class Queries(Lender):
                         **filter: Any) -> Records:
         """The same for each of many shapes; the geometry is null where nothing is near."""
         return self._in_chunks(c.Closest, _placed(shapes, poses), progress, lambda pointers, places, count, out: (
-            library.abut_universe_closest_to_each(self.pointer, pointers, places, count, max_distance, filter_of(filter),
+            self._read(library.abut_universe_closest_to_each, pointers, places, count, max_distance, filter_of(filter),
                                                   out)))
 
 
