@@ -26,9 +26,11 @@ install(EXPORT abut_targets NAMESPACE abut:: FILE abut_targets.cmake
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/modules/ DESTINATION ${abut_modules_dir} FILES_MATCHING PATTERN "*.hpp")
 foreach(header abut picking)
   if(NOT header STREQUAL picking OR TARGET abut_picking)
-    install(FILES include/abut/${header}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut)
+    install(FILES include/abut/${header}.h include/abut/${header}.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut)
   endif()
 endforeach()
+
+install(DIRECTORY include/abut/cpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut FILES_MATCHING PATTERN "*.hpp")
 
 # What linking the static modules needs, as far as it was built.
 set(abut_dependencies "")

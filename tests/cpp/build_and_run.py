@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Compiles the tests of the headers for C++ in one way, links them to the shared libraries, and runs them.
+
+usage: build_and_run.py COMPILER-STANDARD[-results] ROOT FOLDER LIBRARY...
+With `results` calls answer a Result and the compiler has no exceptions. What it builds is put into FOLDER.
+Exit status 77 says that the compiler is not installed.
+"""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+
+COMPILERS = {"g++": ["g++"], "clang++": ["clang++-19", "clang++"]}
+# What careful users turn on; nothing is switched off for the headers.
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wsign-conversion", "-Wold-style-cast", "-Werror"]
+
+
+def run(command):
+    """Whether a command succeeds; what it prints is shown."""
+    done = subprocess.run(command, check=False, capture_output=True, text=True)
+    if done.returncode != 0:
+        print("failed:", *command)
+    print(done.stdout + done.stderr, end="")
+    return done.returncode == 0
+
+
+def main(way, root, folder, libraries):
+    name, standard, *rest = way.rsplit("-", 2) if way.endswith("-results") else way.rsplit("-", 1)
+    compiler = next(filter(None, map(shutil.which, COMPILERS[name])), None)
+    if compiler is None:
+        print(f"skipped: {name} is not installed")
+        return 77
+    has_picking = any("abut_picking" in library.name for library in libraries)
+    tests = root / "tests" / "cpp"
+    sources = sorted((tests / "results").glob("*.cpp") if rest else tests.glob("*.cpp"))
+    sources = [source for source in sources if has_picking or "picking" not in source.name]
+    # Tests are not installed headers: the folder of the headers is no system folder, so that their warnings count.
+    options = [f"-std={standard}", *WARNINGS, f"-I{root / 'include'}", *(["-fno-exceptions"] if rest else [])]
+    folder.mkdir(parents=True, exist_ok=True)
+    # One source of all, since most of the time goes into the headers.
+    together = folder / "all.cpp"
+    together.write_text("".join(f'#include "{source}"\n' for source in sources), encoding="utf-8")
+    program = folder / "program"
+    paths = [f"-Wl,-rpath,{library.parent}" for library in libraries]
+    build = [compiler, *options, str(together), *map(str, libraries), *paths, "-lgtest", "-lgtest_main", "-o", str(program)]
+    return 0 if run(build) and run([str(program), "--gtest_brief=1"]) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), [pathlib.Path(path) for path in sys.argv[4:]]))

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes: sharing, every constructor, what they answer, and mistakes.
+#include <abut/abut.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+// The message of the error that a call throws; empty where it throws none.
+template <class Call>
+std::string message_of(abut::Status expected, Call&& call) {
+  try {
+    static_cast<void>(call());
+  } catch (const abut::Error& error) {
+    EXPECT_EQ(error.status(), expected) << error.what();
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Shape, IsSharedByCopies) {
+  abut::Shape ball = abut::Shape::sphere(1);
+  const abut::Shape copy = ball;
+  EXPECT_EQ(ball, copy);
+  const abut::Shape moved = std::move(ball);
+  EXPECT_FALSE(ball);
+  EXPECT_EQ(moved, copy);
+  EXPECT_NE(moved, abut::Shape::sphere(1));
+  EXPECT_EQ(copy.parameters(), std::vector<double>{1});
+}
+
+TEST(Shape, ReplacesWhatItHeld) {
+  abut::Shape shape = abut::Shape::sphere(1);
+  const abut::Shape ball = shape;
+  shape = abut::Shape::box(1, 2, 3);
+  EXPECT_EQ(abut::name_of(shape.kind()), "box");
+  EXPECT_EQ(abut::name_of(ball.kind()), "sphere");
+  const abut::Shape& itself = shape;
+  shape = itself;
+  EXPECT_EQ(shape.parameters(), (std::vector<double>{1, 2, 3}));
+}
+
+TEST(Shape, GivesAndTakesReferences) {
+  abut::Shape ball = abut::Shape::sphere(2);
+  abut_shape* raw = ball.release();
+  EXPECT_FALSE(ball);
+  const abut::Shape second = abut::Shape::share(raw);
+  {
+    const abut::Shape first = abut::Shape::adopt(raw);
+  }
+  EXPECT_EQ(second.parameters(), std::vector<double>{2});
+}
+
+TEST(Shape, ComesInEveryKindWithAName) {
+  const std::vector<abut::Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<double> flat{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::array<std::array<double, 3>, 3> triples{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  const std::vector<std::uint32_t> indices{0, 1, 2};
+  const std::vector<std::pair<std::string, abut::Shape>> shapes{
+      {"sphere", abut::Shape::sphere(1)},
+      {"box", abut::Shape::box(1, 1, 1)},
+      {"capsule", abut::Shape::capsule(1, 1)},
+      {"cylinder", abut::Shape::cylinder(1, 1)},
+      {"cone", abut::Shape::cone(1, 1)},
+      {"ellipsoid", abut::Shape::ellipsoid(1, 2, 3)},
+      {"point", abut::Shape::point()},
+      {"segment", abut::Shape::segment(1)},
+      {"triangle", abut::Shape::triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})},
+      {"plane", abut::Shape::plane({0, 0, 2}, 0)},
+      {"hull", abut::Shape::hull(corners)},
+      {"hull", abut::Shape::hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})},
+      {"mesh", abut::Shape::mesh(flat, indices)},
+      {"mesh", abut::Shape::mesh(triples, {{0, 1, 2}}, abut::MeshOptions().with_sides(ABUT_SIDES_FRONT))},
+      {"height_field", abut::Shape::height_field(2, 2, 1, 1, {0, 0, 0, 1})},
+      {"particles", abut::Shape::particles(corners, 0.1)},
+      {"composite", abut::Shape::composite({abut::Shape::sphere(1)}, {abut::pose({1, 0, 0})}, {7})},
+      {"box_hole", abut::Shape::create("box_hole", {1, 1, 1, 0})}};
+  for (const auto& [name, shape] : shapes) EXPECT_EQ(abut::name_of(shape.kind()), name);
+}
+
+TEST(Shape, AnswersForItself) {
+  const abut::Shape box = abut::Shape::box(1, 2, 3);
+  EXPECT_EQ(box.aabb(abut::pose({10, 0, 0})).maximum.x, 11);
+  const abut::TriangleMesh mesh = box.triangles();
+  EXPECT_EQ(mesh.vertices.size(), 8U);
+  EXPECT_EQ(mesh.triangles.size(), 12U);
+  const std::optional<abut::RayHit> hit = box.cast_ray(abut::pose(), {{-5, 0, 0}, {1, 0, 0}, INFINITY});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->distance, 4);
+  EXPECT_FALSE(box.cast_ray(abut::pose(), {{-5, 9, 0}, {1, 0, 0}, INFINITY}));
+  const abut::HullReport report = abut::Shape::hull(mesh.vertices).describe_hull();
+  EXPECT_EQ(report.vertex_count, 8U);
+}
+
+TEST(Shape, NamesWhatIsWrong) {
+  EXPECT_EQ(message_of(ABUT_OUT_OF_RANGE, [] { return abut::Shape::sphere(-2.5); }),
+            "radius is -2.5; it must be positive");
+  EXPECT_EQ(message_of(ABUT_UNKNOWN_VALUE, [] { return abut::Shape::create("bal", {1}); }),
+            "kind is \"bal\"; this build of abut has no shape of that name");
+  EXPECT_EQ(message_of(ABUT_INVALID_ARGUMENT, [] { return abut::Shape::hull(std::vector<double>{1, 2}); }),
+            "points has 2 numbers; it must be a multiple of 3");
+  EXPECT_EQ(message_of(ABUT_INVALID_ARGUMENT, [] { return abut::Shape::height_field(2, 2, 1, 1, {0, 0}); }),
+            "heights has 2 numbers; it must have 4, columns * rows");
+  EXPECT_EQ(message_of(ABUT_INVALID_ARGUMENT, [] { return abut::Shape::composite({abut::Shape::point()}, {}); }),
+            "poses has 0 elements; it must have 1, as many as children");
+  EXPECT_NE(message_of(ABUT_NULL_ARGUMENT, [] { return abut::Shape().aabb(abut::pose()); }), "");
+}
+
+TEST(Kinds, AreFoundByName) {
+  EXPECT_EQ(abut::shape_kind("no such kind"), 0U);
+  const abut::ShapeKind box = abut::shape_kind("box"), plane = abut::shape_kind("plane");
+  EXPECT_EQ(abut::parameter_names(box), (std::vector<std::string>{"half_x", "half_y", "half_z"}));
+  EXPECT_TRUE(abut::pair_support(box, plane, ABUT_QUERY_CONTACTS));
+  EXPECT_FALSE(abut::pair_support(plane, plane, ABUT_QUERY_CONTACTS));
+  EXPECT_EQ(abut::name_of(0), "");
+  EXPECT_GE(abut::shape_kinds().size(), 18U);
+}
+
+TEST(Library, TellsWhatWasLoaded) {
+  abut::check_version();
+  EXPECT_EQ(abut::version().substr(0, 2), std::to_string(ABUT_VERSION_MAJOR) + ".");
+  EXPECT_FALSE(abut::has_feature("no such feature"));
+  EXPECT_GT(abut::layout().size(), 100U);
+}
+
+}  // namespace
