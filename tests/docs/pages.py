@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The documents of the tree, and the blocks of code in them."""
+
+import dataclasses
+import re
+
+FENCE = re.compile(r"^( *)```(\S*)[^`]*$")
+COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
+MARKERS = ("no-run", "no-check", "given", "from", "continues", "file scope", "run")
+# What nobody wrote as a document: builds, and files that come from elsewhere.
+SKIPPED = {"build", "out", ".git", "node_modules", "corpus", "regress"}
+
+
+@dataclasses.dataclass
+class Block:
+    page: str  # path below the root
+    line: int  # of the first line of code
+    language: str
+    code: str
+    markers: dict  # {name: what follows the colon}
+
+    @property
+    def place(self):
+        return f"{self.page}:{self.line}"
+
+
+class BadPage(Exception):
+    """A page that breaks the rules of CONTRIBUTING.md."""
+
+
+def documents(root):
+    """Paths of all documents below root."""
+    found = sorted(root.rglob("*.md"))
+    return [path for path in found if not SKIPPED & set(path.relative_to(root).parts)]
+
+
+def _markers_of(page, line, text):
+    markers = {}
+    for comment in COMMENT.findall(text):
+        name, _, rest = comment.strip().partition(":")
+        name = name.strip()
+        if name in MARKERS:
+            markers[name] = rest.strip("\n") if name == "given" else rest.strip()
+            if name in ("no-run", "no-check", "from", "given") and not markers[name].strip():
+                raise BadPage(f"{page}:{line}: the marker {name} says nothing after its colon")
+    return markers
+
+
+def _is_text(lines):
+    """Whether something else stands there than comments, of which the last may not have ended yet."""
+    rest = COMMENT.sub("", lines).strip()
+    return rest != "" and not rest.startswith("<!--")
+
+
+def blocks(page, text):
+    """The fenced blocks of a page, each with the comments that stand directly before it."""
+    lines = text.split("\n")
+    found, start, before = [], None, []
+    for number, line in enumerate(lines, 1):
+        fence = FENCE.match(line)
+        if start is None and fence:
+            start = (number, len(fence[1]), fence[2])
+        elif start is not None and line.strip() == "```":
+            opened, indent, language = start
+            code = "\n".join(part[indent:] for part in lines[opened : number - 1]) + "\n"
+            found.append(Block(page, opened + 1, language, code, _markers_of(page, opened, "\n".join(before))))
+            start, before = None, []
+        elif start is None:
+            before.append(line)
+            if _is_text("\n".join(before)):
+                before = []
+    if start is not None:
+        raise BadPage(f"{page}:{start[0]}: a block that does not end")
+    return found

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tests of what checks the documents: a check that finds nothing shows nothing."""
+
+import pathlib
+import tempfile
+import unittest
+
+from check_code import excerpt_failure
+from check_links import anchors, failures_of
+from compiled import Compiler, source_of
+from pages import BadPage, blocks
+
+
+def only_block(text):
+    (block,) = blocks("page.md", text)
+    return block
+
+
+class Blocks(unittest.TestCase):
+    def test_a_block_knows_its_place_language_and_markers(self):
+        block = only_block("# A\n\ntext\n\n<!-- given:\nint i = 1;\n-->\n<!-- no-run: it never ends -->\n```c\nint j = i;\n```\n")
+        self.assertEqual((block.place, block.language, block.code), ("page.md:10", "c", "int j = i;\n"))
+        self.assertEqual(block.markers, {"given": "int i = 1;", "no-run": "it never ends"})
+
+    def test_a_marker_counts_directly_before_its_block_only(self):
+        self.assertEqual(only_block("<!-- no-check: old -->\ntext\n```c\n;\n```\n").markers, {})
+        self.assertEqual(only_block("<!-- a remark -->\n\n```c\n;\n```\n").markers, {})
+
+    def test_a_block_in_a_list_loses_its_indent(self):
+        self.assertEqual(only_block("- a\n\n  ```c\n  f();\n    g();\n  ```\n").code, "f();\n  g();\n")
+
+    def test_a_marker_without_a_reason_and_a_block_without_an_end_are_errors(self):
+        for text in ("<!-- no-run: -->\n```c\n;\n```\n", "```c\n;\n"):
+            with self.assertRaises(BadPage):
+                blocks("page.md", text)
+
+
+class Sources(unittest.TestCase):
+    def test_a_program_stays_whole(self):
+        self.assertNotIn("fragment", source_of(only_block("```c\nint main(void) { return 0; }\n```\n"), []))
+
+    def test_a_fragment_takes_what_it_continues(self):
+        page = "```c\nint i;\n```\n<!-- file scope -->\n```c\nint f(void);\n```\n<!-- continues -->\n```c\n#include <a.h>\ni = 1;\n```\n"
+        first, scope, last = blocks("page.md", page)
+        self.assertEqual(Compiler._chain(last, [first, scope]), [scope])
+        outside, inside = source_of(last, [scope]).split("void fragment(void) {")
+        self.assertIn("int f(void);", outside)
+        self.assertIn("#include <a.h>", outside)
+        self.assertIn('#line 10 "page.md"', inside)
+
+
+class Excerpts(unittest.TestCase):
+    def test_lines_stand_in_the_file_in_a_row(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "a.cpp").write_text("  f();\n\n  g();\n  h();\n", encoding="utf-8")
+            for code, is_there in (("f();\ng();\n", True), ("f();\nh();\n", False)):
+                block = only_block(f"<!-- from: a.cpp -->\n```cpp\n{code}```\n")
+                self.assertEqual(excerpt_failure(block, root) == "", is_there)
+
+
+class Links(unittest.TestCase):
+    def failures(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            (root / "other.md").write_text("# The `abut` way, twice\n## A b\n## A b\n", encoding="utf-8")
+            page = root / "page.md"
+            page.write_text(text, encoding="utf-8")
+            return list(failures_of(page, root))
+
+    def test_files_and_headings_are_found(self):
+        self.assertEqual(self.failures("[a](other.md) [b](other.md#a-b-1) ![c](https://nowhere) `[d](no.md)`\n# E f\n[e](#e-f)"), [])
+        self.assertEqual(anchors("# The `abut` way, twice"), {"the-abut-way-twice"})
+
+    def test_what_is_missing_is_told_with_its_line(self):
+        self.assertEqual(self.failures("\n[a](no.md)"), ["page.md:2: there is no no.md"])
+        self.assertEqual(self.failures("[a](other.md#c)"), ["page.md:1: other.md has no heading #c"])
+        self.assertEqual(self.failures("[a](#c)"), ["page.md:1: this page has no heading #c"])
+        self.assertEqual(len(self.failures("[a](../../etc)")), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
