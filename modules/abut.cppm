@@ -7,4 +7,5 @@ export import abut.capability;
 export import abut.pairs.registry;
 export import abut.pairs.any_shape;
 export import abut.narrow.manifold;
+export import abut.queries;
 export import abut.universe;
