@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that the headers for C++ reach every function of the C headers.
+"""Checks that the headers for C++ reach every function of the C headers, and name every option.
 
 usage: reach_all.py ROOT
 
 A function is reached when its name stands in the code of the header for C++ that stands on its C header, or below
-include/abut/cpp. Whoever adds a function to a C header adds a method there; the list of what is missing says which.
+include/abut/cpp. Whoever adds a function to a C header adds a method there; the list of what is missing says which. An option is named when
+a method with_... sets the field, which stands there as `C::field` or `abut_struct::field`.
 """
 
 import pathlib
@@ -12,11 +13,24 @@ import re
 import sys
 
 PROTOTYPE = re.compile(r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\(")
+STRUCT = re.compile(r"typedef struct (abut_\w+) \{\s*uint32_t struct_size;([^{}]*)\}")
+# What is no option: answers, and what the constructors of shapes fill in.
+NO_OPTIONS = {"abut_hull_report", "abut_geometry_info", "abut_step_stats", "abut_height_field_desc", "abut_shape_desc"}
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 
 def code_of(path):
     return COMMENT.sub(" ", path.read_text(encoding="utf-8"))
+
+
+def unnamed_options(header, sources):
+    """Fields of structs of options that no header for C++ sets."""
+    for struct, body in STRUCT.findall(header):
+        # The body of a struct of C++ that begins with this one.
+        own = re.search(rf"\b{struct}_init>\s*\{{(.*?)\n\}};", sources, re.DOTALL)
+        for field in re.findall(r"(\w+);", body) if struct not in NO_OPTIONS else []:
+            if field != "reserved" and (own is None or not re.search(rf"::{field}\b", own[1])):
+                yield f"{struct} has the field {field}; no method with_... sets it"
 
 
 def main(root):
@@ -25,7 +39,9 @@ def main(root):
     missing, count = [], 0
     for header, sources in rooms.items():
         declared = PROTOTYPE.findall(code_of(include / header))
-        reached = set(re.findall(r"\babut_\w+", "\n".join(map(code_of, sources))))
+        text = "\n".join(map(code_of, sources))
+        reached = set(re.findall(r"\babut_\w+", text))
+        missing += unnamed_options(code_of(include / header), text)
         count += len(declared)
         missing += [f"{header} declares {name}; no header of {sources[0].parent.name} calls it" for name in declared if name not in reached]
     print(*missing, f"{count} functions, {len(missing)} not reached", sep="\n")

@@ -3,6 +3,7 @@
 #include <abut/abut.hpp>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
@@ -136,6 +137,8 @@ TEST(Geometries, Change) {
   room.universe.set_options({room.ball, room.box},
                             std::vector<abut::GeometryOptions>(2, abut::GeometryOptions().with_label(8)));
   EXPECT_EQ(room.universe.describe(room.box).label, 8U);
+  room.universe.set_options(room.box, {});
+  EXPECT_EQ(room.universe.describe(room.box).label, 0U);
   room.universe.set_parameters(room.ball, {2.0});
   EXPECT_EQ(room.universe.shape(room.ball).parameters(), std::vector<double>{2});
   room.universe.set_shape(room.box, abut::Shape::sphere(1));
@@ -212,6 +215,31 @@ TEST(Filter, IsNotReplacedWhileItRuns) {
   room.universe.step(0);
   EXPECT_EQ(status, ABUT_BUSY);
   EXPECT_EQ(calls, 2);
+}
+
+TEST(Filter, MayThrow) {
+  Room room;
+  bool throws = true;
+  int calls = 0;
+  room.universe.create_geometry(room.body, abut::Shape::sphere(0.9));
+  room.universe.set_filter([&](abut::GeometryId, abut::GeometryId) {
+    ++calls;
+    if (throws) throw std::runtime_error("not yet");
+    return true;
+  });
+  try {
+    room.universe.step(0);
+    ADD_FAILURE();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "not yet");
+  }
+  EXPECT_EQ(calls, 1);
+  EXPECT_TRUE(room.universe.contacts().empty());
+  EXPECT_THROW(room.universe.detect_changed(), std::runtime_error);
+  throws = false;
+  room.universe.step(0);
+  EXPECT_EQ(calls, 4);
+  EXPECT_EQ(room.universe.contacts().size(), 2U);
 }
 
 TEST(Policies, BelongToTags) {

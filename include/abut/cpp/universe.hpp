@@ -26,7 +26,7 @@ class Universe : public UniverseSteps {
   [[nodiscard]] static Universe adopt(abut_universe* universe) noexcept { return Universe(universe); }
 #ifndef ABUT_NO_EXCEPTIONS
   Universe() : Universe(create()) {}
-  explicit Universe(const abut_universe_options& options) : Universe(create(options)) {}
+  explicit Universe(const UniverseOptions& options) : Universe(create(options)) {}
 #endif
 
   // The first geometry that a ray meets; with ABUT_HIT_ANY whichever is found first.

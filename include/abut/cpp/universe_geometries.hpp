@@ -44,7 +44,7 @@ class UniverseGeometries : public UniverseParts {
   }
 
   // All of them are replaced; begin with options_of() to change one.
-  Answer<void> set_options(GeometryId geometry, const abut_geometry_options& options) {
+  Answer<void> set_options(GeometryId geometry, const GeometryOptions& options) {
     return detail::answer(abut_geometry_set_options(get(), geometry, &options));
   }
   Answer<void> set_options(Span<const GeometryId> geometries, Span<const abut_geometry_options> options) {

@@ -7,6 +7,7 @@
 #include <abut/cpp/universe_geometries.hpp>
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -16,8 +17,8 @@ inline namespace ABUT_ANSWERS {
 
 class UniverseRules : public UniverseGeometries {
  public:
-  // Decides about a pair: false leaves it out. It may ask what is const of its universe, and park. It must not throw:
-  // the step answers ABUT_INTERNAL then, and so does the universe from then on.
+  // Decides about a pair: false leaves it out. It may ask what is const of its universe, and park. What it throws comes
+  // out of the step or detection when that is over: the pair is left out until the next one, which asks again.
   using Filter = std::function<bool(GeometryId, GeometryId)>;
 
   Answer<void> set_rule(const Collidable& a, const Collidable& b, Rule rule) {
@@ -27,7 +28,7 @@ class UniverseRules : public UniverseGeometries {
 
   // The universe keeps the filter; an empty one takes it away.
   Answer<void> set_filter(Filter filter) {
-    auto kept = filter ? std::make_unique<Filter>(std::move(filter)) : nullptr;
+    auto kept = filter ? std::make_unique<KeptFilter>(KeptFilter{std::move(filter), nullptr}) : nullptr;
     const abut_status status = abut_universe_set_filter(get(), kept ? &call_filter : nullptr, kept.get());
     if (status == ABUT_OK) filter_ = std::move(kept);
     return detail::answer(status);
@@ -61,12 +62,42 @@ class UniverseRules : public UniverseGeometries {
  protected:
   using UniverseGeometries::UniverseGeometries;
 
- private:
-  static std::uint32_t call_filter(void* context, const abut_universe*, abut_geometry_id a, abut_geometry_id b) {
-    return (*static_cast<const Filter*>(context))(a, b) ? 1 : 0;
+  // The answer of a call that asks the filter.
+  Answer<void> detected(abut_status status) {
+#ifndef ABUT_NO_EXCEPTIONS
+    if (filter_ && filter_->failure) {
+      const std::exception_ptr failure = std::exchange(filter_->failure, nullptr);
+      if (status == ABUT_OK) status = abut_universe_refilter(get());
+      if (status == ABUT_OK) std::rethrow_exception(failure);
+    }
+#endif
+    return detail::answer(status);
   }
 
-  std::unique_ptr<Filter> filter_;
+ private:
+  struct KeptFilter {
+    Filter filter;
+    std::exception_ptr failure;
+  };
+
+#ifdef ABUT_NO_EXCEPTIONS
+  static std::uint32_t call_filter(void* context, const abut_universe*, abut_geometry_id a, abut_geometry_id b) {
+    return static_cast<const KeptFilter*>(context)->filter(a, b) ? 1 : 0;
+  }
+#else
+  // No exception crosses the C interface.
+  static std::uint32_t call_filter(void* context, const abut_universe*, abut_geometry_id a, abut_geometry_id b) {
+    auto* const kept = static_cast<KeptFilter*>(context);
+    try {
+      return !kept->failure && kept->filter(a, b) ? 1 : 0;
+    } catch (...) {
+      kept->failure = std::current_exception();
+      return 0;
+    }
+  }
+#endif
+
+  std::unique_ptr<KeptFilter> filter_;
 };
 
 }  // namespace ABUT_ANSWERS

@@ -17,15 +17,15 @@ inline namespace ABUT_ANSWERS {
 
 class UniverseSteps : public UniverseRules {
  public:
-  Answer<void> step(double dt) { return detail::answer(abut_universe_step(get(), dt)); }
-  Answer<void> detect_all() { return detail::answer(abut_universe_detect_all(get())); }
-  Answer<void> detect_changed() { return detail::answer(abut_universe_detect_changed(get())); }
+  Answer<void> step(double dt) { return detected(abut_universe_step(get(), dt)); }
+  Answer<void> detect_all() { return detected(abut_universe_detect_all(get())); }
+  Answer<void> detect_changed() { return detected(abut_universe_detect_changed(get())); }
   // Pair i is a[i] with b[i].
   Answer<void> detect_pairs(Span<const GeometryId> a, Span<const GeometryId> b) {
     const abut_status sizes = detail::expect_as_many("b", b.size(), "a", a.size());
-    return detail::answer(sizes != ABUT_OK ? sizes : abut_universe_detect_pairs(get(), a.data(), b.data(), a.size()));
+    return detected(sizes != ABUT_OK ? sizes : abut_universe_detect_pairs(get(), a.data(), b.data(), a.size()));
   }
-  Answer<void> detect_region(const Aabb& region) { return detail::answer(abut_universe_detect_region(get(), &region)); }
+  Answer<void> detect_region(const Aabb& region) { return detected(abut_universe_detect_region(get(), &region)); }
   // Queries see poses as of the last step or refresh.
   Answer<void> refresh() { return detail::answer(abut_universe_refresh(get())); }
 
