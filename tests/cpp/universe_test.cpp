@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <type_traits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -286,6 +288,23 @@ TEST(Detections, LeaveWhatTheyFound) {
   room.universe.attach("test");
   room.universe.detach("test");
   EXPECT_THROW(room.universe.detach("test"), abut::Error);
+}
+
+template <class Object, class = void>
+constexpr bool lends_contacts = false;
+template <class Object>
+constexpr bool lends_contacts<Object, std::void_t<decltype(std::declval<Object>().contacts())>> = true;
+
+TEST(Mistakes, DoNotCompile) {
+  using abut::Universe;
+  static_assert(!std::is_copy_constructible_v<Universe> && std::is_nothrow_move_constructible_v<Universe>);
+  static_assert(lends_contacts<Universe&> && !lends_contacts<Universe>, "of a temporary nothing is borrowed");
+  static_assert(std::is_invocable_v<decltype(&Universe::is_asleep), Universe&, abut::PartId>);
+  static_assert(!std::is_invocable_v<decltype(&Universe::is_asleep), Universe&, abut::GeometryId>);
+  static_assert(std::is_invocable_v<decltype(&Universe::set_motion), Universe&, abut::PartId, abut::Motion>);
+  static_assert(!std::is_invocable_v<decltype(&Universe::set_motion), Universe&, abut::PartId, abut::Rule>);
+  static_assert(!std::is_convertible_v<std::vector<abut::PartId>, abut::Span<const abut::GeometryId>>);
+  static_assert(!std::is_convertible_v<const std::vector<double>&, abut::Span<double>>);
 }
 
 TEST(Ids, AreKeysOfTables) {

@@ -160,7 +160,7 @@ Answer<std::optional<T>> answer_if_found(abut_status status, const Count& found,
 // Count-then-fill: `fill(data, capacity, count)` answers a status. Mostly the first call has room enough.
 template <class T, class Fill>
 Answer<std::vector<T>> collect(Fill&& fill) {
-  std::vector<T> values(16);
+  std::vector<T> values(8);
   std::size_t count = 0;
   abut_status status = fill(values.data(), values.size(), &count);
   while (status == ABUT_OK && count > values.size()) {
