@@ -68,12 +68,12 @@ int main() try {
   for (int i = 0; i < 240; ++i) room.fall(0.01);
   const abut::Ray down{{5, 9.5, 10}, {0, 0, -1}, std::numeric_limits<double>::infinity()};
   const auto hit = room.universe.cast_ray(down, abut::QueryFilter().with_mask(ground));
-  std::printf("%d passed the gate\n", room.passed);
-  std::printf("the ground is %s\n", hit ? "there" : "not there");
-  std::printf("%zu bodies overlap a column\n", room.universe
-                                                   .overlaps(abut::Shape::box(0.5, 0.5, 10), abut::pose({5, 9.5, 0}), 0,
-                                                             abut::QueryFilter().with_mask(bodies))
-                                                   .size());
+  std::printf("passed the gate: %d\n", room.passed);
+  std::printf("ground under the middle: %s\n", hit ? "yes" : "no");
+  std::printf("bodies in the column: %zu\n", room.universe
+                                                 .overlaps(abut::Shape::box(0.5, 0.5, 10), abut::pose({5, 9.5, 0}), 0,
+                                                           abut::QueryFilter().with_mask(bodies))
+                                                 .size());
 } catch (const abut::Error& error) {
   std::fprintf(stderr, "%s: %s\n", error.name(), error.what());
   return 1;

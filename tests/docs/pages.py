@@ -3,6 +3,7 @@
 
 import dataclasses
 import re
+import textwrap
 
 FENCE = re.compile(r"^( *)```(\S*)[^`]*$")
 COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
@@ -40,7 +41,7 @@ def _markers_of(page, line, text):
         name, _, rest = comment.strip().partition(":")
         name = name.strip()
         if name in MARKERS:
-            markers[name] = rest.strip("\n") if name == "given" else rest.strip()
+            markers[name] = textwrap.dedent(rest.strip("\n")).strip()
             if name in ("no-run", "no-check", "from", "given") and not markers[name].strip():
                 raise BadPage(f"{page}:{line}: the marker {name} says nothing after its colon")
     return markers

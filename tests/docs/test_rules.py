@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from check_code import excerpt_failure
+from check_code import excerpt_failure, json_failure, python_failure, shell_failure
 from check_links import anchors, failures_of
 from compiled import Compiler, source_of
 from pages import BadPage, blocks
@@ -57,6 +57,48 @@ class Excerpts(unittest.TestCase):
             for code, is_there in (("f();\ng();\n", True), ("f();\nh();\n", False)):
                 block = only_block(f"<!-- from: a.cpp -->\n```cpp\n{code}```\n")
                 self.assertEqual(excerpt_failure(block, root) == "", is_there)
+
+
+class Commands(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.root = pathlib.Path(__file__).resolve().parents[2]
+
+    def python(self, text):
+        return python_failure("page.md", blocks("page.md", text), self.root, self.folder, "")
+
+    def shell(self, text):
+        return shell_failure(only_block(text), self.root, self.folder, pathlib.Path("/bin/true"))
+
+    def test_blocks_of_python_run_one_after_the_other(self):
+        page = "<!-- given: j = 1 -->\n```python\ni = j\n```\n\n```python\nassert i == {}\n```\n"
+        self.assertEqual(self.python(page.format(1)), "")
+        self.assertIn('File "page.md", line 7', self.python(page.format(2)))
+
+    def test_python_that_lacks_a_library_of_others_is_passed_over(self):
+        self.assertEqual(self.python("```python\nimport no_library_of_this_name\n```\n"), "")
+        self.assertIn("abut_of_no_such_name", self.python("```python\nimport abut_of_no_such_name\n```\n"))
+
+    def test_commands_name_files_that_exist(self):
+        self.assertEqual(self.shell("```sh\nscripts/test quick\n```\n"), "")
+        self.assertEqual(self.shell("```sh\nscripts/tests\n```\n"), "page.md:2: there is no scripts/tests")
+        self.assertIn("syntax", self.shell("```sh\nif\n```\n"))
+
+    def test_commands_run_where_they_are_marked(self):
+        self.assertEqual(self.shell("```sh\nfalse\n```\n"), "")
+        self.assertIn("fails with 1", self.shell("<!-- run -->\n```sh\nls examples/scenes\nfalse\ntrue\n```\n"))
+
+    def test_json_is_whole(self):
+        for code, is_whole in (('{"a": 1}', True), ('{"a": 1', False)):
+            block = only_block(f"```json\n{code}\n```\n")
+            self.assertEqual(json_failure(block, self.root, self.folder, None) == "", is_whole)
+
+    def test_a_scene_is_stepped(self):
+        block = only_block('```json\n{"parts": []}\n```\n')
+        self.assertEqual(json_failure(block, self.root, self.folder, pathlib.Path("/bin/true")), "")
+        self.assertIn("fails with 1", json_failure(block, self.root, self.folder, pathlib.Path("/bin/false")))
 
 
 class Links(unittest.TestCase):
