@@ -14,25 +14,31 @@ static abut_shape *a, *b; /* the box and the ball */
 static const abut_pose pose_a = {{0, 0, 0}, {1, 0, 0, 0}}, pose_b = {{0, 0, 1.75}, {1, 0, 0, 0}};
 static abut_part_id part;         /* the part of the ball */
 static abut_geometry_id geometry; /* the ball in the universe */
+static abut_part_id parts[2];     /* those of the box and of the ball */
+static const abut_pose poses[2] = {{{0, 0, 0}, {1, 0, 0, 0}}, {{0, 0, 1.75}, {1, 0, 0, 0}}};
+static const size_t count = 2;
+static const double dt = 0.01;
 
 void fragment(void);
 
 static int set_up(void) {
   abut_part_options options;
-  abut_part_id ground;
   abut_geometry_id box;
   abut_part_options_init(&options, sizeof options);
   options.motion = ABUT_MOTION_STATIC;
   if (abut_box_create(1, 1, 1, &a) != ABUT_OK || abut_sphere_create(1, &b) != ABUT_OK ||
-      abut_universe_create(NULL, &universe) != ABUT_OK || abut_part_create(universe, &options, &ground) != ABUT_OK ||
-      abut_geometry_create(universe, ground, a, NULL, &box) != ABUT_OK) {
+      abut_universe_create(NULL, &universe) != ABUT_OK || abut_part_create(universe, &options, &parts[0]) != ABUT_OK ||
+      abut_geometry_create(universe, parts[0], a, NULL, &box) != ABUT_OK) {
     return 1;
   }
   options.motion = ABUT_MOTION_DYNAMIC;
   options.pose = pose_b;
-  return abut_part_create(universe, &options, &part) != ABUT_OK ||
-         abut_geometry_create(universe, part, b, NULL, &geometry) != ABUT_OK ||
-         abut_universe_step(universe, 0.01) != ABUT_OK;
+  if (abut_part_create(universe, &options, &part) != ABUT_OK ||
+      abut_geometry_create(universe, part, b, NULL, &geometry) != ABUT_OK) {
+    return 1;
+  }
+  parts[1] = part;
+  return abut_universe_step(universe, dt) != ABUT_OK;
 }
 
 int main(void) {

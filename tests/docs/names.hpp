@@ -15,14 +15,19 @@ namespace {
 const abut::Pose pose_a = abut::pose(), pose_b = abut::pose({0, 0, 1.75});
 const abut::Shape a = abut::Shape::box(1, 1, 1), b = abut::Shape::sphere(1);
 abut::Universe universe;
-abut::PartId part;          // the part of the ball
-abut::GeometryId geometry;  // the ball in the universe
+abut::PartId part;                // the part of the ball
+abut::GeometryId geometry;        // the ball in the universe
+std::vector<abut::PartId> parts;  // those of the box and of the ball
+const std::vector<abut::Pose> poses{pose_a, pose_b};
+const double dt = 0.01;
 
 void set_up() {
-  universe.create_geometry(universe.create_part(abut::PartOptions().with_motion(ABUT_MOTION_STATIC)), a);
+  const abut::PartId ground = universe.create_part(abut::PartOptions().with_motion(ABUT_MOTION_STATIC));
+  universe.create_geometry(ground, a);
   part = universe.create_part(abut::PartOptions().with_pose(pose_b));
   geometry = universe.create_geometry(part, b);
-  universe.step(0.01);
+  parts = {ground, part};
+  universe.step(dt);
 }
 
 }  // namespace
