@@ -23,9 +23,12 @@ FOLDERS = ("scripts", "examples", "docs", "bindings", "include", "cmake", "tools
 
 
 def run(block, command, folder, environment, **options):
+    """What is wrong when a command runs for a block; empty when nothing is."""
     done = subprocess.run(command, check=False, capture_output=True, text=True, timeout=120, cwd=folder,
                           env={**os.environ, **environment}, **options)
-    return f"{block.place}: fails with {done.returncode}\n{done.stdout}{done.stderr}" if done.returncode != 0 else ""
+    if done.returncode != 0:
+        return f"{block.place}: fails with {done.returncode}\n{done.stdout}{done.stderr}"
+    return block.wrong_output(done.stdout) if block.language == "sh" and "-n" not in command else ""
 
 
 def excerpt_failure(block, root):
@@ -40,17 +43,28 @@ def excerpt_failure(block, root):
     return f"{block.place}: {block.markers['from']} has no such lines, one after the other"
 
 
+# Runs the steps of a page: (line, lines that come before, code, what it prints or None).
+PYTHON_PAGE = """
+import contextlib, io, sys
+names = {"__name__": "__main__"}
+for line, given, code, output in STEPS:
+    exec(compile(given, PAGE, "exec"), names)
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(compile("\\n" * (line - 1) + code, PAGE, "exec"), names)
+    if output is not None and printed.getvalue().rstrip() != output.rstrip():
+        sys.exit(f"{PAGE}:{line}: prints\\n{printed.getvalue().rstrip()}\\ninstead of\\n{output.rstrip()}")
+"""
+
+
 def python_failure(page, found, root, folder, library):
     """The blocks of a page run one after the other, as a reader would type them."""
-    steps = [(block.line, block.markers.get("given", "") + "\n", block.code) for block in found if "no-run" not in block.markers]
+    steps = [(block.line, block.markers.get("given", ""), block.code, block.output)
+             for block in found if "no-run" not in block.markers]
     for block in found:
         compile(block.code, block.place, "exec")
     script = folder / (re.sub(r"\W", "_", page) + ".py")
-    script.write_text(
-        f"names = {{'__name__': '__main__'}}\n"
-        f"for line, given, code in {steps!r}:\n"
-        f"    exec(compile(given, {page!r}, 'exec'), names)\n"
-        f"    exec(compile('\\n' * (line - 1) + code, {page!r}, 'exec'), names)\n", encoding="utf-8")
+    script.write_text(f"PAGE = {page!r}\nSTEPS = {steps!r}\n{PYTHON_PAGE}", encoding="utf-8")
     environment = {"PYTHONPATH": str(root / "bindings" / "python"), "ABUT_LIBRARY": library}
     failure = run(found[0], [sys.executable, "-B", str(script)], folder, environment)
     missing = re.search(r"ModuleNotFoundError: No module named '(?!abut)([^']+)'", failure)

@@ -69,7 +69,9 @@ class Compiler:
             done = subprocess.run([program], check=False, capture_output=True, text=True, timeout=60, cwd=self.folder)
         except subprocess.TimeoutExpired:
             return f"{block.place}: has not ended after a minute"
-        return f"{block.place}: fails with {done.returncode}\n{done.stdout}{done.stderr}" if done.returncode != 0 else ""
+        if done.returncode != 0:
+            return f"{block.place}: fails with {done.returncode}\n{done.stdout}{done.stderr}"
+        return block.wrong_output(done.stdout)
 
     def failures(self, found):
         """Of all blocks of both languages; (checked, failures)."""

@@ -19,10 +19,17 @@ class Block:
     language: str
     code: str
     markers: dict  # {name: what follows the colon}
+    output: str | None = None  # what it prints: the block of `text` directly below
 
     @property
     def place(self):
         return f"{self.page}:{self.line}"
+
+    def wrong_output(self, printed):
+        """What differs from the output that the page shows; empty where nothing does, or where it shows none."""
+        if self.output is None or printed.rstrip() == self.output.rstrip():
+            return ""
+        return f"{self.place}: prints\n{printed.rstrip()}\ninstead of\n{self.output.rstrip()}\n"
 
 
 class BadPage(Exception):
@@ -56,7 +63,7 @@ def _is_text(lines):
 def blocks(page, text):
     """The fenced blocks of a page, each with the comments that stand directly before it."""
     lines = text.split("\n")
-    found, start, before = [], None, []
+    found, start, before, is_directly_below = [], None, [], False
     for number, line in enumerate(lines, 1):
         fence = FENCE.match(line)
         if start is None and fence:
@@ -64,10 +71,14 @@ def blocks(page, text):
         elif start is not None and line.strip() == "```":
             opened, indent, language = start
             code = "\n".join(part[indent:] for part in lines[opened : number - 1]) + "\n"
-            found.append(Block(page, opened + 1, language, code, _markers_of(page, opened, "\n".join(before))))
-            start, before = None, []
+            if language == "text" and found and is_directly_below:
+                found[-1].output = code
+            else:
+                found.append(Block(page, opened + 1, language, code, _markers_of(page, opened, "\n".join(before))))
+            start, before, is_directly_below = None, [], True
         elif start is None:
             before.append(line)
+            is_directly_below = is_directly_below and not line.strip()
             if _is_text("\n".join(before)):
                 before = []
     if start is not None:

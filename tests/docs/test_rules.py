@@ -26,6 +26,14 @@ class Blocks(unittest.TestCase):
         self.assertEqual(only_block("<!-- no-check: old -->\ntext\n```c\n;\n```\n").markers, {})
         self.assertEqual(only_block("<!-- a remark -->\n\n```c\n;\n```\n").markers, {})
 
+    def test_a_block_of_text_directly_below_is_the_output(self):
+        page = "```c\nf();\n```\n\n```text\n1\n```\nwords\n```text\n2\n```\n"
+        first, second = blocks("page.md", page)
+        self.assertEqual((first.output, second.language), ("1\n", "text"))
+        self.assertEqual(first.wrong_output("1"), "")
+        self.assertEqual(first.wrong_output("3"), "page.md:2: prints\n3\ninstead of\n1\n")
+        self.assertEqual(second.wrong_output("3"), "")
+
     def test_a_block_in_a_list_loses_its_indent(self):
         self.assertEqual(only_block("- a\n\n  ```c\n  f();\n    g();\n  ```\n").code, "f();\n  g();\n")
 
@@ -77,6 +85,11 @@ class Commands(unittest.TestCase):
         self.assertEqual(self.python(page.format(1)), "")
         self.assertIn('File "page.md", line 7', self.python(page.format(2)))
 
+    def test_output_of_python_is_compared_block_by_block(self):
+        page = "```python\nprint(1)\n```\n```python\nprint(2)\n```\n```text\n{}\n```\n"
+        self.assertEqual(self.python(page.format(2)), "")
+        self.assertIn("page.md:5: prints\n2\ninstead of\n3", self.python(page.format(3)))
+
     def test_python_that_lacks_a_library_of_others_is_passed_over(self):
         self.assertEqual(self.python("```python\nimport no_library_of_this_name\n```\n"), "")
         self.assertIn("abut_of_no_such_name", self.python("```python\nimport abut_of_no_such_name\n```\n"))
@@ -88,6 +101,8 @@ class Commands(unittest.TestCase):
 
     def test_commands_run_where_they_are_marked(self):
         self.assertEqual(self.shell("```sh\nfalse\n```\n"), "")
+        self.assertEqual(self.shell("<!-- run -->\n```sh\necho 1\n```\n```text\n1\n```\n"), "")
+        self.assertIn("instead of", self.shell("<!-- run -->\n```sh\necho 1\n```\n```text\n2\n```\n"))
         self.assertIn("fails with 1", self.shell("<!-- run -->\n```sh\nls examples/scenes\nfalse\ntrue\n```\n"))
 
     def test_json_is_whole(self):
