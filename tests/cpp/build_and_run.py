@@ -35,7 +35,7 @@ def main(way, root, folder, libraries):
     tests = root / "tests" / "cpp"
     sources = sorted((tests / "results").glob("*.cpp") if rest else tests.glob("*.cpp"))
     sources = [source for source in sources if has_picking or "picking" not in source.name]
-    # Tests are not installed headers: the folder of the headers is no system folder, so that their warnings count.
+    # By -I, not as a system folder: warnings of the headers count here.
     options = [f"-std={standard}", *WARNINGS, f"-I{root / 'include'}", *(["-fno-exceptions"] if rest else [])]
     folder.mkdir(parents=True, exist_ok=True)
     # One source of all, since most of the time goes into the headers.

@@ -3,9 +3,9 @@
 
 usage: reach_all.py ROOT
 
-A function is reached when its name stands in the code of the header for C++ that stands on its C header, or below
-include/abut/cpp. Whoever adds a function to a C header adds a method there; the list of what is missing says which. An option is named when
-a method with_... sets the field, which stands there as `C::field` or `abut_struct::field`.
+A function is reached when its name stands in the code of a header below include/abut/cpp, or in picking.hpp for those
+of picking.h. Whoever adds a function to a C header adds a method there; the list of what is missing says which.
+An option is named when a method with_... sets the field, which stands there as `C::field` or `abut_struct::field`.
 """
 
 import pathlib
@@ -43,7 +43,7 @@ def main(root):
         reached = set(re.findall(r"\babut_\w+", text))
         missing += unnamed_options(code_of(include / header), text)
         count += len(declared)
-        missing += [f"{header} declares {name}; no header of {sources[0].parent.name} calls it" for name in declared if name not in reached]
+        missing += [f"{header} declares {name}; no header for C++ calls it" for name in declared if name not in reached]
     print(*missing, f"{count} functions, {len(missing)} not reached", sep="\n")
     return 1 if missing or not count else 0
 
