@@ -98,6 +98,14 @@ else()
   add_link_options($<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,SHARED_LIBRARY>:-Wl,-z,defs>)
 endif()
 
+# The source tells at load time whether the processor has what ABUT_ARCH asks of it.
+function(abut_check_processor target source)
+  if(ABUT_ARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_sources(${target} PRIVATE ${source})
+    set_source_files_properties(${source} PROPERTIES COMPILE_DEFINITIONS "ABUT_PROJECT_ARCH=\"${ABUT_ARCH}\"")
+  endif()
+endfunction()
+
 # A source that speaks to ThreadSanitizer for a library that it does not see into.
 function(abut_speak_for_thread_sanitizer source)
   if(ABUT_SANITIZE STREQUAL "thread")
