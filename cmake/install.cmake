@@ -1,65 +1,100 @@
 # SPDX-License-Identifier: Apache-2.0
-# Installs the C library, the picking library, the C headers, and the modules as sources: compiled
-# module interfaces are not portable, so each consumer compiles them again. The C ABI is the stable
-# product.
+# Installs the C library, the picking library, the C headers, the program, the documents, and the modules as sources:
+# compiled module interfaces are not portable, so each consumer compiles them again. The C ABI is the stable product.
+# Components: library, picking, tools; dev has what a C program is compiled with, modules what a C++ one imports; docs.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(abut_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/abut)
 set(abut_modules_dir ${CMAKE_INSTALL_LIBDIR}/abut/modules)
-set(abut_installed abut_modules abut)
+set(abut_generated_dir ${PROJECT_BINARY_DIR}/install)
+
+# What is installed finds the libraries from where it lies, so an installed tree can be moved. In /usr the loader does.
+function(abut_find_libraries_in target folder)
+  if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+    set_target_properties(${target} PROPERTIES INSTALL_RPATH "${folder}")
+  endif()
+endfunction()
+
+install(TARGETS abut EXPORT abut_c LIBRARY COMPONENT library NAMELINK_COMPONENT dev)
+install(FILES include/abut/abut.h include/abut/abut.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut COMPONENT dev)
+install(DIRECTORY include/abut/cpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
+set(abut_exports c)
 if(TARGET abut_picking)
-  list(APPEND abut_installed abut_picking)
-  set_target_properties(abut_picking PROPERTIES EXPORT_NAME picking INSTALL_RPATH "$ORIGIN")
+  set_target_properties(abut_picking PROPERTIES EXPORT_NAME picking)
+  abut_find_libraries_in(abut_picking "$ORIGIN")
+  install(TARGETS abut_picking EXPORT abut_picking LIBRARY COMPONENT picking NAMELINK_COMPONENT dev)
+  install(FILES include/abut/picking.h include/abut/picking.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut
+          COMPONENT dev)
+  list(APPEND abut_exports picking)
 endif()
-if(TARGET abut_cli)
-  set_target_properties(abut_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
-  install(TARGETS abut_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
+foreach(name IN LISTS abut_exports)
+  install(EXPORT abut_${name} NAMESPACE abut:: FILE abut-${name}.cmake DESTINATION ${abut_package_dir} COMPONENT dev)
+endforeach()
+
 set_target_properties(abut_modules PROPERTIES EXPORT_NAME modules)
 abut_export_flags(abut_modules)
-
-install(TARGETS ${abut_installed} EXPORT abut_targets FILE_SET CXX_MODULES DESTINATION ${abut_modules_dir})
-install(EXPORT abut_targets NAMESPACE abut:: FILE abut_targets.cmake
-        DESTINATION ${abut_package_dir} CXX_MODULES_DIRECTORY modules)
+install(TARGETS abut_modules EXPORT abut_modules ARCHIVE COMPONENT modules
+        FILE_SET CXX_MODULES DESTINATION ${abut_modules_dir} COMPONENT modules)
+install(EXPORT abut_modules NAMESPACE abut:: FILE abut-modules-targets.cmake DESTINATION ${abut_package_dir}
+        CXX_MODULES_DIRECTORY modules COMPONENT modules)
+configure_file(cmake/installed-sources.cmake.in ${abut_generated_dir}/installed-sources.cmake @ONLY)
+install(SCRIPT ${abut_generated_dir}/installed-sources.cmake COMPONENT modules)
 # Interface units include the headers beside them.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/modules/ DESTINATION ${abut_modules_dir} FILES_MATCHING PATTERN "*.hpp")
-foreach(header abut picking)
-  if(NOT header STREQUAL picking OR TARGET abut_picking)
-    install(FILES include/abut/${header}.h include/abut/${header}.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/modules/ DESTINATION ${abut_modules_dir} COMPONENT modules
+        FILES_MATCHING PATTERN "*.hpp")
+
+# What linking the static modules needs, as far as it was built: a target and the package that has it.
+set(abut_modules_need "")
+if(ABUT_WITH_LIBCCD)
+  list(APPEND abut_modules_need PkgConfig::CCD libccd)
+endif()
+if(ABUT_WITH_HULL)
+  list(APPEND abut_modules_need Qhull::qhull_r Qhull)
+endif()
+if(ABUT_WITH_THREADS)
+  list(APPEND abut_modules_need TBB::tbb oneTBB)
+endif()
+foreach(library IN LISTS abut_modules_need)
+  if(library MATCHES "::")
+    target_link_libraries(abut_modules INTERFACE $<INSTALL_INTERFACE:${library}>)
   endif()
 endforeach()
 
-install(DIRECTORY include/abut/cpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut FILES_MATCHING PATTERN "*.hpp")
+configure_package_config_file(cmake/abut-config.cmake.in ${abut_generated_dir}/abut-config.cmake
+                              INSTALL_DESTINATION ${abut_package_dir} NO_SET_AND_CHECK_MACRO)
+file(RELATIVE_PATH abut_modules_from_package /${abut_package_dir} /${abut_modules_dir})
+configure_file(cmake/abut-modules.cmake.in ${abut_generated_dir}/abut-modules.cmake @ONLY)
+write_basic_package_version_file(${abut_generated_dir}/abut-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${abut_generated_dir}/abut-config.cmake ${abut_generated_dir}/abut-config-version.cmake
+        DESTINATION ${abut_package_dir} COMPONENT dev)
+install(FILES ${abut_generated_dir}/abut-modules.cmake DESTINATION ${abut_package_dir} COMPONENT modules)
 
-# What linking the static modules needs, as far as it was built.
-set(abut_dependencies "")
-if(ABUT_WITH_LIBCCD)
-  target_link_libraries(abut_modules INTERFACE $<INSTALL_INTERFACE:PkgConfig::CCD>)
-  string(APPEND abut_dependencies "find_dependency(PkgConfig)\npkg_check_modules(CCD REQUIRED IMPORTED_TARGET ccd)\n")
-endif()
-if(ABUT_WITH_HULL)
-  target_link_libraries(abut_modules INTERFACE $<INSTALL_INTERFACE:Qhull::qhull_r>)
-  string(APPEND abut_dependencies "find_dependency(Qhull CONFIG)\n")
-endif()
-if(ABUT_WITH_THREADS)
-  target_link_libraries(abut_modules INTERFACE $<INSTALL_INTERFACE:TBB::tbb>)
-  string(APPEND abut_dependencies "find_dependency(TBB CONFIG)\n")
-endif()
-configure_package_config_file(cmake/abut-config.cmake.in ${PROJECT_BINARY_DIR}/install/abut-config.cmake
-                              INSTALL_DESTINATION ${abut_package_dir} PATH_VARS abut_modules_dir
-                              NO_SET_AND_CHECK_MACRO)
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/install/abut-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/install/abut-config.cmake ${PROJECT_BINARY_DIR}/install/abut-config-version.cmake
-        DESTINATION ${abut_package_dir})
-
-# pkg-config files find the prefix from where they lie, so an installed tree can be moved.
+# pkg-config files find the prefix from where they lie.
 set(abut_pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH abut_prefix_from_pkgconfig /${abut_pkgconfig_dir} /)
 string(REGEX REPLACE "/$" "" abut_prefix_from_pkgconfig ${abut_prefix_from_pkgconfig})
 foreach(package abut abut_picking)
   if(TARGET ${package})
-    configure_file(cmake/${package}.pc.in ${PROJECT_BINARY_DIR}/install/${package}.pc @ONLY)
-    install(FILES ${PROJECT_BINARY_DIR}/install/${package}.pc DESTINATION ${abut_pkgconfig_dir})
+    configure_file(cmake/${package}.pc.in ${abut_generated_dir}/${package}.pc @ONLY)
+    install(FILES ${abut_generated_dir}/${package}.pc DESTINATION ${abut_pkgconfig_dir} COMPONENT dev)
+  endif()
+endforeach()
+
+if(TARGET abut_cli)
+  abut_find_libraries_in(abut_cli "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  install(TARGETS abut_cli RUNTIME COMPONENT tools)
+endif()
+
+# Links between the documents hold where they are installed, too.
+install(FILES README.md CHANGELOG.md LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs)
+install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs
+        PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)
+
+# Builds what is installed and nothing else.
+add_custom_target(abut_product DEPENDS abut abut_modules)
+foreach(target abut_picking abut_cli)
+  if(TARGET ${target})
+    add_dependencies(abut_product ${target})
   endif()
 endforeach()

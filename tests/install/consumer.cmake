@@ -1,20 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 # The steps of the test install_consumer.
-cmake_minimum_required(VERSION 3.28)
+include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 
-include(${CMAKE_CURRENT_LIST_DIR}/../run_step.cmake)
-
-# Of the program that ran last.
-function(expect text)
-  if(NOT output MATCHES "${text}")
-    message(FATAL_ERROR "expected \"${text}\", got\n${output}")
+# Documents and licences come along, and no file names the folder that it was built in.
+foreach(file README.md LICENSE NOTICE docs/conventions.md examples/c/first_query.c)
+  if(NOT EXISTS ${prefix}/share/doc/abut/${file})
+    message(FATAL_ERROR "${file} was not installed")
   endif()
-endfunction()
+endforeach()
+file(GLOB_RECURSE package_files ${lib_dir}/cmake/*.cmake ${lib_dir}/pkgconfig/*.pc)
+cmake_path(SET tree NORMALIZE ${source}/../..)
+foreach(file IN LISTS package_files)
+  file(READ ${file} text)
+  string(FIND "${text}" "${tree}" place)
+  if(NOT place EQUAL -1)
+    message(FATAL_ERROR "${file} names the folder ${tree}")
+  endif()
+endforeach()
 
-file(REMOVE_RECURSE ${work}/first ${work}/moved ${work}/modules ${work}/c)
-run(${CMAKE_COMMAND} --install ${build} --config ${config} --prefix ${work}/first)
-file(RENAME ${work}/first ${work}/moved)
-set(prefix ${work}/moved)
+# The program finds the library from where it lies.
+if(program)
+  run(${prefix}/bin/abut --version)
+  expect("^abut [0-9.]+\n$")
+endif()
 
 # import abut;
 run(${CMAKE_COMMAND} -G ${generator} -S ${source}/modules -B ${work}/modules -D CMAKE_CXX_COMPILER=${cxx}
@@ -25,9 +33,6 @@ expect("distance 2\n")
 
 # C, by pkg-config and whatever compiler is called cc.
 file(MAKE_DIRECTORY ${work}/c)
-file(GLOB_RECURSE pc ${prefix}/abut.pc)
-cmake_path(GET pc PARENT_PATH pkgconfig_dir)
-cmake_path(GET pkgconfig_dir PARENT_PATH lib_dir)
 set(ENV{PKG_CONFIG_PATH} ${pkgconfig_dir})
 set(ENV{LD_LIBRARY_PATH} ${lib_dir})
 # Before 1.0 each minor version has an ABI, and so a soname, of its own.
