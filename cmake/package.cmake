@@ -30,10 +30,10 @@ string(TIMESTAMP abut_package_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 # Tells the system that the list of libraries has changed.
 file(WRITE ${PROJECT_BINARY_DIR}/package/triggers "activate-noawait ldconfig\n")
 
-# abut_package(name component... SUMMARY text DESCRIPTION text [SECTION section] [DEPENDS text] [SUGGESTS text])
+# abut_package(name component... DESCRIPTION text SECTION section [DEPENDS text] [SUGGESTS text])
 # Variables of CPack are of the including file, hence a macro.
 macro(abut_package name)
-  cmake_parse_arguments(package "" "SUMMARY;DESCRIPTION;SECTION;DEPENDS;SUGGESTS" "" ${ARGN})
+  cmake_parse_arguments(package "" "DESCRIPTION;SECTION;DEPENDS;SUGGESTS" "" ${ARGN})
   string(MAKE_C_IDENTIFIER ${name} group)
   string(TOUPPER ${group} group_upper)
   # Licence and history of each package, which Debian asks for and a plain installation has elsewhere.
@@ -49,10 +49,8 @@ macro(abut_package name)
     string(TOUPPER ${component} component_upper)
     set(CPACK_COMPONENT_${component_upper}_GROUP ${group})
   endforeach()
-  set(CPACK_COMPONENT_GROUP_${group_upper}_DESCRIPTION "${package_SUMMARY}\n${package_DESCRIPTION}")
-  set(CPACK_COMPONENT_${group_upper}_DESCRIPTION "${package_SUMMARY}\n${package_DESCRIPTION}")
   set(CPACK_DEBIAN_${group_upper}_PACKAGE_NAME ${name})
-  set(CPACK_DEBIAN_${group_upper}_DESCRIPTION "${package_SUMMARY}\n${package_DESCRIPTION}")
+  set(CPACK_DEBIAN_${group_upper}_DESCRIPTION "${package_DESCRIPTION}")
   set(CPACK_DEBIAN_${group_upper}_PACKAGE_SECTION ${package_SECTION})
   set(CPACK_DEBIAN_${group_upper}_PACKAGE_DEPENDS "${package_DEPENDS}")
   set(CPACK_DEBIAN_${group_upper}_PACKAGE_SUGGESTS "${package_SUGGESTS}")
@@ -64,21 +62,17 @@ endmacro()
 set(abut_dev_depends "${abut_runtime} (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENTS_ALL "")
 abut_package(${abut_runtime} library SECTION libs
-             SUMMARY "3D collision detection, C library"
-             DESCRIPTION "Signed distances, contacts and rays for two shapes, or for a universe\nof many moving ones.")
+             DESCRIPTION "The C library: signed distances, contacts and rays for two shapes, or for\na universe of many moving ones.")
 if(TARGET abut_picking)
   abut_package(${abut_picking_runtime} picking SECTION libs DEPENDS "${abut_runtime} (= ${PROJECT_VERSION})"
-               SUMMARY "3D collision detection, picking library"
-               DESCRIPTION "Rays, the mouse and pictures against the universes of abut, through Embree.")
+               DESCRIPTION "The picking library: rays, the mouse and pictures against the universes\nof abut, through Embree.")
   string(APPEND abut_dev_depends ", ${abut_picking_runtime} (= ${PROJECT_VERSION})")
 endif()
 abut_package(libabut-dev dev modules docs SECTION libdevel DEPENDS "${abut_dev_depends}"
              SUGGESTS "cmake (>= 3.28), clang-19, clang-tools-19, ninja-build, libccd-dev, libqhull-dev, libtbb-dev"
-             SUMMARY "3D collision detection, development files"
-             DESCRIPTION "C headers, files for pkg-config and CMake, C++ modules with their static\nlibrary, documents. Importing the modules needs the suggested packages.")
+             DESCRIPTION "Development files: C headers, files for pkg-config and CMake, C++\nmodules with their static library, documents. Importing the modules needs\nthe suggested packages.")
 if(TARGET abut_cli)
   abut_package(abut-tools tools SECTION science DEPENDS "${abut_runtime} (= ${PROJECT_VERSION})"
-               SUMMARY "3D collision detection, program"
-               DESCRIPTION "Steps scenes that are written as JSON, writes their contacts, and explains\nwhat was done.")
+               DESCRIPTION "The program abut: steps scenes that are written as JSON, writes their\ncontacts, and explains what was done.")
 endif()
 include(CPack)
