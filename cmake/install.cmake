@@ -86,8 +86,8 @@ if(TARGET abut_cli)
   install(TARGETS abut_cli RUNTIME COMPONENT tools)
 endif()
 
-# Links between the documents hold where they are installed, too.
-install(FILES README.md CHANGELOG.md LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs)
+# Folders are as in the source, so that links from one document to another hold.
+install(FILES README.md CHANGELOG.md LICENSE NOTICE SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs)
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs
         PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)
 
