@@ -17,17 +17,17 @@ function(abut_find_libraries_in target folder)
 endfunction()
 
 install(TARGETS abut EXPORT abut_c LIBRARY COMPONENT library NAMELINK_COMPONENT dev)
-install(FILES include/abut/abut.h include/abut/abut.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut COMPONENT dev)
-install(DIRECTORY include/abut/cpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
 set(abut_exports c)
+set(abut_left_out PATTERN "picking.*" EXCLUDE)
 if(TARGET abut_picking)
   set_target_properties(abut_picking PROPERTIES EXPORT_NAME picking)
   abut_find_libraries_in(abut_picking "$ORIGIN")
   install(TARGETS abut_picking EXPORT abut_picking LIBRARY COMPONENT picking NAMELINK_COMPONENT dev)
-  install(FILES include/abut/picking.h include/abut/picking.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/abut
-          COMPONENT dev)
   list(APPEND abut_exports picking)
+  set(abut_left_out "")
 endif()
+install(DIRECTORY include/abut DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
+        FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" ${abut_left_out})
 foreach(name IN LISTS abut_exports)
   install(EXPORT abut_${name} NAMESPACE abut:: FILE abut-${name}.cmake DESTINATION ${abut_package_dir} COMPONENT dev)
 endforeach()
@@ -40,9 +40,9 @@ install(EXPORT abut_modules NAMESPACE abut:: FILE abut-modules-targets.cmake DES
         CXX_MODULES_DIRECTORY modules COMPONENT modules)
 configure_file(cmake/installed-sources.cmake.in ${abut_generated_dir}/installed-sources.cmake @ONLY)
 install(SCRIPT ${abut_generated_dir}/installed-sources.cmake COMPONENT modules)
-# Interface units include the headers beside them.
+# Interface units include the headers beside them. Those of picking are not installed.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/modules/ DESTINATION ${abut_modules_dir} COMPONENT modules
-        FILES_MATCHING PATTERN "*.hpp")
+        FILES_MATCHING PATTERN "*.hpp" PATTERN picking EXCLUDE)
 
 # What linking the static modules needs, as far as it was built: a target and the package that has it.
 set(abut_modules_need "")
