@@ -59,6 +59,21 @@ abut_status set_rule(abut_universe& its, const abut_collidable& a, const abut_co
   return done ? static_cast<abut_status>(ABUT_OK) : refuse(done.error());
 }
 
+// Sets a filter of either form; `ask` knows how it is called. The handle outlives the universe that is in it.
+template <class Filter, class Ask>
+abut_status set_filter(abut_universe* universe, Filter filter, Ask ask) {
+  return guard(universe, [&](abut_universe& its) {
+    if (filter == nullptr) {
+      its.universe.set_filter(nullptr);
+    } else {
+      its.universe.set_filter([ask, handle = &std::as_const(its)](abut::GeometryId a, abut::GeometryId b) {
+        return ask(handle, from_geometry(a), from_geometry(b)) != 0;
+      });
+    }
+    return abut_status{ABUT_OK};
+  });
+}
+
 }  // namespace
 
 abut_status abut_rule_set(abut_universe* universe, const abut_collidable* a, const abut_collidable* b, abut_rule rule) {
@@ -76,16 +91,14 @@ abut_status abut_rules_clear(abut_universe* universe) {
 }
 
 abut_status abut_universe_set_filter(abut_universe* universe, abut_filter filter, void* context) {
-  return guard(universe, [&](abut_universe& its) {
-    if (filter == nullptr) {
-      its.universe.set_filter(nullptr);
-    } else {
-      // The handle outlives the universe that is in it.
-      its.universe.set_filter([filter, context, handle = &std::as_const(its)](abut::GeometryId a, abut::GeometryId b) {
-        return filter(context, handle, from_geometry(a), from_geometry(b)) != 0;
-      });
-    }
-    return abut_status{ABUT_OK};
+  return set_filter(universe, filter, [=](const abut_universe* its, abut_geometry_id a, abut_geometry_id b) {
+    return filter(context, its, a, b);
+  });
+}
+
+abut_status abut_universe_set_pointer_filter(abut_universe* universe, abut_pointer_filter filter, void* context) {
+  return set_filter(universe, filter, [=](const abut_universe* its, abut_geometry_id a, abut_geometry_id b) {
+    return filter(context, its, &a, &b);
   });
 }
 

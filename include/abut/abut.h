@@ -998,6 +998,14 @@ typedef uint32_t (*abut_filter)(void *context, const abut_universe *universe, ab
  */
 ABUT_API abut_status abut_universe_set_filter(abut_universe *universe, abut_filter filter, void *context);
 
+/** An abut_filter for languages whose callbacks take no structs by value. Both ids are borrowed for the call. */
+typedef uint32_t (*abut_pointer_filter)(void *context, const abut_universe *universe,
+                                        const abut_geometry_id *geometry_a, const abut_geometry_id *geometry_b);
+
+/** The same as abut_universe_set_filter with a filter of the other form: a universe has one filter. [exclusive] */
+ABUT_API abut_status abut_universe_set_pointer_filter(abut_universe *universe, abut_pointer_filter filter,
+                                                      void *context);
+
 /** Asks the filter about all pairs again at the next step. [exclusive] */
 ABUT_API abut_status abut_universe_refilter(abut_universe *universe);
 

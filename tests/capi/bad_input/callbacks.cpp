@@ -71,6 +71,7 @@ ABUT_BUSY_TEST(GeometrySetParticles,
 ABUT_BUSY_TEST(RuleSet, abut_rule_set(scene.universe, &anything, &anything, ABUT_RULE_DISABLE))
 ABUT_BUSY_TEST(RulesClear, abut_rules_clear(scene.universe))
 ABUT_BUSY_TEST(UniverseSetFilter, abut_universe_set_filter(scene.universe, nullptr, nullptr))
+ABUT_BUSY_TEST(UniverseSetPointerFilter, abut_universe_set_pointer_filter(scene.universe, nullptr, nullptr))
 ABUT_BUSY_TEST(UniverseRefilter, abut_universe_refilter(scene.universe))
 ABUT_BUSY_TEST(PolicySet, abut_policy_set(scene.universe, 0, 0, nullptr))
 ABUT_BUSY_TEST(UniverseSetFocus, abut_universe_set_focus(scene.universe, nullptr, nullptr, 0))

@@ -81,6 +81,17 @@ TEST(UniverseSetFilter, RefusesNullUniverse) {
   EXPECT_TRUE(succeeded(abut_universe_set_filter(scene.universe, nullptr, nullptr))) << "no filter";
 }
 
+std::uint32_t keep_by_pointers(void*, const abut_universe*, const abut_geometry_id*, const abut_geometry_id*) {
+  return 1;
+}
+
+TEST(UniverseSetPointerFilter, RefusesNullUniverse) {
+  EXPECT_TRUE(
+      refused(abut_universe_set_pointer_filter(nullptr, keep_by_pointers, nullptr), ABUT_NULL_ARGUMENT, {"universe"}));
+  const Scene scene;
+  EXPECT_TRUE(succeeded(abut_universe_set_pointer_filter(scene.universe, nullptr, nullptr))) << "no filter";
+}
+
 TEST(UniverseRefilter, RefusesNullUniverse) {
   EXPECT_TRUE(refused(abut_universe_refilter(nullptr), ABUT_NULL_ARGUMENT, {"universe", "null"}));
 }

@@ -110,6 +110,21 @@ TEST(Filter, AnotherFilterIsAskedAboutEverything) {
   EXPECT_EQ(other.asked.size(), 3U);
 }
 
+std::uint32_t ask_by_pointers(void* context, const abut_universe* universe, const abut_geometry_id* a,
+                              const abut_geometry_id* b) {
+  return ask(context, universe, *a, *b);
+}
+
+TEST(Filter, IsAskedTheSameByPointers) {
+  Row row(3);
+  row.filter.left_out = {1, 2};
+  ASSERT_TRUE(succeeded(abut_universe_set_pointer_filter(row.universe, ask_by_pointers, &row.filter)));
+  EXPECT_EQ(row.universe.step().size(), 2U);
+  EXPECT_EQ(row.filter.asked, (Pairs{{1, 2}, {1, 3}, {2, 3}})) << "it took the place of the other filter";
+  ASSERT_TRUE(succeeded(abut_universe_set_pointer_filter(row.universe, nullptr, nullptr)));
+  EXPECT_EQ(row.universe.step().size(), 3U) << "without a filter all are kept";
+}
+
 TEST(Filter, MayParkWhichHappensAfterTheStep) {
   for (const abut_parking parking : {ABUT_PARKING_SHORT_TERM, ABUT_PARKING_LONG_TERM}) {
     Row row(3);

@@ -12,6 +12,7 @@ Status = c_int32
 
 # A filter of pairs: context, universe and two geometries to a number, of which 0 leaves the pair out.
 Filter = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_void_p, GeometryId, GeometryId)
+PointerFilter = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_void_p, POINTER(GeometryId), POINTER(GeometryId))
 
 FUNCTIONS = {
     "abut_set_last_error": (Status, [Status, c_char_p]),
@@ -127,6 +128,7 @@ FUNCTIONS = {
     "abut_rule_set": (Status, [c_void_p, POINTER(Collidable), POINTER(Collidable), c_uint32]),
     "abut_rules_clear": (Status, [c_void_p]),
     "abut_universe_set_filter": (Status, [c_void_p, Filter, c_void_p]),
+    "abut_universe_set_pointer_filter": (Status, [c_void_p, PointerFilter, c_void_p]),
     "abut_universe_refilter": (Status, [c_void_p]),
     "abut_sleep_init": (None, [POINTER(Sleep), c_uint32]),
     "abut_part_set_sleep": (Status, [c_void_p, PartId, POINTER(Sleep)]),
