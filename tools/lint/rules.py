@@ -5,11 +5,13 @@ import re
 
 from members import borrowed_members
 from sentences import prose_length, sentence_length
+from source import BINDINGS
 
 COLUMNS = 120
 HARD_LENGTH = 600
 SOFT_LENGTH = 300
 RAW = "modules/core/raw"
+LICENSED = {".py", ".sh", ".map", ".yml", ".yaml", ""}
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
 
 # The only folders that may touch a library, by the name of its include folder.
@@ -189,7 +191,7 @@ def line_length(source):
 
 def licence_line(source):
     """Every source names its licence, in the first line, or below the line that names its interpreter."""
-    limited = source.is_cxx or source.is_c or source.is_cmake or source.suffix in (".py", ".sh", ".map", ".yml", ".yaml", "")
+    limited = source.is_cxx or source.is_c or source.is_cmake or source.suffix in BINDINGS | LICENSED
     if limited and source.suffix != ".json" and LICENCE not in "\n".join(source.text.split("\n")[:2]):
         yield 1, f"no line {LICENCE}"
 

@@ -8,7 +8,8 @@ from pathlib import Path, PurePosixPath
 
 CXX = {".cppm", ".cpp", ".hpp"}
 C = {".c", ".h"}
-TEXT = CXX | C | {".cmake", ".in", ".txt", ".py", ".sh", ".md", ".json", ".jsonl", ".map", ".yml", ".yaml", ".rs", ".js"}
+BINDINGS = {".rs", ".go", ".cs", ".lua", ".mjs", ".ts"}
+TEXT = CXX | C | {".cmake", ".in", ".txt", ".py", ".sh", ".md", ".json", ".jsonl", ".map", ".yml", ".yaml", ".js"} | BINDINGS
 SKIPPED_FOLDERS = {".git", "build", "out", "__pycache__", "data", "corpus", "regress"}
 
 _RAW_STRING = re.compile(r'R"([^()\\ \t\n]{0,16})\(')

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+//! abut finds where 3D shapes touch: signed distances, contacts and rays, for two shapes ([`Pair`]) or for a
+//! [`Universe`] of many that move.
+//!
+//! Everything is in double precision and right-handed frames, in metres or any other unit of yours. Calls that fail
+//! change nothing and answer an [`Error`], which names the argument and the value. [`Shape`] and [`Universe`] may go to
+//! other threads. Threads may share both: what changes a universe needs it for itself (`&mut`).
+//!
+//! What is not wrapped is in [`raw`], the C interface as bindgen reads it from abut.h.
+#![deny(missing_docs, unsafe_op_in_unsafe_fn)]
+
+mod contact;
+mod error;
+mod meeting;
+mod options;
+mod pair;
+mod query;
+mod ray;
+mod shape;
+mod universe;
+mod value;
+mod view;
+
+/// The C interface; include/abut/abut.h describes each name.
+#[allow(missing_docs, non_camel_case_types, non_upper_case_globals)]
+pub mod raw;
+
+pub use contact::{Contact, Distance, Event, EventKind};
+pub use error::{Error, Result, Status};
+pub use meeting::{Asking, Collidable, QueryFilter, RayStart, Rule};
+pub use options::{
+    Algorithm, Broadphase, GeometryOptions, Motion, Parking, PartOptions, QueryOptions, ToleranceMode, UniverseOptions,
+};
+pub use pair::{Pair, PairMemory};
+pub use ray::{CastHit, Closest, Hit, Ray, RayHit};
+pub use shape::{Shape, Sides};
+pub use universe::Universe;
+pub use value::{Aabb, Feature, FeatureKind, GeometryId, PartId, Pose, Vec3};
+pub use view::{Stats, View};
+
+/// Version of the library that was loaded, such as "0.2.0".
+pub fn version() -> &'static str {
+    // SAFETY: the text is static and ASCII.
+    unsafe { std::ffi::CStr::from_ptr(raw::abut_version_string()) }.to_str().unwrap_or("")
+}

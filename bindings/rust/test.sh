@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Tests the crate, its documents and its first query.
+source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+need cargo
+
+export ABUT_LIB_DIR=$libraries CARGO_TARGET_DIR=$out CARGO_INCREMENTAL=0
+cd "$here"
+cargo test --offline --locked --quiet
+first_query cargo run --offline --locked --quiet --example first_query
