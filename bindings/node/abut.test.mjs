@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import koffi from 'koffi';
+import { AbutError, Shape, Universe, pairContacts, pairDistance, pairDistances, pose, version } from 'abut';
+import { abut, structs } from './library.mjs';
+
+const vector = (x, y, z) => ({ x, y, z });
+const square = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0];
+
+// A universe with a row of balls of radius 1, each 1.5 from the next.
+function row(count) {
+  const universe = new Universe();
+  const ball = Shape.sphere(1);
+  const parts = Array.from({ length: count }, (_, i) => universe.addPart({ pose: pose(1.5 * i) }));
+  const geometries = parts.map((part) => universe.addGeometry(part, ball));
+  ball.release();
+  return { universe, parts, geometries };
+}
+
+function contactsOfAStep(universe) {
+  universe.step(0.01);
+  return universe.contacts().length;
+}
+
+const refused = (status, words, call) =>
+  assert.throws(call, (thrown) => thrown instanceof AbutError && thrown.status === status && thrown.message.includes(words));
+
+test('structs are those of the library', () => {
+  const byName = Object.fromEntries(Object.values(structs).map((struct) => [struct.name, struct]));
+  const seen = new Set();
+  for (let i = 0; i < Number(abut.abut_layout_count()); ++i) {
+    const entry = {};
+    abut.abut_layout_at(i, entry);
+    const struct = byName[entry.type];
+    if (struct === undefined) continue;
+    seen.add(entry.type);
+    if (entry.field === '') {
+      assert.equal(koffi.sizeof(struct), Number(entry.size), entry.type);
+      continue;
+    }
+    const field = entry.field.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
+    assert.equal(koffi.offsetof(struct, field), Number(entry.offset), `${entry.type}.${field}`);
+  }
+  assert.deepEqual([...seen].sort(), Object.keys(byName).sort());
+  assert.match(version(), /^0\.2\./);
+});
+
+test('every kind can be made', () => {
+  const ball = Shape.sphere(1);
+  for (const [kind, shape] of Object.entries({
+    box: Shape.box(1, 2, 3),
+    capsule: Shape.capsule(0.5, 2),
+    cylinder: Shape.cylinder(0.5, 2),
+    plane: Shape.plane(vector(0, 0, 2), 0),
+    hull: Shape.hull(Float32Array.from(square)),
+    mesh: Shape.mesh(square, [0, 1, 2, 0, 2, 3], { sides: 'front' }),
+    particles: Shape.particles(square, 0.1),
+    composite: Shape.composite([ball, ball], [pose(), pose(3)]),
+    cone: Shape.ofKind('cone', 1, 2),
+  })) {
+    assert.equal(shape.kind, kind);
+  }
+});
+
+test('bad input is named', () => {
+  refused('ABUT_OUT_OF_RANGE', 'radius is -1', () => Shape.sphere(-1));
+  refused('ABUT_NOT_FINITE', 'radius', () => Shape.sphere(NaN));
+  refused('ABUT_UNKNOWN_VALUE', 'kind', () => Shape.ofKind('blob'));
+  refused('ABUT_INVALID_ARGUMENT', 'xyz has 4 numbers', () => Shape.hull([1, 2, 3, 4]));
+  refused('ABUT_INVALID_ARGUMENT', 'triangles has 2 numbers', () => Shape.mesh(square, [0, 1]));
+  refused('ABUT_INVALID_ARGUMENT', 'sides is back; expected one of both, front', () => Shape.mesh(square, [], { sides: 'back' }));
+  const ball = Shape.sphere(1);
+  refused('ABUT_INVALID_ARGUMENT', 'posesB has 0', () => pairDistances(ball, [pose()], ball, []));
+  refused('ABUT_INVALID_ARGUMENT', 'marign is no option; there are algorithm, errorBound, margin',
+    () => pairDistance(ball, pose(), ball, pose(), { marign: 1 }));
+  ball.release();
+  ball.release();
+  refused('ABUT_INVALID_ARGUMENT', 'has been released', () => pairDistance(ball, pose(), ball, pose()));
+  const { universe, parts, geometries } = row(1);
+  refused('ABUT_INVALID_ARGUMENT', 'motion is still', () => universe.addPart({ motion: 'still' }));
+  refused('ABUT_INVALID_ARGUMENT', 'poses has 0', () => universe.setPoses(parts, []));
+  universe.removePart(parts[0]);
+  refused('ABUT_STALE_ID', 'part', () => universe.setPose(parts[0], pose()));
+  refused('ABUT_STALE_ID', 'geometry', () => universe.park(geometries[0], 'shortTerm'));
+  universe.destroy();
+  universe.destroy();
+  refused('ABUT_INVALID_ARGUMENT', 'has been destroyed', () => universe.step(0.01));
+  assert.throws(() => new Shape(), TypeError);
+});
+
+test('two boxes', () => {
+  const box = Shape.box(1, 1, 1);
+  const apart = pairDistance(box, pose(), box, pose(3.5));
+  assert.equal(apart.distance, 1.5);
+  assert.deepEqual(apart.normal, vector(1, 0, 0));
+  const many = pairDistances(box, [pose(), pose()], box, [pose(3), pose(4)]);
+  assert.deepEqual(many.map((each) => each.distance), [1, 2]);
+  assert.deepEqual(pairDistances(box, [], box, []), []);
+  const contacts = pairContacts(box, pose(), box, pose(0, 0, 1.75));
+  assert.deepEqual(contacts.map((contact) => contact.distance), [-0.25, -0.25, -0.25, -0.25]);
+  assert.equal(pairContacts(box, pose(), box, pose(0, 0, 1.75), { maxContacts: 1 }).length, 1);
+});
+
+test('more contacts than expected are all there', () => {
+  const ball = Shape.sphere(0.5);
+  const poses = Array.from({ length: 20 }, (_, i) => pose(i, 0, 0.25));
+  const many = Shape.composite(poses.map(() => ball), poses);
+  assert.equal(pairContacts(many, pose(), Shape.plane(vector(0, 0, 1), 0), pose()).length, 20);
+});
+
+test('steps find contacts and events', () => {
+  const { universe, parts, geometries } = row(2);
+  assert.equal(contactsOfAStep(universe), 1);
+  const [contact] = universe.contacts();
+  assert.equal(contact.distance, -0.5);
+  assert.deepEqual([contact.geometryA, contact.geometryB], geometries);
+  assert.equal(universe.events()[0].kind, 'begin');
+  assert.match(universe.explain(), /2 geometries/);
+  universe.setPoses(parts, [pose(), pose(9)]);
+  assert.equal(contactsOfAStep(universe), 0);
+  assert.equal(universe.events()[0].kind, 'end');
+  assert.deepEqual(universe.pose(parts[1]), pose(9));
+  universe.addGeometry(universe.addPart({ motion: 'static', pose: pose(9) }), Shape.sphere(1), { mask: 2n });
+  assert.equal(contactsOfAStep(universe), 0, 'the masks say no');
+});
+
+test('a filter is asked and may park', () => {
+  const { universe, geometries } = row(3);
+  const asked = [];
+  universe.setFilter((a, b) => {
+    asked.push([a.slot, b.slot]);
+    universe.park(geometries[0], 'longTerm');
+    return b.slot !== geometries[2].slot;
+  });
+  assert.equal(contactsOfAStep(universe), 1);
+  assert.deepEqual(asked, [[1, 2], [2, 3]]);
+  assert.equal(contactsOfAStep(universe), 0, 'parked when the step was over');
+  universe.setFilter(null);
+  assert.equal(contactsOfAStep(universe), 1);
+});
+
+test('what a filter throws comes out of the step', () => {
+  const { universe } = row(2);
+  universe.setFilter(() => {
+    throw new RangeError('no idea');
+  });
+  assert.throws(() => universe.step(0.01), new RangeError('no idea'));
+  assert.equal(universe.contacts().length, 1);
+});
+
+test('filters of destroyed universes make room for others', () => {
+  // koffi has room for 8192 callbacks.
+  for (let i = 0; i < 9000; ++i) {
+    const universe = new Universe();
+    universe.setFilter(() => true);
+    universe.destroy();
+  }
+});
+
+test('universes with filters are collected', async () => {
+  const seen = new WeakRef(row(1).universe);
+  seen.deref()?.setFilter(() => true);
+  for (let i = 0; i < 20 && seen.deref() !== undefined; ++i) {
+    await new Promise((resolve) => setTimeout(resolve));
+    gc();
+  }
+  assert.equal(seen.deref(), undefined);
+});
+
+test('queries find geometries', () => {
+  const { universe, parts, geometries } = row(3);
+  universe.refresh();
+  const along = [vector(-5, 0, 0), vector(1, 0, 0)];
+  assert.deepEqual(universe.castRay(...along).geometry, geometries[0]);
+  assert.deepEqual(universe.castRay(...along, { ignorePart: parts[0] }).geometry, geometries[1]);
+  assert.equal(universe.castRay(...along, { maxDistance: 1 }), null);
+  const rays = [{ origin: along[0], direction: along[1] }, { origin: along[0], direction: vector(-1, 0, 0) }];
+  assert.deepEqual(universe.castRays(rays).map((hit) => hit?.distance), [4, undefined]);
+  const point = Shape.sphere(0.1);
+  const above = pose(3, 0, 3);
+  assert.ok(Math.abs(universe.closest(point, above).distance.distance - 1.9) < 1e-9);
+  assert.equal(universe.closest(point, above, { maxDistance: 1 }), null);
+  assert.ok(Math.abs(universe.castShape(point, above, vector(0, 0, -3.8)).fraction - 0.5) < 1e-9);
+  assert.equal(universe.castShape(point, above, vector(0, 0, 1)), null);
+  assert.deepEqual(universe.overlaps(point, pose(0.7)), geometries.slice(0, 2));
+});

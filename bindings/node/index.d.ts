@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+// abut finds where 3D shapes touch: distances, contacts and rays, for two shapes or for a universe of many that move.
+//
+// Frames are right-handed; lengths are in metres or any other unit of yours. Calls that fail throw an AbutError and change
+// nothing. Shapes and universes are freed when nobody holds them any more; release and destroy do it at once.
+
+/** A call that failed, and changed nothing. The message names the argument, the value and what was expected. */
+export class AbutError extends Error {
+  /** Its name in abut.h, such as "ABUT_OUT_OF_RANGE". */
+  readonly status: string;
+}
+
+/** Version of the library that was loaded, such as "0.2.0". */
+export function version(): string;
+
+export interface Vector {
+  x: number;
+  y: number;
+  z: number;
+}
+
+/** Unit quaternion. */
+export interface Quaternion {
+  w: number;
+  x: number;
+  y: number;
+  z: number;
+}
+
+/** Maps local points p to orientation * p + position. */
+export interface Pose {
+  position: Vector;
+  orientation: Quaternion;
+}
+
+/** A pose at x, y, z, not turned unless an orientation says so. */
+export function pose(x?: number, y?: number, z?: number, orientation?: Quaternion): Pose;
+
+declare const kind: unique symbol;
+
+/** A part of a universe: a body with a pose. When the part is gone, calls throw ABUT_STALE_ID. */
+export interface PartId {
+  readonly slot: number;
+  readonly generation: number;
+  readonly [kind]?: 'part';
+}
+
+/** A geometry of a universe: a shape on a part. A slot of 0 names none. */
+export interface GeometryId {
+  readonly slot: number;
+  readonly generation: number;
+  readonly [kind]?: 'geometry';
+}
+
+/** What of a shape touches or is hit: a kind as in abut.h, and the shape's own number. */
+export interface Feature {
+  kind: number;
+  index: number;
+}
+
+type Numbers = ArrayLike<number> & Iterable<number>;
+
+/** A shape. It never changes, so geometries and universes may share it. */
+export class Shape {
+  private constructor();
+  /** A solid ball, centred. */
+  static sphere(radius: number): Shape;
+  /** A solid box, centred, from half extents. */
+  static box(x: number, y: number, z: number): Shape;
+  /** All points within a radius of a segment along local Z. */
+  static capsule(radius: number, halfHeight: number): Shape;
+  /** A solid cylinder along local Z. */
+  static cylinder(radius: number, halfHeight: number): Shape;
+  /** The half-space of the points p with dot(normal, p) <= offset. */
+  static plane(normal: Vector, offset: number): Shape;
+  /** The convex hull of points, x, y, z each. */
+  static hull(xyz: Numbers): Shape;
+  /** A surface of triangles, three indices each, counter-clockwise seen from the front. */
+  static mesh(xyz: Numbers, triangles: Numbers, options?: { sides?: 'both' | 'front' }): Shape;
+  /** Many small balls of one radius. */
+  static particles(xyz: Numbers, radius: number): Shape;
+  /** Shapes of any kind as one, each at a pose of its own. */
+  static composite(children: readonly Shape[], poses: readonly Pose[]): Shape;
+  /** Any kind that numbers describe, such as ofKind('cone', radius, halfHeight); docs/shapes.md lists them. */
+  static ofKind(kind: string, ...parameters: number[]): Shape;
+  /** Name of its kind, such as "sphere". */
+  readonly kind: string;
+  /** The pointer of the C interface, for calls of your own. */
+  readonly pointer: bigint;
+  /** Gives the shape back now; geometries keep theirs. Twice is allowed. */
+  release(): void;
+}
+
+export interface QueryOptions {
+  algorithm?: 'auto' | 'analytic' | 'sat' | 'gjkEpa' | 'libccdGjk' | 'libccdMpr';
+  errorBound?: number;
+  /** Contacts are reported up to this distance. */
+  margin?: number;
+  /** How many contacts a patch keeps; 0 for all. */
+  maxContacts?: number;
+  /** How many all patches of a pair keep together; 0 for all. */
+  maxPairContacts?: number;
+}
+
+export interface Distance {
+  /** Negative where they overlap; the true distance lies in [lower, upper]. */
+  distance: number;
+  lower: number;
+  upper: number;
+  pointA: Vector;
+  pointB: Vector;
+  /** Unit, from a to b. */
+  normal: Vector;
+  algorithm: number;
+  iterations: number;
+}
+
+export interface Contact {
+  /** Slot 0 outside of a universe. */
+  geometryA: GeometryId;
+  geometryB: GeometryId;
+  /** The same while the same features touch. Large ones are bigint. */
+  id: number | bigint;
+  featureA: Feature;
+  featureB: Feature;
+  childA: number;
+  childB: number;
+  pointA: Vector;
+  pointB: Vector;
+  /** Unit, from a to b. */
+  normal: Vector;
+  /** Negative: overlapping. */
+  distance: number;
+  toi: number;
+  flags: number;
+  /** Steps in a row before this one that reported it. */
+  age: number;
+  userData: number | bigint;
+  materialA: number;
+  materialB: number;
+  tangent: Vector;
+}
+
+/** Signed distance of two shapes. */
+export function pairDistance(a: Shape, poseA: Pose, b: Shape, poseB: Pose, options?: QueryOptions): Distance;
+
+/** The same for many pairs of poses of two shapes, in one call. */
+export function pairDistances(
+  a: Shape, posesA: readonly Pose[], b: Shape, posesB: readonly Pose[], options?: QueryOptions): Distance[];
+
+/** Contact points of two shapes, deepest first. */
+export function pairContacts(a: Shape, poseA: Pose, b: Shape, poseB: Pose, options?: QueryOptions): Contact[];
+
+export interface UniverseOptions {
+  broadphase?: 'auto' | 'brute' | 'tree' | 'sweepAndPrune' | 'hashGrid';
+  toleranceMode?: 'deadBand' | 'margin';
+  maxContacts?: number;
+  maxPairContacts?: number;
+  origin?: Vector;
+  /** Of a step; 0 for as many as there may be. */
+  threads?: number;
+  /** Bits of ABUT_EVENTS_. */
+  events?: number;
+  flags?: number;
+}
+
+export interface PartOptions {
+  motion?: 'dynamic' | 'animated' | 'static';
+  pose?: Pose;
+  userData?: number | bigint;
+}
+
+export interface GeometryOptions {
+  /** Bits of ABUT_GEOMETRY_. */
+  flags?: number;
+  /** In the frame of the part. */
+  pose?: Pose;
+  tolerance?: number;
+  userData?: number | bigint;
+  layers?: number | bigint;
+  mask?: number | bigint;
+  exclusion?: number | bigint;
+  label?: number;
+  tag?: number;
+  material?: number;
+  parking?: Parking;
+}
+
+export type Parking = 'none' | 'shortTerm' | 'longTerm';
+
+/** Which geometries a query looks at; by default all. */
+export interface QueryFilter {
+  /** Bits of ABUT_QUERY_FILTER_. */
+  flags?: number;
+  layers?: number | bigint;
+  mask?: number | bigint;
+  ignorePart?: PartId;
+  ignoreGeometry?: GeometryId;
+  rayStart?: 'farSide' | 'solid' | 'skip';
+}
+
+export interface Event {
+  kind: 'begin' | 'persist' | 'end';
+  flags: number;
+  geometryA: GeometryId;
+  geometryB: GeometryId;
+  /** 0 for a pair. */
+  contactId: number | bigint;
+  firstContact: number;
+  contactCount: number;
+}
+
+export interface Ray {
+  origin: Vector;
+  direction: Vector;
+  /** Infinite by default. */
+  maxDistance?: number;
+}
+
+export interface Hit {
+  geometry: GeometryId;
+  feature: Feature;
+  child: number;
+  distance: number;
+  point: Vector;
+  normal: Vector;
+}
+
+export interface CastHit {
+  geometry: GeometryId;
+  /** Of the displacement. */
+  fraction: number;
+  contact: Distance;
+  featureA: Feature;
+  featureB: Feature;
+  childA: number;
+  childB: number;
+}
+
+/** A space in which parts meet. */
+export class Universe {
+  constructor(options?: UniverseOptions);
+  /** The pointer of the C interface, for calls of your own. */
+  readonly pointer: bigint;
+  /** Frees it now. Twice is allowed. */
+  destroy(): void;
+  addPart(options?: PartOptions): PartId;
+  /** Destroys a part with its geometries. */
+  removePart(part: PartId): void;
+  /** Places a part; takes effect for contacts at the next step. */
+  setPose(part: PartId, pose: Pose): void;
+  /** Places parts, all or none. */
+  setPoses(parts: readonly PartId[], poses: readonly Pose[]): void;
+  pose(part: PartId): Pose;
+  /** Puts a shape on a part. The universe keeps the shape alive. */
+  addGeometry(part: PartId, shape: Shape, options?: GeometryOptions): GeometryId;
+  removeGeometry(geometry: GeometryId): void;
+  /** Parks a geometry, or brings it back with 'none'. A filter may do that, too. */
+  park(geometry: GeometryId, parking: Parking): void;
+  /**
+   * Says which pairs that come near are kept; null keeps all. What it throws keeps the pair, and comes out of the step.
+   * One that names its universe keeps it alive: destroy the universe then.
+   */
+  setFilter(keeps: ((a: GeometryId, b: GeometryId) => boolean) | null): void;
+  /** Asks the filter about all pairs again at the next step. */
+  refilter(): void;
+  /** Finds what touches at the present poses; dt is the time since the step before. Moves nothing. */
+  step(dt: number): void;
+  /** A step that finds every pair anew. */
+  detectAll(): void;
+  /** Brings what queries see up to date with the poses, without detecting anything. */
+  refresh(): void;
+  /** Contacts of the last step, copied, ordered by the slots of the two geometries. */
+  contacts(): Contact[];
+  /** Events of the last step, copied. */
+  events(): Event[];
+  /** What the last step did and why, in words. */
+  explain(): string;
+  /** The first geometry that a ray meets. */
+  castRay(origin: Vector, direction: Vector, options?: QueryFilter & { maxDistance?: number }): Hit | null;
+  /** The same for many rays, in one call. */
+  castRays(rays: readonly Ray[], filter?: QueryFilter): (Hit | null)[];
+  /** The first geometry that a shape meets while it moves without turning. */
+  castShape(shape: Shape, pose: Pose, displacement: Vector, filter?: QueryFilter): CastHit | null;
+  /** Geometries that a shape touches, or has within a margin. */
+  overlaps(shape: Shape, pose: Pose, options?: QueryFilter & { margin?: number }): GeometryId[];
+  /** The geometry nearest to a shape. */
+  closest(shape: Shape, pose: Pose, options?: QueryFilter & { maxDistance?: number }):
+    { geometry: GeometryId; distance: Distance } | null;
+}
