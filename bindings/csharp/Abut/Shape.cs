@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+using System;
+using System.Runtime.InteropServices;
+
+namespace Abut
+{
+    /// <summary>A shape. It never changes, so threads and geometries may share it.</summary>
+    public sealed class Shape : SafeHandle
+    {
+        private Shape(IntPtr pointer) : base(IntPtr.Zero, true)
+        {
+            SetHandle(pointer);
+        }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        protected override bool ReleaseHandle()
+        {
+            Native.abut_shape_release(handle);
+            return true;
+        }
+
+        private static Shape Made(int status, IntPtr pointer)
+        {
+            Native.Check(status);
+            return new Shape(pointer);
+        }
+
+        /// <summary>A solid ball, centred.</summary>
+        public static Shape Sphere(double radius)
+        {
+            return Made(Native.abut_sphere_create(radius, out IntPtr shape), shape);
+        }
+
+        /// <summary>A solid box, centred, from half extents.</summary>
+        public static Shape Box(double x, double y, double z)
+        {
+            return Made(Native.abut_box_create(x, y, z, out IntPtr shape), shape);
+        }
+
+        /// <summary>All points within a radius of a segment along local Z.</summary>
+        public static Shape Capsule(double radius, double halfHeight)
+        {
+            return Made(Native.abut_capsule_create(radius, halfHeight, out IntPtr shape), shape);
+        }
+
+        /// <summary>The half-space of the points p with dot(normal, p) at most the offset.</summary>
+        public static Shape Plane(Vector normal, double offset)
+        {
+            return Made(Native.abut_plane_create(ref normal, offset, out IntPtr shape), shape);
+        }
+
+        /// <summary>The convex hull of points.</summary>
+        public static Shape Hull(Vector[] points)
+        {
+            return Made(Native.abut_hull_create(points, Count(points), out IntPtr shape), shape);
+        }
+
+        /// <summary>A surface of triangles, each three indices, counter-clockwise seen from the front.</summary>
+        public static Shape Mesh(Vector[] vertices, uint[] triangles)
+        {
+            if (triangles.Length % 3 != 0)
+            {
+                throw new ArgumentException($"triangles has {triangles.Length} indices, which is not a multiple of 3");
+            }
+            return Made(Native.abut_mesh_create(
+                vertices, Count(vertices), triangles, (UIntPtr)(uint)(triangles.Length / 3), IntPtr.Zero, out IntPtr shape), shape);
+        }
+
+        /// <summary>Any kind that numbers describe, such as "cone" from radius and half height.</summary>
+        public static Shape OfKind(string kind, params double[] parameters)
+        {
+            Native.abut_shape_desc_init(out Native.ShapeDesc desc, (uint)Marshal.SizeOf(typeof(Native.ShapeDesc)));
+            GCHandle pinned = GCHandle.Alloc(parameters, GCHandleType.Pinned);
+            try
+            {
+                desc.Kind = Native.abut_shape_kind_by_name(kind);
+                desc.Parameters = pinned.AddrOfPinnedObject();
+                desc.ParameterCount = (ulong)parameters.Length;
+                return Made(Native.abut_shape_create(ref desc, out IntPtr shape), shape);
+            }
+            finally
+            {
+                pinned.Free();
+            }
+        }
+
+        /// <summary>Name of the kind, such as "sphere".</summary>
+        public string Kind => Native.Text(Native.abut_shape_kind_name(Native.abut_shape_kind_of(this)));
+
+        private static UIntPtr Count(Array values) => (UIntPtr)(uint)values.Length;
+    }
+
+    /// <summary>Queries on two shapes.</summary>
+    public static class Pair
+    {
+        /// <summary>Their signed distance.</summary>
+        public static Distance Distance(Shape a, Pose poseA, Shape b, Pose poseB)
+        {
+            Native.Check(Native.abut_pair_distance(a, ref poseA, b, ref poseB, IntPtr.Zero, out Distance distance));
+            return distance;
+        }
+
+        /// <summary>The same for many pairs of poses, in one call.</summary>
+        public static Distance[] Distances(Shape a, Pose[] posesA, Shape b, Pose[] posesB)
+        {
+            if (posesA.Length != posesB.Length)
+            {
+                throw new ArgumentException($"posesA has {posesA.Length} poses and posesB has {posesB.Length}; expected as many");
+            }
+            var distances = new Distance[posesA.Length];
+            Native.Check(Native.abut_pairs_distance(
+                a, posesA, b, posesB, (UIntPtr)(uint)posesA.Length, IntPtr.Zero, distances));
+            return distances;
+        }
+
+        /// <summary>Their contact points, deepest first.</summary>
+        public static Contact[] Contacts(Shape a, Pose poseA, Shape b, Pose poseB)
+        {
+            var contacts = new Contact[8];
+            while (true)
+            {
+                Native.Check(Native.abut_pair_contacts(
+                    a, ref poseA, b, ref poseB, IntPtr.Zero, contacts, (UIntPtr)(uint)contacts.Length, out UIntPtr count));
+                bool isComplete = (ulong)count <= (ulong)contacts.Length;
+                Array.Resize(ref contacts, (int)count);
+                if (isComplete)
+                {
+                    return contacts;
+                }
+            }
+        }
+    }
+}

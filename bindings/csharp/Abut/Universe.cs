@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+using System;
+using System.Runtime.ExceptionServices;
+using System.Runtime.InteropServices;
+
+namespace Abut
+{
+    /// <summary>A space in which parts meet. One thread at a time may change it.</summary>
+    public sealed class Universe : SafeHandle
+    {
+        // The library keeps the function, so nobody may collect it.
+        private Native.Filter filter;
+        private Exception failure;
+
+        /// <param name="threads">Of a step; 0 is as many as there may be.</param>
+        public Universe(uint threads = 1) : base(IntPtr.Zero, true)
+        {
+            Native.abut_universe_options_init(
+                out Native.UniverseOptions options, (uint)Marshal.SizeOf(typeof(Native.UniverseOptions)));
+            options.Threads = threads;
+            Native.Check(Native.abut_universe_create(ref options, out IntPtr universe));
+            SetHandle(universe);
+        }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        protected override bool ReleaseHandle()
+        {
+            Native.abut_universe_destroy(handle);
+            return true;
+        }
+
+        /// <summary>Creates a part, which has no geometry yet.</summary>
+        public PartId AddPart(Pose pose, Motion motion = Motion.Dynamic)
+        {
+            Native.abut_part_options_init(out Native.PartOptions options, (uint)Marshal.SizeOf(typeof(Native.PartOptions)));
+            options.Pose = pose;
+            options.Motion = motion;
+            Native.Check(Native.abut_part_create(this, ref options, out PartId part));
+            return part;
+        }
+
+        /// <summary>Destroys a part with its geometries.</summary>
+        public void RemovePart(PartId part) => Native.Check(Native.abut_part_destroy(this, part));
+
+        /// <summary>Places a part; takes effect for contacts at the next step.</summary>
+        public void SetPose(PartId part, Pose pose) => Native.Check(Native.abut_part_set_pose(this, part, ref pose));
+
+        /// <summary>Puts a shape on a part. The universe keeps the shape alive.</summary>
+        public GeometryId AddGeometry(PartId part, Shape shape)
+        {
+            Native.Check(Native.abut_geometry_create(this, part, shape, IntPtr.Zero, out GeometryId geometry));
+            return geometry;
+        }
+
+        /// <summary>Parks a geometry, or brings it back. A filter may do that, too.</summary>
+        public void Park(GeometryId geometry, Parking parking)
+        {
+            Native.Check(Native.abut_geometry_park(this, geometry, parking));
+        }
+
+        /// <summary>Says which pairs that come near are kept; null keeps all. What it throws keeps the pair, and comes out
+        /// of the step.</summary>
+        public void SetFilter(Func<GeometryId, GeometryId, bool> keeps)
+        {
+            Native.Filter asked = null;
+            if (keeps != null)
+            {
+                asked = (context, universe, a, b) => Ask(keeps, a, b);
+            }
+            Native.Check(Native.abut_universe_set_filter(this, asked, IntPtr.Zero));
+            filter = asked;
+        }
+
+        // No exception may pass through C.
+        private uint Ask(Func<GeometryId, GeometryId, bool> keeps, GeometryId a, GeometryId b)
+        {
+            try
+            {
+                return failure != null || keeps(a, b) ? 1u : 0u;
+            }
+            catch (Exception thrown)
+            {
+                failure = thrown;
+                return 1;
+            }
+        }
+
+        /// <summary>Finds what touches at the present poses; dt is the time since the step before. It moves nothing.</summary>
+        public void Step(double dt)
+        {
+            int status = Native.abut_universe_step(this, dt);
+            GC.KeepAlive(filter);
+            Exception thrown = failure;
+            failure = null;
+            if (thrown != null)
+            {
+                ExceptionDispatchInfo.Capture(thrown).Throw();
+            }
+            Native.Check(status);
+        }
+
+        /// <summary>Contacts of the last step, copied, ordered by the slots of the two geometries.</summary>
+        public Contact[] Contacts()
+        {
+            Native.Check(Native.abut_universe_contacts(this, out IntPtr first, out UIntPtr count));
+            return Copied<Contact>(first, count);
+        }
+
+        /// <summary>Events of the last step, copied.</summary>
+        public Event[] Events()
+        {
+            Native.Check(Native.abut_universe_events(this, out IntPtr first, out UIntPtr count));
+            return Copied<Event>(first, count);
+        }
+
+        private T[] Copied<T>(IntPtr first, UIntPtr count) where T : struct
+        {
+            var values = new T[(int)count];
+            int size = Marshal.SizeOf(typeof(T));
+            for (int i = 0; i < values.Length; ++i)
+            {
+                values[i] = (T)Marshal.PtrToStructure(IntPtr.Add(first, i * size), typeof(T));
+            }
+            GC.KeepAlive(this);
+            return values;
+        }
+
+        /// <summary>The first geometry that a ray meets; null for none. It sees poses as of the last step.</summary>
+        public Hit? CastRay(Vector origin, Vector direction, double maxDistance = double.PositiveInfinity)
+        {
+            var ray = new Ray { Origin = origin, Direction = direction, MaxDistance = maxDistance };
+            Native.Check(Native.abut_universe_cast_rays(this, ref ray, (UIntPtr)1u, IntPtr.Zero, out Hit hit));
+            return hit.Geometry.Slot != 0 ? hit : (Hit?)null;
+        }
+    }
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests of the C# wrapper: a program of its own, since test frameworks are not in every distribution.
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Runtime.InteropServices;
+
+namespace Abut
+{
+    internal static class Test
+    {
+        private static readonly Pose Here = new Pose(0, 0, 0);
+
+        private static void Equal<T>(T expected, T found)
+        {
+            if (!Equals(expected, found))
+            {
+                throw new Exception($"found {found}; expected {expected}");
+            }
+        }
+
+        private static E Throws<E>(string words, Action action) where E : Exception
+        {
+            try
+            {
+                action();
+            }
+            catch (E thrown)
+            {
+                if (!thrown.Message.Contains(words))
+                {
+                    throw new Exception($"'{thrown.Message}' lacks '{words}'");
+                }
+                return thrown;
+            }
+            throw new Exception($"nothing was thrown about '{words}'");
+        }
+
+        // A universe with a row of balls of radius 1, each 1.5 from the next.
+        private static Universe Row(int count, out PartId[] parts, out GeometryId[] geometries)
+        {
+            var universe = new Universe();
+            using (Shape ball = Shape.Sphere(1))
+            {
+                parts = Enumerable.Range(0, count).Select(i => universe.AddPart(new Pose(1.5 * i, 0, 0))).ToArray();
+                geometries = parts.Select(part => universe.AddGeometry(part, ball)).ToArray();
+            }
+            return universe;
+        }
+
+        private static int ContactsOfAStep(Universe universe)
+        {
+            universe.Step(0.01);
+            return universe.Contacts().Length;
+        }
+
+        private static void StructsAreThoseOfTheLibrary()
+        {
+            var sizes = new Dictionary<string, ulong>();
+            for (uint i = 0; i < (uint)Native.abut_layout_count(); ++i)
+            {
+                Native.Check(Native.abut_layout_at((UIntPtr)i, out Native.LayoutEntry entry));
+                sizes[Native.Text(entry.Type) + "." + Native.Text(entry.Field)] = Native.Text(entry.Field) == "" ? entry.Size : entry.Offset;
+            }
+            foreach (var each in new Dictionary<string, Type>
+            {
+                { "vec3", typeof(Vector) }, { "quat", typeof(Quaternion) }, { "pose", typeof(Pose) }, { "part_id", typeof(PartId) },
+                { "geometry_id", typeof(GeometryId) }, { "feature", typeof(Feature) }, { "distance", typeof(Distance) },
+                { "contact", typeof(Contact) }, { "event", typeof(Event) }, { "ray", typeof(Ray) }, { "query_hit", typeof(Hit) },
+                { "part_options", typeof(Native.PartOptions) }, { "universe_options", typeof(Native.UniverseOptions) },
+                { "shape_desc", typeof(Native.ShapeDesc) },
+            })
+            {
+                Equal(sizes["abut_" + each.Key + "."], (ulong)Marshal.SizeOf(each.Value));
+            }
+            Equal(sizes["abut_contact.normal"], (ulong)Marshal.OffsetOf(typeof(Contact), "Normal"));
+            Equal(sizes["abut_contact.tangent"], (ulong)Marshal.OffsetOf(typeof(Contact), "Tangent"));
+            Equal(sizes["abut_query_hit.normal"], (ulong)Marshal.OffsetOf(typeof(Hit), "Normal"));
+            Equal(sizes["abut_universe_options.threads"], (ulong)Marshal.OffsetOf(typeof(Native.UniverseOptions), "Threads"));
+        }
+
+        private static void EveryKindCanBeMade()
+        {
+            var square = new[] { new Vector(-1, -1, 0), new Vector(1, -1, 0), new Vector(1, 1, 0), new Vector(-1, 1, 0) };
+            Equal("box", Shape.Box(1, 2, 3).Kind);
+            Equal("capsule", Shape.Capsule(0.5, 2).Kind);
+            Equal("plane", Shape.Plane(new Vector(0, 0, 2), 0).Kind);
+            Equal("hull", Shape.Hull(square).Kind);
+            Equal("mesh", Shape.Mesh(square, new uint[] { 0, 1, 2, 0, 2, 3 }).Kind);
+            Equal("cone", Shape.OfKind("cone", 1, 2).Kind);
+        }
+
+        private static void BadInputIsNamed()
+        {
+            Equal(Status.OutOfRange, Throws<AbutException>("radius is -1", () => Shape.Sphere(-1)).Status);
+            Equal(Status.NotFinite, Throws<AbutException>("radius", () => Shape.Sphere(double.NaN)).Status);
+            Throws<AbutException>("kind", () => Shape.OfKind("blob"));
+            Throws<ArgumentException>("triangles has 2 indices", () => Shape.Mesh(new Vector[3], new uint[2]));
+            Shape ball = Shape.Sphere(1);
+            Throws<ArgumentException>("posesB has 0", () => Pair.Distances(ball, new[] { Here }, ball, new Pose[0]));
+            ball.Dispose();
+            Throws<ObjectDisposedException>("", () => Pair.Distance(ball, Here, ball, Here));
+            using (Universe universe = Row(1, out PartId[] parts, out _))
+            {
+                universe.RemovePart(parts[0]);
+                Throws<AbutException>("part", () => universe.SetPose(parts[0], Here));
+            }
+        }
+
+        private static void TwoShapes()
+        {
+            using (Shape box = Shape.Box(1, 1, 1))
+            {
+                Equal(1.5, Pair.Distance(box, Here, box, new Pose(3.5, 0, 0)).Value);
+                Distance[] many = Pair.Distances(box, new[] { Here, Here }, box, new[] { new Pose(3, 0, 0), new Pose(4, 0, 0) });
+                Equal("1 2", string.Join(" ", many.Select(each => each.Value)));
+                Contact[] contacts = Pair.Contacts(box, Here, box, new Pose(0, 0, 1.75));
+                Equal(4, contacts.Length);
+                Equal(-0.25, contacts[3].Distance);
+                Equal(new Vector(0, 0, 1), contacts[3].Normal);
+            }
+        }
+
+        private static void StepsFindContactsAndEvents()
+        {
+            using (Universe universe = Row(2, out PartId[] parts, out GeometryId[] geometries))
+            {
+                Equal(1, ContactsOfAStep(universe));
+                Equal(-0.5, universe.Contacts()[0].Distance);
+                Equal(geometries[1], universe.Contacts()[0].GeometryB);
+                Equal(EventKind.Begin, universe.Events()[0].Kind);
+                Equal(geometries[0], universe.CastRay(new Vector(-5, 0, 0), new Vector(1, 0, 0)).Value.Geometry);
+                Equal(false, universe.CastRay(new Vector(-5, 0, 0), new Vector(-1, 0, 0)).HasValue);
+                universe.SetPose(parts[1], new Pose(9, 0, 0));
+                Equal(0, ContactsOfAStep(universe));
+                Equal(EventKind.End, universe.Events()[0].Kind);
+            }
+        }
+
+        private static void FiltersAreAskedAndMayParkAndThrow()
+        {
+            using (Universe universe = Row(3, out _, out GeometryId[] geometries))
+            {
+                int asked = 0;
+                universe.SetFilter((a, b) =>
+                {
+                    ++asked;
+                    universe.Park(geometries[0], Parking.LongTerm);
+                    return b.Slot != geometries[2].Slot;
+                });
+                GC.Collect();
+                Equal(1, ContactsOfAStep(universe));
+                Equal(2, asked);
+                Equal(0, ContactsOfAStep(universe));
+                universe.SetFilter((a, b) => throw new InvalidOperationException("no idea"));
+                Throws<InvalidOperationException>("no idea", () => universe.Step(0.01));
+                universe.SetFilter(null);
+                Equal(1, ContactsOfAStep(universe));
+            }
+        }
+
+        private static void Main()
+        {
+            foreach (Action test in new Action[]
+            {
+                StructsAreThoseOfTheLibrary, EveryKindCanBeMade, BadInputIsNamed, TwoShapes, StepsFindContactsAndEvents,
+                FiltersAreAskedAndMayParkAndThrow,
+            })
+            {
+                test();
+                Console.WriteLine("passed " + test.Method.Name);
+            }
+        }
+    }
+}
