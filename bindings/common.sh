@@ -16,6 +16,18 @@ need() {
   done
 }
 
+# What an installed library has: a file that tells pkg-config where it is.
+describe_library() {
+  cat > "$out/abut.pc" <<END
+Name: abut
+Description: the library of this build
+Version: 0.2.0
+Cflags: -I$(cd "$here/../../include" && pwd -P)
+Libs: -L$libraries -labut
+END
+  export PKG_CONFIG_PATH=$out
+}
+
 skip() {
   echo "skipped: $*"
   exit 77

@@ -4,7 +4,7 @@ local ffi = require "ffi"
 local version = require "abut_cdef"
 
 local core = {}
-local library = ffi.load(os.getenv("ABUT_LIBRARY") or "abut")
+local library = ffi.load(os.getenv("ABUT_LIBRARY") or ("libabut.so.%d.%d"):format(version.major, version.minor))
 core.library = library
 
 local Error = {}
@@ -65,11 +65,12 @@ function core.value(field, word)
   return number
 end
 
--- A struct of options with the defaults of the library, and the fields of a table on top.
+-- A struct of options with the defaults of the library, and the fields of a table on top; null where there is no table.
 function core.options(name, fields)
+  if not fields then return nil end
   local struct = ffi.new(name)
   library[name .. "_init"](struct, ffi.sizeof(struct))
-  for field, value in pairs(fields or {}) do
+  for field, value in pairs(fields) do
     local number = core.value(field, value)
     local is_known = pcall(function() struct[field] = number end)
     if not is_known then core.refuse("%s cannot be %s in %s", field, tostring(value), name) end

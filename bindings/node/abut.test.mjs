@@ -96,6 +96,10 @@ test('two boxes', () => {
   assert.deepEqual(apart.normal, vector(1, 0, 0));
   const many = pairDistances(box, [pose(), pose()], box, [pose(3), pose(4)]);
   assert.deepEqual(many.map((each) => each.distance), [1, 2]);
+  const numbers = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0);
+  assert.deepEqual(pairDistances(box, numbers, box, [pose(3), pose(4)]), many);
+  refused('ABUT_INVALID_ARGUMENT', 'posesA has 13 numbers', () => pairDistances(box, numbers.subarray(1), box, [pose()]));
+  refused('ABUT_NOT_FINITE', 'pose_a', () => pairDistance(box, { position: {}, orientation: {} }, box, pose()));
   assert.deepEqual(pairDistances(box, [], box, []), []);
   const contacts = pairContacts(box, pose(), box, pose(0, 0, 1.75));
   assert.deepEqual(contacts.map((contact) => contact.distance), [-0.25, -0.25, -0.25, -0.25]);
@@ -114,6 +118,7 @@ test('steps find contacts and events', () => {
   assert.equal(contactsOfAStep(universe), 1);
   const [contact] = universe.contacts();
   assert.equal(contact.distance, -0.5);
+  assert.equal(typeof contact.id, 'bigint');
   assert.deepEqual([contact.geometryA, contact.geometryB], geometries);
   assert.equal(universe.events()[0].kind, 'begin');
   assert.match(universe.explain(), /2 geometries/);

@@ -33,6 +33,9 @@ export interface Pose {
   orientation: Quaternion;
 }
 
+/** Poses as objects, or 7 numbers each: x, y, z of the position, then w, x, y, z of the orientation. */
+export type Poses = readonly Pose[] | Float64Array;
+
 /** A pose at x, y, z, not turned unless an orientation says so. */
 export function pose(x?: number, y?: number, z?: number, orientation?: Quaternion): Pose;
 
@@ -80,7 +83,7 @@ export class Shape {
   /** Many small balls of one radius. */
   static particles(xyz: Numbers, radius: number): Shape;
   /** Shapes of any kind as one, each at a pose of its own. */
-  static composite(children: readonly Shape[], poses: readonly Pose[]): Shape;
+  static composite(children: readonly Shape[], poses: Poses): Shape;
   /** Any kind that numbers describe, such as ofKind('cone', radius, halfHeight); docs/shapes.md lists them. */
   static ofKind(kind: string, ...parameters: number[]): Shape;
   /** Name of its kind, such as "sphere". */
@@ -119,8 +122,8 @@ export interface Contact {
   /** Slot 0 outside of a universe. */
   geometryA: GeometryId;
   geometryB: GeometryId;
-  /** The same while the same features touch. Large ones are bigint. */
-  id: number | bigint;
+  /** The same while the same features touch. */
+  id: bigint;
   featureA: Feature;
   featureB: Feature;
   childA: number;
@@ -135,7 +138,7 @@ export interface Contact {
   flags: number;
   /** Steps in a row before this one that reported it. */
   age: number;
-  userData: number | bigint;
+  userData: bigint;
   materialA: number;
   materialB: number;
   tangent: Vector;
@@ -146,7 +149,7 @@ export function pairDistance(a: Shape, poseA: Pose, b: Shape, poseB: Pose, optio
 
 /** The same for many pairs of poses of two shapes, in one call. */
 export function pairDistances(
-  a: Shape, posesA: readonly Pose[], b: Shape, posesB: readonly Pose[], options?: QueryOptions): Distance[];
+  a: Shape, posesA: Poses, b: Shape, posesB: Poses, options?: QueryOptions): Distance[];
 
 /** Contact points of two shapes, deepest first. */
 export function pairContacts(a: Shape, poseA: Pose, b: Shape, poseB: Pose, options?: QueryOptions): Contact[];
@@ -205,7 +208,7 @@ export interface Event {
   geometryA: GeometryId;
   geometryB: GeometryId;
   /** 0 for a pair. */
-  contactId: number | bigint;
+  contactId: bigint;
   firstContact: number;
   contactCount: number;
 }
@@ -250,7 +253,7 @@ export class Universe {
   /** Places a part; takes effect for contacts at the next step. */
   setPose(part: PartId, pose: Pose): void;
   /** Places parts, all or none. */
-  setPoses(parts: readonly PartId[], poses: readonly Pose[]): void;
+  setPoses(parts: readonly PartId[], poses: Poses): void;
   pose(part: PartId): Pose;
   /** Puts a shape on a part. The universe keeps the shape alive. */
   addGeometry(part: PartId, shape: Shape, options?: GeometryOptions): GeometryId;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // abut for Node: shapes, queries on two of them, and universes. index.d.ts describes all of it.
-import { abut, decode, fill, made, options, refuse, room, structs } from './library.mjs';
+import {
+  abut, answer, codecs, expectAsMany, made, options, poseAt, posesOf, refuse, structs, vectorAt,
+} from './library.mjs';
 
 export { AbutError } from './library.mjs';
 export { Universe } from './universe.mjs';
@@ -17,10 +19,6 @@ const forgotten = new FinalizationRegistry((pointer) => abut.abut_shape_release(
 function expectThrees(name, values) {
   if (values.length % 3 !== 0) refuse(`${name} has ${values.length} numbers, which is not a multiple of 3`);
   return values.length / 3;
-}
-
-export function expectAsMany(nameA, a, nameB, b) {
-  if (a.length !== b.length) refuse(`${nameA} has ${a.length} elements and ${nameB} has ${b.length}; expected as many`);
 }
 
 export class Shape {
@@ -49,7 +47,7 @@ export class Shape {
   }
 
   static plane(normal, offset) {
-    return new Shape(made(abut.abut_plane_create, normal, offset));
+    return new Shape(made(abut.abut_plane_create, vectorAt(normal), offset));
   }
 
   static hull(xyz) {
@@ -71,8 +69,9 @@ export class Shape {
   }
 
   static composite(children, poses) {
-    expectAsMany('children', children, 'poses', poses);
-    return new Shape(made(abut.abut_composite_create, children.map((child) => child.pointer), poses, poses.length));
+    const { bytes, count } = posesOf('poses', poses);
+    expectAsMany('children', children.length, 'poses', count);
+    return new Shape(made(abut.abut_composite_create, children.map((child) => child.pointer), bytes, count));
   }
 
   static ofKind(kind, ...parameters) {
@@ -99,21 +98,21 @@ export class Shape {
 }
 
 export function pairDistance(a, poseA, b, poseB, fields) {
-  const out = {};
-  abut.abut_pair_distance(a.pointer, poseA, b.pointer, poseB, options(structs.queryOptions, fields), out);
-  return out;
+  return answer(codecs.distance, abut.abut_pair_distance, a.pointer, poseAt(poseA, 0), b.pointer, poseAt(poseB, 1),
+    options(structs.queryOptions, fields));
 }
 
 export function pairDistances(a, posesA, b, posesB, fields) {
-  expectAsMany('posesA', posesA, 'posesB', posesB);
-  const out = room(structs.distance, posesA.length);
-  const its = options(structs.queryOptions, fields);
-  abut.abut_pairs_distance(a.pointer, posesA, b.pointer, posesB, posesA.length, its, out);
-  return decode(out, structs.distance, posesA.length);
+  const [first, second] = [posesOf('posesA', posesA), posesOf('posesB', posesB)];
+  expectAsMany('posesA', first.count, 'posesB', second.count);
+  const out = codecs.distance.room(first.count);
+  abut.abut_pairs_distance(a.pointer, first.bytes, b.pointer, second.bytes, first.count,
+    options(structs.queryOptions, fields), out.bytes);
+  return out.first(first.count);
 }
 
 export function pairContacts(a, poseA, b, poseB, fields) {
   const its = options(structs.queryOptions, fields);
-  return fill(structs.contact, (place, capacity, count) =>
-    abut.abut_pair_contacts(a.pointer, poseA, b.pointer, poseB, its, place, capacity, count));
+  return codecs.contact.fill((place, capacity, count) => abut.abut_pair_contacts(
+    a.pointer, poseAt(poseA, 0), b.pointer, poseAt(poseB, 1), its, place, capacity, count));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C interface as far as the package uses it: structs, functions, failures. include/abut/abut.h describes each.
 import koffi from 'koffi';
+import { Codec } from './codec.mjs';
 
 const vector = koffi.struct('abut_vec3', { x: 'double', y: 'double', z: 'double' });
 const quaternion = koffi.struct('abut_quat', { w: 'double', x: 'double', y: 'double', z: 'double' });
@@ -64,6 +65,11 @@ export const structs = {
   layoutEntry: koffi.struct('abut_layout_entry', { type: 'str', field: 'str', offset: 'uint64_t', size: 'uint64_t' }),
 };
 
+/** How structs that calls take and answer lie in memory. */
+export const codecs = Object.fromEntries(
+  ['vector', 'pose', 'partId', 'geometryId', 'distance', 'contact', 'event', 'ray', 'hit', 'castHit', 'closest']
+    .map((name) => [name, new Codec(structs[name])]));
+
 koffi.opaque('abut_shape');
 koffi.opaque('abut_universe');
 export const Filter = koffi.pointer(koffi.proto(
@@ -120,7 +126,7 @@ const prototypes = [
   'uint32_t abut_shape_kind_of(abut_shape *shape)',
 
   'int32_t abut_pair_distance(abut_shape *a, const abut_pose *pose_a, abut_shape *b, const abut_pose *pose_b, ' +
-    'const abut_query_options *options, _Out_ abut_distance *out)',
+    'const abut_query_options *options, abut_distance *out)',
   'int32_t abut_pairs_distance(abut_shape *a, const abut_pose *poses_a, abut_shape *b, const abut_pose *poses_b, ' +
     'size_t count, const abut_query_options *options, void *out)',
   'int32_t abut_pair_contacts(abut_shape *a, const abut_pose *pose_a, abut_shape *b, const abut_pose *pose_b, ' +
@@ -128,13 +134,13 @@ const prototypes = [
 
   'int32_t abut_universe_create(const abut_universe_options *options, _Out_ abut_universe **out)',
   'void abut_universe_destroy(abut_universe *universe)',
-  'int32_t abut_part_create(abut_universe *universe, const abut_part_options *options, _Out_ abut_part_id *out)',
+  'int32_t abut_part_create(abut_universe *universe, const abut_part_options *options, abut_part_id *out)',
   'int32_t abut_part_destroy(abut_universe *universe, abut_part_id part)',
   'int32_t abut_part_set_pose(abut_universe *universe, abut_part_id part, const abut_pose *pose)',
   'int32_t abut_parts_set_poses(abut_universe *universe, const abut_part_id *parts, const abut_pose *poses, size_t count)',
-  'int32_t abut_part_pose(abut_universe *universe, abut_part_id part, _Out_ abut_pose *out)',
+  'int32_t abut_part_pose(abut_universe *universe, abut_part_id part, abut_pose *out)',
   'int32_t abut_geometry_create(abut_universe *universe, abut_part_id part, abut_shape *shape, ' +
-    'const abut_geometry_options *options, _Out_ abut_geometry_id *out)',
+    'const abut_geometry_options *options, abut_geometry_id *out)',
   'int32_t abut_geometry_destroy(abut_universe *universe, abut_geometry_id geometry)',
   'int32_t abut_geometry_park(abut_universe *universe, abut_geometry_id geometry, uint32_t parking)',
   'int32_t abut_universe_set_filter(abut_universe *universe, abut_filter *filter, void *context)',
@@ -153,7 +159,7 @@ const prototypes = [
   'int32_t abut_universe_overlaps(abut_universe *universe, abut_shape *shape, const abut_pose *pose, ' +
     'const abut_query_filter *filter, double margin, void *geometries, size_t capacity, _Out_ size_t *count)',
   'int32_t abut_universe_closest(abut_universe *universe, abut_shape *shape, const abut_pose *pose, double max_distance, ' +
-    'const abut_query_filter *filter, _Out_ abut_closest *out, _Out_ uint32_t *found)',
+    'const abut_query_filter *filter, abut_closest *out, _Out_ uint32_t *found)',
   ...Object.entries(structs).filter(([name]) => /Options|Filter|Desc/.test(name)).map(([, struct]) =>
     `void ${struct.name}_init(_Out_ ${struct.name} *out, uint32_t struct_size)`),
 ];
@@ -170,24 +176,35 @@ export function made(call, ...values) {
   return out[0];
 }
 
-/** Structs in memory of C, as objects. */
-export function decode(pointer, struct, count) {
-  return Number(count) === 0 ? [] : koffi.decode(pointer, struct, Number(count));
+/** The one struct that a call writes to its last argument. */
+export function answer(codec, call, ...values) {
+  const out = codec.room();
+  call(...values, out.bytes);
+  return out.get();
 }
 
-/** Room for structs, for a call that fills it. */
-export function room(struct, count) {
-  return Buffer.alloc(Math.max(koffi.sizeof(struct) * count, 1));
+// Poses and vectors are read before a call returns, so each place in a call has memory that is used again and again.
+const scratch = { pose: [codecs.pose.room(), codecs.pose.room()], vector: [codecs.vector.room(), codecs.vector.room()] };
+
+export function poseAt(pose, place = 0) {
+  scratch.pose[place].set(pose);
+  return scratch.pose[place].bytes;
 }
 
-/** Objects that a call fills by count-then-fill: call(place, capacity, count). */
-export function fill(struct, call) {
-  const count = [0];
-  for (let capacity = 8; ; capacity = Number(count[0])) {
-    const place = room(struct, capacity);
-    call(place, capacity, count);
-    if (Number(count[0]) <= capacity) return decode(place, struct, count[0]);
-  }
+export function vectorAt(vector, place = 0) {
+  scratch.vector[place].set(vector);
+  return scratch.vector[place].bytes;
+}
+
+/** Poses as they are, or 7 numbers each: x, y, z of the position, then w, x, y, z of the orientation. */
+export function posesOf(name, poses) {
+  if (!(poses instanceof Float64Array)) return { bytes: codecs.pose.encode(poses), count: poses.length };
+  if (poses.length % 7 !== 0) refuse(`${name} has ${poses.length} numbers, which is not a multiple of 7`);
+  return { bytes: new Uint8Array(poses.buffer, poses.byteOffset, poses.byteLength), count: poses.length / 7 };
+}
+
+export function expectAsMany(nameA, countA, nameB, countB) {
+  if (countA !== countB) refuse(`${nameA} has ${countA} elements and ${nameB} has ${countB}; expected as many`);
 }
 
 // Fields that are words here and numbers there.
@@ -207,8 +224,9 @@ export function numberOf(field, word) {
   return number >= 0 ? number : refuse(`${field} is ${word}; expected one of ${words[field].join(', ')}`);
 }
 
-/** Options with the defaults of the library, and the given fields on top. */
-export function options(struct, fields = {}) {
+/** Options with the defaults of the library, and the given fields on top; null where none is given. */
+export function options(struct, fields) {
+  if (fields === undefined) return null;
   const all = {};
   abut[`${struct.name}_init`](all, koffi.sizeof(struct));
   for (const [field, value] of Object.entries(fields)) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A universe: parts that move, geometries on them, and steps that find what touches.
 import koffi from 'koffi';
-import { Filter, abut, decode, fill, made, numberOf, options, refuse, room, structs } from './library.mjs';
+import {
+  Filter, abut, answer, codecs, expectAsMany, made, numberOf, options, poseAt, posesOf, refuse, structs, vectorAt,
+} from './library.mjs';
 
 const eventKinds = ['begin', 'persist', 'end'];
 const hitNearest = 0;
@@ -36,9 +38,7 @@ export class Universe {
   }
 
   addPart(fields) {
-    const out = {};
-    abut.abut_part_create(this.pointer, options(structs.partOptions, fields), out);
-    return out;
+    return answer(codecs.partId, abut.abut_part_create, this.pointer, options(structs.partOptions, fields));
   }
 
   removePart(part) {
@@ -46,26 +46,22 @@ export class Universe {
   }
 
   setPose(part, pose) {
-    abut.abut_part_set_pose(this.pointer, part, pose);
+    abut.abut_part_set_pose(this.pointer, part, poseAt(pose));
   }
 
   setPoses(parts, poses) {
-    if (parts.length !== poses.length) {
-      refuse(`parts has ${parts.length} elements and poses has ${poses.length}; expected as many`);
-    }
-    abut.abut_parts_set_poses(this.pointer, parts, poses, parts.length);
+    const { bytes, count } = posesOf('poses', poses);
+    expectAsMany('parts', parts.length, 'poses', count);
+    abut.abut_parts_set_poses(this.pointer, codecs.partId.encode(parts), bytes, count);
   }
 
   pose(part) {
-    const out = {};
-    abut.abut_part_pose(this.pointer, part, out);
-    return out;
+    return answer(codecs.pose, abut.abut_part_pose, this.pointer, part);
   }
 
   addGeometry(part, shape, fields) {
-    const out = {};
-    abut.abut_geometry_create(this.pointer, part, shape.pointer, options(structs.geometryOptions, fields), out);
-    return out;
+    const its = options(structs.geometryOptions, fields);
+    return answer(codecs.geometryId, abut.abut_geometry_create, this.pointer, part, shape.pointer, its);
   }
 
   removeGeometry(geometry) {
@@ -121,19 +117,19 @@ export class Universe {
     abut.abut_universe_refresh(this.pointer);
   }
 
-  #lent(call, struct) {
+  #lent(call, codec) {
     const pointer = [null];
     const count = [0];
     call(this.pointer, pointer, count);
-    return decode(pointer[0], struct, count[0]);
+    return codec.copies(pointer[0], Number(count[0]));
   }
 
   contacts() {
-    return this.#lent(abut.abut_universe_contacts, structs.contact);
+    return this.#lent(abut.abut_universe_contacts, codecs.contact);
   }
 
   events() {
-    return this.#lent(abut.abut_universe_events, structs.event).map(
+    return this.#lent(abut.abut_universe_events, codecs.event).map(
       (event) => ({ ...event, kind: eventKinds[event.kind] }));
   }
 
@@ -150,30 +146,30 @@ export class Universe {
   }
 
   castRays(rays, filter) {
-    const out = room(structs.hit, rays.length);
-    const all = rays.map((ray) => ({ maxDistance: Infinity, ...ray }));
-    abut.abut_universe_cast_rays(this.pointer, all, all.length, options(structs.queryFilter, filter), out);
-    return decode(out, structs.hit, all.length).map((hit) => (hit.geometry.slot === 0 ? null : hit));
+    const out = codecs.hit.room(rays.length);
+    const all = codecs.ray.encode(rays.map((ray) => ({ maxDistance: Infinity, ...ray })));
+    abut.abut_universe_cast_rays(this.pointer, all, rays.length, options(structs.queryFilter, filter), out.bytes);
+    return out.first(rays.length).map((hit) => (hit.geometry.slot === 0 ? null : hit));
   }
 
   castShape(shape, pose, displacement, filter) {
     const its = options(structs.queryFilter, filter);
-    const hits = fill(structs.castHit, (place, capacity, count) => abut.abut_universe_cast_shape(
-      this.pointer, shape.pointer, pose, displacement, its, hitNearest, place, capacity, count));
+    const hits = codecs.castHit.fill((place, capacity, count) => abut.abut_universe_cast_shape(
+      this.pointer, shape.pointer, poseAt(pose), vectorAt(displacement), its, hitNearest, place, capacity, count));
     return hits[0] ?? null;
   }
 
   overlaps(shape, pose, { margin = 0, ...filter } = {}) {
     const its = options(structs.queryFilter, filter);
-    return fill(structs.geometryId, (place, capacity, count) => abut.abut_universe_overlaps(
-      this.pointer, shape.pointer, pose, its, margin, place, capacity, count));
+    return codecs.geometryId.fill((place, capacity, count) => abut.abut_universe_overlaps(
+      this.pointer, shape.pointer, poseAt(pose), its, margin, place, capacity, count));
   }
 
   closest(shape, pose, { maxDistance = Infinity, ...filter } = {}) {
-    const out = {};
+    const out = codecs.closest.room();
     const found = [0];
     const its = options(structs.queryFilter, filter);
-    abut.abut_universe_closest(this.pointer, shape.pointer, pose, maxDistance, its, out, found);
-    return found[0] === 1 ? out : null;
+    abut.abut_universe_closest(this.pointer, shape.pointer, poseAt(pose), maxDistance, its, out.bytes, found);
+    return found[0] === 1 ? out.get() : null;
   }
 }

@@ -15,15 +15,18 @@ fn main() {
 }
 
 fn search_where_pkg_config_says() {
-    let answer = Command::new("pkg-config").args(["--libs-only-L", "--keep-system-libs", "abut >= 0.2"]).output();
-    let flags = match answer {
-        Ok(output) if output.status.success() => String::from_utf8_lossy(&output.stdout).into_owned(),
-        _ => panic!(
-            "abut was not found. Install it so that `pkg-config abut` finds it (PKG_CONFIG_PATH may name the folder of \
-             abut.pc), or set ABUT_LIB_DIR to the folder of libabut.so."
-        ),
+    let asked = Command::new("pkg-config").args(["--libs-only-L", "--keep-system-libs", "abut >= 0.2"]).output();
+    let (flags, reason) = match asked {
+        Ok(answer) if answer.status.success() => (answer.stdout, None),
+        Ok(answer) => (Vec::new(), Some(String::from_utf8_lossy(&answer.stderr).trim().to_owned())),
+        Err(failure) => (Vec::new(), Some(format!("pkg-config does not run: {}", failure))),
     };
-    for folder in flags.split_whitespace().filter_map(|flag| flag.strip_prefix("-L")) {
+    if let Some(reason) = reason {
+        eprintln!("{}", reason);
+        eprintln!("Install abut so that `pkg-config abut` finds it, or set ABUT_LIB_DIR to the folder of libabut.so.");
+        std::process::exit(1);
+    }
+    for folder in String::from_utf8_lossy(&flags).split_whitespace().filter_map(|flag| flag.strip_prefix("-L")) {
         println!("cargo:rustc-link-search=native={}", folder);
     }
 }

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Tests the crate, its documents and its first query.
 source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
-need cargo
+need cargo pkg-config
 
-export ABUT_LIB_DIR=$libraries CARGO_TARGET_DIR=$out CARGO_INCREMENTAL=0
+export CARGO_TARGET_DIR=$out CARGO_INCREMENTAL=0
 cd "$here"
-cargo test --offline --locked --quiet
+ABUT_LIB_DIR=$libraries cargo test --offline --locked --quiet
+describe_library
 first_query cargo run --offline --locked --quiet --example first_query

@@ -187,6 +187,6 @@ impl<'shapes> Pair<'shapes> {
                 &mut found,
             )
         })?;
-        Ok((found == 1).then(|| hit))
+        Ok((found == 1).then_some(hit))
     }
 }

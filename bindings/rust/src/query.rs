@@ -27,7 +27,7 @@ impl View {
                 raw_slice_mut(&mut hits),
             )
         })?;
-        Ok(hits.into_iter().map(|hit| (hit.geometry != GeometryId::NULL).then(|| hit)).collect())
+        Ok(hits.into_iter().map(|hit| (hit.geometry != GeometryId::NULL).then_some(hit)).collect())
     }
 
     /// All geometries that a ray meets, in the order in which it meets them.
@@ -119,7 +119,7 @@ impl View {
                 &mut found,
             )
         })?;
-        Ok((found == 1).then(|| out))
+        Ok((found == 1).then_some(out))
     }
 
     /// The same for many shapes at once.
@@ -145,6 +145,6 @@ impl View {
                 raw_slice_mut(&mut out),
             )
         })?;
-        Ok(out.into_iter().map(|each| (each.geometry != GeometryId::NULL).then(|| each)).collect())
+        Ok(out.into_iter().map(|each| (each.geometry != GeometryId::NULL).then_some(each)).collect())
     }
 }

@@ -179,7 +179,7 @@ impl Shape {
         check(unsafe {
             raw::abut_shape_cast_ray(self.as_ptr(), raw_of(pose), raw_of(ray), raw_mut(&mut hit), &mut found)
         })?;
-        Ok((found == 1).then(|| hit))
+        Ok((found == 1).then_some(hit))
     }
 
     /// The pointer of the C interface, for what this crate does not wrap; it is alive as long as the shape.

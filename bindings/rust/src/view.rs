@@ -7,7 +7,7 @@ use crate::value::{blank, fill, mirror, raw_mut, raw_slice, raw_slice_mut, Geome
 use crate::{raw, Result, Shape};
 use std::ptr::null;
 
-/// A universe, to be read: what the header tags with [const]. `Universe` and the argument of a filter are views.
+/// A universe, to be read: what the header tags with \[const\]. `Universe` and the argument of a filter are views.
 pub struct View {
     universe: *mut raw::abut_universe,
 }

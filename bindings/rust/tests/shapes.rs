@@ -79,7 +79,7 @@ fn two_boxes_have_a_distance_and_contacts() {
 fn more_contacts_than_expected_are_all_there() {
     let (ball, ground) = (Shape::sphere(0.5).unwrap(), Shape::plane([0.0, 0.0, 1.0], 0.0).unwrap());
     let poses: Vec<_> = (0..20).map(|i| Pose::at(f64::from(i), 0.0, 0.25)).collect();
-    let row = Shape::composite(&vec![&ball; 20], &poses).unwrap();
+    let row = Shape::composite(&[&ball; 20], &poses).unwrap();
     let contacts = Pair::new(&row, &ground).contacts(&Pose::IDENTITY, &Pose::IDENTITY).unwrap();
     let mut children: Vec<_> = contacts.iter().map(|contact| contact.child_a).collect();
     children.sort_unstable();
