@@ -139,11 +139,16 @@ func TestFilter(t *testing.T) {
 	asked := 0
 	ok(universe.SetFilter(func(a, b GeometryID) bool {
 		asked++
+		ok(universe.Park(geometries[0], LongTerm))
 		return b != geometries[2]
 	}))
 	if contactsOfAStep(universe) != 1 || asked != 2 {
 		t.Errorf("asked %d times", asked)
 	}
+	if contactsOfAStep(universe) != 0 {
+		t.Error("the geometry is not parked")
+	}
+	ok(universe.Park(geometries[0], NotParked))
 	ok(universe.SetFilter(func(a, b GeometryID) bool { panic("no idea") }))
 	func() {
 		defer func() {

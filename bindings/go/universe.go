@@ -109,6 +109,23 @@ func (universe *Universe) SetPose(part PartID, pose Pose) error {
 	return universe.call(func() C.abut_status { return C.abut_part_set_pose(universe.pointer, part.raw(), &its) })
 }
 
+// Parking says whether a geometry takes part.
+type Parking uint32
+
+// A parked geometry meets nothing. ShortTerm keeps its place in the broad phase.
+const (
+	NotParked Parking = C.ABUT_PARKING_NONE
+	ShortTerm Parking = C.ABUT_PARKING_SHORT_TERM
+	LongTerm  Parking = C.ABUT_PARKING_LONG_TERM
+)
+
+// Park parks a geometry, or brings it back. A filter may do that, too.
+func (universe *Universe) Park(geometry GeometryID, parking Parking) error {
+	return universe.call(func() C.abut_status {
+		return C.abut_geometry_park(universe.pointer, geometry.raw(), C.abut_parking(parking))
+	})
+}
+
 // Step finds what touches at the present poses; dt is the time since the step before. It moves nothing.
 func (universe *Universe) Step(dt float64) error {
 	failure := universe.call(func() C.abut_status { return C.abut_universe_step(universe.pointer, C.double(dt)) })

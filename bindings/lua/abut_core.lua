@@ -4,7 +4,9 @@ local ffi = require "ffi"
 local version = require "abut_cdef"
 
 local core = {}
-local library = ffi.load(os.getenv("ABUT_LIBRARY") or ("libabut.so.%d.%d"):format(version.major, version.minor))
+local name = os.getenv("ABUT_LIBRARY") or ("libabut.so.%d.%d"):format(version.major, version.minor)
+local is_there, library = pcall(ffi.load, name)
+if not is_there then error(name .. " cannot be loaded; install abut, or name the file of the library in ABUT_LIBRARY", 0) end
 core.library = library
 
 local Error = {}

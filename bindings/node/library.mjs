@@ -75,7 +75,15 @@ koffi.opaque('abut_universe');
 export const Filter = koffi.pointer(koffi.proto(
   'uint32_t abut_filter(void *context, void *universe, abut_geometry_id a, abut_geometry_id b)'));
 
-const library = koffi.load(process.env.ABUT_LIBRARY ?? 'libabut.so.0.2');
+const library = load(process.env.ABUT_LIBRARY ?? 'libabut.so.0.2');
+
+function load(name) {
+  try {
+    return koffi.load(name);
+  } catch (thrown) {
+    throw new Error(`${name} cannot be loaded; install abut, or name the file of the library in ABUT_LIBRARY`, { cause: thrown });
+  }
+}
 
 // A declaration becomes a function; one that answers a status throws what it stands for.
 function declare(prototype) {
