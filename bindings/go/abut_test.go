@@ -5,6 +5,7 @@ package abut
 import (
 	"errors"
 	"math"
+	"runtime"
 	"strings"
 	"sync"
 	"testing"
@@ -158,19 +159,28 @@ func TestFilter(t *testing.T) {
 		}()
 		ok(universe.Step(0.01))
 	}()
+	last := universe.filter
 	ok(universe.SetFilter(nil))
 	if contactsOfAStep(universe) != 2 {
 		t.Error("a pair is left out")
 	}
+	defer func() {
+		if recover() == nil {
+			t.Error("the last filter is kept")
+		}
+	}()
+	last.Value()
 }
 
 func TestMessagesOfGoroutinesAreTheirOwn(t *testing.T) {
+	// More threads than cores, so that goroutines change theirs often.
+	defer runtime.GOMAXPROCS(runtime.GOMAXPROCS(16))
 	var group sync.WaitGroup
-	for i := 0; i < 8; i++ {
+	for i := 0; i < 64; i++ {
 		group.Add(1)
 		go func(radius float64, word string) {
 			defer group.Done()
-			for n := 0; n < 200; n++ {
+			for n := 0; n < 2000; n++ {
 				if _, failure := Sphere(radius); !strings.Contains(failure.Error(), word) {
 					t.Errorf("%v; expected %s", failure, word)
 				}

@@ -110,7 +110,8 @@ test('more contacts than expected are all there', () => {
   const ball = Shape.sphere(0.5);
   const poses = Array.from({ length: 20 }, (_, i) => pose(i, 0, 0.25));
   const many = Shape.composite(poses.map(() => ball), poses);
-  assert.equal(pairContacts(many, pose(), Shape.plane(vector(0, 0, 1), 0), pose()).length, 20);
+  const contacts = pairContacts(many, pose(), Shape.plane(vector(0, 0, 1), 0), pose());
+  assert.deepEqual(contacts.map((contact) => contact.childA).sort((a, b) => a - b), poses.map((_, i) => i));
 });
 
 test('steps find contacts and events', () => {
