@@ -10,10 +10,13 @@
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
 
 mod contact;
+mod edit;
 mod error;
 mod meeting;
+mod motion;
 mod options;
 mod pair;
+mod policy;
 mod query;
 mod ray;
 mod shape;
@@ -28,10 +31,12 @@ pub mod raw;
 pub use contact::{Contact, Distance, Event, EventKind};
 pub use error::{Error, Result, Status};
 pub use meeting::{Asking, Collidable, QueryFilter, RayStart, Rule};
+pub use motion::{Sleep, SleepChange, Velocity};
 pub use options::{
     Algorithm, Broadphase, GeometryOptions, Motion, Parking, PartOptions, QueryOptions, ToleranceMode, UniverseOptions,
 };
 pub use pair::{Pair, PairMemory};
+pub use policy::{ContactMaterial, Detail, Policy};
 pub use ray::{CastHit, Closest, Hit, Ray, RayHit};
 pub use shape::{Shape, Sides};
 pub use universe::Universe;

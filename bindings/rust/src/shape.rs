@@ -172,6 +172,30 @@ impl Shape {
         Ok(out)
     }
 
+    /// The surface of a mesh, height field, hull or box as vertices and triangles, in the frame of the shape.
+    pub fn triangles(&self) -> Result<(Vec<Vec3>, Vec<[u32; 3]>)> {
+        let (mut vertex_count, mut triangle_count) = (0, 0);
+        let mut fill = |vertices: &mut [Vec3], triangles: &mut [[u32; 3]]| {
+            // SAFETY: the shape is alive; both places are as large as told, and three numbers each lie in a row.
+            check(unsafe {
+                raw::abut_shape_triangles(
+                    self.as_ptr(),
+                    vertices.as_mut_ptr().cast(),
+                    vertices.len(),
+                    &mut vertex_count,
+                    triangles.as_mut_ptr().cast(),
+                    triangles.len(),
+                    &mut triangle_count,
+                )
+            })?;
+            Ok((vertex_count, triangle_count))
+        };
+        let (vertex_count, triangle_count) = fill(&mut [], &mut [])?;
+        let (mut vertices, mut triangles) = (vec![[0.0; 3]; vertex_count], vec![[0; 3]; triangle_count]);
+        fill(&mut vertices, &mut triangles)?;
+        Ok((vertices, triangles))
+    }
+
     /// Where a ray first crosses the surface of the shape at a pose.
     pub fn cast_ray(&self, pose: &Pose, ray: &Ray) -> Result<Option<RayHit>> {
         let (mut hit, mut found) = (blank(), 0);

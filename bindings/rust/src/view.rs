@@ -31,7 +31,10 @@ impl View {
 
     /// A slice that the library lends until the next call that changes the universe. Those take `&mut self`, so the
     /// borrow of `self` ends before.
-    fn lent<T: Mirror>(&self, call: impl FnOnce(*mut *const T::Raw, *mut usize) -> raw::abut_status) -> Result<&[T]> {
+    pub(crate) fn lent<T: Mirror>(
+        &self,
+        call: impl FnOnce(*mut *const T::Raw, *mut usize) -> raw::abut_status,
+    ) -> Result<&[T]> {
         let (mut values, mut count) = (null(), 0);
         check(call(&mut values, &mut count))?;
         if count == 0 {

@@ -58,6 +58,8 @@ fn values_are_those_of_the_library() {
     assert_layout!(report, abut::Hit, "abut_query_hit", geometry, feature, child, distance, point, normal);
     assert_layout!(report, abut::Closest, "abut_closest", geometry, distance);
     assert_size::<abut::PairMemory>(&report, "abut_pair_memory");
+    assert_layout!(report, abut::Velocity, "abut_velocity", linear, angular);
+    assert_layout!(report, abut::SleepChange, "abut_sleep_change", part);
     let distance = "abut_distance";
     assert_layout!(report, abut::Distance, distance, distance, lower, upper, point_a, point_b, normal, iterations);
     let cast = "abut_cast_hit";

@@ -34,6 +34,15 @@ fn every_kind_can_be_made() {
 }
 
 #[test]
+fn surfaces_have_triangles() {
+    let (vertices, triangles) = Shape::cuboid([1.0, 2.0, 3.0]).unwrap().triangles().unwrap();
+    assert_eq!((vertices.len(), triangles.len()), (8, 12));
+    assert!(vertices.iter().all(|[x, y, z]| [x.abs(), y.abs(), z.abs()] == [1.0, 2.0, 3.0]));
+    assert!(triangles.iter().flatten().all(|&index| index < 8));
+    assert_eq!(Shape::sphere(1.0).unwrap().triangles().unwrap_err().status(), Status::Unsupported);
+}
+
+#[test]
 fn bad_input_is_named() {
     let failure = Shape::sphere(-1.0).unwrap_err();
     assert_eq!(failure.status(), Status::OutOfRange);
