@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import koffi from 'koffi';
-import { AbutError, Shape, Universe, pairContacts, pairDistance, pairDistances, pose, version } from 'abut';
+import { AbutError, Shape, Universe, pairCast, pairContacts, pairDistance, pairDistances, pose, version } from 'abut';
 import { abut, structs } from './library.mjs';
 
 const vector = (x, y, z) => ({ x, y, z });
@@ -55,6 +55,7 @@ test('every kind can be made', () => {
     plane: Shape.plane(vector(0, 0, 2), 0),
     hull: Shape.hull(Float32Array.from(square)),
     mesh: Shape.mesh(square, [0, 1, 2, 0, 2, 3], { sides: 'front' }),
+    height_field: Shape.heightField(2, 3, 1, 1, [0, 0, 0, 0, 0, 0]),
     particles: Shape.particles(square, 0.1),
     composite: Shape.composite([ball, ball], [pose(), pose(3)]),
     cone: Shape.ofKind('cone', 1, 2),
@@ -68,6 +69,7 @@ test('bad input is named', () => {
   refused('ABUT_NOT_FINITE', 'radius', () => Shape.sphere(NaN));
   refused('ABUT_UNKNOWN_VALUE', 'kind', () => Shape.ofKind('blob'));
   refused('ABUT_INVALID_ARGUMENT', 'xyz has 4 numbers', () => Shape.hull([1, 2, 3, 4]));
+  refused('ABUT_INVALID_ARGUMENT', 'heights has 1 numbers', () => Shape.heightField(2, 2, 1, 1, [0]));
   refused('ABUT_INVALID_ARGUMENT', 'triangles has 2 numbers', () => Shape.mesh(square, [0, 1]));
   refused('ABUT_INVALID_ARGUMENT', 'sides is back; expected one of both, front', () => Shape.mesh(square, [], { sides: 'back' }));
   const ball = Shape.sphere(1);
@@ -106,6 +108,13 @@ test('two boxes', () => {
   assert.equal(pairContacts(box, pose(), box, pose(0, 0, 1.75), { maxContacts: 1 }).length, 1);
 });
 
+test('casts of two shapes meet or miss', () => {
+  const box = Shape.box(1, 1, 1);
+  const still = vector(0, 0, 0);
+  assert.ok(Math.abs(pairCast(box, pose(), still, box, pose(4), vector(-4, 0, 0)).fraction - 0.5) < 1e-9);
+  assert.equal(pairCast(box, pose(), still, box, pose(4), vector(4, 0, 0)), null);
+});
+
 test('more contacts than expected are all there', () => {
   const ball = Shape.sphere(0.5);
   const poses = Array.from({ length: 20 }, (_, i) => pose(i, 0, 0.25));
@@ -129,6 +138,36 @@ test('steps find contacts and events', () => {
   assert.deepEqual(universe.pose(parts[1]), pose(9));
   universe.addGeometry(universe.addPart({ motion: 'static', pose: pose(9) }), Shape.sphere(1), { mask: 2n });
   assert.equal(contactsOfAStep(universe), 0, 'the masks say no');
+});
+
+test('rules, options, shapes and motions say who meets whom', () => {
+  const { universe, parts, geometries } = row(3);
+  assert.equal(contactsOfAStep(universe), 2);
+  universe.setRule({ geometry: geometries[1] }, 'any', 'disable');
+  assert.equal(contactsOfAStep(universe), 0);
+  universe.setRule({ part: parts[0] }, { geometry: geometries[1] }, 'enable');
+  assert.equal(contactsOfAStep(universe), 1, 'the more specific rule counts');
+  universe.clearRules();
+  universe.setOptions(geometries[2], { label: 7 });
+  universe.setRule({ label: 7 }, 'any', 'disable');
+  assert.equal(contactsOfAStep(universe), 1);
+  universe.setShape(geometries[0], Shape.sphere(0.1));
+  assert.equal(contactsOfAStep(universe), 0);
+  universe.clearRules();
+  assert.equal(contactsOfAStep(universe), 1);
+  universe.setMotion(parts[1], 'static');
+  universe.setMotion(parts[2], 'static');
+  assert.equal(contactsOfAStep(universe), 0);
+  refused('ABUT_INVALID_ARGUMENT', 'a side of a rule is', () => universe.setRule(geometries[1], 'any', 'enable'));
+  refused('ABUT_INVALID_ARGUMENT', 'rule is off', () => universe.setRule('any', 'any', 'off'));
+});
+
+test('what was put in comes out', () => {
+  const { universe, parts, geometries } = row(2);
+  const part = universe.addPart({ userData: 5n });
+  assert.deepEqual(universe.parts(), [...parts, part]);
+  assert.deepEqual(universe.geometriesOf(parts[1]), [geometries[1]]);
+  assert.equal(universe.userData(part), 5n);
 });
 
 test('a filter is asked and may park', () => {

@@ -80,6 +80,8 @@ export class Shape {
   static hull(xyz: Numbers): Shape;
   /** A surface of triangles, three indices each, counter-clockwise seen from the front. */
   static mesh(xyz: Numbers, triangles: Numbers, options?: { sides?: 'both' | 'front' }): Shape;
+  /** Terrain over a grid: sample (i, j) lies at (i * spacingX, j * spacingY, heights[j * columns + i]). */
+  static heightField(columns: number, rows: number, spacingX: number, spacingY: number, heights: Numbers): Shape;
   /** Many small balls of one radius. */
   static particles(xyz: Numbers, radius: number): Shape;
   /** Shapes of any kind as one, each at a pose of its own. */
@@ -154,6 +156,11 @@ export function pairDistances(
 /** Contact points of two shapes, deepest first. */
 export function pairContacts(a: Shape, poseA: Pose, b: Shape, poseB: Pose, options?: QueryOptions): Contact[];
 
+/** When two shapes first touch that both move by a displacement without turning; null when they do not. */
+export function pairCast(
+  a: Shape, poseA: Pose, displacementA: Vector, b: Shape, poseB: Pose, displacementB: Vector,
+  options?: QueryOptions): CastHit | null;
+
 export interface UniverseOptions {
   broadphase?: 'auto' | 'brute' | 'tree' | 'sweepAndPrune' | 'hashGrid';
   toleranceMode?: 'deadBand' | 'margin';
@@ -167,8 +174,14 @@ export interface UniverseOptions {
   flags?: number;
 }
 
+/** How a part moves. Pairs of parts of which neither is dynamic are never examined. */
+export type Motion = 'dynamic' | 'animated' | 'static';
+
+/** A side of a rule. */
+export type Collidable = { geometry: GeometryId } | { part: PartId } | { label: number } | 'any';
+
 export interface PartOptions {
-  motion?: 'dynamic' | 'animated' | 'static';
+  motion?: Motion;
   pose?: Pose;
   userData?: number | bigint;
 }
@@ -255,9 +268,24 @@ export class Universe {
   /** Places parts, all or none. */
   setPoses(parts: readonly PartId[], poses: Poses): void;
   pose(part: PartId): Pose;
+  setMotion(part: PartId, motion: Motion): void;
+  /** Your number on a part. */
+  userData(part: PartId): bigint;
+  /** All parts, ordered by slot. */
+  parts(): PartId[];
+  /** Geometries of a part, in order of creation. */
+  geometriesOf(part: PartId): GeometryId[];
   /** Puts a shape on a part. The universe keeps the shape alive. */
   addGeometry(part: PartId, shape: Shape, options?: GeometryOptions): GeometryId;
   removeGeometry(geometry: GeometryId): void;
+  /** Replaces the options of a geometry, all of them. */
+  setOptions(geometry: GeometryId, options?: GeometryOptions): void;
+  /** Gives a geometry another shape. */
+  setShape(geometry: GeometryId, shape: Shape): void;
+  /** Says whether two collidables meet; the most specific rule that fits a pair counts. */
+  setRule(a: Collidable, b: Collidable, rule: 'none' | 'enable' | 'disable'): void;
+  /** Takes all rules away. */
+  clearRules(): void;
   /** Parks a geometry, or brings it back with 'none'. A filter may do that, too. */
   park(geometry: GeometryId, parking: Parking): void;
   /**

@@ -63,6 +63,15 @@ export class Shape {
       abut.abut_mesh_create, Float64Array.from(xyz), count, Uint32Array.from(triangles), triangleCount, its));
   }
 
+  static heightField(columns, rows, spacingX, spacingY, heights) {
+    if (heights.length !== columns * rows) {
+      refuse(`heights has ${heights.length} numbers; expected columns * rows, which is ${columns * rows}`);
+    }
+    return new Shape(made(abut.abut_height_field_create, options(structs.heightFieldDesc, {
+      columns, rows, spacingX, spacingY, heights: Float64Array.from(heights),
+    })));
+  }
+
   static particles(xyz, radius) {
     const count = expectThrees('xyz', xyz);
     return new Shape(made(abut.abut_particles_create, Float64Array.from(xyz), count, radius));
@@ -115,4 +124,13 @@ export function pairContacts(a, poseA, b, poseB, fields) {
   const its = options(structs.queryOptions, fields);
   return codecs.contact.fill((place, capacity, count) => abut.abut_pair_contacts(
     a.pointer, poseAt(poseA, 0), b.pointer, poseAt(poseB, 1), its, place, capacity, count));
+}
+
+export function pairCast(a, poseA, displacementA, b, poseB, displacementB, fields) {
+  const out = codecs.castHit.room();
+  const found = [0];
+  abut.abut_pair_cast(
+    a.pointer, poseAt(poseA, 0), vectorAt(displacementA, 0), b.pointer, poseAt(poseB, 1), vectorAt(displacementB, 1),
+    options(structs.queryOptions, fields), out.bytes, found);
+  return found[0] === 1 ? out.get() : null;
 }

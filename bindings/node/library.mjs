@@ -37,6 +37,11 @@ export const structs = {
     childA: 'uint32_t', childB: 'uint32_t',
   }),
   closest: koffi.struct('abut_closest', { geometry: geometryId, distance }),
+  heightFieldDesc: koffi.struct('abut_height_field_desc', {
+    structSize: 'uint32_t', reserved: 'uint32_t', columns: 'uint32_t', rows: 'uint32_t', spacingX: 'double',
+    spacingY: 'double', heights: 'double *',
+  }),
+  collidable: koffi.struct('abut_collidable', { kind: 'uint32_t', slot: 'uint32_t', generation: 'uint32_t' }),
   shapeDesc: koffi.struct('abut_shape_desc', {
     structSize: 'uint32_t', kind: 'uint32_t', parameters: 'double *', parameterCount: 'uint64_t', reals: 'double *',
     realCount: 'uint64_t', indices: 'uint32_t *', indexCount: 'uint64_t',
@@ -67,7 +72,7 @@ export const structs = {
 
 /** How structs that calls take and answer lie in memory. */
 export const codecs = Object.fromEntries(
-  ['vector', 'pose', 'partId', 'geometryId', 'distance', 'contact', 'event', 'ray', 'hit', 'castHit', 'closest']
+  ['vector', 'pose', 'partId', 'geometryId', 'distance', 'contact', 'event', 'ray', 'hit', 'castHit', 'closest', 'collidable']
     .map((name) => [name, new Codec(structs[name])]));
 
 koffi.opaque('abut_shape');
@@ -125,6 +130,7 @@ const prototypes = [
   'int32_t abut_hull_create(const double *xyz, size_t count, _Out_ abut_shape **out)',
   'int32_t abut_mesh_create(const double *xyz, size_t count, const uint32_t *triangles, size_t triangle_count, ' +
     'const abut_mesh_options *options, _Out_ abut_shape **out)',
+  'int32_t abut_height_field_create(const abut_height_field_desc *desc, _Out_ abut_shape **out)',
   'int32_t abut_particles_create(const double *xyz, size_t count, double radius, _Out_ abut_shape **out)',
   'int32_t abut_composite_create(abut_shape **children, const abut_pose *poses, size_t count, _Out_ abut_shape **out)',
   'int32_t abut_shape_create(const abut_shape_desc *desc, _Out_ abut_shape **out)',
@@ -140,6 +146,10 @@ const prototypes = [
   'int32_t abut_pair_contacts(abut_shape *a, const abut_pose *pose_a, abut_shape *b, const abut_pose *pose_b, ' +
     'const abut_query_options *options, void *contacts, size_t capacity, _Out_ size_t *count)',
 
+  'int32_t abut_pair_cast(abut_shape *a, const abut_pose *pose_a, const abut_vec3 *displacement_a, abut_shape *b, ' +
+    'const abut_pose *pose_b, const abut_vec3 *displacement_b, const abut_query_options *options, void *hit, ' +
+    '_Out_ uint32_t *found)',
+
   'int32_t abut_universe_create(const abut_universe_options *options, _Out_ abut_universe **out)',
   'void abut_universe_destroy(abut_universe *universe)',
   'int32_t abut_part_create(abut_universe *universe, const abut_part_options *options, abut_part_id *out)',
@@ -147,9 +157,19 @@ const prototypes = [
   'int32_t abut_part_set_pose(abut_universe *universe, abut_part_id part, const abut_pose *pose)',
   'int32_t abut_parts_set_poses(abut_universe *universe, const abut_part_id *parts, const abut_pose *poses, size_t count)',
   'int32_t abut_part_pose(abut_universe *universe, abut_part_id part, abut_pose *out)',
+  'int32_t abut_part_set_motion(abut_universe *universe, abut_part_id part, uint32_t motion)',
+  'int32_t abut_part_user_data(abut_universe *universe, abut_part_id part, _Out_ uint64_t *out)',
+  'int32_t abut_part_geometries(abut_universe *universe, abut_part_id part, void *geometries, size_t capacity, ' +
+    '_Out_ size_t *count)',
+  'int32_t abut_universe_parts(abut_universe *universe, void *parts, size_t capacity, _Out_ size_t *count)',
   'int32_t abut_geometry_create(abut_universe *universe, abut_part_id part, abut_shape *shape, ' +
     'const abut_geometry_options *options, abut_geometry_id *out)',
   'int32_t abut_geometry_destroy(abut_universe *universe, abut_geometry_id geometry)',
+  'int32_t abut_geometry_set_options(abut_universe *universe, abut_geometry_id geometry, ' +
+    'const abut_geometry_options *options)',
+  'int32_t abut_geometry_set_shape(abut_universe *universe, abut_geometry_id geometry, abut_shape *shape)',
+  'int32_t abut_rule_set(abut_universe *universe, const abut_collidable *a, const abut_collidable *b, uint32_t rule)',
+  'int32_t abut_rules_clear(abut_universe *universe)',
   'int32_t abut_geometry_park(abut_universe *universe, abut_geometry_id geometry, uint32_t parking)',
   'int32_t abut_universe_set_filter(abut_universe *universe, abut_filter *filter, void *context)',
   'int32_t abut_universe_refilter(abut_universe *universe)',
@@ -224,6 +244,7 @@ const words = {
   parking: ['none', 'shortTerm', 'longTerm'],
   rayStart: ['farSide', 'solid', 'skip'],
   sides: ['both', 'front'],
+  rule: ['none', 'enable', 'disable'],
 };
 
 /** The number of a word of a field. */

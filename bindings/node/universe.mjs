@@ -7,6 +7,20 @@ import {
 
 const eventKinds = ['begin', 'persist', 'end'];
 const hitNearest = 0;
+const geometryKind = 0;
+const partKind = 1;
+const labelKind = 2;
+const anyKind = 3;
+
+// What a rule speaks of, in the memory of a call.
+function collidable(what) {
+  let its = { kind: anyKind, slot: 0, generation: 0 };
+  if (what?.geometry) its = { ...what.geometry, kind: geometryKind };
+  else if (what?.part) its = { ...what.part, kind: partKind };
+  else if (what?.label !== undefined) its = { ...its, kind: labelKind, slot: what.label };
+  else if (what !== 'any') refuse("a side of a rule is { geometry }, { part }, { label } or 'any'");
+  return codecs.collidable.encode([its]);
+}
 
 const forgotten = new FinalizationRegistry(free);
 
@@ -59,6 +73,26 @@ export class Universe {
     return answer(codecs.pose, abut.abut_part_pose, this.pointer, part);
   }
 
+  setMotion(part, motion) {
+    abut.abut_part_set_motion(this.pointer, part, numberOf('motion', motion));
+  }
+
+  userData(part) {
+    const out = [0];
+    abut.abut_part_user_data(this.pointer, part, out);
+    return BigInt(out[0]);
+  }
+
+  parts() {
+    return codecs.partId.fill((place, capacity, count) =>
+      abut.abut_universe_parts(this.pointer, place, capacity, count));
+  }
+
+  geometriesOf(part) {
+    return codecs.geometryId.fill((place, capacity, count) =>
+      abut.abut_part_geometries(this.pointer, part, place, capacity, count));
+  }
+
   addGeometry(part, shape, fields) {
     const its = options(structs.geometryOptions, fields);
     return answer(codecs.geometryId, abut.abut_geometry_create, this.pointer, part, shape.pointer, its);
@@ -66,6 +100,22 @@ export class Universe {
 
   removeGeometry(geometry) {
     abut.abut_geometry_destroy(this.pointer, geometry);
+  }
+
+  setOptions(geometry, fields = {}) {
+    abut.abut_geometry_set_options(this.pointer, geometry, options(structs.geometryOptions, fields));
+  }
+
+  setShape(geometry, shape) {
+    abut.abut_geometry_set_shape(this.pointer, geometry, shape.pointer);
+  }
+
+  setRule(a, b, rule) {
+    abut.abut_rule_set(this.pointer, collidable(a), collidable(b), numberOf('rule', rule));
+  }
+
+  clearRules() {
+    abut.abut_rules_clear(this.pointer);
   }
 
   park(geometry, parking) {
