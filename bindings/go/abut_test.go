@@ -122,7 +122,8 @@ func TestSteps(t *testing.T) {
 	if contact.Distance != -0.5 || contact.GeometryA != geometries[0] || contact.GeometryB != geometries[1] {
 		t.Error(contact)
 	}
-	if hit := must(universe.CastRay(Vec3{-5, 0, 0}, Vec3{2, 0, 0})); hit == nil || hit.Geometry != geometries[0] || hit.Distance != 4 {
+	hit := must(universe.CastRay(Vec3{-5, 0, 0}, Vec3{2, 0, 0}))
+	if hit == nil || hit.Geometry != geometries[0] || hit.Distance != 4 {
 		t.Error(hit)
 	}
 	if hit := must(universe.CastRay(Vec3{-5, 0, 0}, Vec3{-1, 0, 0})); hit != nil {

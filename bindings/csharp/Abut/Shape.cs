@@ -63,8 +63,9 @@ namespace Abut
             {
                 throw new ArgumentException($"triangles has {triangles.Length} indices, which is not a multiple of 3");
             }
+            var count = (UIntPtr)(uint)(triangles.Length / 3);
             return Made(Native.abut_mesh_create(
-                vertices, Count(vertices), triangles, (UIntPtr)(uint)(triangles.Length / 3), IntPtr.Zero, out IntPtr shape), shape);
+                vertices, Count(vertices), triangles, count, IntPtr.Zero, out IntPtr shape), shape);
         }
 
         /// <summary>Any kind that numbers describe, such as "cone" from radius and half height.</summary>

@@ -60,12 +60,13 @@ namespace Abut
             for (uint i = 0; i < (uint)Native.abut_layout_count(); ++i)
             {
                 Native.Check(Native.abut_layout_at((UIntPtr)i, out Native.LayoutEntry entry));
-                sizes[Native.Text(entry.Type) + "." + Native.Text(entry.Field)] = Native.Text(entry.Field) == "" ? entry.Size : entry.Offset;
+                string field = Native.Text(entry.Field);
+                sizes[Native.Text(entry.Type) + "." + field] = field == "" ? entry.Size : entry.Offset;
             }
             foreach (var each in new Dictionary<string, Type>
             {
-                { "vec3", typeof(Vector) }, { "quat", typeof(Quaternion) }, { "pose", typeof(Pose) }, { "part_id", typeof(PartId) },
-                { "geometry_id", typeof(GeometryId) }, { "feature", typeof(Feature) }, { "distance", typeof(Distance) },
+                { "vec3", typeof(Vector) }, { "quat", typeof(Quaternion) }, { "pose", typeof(Pose) },
+                { "part_id", typeof(PartId) }, { "geometry_id", typeof(GeometryId) }, { "feature", typeof(Feature) }, { "distance", typeof(Distance) },
                 { "contact", typeof(Contact) }, { "event", typeof(Event) }, { "ray", typeof(Ray) }, { "query_hit", typeof(Hit) },
                 { "part_options", typeof(Native.PartOptions) }, { "universe_options", typeof(Native.UniverseOptions) },
                 { "shape_desc", typeof(Native.ShapeDesc) },
