@@ -4,7 +4,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 need cargo pkg-config
 
-export CARGO_TARGET_DIR=$out CARGO_INCREMENTAL=0
+export CARGO_TARGET_DIR=$out CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0
 cd "$here"
 ABUT_LIB_DIR=$libraries cargo test --offline --locked --quiet
 describe_library

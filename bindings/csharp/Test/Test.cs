@@ -66,9 +66,10 @@ namespace Abut
             foreach (var each in new Dictionary<string, Type>
             {
                 { "vec3", typeof(Vector) }, { "quat", typeof(Quaternion) }, { "pose", typeof(Pose) },
-                { "part_id", typeof(PartId) }, { "geometry_id", typeof(GeometryId) }, { "feature", typeof(Feature) }, { "distance", typeof(Distance) },
-                { "contact", typeof(Contact) }, { "event", typeof(Event) }, { "ray", typeof(Ray) }, { "query_hit", typeof(Hit) },
-                { "part_options", typeof(Native.PartOptions) }, { "universe_options", typeof(Native.UniverseOptions) },
+                { "part_id", typeof(PartId) }, { "geometry_id", typeof(GeometryId) }, { "feature", typeof(Feature) },
+                { "distance", typeof(Distance) }, { "contact", typeof(Contact) }, { "event", typeof(Event) }, { "ray", typeof(Ray) },
+                { "query_hit", typeof(Hit) }, { "part_options", typeof(Native.PartOptions) },
+                { "universe_options", typeof(Native.UniverseOptions) },
                 { "shape_desc", typeof(Native.ShapeDesc) },
             })
             {
