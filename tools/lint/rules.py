@@ -5,13 +5,12 @@ import re
 
 from members import borrowed_members
 from sentences import prose_length, sentence_length
-from source import BINDINGS
 
 COLUMNS = 120
 HARD_LENGTH = 600
 SOFT_LENGTH = 300
 RAW = "modules/core/raw"
-LICENSED = {".py", ".sh", ".map", ".yml", ".yaml", ""}
+LICENSED = {".py", ".sh", ".map", ".yml", ".yaml", ".rs", ".go", ".cs", ".lua", ".mjs", ".ts", ""}
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
 
 # The only folders that may touch a library, by the name of its include folder.
@@ -191,7 +190,7 @@ def line_length(source):
 
 def licence_line(source):
     """Every source names its licence, in the first line, or below the line that names its interpreter."""
-    limited = source.is_cxx or source.is_c or source.is_cmake or source.suffix in BINDINGS | LICENSED
+    limited = source.is_cxx or source.is_c or source.is_cmake or source.suffix in LICENSED
     if limited and source.suffix != ".json" and LICENCE not in "\n".join(source.text.split("\n")[:2]):
         yield 1, f"no line {LICENCE}"
 

@@ -8,8 +8,8 @@ from pathlib import Path, PurePosixPath
 
 CXX = {".cppm", ".cpp", ".hpp"}
 C = {".c", ".h"}
-BINDINGS = {".rs", ".go", ".cs", ".lua", ".mjs", ".ts"}
-TEXT = CXX | C | {".cmake", ".in", ".txt", ".py", ".sh", ".md", ".json", ".jsonl", ".map", ".yml", ".yaml", ".js"} | BINDINGS
+TEXT = CXX | C | {".cmake", ".in", ".txt", ".py", ".sh", ".md", ".json", ".jsonl", ".map", ".yml", ".yaml", ".js",
+                  ".rs", ".go", ".cs", ".lua", ".mjs", ".ts"}
 SKIPPED_FOLDERS = {".git", "build", "out", "__pycache__", "data", "corpus", "regress"}
 
 _RAW_STRING = re.compile(r'R"([^()\\ \t\n]{0,16})\(')

@@ -67,7 +67,8 @@ namespace Abut
             {
                 { "vec3", typeof(Vector) }, { "quat", typeof(Quaternion) }, { "pose", typeof(Pose) },
                 { "part_id", typeof(PartId) }, { "geometry_id", typeof(GeometryId) }, { "feature", typeof(Feature) },
-                { "distance", typeof(Distance) }, { "contact", typeof(Contact) }, { "event", typeof(Event) }, { "ray", typeof(Ray) },
+                { "distance", typeof(Distance) }, { "contact", typeof(Contact) }, { "event", typeof(Event) },
+                { "ray", typeof(Ray) },
                 { "query_hit", typeof(Hit) }, { "part_options", typeof(Native.PartOptions) },
                 { "universe_options", typeof(Native.UniverseOptions) },
                 { "shape_desc", typeof(Native.ShapeDesc) },
