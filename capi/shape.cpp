@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Making and owning shapes. No class of a shape is named here: kinds are found by name.
+// Making shapes from buffers and from other shapes, and owning them.
 #include "convert.hpp"
 #include "guard.hpp"
 #include "options.hpp"
 #include "shape_handle.hpp"
+#include "shape_make.hpp"
 
 import abut.capability;
 import abut.core;
@@ -14,57 +15,6 @@ import abut.pairs.registry;
 using namespace abut::capi;
 
 namespace {
-
-struct Numbers {
-  std::span<const double> parameters;
-  std::span<const double> reals;
-  std::span<const std::uint32_t> indices;
-};
-
-// Shapes name their buffers as the named functions do; the generic door calls them reals and indices.
-abut::Error renamed(abut::Error error) {
-  for (const auto& [from, to] : std::array<std::pair<std::string_view, std::string_view>, 3>{
-           {{"xyz[", "desc.reals["}, {"heights[", "desc.reals["}, {"triangles[", "desc.indices["}}}) {
-    if (error.message.starts_with(from)) {
-      error.message.replace(0, from.size(), to);
-      break;
-    }
-  }
-  return error;
-}
-
-abut_status create(std::size_t place, const Numbers& numbers, abut_shape** out, bool by_generic_door = false) {
-  abut::Result<abut::AnyShape> made = abut::make_shape(place, numbers.parameters, numbers.reals, numbers.indices);
-  if (!made) {
-    return refuse(by_generic_door ? renamed(made.error()) : made.error());
-  }
-  *out = std::make_unique<abut_shape>(abut::ShapeHandle(std::move(made).value())).release();
-  return ABUT_OK;
-}
-
-abut_status create_named(std::string_view name, const Numbers& numbers, abut_shape** out) {
-  const std::optional<std::size_t> place = abut::find_kind(name);
-  if (!place) {
-    return refuse(ABUT_UNSUPPORTED, "this build of abut has no shape named " + std::string(name));
-  }
-  return create(*place, numbers, out);
-}
-
-abut_status create_plane(const abut_vec3& normal, double offset, abut_shape** out) {
-  for (const auto& [name, value] : std::array<std::pair<std::string_view, double>, 3>{
-           {{"normal.x", normal.x}, {"normal.y", normal.y}, {"normal.z", normal.z}}}) {
-    if (!std::isfinite(value)) {
-      return refuse(abut::error_about(abut::Errc::not_finite, name, value, "finite"));
-    }
-  }
-  // Normalised here, since lengths may be beyond what coordinates may be.
-  const auto unit = abut::UnitVec3::make({normal.x, normal.y, normal.z});
-  if (!unit) {
-    return refuse(ABUT_ZERO_VECTOR, "normal is (0, 0, 0); it must have a direction");
-  }
-  const std::array parameters{unit->vec().x, unit->vec().y, unit->vec().z, offset};
-  return create_named("plane", {parameters, {}, {}}, out);
-}
 
 abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::uint32_t* triangles,
                         std::size_t triangle_count, const abut_mesh_options* options, abut_shape** out) {
@@ -171,45 +121,10 @@ abut_status create_from(const abut_shape_desc& desc, abut_shape** out) {
       status != ABUT_OK) {
     return status;
   }
-  return create(*place, numbers, out, true);
+  return create(*place, numbers, out, Door::generic);
 }
 
 }  // namespace
-
-abut_status abut_sphere_create(double radius, abut_shape** out) {
-  return guard([&] {
-    const abut_status status = check_not_null("out", out);
-    return status != ABUT_OK ? status : create_named("sphere", {std::array{radius}, {}, {}}, out);
-  });
-}
-
-abut_status abut_box_create(double half_x, double half_y, double half_z, abut_shape** out) {
-  return guard([&] {
-    const abut_status status = check_not_null("out", out);
-    return status != ABUT_OK ? status : create_named("box", {std::array{half_x, half_y, half_z}, {}, {}}, out);
-  });
-}
-
-abut_status abut_capsule_create(double radius, double half_height, abut_shape** out) {
-  return guard([&] {
-    const abut_status status = check_not_null("out", out);
-    return status != ABUT_OK ? status : create_named("capsule", {std::array{radius, half_height}, {}, {}}, out);
-  });
-}
-
-abut_status abut_cylinder_create(double radius, double half_height, abut_shape** out) {
-  return guard([&] {
-    const abut_status status = check_not_null("out", out);
-    return status != ABUT_OK ? status : create_named("cylinder", {std::array{radius, half_height}, {}, {}}, out);
-  });
-}
-
-abut_status abut_plane_create(const abut_vec3* normal, double offset, abut_shape** out) {
-  return guard([&] {
-    const abut_status status = check_none_null<2>({{{"normal", normal}, {"out", out}}});
-    return status != ABUT_OK ? status : create_plane(*normal, offset, out);
-  });
-}
 
 abut_status abut_hull_create(const double* xyz, size_t point_count, abut_shape** out) {
   return guard([&] {
@@ -229,22 +144,6 @@ abut_status abut_mesh_create(const double* xyz, size_t vertex_count, const uint3
   return guard([&] {
     const abut_status status = check_not_null("out", out);
     return status != ABUT_OK ? status : create_mesh(xyz, vertex_count, triangles, triangle_count, options, out);
-  });
-}
-
-abut_status abut_particles_create(const double* xyz, size_t count, double radius, abut_shape** out) {
-  return guard([&] {
-    Numbers numbers;
-    abut_status status = check_not_null("out", out);
-    status = status != ABUT_OK ? status : read_span<3>("xyz", xyz, "count", count, numbers.reals);
-    if (status == ABUT_OK) {
-      // Radius 0 means something else to the generic door.
-      if (const abut::Fault fault = abut::check_positive("radius", radius)) {
-        return refuse(*fault);
-      }
-    }
-    numbers.parameters = std::span(&radius, 1);
-    return status != ABUT_OK ? status : create_named("particles", numbers, out);
   });
 }
 

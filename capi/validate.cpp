@@ -14,6 +14,12 @@ static_assert(static_cast<abut_finding_code>(abut::FindingCode::tolerance_too_la
               ABUT_FINDING_TOLERANCE_TOO_LARGE);
 static_assert(static_cast<abut_finding_code>(abut::FindingCode::far_from_origin) == ABUT_FINDING_FAR_FROM_ORIGIN);
 static_assert(static_cast<abut_finding_code>(abut::FindingCode::excluded_from_all) == ABUT_FINDING_EXCLUDED_FROM_ALL);
+static_assert(static_cast<abut_finding_code>(abut::FindingCode::rule_disables_all) == ABUT_FINDING_RULE_DISABLES_ALL);
+static_assert(static_cast<abut_finding_code>(abut::FindingCode::exclusion_in_common) ==
+              ABUT_FINDING_EXCLUSION_IN_COMMON);
+static_assert(static_cast<abut_finding_code>(abut::FindingCode::filter_keeps_none) == ABUT_FINDING_FILTER_KEEPS_NONE);
+static_assert(static_cast<abut_finding_code>(abut::FindingCode::all_parked) == ABUT_FINDING_ALL_PARKED);
+static_assert(static_cast<abut_finding_code>(abut::FindingCode::all_on_one_part) == ABUT_FINDING_ALL_ON_ONE_PART);
 
 namespace {
 

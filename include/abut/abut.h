@@ -233,6 +233,22 @@ ABUT_API abut_status abut_capsule_create(double radius, double half_height, abut
 /** Solid cylinder along local Z with flat ends, centred; neither is negative. [any] */
 ABUT_API abut_status abut_cylinder_create(double radius, double half_height, abut_shape **out);
 
+/** Solid cone along local Z, neither is negative: base at -half_height, apex at +half_height. [any] */
+ABUT_API abut_status abut_cone_create(double radius, double half_height, abut_shape **out);
+
+/** Solid ellipsoid, centred; radii along the axes, none negative. [any] */
+ABUT_API abut_status abut_ellipsoid_create(double radius_x, double radius_y, double radius_z, abut_shape **out);
+
+/** The origin of its frame. [any] */
+ABUT_API abut_status abut_point_create(abut_shape **out);
+
+/** Segment along local Z from -half_length to +half_length, which is not negative. [any] */
+ABUT_API abut_status abut_segment_create(double half_length, abut_shape **out);
+
+/** Triangle of any three points; both of its sides stop other shapes. [any] */
+ABUT_API abut_status abut_triangle_create(const abut_vec3 *a, const abut_vec3 *b, const abut_vec3 *c,
+                                          abut_shape **out);
+
 /**
  * Half-space of the points p with dot(normal, p) <= offset. The normal points out of the solid, has
  * any length but zero, and is normalised; the offset is measured along the unit normal. [any]
@@ -313,10 +329,20 @@ ABUT_API abut_status abut_height_field_create(const abut_height_field_desc *desc
  * Many small balls in one shape; a hash grid of its own finds those near another shape.
  * @param xyz     count * 3 numbers, the centres, copied
  * @param count   at least 1
- * @param radius  of each, positive; particles of various radii come through abut_shape_create
+ * @param radius  of each, positive
  * Complexity O(n); the grid is built when a query first needs it, in O(n). [any]
  */
 ABUT_API abut_status abut_particles_create(const double *xyz, size_t count, double radius, abut_shape **out);
+
+/**
+ * Small balls with radii of their own.
+ * @param xyz    count * 3 numbers, the centres, copied
+ * @param radii  count numbers, not negative, copied
+ * @param count  at least 1
+ * Complexity as abut_particles_create. [any]
+ */
+ABUT_API abut_status abut_particles_create_with_radii(const double *xyz, const double *radii, size_t count,
+                                                      abut_shape **out);
 
 /**
  * Shapes of any kind, each at a pose of its own, as one shape. They never meet each other. Composites may be
@@ -338,6 +364,44 @@ ABUT_API abut_status abut_composite_create(const abut_shape *const *children, co
  */
 ABUT_API abut_status abut_composite_create_with_materials(const abut_shape *const *children, const abut_pose *poses,
                                                           const uint32_t *materials, size_t count, abut_shape **out);
+
+/**
+ * Cavity of the shape of a ball, centred; radius >= 0. A hole takes material from the composite that it is a child of.
+ * docs/shapes.md tells what a hole does. [any]
+ */
+ABUT_API abut_status abut_sphere_hole_create(double radius, abut_shape **out);
+
+/** Ends of a cylinder hole that have no wall. */
+typedef uint32_t abut_open_ends;
+enum abut_open_ends_value ABUT_ENUM(uint32_t) {
+  ABUT_OPEN_TOP = 1,   /**< at +half_height */
+  ABUT_OPEN_BOTTOM = 2 /**< at -half_height */
+};
+
+/**
+ * Cavity of the shape of a cylinder along local Z, centred; neither number is negative. The hole goes on without end
+ * beyond an open end. [any]
+ */
+ABUT_API abut_status abut_cylinder_hole_create(double radius, double half_height, abut_open_ends open_ends,
+                                               abut_shape **out);
+
+/** Faces of a box hole that have no wall. */
+typedef uint32_t abut_open_faces;
+enum abut_open_faces_value ABUT_ENUM(uint32_t) {
+  ABUT_OPEN_X_HIGH = 1,
+  ABUT_OPEN_X_LOW = 2,
+  ABUT_OPEN_Y_HIGH = 4,
+  ABUT_OPEN_Y_LOW = 8,
+  ABUT_OPEN_Z_HIGH = 16,
+  ABUT_OPEN_Z_LOW = 32
+};
+
+/**
+ * Cavity of the shape of a box, centred; no half extent is negative. Faces of one axis may be open: those of two are
+ * ABUT_INVALID_ARGUMENT. The hole goes on without end beyond an open face. [any]
+ */
+ABUT_API abut_status abut_box_hole_create(double half_x, double half_y, double half_z, abut_open_faces open_faces,
+                                          abut_shape **out);
 
 /**
  * The generic door: any kind of shape from its parameters and buffers. What each kind takes is
@@ -699,6 +763,13 @@ ABUT_API abut_status abut_part_motion(const abut_universe *universe, abut_part_i
 /** Your value on a part. [const] */
 ABUT_API abut_status abut_part_user_data(const abut_universe *universe, abut_part_id part, uint64_t *out);
 
+/** Puts a value of yours on a part, and changes nothing else: no pair is asked again, no part wakes. [exclusive] */
+ABUT_API abut_status abut_part_set_user_data(abut_universe *universe, abut_part_id part, uint64_t user_data);
+
+/** The same for `count` parts, all or none. [exclusive] */
+ABUT_API abut_status abut_parts_set_user_data(abut_universe *universe, const abut_part_id *parts,
+                                              const uint64_t *user_data, size_t count);
+
 /** Geometries of a part by count-then-fill, in order of creation. [const] */
 ABUT_API abut_status abut_part_geometries(const abut_universe *universe, abut_part_id part,
                                           abut_geometry_id *geometries, size_t capacity, size_t *count);
@@ -812,6 +883,17 @@ ABUT_API abut_status abut_geometry_set_options(abut_universe *universe, abut_geo
 /** The same for `count` geometries, all or none; `options` is an array of `count`. [exclusive] */
 ABUT_API abut_status abut_geometries_set_options(abut_universe *universe, const abut_geometry_id *geometries,
                                                  const abut_geometry_options *options, size_t count);
+
+/**
+ * Puts a value of yours on a geometry, which abut_geometry_describe tells, and changes nothing else: no pair is asked
+ * again, no part wakes. [exclusive]
+ */
+ABUT_API abut_status abut_geometry_set_user_data(abut_universe *universe, abut_geometry_id geometry,
+                                                 uint64_t user_data);
+
+/** The same for `count` geometries, all or none. [exclusive] */
+ABUT_API abut_status abut_geometries_set_user_data(abut_universe *universe, const abut_geometry_id *geometries,
+                                                   const uint64_t *user_data, size_t count);
 
 /**
  * Gives a geometry another shape. Its contacts of the step before end, since features of another shape are other
@@ -1281,7 +1363,13 @@ enum abut_finding_code_value ABUT_ENUM(uint32_t) {
   ABUT_FINDING_KINDS_UNSUPPORTED = 2,   /**< two geometries that could meet are of kinds without an algorithm */
   ABUT_FINDING_TOLERANCE_TOO_LARGE = 3, /**< a tolerance above the smallest side of the shape */
   ABUT_FINDING_FAR_FROM_ORIGIN = 4,     /**< boxes of the broad phase are coarser there than a hundredth of the shape */
-  ABUT_FINDING_EXCLUDED_FROM_ALL = 5    /**< no geometry has a layer that it meets, or none meets its own */
+  ABUT_FINDING_EXCLUDED_FROM_ALL = 5,   /**< no geometry has a layer that it meets, or none meets its own */
+  ABUT_FINDING_RULE_DISABLES_ALL = 6,   /**< a rule disables any with any, and no rule enables anything */
+  ABUT_FINDING_EXCLUSION_IN_COMMON = 7, /**< all geometries have an exclusion bit in common */
+  ABUT_FINDING_FILTER_KEEPS_NONE = 8,   /**< the filter has said no each time, since it was set or all pairs were to be
+                                             asked about again */
+  ABUT_FINDING_ALL_PARKED = 9,          /**< every geometry is parked */
+  ABUT_FINDING_ALL_ON_ONE_PART = 10     /**< geometries of one part never meet each other */
 };
 
 typedef struct abut_finding {

@@ -226,6 +226,17 @@ Result<void> Scene::set_options(std::span<const GeometryId> geometries, std::spa
   return {};
 }
 
+Result<void> Scene::set_user_data(std::span<const GeometryId> geometries, std::span<const std::uint64_t> user_data) {
+  ABUT_CHECK(geometries.size() == user_data.size());
+  if (std::optional<Error> error = check_ids(geometries_, geometries, "geometries")) {
+    return *error;
+  }
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    geometries_.at(geometries[i]).options.user_data = user_data[i];
+  }
+  return {};
+}
+
 Result<void> Scene::park(std::span<const GeometryId> geometries, Parking parking) {
   if (std::optional<Error> error = check_ids(geometries_, geometries, "geometries")) {
     return *error;

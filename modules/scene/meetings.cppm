@@ -9,11 +9,17 @@ import abut.scene.rules;
 
 export namespace abut {
 
+// Answers of the filter since it was set, or since it is asked about all pairs again.
+struct FilterCounts {
+  std::uint64_t asked = 0, kept = 0;
+};
+
 struct Meetings {
   using Filter = std::function<bool(GeometryId, GeometryId)>;
 
   Rules rules;
-  Filter filter;  // of the caller; may be empty
+  Filter filter;                       // of the caller; may be empty
+  mutable FilterCounts filter_counts;  // the thread that steps calls the filter and counts, no other
   PolicyTable policies;
   bool must_ask_again = false;  // set where one of these changes, cleared at the end of a detection
 
@@ -28,9 +34,17 @@ struct Meetings {
     }
     const GeometryId first = places.id_at(low), second = places.id_at(high);
     return (rules.is_empty() || rules.allows({first, a.part, a.label}, {second, b.part, b.label})) &&
-           (!filter || filter(first, second));
+           (!filter || ask_filter(first, second));
   }
   [[nodiscard]] std::size_t bytes() const { return rules.bytes() + policies.bytes(); }
+
+ private:
+  [[nodiscard]] bool ask_filter(GeometryId first, GeometryId second) const {
+    const bool is_kept = filter(first, second);
+    ++filter_counts.asked;
+    filter_counts.kept += is_kept ? 1 : 0;
+    return is_kept;
+  }
 };
 
 }  // namespace abut

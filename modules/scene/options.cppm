@@ -163,6 +163,11 @@ enum class FindingCode : std::uint32_t {
   tolerance_too_large,  // a tolerance above the smallest side of a shape
   far_from_origin,      // boxes of the broad phase are coarser than a hundredth of the shape
   excluded_from_all,    // no geometry of the universe is one that the layers and masks let it meet
+  rule_disables_all,    // a rule disables any with any, and none enables anything
+  exclusion_in_common,  // all geometries have an exclusion bit in common
+  filter_keeps_none,    // the filter was asked, and has said no each time
+  all_parked,           // every geometry is parked
+  all_on_one_part,      // geometries of one part never meet each other
 };
 struct Finding {
   FindingCode code;

@@ -143,6 +143,17 @@ Result<std::uint64_t> Scene::user_data(PartId part) const {
   return parts_.at(part).user_data;
 }
 
+Result<void> Scene::set_user_data(std::span<const PartId> parts, std::span<const std::uint64_t> user_data) {
+  ABUT_CHECK(parts.size() == user_data.size());
+  if (std::optional<Error> error = check_ids(parts_, parts, "parts")) {
+    return *error;
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts_.at(parts[i]).user_data = user_data[i];
+  }
+  return {};
+}
+
 Result<std::vector<GeometryId>> Scene::geometries_of(PartId part) const {
   if (!parts_.contains(part)) {
     return stale("part");

@@ -45,6 +45,11 @@ void Rules::forget(const Collidable& gone) {
   });
 }
 
+bool Rules::disable_all() const {
+  return find({}, {}) == Rule::disable &&
+         std::ranges::none_of(rules_, [](const auto& entry) { return entry.second == Rule::enable; });
+}
+
 std::optional<Rule> Rules::find(const Collidable& a, const Collidable& b) const {
   const auto found = rules_.find(key_of(a, b));
   return found == rules_.end() ? std::nullopt : std::optional(found->second);

@@ -30,6 +30,8 @@ class Rules {
   [[nodiscard]] inline bool is_empty() const { return rules_.empty(); }
   [[nodiscard]] inline std::size_t size() const { return rules_.size(); }
   [[nodiscard]] inline std::size_t bytes() const { return rules_.size() * (sizeof(Key) + sizeof(Rule) + node_bytes); }
+  // Whether nothing meets anything: any with any is disabled, and nothing more specific is enabled. O(rules).
+  [[nodiscard]] bool disable_all() const;
   // O(log rules) for each combination of kinds that has any rule.
   [[nodiscard]] bool allows(const RuleSide& a, const RuleSide& b) const;
 

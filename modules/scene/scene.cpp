@@ -66,10 +66,13 @@ void Scene::clear_rules() {
 
 void Scene::set_filter(Filter filter) {
   meetings_.filter = std::move(filter);
-  meetings_.must_ask_again = true;
+  refilter();
 }
 
-void Scene::refilter() { meetings_.must_ask_again = true; }
+void Scene::refilter() {
+  meetings_.filter_counts = {};
+  meetings_.must_ask_again = true;
+}
 
 Result<void> Scene::set_policy(std::uint32_t tag_a, std::uint32_t tag_b, const Policy& policy) {
   if (Fault fault = check_tags(tag_a, tag_b)) {

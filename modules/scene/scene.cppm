@@ -41,6 +41,10 @@ class Scene {
   [[nodiscard]] Result<Placement> pose(PartId part) const;
   [[nodiscard]] Result<MotionKind> motion(PartId part) const;
   [[nodiscard]] Result<std::uint64_t> user_data(PartId part) const;
+  // Values of the caller, which nothing looks at.
+  [[nodiscard]] Result<void> set_user_data(std::span<const PartId> parts, std::span<const std::uint64_t> user_data);
+  [[nodiscard]] Result<void> set_user_data(std::span<const GeometryId> geometries,
+                                           std::span<const std::uint64_t> user_data);
   [[nodiscard]] Result<std::vector<GeometryId>> geometries_of(PartId part) const;
 
   // How fast parts move: stored and handed out. Nothing is swept yet, and sleep goes by poses. None takes a velocity
@@ -191,6 +195,7 @@ class Scene {
   std::size_t parked_count_ = 0;
 
  private:
+  void find_what_hides_all(std::vector<Finding>& findings) const;
   void forget_geometry(GeometryId geometry);
   void change(GeometryId geometry);
   void enlist(GeometryId geometry);

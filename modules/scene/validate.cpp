@@ -5,6 +5,8 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
+import abut.scene.meetings;
+import abut.scene.rules;
 
 namespace abut {
 namespace {
@@ -49,18 +51,56 @@ void find_unsupported(const SeenKinds& seen, std::vector<Finding>& findings) {
 
 }  // namespace
 
+// What leaves no pair of the scene at all. One geometry alone is no scene.
+void Scene::find_what_hides_all(std::vector<Finding>& findings) const {
+  const auto report = [&](FindingCode code, std::string message) {
+    findings.push_back({code, {}, {}, std::move(message)});
+  };
+  const FilterCounts& filter = meetings_.filter_counts;
+  if (meetings_.filter && filter.asked > 0 && filter.kept == 0) {
+    report(FindingCode::filter_keeps_none,
+           "the filter was asked about " + std::to_string(filter.asked) + " pairs and has kept none of them");
+  }
+  if (geometries_.size() < 2) {
+    return;
+  }
+  bool is_any_dynamic = false;
+  parts_.for_each(
+      [&](PartId, const Part& part) { is_any_dynamic = is_any_dynamic || part.motion == MotionKind::dynamic; });
+  if (!is_any_dynamic) {
+    report(FindingCode::nothing_moves, "no part is dynamic, so no pair is ever examined");
+  }
+  std::uint64_t common_exclusion = ~std::uint64_t{0};
+  std::uint32_t first_part = 0;
+  bool are_on_one_part = true;
+  geometries_.for_each([&](GeometryId, const Geometry& geometry) {
+    common_exclusion &= geometry.options.exclusion;
+    first_part = first_part == 0 ? geometry.part.slot : first_part;
+    are_on_one_part = are_on_one_part && geometry.part.slot == first_part;
+  });
+  if (common_exclusion != 0) {
+    report(FindingCode::exclusion_in_common, "all geometries have the exclusion bit " +
+                                                 std::to_string(std::countr_zero(common_exclusion)) +
+                                                 " in common, so none meets another one");
+  }
+  if (are_on_one_part) {
+    report(FindingCode::all_on_one_part,
+           "all geometries are on part " + std::to_string(first_part) + "; those of one part never meet each other");
+  }
+  if (meetings_.rules.disable_all()) {
+    report(FindingCode::rule_disables_all, "a rule disables any with any, and no rule enables a pair");
+  }
+  if (parked_count_ == geometries_.size()) {
+    report(FindingCode::all_parked, "all geometries are parked, so none is in a contact or found by a query");
+  }
+}
+
 std::vector<Finding> Scene::validate() const {
   std::vector<Finding> findings;
   const auto report = [&](FindingCode code, GeometryId geometry, GeometryId other, std::string message) {
     findings.push_back({code, geometry, other, std::move(message)});
   };
-
-  bool is_any_dynamic = false;
-  parts_.for_each(
-      [&](PartId, const Part& part) { is_any_dynamic = is_any_dynamic || part.motion == MotionKind::dynamic; });
-  if (!is_any_dynamic && geometries_.size() > 1) {
-    report(FindingCode::nothing_moves, {}, {}, "no part is dynamic, so no pair is ever examined");
-  }
+  find_what_hides_all(findings);
 
   SeenKinds seen{};
   std::uint64_t all_layers = 0, all_masks = 0;

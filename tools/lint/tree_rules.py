@@ -12,7 +12,7 @@ HEADERS = {"include/abut/abut.h": "capi/symbols.txt", "include/abut/picking.h": 
 PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
 
 # Besides the shape's own file, which is checked by name: the typed shorthands of the C interface may name shapes.
-MAY_NAME_SHAPES = ("capi/shape.cpp",)
+MAY_NAME_SHAPES = ("capi/shape.cpp", "capi/shape_simple.cpp", "capi/shape_particles.cpp")
 
 DECLARES = r"\b(?:struct|class)\s+(?:alignas\s*\([^)]*\)\s*|\[\[[^\]]*\]\]\s*)*"
 

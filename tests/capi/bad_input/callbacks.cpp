@@ -82,6 +82,10 @@ ABUT_BUSY_TEST(UniverseDetectChanged, abut_universe_detect_changed(scene.univers
 ABUT_BUSY_TEST(UniverseDetectPairs, abut_universe_detect_pairs(scene.universe, nullptr, nullptr, 0))
 ABUT_BUSY_TEST(UniverseDetectRegion, abut_universe_detect_region(scene.universe, nullptr))
 ABUT_BUSY_TEST(UniverseRefresh, abut_universe_refresh(scene.universe))
+ABUT_BUSY_TEST(PartSetUserData, abut_part_set_user_data(scene.universe, scene.part, 0))
+ABUT_BUSY_TEST(PartsSetUserData, abut_parts_set_user_data(scene.universe, nullptr, nullptr, 0))
+ABUT_BUSY_TEST(GeometrySetUserData, abut_geometry_set_user_data(scene.universe, scene.geometry, 0))
+ABUT_BUSY_TEST(GeometriesSetUserData, abut_geometries_set_user_data(scene.universe, nullptr, nullptr, 0))
 ABUT_BUSY_TEST(ContactsSetUserData, abut_contacts_set_user_data(scene.universe, nullptr, 0))
 
 std::uint32_t destroy(void* context, const abut_universe*, abut_geometry_id, abut_geometry_id) {

@@ -118,4 +118,65 @@ TEST_F(Validate, FindsWhatIsFarFromTheOrigin) {
   EXPECT_EQ(codes(), Codes{FindingCode::far_from_origin});
 }
 
+constexpr Collidable anything{};
+
+TEST_F(Validate, FindsARuleThatDisablesAll) {
+  add("sphere", {1}, {0, 0, 0});
+  const GeometryId other = add("sphere", {1}, {1, 0, 0});
+  ASSERT_TRUE(universe.set_rule(anything, anything, Rule::disable));
+  ASSERT_EQ(codes(), Codes{FindingCode::rule_disables_all});
+  EXPECT_NE(universe.validate()[0].message.find("disables any with any"), std::string::npos);
+  ASSERT_TRUE(universe.set_rule({CollidableKind::geometry, other.slot, other.generation}, anything, Rule::enable));
+  EXPECT_EQ(codes(), Codes{}) << "a list of what may meet";
+}
+
+TEST_F(Validate, FindsAnExclusionBitInCommon) {
+  GeometryOptions options;
+  options.exclusion = 0b1100;
+  add("sphere", {1}, {0, 0, 0}, MotionKind::dynamic, options);
+  options.exclusion = 0b0110;
+  add("sphere", {1}, {1, 0, 0}, MotionKind::dynamic, options);
+  ASSERT_EQ(codes(), Codes{FindingCode::exclusion_in_common});
+  EXPECT_NE(universe.validate()[0].message.find("bit 2"), std::string::npos);
+  add("sphere", {1}, {2, 0, 0});
+  EXPECT_EQ(codes(), Codes{});
+}
+
+TEST_F(Validate, FindsAFilterThatKeepsNone) {
+  add("sphere", {1}, {0, 0, 0});
+  add("sphere", {1}, {1, 0, 0});
+  universe.set_filter([](GeometryId, GeometryId) { return false; });
+  EXPECT_EQ(codes(), Codes{}) << "nobody has asked it yet";
+  ASSERT_TRUE(universe.step(0));
+  ASSERT_TRUE(universe.step(0));
+  ASSERT_EQ(codes(), Codes{FindingCode::filter_keeps_none});
+  EXPECT_NE(universe.validate()[0].message.find("asked about 1 pair"), std::string::npos);
+  universe.set_filter([](GeometryId, GeometryId) { return true; });
+  ASSERT_TRUE(universe.step(0));
+  EXPECT_EQ(codes(), Codes{});
+  universe.set_filter([](GeometryId, GeometryId) { return false; });
+  ASSERT_TRUE(universe.step(0));
+  universe.set_filter({});
+  EXPECT_EQ(codes(), Codes{}) << "it is gone";
+}
+
+TEST_F(Validate, FindsThatAllAreParked) {
+  const GeometryId one = add("sphere", {1}, {0, 0, 0}), other = add("sphere", {1}, {1, 0, 0});
+  ASSERT_TRUE(universe.park(std::array{one}, Parking::short_term));
+  EXPECT_EQ(codes(), Codes{});
+  ASSERT_TRUE(universe.park(std::array{other}, Parking::long_term));
+  EXPECT_EQ(codes(), Codes{FindingCode::all_parked});
+}
+
+TEST_F(Validate, FindsThatAllAreOnOnePart) {
+  const PartOptions part;
+  const PartId id = universe.create_parts(std::span(&part, 1)).value()[0];
+  const ShapeHandle shape = make("sphere", {1});
+  ASSERT_TRUE(universe.create_geometries(std::array{id}, std::array{shape}, {}));
+  EXPECT_EQ(codes(), Codes{});
+  ASSERT_TRUE(universe.create_geometries(std::array{id}, std::array{shape}, {}));
+  ASSERT_EQ(codes(), Codes{FindingCode::all_on_one_part});
+  EXPECT_NE(universe.validate()[0].message.find("part 1"), std::string::npos);
+}
+
 }  // namespace
