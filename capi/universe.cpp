@@ -21,9 +21,6 @@ static_assert(static_cast<abut_event_bits>(abut::event_contacts) == ABUT_EVENTS_
 
 namespace {
 
-// Tells the ids of one universe from those of the others.
-constinit std::atomic<std::uint32_t> next_number{1};
-
 constexpr abut_universe_options default_options{sizeof(abut_universe_options),
                                                 ABUT_BROADPHASE_AUTO,
                                                 ABUT_TOLERANCE_DEAD_BAND,
@@ -73,7 +70,7 @@ abut_status create(const abut_universe_options& options, abut_universe** out) {
   wanted.threads = options.threads;
   wanted.events = options.events;
   wanted.keeps_local_points = (options.flags & ABUT_UNIVERSE_LOCAL_POINTS) != 0;
-  *out = std::make_unique<abut_universe>(wanted, next_number.fetch_add(1, std::memory_order_relaxed)).release();
+  *out = std::make_unique<abut_universe>(wanted, next_universe_number()).release();
   return ABUT_OK;
 }
 
@@ -109,6 +106,11 @@ abut_status explain(const abut_universe* universe, Words words, char* text, std:
 }
 
 }  // namespace
+
+std::uint32_t abut::capi::next_universe_number() {
+  static constinit std::atomic<std::uint32_t> next{1};
+  return next.fetch_add(1, std::memory_order_relaxed);
+}
 
 void abut_universe_options_init(abut_universe_options* options, uint32_t struct_size) {
   fill_defaults(default_options, struct_size, options);

@@ -68,6 +68,9 @@ struct abut_universe {
 
 namespace abut::capi {
 
+// Tells the ids of one universe from those of the others.
+[[nodiscard]] std::uint32_t next_universe_number();
+
 // Every call on a universe, except the one that destroys it, goes through one of these three. This one is for [const]
 // calls and for those that a callback may make.
 template <class Handle, class Body>

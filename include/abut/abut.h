@@ -706,6 +706,32 @@ ABUT_API abut_status abut_universe_create(const abut_universe_options *options, 
  */
 ABUT_API void abut_universe_destroy(abut_universe *universe);
 
+/**
+ * A universe as bytes, by count-then-fill: for files, for other machines, and for going back. In them are
+ *  - options, parts, geometries and shapes, rules, policies, materials, the focus;
+ *  - what steps keep: contacts with ages and values of yours, events, islands, sleep, velocities;
+ *  - changes that no step has seen yet.
+ * The filter and its context, statistics and attached extension libraries are not.
+ * The bytes are the same on every machine. They begin with a mark, a version and a checksum.
+ * ABUT_BUSY from a callback. Complexity O(everything). [const]
+ * @param bytes     capacity bytes; null with capacity 0 asks for the size
+ * @param size      receives the number of bytes; nothing is written when they do not all fit
+ */
+ABUT_API abut_status abut_universe_save(const abut_universe *universe, void *bytes, size_t capacity, size_t *size);
+
+/**
+ * Makes a universe of the bytes of another one; the caller frees it with abut_universe_destroy.
+ *  - All ids name what they named there, new ones are those that the other universe would give out next, and steps give
+ *    the same bits. Shapes that were shared are shared.
+ *  - A filter has to be set again; all pairs are then asked about. Until then its answers stay.
+ *  - Numbers of threads are as they were.
+ * ABUT_UNSUPPORTED for bytes of another version of their format, or with kinds of shape that this build has not.
+ * ABUT_INVALID_ARGUMENT, or the status that a call with the same value would have, for bytes that are cut off, changed,
+ * or made up. The message tells what is wrong.
+ * Complexity O(everything). [any]
+ */
+ABUT_API abut_status abut_universe_load(const void *bytes, size_t size, abut_universe **out);
+
 /** How a part moves. Pairs of parts of which neither is dynamic are never examined. */
 typedef uint32_t abut_motion;
 enum abut_motion_value ABUT_ENUM(uint32_t) {

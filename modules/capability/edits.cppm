@@ -9,6 +9,12 @@ import abut.math;
 
 export namespace abut {
 
+// What a shape is made of beside its parameters: with these `make` gives the same shape, bit by bit.
+struct Buffers {
+  std::vector<Real> reals;
+  std::vector<std::uint32_t> indices;
+};
+
 // All parameters, as `make` takes them.
 struct ParameterEdit {
   static constexpr std::string_view subject = "parameters that can be changed without its data";

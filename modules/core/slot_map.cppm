@@ -70,6 +70,15 @@ class SlotMap {
     return entries_.capacity() * sizeof(Entry) + free_.capacity() * sizeof(std::uint32_t);
   }
 
+  // Ids of a map that was read are those of the map that was written, and so are the ones that it gives out next.
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    archive(self.first_generation_, self.entries_, self.free_);
+    if constexpr (Archive::is_reading) {
+      archive.require(self.restore(), "slots that are free are in use, or in no list");
+    }
+  }
+
   // Calls visit(id, value) in order of slots.
   template <class Visitor>
   void for_each(Visitor&& visit) const {
@@ -86,6 +95,22 @@ class SlotMap {
     std::optional<T> value;
     std::uint32_t generation;
   };
+
+  // Whether each slot that was read has a value, or is free once.
+  [[nodiscard]] bool restore() {
+    std::vector<bool> is_free(entries_.size());
+    for (const std::uint32_t slot : free_) {
+      if (slot == 0 || slot > entries_.size() || entries_[slot - 1].value || is_free[slot - 1]) {
+        return false;
+      }
+      is_free[slot - 1] = true;
+    }
+    size_ = entries_.size() - free_.size();
+    free_.reserve(entries_.capacity());
+    const auto has_value = [](const Entry& entry) { return entry.value.has_value(); };
+    return static_cast<std::size_t>(std::ranges::count_if(entries_, has_value)) == size_;
+  }
+
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> free_;
   std::uint32_t first_generation_;

@@ -202,6 +202,15 @@ ContactCounts ContactList::collect(const Workers& workers, const Places& places,
   return sum;
 }
 
+void ContactList::restore(std::vector<Contact> contacts, std::vector<LocalPoints> locals) {
+  contacts_ = std::move(contacts);
+  locals_ = std::move(locals);
+  histories_.reserve(contacts_.size());
+  for (const Contact& contact : contacts_) {
+    histories_.push_back({contact.point.id, contact.user_data, contact.age});
+  }
+}
+
 Result<void> ContactList::set_user_data(std::span<const std::uint64_t> user_data) {
   if (user_data.size() != contacts_.size()) {
     return error_about(Errc::invalid_argument, "count", static_cast<std::uint64_t>(user_data.size()),

@@ -39,6 +39,8 @@ class ContactList {
   }
   // By run.
   [[nodiscard]] const KindTally& tally(std::size_t run) const [[clang::lifetimebound]] { return tallies_[run]; }
+  // Into a list that is new, with a local point for each where they are kept.
+  void restore(std::vector<Contact> contacts, std::vector<LocalPoints> locals);
   [[nodiscard]] Result<void> set_user_data(std::span<const std::uint64_t> user_data);
   [[nodiscard]] std::size_t bytes() const;
 

@@ -18,6 +18,7 @@ class EventList {
   void collect(const Workers& workers, std::uint32_t wanted, const PairStore& store, std::span<const PlaceInfo> infos,
                const ContactList& contacts, const SleepTable& sleep);
   [[nodiscard]] std::span<const Event> all() const [[clang::lifetimebound]] { return events_; }
+  void restore(std::vector<Event> events) { events_ = std::move(events); }
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -97,6 +97,15 @@ void IslandList::clear() {
   seats_.clear();
 }
 
+bool IslandList::is_whole() const {
+  const auto is_island = [&](const Island& its) {
+    return its.id != 0 && its.id < next_id_ && its.first <= parts_.size() && its.count <= parts_.size() - its.first;
+  };
+  return std::ranges::all_of(islands_, is_island) && std::ranges::all_of(seats_, [&](const Seat& seat) {
+           return seat.island == none || seat.island < islands_.size();
+         });
+}
+
 std::optional<Island> IslandList::of(PartId part) const {
   if (part.slot == 0 || part.slot > seats_.size()) {
     return std::nullopt;

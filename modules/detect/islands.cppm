@@ -48,6 +48,14 @@ class IslandList {
   // Nothing for a part that is in none.
   [[nodiscard]] std::optional<Island> of(PartId part) const;
 
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    archive(self.next_id_, self.islands_, self.parts_, self.seats_);
+    if constexpr (Archive::is_reading) {
+      archive.require(self.is_whole(), "the islands and their parts do not fit each other");
+    }
+  }
+
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -56,6 +64,7 @@ class IslandList {
   };
   static constexpr std::uint32_t none = 0xffffffff;
 
+  [[nodiscard]] bool is_whole() const;
   void group(std::span<const PartId> parts, IslandLinks& links);
   void inherit();
 

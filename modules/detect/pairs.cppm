@@ -38,6 +38,23 @@ struct Pair {
   bool was_touching : 1 = false;  // before this detection
   bool is_sensor : 1 = false;
   bool is_bearing : 1 = false;  // had contacts, without a sensor, when sleep was last looked at
+
+  // What does not follow from the rest of the universe. Memories only spare searches: a pair that is read has none.
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    std::array<bool, 7> flags{self.is_unasked,  self.is_admitted, self.is_stale,  self.is_new,
+                              self.is_touching, self.is_sensor,   self.is_bearing};
+    archive(self.low, self.high, self.generation_low, self.generation_high, self.contact_count, self.policy, flags);
+    if constexpr (Archive::is_reading) {
+      self.is_unasked = flags[0];
+      self.is_admitted = flags[1];
+      self.is_stale = flags[2];
+      self.is_new = flags[3];
+      self.is_touching = flags[4];
+      self.is_sensor = flags[5];
+      self.is_bearing = flags[6];
+    }
+  }
 };
 inline constexpr std::uint32_t no_job = 0xffffffff;
 
@@ -57,6 +74,8 @@ class PairStore {
   // Those that touched and are no longer near, or whose slots others live in, in order: of this detection.
   [[nodiscard]] inline std::span<const Pair> lost() const [[clang::lifetimebound]] { return lost_; }
   inline void forget_lost() { lost_.clear(); }
+  // Into a store that is new: in order, each pair once.
+  void restore(std::vector<Pair> pairs) { pairs_ = std::move(pairs); }
   // Adds pairs that end though they stay near, in any order.
   void lose(std::span<const Pair> pairs);
 

@@ -61,4 +61,8 @@ Fault check_focus(const Focus& focus) {
   return std::nullopt;
 }
 
+bool FocusCentres::is_whole() const {
+  return !check_focus(focus_) && std::ranges::all_of(centres_, [](const Vec3& centre) { return is_finite(centre); });
+}
+
 }  // namespace abut

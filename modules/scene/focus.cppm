@@ -33,7 +33,17 @@ class FocusCentres {
   [[nodiscard]] std::uint32_t tag_of(const CompactAabb& box, std::uint32_t tag) const;
   [[nodiscard]] inline std::size_t bytes() const { return centres_.capacity() * sizeof(Vec3); }
 
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    archive(self.focus_, self.centres_);
+    if constexpr (Archive::is_reading) {
+      archive.require(self.is_whole(), "the focus is none");
+    }
+  }
+
  private:
+  [[nodiscard]] bool is_whole() const;
+
   Focus focus_;
   std::vector<Vec3> centres_;
 };

@@ -29,6 +29,11 @@ class FocusTags {
 
   [[nodiscard]] std::size_t bytes() const { return centres_.bytes() + switched_.capacity() * sizeof(std::uint32_t); }
 
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    archive(self.centres_, self.is_on_, self.has_moved_);
+  }
+
  private:
   void follow(std::uint32_t at, const Space& space, Places& places);
 

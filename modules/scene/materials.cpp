@@ -73,4 +73,8 @@ Fault check_material(const ContactMaterial& material) {
   return std::nullopt;
 }
 
+bool MaterialTable::is_whole() const {
+  return std::ranges::none_of(rows_, [](const auto& row) { return check_material(row.second).has_value(); });
+}
+
 }  // namespace abut

@@ -34,7 +34,17 @@ class MaterialTable {
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] std::size_t bytes() const;
 
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    archive(self.rows_);
+    if constexpr (Archive::is_reading) {
+      archive.require(self.is_whole(), "a contact material is none");
+    }
+  }
+
  private:
+  [[nodiscard]] bool is_whole() const;
+
   using Key = std::pair<std::uint32_t, std::uint32_t>;
   [[nodiscard]] std::optional<ContactMaterial> find(std::uint32_t a, std::uint32_t b) const;
 

@@ -43,4 +43,15 @@ Fault check_policy(const Policy& policy) {
   return check_not_negative("error_bound", policy.error_bound);
 }
 
+bool PolicyTable::is_whole() const {
+  constexpr std::size_t most = std::size_t{tag_count} * tag_count;
+  const auto is_policy = [](const Policy& its) {
+    return its.algorithm <= Algorithm::libccd_mpr && its.detail <= Detail::box && !check_policy(its);
+  };
+  const bool has_numbers = numbers_.empty() || numbers_.size() == std::size_t{tag_count} * tag_count;
+  return has_numbers && !policies_.empty() && policies_.size() <= most && std::ranges::all_of(policies_, is_policy) &&
+         std::ranges::all_of(numbers_, [&](std::uint32_t number) { return number < policies_.size(); }) &&
+         largest_tolerance_ >= 0 && largest_tolerance_ <= largest_coordinate;
+}
+
 }  // namespace abut

@@ -30,7 +30,18 @@ class PolicyTable {
     return numbers_.capacity() * sizeof(std::uint32_t) + policies_.capacity() * sizeof(Policy);
   }
 
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    archive(self.numbers_, self.policies_, self.largest_tolerance_);
+    if constexpr (Archive::is_reading) {
+      archive.require(self.is_whole(), "a policy is none");
+    }
+  }
+
  private:
+  // Whether what was read is what `set` may have made.
+  [[nodiscard]] bool is_whole() const;
+
   std::vector<std::uint32_t> numbers_;  // empty while all pairs of tags have the default
   std::vector<Policy> policies_{Policy{}};
   Real largest_tolerance_ = 0;

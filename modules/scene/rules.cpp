@@ -36,6 +36,17 @@ void Rules::set(const Collidable& a, const Collidable& b, Rule rule) {
   }
 }
 
+bool Rules::restore() {
+  counts_ = {};
+  return std::ranges::all_of(rules_, [&](const auto& entry) {
+    const auto& [key, rule] = entry;
+    const bool is_one =
+        key.first <= key.second && key.second[0] < kind_count && (rule == Rule::enable || rule == Rule::disable);
+    counts_[is_one ? key.first[0] : 0][is_one ? key.second[0] : 0] += 1;
+    return is_one;
+  });
+}
+
 void Rules::forget(const Collidable& gone) {
   const auto name = key_of(gone, gone).first;
   std::erase_if(rules_, [&](const auto& entry) {

@@ -35,7 +35,17 @@ class Rules {
   // O(log rules) for each combination of kinds that has any rule.
   [[nodiscard]] bool allows(const RuleSide& a, const RuleSide& b) const;
 
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    archive(self.rules_);
+    if constexpr (Archive::is_reading) {
+      archive.require(self.restore(), "a rule is none");
+    }
+  }
+
  private:
+  // What follows from the rules that were read, and whether each of them is one.
+  [[nodiscard]] bool restore();
   struct Key {
     std::array<std::uint32_t, 3> first, second;  // kind, slot, generation; first is not greater
 

@@ -2,7 +2,9 @@
 // Parts with geometries, where they are, and what the caller says about them: data and edits, no detection.
 export module abut.scene;
 import abut.capability;
+import abut.core.archive;
 import abut.core.standard;
+import abut.core.workers;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
@@ -161,6 +163,11 @@ class Scene {
     bool is_moved = false;   // in the list of moved ones, until a refresh
     bool is_marked = false;  // only while a batch is checked
     std::vector<GeometryId> geometries;
+
+    template <class Archive, class Self>
+    static void transfer(Archive& archive, Self& self) {
+      archive(self.placement, self.user_data, self.motion, self.geometries);
+    }
   };
   struct Geometry {
     PartId part;
@@ -168,6 +175,11 @@ class Scene {
     GeometryOptions options;
     bool is_changed = false;  // in the list of changed ones, until a refresh
     bool is_marked = false;   // only while a batch is checked
+
+    template <class Archive, class Self>
+    static void transfer(Archive& archive, Self& self) {
+      archive(self.part, self.options);
+    }
   };
   using Parts = SlotMap<Part, PartTag>;
   using Geometries = SlotMap<Geometry, GeometryTag>;
@@ -179,6 +191,11 @@ class Scene {
   void apply_deferred_parking();
 
   [[nodiscard]] std::size_t bytes() const;
+
+  // Everything but the filter, between detections. What is wrong with bytes is the reader's to tell; a scene that was
+  // to be made of them is good for nothing then. It has to be new.
+  void save(ByteWriter& out) const;
+  void load(ByteReader& in, const Workers& workers);
 
   UniverseOptions options_;
   Parts parts_;
@@ -195,6 +212,8 @@ class Scene {
   std::size_t parked_count_ = 0;
 
  private:
+  void check_parts(ByteReader& in) const;
+  void restore_changes(std::span<std::uint8_t> presences);
   void find_what_hides_all(std::vector<Finding>& findings) const;
   void forget_geometry(GeometryId geometry);
   void change(GeometryId geometry);

@@ -24,6 +24,29 @@ Fault check_sleep(const Sleep& sleep) {
   return std::nullopt;
 }
 
+bool SleepTable::is_right(const Member& member) {
+  return !check_sleep(member.thresholds) && member.measured <= 2 && member.unrest <= Unrest::call &&
+         is_finite(member.before.position) && is_finite(member.velocity.linear) && is_finite(member.velocity.angular);
+}
+
+// False where a part is there twice.
+bool SleepTable::place_all(std::uint32_t highest) {
+  places_.assign(highest, no_member);
+  has_moved_.assign(highest, false);
+  asleep_count_ = 0;
+  for (std::uint32_t member = 0; member < members_.size(); ++member) {
+    if (std::exchange(places_[members_[member].part.slot - 1], member) != no_member) {
+      return false;
+    }
+    asleep_count_ += members_[member].is_asleep ? 1 : 0;
+  }
+  for (const std::uint32_t slot : moved_) {
+    has_moved_[slot - 1] = true;
+  }
+  changes_.reserve(members_.capacity());
+  return true;
+}
+
 bool SleepTable::is_asleep(std::uint32_t slot) const {
   const std::uint32_t place = member_at(slot);
   return place != no_member && members_[place].is_asleep;

@@ -59,6 +59,19 @@ class SleepTable {
 
   [[nodiscard]] std::size_t bytes() const;
 
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    archive(self.members_, self.moved_, self.changes_);
+  }
+  // What follows from what was read, of parts with slots up to `highest`. Whether all of it may be so; `is_there` tells
+  // whether there is a part of an id.
+  template <class IsThere>
+  [[nodiscard]] bool restore(std::uint32_t highest, IsThere&& is_there) {
+    return std::ranges::all_of(members_, [&](const Member& its) { return is_there(its.part) && is_right(its); }) &&
+           std::ranges::all_of(moved_, [&](std::uint32_t slot) { return slot > 0 && slot <= highest; }) &&
+           place_all(highest);
+  }
+
  private:
   // Why a part does not sleep in this step; the greater one counts.
   enum class Unrest : std::uint8_t {
@@ -80,6 +93,8 @@ class SleepTable {
     bool is_kept_awake = false;  // by what it touches
   };
 
+  [[nodiscard]] static bool is_right(const Member& member);
+  [[nodiscard]] bool place_all(std::uint32_t highest);
   [[nodiscard]] std::uint32_t member_at(std::uint32_t slot) const;
   [[nodiscard]] std::uint32_t dynamic_member_at(const Side& side) const;
   [[nodiscard]] bool keeps_awake(const Side& side) const;

@@ -61,7 +61,12 @@ void Space::choose(const Places& places, BroadphaseKind wanted, std::span<const 
   if (std::exchange(kind_, wanted) == wanted) {
     return;
   }
-  broadphase_ = make_broadphase(wanted);
+  broadphase_ = make_broadphase(kind_);
+  join_all(places);
+}
+
+// Into a broad phase that is empty.
+void Space::join_all(const Places& places) {
   has_changed_ = true;
   moving_count_ = 0;
   for (std::uint32_t at = 0; at < seats_.size(); ++at) {
@@ -72,6 +77,27 @@ void Space::choose(const Places& places, BroadphaseKind wanted, std::span<const 
       }
     }
   }
+}
+
+std::vector<std::uint8_t> Space::presences() const {
+  std::vector<std::uint8_t> numbers(seats_.size());
+  for (std::size_t at = 0; at < seats_.size(); ++at) {
+    numbers[at] = static_cast<std::uint8_t>(seats_[at].presence);
+  }
+  return numbers;
+}
+
+void Space::restore(const Workers& workers, const Places& places, BroadphaseKind kind,
+                    std::span<const std::uint8_t> presences) {
+  kind_ = kind;
+  reason_ = "as it was saved";
+  broadphase_ = make_broadphase(kind);
+  seats_.assign(presences.size(), {});
+  for (std::size_t at = 0; at < presences.size(); ++at) {
+    seats_[at].presence = static_cast<Presence>(presences[at]);
+  }
+  join_all(places);
+  std::visit([&](auto& its) { its.update_all(workers, std::span<const std::uint32_t>(), places.boxes); }, broadphase_);
 }
 
 void Space::update(const Workers& workers, const Places& places, BroadphaseKind wanted,

@@ -26,6 +26,12 @@ class Space {
 
   // All pairs of shown boxes that overlap, in order; never of one part.
   void find_pairs(const Workers& workers, std::vector<ProxyPair>& out);
+  // The seats as numbers, by place, for those who keep them as bytes, and back into a space that is new.
+  [[nodiscard]] std::vector<std::uint8_t> presences() const;
+  [[nodiscard]] static bool is_presence(std::uint8_t number) { return number <= 2; }
+  void restore(const Workers& workers, const Places& places, BroadphaseKind kind,
+               std::span<const std::uint8_t> presences);
+
   // Set by whatever changes boxes or who is shown. Cleared by who has taken the pairs.
   [[nodiscard]] bool has_changed() const { return has_changed_; }
   void set_changed(bool has_changed) { has_changed_ = has_changed; }
@@ -50,6 +56,7 @@ class Space {
     Presence presence = Presence::absent;
     bool is_moving = false;  // in the broad phase
   };
+  void join_all(const Places& places);
   void choose(const Places& places, BroadphaseKind wanted, std::span<const std::uint32_t> queue);
   void join(const Places& places, std::uint32_t place);
 

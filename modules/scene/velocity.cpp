@@ -74,6 +74,23 @@ void VelocityTable::turn_to(Entry& entry, VelocitySource source) {
   entry.source = source;
 }
 
+// False where an entry is no velocity, or what is measured and the entries do not fit each other.
+bool VelocityTable::count_all() {
+  counts_ = {};
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const Entry& its = entries_[i];
+    if (its.source > VelocitySource::poses || !is_finite(its.velocity.linear) || !is_finite(its.velocity.angular)) {
+      return false;
+    }
+    counts_[static_cast<std::size_t>(its.source)] += its.source == VelocitySource::none ? 0 : 1;
+    const bool is_measured = its.source == VelocitySource::poses;
+    if (is_measured && (its.place >= measured_.size() || measured_[its.place].part.slot != i + 1)) {
+      return false;
+    }
+  }
+  return count(VelocitySource::poses) == measured_.size();
+}
+
 void VelocityTable::give(std::uint32_t slot, const Velocity& velocity) {
   make_room(slot, 0);
   turn_to(entries_[slot - 1], VelocitySource::given);

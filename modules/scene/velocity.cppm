@@ -60,6 +60,18 @@ class VelocityTable {
     }
   }
 
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    archive(self.entries_, self.measured_);
+  }
+  // Counts what was read, of parts with slots up to `highest`. Whether all of it may be so; `is_there` tells whether
+  // there is a part of an id.
+  template <class IsThere>
+  [[nodiscard]] bool restore(std::uint32_t highest, IsThere&& is_there) {
+    const auto is_known = [&](const Measured& its) { return is_there(its.part) && is_finite(its.before.position); };
+    return entries_.size() <= highest && std::ranges::all_of(measured_, is_known) && count_all();
+  }
+
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -73,6 +85,7 @@ class VelocityTable {
     Placement before;
   };
   void turn_to(Entry& entry, VelocitySource source);
+  [[nodiscard]] bool count_all();
 
   std::vector<Entry> entries_;  // by slot less one
   std::vector<Measured> measured_;

@@ -34,6 +34,11 @@ class CompositeOf {
   // Children of composites count as children of this one, depth first; that order is their number.
   [[nodiscard]] static Result<CompositeOf> of(std::span<const Child> given);
 
+  // From what a composite tells about itself. The children are no composites; of all that cut, holes name the child and
+  // the range.
+  [[nodiscard]] static Result<CompositeOf> restored(std::vector<Child> children, std::vector<Hole> holes,
+                                                    std::uint32_t nesting);
+
   // From numbers. indices, child by child: kind, how many parameters, reals and indices it takes, and its
   // indices. reals, child by child: position x y z, orientation w x y z, its parameters, its reals.
   [[nodiscard]] static Result<CompositeOf> make(std::span<const Real> parameters, std::span<const Real> reals,
@@ -97,6 +102,8 @@ class CompositeOf {
   };
 
   explicit CompositeOf(Data data) : data_(std::move(data)) {}
+  // Of children and holes what follows from them.
+  [[nodiscard]] static Result<CompositeOf> finished(Data data);
   // Whether a point of a solid lies in a hole that cuts it, but for one.
   [[nodiscard]] bool is_cut(std::uint32_t solid, const Vec3& point, std::uint32_t but) const;
   [[nodiscard]] bool has_material(const Hole& hole, const Vec3& point) const;
@@ -136,14 +143,47 @@ Result<CompositeOf<Any>> CompositeOf<Any>::of(std::span<const Child> given) {
   if (data.children.size() >= no_index) {
     return Error{Errc::size_overflow, "a composite has at most 2^32 - 2 children"};
   }
-  const auto count = static_cast<std::uint32_t>(data.children.size());
   // Those of the composite itself, which are not yet in the list, cut all of it.
+  const auto count = static_cast<std::uint32_t>(data.children.size());
   for (std::uint32_t i = 0; i < count; ++i) {
     if (data.children[i].shape->is_hole() &&
         std::ranges::none_of(data.holes, [&](const Hole& hole) { return hole.child == i; })) {
       data.holes.push_back({i, 0, count});
     }
   }
+  return finished(std::move(data));
+}
+
+template <class Any>
+Result<CompositeOf<Any>> CompositeOf<Any>::restored(std::vector<Child> children, std::vector<Hole> holes,
+                                                    std::uint32_t nesting) {
+  Data data{std::move(children), std::move(holes), {}, {}, {}, {}, nesting};
+  const std::size_t count = data.children.size();
+  const bool is_nested = std::ranges::any_of(data.children, [](const Child& child) {
+    return std::get_if<CompositeOf>(&static_cast<const typename Any::Variant&>(*child.shape)) != nullptr;
+  });
+  if (count == 0 || count >= no_index || is_nested || nesting == 0 || nesting > deepest_nesting) {
+    return Error{Errc::invalid_argument, "a composite has no children, or its nesting is wrong"};
+  }
+  std::vector<bool> is_listed(count);
+  for (const Hole& hole : data.holes) {
+    if (hole.child >= count || hole.begin > hole.end || hole.end > count || is_listed[hole.child] ||
+        !data.children[hole.child].shape->is_hole()) {
+      return Error{Errc::invalid_argument, "the holes of a composite are not among its children"};
+    }
+    is_listed[hole.child] = true;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (data.children[i].shape->is_hole() != is_listed[i]) {
+      return Error{Errc::invalid_argument, "a hole of a composite cuts nothing"};
+    }
+  }
+  return finished(std::move(data));
+}
+
+template <class Any>
+Result<CompositeOf<Any>> CompositeOf<Any>::finished(Data data) {
+  const auto count = static_cast<std::uint32_t>(data.children.size());
   if (data.holes.size() == count) {
     return Error{Errc::empty, "all children are holes; a composite needs a solid"};
   }

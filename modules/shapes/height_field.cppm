@@ -24,6 +24,7 @@ class HeightField {
     const Data& field = *data_;
     return {static_cast<Real>(field.columns), static_cast<Real>(field.rows), field.spacing_x, field.spacing_y};
   }
+  [[nodiscard]] Buffers buffers() const { return {data_->heights, {}}; }
   [[nodiscard]] static std::vector<HeightField> samples();
 
   [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->box, pose); }

@@ -15,12 +15,10 @@ class Hull {
   static constexpr std::string_view name = "hull";
   static constexpr std::array<std::string_view, 0> parameter_names{};
 
+  // Points; or the vertices of a hull that was built before, and in the indices its faces, see hull_of_faces.
   [[nodiscard]] static Result<Hull> make(std::span<const Real> parameters, std::span<const Real> reals,
                                          std::span<const std::uint32_t> indices) {
     if (Fault fault = check_count("parameter_count", parameters.size(), 0)) {
-      return *fault;
-    }
-    if (Fault fault = check_count("index_count", indices.size(), 0)) {
       return *fault;
     }
     if (reals.empty()) {
@@ -37,9 +35,19 @@ class Hull {
     for (std::size_t i = 0; i < points.size(); ++i) {
       points[i] = {reals[3 * i], reals[3 * i + 1], reals[3 * i + 2]};
     }
+    if (!indices.empty()) {
+      return hull_of_faces(points, indices).transform([](HullData data) { return Hull(std::move(data)); });
+    }
     return Hull(build_hull(points));
   }
   [[nodiscard]] std::vector<Real> parameters() const { return {}; }
+  [[nodiscard]] Buffers buffers() const {
+    Buffers out{{}, faces_of(*data_)};
+    for (const Vec3& p : data_->vertices) {
+      out.reals.insert(out.reals.end(), {p.x, p.y, p.z});
+    }
+    return out;
+  }
   [[nodiscard]] static std::vector<Hull> samples();
 
   [[nodiscard]] inline const HullData& data() const [[clang::lifetimebound]] { return *data_; }

@@ -9,6 +9,7 @@ module;
 #include "../core/check.hpp"
 module abut.shapes.hull_data;
 import abut.core.standard;
+import abut.core;
 import abut.math;
 import abut.math.tolerance;
 
@@ -35,26 +36,6 @@ Frame frame_of(std::span<const Vec3> points) {
   frame.low = box.low;
   frame.high = box.high;
   return frame;
-}
-
-void add_face(HullData& hull, std::span<const std::uint32_t> loop) {
-  // Newell's normal, about the first vertex so that a face far from the origin loses no digits.
-  Vec3 sum{0, 0, 0};
-  const Vec3 base = hull.vertices[loop[0]];
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    sum += cross(hull.vertices[loop[i]] - base, hull.vertices[loop[i + 1]] - base);
-  }
-  const auto normal = UnitVec3::make(sum);
-  if (!normal) {
-    return;  // a face without area bounds nothing
-  }
-  Real offset = -infinity;
-  for (const std::uint32_t vertex : loop) {
-    offset = std::max(offset, dot(normal->vec(), hull.vertices[vertex]));
-  }
-  hull.faces.push_back({*normal, offset, static_cast<std::uint32_t>(hull.face_vertices.size()),
-                        static_cast<std::uint32_t>(loop.size())});
-  hull.face_vertices.insert(hull.face_vertices.end(), loop.begin(), loop.end());
 }
 
 // Hull of points in a plane by Andrew's monotone chain (1979), as a polygon with two sides.

@@ -3,6 +3,7 @@
 export module abut.shapes.hull_data;
 import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
 
 export namespace abut {
@@ -205,6 +206,15 @@ struct HullData {
 
 // The hull of at least one finite point; coplanar, collinear and coincident points are welcome.
 [[nodiscard]] HullData build_hull(std::span<const Vec3> points);
+
+// The hull that has these vertices and faces, in their order: as it was when it was built from points. `faces`: of each
+// face how many corners it has, and its corners, counter-clockwise seen from outside; a single 0 for a point or a
+// segment.
+[[nodiscard]] Result<HullData> hull_of_faces(std::span<const Vec3> vertices, std::span<const std::uint32_t> faces);
+[[nodiscard]] std::vector<std::uint32_t> faces_of(const HullData& hull);
+
+// A face by its corners, counter-clockwise seen from outside. One without area bounds nothing and is left out.
+void add_face(HullData& hull, std::span<const std::uint32_t> loop);
 
 // Fills in what follows from vertices and faces: blocks, faces around vertices, edges, cells, facets, bounds.
 void finish_hull(HullData& hull);

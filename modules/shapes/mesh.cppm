@@ -18,6 +18,14 @@ class Mesh {
   [[nodiscard]] static Result<Mesh> make(std::span<const Real> parameters, std::span<const Real> reals,
                                          std::span<const std::uint32_t> indices);
   [[nodiscard]] std::vector<Real> parameters() const { return {data_->one_sided ? 1.0 : 0.0}; }
+  [[nodiscard]] Buffers buffers() const {
+    Buffers out{{}, data_->indices};
+    out.reals.reserve(3 * data_->vertices.size());
+    for (const Vec3& p : data_->vertices) {
+      out.reals.insert(out.reals.end(), {p.x, p.y, p.z});
+    }
+    return out;
+  }
   [[nodiscard]] static std::vector<Mesh> samples();
 
   [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->box, pose); }

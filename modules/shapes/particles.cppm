@@ -19,6 +19,17 @@ class Particles {
   [[nodiscard]] static Result<Particles> make(std::span<const Real> parameters, std::span<const Real> reals,
                                               std::span<const std::uint32_t> indices);
   [[nodiscard]] std::vector<Real> parameters() const { return {data_->common_radius}; }
+  [[nodiscard]] Buffers buffers() const {
+    Buffers out;
+    for (std::size_t i = 0; i < data_->places.size(); ++i) {
+      const Vec3& place = data_->places[i];
+      out.reals.insert(out.reals.end(), {place.x, place.y, place.z});
+      if (!data_->radii.empty()) {
+        out.reals.push_back(data_->radii[i]);
+      }
+    }
+    return out;
+  }
   [[nodiscard]] static std::vector<Particles> samples();
 
   [[nodiscard]] Aabb aabb(const Pose& pose) const {

@@ -27,11 +27,14 @@ class Plane {
         return *fault;
       }
     }
-    const auto normal = UnitVec3::make({parameters[0], parameters[1], parameters[2]});
+    const Vec3 given{parameters[0], parameters[1], parameters[2]};
+    const auto normal = UnitVec3::make(given);
     if (!normal) {
       return Error{Errc::zero_vector, "normal is (0, 0, 0); it must have a direction"};
     }
-    return Plane(*normal, parameters[3]);
+    // One of length one within rounding stays as it is: what a plane tells about itself makes the same plane again.
+    const bool is_unit = std::fabs(squared_norm(given) - 1) <= 4 * epsilon;
+    return Plane(is_unit ? UnitVec3::from_unit_unchecked(given) : *normal, parameters[3]);
   }
   [[nodiscard]] std::vector<Real> parameters() const { return {normal_.x, normal_.y, normal_.z, offset_}; }
   [[nodiscard]] static std::vector<Plane> samples() {

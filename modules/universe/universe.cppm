@@ -3,6 +3,7 @@
 export module abut.universe;
 import abut.broadphase;
 import abut.capability;
+import abut.core.archive;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
@@ -66,11 +67,21 @@ class Universe : public Scene {
   // each other then. All other calls leave things as they were.
   [[nodiscard]] bool is_torn() const { return is_torn_ && !is_stepping(); }
 
+  // Everything but the filter as bytes, between detections. A universe that is made of them has the same ids, and its
+  // next steps give the same bits.
+  [[nodiscard]] std::vector<std::uint8_t> save() const;
+  // Whether bytes are those of a universe, and with what options it was made.
+  [[nodiscard]] static Result<UniverseOptions> saved_options(std::span<const std::uint8_t> bytes);
+  // Into a universe that is new and has the options that the bytes tell. After an error it is good for nothing.
+  [[nodiscard]] Result<void> load(std::span<const std::uint8_t> bytes);
+
   // Brings boxes up to date with poses, as a step does first. Queries see boxes and poses as of the last step or
   // refresh.
   void refresh();
 
  private:
+  void load_pairs(ByteReader& in);
+  void load_contacts(ByteReader& in, std::uint64_t count);
   void detect(Scope scope);
   void run_stages(const Scope& scope);
   void refresh_places();

@@ -85,6 +85,8 @@ FUNCTIONS = {
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Contact),
         c_size_t, POINTER(c_size_t)]),
     "abut_universe_options_init": (None, [POINTER(UniverseOptions), c_uint32]),
+    "abut_universe_save": (Status, [c_void_p, c_void_p, c_size_t, POINTER(c_size_t)]),
+    "abut_universe_load": (Status, [c_void_p, c_size_t, POINTER(c_void_p)]),
     "abut_universe_create": (Status, [POINTER(UniverseOptions), POINTER(c_void_p)]),
     "abut_universe_destroy": (None, [c_void_p]),
     "abut_part_options_init": (None, [POINTER(PartOptions), c_uint32]),
