@@ -15,6 +15,8 @@
  * surface is first is decided in single precision for meshes, height fields and large hulls, and in
  * double for all other shapes; the hit itself is computed in double, on the triangle that was found.
  *
+ * A world far from zero costs no digits: the scene of rays lies around what is in it, so there is no origin to set.
+ *
  * Coordinates of origins and cameras are at most 1e70 in size, otherwise ABUT_OUT_OF_RANGE.
  */
 #ifndef ABUT_PICKING_H

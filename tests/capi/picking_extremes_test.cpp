@@ -207,4 +207,43 @@ TEST(PickerExtremes, ANarrowViewSeesFarThings) {
   EXPECT_TRUE(same(pick.geometry, ball.geometry));
 }
 
+// The scenes of rays lie around what is in them, so that no origin has to be set.
+void expect_precise_at(World& world, double far, double tolerance) {
+  Random random(3);
+  for (int i = 0; i < 400; ++i) {
+    const abut_ray ray{{far + random.in(-3, 3), far + random.in(-3, 3), 5},
+                       {random.in(-0.3, 0.3), random.in(-0.3, 0.3), -1},
+                       infinity};
+    const abut_pick found = world.pick(ray), wanted = world.brute(ray);
+    ASSERT_TRUE(same(found.geometry, wanted.geometry)) << far;
+    if (wanted.geometry.slot != 0) EXPECT_NEAR(found.distance, wanted.distance, tolerance) << far;
+  }
+}
+
+TEST(PickerExtremes, AWorldFarFromZeroCostsNoDigits) {
+  for (const double far : {1e4, 1e7, 1e9}) {
+    World world;
+    const Placed ground = world.add(ground_mesh(2, 20, 0.3), {far, far, 0});
+    world.add(sphere(0.5), {far, far, 1});
+    world.add(prism(12), {far + 1, far, 1});
+    expect_precise_at(world, far, 1e-13);
+    world.move(ground, {far + 0.25, far, 0});
+    expect_precise_at(world, far, 1e-13);
+  }
+}
+
+// Where a ray meets an edge, single precision may name the neighbour.
+TEST(PickerExtremes, AWideWorldIsPreciseAtBothEnds) {
+  for (const double far : {1e4, 1e7, 1e9}) {
+    World world;
+    const Shape ground = ground_mesh(2, 20, 0.3);
+    world.add(ground, {far, far, 0});
+    world.add(ground, {0, 0, 0});
+    world.add(sphere(0.5), {far, far, 1});
+    world.add(sphere(0.5), {-far, 0, 1});
+    expect_precise_at(world, far, 1e-6);
+    expect_precise_at(world, 0, 1e-6);
+  }
+}
+
 }  // namespace
