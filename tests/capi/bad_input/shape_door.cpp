@@ -121,7 +121,7 @@ TEST(ShapeCreate, RefusesBuffersThatTheKindHasNot) {
   desc.reals = square.data();
   desc.real_count = 12;
   EXPECT_TRUE(refused(abut_shape_create(&desc, out.address()), ABUT_INVALID_ARGUMENT, {"real_count", "12"}));
-  desc = hull_desc();
+  desc = sphere_desc();
   desc.indices = two_triangles.data();
   desc.index_count = 6;
   EXPECT_TRUE(refused(abut_shape_create(&desc, out.address()), ABUT_INVALID_ARGUMENT, {"index_count", "6"}));
