@@ -173,6 +173,23 @@ class Universes(unittest.TestCase):
         with self.assertRaises(TypeError):
             self.universe.change(self.geometries[0], colour=1)
 
+    def test_user_data(self):
+        self.universe.set_user_data(self.parts, [4, 5, 6])
+        self.universe.set_geometry_user_data(self.geometries, 2**64 - 1)
+        self.assertEqual([self.universe.user_data(part) for part in self.parts], [4, 5, 6])
+        self.assertEqual(self.universe.describe(self.geometries[1]).user_data, 2**64 - 1)
+
+    def test_save_and_load(self):
+        self.universe.step()
+        data = self.universe.save()
+        with abut.Universe.load(data) as other:
+            other.step()
+            self.universe.step()
+            self.assertEqual(other.hash(), self.universe.hash())
+            self.assertEqual(list(other.parts()), list(self.universe.parts()))
+        with self.assertRaises(abut.Error):
+            abut.Universe.load(data[:-1])
+
     def test_detections(self):
         self.universe.detect_pairs([(self.geometries[1], self.geometries[0])])
         self.assertEqual(len(self.universe.contacts()), 1)

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import weakref
-from ctypes import byref, c_void_p
+from ctypes import byref, c_ubyte, c_void_p
 from typing import Any
 
-from .. import c, options
+from .. import answers, c, options
 from ..c import library
 from .detection import Detection
 from .geometries import Geometries
@@ -27,8 +27,24 @@ class Universe(Parts, Geometries, Detection, Queries):
         out = c_void_p()
         library.abut_universe_create(byref(options.filled(c.UniverseOptions, library.abut_universe_options_init, fields)),
                                      byref(out))
+        self._begin(out)
+
+    def _begin(self, pointer):
         self._pickers: weakref.WeakSet = weakref.WeakSet()
-        super().__init__(out)
+        super().__init__(pointer)
+
+    @classmethod
+    def load(cls, data: bytes) -> Universe:
+        """A universe from the bytes of another one. Ids name what they named there; a filter has to be set again."""
+        kept, out = bytes(data), c_void_p()
+        library.abut_universe_load(kept, len(kept), byref(out))
+        universe = cls.__new__(cls)
+        universe._begin(out)
+        return universe
+
+    def save(self) -> bytes:
+        """All of it but the filter, for files and for going back."""
+        return bytes(answers.filled(c_ubyte, lambda *rest: self._read(library.abut_universe_save, *rest), 1 << 16))
 
     def close(self) -> None:
         """Destroys it with everything in it, and closes its pickers before."""

@@ -11,7 +11,7 @@ from ..c import library
 from ..lending import Lender
 from ..records import Records
 from ..shapes import Shape
-from .parts import _fit
+from .parts import _fit, numbers_of_each
 
 
 class Geometries(Lender):
@@ -84,6 +84,10 @@ class Geometries(Lender):
         described = self.options_of(geometry)
         options.set_fields(described, fields)
         self.set_options([geometry], [described])
+
+    def set_geometry_user_data(self, geometries: Any, values: Any) -> None:
+        """Puts numbers of yours on geometries, one on each or one on all."""
+        self._change_geometries(library.abut_geometries_set_user_data, geometries, numbers_of_each(values))
 
     def set_shapes(self, geometries: Any, shapes: Any) -> None:
         """Gives geometries other shapes, or all the same one."""

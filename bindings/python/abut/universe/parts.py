@@ -73,6 +73,10 @@ class Parts(Lender):
         self._read(library.abut_part_user_data, part, byref(out))
         return out.value
 
+    def set_user_data(self, parts: Any, values: Any) -> None:
+        """Puts numbers of yours on parts, one on each or one on all."""
+        self._change_parts(library.abut_parts_set_user_data, parts, numbers_of_each(values))
+
     def parts(self) -> Records:
         """All parts, ordered by slot."""
         return answers.records(c.PartId, lambda *rest: self._read(library.abut_universe_parts, *rest))
@@ -118,6 +122,12 @@ class Parts(Lender):
         velocity, source = c.Velocity(), c_uint32()
         self._read(library.abut_part_velocity, part, byref(velocity), byref(source))
         return source.value
+
+
+def numbers_of_each(values):
+    """User data: a number for all, or one for each."""
+    is_one = not hasattr(values, "__len__")
+    return given.Given("values", given.numbers("values", [values] if is_one else values, c_uint64), is_one)
 
 
 def _fit(ids, *more):
