@@ -5,10 +5,7 @@
 
 #include "core/check.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
+import abut.core.standard;
 
 namespace abut::capi {
 

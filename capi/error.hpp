@@ -5,6 +5,7 @@
 
 #include "prelude.hpp"
 
+import abut.core.standard;
 import abut.core;
 
 namespace abut::capi {

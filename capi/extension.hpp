@@ -5,8 +5,7 @@
 
 #include "prelude.hpp"
 
-#include <map>
-
+import abut.core.standard;
 import abut.universe;
 
 namespace abut::capi {

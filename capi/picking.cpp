@@ -3,7 +3,6 @@
 #include <abut/picking.h>
 
 #include "core/check.hpp"
-#include "defaults.hpp"
 #include "picking_arguments.hpp"
 #include "picking_source.hpp"
 
@@ -17,6 +16,8 @@
 #include <span>
 #include <utility>
 #include <vector>
+
+#include "defaults.hpp"
 
 import abut.picking;
 

@@ -5,6 +5,7 @@
 
 #include "prelude.hpp"
 
+import abut.core.standard;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
 
