@@ -39,6 +39,10 @@ abut_status check_threads(std::uint32_t threads) {
     return refuse(error_about(abut::Errc::out_of_range, "options.threads", std::uint64_t{threads},
                               "at most " + std::to_string(most_threads)));
   }
+  if (threads > 1 && abut_has_feature("threads") == 0) {
+    return refuse(ABUT_UNSUPPORTED, "options.threads is " + std::to_string(threads) +
+                                        "; this build of abut is without the feature \"threads\", so 0 and 1 are left");
+  }
   return ABUT_OK;
 }
 

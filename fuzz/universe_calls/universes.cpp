@@ -143,6 +143,9 @@ Universes::Universes(const Call& setup) {
     abut_universe_options options = options_;
     options.broadphase = static_cast<abut_broadphase>(setup.pick(5 + i, 5));
     options.threads = 1 + static_cast<std::uint32_t>(setup.pick(8 + i, 3));
+    if (abut_has_feature("threads") == 0) {
+      options.threads = 1;
+    }
     if (i == 2) {
       options.broadphase = ABUT_BROADPHASE_BRUTE;
       options.threads = 1;

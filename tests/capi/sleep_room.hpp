@@ -21,7 +21,7 @@ class Room {
 
   static abut_universe_options make_options(std::uint32_t threads) {
     abut_universe_options options = default_universe_options();
-    options.threads = threads;
+    options.threads = threads_of_build(threads);
     return options;
   }
 

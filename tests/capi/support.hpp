@@ -26,6 +26,9 @@ testing::AssertionResult succeeded(abut_status status);
 // For calls of helpers, without which a test means nothing.
 void require(abut_status status);
 
+// As many threads as a test wants; one where the build is without them.
+inline std::uint32_t threads_of_build(std::uint32_t wanted) { return abut_has_feature("threads") != 0 ? wanted : 1; }
+
 // Holds when a call failed with exactly this status and a message that contains every word.
 testing::AssertionResult refused(abut_status status, abut_status expected,
                                  std::initializer_list<std::string_view> words);

@@ -104,7 +104,7 @@ static uint64_t run(abut_broadphase broadphase, uint32_t threads) {
   uint32_t i, step;
   abut_universe_options_init(&options, sizeof options);
   options.broadphase = broadphase;
-  options.threads = threads;
+  options.threads = abut_has_feature("threads") != 0 ? threads : 1;
   options.events = ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS;
   require(abut_universe_create(&options, &universe), "universe");
   for (i = 0; i < shape_count; ++i) shapes[i] = some_shape(i);

@@ -72,7 +72,7 @@ class Crowd {
   static abut_universe_options* options_of(std::uint32_t threads, abut_broadphase broadphase) {
     static abut_universe_options options;
     options = default_universe_options();
-    options.threads = threads;
+    options.threads = threads_of_build(threads);
     options.broadphase = broadphase;
     return &options;
   }

@@ -40,7 +40,7 @@ class Crowd {
   }
   static abut_universe_options make_options(std::uint32_t threads) {
     abut_universe_options options = default_universe_options();
-    options.threads = threads;
+    options.threads = threads_of_build(threads);
     return options;
   }
   double below(double most) { return most * double(random_()) / double(random_.max()); }

@@ -140,7 +140,7 @@ abut_universe_options all_contacts(abut_tolerance_mode mode, std::uint32_t threa
   abut_universe_options options = default_universe_options();
   options.max_contacts = 0;
   options.tolerance_mode = mode;
-  options.threads = threads;
+  options.threads = threads_of_build(threads);
   return options;
 }
 

@@ -23,7 +23,7 @@ std::string threads_in(const abut_universe* universe) {
 // The hashes of the steps of a crowd of balls, boxes and capsules that swim about over a plane.
 std::vector<std::uint64_t> hashes_with(std::uint32_t threads, abut_broadphase broadphase) {
   abut_universe_options options = default_universe_options();
-  options.threads = threads;
+  options.threads = threads_of_build(threads);
   options.broadphase = broadphase;
   options.events = ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS;
   Universe universe(&options);
@@ -83,7 +83,7 @@ TEST(Threads, AreStartedWhereTheyAreAskedFor) {
 
 TEST(Threads, FollowTheModelOfEventsToo) {
   abut_universe_options options = default_universe_options();
-  options.threads = 3;
+  options.threads = threads_of_build(3);
   BoxWorld world(options, 20250117, 60);
   for (int step = 0; step < 100; ++step) {
     const auto expected = world.foretell();
