@@ -25,19 +25,24 @@ set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
 set(ABUT_ARCH "x86-64-v3" CACHE STRING "Target of -march; empty for the compiler's default")
-set(ABUT_SANITIZE "" CACHE STRING "address (with undefined), thread, fuzzer (address, undefined and coverage), or empty")
+set(ABUT_SANITIZE "" CACHE STRING
+    "address (with undefined), thread, fuzzer (address and undefined), fuzzer-address, fuzzer-undefined, coverage, or empty")
 set(ABUT_FUZZ_ENGINE "-fsanitize=fuzzer" CACHE STRING "Links the fuzzing engine, and with it main, to a fuzz target")
 
-add_compile_options(
-  -Wall -Wextra -Wpedantic -Werror
-  -Wdangling -Wdangling-gsl -Wdangling-field -Wdangling-assignment -Wreturn-stack-address
-  -Wthread-safety -Wthread-safety-beta
-  -Wswitch-enum -Wcovered-switch-default -Wimplicit-fallthrough -Wunused-result
-  -Wconversion -Wsign-conversion -Wfloat-conversion -Wdouble-promotion
-  -Wshadow-all -Wcast-align -Wcast-qual -Wcast-function-type-strict
-  -Wconditional-uninitialized -Wcomma -Wdocumentation -Wmissing-variable-declarations
-  "$<$<COMPILE_LANGUAGE:CXX>:-Wunsafe-buffer-usage;-Wunsafe-buffer-usage-in-container;-Wold-style-cast;-Wundefined-reinterpret-cast;-Wzero-as-null-pointer-constant>"
-  "$<$<COMPILE_LANGUAGE:CXX>:-Wglobal-constructors;-Wexit-time-destructors;-Wnon-virtual-dtor;-Wextra-semi>")
+# Every warning is an error for those who work on abut. Others are spared the time: -Wunsafe-buffer-usage reads all that a
+# unit imports, a third of a second for each unit.
+if(ABUT_WARNINGS)
+  add_compile_options(
+    -Wall -Wextra -Wpedantic -Werror
+    -Wdangling -Wdangling-gsl -Wdangling-field -Wdangling-assignment -Wreturn-stack-address
+    -Wthread-safety -Wthread-safety-beta
+    -Wswitch-enum -Wcovered-switch-default -Wimplicit-fallthrough -Wunused-result
+    -Wconversion -Wsign-conversion -Wfloat-conversion -Wdouble-promotion
+    -Wshadow-all -Wcast-align -Wcast-qual -Wcast-function-type-strict
+    -Wconditional-uninitialized -Wcomma -Wdocumentation -Wmissing-variable-declarations
+    "$<$<COMPILE_LANGUAGE:CXX>:-Wunsafe-buffer-usage;-Wunsafe-buffer-usage-in-container;-Wold-style-cast;-Wundefined-reinterpret-cast;-Wzero-as-null-pointer-constant>"
+    "$<$<COMPILE_LANGUAGE:CXX>:-Wglobal-constructors;-Wexit-time-destructors;-Wnon-virtual-dtor;-Wextra-semi>")
+endif()
 
 # An interface unit is read once for its object and for what importers see, not once for each, and importers see no bodies of
 # functions that are not inline.
@@ -72,11 +77,24 @@ if(NOT ABUT_ARCH MATCHES "^x86-64-v[34]$")
 endif()
 
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+# The linker leaves out functions that nobody calls or that are the same as others, and names that are not exported.
+set(CMAKE_CXX_FLAGS_MINSIZEREL "-Os -DNDEBUG -ffunction-sections -fdata-sections")
+set(CMAKE_SHARED_LINKER_FLAGS_MINSIZEREL "-Wl,--gc-sections -Wl,--icf=safe -Wl,-O2 -Wl,--strip-all")
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
 
-set(abut_sanitize_checks
-    address,undefined,float-divide-by-zero,implicit-integer-truncation,implicit-integer-sign-change,nullability,local-bounds)
-if(ABUT_SANITIZE STREQUAL "address" OR ABUT_SANITIZE STREQUAL "fuzzer")
+set(abut_known_sanitizers address thread fuzzer fuzzer-address fuzzer-undefined coverage)
+if(ABUT_SANITIZE AND NOT ABUT_SANITIZE IN_LIST abut_known_sanitizers)
+  message(FATAL_ERROR "ABUT_SANITIZE is '${ABUT_SANITIZE}'; known are: ${abut_known_sanitizers}")
+endif()
+set(abut_undefined_checks
+    undefined,float-divide-by-zero,implicit-integer-truncation,implicit-integer-sign-change,nullability,local-bounds)
+set(abut_sanitize_checks address,${abut_undefined_checks})
+if(ABUT_SANITIZE STREQUAL "fuzzer-address")
+  set(abut_sanitize_checks address)
+elseif(ABUT_SANITIZE STREQUAL "fuzzer-undefined")
+  set(abut_sanitize_checks ${abut_undefined_checks})
+endif()
+if(ABUT_SANITIZE MATCHES "address|fuzzer")
   add_compile_options(-fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/sanitize_ignore.txt)
 endif()
 if(ABUT_SANITIZE STREQUAL "address")
@@ -87,12 +105,14 @@ if(ABUT_SANITIZE STREQUAL "address")
 elseif(ABUT_SANITIZE STREQUAL "thread")
   add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
   add_link_options(-fsanitize=thread)
-elseif(ABUT_SANITIZE STREQUAL "fuzzer")
+elseif(ABUT_SANITIZE MATCHES "^fuzzer")
   # The library is instrumented; only the targets link libFuzzer's main function.
   add_compile_options(-fsanitize=fuzzer-no-link,${abut_sanitize_checks} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${abut_sanitize_checks})
-elseif(ABUT_SANITIZE)
-  message(FATAL_ERROR "ABUT_SANITIZE is '${ABUT_SANITIZE}'; it must be address, thread, fuzzer or empty")
+elseif(ABUT_SANITIZE STREQUAL "coverage")
+  # Counts for llvm-cov, which shows the lines that a corpus reaches.
+  add_compile_options(-fprofile-instr-generate -fcoverage-mapping)
+  add_link_options(-fprofile-instr-generate)
 else()
   # A shared library that leaves symbols undefined is found when it is linked, not when it is loaded.
   add_link_options($<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,SHARED_LIBRARY>:-Wl,-z,defs>)
@@ -119,6 +139,10 @@ endfunction()
 function(abut_link_fuzzer target)
   target_link_options(${target} PRIVATE ${ABUT_FUZZ_ENGINE})
 endfunction()
+# A shared library that calls back into the engine of the program that loads it.
+function(abut_call_fuzzer target)
+  target_link_options(${target} PRIVATE LINKER:-z,undefs)
+endfunction()
 # What consumers of the installed modules must share with us: layout, arithmetic, and what clang
 # compares between a module and its importer. The rest of the options stays here.
 function(abut_export_flags target)
@@ -133,6 +157,11 @@ endfunction()
 function(abut_limit_exports target script)
   target_link_options(${target} PRIVATE LINKER:--version-script=${script} LINKER:--exclude-libs,ALL)
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${script})
+endfunction()
+
+# Rarely run, and large where calls are taken apart.
+function(abut_compile_smallest source)
+  set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:MinSizeRel>:-Oz>)
 endfunction()
 
 # For programs whose compiling takes longer than their running.

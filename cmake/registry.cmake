@@ -7,9 +7,9 @@ set_property(GLOBAL PROPERTY abut_known_shapes "")
 
 # name: of the file modules/shapes/<name>.cppm and its helpers <name>_*; class: in it; kind: the number
 # in the C ABI, never reused; FEATURE: builds without this feature leave the shape out; OF_ANY: the class is
-# a template that gets the type of a shape of any kind.
+# a template that gets the type of a shape of any kind; NEEDS: kernels of cmake/kernels.cmake that it is answered with.
 function(abut_shape name class kind)
-  cmake_parse_arguments(PARSE_ARGV 3 arg "OF_ANY" "FEATURE" "")
+  cmake_parse_arguments(PARSE_ARGV 3 arg "OF_ANY" "FEATURE" "NEEDS")
   if(arg_OF_ANY)
     string(APPEND class "<AnyShape>")
   endif()
@@ -17,26 +17,27 @@ function(abut_shape name class kind)
   set_property(GLOBAL PROPERTY abut_class_${name} ${class})
   set_property(GLOBAL PROPERTY abut_kind_${name} ${kind})
   set_property(GLOBAL PROPERTY abut_feature_${name} "${arg_FEATURE}")
+  set_property(GLOBAL PROPERTY abut_needs_${name} "${arg_NEEDS}")
 endfunction()
 
 abut_shape(sphere       Sphere      1)
 abut_shape(box          Box         2)
 abut_shape(capsule      Capsule     3)
-abut_shape(plane        Plane       4)
+abut_shape(plane        Plane       4 NEEDS half_space)
 abut_shape(hull         Hull        5 FEATURE hull)
-abut_shape(mesh         Mesh        6)
-abut_shape(height_field HeightField 7)
+abut_shape(mesh         Mesh        6 NEEDS half_space surfaces)
+abut_shape(height_field HeightField 7 NEEDS half_space surfaces)
 abut_shape(point        Point       8)
 abut_shape(segment      Segment     9)
 abut_shape(triangle     FreeTriangle 10)
-abut_shape(cylinder     Cylinder    11)
-abut_shape(cone         Cone        12)
+abut_shape(cylinder     Cylinder    11 NEEDS discs)
+abut_shape(cone         Cone        12 NEEDS discs)
 abut_shape(ellipsoid    Ellipsoid   13)
 abut_shape(particles    Particles   14)
 abut_shape(composite    CompositeOf 15 OF_ANY)
-abut_shape(sphere_hole  SphereHole  16)
-abut_shape(cylinder_hole CylinderHole 17)
-abut_shape(box_hole     BoxHole     18)
+abut_shape(sphere_hole  SphereHole  16 NEEDS half_space hole)
+abut_shape(cylinder_hole CylinderHole 17 NEEDS half_space hole)
+abut_shape(box_hole     BoxHole     18 NEEDS half_space hole)
 
 # ---- nothing below changes when a shape is added ----
 
@@ -60,6 +61,12 @@ else()
     endif()
   endforeach()
 endif()
+
+set(abut_needed_kernels "")
+foreach(name IN LISTS abut_enabled_shapes)
+  get_property(needs GLOBAL PROPERTY abut_needs_${name})
+  list(APPEND abut_needed_kernels ${needs})
+endforeach()
 
 # Shapes that are known and left out: tests whose scenes need every kind ask for it.
 set(abut_missing_shapes ${known})

@@ -7,16 +7,11 @@ import abut.math;
 import abut.narrow.cores.core_separation;
 import abut.narrow.fan.disc_depth;
 import abut.narrow.fan.disc_depth_of_polytope;
+export import abut.narrow.fan.disc_pairs;
 import abut.narrow.fan.facets;
 import abut.narrow.fan.features;
 
 export namespace abut {
-
-template <class S>
-inline constexpr bool is_tried_on_discs = (BoxCored<S> && !PointCored<S>) || Faceted<S> || Triangular<S>;
-template <class A, class B>
-inline constexpr bool has_discs =
-    (Rimmed<B> && (is_tried_on_discs<A> || Rimmed<A>)) || (Rimmed<A> && is_tried_on_discs<B>);
 
 // Whether a point of its own frame lies in a core, up to some slack.
 template <Rimmed S>
@@ -24,11 +19,6 @@ template <Rimmed S>
 [[nodiscard]] inline bool holds(const S& shape, const Vec3& point, Real slack) {
   return shape.nearest(point).distance <= slack;
 }
-struct ProvenDepth {
-  Real depth, lower;
-  Vec3 normal;  // unit, from a to b, in the frame of a
-  CoreFeatures features;
-};
 
 // The normals of triangles that are slender beyond this are not trusted.
 inline constexpr Real least_height_of_triangles = 1e-4;  // by the longest edge
