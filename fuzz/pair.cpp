@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The live target of all pairs. Its name, a link, says which: fuzz_<a>_<b>.
+// The live target of all pairs, as a shared library. The name of the program that loads it says which: fuzz_<a>_<b>.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -11,11 +11,13 @@
 import abut.fuzz;
 import abut.pairs.any_shape;
 
+// The engine calls all but the first, which it has.
 extern "C" {
-std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
-std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned int seed);
-int LLVMFuzzerInitialize(int* count, char*** arguments);
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+[[gnu::visibility("default")]] std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+[[gnu::visibility("default")]] std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                                                   std::size_t max_size, unsigned int seed);
+[[gnu::visibility("default")]] int LLVMFuzzerInitialize(int* count, char*** arguments);
+[[gnu::visibility("default")]] int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 }
 
 namespace {

@@ -31,25 +31,30 @@ is_unconfigured() {
 
 # configure PRESET [ARGUMENT...]
 configure() {
-  local preset=$1 build=$root/build/$1 fresh=()
-  shift
+  configure_in "$1" "$@"
+}
+
+# configure_in FOLDER PRESET [ARGUMENT...]: in another folder of build than that of the preset.
+configure_in() {
+  local folder=$1 build=$root/build/$1 preset=$2 fresh=()
+  shift 2
   [ ! -e "$build" ] || [ -w "$build" ] || fail "$build belongs to another user; delete it or run as that user."
   if [ -e "$build/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
     fresh=(--fresh)
     rm -f "$build/.configured"
   fi
   [ $# -gt 0 ] || is_unconfigured "$build" || return 0
-  stage "configure $preset"
-  (cd "$root" && cmake --preset "$preset" "${fresh[@]}" "$@") || fail "preset $preset could not be configured."
+  stage "configure $folder"
+  (cd "$root" && cmake --preset "$preset" -B "$build" "${fresh[@]}" "$@") || fail "preset $preset could not be configured."
   touch "$build/.configured"
 }
 
-# build PRESET [TARGET...]
+# build FOLDER [TARGET...]: the folder of build, which bears the name of its preset.
 build() {
-  local preset=$1
+  local folder=$1
   shift
-  stage "build $preset${*:+: $*}"
-  ninja -C "$root/build/$preset" -j "$jobs" "$@" || fail "preset $preset could not be built."
+  stage "build $folder${*:+: $*}"
+  ninja -C "$root/build/$folder" -j "$jobs" "$@" || fail "build/$folder could not be built."
 }
 
 # run_tests PRESET [CTEST ARGUMENT...]

@@ -30,10 +30,12 @@ if(hull)
 endif()
 string(REPLACE ";" "\\;" shapes "${chosen}")
 string(REPLACE ";" "\\;" features "${features}")
-# A build type without optimisation and without debug information compiles fastest; the corpus is small.
+# A build type without optimisation and without debug information compiles fastest; the corpus is small. Libraries are
+# found beside the programs, as those that are gathered need it.
 run(${CMAKE_COMMAND} -G ${generator} -S ${root} -B ${work}/build -D CMAKE_C_COMPILER=${c} -D CMAKE_CXX_COMPILER=${cxx}
     -D CMAKE_BUILD_TYPE=None -D ABUT_SANITIZE=fuzzer "-D ABUT_SHAPES=${shapes}" "-D ABUT_FEATURES=${features}"
-    -D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF -D ABUT_FUZZ=ON)
+    -D ABUT_WARNINGS=OFF -D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF -D ABUT_FUZZ=ON
+    -D CMAKE_BUILD_RPATH_USE_ORIGIN=ON "-D CMAKE_BUILD_RPATH=$ORIGIN/lib\\;$ORIGIN")
 run(${CMAKE_COMMAND} --build ${work}/build --target abut_fuzz_pairs)
 
 set(others ${chosen})
@@ -45,3 +47,5 @@ foreach(a IN LISTS chosen)
   endforeach()
   list(POP_FRONT others)
 endforeach()
+
+run(${root}/tests/fuzz_live/gathered.sh ${root} ${work}/build/fuzz ${work}/gathered)
