@@ -18,7 +18,7 @@ for target in "$out"/fuzz_*; do
   count=$((count + 1))
   [ -f "$target" ] && [ ! -L "$target" ] && [ -x "$target" ] || fail "$target is no regular file that runs."
   grep -q LLVMFuzzerTestOneInput "$target" || fail "$target does not name LLVMFuzzerTestOneInput."
-  # With those of all pairs, 500 MB hold the programs and the libraries.
+  # The 171 of all pairs and the libraries are to fit into 500 MB.
   [ "$(stat -c %s "$target")" -le 2500000 ] || fail "$target has $(stat -c %s "$target") bytes; 2500000 are allowed."
   seeds=${target}_seed_corpus.zip
   [ -s "$seeds" ] || fail "$target has no seeds."
