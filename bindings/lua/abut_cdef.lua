@@ -86,6 +86,12 @@ abut_status abut_sphere_create(double radius, abut_shape **out);
 abut_status abut_box_create(double half_x, double half_y, double half_z, abut_shape **out);
 abut_status abut_capsule_create(double radius, double half_height, abut_shape **out);
 abut_status abut_cylinder_create(double radius, double half_height, abut_shape **out);
+abut_status abut_cone_create(double radius, double half_height, abut_shape **out);
+abut_status abut_ellipsoid_create(double radius_x, double radius_y, double radius_z, abut_shape **out);
+abut_status abut_point_create(abut_shape **out);
+abut_status abut_segment_create(double half_length, abut_shape **out);
+abut_status abut_triangle_create(const abut_vec3 *a, const abut_vec3 *b, const abut_vec3 *c,
+                                          abut_shape **out);
 abut_status abut_plane_create(const abut_vec3 *normal, double offset, abut_shape **out);
 abut_status abut_hull_create(const double *xyz, size_t point_count, abut_shape **out);
 typedef struct abut_hull_report {
@@ -123,10 +129,31 @@ typedef struct abut_height_field_desc {
 void abut_height_field_desc_init(abut_height_field_desc *desc, uint32_t struct_size);
 abut_status abut_height_field_create(const abut_height_field_desc *desc, abut_shape **out);
 abut_status abut_particles_create(const double *xyz, size_t count, double radius, abut_shape **out);
+abut_status abut_particles_create_with_radii(const double *xyz, const double *radii, size_t count,
+                                                      abut_shape **out);
 abut_status abut_composite_create(const abut_shape *const *children, const abut_pose *poses, size_t count,
                                            abut_shape **out);
 abut_status abut_composite_create_with_materials(const abut_shape *const *children, const abut_pose *poses,
                                                           const uint32_t *materials, size_t count, abut_shape **out);
+abut_status abut_sphere_hole_create(double radius, abut_shape **out);
+typedef uint32_t abut_open_ends;
+enum abut_open_ends_value {
+  ABUT_OPEN_TOP = 1,
+  ABUT_OPEN_BOTTOM = 2
+};
+abut_status abut_cylinder_hole_create(double radius, double half_height, abut_open_ends open_ends,
+                                               abut_shape **out);
+typedef uint32_t abut_open_faces;
+enum abut_open_faces_value {
+  ABUT_OPEN_X_HIGH = 1,
+  ABUT_OPEN_X_LOW = 2,
+  ABUT_OPEN_Y_HIGH = 4,
+  ABUT_OPEN_Y_LOW = 8,
+  ABUT_OPEN_Z_HIGH = 16,
+  ABUT_OPEN_Z_LOW = 32
+};
+abut_status abut_box_hole_create(double half_x, double half_y, double half_z, abut_open_faces open_faces,
+                                          abut_shape **out);
 typedef struct abut_shape_desc {
   uint32_t struct_size;
   abut_shape_kind kind;
@@ -278,6 +305,8 @@ typedef struct abut_universe_options {
 void abut_universe_options_init(abut_universe_options *options, uint32_t struct_size);
 abut_status abut_universe_create(const abut_universe_options *options, abut_universe **out);
 void abut_universe_destroy(abut_universe *universe);
+abut_status abut_universe_save(const abut_universe *universe, void *bytes, size_t capacity, size_t *size);
+abut_status abut_universe_load(const void *bytes, size_t size, abut_universe **out);
 typedef uint32_t abut_motion;
 enum abut_motion_value {
   ABUT_MOTION_DYNAMIC = 0,
@@ -307,6 +336,9 @@ abut_status abut_parts_set_motions(abut_universe *universe, const abut_part_id *
                                             const abut_motion *motions, size_t count);
 abut_status abut_part_motion(const abut_universe *universe, abut_part_id part, abut_motion *out);
 abut_status abut_part_user_data(const abut_universe *universe, abut_part_id part, uint64_t *out);
+abut_status abut_part_set_user_data(abut_universe *universe, abut_part_id part, uint64_t user_data);
+abut_status abut_parts_set_user_data(abut_universe *universe, const abut_part_id *parts,
+                                              const uint64_t *user_data, size_t count);
 abut_status abut_part_geometries(const abut_universe *universe, abut_part_id part,
                                           abut_geometry_id *geometries, size_t capacity, size_t *count);
 typedef struct abut_sleep {
@@ -361,6 +393,10 @@ abut_status abut_geometry_set_options(abut_universe *universe, abut_geometry_id 
                                                const abut_geometry_options *options);
 abut_status abut_geometries_set_options(abut_universe *universe, const abut_geometry_id *geometries,
                                                  const abut_geometry_options *options, size_t count);
+abut_status abut_geometry_set_user_data(abut_universe *universe, abut_geometry_id geometry,
+                                                 uint64_t user_data);
+abut_status abut_geometries_set_user_data(abut_universe *universe, const abut_geometry_id *geometries,
+                                                   const uint64_t *user_data, size_t count);
 abut_status abut_geometry_set_shape(abut_universe *universe, abut_geometry_id geometry,
                                              const abut_shape *shape);
 abut_status abut_geometries_set_shapes(abut_universe *universe, const abut_geometry_id *geometries,
@@ -571,7 +607,12 @@ enum abut_finding_code_value {
   ABUT_FINDING_KINDS_UNSUPPORTED = 2,
   ABUT_FINDING_TOLERANCE_TOO_LARGE = 3,
   ABUT_FINDING_FAR_FROM_ORIGIN = 4,
-  ABUT_FINDING_EXCLUDED_FROM_ALL = 5
+  ABUT_FINDING_EXCLUDED_FROM_ALL = 5,
+  ABUT_FINDING_RULE_DISABLES_ALL = 6,
+  ABUT_FINDING_EXCLUSION_IN_COMMON = 7,
+  ABUT_FINDING_FILTER_KEEPS_NONE = 8,
+  ABUT_FINDING_ALL_PARKED = 9,
+  ABUT_FINDING_ALL_ON_ONE_PART = 10
 };
 typedef struct abut_finding {
   abut_finding_code code;

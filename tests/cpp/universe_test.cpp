@@ -103,6 +103,31 @@ TEST(Parts, AreCreatedMovedAndDestroyedInBatches) {
   EXPECT_THROW(static_cast<void>(universe.pose(parts[2])), abut::Error);
 }
 
+TEST(Parts, KeepValuesOfTheCaller) {
+  Room room;
+  room.universe.set_user_data(room.body, 7);
+  EXPECT_EQ(room.universe.user_data(room.body), 7U);
+  room.universe.set_user_data({room.body, room.floor}, {8, 9});
+  EXPECT_EQ(room.universe.user_data(room.floor), 9U);
+  const std::vector<abut::GeometryId> geometries = room.universe.geometries();
+  room.universe.set_user_data(geometries[0], 10);
+  EXPECT_EQ(room.universe.describe(geometries[0]).user_data, 10U);
+  room.universe.set_user_data(geometries, std::vector<std::uint64_t>(geometries.size(), 11));
+  EXPECT_EQ(room.universe.describe(geometries[1]).user_data, 11U);
+  EXPECT_THROW(room.universe.set_user_data(geometries, {1}), abut::Error);
+}
+
+TEST(Universe, IsSavedAndLoaded) {
+  Room room;
+  room.universe.step(0.01);
+  const std::vector<std::uint8_t> bytes = room.universe.save();
+  abut::Universe loaded = abut::Universe::load(bytes);
+  EXPECT_EQ(loaded.parts(), room.universe.parts());
+  EXPECT_EQ(loaded.pose(room.body).position.z, room.universe.pose(room.body).position.z);
+  EXPECT_EQ(loaded.save(), bytes);
+  EXPECT_THROW(static_cast<void>(abut::Universe::load({bytes.data(), bytes.size() - 1})), abut::Error);
+}
+
 TEST(Parts, HaveVelocitiesAndSleep) {
   Room room;
   room.universe.set_velocity(room.body, abut::Velocity{{1, 2, 3}, {0, 0, 0}});

@@ -145,6 +145,27 @@ extern "C" {
     pub fn abut_cylinder_create(radius: f64, half_height: f64, out: *mut *mut abut_shape) -> abut_status;
 }
 extern "C" {
+    pub fn abut_cone_create(radius: f64, half_height: f64, out: *mut *mut abut_shape) -> abut_status;
+}
+extern "C" {
+    pub fn abut_ellipsoid_create(radius_x: f64, radius_y: f64, radius_z: f64, out: *mut *mut abut_shape)
+        -> abut_status;
+}
+extern "C" {
+    pub fn abut_point_create(out: *mut *mut abut_shape) -> abut_status;
+}
+extern "C" {
+    pub fn abut_segment_create(half_length: f64, out: *mut *mut abut_shape) -> abut_status;
+}
+extern "C" {
+    pub fn abut_triangle_create(
+        a: *const abut_vec3,
+        b: *const abut_vec3,
+        c: *const abut_vec3,
+        out: *mut *mut abut_shape,
+    ) -> abut_status;
+}
+extern "C" {
     pub fn abut_plane_create(normal: *const abut_vec3, offset: f64, out: *mut *mut abut_shape) -> abut_status;
 }
 extern "C" {
@@ -220,6 +241,14 @@ extern "C" {
     pub fn abut_particles_create(xyz: *const f64, count: usize, radius: f64, out: *mut *mut abut_shape) -> abut_status;
 }
 extern "C" {
+    pub fn abut_particles_create_with_radii(
+        xyz: *const f64,
+        radii: *const f64,
+        count: usize,
+        out: *mut *mut abut_shape,
+    ) -> abut_status;
+}
+extern "C" {
     pub fn abut_composite_create(
         children: *const *const abut_shape,
         poses: *const abut_pose,
@@ -233,6 +262,38 @@ extern "C" {
         poses: *const abut_pose,
         materials: *const u32,
         count: usize,
+        out: *mut *mut abut_shape,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_sphere_hole_create(radius: f64, out: *mut *mut abut_shape) -> abut_status;
+}
+pub type abut_open_ends = u32;
+pub const ABUT_OPEN_TOP: abut_open_ends_value = 1;
+pub const ABUT_OPEN_BOTTOM: abut_open_ends_value = 2;
+pub type abut_open_ends_value = ::std::os::raw::c_uint;
+extern "C" {
+    pub fn abut_cylinder_hole_create(
+        radius: f64,
+        half_height: f64,
+        open_ends: abut_open_ends,
+        out: *mut *mut abut_shape,
+    ) -> abut_status;
+}
+pub type abut_open_faces = u32;
+pub const ABUT_OPEN_X_HIGH: abut_open_faces_value = 1;
+pub const ABUT_OPEN_X_LOW: abut_open_faces_value = 2;
+pub const ABUT_OPEN_Y_HIGH: abut_open_faces_value = 4;
+pub const ABUT_OPEN_Y_LOW: abut_open_faces_value = 8;
+pub const ABUT_OPEN_Z_HIGH: abut_open_faces_value = 16;
+pub const ABUT_OPEN_Z_LOW: abut_open_faces_value = 32;
+pub type abut_open_faces_value = ::std::os::raw::c_uint;
+extern "C" {
+    pub fn abut_box_hole_create(
+        half_x: f64,
+        half_y: f64,
+        half_z: f64,
+        open_faces: abut_open_faces,
         out: *mut *mut abut_shape,
     ) -> abut_status;
 }
@@ -504,6 +565,21 @@ extern "C" {
 extern "C" {
     pub fn abut_universe_destroy(universe: *mut abut_universe);
 }
+extern "C" {
+    pub fn abut_universe_save(
+        universe: *const abut_universe,
+        bytes: *mut ::std::os::raw::c_void,
+        capacity: usize,
+        size: *mut usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_universe_load(
+        bytes: *const ::std::os::raw::c_void,
+        size: usize,
+        out: *mut *mut abut_universe,
+    ) -> abut_status;
+}
 pub type abut_motion = u32;
 pub const ABUT_MOTION_DYNAMIC: abut_motion_value = 0;
 pub const ABUT_MOTION_ANIMATED: abut_motion_value = 1;
@@ -579,6 +655,17 @@ extern "C" {
 }
 extern "C" {
     pub fn abut_part_user_data(universe: *const abut_universe, part: abut_part_id, out: *mut u64) -> abut_status;
+}
+extern "C" {
+    pub fn abut_part_set_user_data(universe: *mut abut_universe, part: abut_part_id, user_data: u64) -> abut_status;
+}
+extern "C" {
+    pub fn abut_parts_set_user_data(
+        universe: *mut abut_universe,
+        parts: *const abut_part_id,
+        user_data: *const u64,
+        count: usize,
+    ) -> abut_status;
 }
 extern "C" {
     pub fn abut_part_geometries(
@@ -695,6 +782,21 @@ extern "C" {
         universe: *mut abut_universe,
         geometries: *const abut_geometry_id,
         options: *const abut_geometry_options,
+        count: usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_geometry_set_user_data(
+        universe: *mut abut_universe,
+        geometry: abut_geometry_id,
+        user_data: u64,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_geometries_set_user_data(
+        universe: *mut abut_universe,
+        geometries: *const abut_geometry_id,
+        user_data: *const u64,
         count: usize,
     ) -> abut_status;
 }
@@ -1155,6 +1257,11 @@ pub const ABUT_FINDING_KINDS_UNSUPPORTED: abut_finding_code_value = 2;
 pub const ABUT_FINDING_TOLERANCE_TOO_LARGE: abut_finding_code_value = 3;
 pub const ABUT_FINDING_FAR_FROM_ORIGIN: abut_finding_code_value = 4;
 pub const ABUT_FINDING_EXCLUDED_FROM_ALL: abut_finding_code_value = 5;
+pub const ABUT_FINDING_RULE_DISABLES_ALL: abut_finding_code_value = 6;
+pub const ABUT_FINDING_EXCLUSION_IN_COMMON: abut_finding_code_value = 7;
+pub const ABUT_FINDING_FILTER_KEEPS_NONE: abut_finding_code_value = 8;
+pub const ABUT_FINDING_ALL_PARKED: abut_finding_code_value = 9;
+pub const ABUT_FINDING_ALL_ON_ONE_PART: abut_finding_code_value = 10;
 pub type abut_finding_code_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]

@@ -79,15 +79,17 @@ class Shape {
     return made([&](abut_shape** out) { return abut_cylinder_create(radius, half_height, out); });
   }
   [[nodiscard]] static Answer<Shape> cone(double radius, double half_height) {
-    return create("cone", {radius, half_height});
+    return made([&](abut_shape** out) { return abut_cone_create(radius, half_height, out); });
   }
   [[nodiscard]] static Answer<Shape> ellipsoid(double radius_x, double radius_y, double radius_z) {
-    return create("ellipsoid", {radius_x, radius_y, radius_z});
+    return made([&](abut_shape** out) { return abut_ellipsoid_create(radius_x, radius_y, radius_z, out); });
   }
-  [[nodiscard]] static Answer<Shape> point() { return create("point", {}); }
-  [[nodiscard]] static Answer<Shape> segment(double half_length) { return create("segment", {half_length}); }
+  [[nodiscard]] static Answer<Shape> point() { return made(abut_point_create); }
+  [[nodiscard]] static Answer<Shape> segment(double half_length) {
+    return made([&](abut_shape** out) { return abut_segment_create(half_length, out); });
+  }
   [[nodiscard]] static Answer<Shape> triangle(Vec3 a, Vec3 b, Vec3 c) {
-    return create("triangle", {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z});
+    return made([&](abut_shape** out) { return abut_triangle_create(&a, &b, &c, out); });
   }
   // The half-space below: dot(normal, p) <= offset.
   [[nodiscard]] static Answer<Shape> plane(Vec3 normal, double offset) {
@@ -127,6 +129,28 @@ class Shape {
     return made([&](abut_shape** out) {
       return whole != ABUT_OK ? whole : abut_particles_create(centres.data(), centres.size(), radius, out);
     });
+  }
+  // Balls with radii of their own, as many as centres.
+  [[nodiscard]] static Answer<Shape> particles_with_radii(const Points& centres, Span<const double> radii) {
+    const abut_status sizes =
+        detail::first_failure(detail::expect_whole("centres", centres),
+                              detail::expect_as_many("radii", radii.size(), "centres", centres.size()));
+    return made([&](abut_shape** out) {
+      return sizes != ABUT_OK
+                 ? sizes
+                 : abut_particles_create_with_radii(centres.data(), radii.data(), centres.size(), out);
+    });
+  }
+  // Holes take material from the composite that they are children of. An open end or face has no wall.
+  [[nodiscard]] static Answer<Shape> sphere_hole(double radius) {
+    return made([&](abut_shape** out) { return abut_sphere_hole_create(radius, out); });
+  }
+  [[nodiscard]] static Answer<Shape> cylinder_hole(double radius, double half_height, abut_open_ends open_ends = 0) {
+    return made([&](abut_shape** out) { return abut_cylinder_hole_create(radius, half_height, open_ends, out); });
+  }
+  [[nodiscard]] static Answer<Shape> box_hole(double half_x, double half_y, double half_z,
+                                              abut_open_faces open_faces = 0) {
+    return made([&](abut_shape** out) { return abut_box_hole_create(half_x, half_y, half_z, open_faces, out); });
   }
   // Each child has a pose; materials are as many as children, or none.
   [[nodiscard]] static Answer<Shape> composite(Span<const Shape> children, Span<const Pose> poses,

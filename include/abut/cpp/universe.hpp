@@ -24,6 +24,18 @@ class Universe : public UniverseSteps {
   }
   // Takes over a universe that the caller owns.
   [[nodiscard]] static Universe adopt(abut_universe* universe) noexcept { return Universe(universe); }
+  // A universe from the bytes of another one: all ids name what they named there. A filter has to be set again.
+  [[nodiscard]] static Answer<Universe> load(Span<const std::uint8_t> bytes) {
+    abut_universe* out = nullptr;
+    const abut_status status = abut_universe_load(bytes.data(), bytes.size(), &out);
+    return detail::answer_with(status, [&] { return adopt(out); });
+  }
+  // All but the filter, the statistics and the pickers as bytes, the same on every machine.
+  [[nodiscard]] Answer<std::vector<std::uint8_t>> save() const {
+    return detail::collect<std::uint8_t>([this](std::uint8_t* data, std::size_t capacity, std::size_t* count) {
+      return abut_universe_save(get(), data, capacity, count);
+    });
+  }
 #ifndef ABUT_NO_EXCEPTIONS
   Universe() : Universe(create()) {}
   explicit Universe(const UniverseOptions& options) : Universe(create(options)) {}

@@ -64,6 +64,17 @@ class UniverseGeometries : public UniverseParts {
     return detail::answer(abut_geometry_describe(get(), geometry, &out), out);
   }
 
+  Answer<void> set_user_data(GeometryId geometry, std::uint64_t user_data) {
+    return detail::answer(abut_geometry_set_user_data(get(), geometry, user_data));
+  }
+  Answer<void> set_user_data(Span<const GeometryId> geometries, Span<const std::uint64_t> user_data) {
+    const abut_status sizes =
+        detail::expect_as_many("user_data", user_data.size(), "geometries", geometries.size());
+    return detail::answer(sizes != ABUT_OK ? sizes
+                                           : abut_geometries_set_user_data(get(), geometries.data(), user_data.data(),
+                                                                           geometries.size()));
+  }
+
   Answer<void> set_shape(GeometryId geometry, const Shape& shape) {
     return detail::answer(abut_geometry_set_shape(get(), geometry, shape.get()));
   }

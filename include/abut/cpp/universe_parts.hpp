@@ -89,6 +89,15 @@ class UniverseParts : public UniverseHandle {
     std::uint64_t out = 0;
     return detail::answer(abut_part_user_data(get(), part, &out), out);
   }
+  Answer<void> set_user_data(PartId part, std::uint64_t user_data) {
+    return detail::answer(abut_part_set_user_data(get(), part, user_data));
+  }
+  Answer<void> set_user_data(Span<const PartId> parts, Span<const std::uint64_t> user_data) {
+    const abut_status sizes = detail::expect_as_many("user_data", user_data.size(), "parts", parts.size());
+    return detail::answer(
+        sizes != ABUT_OK ? sizes
+                         : abut_parts_set_user_data(get(), parts.data(), user_data.data(), parts.size()));
+  }
   // All of the universe.
   [[nodiscard]] Answer<std::vector<PartId>> parts() const {
     return detail::collect<PartId>([this](PartId* data, std::size_t capacity, std::size_t* count) {
