@@ -2,7 +2,8 @@
 """Compiles the tests of the headers for C++ in one way, links them to the shared libraries, and runs them.
 
 usage: build_and_run.py COMPILER-STANDARD[-results] ROOT FOLDER LIBRARY...
-With `results` calls answer a Result and the compiler has no exceptions. What it builds is put into FOLDER.
+With `results` calls answer a Result and the compiler has no exceptions. Without, those tests are compiled with
+ABUT_NO_EXCEPTIONS and linked to the others, since both ways may meet in one program. FOLDER takes what is built.
 Exit status 77 says that the compiler is not installed.
 """
 
@@ -32,19 +33,24 @@ def main(way, root, folder, libraries):
         print(f"skipped: {name} is not installed")
         return 77
     has_picking = any("abut_picking" in library.name for library in libraries)
-    tests = root / "tests" / "cpp"
-    sources = sorted((tests / "results").glob("*.cpp") if rest else tests.glob("*.cpp"))
-    sources = [source for source in sources if has_picking or "picking" not in source.name]
     # By -I, not as a system folder: warnings of the headers count here.
-    options = [f"-std={standard}", *WARNINGS, f"-I{root / 'include'}", *(["-fno-exceptions"] if rest else [])]
+    options = [f"-std={standard}", *WARNINGS, f"-I{root / 'include'}"]
+    tests = root / "tests" / "cpp"
+    parts = {tests / "results": ["-fno-exceptions"]} if rest else {tests: [], tests / "results": ["-DABUT_NO_EXCEPTIONS"]}
     folder.mkdir(parents=True, exist_ok=True)
-    # One source of all, since most of the time goes into the headers.
-    together = folder / "all.cpp"
-    together.write_text("".join(f'#include "{source}"\n' for source in sources), encoding="utf-8")
+    objects = []
+    for part, more in parts.items():
+        # One source of all in a folder, since most of the time goes into the headers.
+        together = folder / f"{part.name}.cpp"
+        sources = [source for source in sorted(part.glob("*.cpp")) if has_picking or "picking" not in source.name]
+        together.write_text("".join(f'#include "{source}"\n' for source in sources), encoding="utf-8")
+        objects.append(str(together.with_suffix(".o")))
+        if not run([compiler, *options, *more, "-c", str(together), "-o", objects[-1]]):
+            return 1
     program = folder / "program"
     paths = [f"-Wl,-rpath,{library.parent}" for library in libraries]
-    build = [compiler, *options, str(together), *map(str, libraries), *paths, "-lgtest", "-lgtest_main", "-o", str(program)]
-    return 0 if run(build) and run([str(program), "--gtest_brief=1"]) else 1
+    link = [compiler, *objects, *map(str, libraries), *paths, "-lgtest", "-lgtest_main", "-o", str(program)]
+    return 0 if run(link) and run([str(program), "--gtest_brief=1"]) else 1
 
 
 if __name__ == "__main__":

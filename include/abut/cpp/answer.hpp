@@ -56,10 +56,10 @@ class [[nodiscard]] Result {
   [[nodiscard]] bool has_value() const noexcept { return content_.index() == 0; }
   explicit operator bool() const noexcept { return has_value(); }
 
-  [[nodiscard]] T& value() & noexcept { return *std::get_if<0>(&expect(has_value())); }
-  [[nodiscard]] const T& value() const& noexcept { return *std::get_if<0>(&expect(has_value())); }
-  [[nodiscard]] T value() && noexcept { return std::move(*std::get_if<0>(&expect(has_value()))); }
-  [[nodiscard]] const Error& error() const noexcept { return *std::get_if<1>(&expect(!has_value())); }
+  [[nodiscard]] T& value() & noexcept { return *expect(std::get_if<0>(&content_)); }
+  [[nodiscard]] const T& value() const& noexcept { return *expect(std::get_if<0>(&content_)); }
+  [[nodiscard]] T value() && noexcept { return std::move(*expect(std::get_if<0>(&content_))); }
+  [[nodiscard]] const Error& error() const noexcept { return *expect(std::get_if<1>(&content_)); }
   template <class U>
   [[nodiscard]] T value_or(U&& other) const& {
     return has_value() ? value() : static_cast<T>(std::forward<U>(other));
@@ -72,13 +72,10 @@ class [[nodiscard]] Result {
   [[nodiscard]] const T* operator->() const noexcept { return &value(); }
 
  private:
-  std::variant<T, Error>& expect(bool is_there) noexcept {
-    if (!is_there) std::terminate();
-    return content_;
-  }
-  const std::variant<T, Error>& expect(bool is_there) const noexcept {
-    if (!is_there) std::terminate();
-    return content_;
+  template <class Held>
+  static Held* expect(Held* held) noexcept {
+    if (held == nullptr) std::terminate();
+    return held;
   }
 
   std::variant<T, Error> content_;

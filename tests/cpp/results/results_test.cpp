@@ -19,7 +19,7 @@ TEST(Result, HoldsAValueOrAnError) {
   EXPECT_EQ(wrong.value_or(*ball), *ball);
 }
 
-TEST(Result, EndsTheProgramWhereItHasNoValue) {
+TEST(ResultDeathTest, EndsTheProgramWhereItHasNoValue) {
   EXPECT_DEATH(static_cast<void>(abut::Shape::sphere(-1).value()), "");
   EXPECT_DEATH(static_cast<void>(abut::Shape::sphere(1).error()), "");
 }
