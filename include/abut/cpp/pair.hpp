@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two shapes alone: distances, contacts and casts. Forms that take a span for their answer allocate nothing.
+// Two shapes alone: distances, contacts and casts. Forms that take a span for their answer make no vector.
 #ifndef ABUT_CPP_PAIR_HPP
 #define ABUT_CPP_PAIR_HPP
 
