@@ -2,9 +2,11 @@
 // Loads the committed universes and variations of them, without a fuzzing engine.
 // usage: abut_fuzz_load <folder of fuzz> [variations of each] [seed]
 //        abut_fuzz_load --write <folder>   writes the universes to begin with
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <string_view>
 
@@ -51,7 +53,9 @@ bool has_finding(const Bytes& bytes, const std::string& name) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  std::vector<std::string> arguments;
+  std::copy_n(argv, argc, std::back_inserter(arguments));
+  arguments.erase(arguments.begin());
   if (arguments.size() == 2 && arguments[0] == "--write") {
     return write(arguments[1]);
   }

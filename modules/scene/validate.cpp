@@ -59,7 +59,7 @@ void Scene::find_what_hides_all(std::vector<Finding>& findings) const {
   const FilterCounts& filter = meetings_.filter_counts;
   if (meetings_.filter && filter.asked > 0 && filter.kept == 0) {
     report(FindingCode::filter_keeps_none,
-           "the filter was asked about " + std::to_string(filter.asked) + " pairs and has kept none of them");
+           "the filter was asked about pairs " + std::to_string(filter.asked) + " times and has kept none");
   }
   if (geometries_.size() < 2) {
     return;

@@ -150,7 +150,7 @@ TEST_F(Validate, FindsAFilterThatKeepsNone) {
   ASSERT_TRUE(universe.step(0));
   ASSERT_TRUE(universe.step(0));
   ASSERT_EQ(codes(), Codes{FindingCode::filter_keeps_none});
-  EXPECT_NE(universe.validate()[0].message.find("asked about 1 pair"), std::string::npos);
+  EXPECT_NE(universe.validate()[0].message.find("asked about pairs 1 times"), std::string::npos);
   universe.set_filter([](GeometryId, GeometryId) { return true; });
   ASSERT_TRUE(universe.step(0));
   EXPECT_EQ(codes(), Codes{});

@@ -15,6 +15,7 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.shapes.hull;
+import abut.shapes.hull_data;
 
 namespace {
 
@@ -46,7 +47,33 @@ TEST(Hull, BadInputIsRefusedByName) {
                              "xyz[4] is inf;");
   test::expect_refused<Hull>({}, {1, 2, -1e71}, {}, Errc::out_of_range, "xyz[2] is -1e+71;");
   test::expect_refused<Hull>({1}, {1, 2, 3}, {}, Errc::invalid_argument, "parameter_count is 1;");
-  test::expect_refused<Hull>({}, {1, 2, 3}, {0}, Errc::invalid_argument, "index_count is 1;");
+  test::expect_refused<Hull>({}, {1, 2, 3}, {1}, Errc::invalid_argument, "faces of a hull: face 0 has 1 corners;");
+}
+
+// As it was built: Qhull would number vertices and faces of the same points otherwise.
+TEST(Hull, IsMadeAgainOfItsBuffers) {
+  test::Random random(5);
+  for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{4}, std::size_t{30}, std::size_t{300}}) {
+    for (const bool is_flat : {false, true}) {
+      std::vector<Vec3> points = points_in_cube(count, random);
+      for (Vec3& p : points) p.z = is_flat ? 0 : p.z;
+      const Hull built = hull_of(points);
+      const abut::Buffers buffers = built.buffers();
+      const auto made = Hull::make({}, buffers.reals, buffers.indices);
+      ASSERT_TRUE(made.has_value()) << made.error().message;
+      const abut::HullData &one = built.data(), &other = made.value().data();
+      EXPECT_EQ(one.vertices, other.vertices);
+      EXPECT_EQ(one.face_vertices, other.face_vertices);
+      EXPECT_EQ(one.face_edges, other.face_edges);
+      ASSERT_EQ(one.faces.size(), other.faces.size());
+      for (std::size_t i = 0; i < one.faces.size(); ++i) {
+        EXPECT_EQ(one.faces[i].normal, other.faces[i].normal);
+        EXPECT_EQ(one.faces[i].offset, other.faces[i].offset);
+      }
+      EXPECT_EQ(one.facets.inner, other.facets.inner);
+      EXPECT_EQ(one.facets.faces, other.facets.faces);
+    }
+  }
 }
 
 // Small hulls are scanned, large ones look candidates up; both sides of the border are here.
