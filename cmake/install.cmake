@@ -84,6 +84,11 @@ endforeach()
 if(TARGET abut_cli)
   abut_find_libraries_in(abut_cli "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   install(TARGETS abut_cli RUNTIME COMPONENT tools)
+  set(abut_texts $<TARGET_FILE_DIR:abut_cli>)
+  install(FILES ${abut_texts}/abut.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
+  install(FILES ${abut_texts}/abut.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME abut COMPONENT tools)
+  install(FILES ${abut_texts}/_abut DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT tools)
+  install(FILES ${abut_texts}/abut.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT tools)
 endif()
 
 # Folders are as in the source, so that links from one document to another hold.

@@ -8,7 +8,7 @@ import sys
 import tempfile
 import unittest
 
-ABUT, DIRECT, SCENES = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+ABUT, DIRECT, SCENES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 
 
 def run(*arguments):

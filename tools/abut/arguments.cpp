@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments.hpp"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <memory>
-#include <string_view>
 #include <system_error>
 
 #include "failures.hpp"
+#include "nearest.hpp"
 
 namespace cli {
 namespace {
@@ -35,60 +34,69 @@ void set(Arguments& arguments, const std::string& option, const std::string& val
     arguments.threads = number_from<std::uint32_t>(option, value, 0, 1024, "a whole number from 0 to 1024");
   } else if (option == "--contacts") {
     arguments.contacts = value;
-  } else {
+  } else if (option == "--events") {
     arguments.events = value;
   }
 }
 
-bool takes_value(Command command, const std::string& option) {
-  const bool is_run = command == Command::run;
-  const bool is_step = is_run || command == Command::explain || command == Command::explain_pair;
-  return (is_step && (option == "--steps" || option == "--dt" || option == "--threads")) ||
-         (is_run && (option == "--contacts" || option == "--events"));
+void set_flag(Arguments& arguments, const std::string& option) {
+  arguments.json = arguments.json || option == "--json";
+  arguments.quiet = arguments.quiet || option == "--quiet";
 }
 
-Command command_of(const std::string& word) {
-  constexpr std::array<std::pair<std::string_view, Command>, 8> commands{{{"run", Command::run},
-                                                                          {"explain", Command::explain},
-                                                                          {"shapes", Command::shapes},
-                                                                          {"help", Command::help},
-                                                                          {"--help", Command::help},
-                                                                          {"-h", Command::help},
-                                                                          {"version", Command::version},
-                                                                          {"--version", Command::version}}};
-  for (const auto& [name, command] : commands) {
-    if (word == name) {
-      return command;
+// The command of the first words, and how many these are. Of two that fit the one of more words is meant.
+const CommandRow& command_of(std::span<const std::string> words) {
+  const CommandRow* found = nullptr;
+  for (const CommandRow& row : all_commands()) {
+    const std::vector<std::string> its = split(row.words);
+    if (its.size() <= words.size() && std::equal(its.begin(), its.end(), words.begin()) &&
+        (found == nullptr || its.size() > split(found->words).size())) {
+      found = &row;
     }
   }
-  throw BadInput("there is no command '" + word + "'; expected run, explain, shapes, --help or --version");
+  if (found == nullptr) {
+    const std::vector<std::string> known = first_words();
+    throw BadInput("there is no command '" + words.front() + "'; there are: " + listing(known) +
+                   suggestion(words.front(), known));
+  }
+  return *found;
+}
+
+[[noreturn]] void refuse_option(const CommandRow& row, const std::string& option) {
+  std::vector<std::string> known;
+  for (const OptionRow& each : options_of(row)) {
+    known.emplace_back(each.name);
+  }
+  const std::string its = known.empty() ? "; it takes none" : "; it takes: " + listing(known);
+  throw BadInput(std::string(row.words) + " has no option '" + option + "'" + its + suggestion(option, known));
 }
 
 // An option with its value, which may stand in the same word after '='. Answers how many words it took.
-std::size_t read_option(Arguments& arguments, std::span<const std::string> words) {
+std::size_t read_option(Arguments& arguments, const CommandRow& row, std::span<const std::string> words) {
   const std::string& word = words.front();
   const std::size_t equals = word.find('=');
-  const std::string option = word.substr(0, equals);
-  if (word == "--json" && arguments.command != Command::help && arguments.command != Command::version) {
-    arguments.json = true;
-    return 1;
-  }
-  if (word == "--quiet" && arguments.command == Command::run) {
-    arguments.quiet = true;
-    return 1;
-  }
-  if (!takes_value(arguments.command, option)) {
-    throw BadInput("there is no option '" + option + "' here; --help lists them");
+  const std::string name = word.substr(0, equals);
+  const std::vector<OptionRow> its = options_of(row);
+  const auto found = std::ranges::find(its, name, &OptionRow::name);
+  if (found == its.end()) {
+    refuse_option(row, name);
   }
   const bool inside = equals != std::string::npos;
+  if (found->value.empty()) {
+    if (inside) {
+      throw BadInput(name + " takes no value; expected it without '" + word.substr(equals) + "'");
+    }
+    set_flag(arguments, name);
+    return 1;
+  }
   if (!inside && words.size() < 2) {
-    throw BadInput(option + " needs a value");
+    throw BadInput(name + " needs a value, " + std::string(found->value));
   }
   const std::string value = inside ? word.substr(equals + 1) : words[1];
   if (value.empty()) {
-    throw BadInput(option + " is ''; expected a value");
+    throw BadInput(name + " is ''; expected a value, " + std::string(found->value));
   }
-  set(arguments, option, value);
+  set(arguments, name, value);
   return inside ? 1 : 2;
 }
 
@@ -102,30 +110,30 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return a == b || (!b.empty() && canonical(a) == canonical(b));
 }
 
-bool takes_scene(Command command) {
-  return command == Command::run || command == Command::explain || command == Command::explain_pair;
-}
-
-void read_word(Arguments& arguments, const std::string& word) {
-  const bool takes_pair = arguments.command == Command::explain_pair;
-  if (takes_scene(arguments.command) && arguments.scene.empty()) {
-    arguments.scene = word;
-  } else if (takes_pair && arguments.geometry_a.empty()) {
-    arguments.geometry_a = word;
-  } else if (takes_pair && arguments.geometry_b.empty()) {
-    arguments.geometry_b = word;
-  } else {
-    throw BadInput("'" + word + "' is one argument too many");
+// As many as all of them, or as those outside of brackets.
+void check_operands(const CommandRow& row, const std::vector<std::string>& operands) {
+  std::size_t least = 0, most = 0;
+  bool optional = false;
+  for (const std::string& word : split(row.operands)) {
+    optional = optional || word.front() == '[';
+    least += optional ? 0 : 1;
+    ++most;
+    optional = optional && word.back() != ']';
+  }
+  if (operands.size() > most) {
+    throw BadInput("'" + operands[most] + "' is one argument too many; expected abut " + std::string(row.words) +
+                   (most > 0 ? " " : " alone") + std::string(row.operands));
+  }
+  if (operands.size() != least && operands.size() != most) {
+    const std::string given = operands.empty()       ? "no argument is given"
+                              : operands.size() == 1 ? "1 argument is given"
+                                                     : std::to_string(operands.size()) + " arguments are given";
+    throw BadInput(given + "; expected abut " + std::string(row.words) + " " + std::string(row.operands));
   }
 }
 
-void check_whole(const Arguments& arguments) {
-  if (takes_scene(arguments.command) && arguments.scene.empty()) {
-    throw BadInput("no scene is given; expected the name of a file");
-  }
-  if (arguments.command == Command::explain_pair && arguments.geometry_b.empty()) {
-    throw BadInput("a pair needs two geometries; expected the names of parts, or PART/GEOMETRY");
-  }
+void check_whole(const CommandRow& row, const Arguments& arguments) {
+  check_operands(row, arguments.operands);
   if (!arguments.contacts.empty() && is_same_file(arguments.contacts, arguments.events)) {
     throw BadInput("--contacts and --events are both '" + arguments.events + "'; expected different files");
   }
@@ -134,52 +142,35 @@ void check_whole(const Arguments& arguments) {
 }  // namespace
 
 Arguments parse_arguments(std::span<const std::string> words) {
-  Arguments arguments;
   if (words.empty()) {
-    throw BadInput("no command is given; expected run, explain, shapes, --help or --version");
+    throw BadInput("no command is given; there are: " + listing(first_words()));
   }
-  arguments.command = command_of(words.front());
-  std::size_t first = 1;
-  if (arguments.command == Command::explain && words.size() > 1 && words[1] == "pair") {
-    arguments.command = Command::explain_pair;
-    first = 2;
+  if (words.front() == "-h" || words.front() == "help") {
+    return {};
   }
-  for (std::size_t i = first; i < words.size();) {
-    if (words[i] == "--help" || words[i] == "-h") {
-      arguments.command = Command::help;
-      return arguments;
+  const CommandRow& row = command_of(words);
+  Arguments arguments;
+  arguments.command = row.command;
+  bool options_end = false;
+  for (std::size_t i = split(row.words).size(); i < words.size();) {
+    const std::string& word = words[i];
+    if (!options_end && (word == "--help" || word == "-h")) {
+      Arguments help;
+      help.about = row.command;
+      return help;
     }
-    if (words[i].starts_with("-")) {
-      i += read_option(arguments, words.subspan(i));
-      continue;
+    if (!options_end && word == "--") {
+      options_end = true;
+      ++i;
+    } else if (!options_end && word.starts_with("-") && word != "-") {
+      i += read_option(arguments, row, words.subspan(i));
+    } else {
+      arguments.operands.push_back(word);
+      ++i;
     }
-    read_word(arguments, words[i]);
-    ++i;
   }
-  check_whole(arguments);
+  check_whole(row, arguments);
   return arguments;
-}
-
-const char* usage() {
-  return R"(usage: abut run SCENE.json [options]      steps a scene, writes contacts and events
-       abut explain SCENE.json [options]  steps a scene, prints what the last step did and why
-       abut explain pair SCENE.json A B   steps a scene, prints every way to the distance of two of its geometries,
-                                          with bounds and times; each is a PART, or PART/GEOMETRY
-       abut shapes [--json]               lists the kinds of shapes and their parameters
-       abut --help | --version
-
-  --steps N         steps to run; default: that of the scene, which is 1 if it says nothing
-                    (explain: 1)
-  --dt S            time from step to step; default: that of the scene, or 0.01
-  --threads N       threads of a step, 0 for all; default: that of the scene, or 1; results are the same for any number
-  --contacts FILE   writes the contacts of all steps; JSON if the name ends in .json, else CSV; - is the standard output
-  --events FILE     writes the events of all steps in the same way
-  --quiet           neither progress nor the table at the end
-  --json            the table (run), the plan or the pair (explain), the kinds (shapes), and what goes to - as JSON
-
-Exit status: 0 done; 1 the arguments or the scene are wrong; 2 abut failed, or memory ran out; 3 a file could not be
-written. A file has its name only when it is complete. docs/abut.md describes scenes.
-)";
 }
 
 }  // namespace cli

@@ -6,15 +6,16 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
+
+#include "command_table.hpp"
 
 namespace cli {
 
-enum class Command { help, version, shapes, run, explain, explain_pair };
-
 struct Arguments {
   Command command = Command::help;
-  std::string scene;
-  std::string geometry_a, geometry_b;  // of a pair to explain
+  std::vector<std::string> operands;  // as many as the table says
+  std::optional<Command> about;       // of help: the command that it is asked about
   std::optional<std::uint64_t> steps;
   std::optional<double> dt;
   std::optional<std::uint32_t> threads;
@@ -26,7 +27,5 @@ struct Arguments {
 
 /// Throws BadInput with one sentence about the first argument that makes no sense.
 [[nodiscard]] Arguments parse_arguments(std::span<const std::string> words);
-
-[[nodiscard]] const char* usage();
 
 }  // namespace cli

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/progress.hpp"
+#include "document.hpp"
+#include "interruption.hpp"
 #include "output_file.hpp"
 #include "parameters.hpp"
 #include "summary.hpp"
@@ -17,7 +19,7 @@ namespace {
 
 // The scene with what the arguments put in place of it.
 Scene scene_for(const Arguments& arguments) {
-  Scene scene = read_scene(arguments.scene);
+  Scene scene = read_scene(arguments.operands[0]);
   scene.steps = arguments.steps.value_or(arguments.command == Command::run ? scene.steps : 1);
   scene.dt = arguments.dt.value_or(scene.dt);
   scene.universe.threads = arguments.threads.value_or(scene.universe.threads);
@@ -29,7 +31,7 @@ World world_for(const Arguments& arguments) {
   try {
     return World(std::move(scene));
   } catch (const BadInput& failure) {
-    throw BadInput(arguments.scene + ": " + failure.what());
+    throw BadInput(shown_name(arguments.operands[0]) + ": " + failure.what());
   }
 }
 
@@ -45,6 +47,7 @@ std::optional<Writer> writer_for(const std::string& path, bool json) {
 
 void run(const Arguments& arguments) {
   World world = world_for(arguments);
+  const Interruption interruption;
   auto contacts = writer_for<ContactWriter>(arguments.contacts, arguments.json);
   auto events = writer_for<EventWriter>(arguments.events, arguments.json);
   Summary summary;
@@ -66,6 +69,10 @@ void run(const Arguments& arguments) {
     if (progress) {
       progress->show(step);
     }
+    if (progress && interruption.has_come()) {
+      progress->stop();
+    }
+    interruption.check(step, world.scene().steps);
   }
   if (progress) {
     progress->finish();
@@ -89,16 +96,16 @@ void run(const Arguments& arguments) {
 
 World world_at_last_step(const Arguments& arguments) {
   World world = world_for(arguments);
+  const Interruption interruption;
   for (std::uint64_t step = 1; step <= world.scene().steps; ++step) {
+    if (arguments.command == Command::explain && step == world.scene().steps) {
+      // The universe measures pairs of kinds from the first question on.
+      static_cast<void>(plan_of(world.universe()));
+    }
     world.step(step);
+    interruption.check(step, world.scene().steps);
   }
   return world;
-}
-
-void explain(const Arguments& arguments) {
-  const World world = world_at_last_step(arguments);
-  const std::string plan = arguments.json ? json_plan_of(world.universe()) : plan_of(world.universe());
-  print(plan.ends_with('\n') ? plan : plan + '\n');
 }
 
 void list_shapes(const Arguments& arguments) {

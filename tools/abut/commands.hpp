@@ -11,7 +11,6 @@ namespace cli {
 [[nodiscard]] World world_at_last_step(const Arguments& arguments);
 
 void run(const Arguments& arguments);
-void explain(const Arguments& arguments);
 void list_shapes(const Arguments& arguments);
 
 }  // namespace cli

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 
 #include <nlohmann/json.hpp>
@@ -108,12 +109,20 @@ class Builder : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
+std::string shown_name(const std::filesystem::path& path) { return path == "-" ? "the standard input" : path.string(); }
+
 Json read_document(const std::filesystem::path& path) {
+  if (path == "-") {
+    return read_text({std::istreambuf_iterator<char>(std::cin), {}});
+  }
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path)) {
     throw BadInput("cannot be opened; expected a file with a scene");
   }
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return read_text({std::istreambuf_iterator<char>(in), {}});
+}
+
+Json read_text(const std::string& text) {
   Builder builder(text);
   Json::sax_parse(text, &builder);
   return builder.take();

@@ -12,19 +12,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "algorithms.hpp"
 #include "commands.hpp"
 #include "failures.hpp"
 #include "output_file.hpp"
-#include "world.hpp"
+#include "placed.hpp"
 
 namespace cli {
 namespace {
-
-struct Placed {
-  std::string name;
-  const abut_shape* shape;
-  abut_pose pose;
-};
 
 struct Ask {
   std::string name;
@@ -40,19 +35,14 @@ struct Answer {
   std::string refusal;  // empty where there is an answer
 };
 
-constexpr std::array<const char*, 6> algorithm_names{"auto", "analytic", "sat", "gjk_epa", "libccd_gjk", "libccd_mpr"};
-
-// By the name of a part, of which it is the first geometry, or by PART/GEOMETRY.
-Placed find_placed(const World& world, const std::string& name) {
-  for (std::size_t i = 0; i < world.scene().geometries.size(); ++i) {
-    const Geometry& geometry = world.scene().geometries[i];
-    const std::string& part = world.scene().parts[geometry.part].name;
-    const std::string whole = part + "/" + geometry.name;
-    if (name == part || name == whole) {
-      return {whole, geometry.shape, world.pose_of(i)};
-    }
+// The one geometry that a name means.
+Placed find_one(const World& world, const std::string& name) {
+  std::vector<Placed> found = find_placed(world, name);
+  if (found.size() > 1) {
+    throw BadInput("'" + name + "' has " + std::to_string(found.size()) +
+                   " geometries; expected PART/GEOMETRY, such as " + found.front().name);
   }
-  throw BadInput("there is no geometry '" + name + "'; expected the name of a part, or PART/GEOMETRY");
+  return std::move(found.front());
 }
 
 std::vector<Ask> all_asks() {
@@ -61,8 +51,8 @@ std::vector<Ask> all_asks() {
                                     std::pair{"error_bound 1e-9", 1e-9}, std::pair{"error_bound 1e-12", 1e-12}}) {
     asks.push_back({.name = name, .error_bound = bound});
   }
-  for (abut_algorithm algorithm = ABUT_ALGORITHM_ANALYTIC; algorithm <= ABUT_ALGORITHM_LIBCCD_MPR; ++algorithm) {
-    asks.push_back({.name = std::string("algorithm ") + algorithm_names.at(algorithm), .algorithm = algorithm});
+  for (const Choice& algorithm : std::span(algorithms).subspan(1)) {
+    asks.push_back({.name = "algorithm " + std::string(algorithm.name), .algorithm = algorithm.value});
   }
   return asks;
 }
@@ -98,11 +88,8 @@ std::size_t count_contacts(const Placed& a, const Placed& b) {
   return count;
 }
 
-std::string kind_of(const Placed& placed) { return abut_shape_kind_name(abut_shape_kind_of(placed.shape)); }
-
 std::string table_of(const Placed& a, const Placed& b, const std::vector<Answer>& answers) {
-  std::string text = a.name + " (" + kind_of(a) + ") and " + b.name + " (" + kind_of(b) +
-                     "): " + std::to_string(count_contacts(a, b)) + " contacts\n";
+  std::string text = shown(a) + " and " + shown(b) + ": " + std::to_string(count_contacts(a, b)) + " contacts\n";
   std::array<char, 256> line{};
   const auto add = [&](int length) { text.append(line.data(), static_cast<std::size_t>(std::max(length, 0))); };
   add(std::snprintf(line.data(), line.size(), "%-24s %-11s %-24s %-24s %10s %10s\n", "distance", "by", "lower", "upper",
@@ -114,15 +101,15 @@ std::string table_of(const Placed& a, const Placed& b, const std::vector<Answer>
     }
     const abut_distance& found = each.distance;
     add(std::snprintf(line.data(), line.size(), "%-24s %-11s %-24.17g %-24.17g %10u %10.3f\n", each.name.c_str(),
-                      algorithm_names.at(found.algorithm), found.lower, found.upper, found.iterations,
+                      algorithm_name(found.algorithm).c_str(), found.lower, found.upper, found.iterations,
                       each.microseconds));
   }
   return text;
 }
 
 std::string json_of(const Placed& a, const Placed& b, const std::vector<Answer>& answers) {
-  nlohmann::ordered_json json{{"a", {{"name", a.name}, {"kind", kind_of(a)}}},
-                              {"b", {{"name", b.name}, {"kind", kind_of(b)}}},
+  nlohmann::ordered_json json{{"a", {{"name", a.name}, {"kind", kind_name(a.shape)}}},
+                              {"b", {{"name", b.name}, {"kind", kind_name(b.shape)}}},
                               {"contacts", count_contacts(a, b)},
                               {"distances", nlohmann::ordered_json::array()}};
   for (const Answer& each : answers) {
@@ -131,7 +118,7 @@ std::string json_of(const Placed& a, const Placed& b, const std::vector<Answer>&
       continue;
     }
     json["distances"].push_back({{"ask", each.name},
-                                 {"by", algorithm_names.at(each.distance.algorithm)},
+                                 {"by", algorithm_name(each.distance.algorithm)},
                                  {"lower", each.distance.lower},
                                  {"upper", each.distance.upper},
                                  {"steps", each.distance.iterations},
@@ -144,7 +131,7 @@ std::string json_of(const Placed& a, const Placed& b, const std::vector<Answer>&
 
 void explain_pair(const Arguments& arguments) {
   const World world = world_at_last_step(arguments);
-  const Placed a = find_placed(world, arguments.geometry_a), b = find_placed(world, arguments.geometry_b);
+  const Placed a = find_one(world, arguments.operands[1]), b = find_one(world, arguments.operands[2]);
   std::vector<Answer> answers;
   for (const Ask& ask : all_asks()) {
     answers.push_back(answer(ask, a, b));

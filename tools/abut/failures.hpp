@@ -13,7 +13,9 @@ enum class Status : int {
   done = 0,
   bad_input = 1,       ///< the arguments or the scene
   library_failed = 2,  ///< a call of abut failed on a scene that it had taken, or memory ran out
-  bad_output = 3       ///< a file could not be written
+  bad_output = 3,      ///< a file could not be written
+  odd = 4,             ///< something about the scene will surprise
+  interrupted = 130    ///< a signal ended the program, as shells count it
 };
 
 class BadInput : public Failure {

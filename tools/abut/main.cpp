@@ -1,28 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// abut: steps a scene that is written as JSON; see usage() for what it does.
+// abut: where shapes touch, for scenes that are written as JSON; help_text() says what it does.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
+#include "check.hpp"
 #include "commands.hpp"
+#include "distance.hpp"
+#include "explain.hpp"
 #include "explain_pair.hpp"
 #include "failures.hpp"
+#include "help.hpp"
+#include "interruption.hpp"
 #include "output_file.hpp"
+#include "pairs.hpp"
 
 namespace cli {
 namespace {
 
-void obey(const Arguments& arguments) {
+Status obey(const Arguments& arguments) {
   switch (arguments.command) {
-    case Command::help: print(usage()); break;
+    case Command::help: print(help_text(arguments.about)); break;
     case Command::version: print("abut " + std::string(abut_version_string()) + "\n"); break;
     case Command::shapes: list_shapes(arguments); break;
     case Command::run: run(arguments); break;
     case Command::explain: explain(arguments); break;
     case Command::explain_pair: explain_pair(arguments); break;
+    case Command::check: return check_scene(arguments) ? Status::odd : Status::done;
+    case Command::distance: print_distance(arguments); break;
+    case Command::pairs: list_pairs(arguments); break;
+    case Command::completion: print(completion_for(arguments.operands[0])); break;
+    case Command::manual: print(manual_page()); break;
   }
+  return Status::done;
 }
 
 int failed(Status status, const char* message) {
@@ -42,12 +54,13 @@ int main(int argc, char** argv) {
     const cli::Arguments parsed = cli::parse_arguments(arguments);
     cli::check(abut_check_version(ABUT_VERSION_MAJOR, ABUT_VERSION_MINOR),
                "this program needs another version of abut");
-    cli::obey(parsed);
-    return static_cast<int>(Status::done);
+    return static_cast<int>(cli::obey(parsed));
   } catch (const cli::BadInput& failure) {
     return cli::failed(Status::bad_input, failure.what());
   } catch (const cli::BadOutput& failure) {
     return cli::failed(Status::bad_output, failure.what());
+  } catch (const cli::Interrupted& failure) {
+    return cli::failed(Status::interrupted, failure.what());
   } catch (const std::exception& failure) {
     return cli::failed(Status::library_failed, failure.what());
   }

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "nearest.hpp"
+
 namespace cli {
 
 void Names::read(const std::optional<Node>& node) {
@@ -25,12 +27,12 @@ std::uint32_t Names::number(const Node& node) const {
   }
   const auto found = numbers_.find(node.text());
   if (found == numbers_.end()) {
-    std::string known;
+    std::vector<std::string> known;
     for (const auto& [name, number] : numbers_) {
-      known += (known.empty() ? "" : ", ") + name;
+      known.push_back(name);
     }
     node.refuse("the name of a " + what_ + " that the scene declares" +
-                (known.empty() ? "; it declares none" : ": " + known));
+                (known.empty() ? "; it declares none" : ": " + listing(known) + suggestion(node.text(), known)));
   }
   return found->second;
 }

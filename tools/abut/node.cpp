@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "nearest.hpp"
+
 namespace cli {
 namespace {
 
@@ -125,7 +127,11 @@ std::uint32_t Node::choice(std::span<const Choice> choices) const {
       return found->value;
     }
   }
-  refuse(listed(choices));
+  std::vector<std::string> names;
+  for (const Choice& choice : choices) {
+    names.emplace_back(choice.name);
+  }
+  refuse(listed(choices) + (is_text() ? suggestion(text(), names) : ""));
 }
 
 std::vector<Node> Node::list(std::string_view of_what) const {
@@ -140,11 +146,11 @@ std::vector<Node> Node::list(std::string_view of_what) const {
   return nodes;
 }
 
-std::vector<std::pair<std::string, Node>> Node::entries(std::string_view of_what) const {
+NamedNodes Node::entries(std::string_view of_what) const {
   if (!is_object()) {
     refuse("an object: " + std::string(of_what));
   }
-  std::vector<std::pair<std::string, Node>> nodes;
+  NamedNodes nodes;
   for (const auto& [name, element] : value_->items()) {
     if (name != "comment") {
       nodes.emplace_back(name, field(name));
@@ -175,7 +181,15 @@ std::optional<Node> Fields::find(const std::string& name) {
 Node Fields::need(const std::string& name) {
   std::optional<Node> node = find(name);
   if (!node) {
-    node_.refuse("a field \"" + name + "\" in it");
+    std::vector<std::string> others;
+    for (const auto& [other, value] : node_.json().items()) {
+      if (!asked_.contains(other)) {
+        others.push_back(other);
+      }
+    }
+    const std::optional<std::string> misspelt = nearest(name, others);
+    node_.refuse("a field \"" + name + "\" in it" +
+                 (misspelt ? "; is '" + printable(*misspelt) + "' meant to be it?" : ""));
   }
   return *node;
 }
@@ -183,11 +197,8 @@ Node Fields::need(const std::string& name) {
 void Fields::done() const {
   for (const auto& [name, value] : node_.json().items()) {
     if (!asked_.contains(name)) {
-      std::string known;
-      for (const std::string& asked : asked_) {
-        known += (known.empty() ? "" : ", ") + asked;
-      }
-      node_.field(name).refuse("no field of this name; there are: " + known);
+      const std::vector<std::string> known(asked_.begin(), asked_.end());
+      node_.field(name).refuse("no field of this name" + what_there_is("field", name, known));
     }
   }
 }

@@ -26,6 +26,9 @@ struct Choice {
   std::uint32_t value;
 };
 
+class Node;
+using NamedNodes = std::vector<std::pair<std::string, Node>>;
+
 /// Borrows from the document, which must live longer.
 class Node {
  public:
@@ -64,7 +67,7 @@ class Node {
   /// The elements of a list.
   [[nodiscard]] std::vector<Node> list(std::string_view of_what) const;
   /// The fields of an object that may have any names.
-  [[nodiscard]] std::vector<std::pair<std::string, Node>> entries(std::string_view of_what) const;
+  [[nodiscard]] NamedNodes entries(std::string_view of_what) const;
   [[nodiscard]] Node field(const std::string& name) const;
 
  private:

@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+
+#include "algorithms.hpp"
+#include "nearest.hpp"
 
 namespace cli {
 namespace {
 
 constexpr std::array<Choice, 2> effects{{{"enable", ABUT_RULE_ENABLE}, {"disable", ABUT_RULE_DISABLE}}};
-constexpr std::array<Choice, 6> algorithms{{{"auto", ABUT_ALGORITHM_AUTO},
-                                            {"analytic", ABUT_ALGORITHM_ANALYTIC},
-                                            {"sat", ABUT_ALGORITHM_SAT},
-                                            {"gjk_epa", ABUT_ALGORITHM_GJK_EPA},
-                                            {"libccd_gjk", ABUT_ALGORITHM_LIBCCD_GJK},
-                                            {"libccd_mpr", ABUT_ALGORITHM_LIBCCD_MPR}}};
 constexpr std::array<Choice, 3> details{
     {{"manifold", ABUT_DETAIL_MANIFOLD}, {"point", ABUT_DETAIL_POINT}, {"box", ABUT_DETAIL_BOX}}};
 
@@ -31,7 +29,11 @@ std::vector<std::size_t> parts_named(const Node& node, const PartRanges& ranges,
     }
   }
   if (parts.empty()) {
-    node.refuse("the name of a part of the scene");
+    std::vector<std::string> known;
+    for (const auto& [each, range] : ranges) {
+      known.push_back(each);
+    }
+    node.refuse("the name of a part of the scene" + what_there_is("part with a name", name, known));
   }
   return parts;
 }
@@ -46,7 +48,9 @@ std::vector<Collidable> geometries_named(const Node& node, const std::vector<std
                          [](const Geometry& a, const Geometry& b) { return a.part < b.part; });
     const auto found = std::find_if(begin, end, [&](const Geometry& geometry) { return geometry.name == name; });
     if (found == end) {
-      node.refuse("the name of a geometry of the part");
+      std::vector<std::string> known;
+      std::transform(begin, end, std::back_inserter(known), [](const Geometry& geometry) { return geometry.name; });
+      node.refuse("the name of a geometry of the part" + what_there_is("geometry", name, known));
     }
     collidables.push_back({ABUT_COLLIDABLE_GEOMETRY, static_cast<std::size_t>(found - scene.geometries.begin())});
   }

@@ -106,7 +106,7 @@ Scene read_scene(const std::filesystem::path& path) {
     const Json document = read_document(path);
     return read(document, path.parent_path());
   } catch (const BadInput& failure) {
-    throw BadInput(path.string() + ": " + failure.what());
+    throw BadInput(shown_name(path) + ": " + failure.what());
   }
 }
 

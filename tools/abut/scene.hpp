@@ -80,7 +80,8 @@ struct Scene {
   std::optional<Focus> focus;
 };
 
-/// Reads and checks a scene; files that it names lie beside it. Throws BadInput.
+/// Reads and checks a scene, from the standard input for "-". Files that it names lie beside it, or else in the working
+/// folder. Throws BadInput.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path);
 
 }  // namespace cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shapes.hpp"
 
+#include "nearest.hpp"
 #include "parameters.hpp"
 #include "pose_reader.hpp"
 #include "shape_arrays.hpp"
@@ -8,12 +9,16 @@
 namespace cli {
 namespace {
 
-std::string listed_kinds() {
-  std::string text;
+std::vector<std::string> kind_names() {
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < abut_shape_kind_count(); ++i) {
-    text += (i > 0 ? ", " : "") + std::string(abut_shape_kind_name(abut_shape_kind_at(i)));
+    names.emplace_back(abut_shape_kind_name(abut_shape_kind_at(i)));
   }
-  return text;
+  return names;
+}
+
+bool is_hole(const abut_shape* shape) {
+  return std::string_view(abut_shape_kind_name(abut_shape_kind_of(shape))).ends_with("_hole");
 }
 
 }  // namespace
@@ -35,7 +40,12 @@ const abut_shape* Shapes::resolve(const Node& node) {
   }
   const bool exists = node.is_text() && declarations_ && declarations_->has(node.text());
   if (!exists) {
-    node.refuse("the name of a shape of the scene, or a shape, {\"kind\": ...}");
+    std::vector<std::string> known;
+    for (const auto& [name, shape] : declarations_ ? declarations_->entries("shapes by name") : NamedNodes{}) {
+      known.push_back(name);
+    }
+    const std::string there = node.is_text() ? what_there_is("named shape", node.text(), known) : "";
+    node.refuse("the name of a shape of the scene, or a shape, {\"kind\": ...}" + there);
   }
   if (in_progress_.contains(node.text())) {
     node.refuse("a shape that is not made of itself");
@@ -57,7 +67,8 @@ ShapeOwner Shapes::make(const Node& node) {
   Fields fields(node);
   const Node kind = fields.need("kind");
   if (abut_shape_kind_by_name(kind.text().c_str()) == 0) {
-    kind.refuse("a kind of shape of this build: " + listed_kinds());
+    const std::vector<std::string> known = kind_names();
+    kind.refuse("a kind of shape of this build: " + listing(known) + suggestion(kind.text(), known));
   }
   ShapeOwner shape = kind.text() == "composite" ? make_composite(fields) : make_simple(fields, kind.text());
   fields.done();
@@ -76,6 +87,37 @@ ShapeOwner Shapes::make_composite(Fields& fields) {
   }
   abut_shape* made = nullptr;
   list.check(abut_composite_create(children.data(), poses.data(), children.size(), &made));
+  std::vector<Child>& own = children_[made];
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    own.push_back({children[i], poses[i]});
+  }
+  return ShapeOwner(made);
+}
+
+ShapeOwner Shapes::without_holes(const abut_shape* shape) const {
+  const auto found = children_.find(shape);
+  if (found == children_.end()) {
+    return nullptr;
+  }
+  std::vector<ShapeOwner> owned;
+  std::vector<const abut_shape*> kept;
+  std::vector<abut_pose> poses;
+  bool had_holes = false;
+  for (const Child& child : found->second) {
+    if (is_hole(child.shape)) {
+      had_holes = true;
+      continue;
+    }
+    owned.push_back(without_holes(child.shape));
+    had_holes = had_holes || owned.back() != nullptr;
+    kept.push_back(owned.back() ? owned.back().get() : child.shape);
+    poses.push_back(child.pose);
+  }
+  if (!had_holes || kept.empty()) {
+    return nullptr;
+  }
+  abut_shape* made = nullptr;
+  check(abut_composite_create(kept.data(), poses.data(), kept.size(), &made), "cannot fill the holes of a composite");
   return ShapeOwner(made);
 }
 

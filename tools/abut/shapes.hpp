@@ -22,12 +22,20 @@ class Shapes {
   /// The shape that a node means: the name of one, or one written out. Owned by this object.
   [[nodiscard]] const abut_shape* resolve(const Node& node);
 
+  /// A copy of a composite from which its holes are left out; none for a shape that has no holes, or nothing else.
+  [[nodiscard]] ShapeOwner without_holes(const abut_shape* shape) const;
+
   /// Lets go of the document; nothing can be resolved from then on.
   void forget_document() { declarations_.reset(); }
 
   [[nodiscard]] std::size_t count() const { return named_.size() + unnamed_.size(); }
 
  private:
+  struct Child {
+    const abut_shape* shape;
+    abut_pose pose;
+  };
+
   ShapeOwner make(const Node& node);
   ShapeOwner make_composite(Fields& fields);
   ShapeOwner make_simple(Fields& fields, const std::string& kind);
@@ -37,6 +45,7 @@ class Shapes {
   std::optional<Node> declarations_;
   std::map<std::string, ShapeOwner> named_;
   std::vector<ShapeOwner> unnamed_;
+  std::map<const abut_shape*, std::vector<Child>> children_;  // of composites
   std::set<std::string> in_progress_;
 };
 

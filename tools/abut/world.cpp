@@ -115,9 +115,7 @@ void World::step(std::uint64_t number) {
   check(abut_universe_step(universe_.get(), scene_.dt), when.c_str());
 }
 
-const std::string& World::geometry_name(abut_geometry_id id) const {
-  return scene_.geometries[geometry_of_slot_[id.slot]].name;
-}
+const std::string& World::geometry_name(abut_geometry_id id) const { return scene_.geometries[number_of(id)].name; }
 
 abut_pose World::pose_of(std::size_t geometry) const {
   abut_pose pose{};
@@ -125,8 +123,15 @@ abut_pose World::pose_of(std::size_t geometry) const {
   return pose;
 }
 
+std::uint32_t World::tag_of(std::size_t geometry) const {
+  abut_geometry_info info;
+  abut_geometry_info_init(&info, sizeof info);
+  check(abut_geometry_describe(universe_.get(), geometries_.at(geometry), &info), "description of a geometry");
+  return info.tag;
+}
+
 const std::string& World::part_name(abut_geometry_id id) const {
-  return scene_.parts[scene_.geometries[geometry_of_slot_[id.slot]].part].name;
+  return scene_.parts[scene_.geometries[number_of(id)].part].name;
 }
 
 }  // namespace cli

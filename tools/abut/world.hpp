@@ -23,6 +23,10 @@ class World {
 
   /// In the world, of the geometry of that number in the scene.
   [[nodiscard]] abut_pose pose_of(std::size_t geometry) const;
+  /// The tag of the geometry of that number, which a focus may have switched.
+  [[nodiscard]] std::uint32_t tag_of(std::size_t geometry) const;
+  /// The number in the scene of a geometry of the universe.
+  [[nodiscard]] std::size_t number_of(abut_geometry_id id) const { return geometry_of_slot_[id.slot]; }
   [[nodiscard]] const std::string& part_name(abut_geometry_id id) const;
   [[nodiscard]] const std::string& geometry_name(abut_geometry_id id) const;
 

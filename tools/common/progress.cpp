@@ -39,4 +39,10 @@ void Progress::finish() {
   }
 }
 
+void Progress::stop() const {
+  if (terminal_) {
+    std::fputc('\n', stderr);
+  }
+}
+
 }  // namespace tools

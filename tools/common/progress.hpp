@@ -18,8 +18,11 @@ class Progress {
   /// `done` of `total` are done. Cheap: writes only when the shown text changes.
   void show(std::uint64_t done);
 
-  /// Ends the line.
+  /// Ends the line when all is done.
   void finish();
+
+  /// Ends the line where it is.
+  void stop() const;
 
  private:
   std::string what_;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The algorithms of a pair by name, as a scene and as answers call them.
+#pragma once
+
+#include <array>
+
+#include "node.hpp"
+
+namespace cli {
+
+inline constexpr std::array<Choice, 6> algorithms{{{"auto", ABUT_ALGORITHM_AUTO},
+                                                   {"analytic", ABUT_ALGORITHM_ANALYTIC},
+                                                   {"sat", ABUT_ALGORITHM_SAT},
+                                                   {"gjk_epa", ABUT_ALGORITHM_GJK_EPA},
+                                                   {"libccd_gjk", ABUT_ALGORITHM_LIBCCD_GJK},
+                                                   {"libccd_mpr", ABUT_ALGORITHM_LIBCCD_MPR}}};
+
+[[nodiscard]] inline std::string algorithm_name(abut_algorithm algorithm) {
+  return std::string(algorithms.at(algorithm).name);
+}
+
+}  // namespace cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <sstream>
+
+namespace cli {
+namespace {
+
+constexpr std::string_view stepping = "--steps --dt --threads --json";
+
+constexpr std::array<CommandRow, 11> rows{
+    {{Command::run, "run", "SCENE", "steps a scene, writes contacts and events, prints counts and times",
+      "--steps --dt --threads --contacts --events --quiet --json"},
+     {Command::explain, "explain", "SCENE", "steps a scene, prints what the last step did and why", stepping},
+     {Command::explain_pair, "explain pair", "SCENE A B",
+      "prints every way to the distance of two geometries, with times", stepping},
+     {Command::check, "check", "SCENE [A B]", "tells what is odd about a scene, or why A and B touch or not", stepping},
+     {Command::distance, "distance", "[SCENE] A B", "prints the distance of A and B, its interval and its points",
+      stepping},
+     {Command::pairs, "pairs", "[SCENE]", "lists pairs that come near in a scene; without one, which kinds meet",
+      stepping},
+     {Command::shapes, "shapes", "", "lists the kinds of shapes and their parameters", "--json"},
+     {Command::completion, "completion", "SHELL", "prints completion for bash, zsh or fish", ""},
+     {Command::manual, "manual", "", "prints the manual page, for man -l -", ""},
+     {Command::help, "--help", "", "prints this text; after a command, what that command takes", ""},
+     {Command::version, "--version", "", "prints the version", ""}}};
+
+constexpr std::array<OptionRow, 7> options{
+    {{"--steps", "N", "steps to run; without it those of the scene for run, 1 for all others"},
+     {"--dt", "S", "time from step to step; without it that of the scene"},
+     {"--threads", "N", "threads of a step, 0 for all; results are the same bits for any number"},
+     {"--contacts", "FILE",
+      "writes the contacts of all steps; JSON if the name ends in .json, else CSV; - is the standard output"},
+     {"--events", "FILE", "writes the events of all steps in the same way"},
+     {"--quiet", "", "neither progress nor the table at the end"},
+     {"--json", "", "prints JSON; what goes to - is JSON as well"}}};
+
+}  // namespace
+
+std::span<const CommandRow> all_commands() { return rows; }
+
+std::span<const OptionRow> all_options() { return options; }
+
+const CommandRow& row_of(Command command) {
+  return *std::find_if(rows.begin(), rows.end(), [&](const CommandRow& row) { return row.command == command; });
+}
+
+std::vector<OptionRow> options_of(const CommandRow& row) {
+  const std::vector<std::string> names = split(row.options);
+  std::vector<OptionRow> its;
+  std::ranges::copy_if(options, std::back_inserter(its),
+                       [&](const OptionRow& option) { return std::ranges::find(names, option.name) != names.end(); });
+  return its;
+}
+
+std::vector<std::string> first_words() {
+  std::vector<std::string> words;
+  for (const CommandRow& row : rows) {
+    const std::string first = split(row.words).front();
+    if (std::ranges::find(words, first) == words.end()) {
+      words.push_back(first);
+    }
+  }
+  return words;
+}
+
+std::vector<std::string> split(std::string_view text) {
+  std::istringstream words{std::string(text)};
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+}  // namespace cli
