@@ -189,7 +189,7 @@ class Mistakes(program.Case):
             ({"kind": "mesh", "file": "bad.obj"}, ("3: f 1 2 9",)),
             ({"kind": "hull", "file": "bad.txt"}, ("'zero'",)),
             ({"kind": "height_field", "spacing_x": 1, "spacing_y": 1, "file": "bad.pgm"}, ("ends too early",)),
-            ({"kind": "hull", "file": "grey.pgm"}, (".obj for hulls",)),
+            ({"kind": "hull", "file": "grey.pgm"}, (".obj, .stl or .ply for hulls",)),
             ({"kind": "hull", "file": "."}, ("is a folder",)),
             ({"kind": "hull", "file": 3}, ("a text",)),
         ):

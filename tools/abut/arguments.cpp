@@ -5,6 +5,7 @@
 #include <charconv>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <system_error>
 
 #include "failures.hpp"
@@ -24,6 +25,48 @@ Number number_from(const std::string& option, const std::string& text, Number lo
   return value;
 }
 
+// Numbers with a separator between them.
+template <class Number>
+std::vector<Number> numbers_from(const std::string& option, const std::string& text, char separator, std::size_t count,
+                                 Number low, Number high, const char* expected) {
+  std::vector<Number> numbers;
+  std::istringstream words(text + separator);
+  for (std::string word; std::getline(words, word, separator);) {
+    Number value{};
+    const auto [end, error] = std::from_chars(word.data(), std::to_address(word.end()), value);
+    if (error != std::errc{} || end != std::to_address(word.end()) || !(value >= low) || !(value <= high)) {
+      numbers.clear();
+      break;
+    }
+    numbers.push_back(value);
+  }
+  if (numbers.size() != count) {
+    throw BadInput(option + " is '" + text + "'; expected " + expected);
+  }
+  return numbers;
+}
+
+abut_vec3 vector_from(const std::string& option, const std::string& text) {
+  constexpr double most = 1e60;
+  const auto numbers = numbers_from<double>(option, text, ',', 3, -most, most, "three numbers, such as 1,-2,0.5");
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+void set_view(Arguments& arguments, const std::string& option, const std::string& value) {
+  if (option == "--size") {
+    const auto size = numbers_from<std::uint32_t>(option, value, 'x', 2, 1, 16384,
+                                                  "a width and a height from 1 to 16384, such as 1280x720");
+    arguments.width = size[0];
+    arguments.height = size[1];
+  } else if (option == "--from") {
+    arguments.from = vector_from(option, value);
+  } else if (option == "--to") {
+    arguments.to = vector_from(option, value);
+  } else if (option == "--up") {
+    arguments.up = vector_from(option, value);
+  }
+}
+
 void set(Arguments& arguments, const std::string& option, const std::string& value) {
   if (option == "--steps") {
     arguments.steps =
@@ -36,6 +79,8 @@ void set(Arguments& arguments, const std::string& option, const std::string& val
     arguments.contacts = value;
   } else if (option == "--events") {
     arguments.events = value;
+  } else {
+    set_view(arguments, option, value);
   }
 }
 

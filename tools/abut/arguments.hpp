@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "abut/abut.h"
 #include "command_table.hpp"
 
 namespace cli {
@@ -19,8 +20,13 @@ struct Arguments {
   std::optional<std::uint64_t> steps;
   std::optional<double> dt;
   std::optional<std::uint32_t> threads;
-  std::string contacts;  // empty: none
-  std::string events;    // empty: none
+  std::string contacts;        // empty: none
+  std::string events;          // empty: none
+  std::uint32_t width = 1280;  // of a picture
+  std::uint32_t height = 720;
+  std::optional<abut_vec3> from;
+  std::optional<abut_vec3> to;
+  std::optional<abut_vec3> up;
   bool quiet = false;
   bool json = false;
 };

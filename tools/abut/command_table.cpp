@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view stepping = "--steps --dt --threads --json";
 
-constexpr std::array<CommandRow, 11> rows{
+constexpr std::array<CommandRow, 12> rows{
     {{Command::run, "run", "SCENE", "steps a scene, writes contacts and events, prints counts and times",
       "--steps --dt --threads --contacts --events --quiet --json"},
      {Command::explain, "explain", "SCENE", "steps a scene, prints what the last step did and why", stepping},
@@ -22,19 +22,25 @@ constexpr std::array<CommandRow, 11> rows{
       stepping},
      {Command::pairs, "pairs", "[SCENE]", "lists pairs that come near in a scene; without one, which kinds meet",
       stepping},
+     {Command::picture, "picture", "SCENE PICTURE", "draws a scene and its contacts as a PNG",
+      "--steps --dt --threads --size --from --to --up"},
      {Command::shapes, "shapes", "", "lists the kinds of shapes and their parameters", "--json"},
      {Command::completion, "completion", "SHELL", "prints completion for bash, zsh or fish", ""},
      {Command::manual, "manual", "", "prints the manual page, for man -l -", ""},
      {Command::help, "--help", "", "prints this text; after a command, what that command takes", ""},
      {Command::version, "--version", "", "prints the version", ""}}};
 
-constexpr std::array<OptionRow, 7> options{
+constexpr std::array<OptionRow, 11> options{
     {{"--steps", "N", "steps to run; without it those of the scene for run, 1 for all others"},
      {"--dt", "S", "time from step to step; without it that of the scene"},
      {"--threads", "N", "threads of a step, 0 for all; results are the same bits for any number"},
      {"--contacts", "FILE",
       "writes the contacts of all steps; JSON if the name ends in .json, else CSV; - is the standard output"},
      {"--events", "FILE", "writes the events of all steps in the same way"},
+     {"--size", "WxH", "width and height of a picture; without it 1280x720"},
+     {"--from", "X,Y,Z", "where the camera of a picture stands; without it so that all fits in"},
+     {"--to", "X,Y,Z", "where it looks to; without it to the middle of the scene"},
+     {"--up", "X,Y,Z", "what is up in the picture; without it 0,0,1"},
      {"--quiet", "", "neither progress nor the table at the end"},
      {"--json", "", "prints JSON; what goes to - is JSON as well"}}};
 

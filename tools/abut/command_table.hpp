@@ -17,6 +17,7 @@ enum class Command : std::uint8_t {
   check,
   distance,
   pairs,
+  picture,
   shapes,
   completion,
   manual,

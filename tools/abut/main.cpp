@@ -16,6 +16,7 @@
 #include "interruption.hpp"
 #include "output_file.hpp"
 #include "pairs.hpp"
+#include "picture.hpp"
 
 namespace cli {
 namespace {
@@ -31,6 +32,7 @@ Status obey(const Arguments& arguments) {
     case Command::check: return check_scene(arguments) ? Status::odd : Status::done;
     case Command::distance: print_distance(arguments); break;
     case Command::pairs: list_pairs(arguments); break;
+    case Command::picture: draw_scene(arguments); break;
     case Command::completion: print(completion_for(arguments.operands[0])); break;
     case Command::manual: print(manual_page()); break;
   }

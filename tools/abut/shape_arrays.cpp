@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/height_map.hpp"
+#include "common/ply.hpp"
+#include "common/stl.hpp"
 #include "common/wavefront.hpp"
 
 namespace cli {
@@ -100,6 +102,12 @@ std::vector<double> read_numbers(const std::filesystem::path& path) {
   return numbers;
 }
 
+bool is_model(const std::string& suffix) { return suffix == ".obj" || suffix == ".stl" || suffix == ".ply"; }
+
+Triangles read_model(const std::filesystem::path& path, const std::string& suffix) {
+  return suffix == ".stl" ? read_stl(path) : suffix == ".ply" ? read_ply(path) : read_wavefront(path);
+}
+
 void load_file(const Node& file, const std::filesystem::path& folder, const std::string& kind, ShapeArrays& out) {
   const std::filesystem::path path = folder / file.text();
   const std::string suffix = path.extension().string();
@@ -111,19 +119,20 @@ void load_file(const Node& file, const std::filesystem::path& folder, const std:
     out.columns = map.columns;
     out.rows = map.rows;
     out.reals = std::move(map.heights);
-  } else if (suffix == ".obj" && kind != "height_field") {
-    Triangles triangles = read_wavefront(path);
+  } else if (is_model(suffix) && kind != "height_field") {
+    const Triangles triangles = read_model(path, suffix);
     for (const abut_vec3& v : triangles.vertices) {
       out.reals.insert(out.reals.end(), {v.x, v.y, v.z});
     }
     if (kind == "mesh") {
-      out.indices = std::move(triangles.indices);
+      out.indices = triangles.indices;
     }
   } else if (suffix == ".txt" || suffix == ".csv" || suffix == ".xyz") {
     out.reals = read_numbers(path);
   } else {
     file.refuse(
-        "a file beside the scene: .obj for hulls, meshes and particles, .pgm for height fields, .txt for plain "
+        "a file beside the scene: .obj, .stl or .ply for hulls, meshes and particles, .pgm for height fields, .txt for "
+        "plain "
         "numbers");
   }
 }

@@ -19,6 +19,7 @@ class World {
   void step(std::uint64_t number);
 
   [[nodiscard]] const abut_universe* universe() const { return universe_.get(); }
+  [[nodiscard]] abut_universe* universe() { return universe_.get(); }
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
   /// In the world, of the geometry of that number in the scene.

@@ -42,9 +42,7 @@ bool read_face(std::istream& fields, Triangles& out) {
     }
     corners.push_back(static_cast<std::uint32_t>(corner));
   }
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    out.indices.insert(out.indices.end(), {corners[0], corners[i - 1], corners[i]});
-  }
+  add_fan(out, corners);
   return corners.size() >= 3;
 }
 

@@ -3,38 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 
+#include "picture/marks.hpp"
+#include "picture/text.hpp"
 #include "shade.hpp"
-#include "text.hpp"
 
 namespace demo {
 namespace {
-
-constexpr Colour mark_colour{1.0, 0.92, 0.05};
-constexpr Colour outline_colour{0.0, 0.0, 0.0};
-
-struct Pixel {
-  double x;
-  double y;
-  double distance;  // from the camera, metres
-};
-
-// The inverse of abut_camera_ray.
-std::optional<Pixel> project(const abut_camera& camera, const Vec3& point) {
-  const Vec3 offset = point - camera.pose.position;
-  const Vec3 local = rotate(conjugate(camera.pose.orientation), offset);
-  if (local.z >= 0.0) {
-    return std::nullopt;
-  }
-  const double focal = 0.5 * camera.height / std::tan(0.5 * camera.vertical_fov);
-  const Pixel pixel{0.5 * camera.width - focal * local.x / local.z, 0.5 * camera.height + focal * local.y / local.z,
-                    length(offset)};
-  const bool inside = pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < camera.width && pixel.y < camera.height;
-  return inside ? std::optional(pixel) : std::nullopt;
-}
 
 enum class Sight : std::uint8_t { seen, behind_own_body, hidden };
 
@@ -75,10 +52,9 @@ std::size_t mark_contacts(Picture& picture, const abut_camera& camera, std::span
   for (const Mark& mark : marks) {
     const double radius = scale * std::clamp(3.4 * 1200.0 / mark.pixel.distance, 1.1, 3.8);
     if (mark.sight == Sight::seen) {
-      picture.image.draw_disc(mark.pixel.x, mark.pixel.y, radius + 0.9 * scale, outline_colour, 0.75);
-      picture.image.draw_disc(mark.pixel.x, mark.pixel.y, radius, mark_colour, 1.0);
+      draw_mark(picture.image, mark.pixel, radius, scale);
     } else {
-      picture.image.draw_disc(mark.pixel.x, mark.pixel.y, 0.8 * radius, mark_colour, 0.45);
+      draw_faint_mark(picture.image, mark.pixel, radius);
     }
   }
   return static_cast<std::size_t>(std::ranges::count(marks, Sight::seen, &Mark::sight));

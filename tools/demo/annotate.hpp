@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "render.hpp"
+#include "picture/render.hpp"
+#include "scene.hpp"
 
 namespace demo {
 

@@ -12,10 +12,11 @@
 
 #include "annotate.hpp"
 #include "csv.hpp"
-#include "options.hpp"
 #include "common/progress.hpp"
-#include "render.hpp"
+#include "options.hpp"
+#include "picture/render.hpp"
 #include "scene.hpp"
+#include "shade.hpp"
 #include "statistics.hpp"
 
 namespace demo {
@@ -49,14 +50,24 @@ Statistics run_steps(Scene& scene, std::uint32_t steps) {
   return statistics;
 }
 
+constexpr PickingFunctions picking{abut_picker_create, abut_picker_destroy, abut_picker_render, abut_picker_cast_rays,
+                                   abut_camera_init,   abut_camera_look_at, abut_camera_ray};
+
+// A camera above the slopes on which the bodies lie: at the edge of the plateau, looking north-east over the spurs
+// below it to the water gap in the far ridge.
+abut_camera make_camera(const Picker& picker, const Terrain& terrain, const Options& options) {
+  const double x = -250.0;
+  const double y = -1750.0;
+  const Vec3 eye{x, y, terrain.height(x, y) + 540.0};
+  return picker.camera(options.width, options.height, 0.76, eye, {1400.0, 400.0, 590.0}, {0.0, 0.0, 1.0});
+}
+
 void draw_picture(const std::filesystem::path& path, const Options& options, const Scene& scene,
                   const std::vector<abut_contact>& contacts) {
   const Stopwatch watch;
-  abut_picker* created = nullptr;
-  check(abut_picker_create(scene.universe(), &created), "cannot create the picker");
-  const PickerOwner picker(created);
-  const abut_camera camera = make_camera(scene.terrain(), options.width, options.height);
-  Picture picture = render(picker.get(), scene, camera);
+  const Picker picker(picking, scene.universe());
+  const abut_camera camera = make_camera(picker, scene.terrain(), options);
+  Picture picture = render(picker, Hillside(scene), camera, Elsewhere::lines);
   const std::size_t seen = mark_contacts(picture, camera, contacts, scene);
   draw_legend(picture.image, scene, contacts.size());
   write_png(path, picture.image);

@@ -74,9 +74,21 @@ Colour ground(const Terrain& terrain, const Vec3& p, const Vec3& normal, double 
   return base * (1.0 + mottle) * (1.0 - 0.28 * line);
 }
 
+Vec3 sun_direction() { return normalised({-0.7, 0.5, 0.42}); }  // low in the north-west, as on maps
+
+// Light from the sky along a unit direction.
+Colour sky(const Vec3& direction) {
+  const double up = std::clamp(direction.z, 0.0, 1.0);
+  const double t = 1.0 - (1.0 - up) * (1.0 - up) * (1.0 - up);
+  const Colour blue = mix(haze, Colour{0.09, 0.24, 0.60}, std::min(1.0, 2.2 * t));
+  const double towards_sun = std::max(0.0, dot(direction, sun_direction()));
+  const double glow = towards_sun * towards_sun * towards_sun * towards_sun;
+  return blue + Colour{0.35, 0.27, 0.14} * (0.6 * glow);
+}
+
 }  // namespace
 
-Vec3 sun_direction() { return normalised({-0.7, 0.5, 0.42}); }  // low in the north-west, as on maps
+Vec3 Hillside::sun() const { return sun_direction(); }
 
 Colour colour_of(Kind kind) {
   switch (kind) {
@@ -92,40 +104,40 @@ Colour colour_of(Kind kind) {
   return {0.0, 0.0, 0.0};
 }
 
-Colour sky(const Vec3& direction) {
-  const double up = std::clamp(direction.z, 0.0, 1.0);
-  const double t = 1.0 - (1.0 - up) * (1.0 - up) * (1.0 - up);
-  const Colour blue = mix(haze, Colour{0.09, 0.24, 0.60}, std::min(1.0, 2.2 * t));
-  const double towards_sun = std::max(0.0, dot(direction, sun_direction()));
-  const double glow = towards_sun * towards_sun * towards_sun * towards_sun;
-  return blue + Colour{0.35, 0.27, 0.14} * (0.6 * glow);
+// Smooth on the terrain.
+Vec3 Hillside::normal(const abut_ray& ray, const abut_pick& pick) const {
+  const bool terrain = scene_->owner(pick.geometry).kind == Kind::terrain;
+  const Vec3 raw = terrain ? scene_->terrain().normal(pick.point.x, pick.point.y) : pick.normal;
+  return !terrain && dot(raw, ray.direction) > 0.0 ? raw * -1.0 : raw;
 }
 
-Vec3 shading_normal(const Scene& scene, const abut_ray& ray, const abut_pick& pick) {
-  const bool terrain = scene.owner(pick.geometry).kind == Kind::terrain;
-  const Vec3 normal = terrain ? scene.terrain().normal(pick.point.x, pick.point.y) : pick.normal;
-  return !terrain && dot(normal, ray.direction) > 0.0 ? normal * -1.0 : normal;
-}
-
-Colour shade(const Scene& scene, const abut_ray& ray, const abut_pick& pick, const Light& light, double pixel) {
+Colour Hillside::shade(const abut_ray& ray, const abut_pick& pick, const Light& light, double pixel) const {
   const Vec3 view = normalised(ray.direction);
   if (pick.geometry.slot == 0) {
     return sky(view);
   }
-  const Kind kind = scene.owner(pick.geometry).kind;
-  const Vec3 normal = shading_normal(scene, ray, pick);
+  const Kind kind = scene_->owner(pick.geometry).kind;
+  const Vec3 towards = normal(ray, pick);
   const Colour albedo =
-      kind == Kind::terrain ? ground(scene.terrain(), pick.point, normal, pixel * pick.distance) : colour_of(kind);
-  const double sun = light.sun * std::max(0.0, dot(normal, sun_direction()));
-  const double dome = light.sky * (0.6 + 0.4 * normal.z);
+      kind == Kind::terrain ? ground(scene_->terrain(), pick.point, towards, pixel * pick.distance) : colour_of(kind);
+  const double sun = light.sun * std::max(0.0, dot(towards, sun_direction()));
+  const double dome = light.sky * (0.6 + 0.4 * towards.z);
   Colour result = albedo * (sunlight * (0.52 * sun) + skylight * (0.26 * dome));
   if (kind != Kind::terrain) {
     const Vec3 half = normalised(sun_direction() - view);
-    const double shine = std::pow(std::max(0.0, dot(normal, half)), 40.0);
+    const double shine = std::pow(std::max(0.0, dot(towards, half)), 40.0);
     result = result + sunlight * (0.10 * light.sun * shine);
   }
   const double air = std::exp(-pick.distance / haze_distance);
   return mix(sky({view.x, view.y, 0.0}), result, air * air * (3.0 - 2.0 * air));
+}
+
+// The terrain is lit by smooth normals, so the steps between its flat triangles must not show as shadows: it casts none
+// on itself nearby.
+bool Hillside::lets_through(const abut_pick& from, const abut_pick& hit) const {
+  constexpr double nearby = 250.0;
+  const auto is_terrain = [&](const abut_pick& pick) { return scene_->owner(pick.geometry).kind == Kind::terrain; };
+  return hit.distance < nearby && is_terrain(hit) && is_terrain(from);
 }
 
 }  // namespace demo

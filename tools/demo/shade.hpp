@@ -2,31 +2,28 @@
 // What things look like: light, sky, ground and the colours of bodies.
 #pragma once
 
-#include "image.hpp"
+#include "picture/look.hpp"
 #include "scene.hpp"
 
 namespace demo {
 
-/// How much light reaches a point: shares of sun and sky that are not covered, in [0, 1].
-struct Light {
-  double sun = 1.0;
-  double sky = 1.0;
-};
-
-/// Unit vector towards the sun.
-[[nodiscard]] Vec3 sun_direction();
-
 /// Colour by which bodies of a kind are told apart.
 [[nodiscard]] Colour colour_of(Kind kind);
 
-/// Light from the sky along a unit direction.
-[[nodiscard]] Colour sky(const Vec3& direction);
+/// The hillside of the demo in the light of the evening. The scene must live longer.
+class Hillside : public Look {
+ public:
+  explicit Hillside(const Scene& scene) : scene_(&scene) {}
 
-/// The unit normal that a hit is lit with, on the side of the viewer; smooth on the terrain.
-[[nodiscard]] Vec3 shading_normal(const Scene& scene, const abut_ray& ray, const abut_pick& pick);
+  [[nodiscard]] Vec3 sun() const override;
+  [[nodiscard]] Reach reach() const override { return {.lift = 0.25, .sky = 160.0, .sun = 40'000.0}; }
+  [[nodiscard]] Vec3 normal(const abut_ray& ray, const abut_pick& pick) const override;
+  [[nodiscard]] Colour shade(const abut_ray& ray, const abut_pick& pick, const Light& light,
+                             double pixel) const override;
+  [[nodiscard]] bool lets_through(const abut_pick& from, const abut_pick& hit) const override;
 
-/// Light that comes back along a ray from what it met; `pixel` is the width of a pixel at distance 1.
-[[nodiscard]] Colour shade(const Scene& scene, const abut_ray& ray, const abut_pick& pick, const Light& light,
-                           double pixel);
+ private:
+  const Scene* scene_;
+};
 
 }  // namespace demo

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include <png.h>
 
-#include "owned.hpp"
+#include "common/owners.hpp"
 
-namespace demo {
+namespace tools {
 namespace {
 
 double distance_to_segment(double px, double py, double x0, double y0, double x1, double y1) {
@@ -78,7 +79,7 @@ Colour tone_mapped(const Colour& light) {
   return {curve(light.r), curve(light.g), curve(light.b)};
 }
 
-void write_png(const std::filesystem::path& path, const Image& image) {
+std::string encode_png(const Image& image) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * std::size_t{image.width()} * image.height());
   for (std::size_t y = 0; y < image.height(); ++y) {
@@ -92,9 +93,21 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   header.width = image.width();
   header.height = image.height();
   header.format = PNG_FORMAT_RGB;
-  if (png_image_write_to_file(&header, path.c_str(), 0, bytes.data(), 0, nullptr) == 0) {
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+  std::string encoded(size, '\0');
+  if (png_image_write_to_memory(&header, encoded.data(), &size, 0, bytes.data(), 0, nullptr) == 0) {
+    throw Failure("cannot encode a picture as PNG");
+  }
+  encoded.resize(size);
+  return encoded;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  std::ofstream out(path, std::ios::binary);
+  out << encode_png(image) << std::flush;
+  if (!out) {
     throw Failure("cannot write " + path.string());
   }
 }
 
-}  // namespace demo
+}  // namespace tools

@@ -4,9 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
-namespace demo {
+namespace tools {
 
 /// Linear light; 1 is a white surface in full daylight before tone mapping, or full scale after it.
 struct Colour {
@@ -55,7 +56,10 @@ class Image {
 /// Compresses scene light into [0, 1].
 [[nodiscard]] Colour tone_mapped(const Colour& light);
 
-/// Writes 8-bit sRGB. Throws Failure.
+/// The bytes of a PNG of 8-bit sRGB. Throws Failure.
+[[nodiscard]] std::string encode_png(const Image& image);
+
+/// Writes them to a file. Throws Failure.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-}  // namespace demo
+}  // namespace tools

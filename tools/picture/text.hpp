@@ -6,7 +6,7 @@
 
 #include "image.hpp"
 
-namespace demo {
+namespace tools {
 
 /// Writes with the upper left corner at (x, y), letters `height` pixels tall.
 void draw_text(Image& image, double x, double y, double height, std::string_view text, const Colour& colour);
@@ -14,4 +14,4 @@ void draw_text(Image& image, double x, double y, double height, std::string_view
 /// Width of that text in pixels.
 [[nodiscard]] double text_width(std::string_view text, double height);
 
-}  // namespace demo
+}  // namespace tools

@@ -5,13 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace demo {
+namespace tools {
 namespace {
 
 constexpr std::uint32_t sky_rays = 4;  // a sample
-constexpr double sky_reach = 160.0;    // metres in which something covers the sky
 constexpr double sun_radius = 0.02;    // radians; wider than the real one, for soft shadows
-constexpr double lift = 0.25;          // metres by which rays start off the surface
 
 // Van der Corput's sequence in base 2.
 double radical_inverse(std::uint32_t n) {
@@ -48,39 +46,23 @@ Vec3 about(const Vec3& normal, const Vec3& v) {
 }
 
 // A point of the sun's disc for each pattern.
-std::array<Vec3, pattern_count> sun_directions() {
+std::array<Vec3, pattern_count> sun_directions(const Vec3& sun) {
   std::array<Vec3, pattern_count> directions{};
   for (std::uint32_t i = 0; i < pattern_count; ++i) {
     const double angle = 2.0 * std::numbers::pi * radical_inverse(i);
     const double radius = sun_radius * std::sqrt((i + 0.5) / pattern_count);
     directions[(i * 5U) % pattern_count] =
-        normalised(about(sun_direction(), {radius * std::cos(angle), radius * std::sin(angle), 1.0}));
+        normalised(about(sun, {radius * std::cos(angle), radius * std::sin(angle), 1.0}));
   }
   return directions;
 }
 
-std::vector<abut_pick> cast(abut_picker* picker, const std::vector<abut_ray>& rays) {
-  std::vector<abut_pick> hits(rays.size());
-  if (!rays.empty()) {
-    check(abut_picker_cast_rays(picker, rays.data(), rays.size(), ABUT_COHERENCE_NONE, nullptr, hits.data()),
-          "cannot cast rays");
-  }
-  return hits;
-}
-
-// The terrain is lit by smooth normals, so the steps between its flat triangles must not show as shadows: it casts none
-// on itself nearby.
-bool is_lit(const Scene& scene, const abut_pick& from, const abut_pick& hit) {
-  constexpr double nearby = 250.0;
-  const auto is_terrain = [&](const abut_pick& pick) { return scene.owner(pick.geometry).kind == Kind::terrain; };
-  return hit.geometry.slot == 0 || (hit.distance < nearby && is_terrain(hit) && is_terrain(from));
-}
-
 }  // namespace
 
-std::vector<Light> trace_light(abut_picker* picker, const Scene& scene, std::span<const Sample> samples) {
+std::vector<Light> trace_light(const Picker& picker, const Look& look, std::span<const Sample> samples) {
   const std::vector<Vec3> directions = sky_directions();
-  const std::array<Vec3, pattern_count> suns = sun_directions();
+  const std::array<Vec3, pattern_count> suns = sun_directions(look.sun());
+  const Reach reach = look.reach();
   std::vector<Light> lights(samples.size());
   std::vector<abut_ray> to_sun;
   std::vector<std::size_t> sun_sample;
@@ -91,30 +73,31 @@ std::vector<Light> trace_light(abut_picker* picker, const Scene& scene, std::spa
     if (sample.pick.geometry.slot == 0) {
       continue;
     }
-    const Vec3 normal = shading_normal(scene, sample.ray, sample.pick);
+    const Vec3 normal = look.normal(sample.ray, sample.pick);
     const bool away = dot(sample.pick.normal, sample.ray.direction) > 0.0;
-    const Vec3 start = sample.pick.point + sample.pick.normal * (away ? -lift : lift);
-    if (dot(normal, sun_direction()) > 0.0) {
-      to_sun.push_back({start, suns[sample.pattern], 40'000.0});
+    const Vec3 start = sample.pick.point + sample.pick.normal * (away ? -reach.lift : reach.lift);
+    if (dot(normal, look.sun()) > 0.0) {
+      to_sun.push_back({start, suns[sample.pattern], reach.sun});
       sun_sample.push_back(i);
     }
     for (std::uint32_t k = 0; k < sky_rays; ++k) {
-      to_sky.push_back({start, about(normal, directions[sample.pattern + pattern_count * k]), sky_reach});
+      to_sky.push_back({start, about(normal, directions[sample.pattern + pattern_count * k]), reach.sky});
       sky_sample.push_back(i);
     }
   }
-  const std::vector<abut_pick> sun_hits = cast(picker, to_sun);
+  const std::vector<abut_pick> sun_hits = picker.cast(to_sun, ABUT_COHERENCE_NONE);
   for (std::size_t i = 0; i < sun_hits.size(); ++i) {
-    lights[sun_sample[i]].sun = is_lit(scene, samples[sun_sample[i]].pick, sun_hits[i]) ? 1.0 : 0.0;
+    const bool is_lit = sun_hits[i].geometry.slot == 0 || look.lets_through(samples[sun_sample[i]].pick, sun_hits[i]);
+    lights[sun_sample[i]].sun = is_lit ? 1.0 : 0.0;
   }
-  const std::vector<abut_pick> sky_hits = cast(picker, to_sky);
+  const std::vector<abut_pick> sky_hits = picker.cast(to_sky, ABUT_COHERENCE_NONE);
   for (std::size_t i = 0; i < sky_hits.size(); ++i) {
     if (sky_hits[i].geometry.slot != 0) {
       // What is near covers the sky in full, what is at the reach not at all.
-      lights[sky_sample[i]].sky -= (1.0 - sky_hits[i].distance / sky_reach) / sky_rays;
+      lights[sky_sample[i]].sky -= (1.0 - sky_hits[i].distance / reach.sky) / sky_rays;
     }
   }
   return lights;
 }
 
-}  // namespace demo
+}  // namespace tools

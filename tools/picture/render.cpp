@@ -8,9 +8,8 @@
 #include <thread>
 
 #include "light.hpp"
-#include "common/progress.hpp"
 
-namespace demo {
+namespace tools {
 namespace {
 
 constexpr std::size_t block = 8192;  // samples that a thread takes at a time
@@ -38,15 +37,9 @@ void in_blocks(std::size_t count, Progress& progress, Work work) {
   }
 }
 
-abut_ray ray_through(const abut_camera& camera, double x, double y) {
-  abut_ray result;
-  check(abut_camera_ray(&camera, x, y, &result), "cannot make a ray");
-  return result;
-}
-
-abut_ray ray_of_pixel(const abut_camera& camera, std::size_t index) {
-  return ray_through(camera, static_cast<double>(index % camera.width) + 0.5,
-                     static_cast<double>(index / camera.width) + 0.5);
+abut_ray ray_of_pixel(const Picker& picker, const abut_camera& camera, std::size_t index) {
+  return picker.ray(camera, static_cast<double>(index % camera.width) + 0.5,
+                    static_cast<double>(index / camera.width) + 0.5);
 }
 
 // Width of a pixel at distance 1.
@@ -56,17 +49,17 @@ std::uint32_t pattern_of_pixel(std::size_t index, std::uint32_t width) {
   return static_cast<std::uint32_t>((index % width) % 4 + 4 * ((index / width) % 4));
 }
 
-std::vector<Light> light_of_pixels(abut_picker* picker, const Scene& scene, const abut_camera& camera,
-                                   const std::vector<abut_pick>& picks) {
+std::vector<Light> light_of_pixels(const Picker& picker, const Look& look, const abut_camera& camera,
+                                   const std::vector<abut_pick>& picks, Elsewhere elsewhere) {
   std::vector<Light> lights(picks.size());
-  Progress progress("light", picks.size());
+  Progress progress("light", picks.size(), elsewhere);
   in_blocks(picks.size(), progress, [&](std::size_t first, std::size_t last) {
     std::vector<Sample> samples;
     samples.reserve(last - first);
     for (std::size_t i = first; i < last; ++i) {
-      samples.push_back({ray_of_pixel(camera, i), picks[i], pattern_of_pixel(i, camera.width)});
+      samples.push_back({ray_of_pixel(picker, camera, i), picks[i], pattern_of_pixel(i, camera.width)});
     }
-    std::ranges::copy(trace_light(picker, scene, samples), lights.begin() + static_cast<std::ptrdiff_t>(first));
+    std::ranges::copy(trace_light(picker, look, samples), lights.begin() + static_cast<std::ptrdiff_t>(first));
   });
   progress.finish();
   return lights;
@@ -119,33 +112,31 @@ std::vector<std::size_t> edge_pixels(const Image& image) {
 }
 
 // Replaces pixels at edges by the mean of samples spread so that no two share a row or a column.
-void refine(abut_picker* picker, const Scene& scene, const abut_camera& camera, Image& image) {
+void refine(const Picker& picker, const Look& look, const abut_camera& camera, Image& image, Elsewhere elsewhere) {
   const double pixel = pixel_width(camera);
   constexpr std::array<double, 8> across{1.5, 4.5, 6.5, 0.5, 3.5, 7.5, 2.5, 5.5};
   const std::vector<std::size_t> edges = edge_pixels(image);
-  Progress progress("edges", across.size() * edges.size());
+  Progress progress("edges", across.size() * edges.size(), elsewhere);
   in_blocks(across.size() * edges.size(), progress, [&](std::size_t first, std::size_t last) {
     std::vector<abut_ray> rays;
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t edge = edges[i / across.size()];
       const std::size_t k = i % across.size();
-      rays.push_back(ray_through(camera, static_cast<double>(edge % image.width()) + across[k] / 8.0,
-                                 static_cast<double>(edge / image.width()) + (static_cast<double>(k) + 0.5) / 8.0));
+      rays.push_back(picker.ray(camera, static_cast<double>(edge % image.width()) + across[k] / 8.0,
+                                static_cast<double>(edge / image.width()) + (static_cast<double>(k) + 0.5) / 8.0));
     }
-    std::vector<abut_pick> picks(rays.size());
-    check(abut_picker_cast_rays(picker, rays.data(), rays.size(), ABUT_COHERENCE_NEIGHBOURS, nullptr, picks.data()),
-          "cannot cast rays");
+    const std::vector<abut_pick> picks = picker.cast(rays, ABUT_COHERENCE_NEIGHBOURS);
     std::vector<Sample> samples;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       samples.push_back({rays[i], picks[i], static_cast<std::uint32_t>(2 * (i % across.size()))});
     }
-    const std::vector<Light> lights = trace_light(picker, scene, samples);
+    const std::vector<Light> lights = trace_light(picker, look, samples);
     // A block holds whole pixels: its size is a multiple of the samples of a pixel.
     static_assert(block % across.size() == 0);
     for (std::size_t i = 0; i < samples.size(); i += across.size()) {
       Colour sum{0.0, 0.0, 0.0};
       for (std::size_t k = i; k < i + across.size(); ++k) {
-        sum = sum + tone_mapped(shade(scene, samples[k].ray, samples[k].pick, lights[k], pixel));
+        sum = sum + tone_mapped(look.shade(samples[k].ray, samples[k].pick, lights[k], pixel));
       }
       image.pixels()[edges[(first + i) / across.size()]] = sum * (1.0 / across.size());
     }
@@ -155,35 +146,17 @@ void refine(abut_picker* picker, const Scene& scene, const abut_camera& camera, 
 
 }  // namespace
 
-abut_camera make_camera(const Terrain& terrain, std::uint32_t width, std::uint32_t height) {
-  abut_camera camera;
-  abut_camera_init(&camera, sizeof camera);
-  camera.width = width;
-  camera.height = height;
-  camera.vertical_fov = 0.76;
-  // Above the edge of the plateau, looking north-east over the spurs below it to the water gap in the far ridge.
-  const double x = -250.0;
-  const double y = -1750.0;
-  const Vec3 eye{x, y, terrain.height(x, y) + 540.0};
-  const Vec3 target{1400.0, 400.0, 590.0};
-  const Vec3 up{0.0, 0.0, 1.0};
-  check(abut_camera_look_at(&camera, &eye, &target, &up), "cannot aim the camera");
-  return camera;
-}
-
-Picture render(abut_picker* picker, const Scene& scene, const abut_camera& camera) {
-  Picture picture{Image(camera.width, camera.height), {}};
-  std::vector<abut_pick>& picks = picture.picks;
-  picks.resize(std::size_t{camera.width} * camera.height);
-  check(abut_picker_render(picker, &camera, nullptr, picks.data(), picks.size()), "cannot render");
+Picture render(const Picker& picker, const Look& look, const abut_camera& camera, Elsewhere elsewhere) {
+  Picture picture{Image(camera.width, camera.height), picker.render(camera)};
+  const std::vector<abut_pick>& picks = picture.picks;
   const double pixel = pixel_width(camera);
-  const std::vector<Light> lights = light_of_pixels(picker, scene, camera, picks);
+  const std::vector<Light> lights = light_of_pixels(picker, look, camera, picks, elsewhere);
   for (std::size_t i = 0; i < picks.size(); ++i) {
     const Light light = smoothed(lights, picks, i, camera);
-    picture.image.pixels()[i] = tone_mapped(shade(scene, ray_of_pixel(camera, i), picks[i], light, pixel));
+    picture.image.pixels()[i] = tone_mapped(look.shade(ray_of_pixel(picker, camera, i), picks[i], light, pixel));
   }
-  refine(picker, scene, camera, picture.image);
+  refine(picker, look, camera, picture.image, elsewhere);
   return picture;
 }
 
-}  // namespace demo
+}  // namespace tools

@@ -6,9 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "shade.hpp"
+#include "look.hpp"
+#include "picker.hpp"
 
-namespace demo {
+namespace tools {
 
 /// A ray and what it met.
 struct Sample {
@@ -21,6 +22,6 @@ struct Sample {
 inline constexpr std::uint32_t pattern_count = 16;
 
 /// Light that reaches each sample.
-[[nodiscard]] std::vector<Light> trace_light(abut_picker* picker, const Scene& scene, std::span<const Sample> samples);
+[[nodiscard]] std::vector<Light> trace_light(const Picker& picker, const Look& look, std::span<const Sample> samples);
 
-}  // namespace demo
+}  // namespace tools

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace demo {
+namespace tools {
 namespace {
 
 // Strokes on a grid 4 wide and 6 high: pairs of digits are x and y from the upper left; a space lifts the pen.
@@ -106,4 +106,4 @@ void draw_text(Image& image, double x, double y, double height, std::string_view
 
 double text_width(std::string_view text, double height) { return advance * height * static_cast<double>(text.size()); }
 
-}  // namespace demo
+}  // namespace tools
