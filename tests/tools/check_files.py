@@ -55,7 +55,7 @@ def obj():
             "".join("f {}\n".format(" ".join(str(i + 1) for i in face)) for face in [*SIDES, BASE])).encode()
 
 
-FILES = {"text.stl": stl_text(), "binary.stl": stl_binary(), "text.ply": ply_text(), "little.ply": ply_binary(),
+FILES = {"text.stl": stl_text(), "UPPER.STL": stl_text(), "binary.stl": stl_binary(), "text.ply": ply_text(), "little.ply": ply_binary(),
          "big.ply": ply_binary(">", "binary_big_endian"), "double.ply": ply_binary(real="d"), "a.obj": obj()}
 
 
@@ -128,6 +128,12 @@ class Models(program.Case):
         ):
             with self.subTest(words=words):
                 self.assertIn(words, self.refused(name, data))
+
+    def test_a_file_that_is_missing_is_named_once(self):
+        for name in ("none.stl", "none.ply", "none.obj"):
+            scene = self.scene({"version": 1, "parts": [{"geometries": [{"shape": {"kind": "mesh", "file": name}}]}]})
+            self.assertTrue(run("check", scene).stderr.endswith(
+                f'is "{name}"; expected a file that can be read: cannot open the model {self.folder / name}\n'))
 
     def test_files_that_are_cut_off_are_told(self):
         for name, data in FILES.items():
@@ -223,16 +229,16 @@ class Pictures(program.Case):
         self.assertTrue(files[0] == files[1] == result.stdout)
 
     def test_mistakes(self):
-        scene = self.scene(self.RED)
+        scene, good = self.scene(self.RED), self.folder / "a.png"
         for arguments, words in (
             ([], ("no argument is given", "picture SCENE PICTURE")),
             ([scene, "a.jpg"], ("the picture is 'a.jpg'", ".png")),
-            ([scene, "a.png", "--size", "0x9"], ("--size is '0x9'", "1280x720")),
-            ([scene, "a.png", "--size", "9x9x9"], ("--size is '9x9x9'",)),
-            ([scene, "a.png", "--from", "1,2,"], ("--from is '1,2,'", "three numbers")),
-            ([scene, "a.png", "--up", "0,0,0"], ("--up is 0,0,0", "a direction")),
-            ([scene, "a.png", "--from=0,0,9", "--to=0,0,0"], ("parallel to --up",)),
-            ([scene, "a.png", "--from=1,1,1", "--to=1,1,1"], ("no length",)),
+            ([scene, good, "--size", "0x9"], ("--size is '0x9'", "1280x720")),
+            ([scene, good, "--size", "9x9x9"], ("--size is '9x9x9'",)),
+            ([scene, good, "--from", "1,2,"], ("--from is '1,2,'", "three numbers")),
+            ([scene, good, "--up", "0,0,0"], ("--up is 0,0,0", "a direction")),
+            ([scene, good, "--from=0,0,9", "--to=0,0,0"], ("parallel to --up",)),
+            ([scene, good, "--from=1,1,1", "--to=1,1,1"], ("no length",)),
         ):
             with self.subTest(arguments=arguments):
                 result = run("picture", *arguments)

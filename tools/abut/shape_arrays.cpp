@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -110,7 +111,8 @@ Triangles read_model(const std::filesystem::path& path, const std::string& suffi
 
 void load_file(const Node& file, const std::filesystem::path& folder, const std::string& kind, ShapeArrays& out) {
   const std::filesystem::path path = folder / file.text();
-  const std::string suffix = path.extension().string();
+  std::string suffix = path.extension().string();
+  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (std::filesystem::is_directory(path)) {
     throw Failure(path.string() + " is a folder");
   }

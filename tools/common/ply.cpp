@@ -226,8 +226,9 @@ Triangles read(const std::string& bytes) {
 }  // namespace
 
 Triangles read_ply(const std::filesystem::path& path) {
+  const std::string bytes = bytes_of(path);
   try {
-    return read(bytes_of(path));
+    return read(bytes);
   } catch (const Failure& failure) {
     throw Failure(path.string() + " is no PLY file that can be read: " + failure.what());
   }
