@@ -55,6 +55,14 @@ class Help(program.Case):
         for option in options():
             self.assertRegex(text, rf"\n\| `{option}[ `]")
 
+    def test_each_status_is_told_everywhere(self):
+        told = run("--help").stdout.split("exit status\n")[1]
+        statuses = re.findall(r"^  (\d+) +(.*)", told, re.MULTILINE)
+        self.assertEqual([status for status, _ in statuses], ["0", "1", "2", "3", "4", "130"])
+        for status, meaning in statuses:
+            self.assertIn(f"\n| {status} | ", DOCUMENT.read_text(encoding="utf-8"))
+            self.assertIn(f".TP\n\\fB{status}\\fR\n{meaning}.\n", run("manual").stdout)
+
     def test_lines_fit(self):
         for line in run("--help").stdout.splitlines():
             self.assertLessEqual(len(line), 120, line)

@@ -44,11 +44,20 @@ constexpr std::array<OptionRow, 11> options{
      {"--quiet", "", "neither progress nor the table at the end"},
      {"--json", "", "prints JSON; what goes to - is JSON as well"}}};
 
+constexpr std::array<StatusRow, 6> statuses{{{"0", "done"},
+                                             {"1", "the arguments or the scene are wrong"},
+                                             {"2", "abut failed on a scene that it had taken, or memory ran out"},
+                                             {"3", "a file or the standard output could not be written"},
+                                             {"4", "check found something odd"},
+                                             {"130", "a signal ended it; files are as they were before"}}};
+
 }  // namespace
 
 std::span<const CommandRow> all_commands() { return rows; }
 
 std::span<const OptionRow> all_options() { return options; }
+
+std::span<const StatusRow> all_statuses() { return statuses; }
 
 const CommandRow& row_of(Command command) {
   return *std::find_if(rows.begin(), rows.end(), [&](const CommandRow& row) { return row.command == command; });

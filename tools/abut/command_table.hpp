@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one table of commands and options. What is accepted, the help, the manual page and completion all follow from it.
+// The one table of commands, options and exit statuses. What is accepted, the help, the manual page and completion all
+// follow from it.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +40,14 @@ struct OptionRow {
   std::string_view help;
 };
 
+struct StatusRow {
+  std::string_view status;
+  std::string_view meaning;
+};
+
 [[nodiscard]] std::span<const CommandRow> all_commands();
 [[nodiscard]] std::span<const OptionRow> all_options();
+[[nodiscard]] std::span<const StatusRow> all_statuses();
 
 [[nodiscard]] const CommandRow& row_of(Command command);
 

@@ -32,16 +32,19 @@ constexpr const char* operands_text =
     "a scene they are shapes as JSON, such as '{\"kind\": \"sphere\", \"radius\": 1}', or objects with a shape and a "
     "pose.\n";
 
-constexpr const char* statuses_text =
-    "Exit status: 0 done; 1 the arguments or the scene are wrong; 2 abut failed, or memory ran out; 3 a file could not "
-    "be\n"
-    "written; 4 check found something odd; 130 a signal ended it. A file has its name only when it is complete.\n";
+std::string status_lines() {
+  std::string text = "exit status\n";
+  for (const StatusRow& row : all_statuses()) {
+    text += padded("  " + std::string(row.status), 20) + std::string(row.meaning) + "\n";
+  }
+  return text;
+}
 
 std::string help_for(const CommandRow& row) {
   std::string text = "usage: " + synopsis(row) + "\n\nIt " + std::string(row.help) + ".\n\n";
   text += option_lines(options_of(row)) + (row.options.empty() ? "" : "\n");
   return text + (row.operands.find('A') == std::string_view::npos ? "" : std::string(operands_text) + "\n") +
-         statuses_text;
+         status_lines();
 }
 
 }  // namespace
@@ -55,7 +58,7 @@ std::string help_text(std::optional<Command> about) {
     text += padded((text.empty() ? "usage: " : "       ") + synopsis(row), 50) + std::string(row.help) + "\n";
   }
   text += "\n" + option_lines({all_options().begin(), all_options().end()});
-  return text + "\n" + operands_text + "\n" + statuses_text + "docs/abut.md describes scenes.\n";
+  return text + "\n" + operands_text + "\n" + status_lines() + "\ndocs/abut.md describes scenes.\n";
 }
 
 }  // namespace cli

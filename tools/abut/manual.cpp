@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
-#include <utility>
-
 #include "abut/abut.h"
 #include "help.hpp"
 
@@ -22,14 +19,6 @@ std::string entry(std::string_view term, std::string_view after, std::string_vie
   return ".TP\n\\fB" + plain(term) + "\\fR" + (after.empty() ? "" : " \\fI" + plain(after) + "\\fR") + "\n" +
          plain(text) + ".\n";
 }
-
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> statuses{
-    {{"0", "done"},
-     {"1", "the arguments or the scene are wrong"},
-     {"2", "the library failed on a scene that it had taken, or memory ran out"},
-     {"3", "a file or the standard output could not be written"},
-     {"4", "check found something odd"},
-     {"130", "SIGINT, SIGTERM or SIGHUP ended it; files are as they were before"}}};
 
 constexpr const char* description =
     "abut steps a scene that is written as JSON and tells which geometries touch, where and how deep.\n"
@@ -66,8 +55,8 @@ std::string manual_page() {
     text += entry(option.name, option.value, option.help);
   }
   text += ".SH EXIT STATUS\n";
-  for (const auto& [status, meaning] : statuses) {
-    text += entry(status, "", meaning);
+  for (const StatusRow& row : all_statuses()) {
+    text += entry(row.status, "", row.meaning);
   }
   return text + ".SH EXAMPLES\n" + examples;
 }
