@@ -46,7 +46,7 @@ TEST(Universe, MovesAndEnds) {
   EXPECT_FALSE(room.universe);
   EXPECT_THROW(room.universe.step(0), abut::Error);
   moved.step(0);
-  moved = abut::Universe(abut::UniverseOptions().with_threads(2).with_broadphase(ABUT_BROADPHASE_BRUTE));
+  moved = abut::Universe(abut::UniverseOptions().with_max_contacts(2).with_broadphase(ABUT_BROADPHASE_BRUTE));
   EXPECT_TRUE(moved.parts().empty());
   EXPECT_THROW(static_cast<void>(moved.pose(room.body)), abut::Error);
   const abut::Universe adopted = abut::Universe::adopt(moved.release());
