@@ -687,7 +687,8 @@ typedef struct abut_universe_options {
   abut_vec3 origin;                   /**< boxes of the broad phase are stored relative to it; default 0 */
   uint32_t threads;                   /**< of a step; 0: as many as there may be; the most are those that the machine
                                            runs at once, or that the process allows oneTBB; default 1. Results are
-                                           the same bits for any number */
+                                           the same bits for any number. More than 1 is ABUT_UNSUPPORTED in a
+                                           build without the feature threads */
   abut_event_bits events;             /**< which events steps write down; default ABUT_EVENTS_PAIRS |
                                            ABUT_EVENTS_PERSIST */
   abut_universe_flags flags;          /**< default 0 */
