@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "error.hpp"
 
+#include "log.hpp"
+
 namespace abut::capi {
 namespace {
 
 // Without a constructor and a destructor, so that a host may unload the library while threads live.
-constinit thread_local std::array<char, 256> last_message{};
+constinit thread_local LastMessage last_message{};
 
 constexpr std::array<const char*, 18> status_names{"ABUT_OK",
                                                    "ABUT_INVALID_ARGUMENT",
@@ -64,8 +66,13 @@ void set_message(std::string_view message) noexcept {
 
 abut_status refuse(abut_status status, std::string_view message) noexcept {
   set_message(message);
+  if (const abut_log_level level = level_of(status); is_heard(level)) [[unlikely]] {
+    tell(level, std::string_view(last_message.data()));
+  }
   return status;
 }
+
+LastMessage last_message_of_thread() noexcept { return last_message; }
 
 abut_status refuse(const Error& error) noexcept { return refuse(static_cast<abut_status>(error.code), error.message); }
 

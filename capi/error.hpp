@@ -10,7 +10,9 @@ import abut.core;
 
 namespace abut::capi {
 
+using LastMessage = std::array<char, 256>;
 void set_message(std::string_view message) noexcept;
+[[nodiscard]] LastMessage last_message_of_thread() noexcept;
 
 // Sets the message and gives the status back.
 [[gnu::cold]] abut_status refuse(abut_status status, std::string_view message) noexcept;

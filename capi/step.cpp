@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Steps of a universe, and how they went.
+#include "log.hpp"
 #include "options.hpp"
 #include "universe_handle.hpp"
 
@@ -11,6 +12,21 @@ using namespace abut::capi;
 
 namespace {
 
+// What is odd about the scene, once, where somebody hears it. The step is over: lack of memory for words is not told.
+void tell_findings(abut_universe& its) noexcept {
+  if (its.has_told_findings || !is_heard(ABUT_LOG_WARNING)) {
+    return;
+  }
+  its.has_told_findings = true;
+  try {
+    for (const abut::Finding& finding : its.universe.validate()) {
+      tell(ABUT_LOG_WARNING, finding.message);
+    }
+  } catch (const std::bad_alloc&) {
+    its.has_told_findings = false;
+  }
+}
+
 // What was lent out is that of the step before once a detection has found something else. A filter may have asked for
 // it on the way.
 abut_status forget_lent(abut_universe& its) {
@@ -20,6 +36,7 @@ abut_status forget_lent(abut_universe& its) {
   its.sleep_changes.forget();
   its.islands.forget();
   its.island_parts.forget();
+  tell_findings(its);
   return ABUT_OK;
 }
 

@@ -50,6 +50,7 @@ struct abut_universe {
 
   abut::Universe universe;
   mutable std::atomic<bool> poisoned{false};
+  bool has_told_findings = false;  // to the log
   // By slot of the geometry, less one: what abut_geometry_describe lends out.
   std::vector<abut::capi::ShapeOwner> shapes;
   // Of the focus that was set last. Stays from call to call, so that centres may move in each step without an

@@ -25,6 +25,14 @@ enum abut_status_value {
 abut_status abut_set_last_error(abut_status status, const char *message);
 const char *abut_status_name(abut_status status);
 const char *abut_last_error_message(void);
+typedef uint32_t abut_log_level;
+enum abut_log_level_value {
+  ABUT_LOG_NONE = 0,
+  ABUT_LOG_ERROR = 1,
+  ABUT_LOG_WARNING = 2
+};
+typedef void (*abut_log)(void *context, abut_log_level level, const char *message);
+abut_status abut_set_log(abut_log log, void *context, abut_log_level most);
 const char *abut_version_string(void);
 abut_status abut_check_version(uint32_t major, uint32_t minor);
 uint32_t abut_has_feature(const char *name);

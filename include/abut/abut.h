@@ -101,6 +101,27 @@ ABUT_API const char *abut_status_name(abut_status status);
  */
 ABUT_API const char *abut_last_error_message(void);
 
+/** What a log hears: everything up to a level. */
+typedef uint32_t abut_log_level;
+enum abut_log_level_value ABUT_ENUM(uint32_t) {
+  ABUT_LOG_NONE = 0,
+  ABUT_LOG_ERROR = 1,  /**< a defect of abut, or lack of memory */
+  ABUT_LOG_WARNING = 2 /**< also calls that were refused for any other reason, and what abut_universe_validate finds at
+                            the first step or detection of a universe from then on */
+};
+
+/**
+ * Hears one sentence, which is there during the call. It runs on the thread that made the call, and on several at once
+ * where several fail. It may make [any] and [const] calls, and does not hear of their failures. It must not throw.
+ */
+typedef void (*abut_log)(void *context, abut_log_level level, const char *message);
+
+/**
+ * Sets what hears of failures in the whole process; null for nothing, the default. `context` is kept and handed to it.
+ * Another thread may still be in the log before when this returns. Calls that succeed cost nothing. [any]
+ */
+ABUT_API abut_status abut_set_log(abut_log log, void *context, abut_log_level most);
+
 /** Version of the library that was loaded, such as "0.2.0". Static. [any] */
 ABUT_API const char *abut_version_string(void);
 

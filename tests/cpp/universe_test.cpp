@@ -103,6 +103,16 @@ TEST(Parts, AreCreatedMovedAndDestroyedInBatches) {
   EXPECT_THROW(static_cast<void>(universe.pose(parts[2])), abut::Error);
 }
 
+TEST(Log, HearsWhatIsRefused) {
+  std::string heard;
+  abut::set_log(
+      [](void* context, abut_log_level, const char* message) { *static_cast<std::string*>(context) = message; },
+      &heard);
+  EXPECT_THROW(static_cast<void>(abut::Shape::sphere(-1)), abut::Error);
+  abut::set_log(nullptr);
+  EXPECT_NE(heard.find("radius is -1"), std::string::npos) << heard;
+}
+
 TEST(Parts, KeepValuesOfTheCaller) {
   Room room;
   room.universe.set_user_data(room.body, 7);

@@ -34,6 +34,21 @@ extern "C" {
 extern "C" {
     pub fn abut_last_error_message() -> *const ::std::os::raw::c_char;
 }
+pub type abut_log_level = u32;
+pub const ABUT_LOG_NONE: abut_log_level_value = 0;
+pub const ABUT_LOG_ERROR: abut_log_level_value = 1;
+pub const ABUT_LOG_WARNING: abut_log_level_value = 2;
+pub type abut_log_level_value = ::std::os::raw::c_uint;
+pub type abut_log = ::std::option::Option<
+    unsafe extern "C" fn(
+        context: *mut ::std::os::raw::c_void,
+        level: abut_log_level,
+        message: *const ::std::os::raw::c_char,
+    ),
+>;
+extern "C" {
+    pub fn abut_set_log(log: abut_log, context: *mut ::std::os::raw::c_void, most: abut_log_level) -> abut_status;
+}
 extern "C" {
     pub fn abut_version_string() -> *const ::std::os::raw::c_char;
 }

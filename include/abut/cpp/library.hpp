@@ -24,6 +24,11 @@ inline Answer<void> check_version() {
 
 [[nodiscard]] inline bool has_feature(const std::string& name) { return abut_has_feature(name.c_str()) != 0; }
 
+// Hears of failures in the whole process; null for nothing. It may be called by several threads at once.
+inline Answer<void> set_log(abut_log log, void* context = nullptr, abut_log_level most = ABUT_LOG_WARNING) {
+  return detail::answer(abut_set_log(log, context, most));
+}
+
 // Offsets and sizes of all structs, for bindings that check their own.
 [[nodiscard]] inline Answer<std::vector<LayoutEntry>> layout() {
   std::vector<LayoutEntry> entries(abut_layout_count());

@@ -10,12 +10,15 @@ __all__ = ["FUNCTIONS", "Filter", "PICKING_FUNCTIONS"]
 
 Status = c_int32
 
+# Hears of failures: context, level and a sentence.
+Log = ctypes.CFUNCTYPE(None, c_void_p, c_uint32, c_char_p)
 # A filter of pairs: context, universe and two geometries to a number, of which 0 leaves the pair out.
 Filter = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_void_p, GeometryId, GeometryId)
 PointerFilter = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_void_p, POINTER(GeometryId), POINTER(GeometryId))
 
 FUNCTIONS = {
     "abut_set_last_error": (Status, [Status, c_char_p]),
+    "abut_set_log": (Status, [Log, c_void_p, c_uint32]),
     "abut_status_name": (c_char_p, [Status]),
     "abut_last_error_message": (c_char_p, []),
     "abut_version_string": (c_char_p, []),
