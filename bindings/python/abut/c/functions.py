@@ -6,7 +6,7 @@ from ctypes import POINTER, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_u
 
 from .structs import *
 
-__all__ = ["FUNCTIONS", "Filter", "PICKING_FUNCTIONS"]
+__all__ = ["FUNCTIONS", "Filter", "Log", "PICKING_FUNCTIONS"]
 
 Status = c_int32
 
