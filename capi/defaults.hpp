@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the _init functions do.
+// What the _init functions do. The standard library comes before: as headers in picking.h, else as a module.
 #ifndef ABUT_CAPI_DEFAULTS_HPP
 #define ABUT_CAPI_DEFAULTS_HPP
 
 #include "core/check.hpp"
-
-import abut.core.standard;
 
 namespace abut::capi {
 

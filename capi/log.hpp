@@ -5,6 +5,8 @@
 
 #include "prelude.hpp"
 
+import abut.core.standard;
+
 namespace abut::capi {
 
 // Whether anybody hears of it.

@@ -5,6 +5,8 @@
 
 #include "prelude.hpp"
 
+import abut.core.standard;
+
 namespace abut::capi {
 
 struct Numbers {
