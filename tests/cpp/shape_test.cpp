@@ -80,13 +80,13 @@ TEST(Shape, ComesInEveryKindWithAName) {
 }
 
 TEST(Shape, ComesWithHolesAndBallsOfVariousRadii) {
-  const abut::Shape balls = abut::Shape::particles_with_radii({0.0, 0, 0, 5, 0, 0}, {0.5, 0.25});
+  const abut::Shape balls = abut::Shape::particles_with_radii({{0, 0, 0}, {5, 0, 0}}, {0.5, 0.25});
   const abut::Distance gap = abut::pair_distance(balls, abut::pose(), abut::Shape::point(), abut::pose({7, 0, 0}));
   EXPECT_EQ(gap.distance, 1.75);
   EXPECT_EQ(abut::name_of(abut::Shape::sphere_hole(1).kind()), "sphere_hole");
   EXPECT_EQ(abut::name_of(abut::Shape::cylinder_hole(1, 2, ABUT_OPEN_TOP).kind()), "cylinder_hole");
   EXPECT_EQ(abut::name_of(abut::Shape::box_hole(1, 2, 3, ABUT_OPEN_X_HIGH).kind()), "box_hole");
-  EXPECT_THROW(static_cast<void>(abut::Shape::particles_with_radii({0.0, 0, 0}, {})), abut::Error);
+  EXPECT_THROW(static_cast<void>(abut::Shape::particles_with_radii({{0, 0, 0}}, {})), abut::Error);
 }
 
 TEST(Shape, AnswersForItself) {

@@ -18,6 +18,7 @@ class UniverseGeometries : public UniverseParts {
  public:
   using UniverseParts::destroy;
   using UniverseParts::poses;
+  using UniverseParts::set_user_data;
 
   Answer<GeometryId> create_geometry(PartId part, const Shape& shape, OptionalRef<abut_geometry_options> options = {}) {
     GeometryId out{};
