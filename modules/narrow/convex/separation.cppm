@@ -73,6 +73,23 @@ template <Convex A, Convex B>
   return near;
 }
 
+// Curved cores that touch: there GJK ends on slivers, a polytope on the common point.
+template <Convex A, Convex B>
+[[nodiscard]] bool separate_by_touch(const A& a, const B& b, const Pose& ab, const GjkResult& near,
+                                     const SearchBounds& bounds, CoreSeparation& core) {
+  if constexpr (Curved<A> || Curved<B>) {
+    if (!near.overlap && !near.beyond && !bounds.are_met(near.lower, near.upper) &&
+        near.upper <= projection_limit * bounds.size) [[unlikely]] {
+      core.iterations = near.iterations;
+      return with_difference(a, b, ab, bounds.size, [&](const Difference& cores) {
+        return separate_by_touch(cores, bounds.error, near.simplex, core) ||
+               separate_by_touch(cores, bounds.error, Simplex{}, core);
+      });
+    }
+  }
+  return false;
+}
+
 // Polytopes that overlap, or for which GJK has no proof: the best of all separating axes.
 template <Convex A, Convex B>
 [[nodiscard]] bool separate_by_axes(const A& a, const B& b, const Pose& ab, const GjkResult& near,
@@ -130,6 +147,9 @@ template <Convex A, Convex B>
                                                                const SearchBounds& bounds) {
   CoreSeparation core{};
   GjkResult near = nearest_by_gjk(a, b, ab, toward, bounds);
+  if (separate_by_touch(a, b, ab, near, bounds, core)) {
+    return core;
+  }
   if (near.beyond) {
     return separation_of(near, {0, 0, 0}, {0, 0, 0}, bounds.size, 0);
   }
