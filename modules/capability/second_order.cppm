@@ -2,9 +2,10 @@
 // How the support function of a core runs near a direction, up to second order: what Newton's method needs to find the
 // least depth of curved cores, and what proves that it is the least one nearby.
 //
-// Directions near a unit n are v = n + w with w across n, w = (x, y) in the basis of a frame. The support function is
-// the largest of a few smooth pieces there. One has the support point `point`. Each edge leads to another one, on the
-// far side of a crease.
+// Directions near a unit n are
+//   v = n + w,  w across n,  w = (x, y) in the basis of a frame.
+// The support function is the largest of a few smooth pieces there. One has the support point `point`. Each edge leads
+// to another one, on the far side of a crease.
 export module abut.capability.second_order;
 import abut.core.standard;
 import abut.math;

@@ -70,7 +70,7 @@ class SlotMap {
     return entries_.capacity() * sizeof(Entry) + free_.capacity() * sizeof(std::uint32_t);
   }
 
-  // Ids of a map that was read are those of the map that was written, and so are the ones that it gives out next.
+  // A map that was read has the ids of the map that was written. It also gives out the same ones next.
   template <class Archive, class Self>
   static void transfer(Archive& archive, Self& self) {
     archive(self.first_generation_, self.entries_, self.free_);

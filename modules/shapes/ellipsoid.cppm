@@ -68,8 +68,9 @@ class Ellipsoid {
     return {{0, 0, 0}, {0, 0, 0}, std::min({radii_.x, radii_.y, radii_.z})};
   }
 
-  // The nearest point x has p - x along the normal there, so that x = r^2 p / (r^2 + t) for each axis. With the least
-  // radius m, t is the root above -m^2 of
+  // The nearest point x has p - x along the normal there. So for each axis
+  //   x = r^2 p / (r^2 + t).
+  // With the least radius m, t is the root above -m^2 of
   //   |r p / (r^2 + t)| = 1.
   // The inverse of that length is nearly linear. Newton's method on it comes from the left without overshooting (More
   // and Sorensen, "Computing a trust region step", 1983). It looks for t + m^2, so that nothing cancels next to the

@@ -5,7 +5,7 @@
 // - a side and a rim of the other body: where the rim is deepest under the side, or, beyond the axis, least deep;
 // - two rims: where points of both, added up, are nearest to the origin. Only there is the sum curved both ways.
 //
-// In the half plane through the axis of one body, that body is its outline, and a rim of the other is a closed curve.
+// A half plane through the axis of one body shows that body as its outline. A rim of the other is a closed curve there.
 // The aim of a walk around the rim is a corner of the outline, or a line of it (rim_walk.cppm).
 module abut.narrow.fan.disc_depth;
 import abut.capability;
