@@ -16,6 +16,22 @@ abut_status set_one(abut_universe& its, std::string_view name, const OwnId& own,
   return done ? static_cast<abut_status>(ABUT_OK) : refuse_stale({name}, id);
 }
 
+template <class CId, class ToOwn>
+abut_status set_all(abut_universe* universe, std::string_view name, const CId* ids, const uint64_t* user_data,
+                    size_t count, ToOwn&& to_own) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const CId> all;
+    std::span<const std::uint64_t> values;
+    abut_status status = read_span(name, ids, "count", count, all);
+    status = status != ABUT_OK ? status : read_span("user_data", user_data, "count", count, values);
+    if (status != ABUT_OK) {
+      return status;
+    }
+    const auto done = its.universe.set_user_data(to_own(all), values);
+    return done ? static_cast<abut_status>(ABUT_OK) : refuse_batch(its.universe, name, all, done.error());
+  });
+}
+
 }  // namespace
 
 abut_status abut_part_set_user_data(abut_universe* universe, abut_part_id part, uint64_t user_data) {
@@ -24,17 +40,8 @@ abut_status abut_part_set_user_data(abut_universe* universe, abut_part_id part, 
 
 abut_status abut_parts_set_user_data(abut_universe* universe, const abut_part_id* parts, const uint64_t* user_data,
                                      size_t count) {
-  return guard(universe, [&](abut_universe& its) {
-    std::span<const abut_part_id> ids;
-    std::span<const std::uint64_t> values;
-    abut_status status = read_span("parts", parts, "count", count, ids);
-    status = status != ABUT_OK ? status : read_span("user_data", user_data, "count", count, values);
-    if (status != ABUT_OK) {
-      return status;
-    }
-    const auto done = its.universe.set_user_data(to_parts(ids), values);
-    return done ? static_cast<abut_status>(ABUT_OK) : refuse_batch(its.universe, "parts", ids, done.error());
-  });
+  return set_all(universe, "parts", parts, user_data, count,
+                 [](std::span<const abut_part_id> ids) { return to_parts(ids); });
 }
 
 abut_status abut_geometry_set_user_data(abut_universe* universe, abut_geometry_id geometry, uint64_t user_data) {
@@ -45,15 +52,6 @@ abut_status abut_geometry_set_user_data(abut_universe* universe, abut_geometry_i
 
 abut_status abut_geometries_set_user_data(abut_universe* universe, const abut_geometry_id* geometries,
                                           const uint64_t* user_data, size_t count) {
-  return guard(universe, [&](abut_universe& its) {
-    std::span<const abut_geometry_id> ids;
-    std::span<const std::uint64_t> values;
-    abut_status status = read_span("geometries", geometries, "count", count, ids);
-    status = status != ABUT_OK ? status : read_span("user_data", user_data, "count", count, values);
-    if (status != ABUT_OK) {
-      return status;
-    }
-    const auto done = its.universe.set_user_data(to_geometries(ids), values);
-    return done ? static_cast<abut_status>(ABUT_OK) : refuse_batch(its.universe, "geometries", ids, done.error());
-  });
+  return set_all(universe, "geometries", geometries, user_data, count,
+                 [](std::span<const abut_geometry_id> ids) { return to_geometries(ids); });
 }
