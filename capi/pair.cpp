@@ -202,7 +202,7 @@ static_assert(usual_points * sizeof(abut::ContactPoint) <= 1024);
   }
   // Most pairs have nothing to choose from.
   std::size_t kept = found.size() < 2 ? found.size() : abut::reduce_children(found, query.max_contacts);
-  kept = abut::cap(std::span(found).first(kept), query.max_pair_contacts);
+  kept = query.max_pair_contacts == 0 ? kept : abut::cap(std::span(found).first(kept), query.max_pair_contacts);
   fill(std::span<const abut::ContactPoint>(found).first(kept), out,
        [](const abut::ContactPoint& contact) { return from_contact(contact); });
   count = kept;

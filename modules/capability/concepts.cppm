@@ -128,12 +128,20 @@ struct AcceptsAnyPlace {
   void operator()(const Vec3&, std::uint32_t) const {}
 };
 
+struct AcceptsAnyTwo {
+  void operator()(std::uint32_t, const Vec3&, std::uint32_t, const Vec3&) const {}
+};
+
 // Many solids of one kind, none of them turned. visit_places hands over the place of every one whose box
 // overlaps the given one, which the visitor may shrink on the way; place_near gives some place close to a point.
+// visit_pairs hands over the numbers and places of every two whose gap is below a margin, each two once, the lower
+// number first; it may hand over others that are near each other.
 template <class S>
 concept Scattered = Bounded<S> && Convex<typename S::Part> &&
-                    requires(const S& shape, Aabb& box, const Vec3& point, AcceptsAnyPlace visitor) {
+                    requires(const S& shape, Aabb& box, const Vec3& point, Real margin, AcceptsAnyPlace visitor,
+                             AcceptsAnyTwo visit_two) {
                       shape.visit_places(box, visitor);
+                      shape.visit_pairs(margin, visit_two);
                       { shape.place_near(point) } -> std::convertible_to<std::uint32_t>;
                       { shape.place(std::uint32_t{}) } -> std::convertible_to<Vec3>;
                       { shape.part(std::uint32_t{}) } -> std::same_as<typename S::Part>;

@@ -4,6 +4,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
+import abut.detect.contact_index;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.pairs.any_shape;
@@ -50,7 +51,8 @@ void move_kept(std::span<const Pair> pairs, std::span<Value> list) {
 }  // namespace
 
 // What a pair has found. What it has kept is there already.
-void ContactList::write_pair(const Pair& pair, std::span<const ContactPoint> found, const Places& places) {
+void ContactList::write_pair(const Pair& pair, std::span<const ContactPoint> found, const Places& places,
+                             ContactIndex& index) {
   const std::span<const ContactHistory> before =
       std::span(histories_before_).subspan(pair.first_before, pair.count_before);
   const std::span<ContactHistory> histories = std::span(histories_).subspan(pair.first_contact, pair.contact_count);
@@ -65,10 +67,12 @@ void ContactList::write_pair(const Pair& pair, std::span<const ContactPoint> fou
   const PlaceInfo &low = places.infos[pair.low], &high = places.infos[pair.high];
   const std::span<const std::uint32_t> of_low = materials_of_children(*places.shapes[pair.low]),
                                        of_high = materials_of_children(*places.shapes[pair.high]);
+  index.look_at(before);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const auto same = std::ranges::find(before, found[i].id, &ContactHistory::id);
-    const bool is_kept = same != before.end();
-    histories[i] = {found[i].id, is_kept ? same->user_data : 0, is_kept ? same->age + 1 : 0};
+    index.expect(found[std::min(i + results_ahead, found.size() - 1)].id);
+    const std::uint32_t same = index.place_of(found[i].id, before);
+    const bool is_kept = same != no_index;
+    histories[i] = {found[i].id, is_kept ? before[same].user_data : 0, is_kept ? before[same].age + 1 : 0};
     out[i] = {.geometry_a = {pair.low + 1, pair.generation_low},
               .geometry_b = {pair.high + 1, pair.generation_high},
               .point = found[i],
@@ -112,7 +116,7 @@ void ContactList::count(std::size_t begin, std::size_t end, const JobList& jobs,
 }
 
 void ContactList::write(std::size_t begin, std::size_t end, std::uint32_t first_contact, const JobList& jobs,
-                        const Places& places, std::span<Pair> pairs) {
+                        const Places& places, std::span<Pair> pairs, ContactIndex& index) {
   for (std::size_t place = begin; place < end; ++place) {
     if (const std::size_t ahead = place + pairs_ahead; ahead < end && pairs[ahead].job != no_job) {
       jobs.fetch_found(result_of(pairs[ahead]));
@@ -122,7 +126,7 @@ void ContactList::write(std::size_t begin, std::size_t end, std::uint32_t first_
     pair.first_contact = first_contact;
     first_contact += pair.contact_count;
     if (pair.contact_count > 0) {
-      write_pair(pair, pair.job != no_job ? jobs.found(its) : std::span<const ContactPoint>(), places);
+      write_pair(pair, pair.job != no_job ? jobs.found(its) : std::span<const ContactPoint>(), places, index);
     }
     if (keeps_local_points_ && pair.job != no_job) {
       std::ranges::copy(jobs.locals(its), locals_.begin() + static_cast<std::ptrdiff_t>(pair.first_contact));
@@ -167,6 +171,7 @@ ContactCounts ContactList::collect(const Workers& workers, const Places& places,
   histories_before_.swap(histories_);
   const Cuts cuts = workers.cut(pairs.size(), least_of_task);
   tasks_.resize(std::max(tasks_.size(), cuts.tasks()));
+  indices_.resize(tasks_.size());
   const std::span<Task> tasks = std::span(tasks_).first(cuts.tasks());
   workers.for_each(cuts.tasks(),
                    [&](std::size_t task) { count(cuts.begin(task), cuts.end(task), jobs, pairs, tasks[task]); });
@@ -197,7 +202,7 @@ ContactCounts ContactList::collect(const Workers& workers, const Places& places,
   locals_.resize(keeps_local_points_ ? total : 0);
   histories_.resize(total);
   workers.for_each(cuts.tasks(), [&](std::size_t task) {
-    write(cuts.begin(task), cuts.end(task), tasks[task].first_contact, jobs, places, pairs);
+    write(cuts.begin(task), cuts.end(task), tasks[task].first_contact, jobs, places, pairs, std::span(indices_)[task]);
   });
   return sum;
 }
@@ -223,9 +228,13 @@ Result<void> ContactList::set_user_data(std::span<const std::uint64_t> user_data
 }
 
 std::size_t ContactList::bytes() const {
+  std::size_t bytes_of_indices = 0;
+  for (const ContactIndex& index : indices_) {
+    bytes_of_indices += sizeof(ContactIndex) + index.bytes();
+  }
   return contacts_.capacity() * sizeof(Contact) + locals_.capacity() * sizeof(LocalPoints) +
          (histories_.capacity() + histories_before_.capacity()) * sizeof(ContactHistory) +
-         tasks_.capacity() * sizeof(Task);
+         tasks_.capacity() * sizeof(Task) + bytes_of_indices;
 }
 
 }  // namespace abut

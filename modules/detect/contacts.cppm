@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
+import abut.detect.contact_index;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.scene.options;
@@ -53,8 +54,8 @@ class ContactList {
   };
   static void count(std::size_t begin, std::size_t end, const JobList& jobs, std::span<Pair> pairs, Task& out);
   void write(std::size_t begin, std::size_t end, std::uint32_t first_contact, const JobList& jobs, const Places& places,
-             std::span<Pair> pairs);
-  void write_pair(const Pair& pair, std::span<const ContactPoint> found, const Places& places);
+             std::span<Pair> pairs, ContactIndex& index);
+  void write_pair(const Pair& pair, std::span<const ContactPoint> found, const Places& places, ContactIndex& index);
   void move_all_kept(std::span<Pair> pairs);
   void make_room(std::size_t count);
   void time_kinds(const JobList& jobs);
@@ -65,6 +66,7 @@ class ContactList {
   std::vector<ContactHistory> histories_, histories_before_;
   std::array<KindTally, run_count> tallies_{};
   std::vector<Task> tasks_;
+  std::vector<ContactIndex> indices_;  // one for each task
 };
 
 }  // namespace abut

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.detect.events;
+import abut.capability;
 import abut.core.standard;
 import abut.core.workers;
+import abut.detect.contact_index;
 import abut.detect.contacts;
 import abut.detect.pairs;
 import abut.detect.sleep;
@@ -16,10 +18,6 @@ namespace {
 constexpr std::size_t least_of_task = 8192;
 
 std::pair<std::uint32_t, std::uint32_t> places_of(const Pair& pair) { return {pair.low, pair.high}; }
-
-bool has(std::span<const ContactHistory> contacts, std::uint64_t id) {
-  return std::ranges::find(contacts, id, &ContactHistory::id) != contacts.end();
-}
 
 void write_event(EventKind kind, const Pair& pair, std::uint32_t flags, std::vector<Event>& out) {
   const bool is_end = kind == EventKind::end;
@@ -47,15 +45,18 @@ void write_contact_events(const Pair& pair, std::uint32_t flags, bool with_persi
                    .first_contact = is_end ? 0 : place,
                    .contact_count = is_end ? 0u : 1u});
   };
+  ContactIndex index;
+  index.look_at(before);
   for (std::uint32_t i = 0; i < present.size(); ++i) {
     const std::uint64_t id = present[i].id;
-    const bool is_new = pair.job != no_job && !has(before, id);
+    const bool is_new = pair.job != no_job && index.place_of(id, before) == no_index;
     if (is_new || with_persist) {
       write(is_new ? EventKind::begin : EventKind::persist, id, pair.first_contact + i);
     }
   }
+  index.look_at(present);
   for (const ContactHistory& history : before) {
-    if (!has(present, history.id)) {
+    if (index.place_of(history.id, present) == no_index) {
       write(EventKind::end, history.id, 0);
     }
   }

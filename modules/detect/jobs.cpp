@@ -89,7 +89,8 @@ std::size_t JobList::bytes() const {
   std::size_t scratch = scratch_.capacity() * sizeof(ChunkScratch);
   for (const ChunkScratch& its : scratch_) {
     scratch += its.points.capacity() * sizeof(ContactPoint) + its.locals.capacity() * sizeof(LocalPoints) +
-               its.results.capacity() * sizeof(PairResult) + its.ids.capacity() * sizeof(std::uint64_t);
+               its.results.capacity() * sizeof(PairResult) + its.ids.capacity() * sizeof(std::uint64_t) +
+               its.reduction.order.bytes() + its.reduction.spare.capacity() * sizeof(ContactPoint);
   }
   return scratch + counts_.capacity() * sizeof(std::uint32_t) + jobs_.capacity() * sizeof(PairJob) +
          pair_of_job_.capacity() * sizeof(std::uint32_t) + chunks_.capacity() * sizeof(Chunk) +

@@ -6,6 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.narrow.manifold;
 import abut.pairs.any_shape;
 import abut.pairs.table;
 import abut.scene.options;
@@ -62,6 +63,7 @@ struct ChunkScratch {
   std::vector<LocalPoints> locals;  // of the points, where the universe keeps them
   std::vector<PairResult> results;
   std::vector<std::uint64_t> ids;
+  ReduceScratch reduction;
   double microseconds = 0;  // that the jobs of the last detection took, if it measured them
 };
 

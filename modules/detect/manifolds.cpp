@@ -50,8 +50,8 @@ void finish_job(const FoundPoints& points, const UniverseOptions& options, Detai
       scratch.ids.push_back(history.id);
     }
   }
-  std::size_t left = reduce_children(found.first(kept), options.max_contacts, scratch.ids);
-  left = cap(found.first(left), options.max_pair_contacts);
+  std::size_t left = reduce_children(found.first(kept), options.max_contacts, scratch.ids, scratch.reduction);
+  left = options.max_pair_contacts == 0 ? left : cap(found.first(left), options.max_pair_contacts);
   left = detail == Detail::point ? std::min<std::size_t>(left, 1) : left;
   const bool is_swapped = its.a > its.b;
   for (ContactPoint& contact : found.first(left)) {

@@ -49,6 +49,25 @@ class Particles {
       }
     });
   }
+  // Visits one of each two, and with it the ones near it: memory is read in the order of space.
+  template <class Visitor>
+  void visit_pairs(Real margin, Visitor&& visit) const {
+    // Rounding may take a gap for a smaller one, never for a larger one that counts.
+    constexpr Real slack = 1e-12;
+    const auto reach_of = [&](Real radii) { return (1 + slack) * std::max(radii + margin, Real{0}); };
+    const Real reach = reach_of(2 * data_->largest_radius);
+    grid().visit_pairs(reach, [&](const HashGrid::Item& a, const HashGrid::Item& b) {
+      if (!data_->radii.empty()) {
+        const Real own_reach = reach_of(radius_of(a.index) + radius_of(b.index));
+        if (squared_norm(b.point - a.point) > own_reach * own_reach) {
+          return;
+        }
+      }
+      const bool is_swapped = b.index < a.index;
+      const HashGrid::Item &low = is_swapped ? b : a, &high = is_swapped ? a : b;
+      visit(low.index, low.point, high.index, high.point);
+    });
+  }
   [[nodiscard]] std::uint32_t place_near(const Vec3& point) const { return grid().item_near(point); }
 
   // Slab by slab of cells along the axis that the ray follows most.
@@ -79,7 +98,8 @@ class Particles {
     return data_->radii.empty() ? data_->common_radius : data_->radii[index];
   }
   [[nodiscard]] const HashGrid& grid() const [[clang::lifetimebound]] {
-    return data_->grid.get([this] { return HashGrid(data_->places, 2 * data_->largest_radius); });
+    // Cells have room for a margin: what is near a particle lies in the cells around its own.
+    return data_->grid.get([this] { return HashGrid(data_->places, 2.2 * data_->largest_radius); });
   }
 
   Frozen<Data> data_;

@@ -4,13 +4,20 @@ export module abut.narrow.manifold.reduce_children;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.manifold.places_in_order;
 
 export namespace abut {
+
+// Memory that stays from reduction to reduction.
+struct ReduceScratch {
+  PlacesInOrder order;
+  Manifold spare;
+};
 
 // Reduces each pair of children by itself, without or with the ids that were kept before. What is kept comes first, the
 // deepest first.
 [[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most);
 [[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most,
-                                          std::span<const std::uint64_t> before);
+                                          std::span<const std::uint64_t> before, ReduceScratch& scratch);
 
 }  // namespace abut

@@ -17,12 +17,11 @@ export namespace abut {
 
 // Two of many solids. Contacts name their numbers.
 template <Scattered A>
-[[nodiscard]] Outcome contacts_of_two(const A& a, std::uint32_t low, std::uint32_t high, const QuerySettings& settings,
-                                      Manifold& out) {
+[[nodiscard]] Outcome contacts_of_two(const A& a, std::uint32_t low, const Vec3& place, std::uint32_t high,
+                                      const Vec3& other_place, const QuerySettings& settings, Manifold& out) {
   const std::size_t first = out.size();
-  const Vec3 place = a.place(low);
   const Outcome outcome = convex_contacts(core_of(a.part(low)), core_of(a.part(high)),
-                                          {Rotation::identity(), a.place(high) - place}, settings, out);
+                                          {Rotation::identity(), other_place - place}, settings, out);
   for (ContactPoint& contact : std::span(out).subspan(first)) {
     contact.point_a += place;
     contact.point_b += place;
@@ -36,16 +35,11 @@ template <Scattered A>
 template <Scattered A>
 [[nodiscard]] Outcome self_contacts(const A& a, const QuerySettings& settings, Manifold& out) {
   Outcome outcome = Outcome::ok;
-  Aabb everything = Aabb::everything();
-  a.visit_places(everything, [&](const Vec3& place, std::uint32_t index) {
-    Aabb near = a.part(index).aabb({Rotation::identity(), place}).inflated(std::max(settings.margin, Real{0}));
-    a.visit_places(near, [&](const Vec3&, std::uint32_t other) {
-      if (other > index) {
-        const Outcome one = contacts_of_two(a, index, other, settings, out);
-        outcome = one == Outcome::ok ? outcome : one;
-      }
-    });
-  });
+  a.visit_pairs(std::max(settings.margin, Real{0}),
+                [&](std::uint32_t low, const Vec3& place, std::uint32_t high, const Vec3& other_place) {
+                  const Outcome one = contacts_of_two(a, low, place, high, other_place, settings, out);
+                  outcome = one == Outcome::ok ? outcome : one;
+                });
   return outcome;
 }
 

@@ -276,6 +276,58 @@ TEST(SelfPairs, OfParticlesAreThoseThatOverlap) {
   }
 }
 
+// More contacts than are looked through one by one, from step to step.
+TEST(SelfPairs, OfManyMovingParticlesAgeAndEnd) {
+  constexpr unsigned seed = 22;
+  constexpr std::size_t count = 1500;
+  constexpr double radius = 0.3;
+  std::mt19937 random(seed);
+  const auto share = [&] { return double(random()) / double(random.max()); };
+  std::vector<double> xyz;
+  for (std::size_t i = 0; i < 3 * count; ++i) xyz.push_back(9 * share());
+  abut_universe_options options = default_universe_options();
+  options.events = ABUT_EVENTS_CONTACTS;
+  Universe universe(&options);
+  const abut_geometry_id geometry =
+      universe.add_geometry(universe.add_part(identity), make_of_kind("particles", {radius}, xyz), with_self_pairs());
+  std::map<Indices, std::uint32_t> ages;
+  for (int step = 0; step < 4; ++step) {
+    std::map<Indices, std::uint32_t> expected;
+    std::size_t fresh = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (std::uint32_t j = i + 1; j < count; ++j) {
+        const auto place = [&](std::size_t k) {
+          return abut_vec3{xyz.at(3 * k), xyz.at(3 * k + 1), xyz.at(3 * k + 2)};
+        };
+        if (length(minus(place(j), place(i))) < 2 * radius) {
+          const auto before = ages.find({i, j});
+          expected[{i, j}] = before == ages.end() ? 0 : before->second + 1;
+          fresh += before == ages.end() ? 1 : 0;
+        }
+      }
+    }
+    std::map<Indices, std::uint32_t> found;
+    double deepest = -infinity;
+    for (const abut_contact& contact : universe.step()) {
+      found[{contact.child_a, contact.child_b}] = contact.age;
+      EXPECT_GE(contact.distance, deepest) << "the deepest first";
+      deepest = contact.distance;
+    }
+    EXPECT_EQ(found, expected) << "seed " << seed << ", step " << step;
+    EXPECT_GT(expected.size(), 300U);
+    std::size_t begins = 0, ends = 0;
+    for (const abut_event& event : universe.events()) {
+      begins += event.kind == ABUT_EVENT_BEGIN ? 1 : 0;
+      ends += event.kind == ABUT_EVENT_END ? 1 : 0;
+    }
+    EXPECT_EQ(begins, fresh);
+    EXPECT_EQ(ends, ages.size() + fresh - expected.size());
+    ages = std::move(expected);
+    for (double& coordinate : xyz) coordinate += 0.1 * share() - 0.05;
+    ASSERT_TRUE(succeeded(abut_geometry_set_particles(universe, geometry, 0, xyz.data(), nullptr, count)));
+  }
+}
+
 Shape two_balls() { return make_of_kind("particles", {1}, {0, 0, 0, 1.5, 0, 0}); }
 
 TEST(SelfPairs, BeginPersistAndEnd) {
