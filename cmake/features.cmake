@@ -16,6 +16,7 @@ foreach(feature IN LISTS abut_known_features)
 endforeach()
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Boost 1.74 REQUIRED)
 if(ABUT_WITH_LIBCCD)
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(CCD REQUIRED IMPORTED_TARGET ccd)

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// A vertex touches a face when the triangle of the differences (vertex - corner) holds the origin. Two edges touch when
+// the parallelogram of the differences of their ends does, and that is two triangles.
+module abut.narrow.paths;
+import abut.core.standard;
+import abut.math;
+import abut.narrow.paths.exact_touch;
+import abut.narrow.paths.moving_triangle;
+
+namespace abut {
+namespace {
+
+FirstTouch first_touch(const std::array<MovingDifference, 3>& corners, const TouchSettings& settings) {
+  const MovingTriangle triangle = rounded(corners);
+  if (settings.separation > 0) {
+    return first_approach(triangle, settings);
+  }
+  const std::optional<FirstTouch> quick = quick_touch(triangle);
+  return quick ? *quick : exact_touch(corners);
+}
+
+FirstTouch first_of(const FirstTouch& a, const FirstTouch& b) {
+  if (!a.touches || !b.touches) {
+    return a.touches ? a : b;
+  }
+  return {true, std::min(a.lower, b.lower), std::min(a.upper, b.upper)};
+}
+
+}  // namespace
+
+FirstTouch first_touch_of_vertex_and_face(const MovingPoint& vertex, const std::array<MovingPoint, 3>& face,
+                                          const TouchSettings& settings) {
+  return first_touch({{{vertex, face[0]}, {vertex, face[1]}, {vertex, face[2]}}}, settings);
+}
+
+FirstTouch first_touch_of_edges(const std::array<MovingPoint, 2>& a, const std::array<MovingPoint, 2>& b,
+                                const TouchSettings& settings) {
+  const MovingDifference first{a[0], b[0]}, last{a[1], b[1]};
+  return first_of(first_touch({{first, {a[0], b[1]}, last}}, settings),
+                  first_touch({{first, {a[1], b[0]}, last}}, settings));
+}
+
+}  // namespace abut
