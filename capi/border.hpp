@@ -95,6 +95,13 @@ template <std::size_t Group = 1, class T>
   return ABUT_OK;
 }
 
+// Where the answers of each of `count` questions begin in one list, and where the last of them ends.
+[[nodiscard]] inline abut_status read_offsets(std::uint64_t* offsets, std::string_view count_name, std::size_t count,
+                                              std::span<std::uint64_t>& out) {
+  const abut_status status = check_size("offsets", count_name, count, sizeof(std::uint64_t));
+  return status != ABUT_OK ? status : read_span("offsets", offsets, count_name, std::uint64_t{count} + 1, out);
+}
+
 // A struct of the caller, or an array of them, as bytes.
 [[nodiscard]] inline std::span<const unsigned char> bytes_of(const void* structs, std::size_t size) {
   // SAFETY: the size is the struct_size that the caller has set, times a count that was checked.

@@ -31,7 +31,7 @@ static_assert(is_plain<abut_height_field_desc>(40));
 static_assert(is_plain<abut_shape_desc>(56));
 static_assert(is_plain<abut_ray>(56));
 static_assert(is_plain<abut_ray_hit>(72));
-static_assert(is_plain<abut_query_options>(32));
+static_assert(is_plain<abut_query_options>(40));
 static_assert(is_plain<abut_distance>(104));
 static_assert(is_plain<abut_contact>(192));
 static_assert(is_plain<abut_pair_memory>(64));
@@ -130,6 +130,8 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_query_options, margin),
     ABUT_FIELD(abut_query_options, max_contacts),
     ABUT_FIELD(abut_query_options, max_pair_contacts),
+    ABUT_FIELD(abut_query_options, threads),
+    ABUT_FIELD(abut_query_options, reserved),
     ABUT_STRUCT(abut_distance),
     ABUT_FIELD(abut_distance, distance),
     ABUT_FIELD(abut_distance, lower),

@@ -105,14 +105,6 @@ abut_status check_margin(double margin) {
   return is_coordinate(margin) ? static_cast<abut_status>(ABUT_OK) : to_status(abut::check_finite("margin", margin));
 }
 
-abut_status read_offsets(std::uint64_t* offsets, std::size_t query_count, std::span<std::uint64_t>& out) {
-  if (const abut_status status = check_size("offsets", "query_count", query_count, sizeof(std::uint64_t));
-      status != ABUT_OK) {
-    return status;
-  }
-  return read_span("offsets", offsets, "query_count", std::uint64_t{query_count} + 1, out);
-}
-
 // Asks query by query: `find(i)` answers geometries.
 template <class Find>
 void write_each(std::span<std::uint64_t> offsets, std::span<abut_geometry_id> out, std::size_t* count, Find&& find) {
@@ -256,7 +248,7 @@ abut_status abut_universe_overlaps_of_each(const abut_universe* universe, const 
     std::span<abut_geometry_id> out;
     Filter ready;
     abut_status status = check_not_null("count", count);
-    status = status != ABUT_OK ? status : read_offsets(offsets, query_count, places);
+    status = status != ABUT_OK ? status : read_offsets(offsets, "query_count", query_count, places);
     status = status != ABUT_OK ? status : read_span("geometries", geometries, "capacity", capacity, out);
     status = status != ABUT_OK ? status : read_placed(shapes, poses, "query_count", query_count, placed);
     status = status != ABUT_OK ? status : read_filter(its.universe, filter, ready);
@@ -291,7 +283,7 @@ abut_status abut_universe_at_points(const abut_universe* universe, const abut_ve
     Filter ready;
     abut_status status = check_not_null("count", count);
     status = status != ABUT_OK ? status : read_span("positions", positions, "query_count", query_count, given);
-    status = status != ABUT_OK ? status : read_offsets(offsets, query_count, places);
+    status = status != ABUT_OK ? status : read_offsets(offsets, "query_count", query_count, places);
     status = status != ABUT_OK ? status : read_span("geometries", geometries, "capacity", capacity, out);
     for (std::size_t i = 0; status == ABUT_OK && i < given.size(); ++i) {
       status = check_position({"positions", i}, "", given[i]);

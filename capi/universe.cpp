@@ -31,21 +31,6 @@ constexpr abut_universe_options default_options{sizeof(abut_universe_options),
                                                 0,
                                                 0};
 
-// No machine runs more at once; a number beyond is a mistake.
-constexpr std::uint32_t most_threads = 1024;
-
-abut_status check_threads(std::uint32_t threads) {
-  if (threads > most_threads) {
-    return refuse(error_about(abut::Errc::out_of_range, "options.threads", std::uint64_t{threads},
-                              "at most " + std::to_string(most_threads)));
-  }
-  if (threads > 1 && abut_has_feature("threads") == 0) {
-    return refuse(ABUT_UNSUPPORTED, "options.threads is " + std::to_string(threads) +
-                                        "; this build of abut is without the feature \"threads\", so 0 and 1 are left");
-  }
-  return ABUT_OK;
-}
-
 abut_status check_options(const abut_universe_options& options) {
   const Where where{"options"};
   abut_status status = check_struct_size(where, options);

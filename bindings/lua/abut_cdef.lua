@@ -213,6 +213,8 @@ typedef struct abut_query_options {
   double margin;
   uint32_t max_contacts;
   uint32_t max_pair_contacts;
+  uint32_t threads;
+  uint32_t reserved;
 } abut_query_options;
 void abut_query_options_init(abut_query_options *options, uint32_t struct_size);
 typedef struct abut_distance {
@@ -271,10 +273,19 @@ abut_status abut_pairs_distance_with_memories(const abut_shape *a, const abut_po
                                                        const abut_shape *b, const abut_pose *poses_b, size_t count,
                                                        const abut_query_options *options, abut_pair_memory *memories,
                                                        abut_distance *out);
+abut_status abut_pairs_contacts(const abut_shape *a, const abut_pose *poses_a, const abut_shape *b,
+                                         const abut_pose *poses_b, size_t pair_count,
+                                         const abut_query_options *options, uint64_t *offsets, abut_contact *contacts,
+                                         size_t capacity, size_t *count);
 abut_status abut_pair_contacts_with_memory(const abut_shape *a, const abut_pose *pose_a, const abut_shape *b,
                                                     const abut_pose *pose_b, const abut_query_options *options,
                                                     abut_pair_memory *memory, abut_contact *contacts, size_t capacity,
                                                     size_t *count);
+abut_status abut_pairs_contacts_with_memories(const abut_shape *a, const abut_pose *poses_a,
+                                                       const abut_shape *b, const abut_pose *poses_b,
+                                                       size_t pair_count, const abut_query_options *options,
+                                                       abut_pair_memory *memories, uint64_t *offsets,
+                                                       abut_contact *contacts, size_t capacity, size_t *count);
 typedef struct abut_universe abut_universe;
 typedef uint32_t abut_broadphase;
 enum abut_broadphase_value {
@@ -745,6 +756,9 @@ abut_status abut_universe_closest_to_each(const abut_universe *universe, const a
 abut_status abut_pair_cast(const abut_shape *a, const abut_pose *pose_a, const abut_vec3 *displacement_a,
                                     const abut_shape *b, const abut_pose *pose_b, const abut_vec3 *displacement_b,
                                     const abut_query_options *options, abut_cast_hit *hit, uint32_t *found);
+abut_status abut_pairs_cast(const abut_shape *a, const abut_pose *poses_a, const abut_vec3 *displacements_a,
+                                     const abut_shape *b, const abut_pose *poses_b, const abut_vec3 *displacements_b,
+                                     size_t count, const abut_query_options *options, abut_cast_hit *hits);
 typedef struct abut_layout_entry {
   const char *type;
   const char *field;

@@ -105,6 +105,8 @@ export interface QueryOptions {
   maxContacts?: number;
   /** How many all patches of a pair keep together; 0 for all. */
   maxPairContacts?: number;
+  /** Of pairDistances; 0 for as many as there may be, which is the default. */
+  threads?: number;
 }
 
 export interface Distance {

@@ -49,7 +49,7 @@ export const structs = {
   meshOptions: koffi.struct('abut_mesh_options', { structSize: 'uint32_t', sides: 'uint32_t' }),
   queryOptions: koffi.struct('abut_query_options', {
     structSize: 'uint32_t', algorithm: 'uint32_t', errorBound: 'double', margin: 'double', maxContacts: 'uint32_t',
-    maxPairContacts: 'uint32_t',
+    maxPairContacts: 'uint32_t', threads: 'uint32_t', reserved: 'uint32_t',
   }),
   universeOptions: koffi.struct('abut_universe_options', {
     structSize: 'uint32_t', broadphase: 'uint32_t', toleranceMode: 'uint32_t', maxContacts: 'uint32_t', origin: vector,

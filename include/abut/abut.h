@@ -526,6 +526,11 @@ typedef struct abut_query_options {
   uint32_t max_contacts;
   uint32_t max_pair_contacts; /**< how many all patches of the pair keep together: the deepest, then the deepest of
                                    patches that face furthest from each other; 0, the default, keeps all */
+  uint32_t threads;           /**< of a batch, whose name begins with abut_pairs_: 0, the default, for as many as there
+                                   may be, as in abut_universe_options; batches of few pairs take one. Results are the
+                                   same bits for any number. More than 1 is ABUT_UNSUPPORTED in a build without the
+                                   feature threads */
+  uint32_t reserved;          /**< zero */
 } abut_query_options;
 
 ABUT_API void abut_query_options_init(abut_query_options *options, uint32_t struct_size);
@@ -654,11 +659,32 @@ ABUT_API abut_status abut_pairs_distance_with_memories(const abut_shape *a, cons
                                                        const abut_query_options *options, abut_pair_memory *memories,
                                                        abut_distance *out);
 
+/**
+ * Contact points of `pair_count` pairs of poses of the same two shapes. Those of pair i are contacts[offsets[i]] up to
+ * contacts[offsets[i + 1]], deepest first, and the same bits as abut_pair_contacts finds. The first failure ends it,
+ * nothing is written then.
+ * @param options  may be null
+ * @param offsets  pair_count + 1 numbers, all written
+ * @param count    the last of them; `contacts` is filled as far as `capacity`
+ * [any]
+ */
+ABUT_API abut_status abut_pairs_contacts(const abut_shape *a, const abut_pose *poses_a, const abut_shape *b,
+                                         const abut_pose *poses_b, size_t pair_count,
+                                         const abut_query_options *options, uint64_t *offsets, abut_contact *contacts,
+                                         size_t capacity, size_t *count);
+
 /** abut_pair_contacts with a memory of the pair. Contacts are the same bit by bit. [any] */
 ABUT_API abut_status abut_pair_contacts_with_memory(const abut_shape *a, const abut_pose *pose_a, const abut_shape *b,
                                                     const abut_pose *pose_b, const abut_query_options *options,
                                                     abut_pair_memory *memory, abut_contact *contacts, size_t capacity,
                                                     size_t *count);
+
+/** abut_pairs_contacts with `pair_count` memories, one for each pair of poses. [any] */
+ABUT_API abut_status abut_pairs_contacts_with_memories(const abut_shape *a, const abut_pose *poses_a,
+                                                       const abut_shape *b, const abut_pose *poses_b,
+                                                       size_t pair_count, const abut_query_options *options,
+                                                       abut_pair_memory *memories, uint64_t *offsets,
+                                                       abut_contact *contacts, size_t capacity, size_t *count);
 
 /* ------------------------------------------------------------------------------------------------
  * Universe
@@ -1643,7 +1669,7 @@ ABUT_API abut_status abut_universe_cast_rays(const abut_universe *universe, cons
  */
 typedef struct abut_cast_hit {
   abut_geometry_id geometry; /**< what is met (b); null for two shapes alone, and in a batch where nothing is met */
-  double fraction;           /**< of the displacement, in [0, 1] */
+  double fraction;           /**< of the displacement, in [0, 1]; infinite where abut_pairs_cast finds no touch */
   abut_distance contact;     /**< at that time, in the world */
   abut_feature feature_a;    /**< the triangle of a mesh or a height field; of others ABUT_FEATURE_WHOLE, or what
                                   touches at the start */
@@ -1734,6 +1760,14 @@ ABUT_API abut_status abut_universe_closest_to_each(const abut_universe *universe
 ABUT_API abut_status abut_pair_cast(const abut_shape *a, const abut_pose *pose_a, const abut_vec3 *displacement_a,
                                     const abut_shape *b, const abut_pose *pose_b, const abut_vec3 *displacement_b,
                                     const abut_query_options *options, abut_cast_hit *hit, uint32_t *found);
+
+/**
+ * The same for `count` pairs of poses and displacements of the same two shapes. Where two never touch, the fraction of
+ * their hit is infinite, and all else in it is zero. The first failure ends it, nothing is written then. [any]
+ */
+ABUT_API abut_status abut_pairs_cast(const abut_shape *a, const abut_pose *poses_a, const abut_vec3 *displacements_a,
+                                     const abut_shape *b, const abut_pose *poses_b, const abut_vec3 *displacements_b,
+                                     size_t count, const abut_query_options *options, abut_cast_hit *hits);
 
 /* ------------------------------------------------------------------------------------------------
  * Layout report, for bindings that want to check their own structs

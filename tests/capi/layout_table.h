@@ -68,13 +68,15 @@
   FIELD(abut_ray_hit, feature, 56, 8)                        \
   FIELD(abut_ray_hit, child, 64, 4)                          \
   FIELD(abut_ray_hit, reserved, 68, 4)                       \
-  TYPE(abut_query_options, 32)                               \
+  TYPE(abut_query_options, 40)                               \
   FIELD(abut_query_options, struct_size, 0, 4)               \
   FIELD(abut_query_options, algorithm, 4, 4)                 \
   FIELD(abut_query_options, error_bound, 8, 8)               \
   FIELD(abut_query_options, margin, 16, 8)                   \
   FIELD(abut_query_options, max_contacts, 24, 4)             \
   FIELD(abut_query_options, max_pair_contacts, 28, 4)        \
+  FIELD(abut_query_options, threads, 32, 4)                  \
+  FIELD(abut_query_options, reserved, 36, 4)                 \
   TYPE(abut_distance, 104)                                   \
   FIELD(abut_distance, distance, 0, 8)                       \
   FIELD(abut_distance, lower, 8, 8)                          \

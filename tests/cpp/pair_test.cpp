@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 #if __cplusplus >= 202002L
 #include <span>
@@ -87,6 +88,46 @@ TEST(Pair, IsCast) {
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->fraction, 0.5, 1e-9);
   EXPECT_FALSE(abut::pair_cast(ball, abut::pose(), {0, 0, -2}, ball, above, {0, 0, 0}));
+}
+
+TEST(Pair, HasContactsAtManyPoses) {
+  const abut::Shape box = abut::Shape::box(1, 1, 1);
+  const std::vector<abut::Pose> here(3, abut::pose());
+  const std::vector<abut::Pose> there{abut::pose({0, 0, 1.75}), abut::pose({0, 0, 9}), abut::pose({0, 1.5, 0})};
+  const abut::ContactLists lists = abut::pairs_contacts(box, here, box, there, abut::QueryOptions().with_threads(1));
+  ASSERT_EQ(lists.query_count(), 3U);
+  EXPECT_EQ(lists.of(0).size(), 4U);
+  EXPECT_TRUE(lists.of(1).empty());
+  EXPECT_EQ(lists.of(2)[0].distance, -0.5);
+  std::vector<abut::PairMemory> memories(3);
+  EXPECT_EQ(abut::pairs_contacts(box, here, box, there, memories).offsets, lists.offsets);
+  memories.pop_back();
+  EXPECT_THROW(static_cast<void>(abut::pairs_contacts(box, here, box, there, memories)), abut::Error);
+}
+
+// More than there is room for at first.
+TEST(Pair, HasAsManyContactsAtManyPosesAsThereAre) {
+  std::vector<abut::Vec3> centres;
+  for (int i = 0; i < 40; ++i) centres.push_back({2.0 * i, 0, 0});
+  const abut::Shape many = abut::Shape::particles(centres, 0.5);
+  const auto options = abut::QueryOptions().with_max_contacts(0);
+  const std::vector<abut::Pose> here(3, abut::pose());
+  const auto lists = abut::pairs_contacts(many, here, abut::Shape::plane({0, 0, 1}, 0), here, options);
+  EXPECT_EQ(lists.all.size(), 120U);
+  EXPECT_EQ(lists.of(2).size(), 40U);
+}
+
+TEST(Pair, IsCastAtManyPoses) {
+  const abut::Shape ball = abut::Shape::sphere(1);
+  const std::vector<abut::Pose> here(2, abut::pose()), there(2, above);
+  const std::vector<abut::Vec3> ways{{0, 0, 2}, {0, 0, -2}}, still(2);
+  const std::vector<abut::CastHit> hits = abut::pairs_cast(ball, here, ways, ball, there, still);
+  EXPECT_NEAR(hits[0].fraction, 0.5, 1e-9);
+  EXPECT_EQ(hits[1].fraction, std::numeric_limits<double>::infinity());
+  std::array<abut::CastHit, 2> out{};
+  abut::pairs_cast(ball, here, ways, ball, there, still, out);
+  EXPECT_EQ(out[0].fraction, hits[0].fraction);
+  EXPECT_THROW(static_cast<void>(abut::pairs_cast(ball, here, {{0, 0, 2}}, ball, there, still)), abut::Error);
 }
 
 std::size_t size_of(abut::Span<const double> values) { return values.size(); }

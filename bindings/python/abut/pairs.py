@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-import ctypes
-from ctypes import byref, c_size_t, c_uint32, c_uint64
+from ctypes import byref, c_uint32
 from typing import Any
 
 from . import answers, c, given, options
@@ -87,29 +86,23 @@ def pair_contacts(a: Shape, pose_a: Any, b: Shape, pose_b: Any, memory: Any = No
         c.Contact, lambda *rest: library.abut_pair_contacts_with_memory(*asked, byref(memory), *rest))
 
 
-def pairs_contacts(a: Shape, poses_a: Any, b: Shape, poses_b: Any, progress: Progress = None, **fields: Any) -> Groups:
-    """Contacts of two shapes at many pairs of poses: group i are those of pair i, deepest first."""
+def pairs_contacts(a: Shape, poses_a: Any, b: Shape, poses_b: Any, memories: Any = None, progress: Progress = None,
+                   **fields: Any) -> Groups:
+    """Contacts of two shapes at many pairs of poses: group i are those of pair i, deepest first.
+
+    Poses and memories are as in pairs_distance. The fields are those of QueryOptions.
+    """
     first, second = given.structs(c.Pose, "poses_a", poses_a), given.structs(c.Pose, "poses_b", poses_b)
-    count = given.together(first, second)
+    belonging = [first, second] + ([] if memories is None else [given.structs(c.PairMemory, "memories", memories)])
+    count = given.together(*belonging)
     pointers, query = (given.shape_pointer("a", a), given.shape_pointer("b", b)), options.query(fields)
-    offsets, found, filled, more = (c_uint64 * (count + 1))(), (c.Contact * (4 * count + 16))(), 0, c_size_t()
+    ask = library.abut_pairs_contacts if memories is None else library.abut_pairs_contacts_with_memories
+    parts = []
     for start, length in chunks(count, progress):
-        for i in range(start, start + length):
-            asked = (pointers[0], first.memory[i], pointers[1], second.memory[i], query)
-            library.abut_pair_contacts(*asked, found[filled], len(found) - filled, byref(more))
-            if filled + more.value >= len(found):
-                found = _longer(found, filled, filled + more.value + 1)
-                library.abut_pair_contacts(*asked, found[filled], len(found) - filled, byref(more))
-            filled += more.value
-            offsets[i + 1] = filled
-    return Groups(offsets, Records(part_of(found, 0, filled)))
-
-
-def _longer(memory, filled, needed):
-    """A copy of what is filled that has room for more, at least twice as much."""
-    longer = (memory._type_ * max(needed, 2 * len(memory)))()
-    ctypes.memmove(longer, memory, filled * ctypes.sizeof(memory._type_))
-    return longer
+        poses_of_a, poses_of_b, *kept = (part_of(each.memory, start, length) for each in belonging)
+        call = (pointers[0], poses_of_a, pointers[1], poses_of_b, length, query, *kept)
+        parts.append(answers.groups(c.Contact, length, lambda *rest: ask(*call, *rest), 4 * length + 16))
+    return answers.joined(parts)
 
 
 def validate_contact(contact: c.Contact) -> None:
@@ -134,15 +127,12 @@ def pairs_cast(a: Shape, poses_a: Any, displacements_a: Any, b: Shape, poses_b: 
     belonging = (given.structs(c.Pose, "poses_a", poses_a), given.structs(c.Vec3, "displacements_a", displacements_a),
                  given.structs(c.Pose, "poses_b", poses_b), given.structs(c.Vec3, "displacements_b", displacements_b))
     count = given.together(*belonging)
-    places_a, ways_a, places_b, ways_b = (each.memory for each in belonging)
     pointers, query = (given.shape_pointer("a", a), given.shape_pointer("b", b)), options.query(fields)
-    hits, found = (c.CastHit * count)(), c_uint32()
+    hits = empty(c.CastHit, count)
     for start, length in chunks(count, progress):
-        for i in range(start, start + length):
-            library.abut_pair_cast(pointers[0], places_a[i], ways_a[i], pointers[1], places_b[i], ways_b[i], query,
-                                   hits[i], byref(found))
-            if not found.value:
-                hits[i].fraction = float("inf")
+        places_a, ways_a, places_b, ways_b = (part_of(each.memory, start, length) for each in belonging)
+        library.abut_pairs_cast(pointers[0], places_a, ways_a, pointers[1], places_b, ways_b, length, query,
+                                part_of(hits, start, length))
     return Records(hits)
 
 

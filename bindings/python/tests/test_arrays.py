@@ -4,6 +4,7 @@
 import copy
 import pickle
 import unittest
+import unittest.mock
 
 try:
     import numpy
@@ -160,10 +161,45 @@ class Answers(unittest.TestCase):
         turned = [0, 0, 1.9, numpy.cos(numpy.pi / 8), 0, 0, numpy.sin(numpy.pi / 8)]
         self.assertEqual(abut.pairs_contacts(box, HERE, box, [turned] * 20, max_contacts=0).counts.tolist(), [8] * 20)
 
+    def test_contacts_of_many_pairs_take_any_arrays(self):
+        box = abut.Shape.box(1, 1, 1)
+        wide = numpy.zeros((6, 14))
+        wide[:, ::2] = [1.5, 0, 0, 1, 0, 0, 0]
+        memories = abut.pair_memories(6)
+        for poses in (wide[:, ::2], wide[:, ::2].astype("f4"), wide[:, ::2].tolist()):
+            found = abut.pairs_contacts(box, HERE, box, poses, memories)
+            self.assertEqual(found.counts.tolist(), [4] * 6)
+        with self.assertRaisesRegex(ValueError, r"poses_b has shape \(6, 6\); it must be \(N, 7\)"):
+            abut.pairs_contacts(box, HERE, box, wide[:, :6])
+        with self.assertRaisesRegex(ValueError, "poses_b has 6 and memories has 5"):
+            abut.pairs_contacts(box, HERE, box, wide[:, ::2], abut.pair_memories(5))
+
+    def test_contacts_of_several_chunks_are_those_of_one(self):
+        box, poses, told = abut.Shape.box(1, 1, 1), poses_along_x(*numpy.linspace(0, 4, 50)), []
+        whole = abut.pairs_contacts(box, HERE, box, poses)
+        with unittest.mock.patch("abut.progress.CHUNK", 7):
+            parts = abut.pairs_contacts(box, HERE, box, poses, progress=lambda *done: told.append(done))
+        self.assertEqual(told[-1], (50, 50))
+        self.assertEqual(parts.counts.tolist(), whole.counts.tolist())
+        self.assertEqual(bytes(parts.records.memory), bytes(whole.records.memory))
+
+    def test_no_pairs_have_no_contacts(self):
+        box = abut.Shape.box(1, 1, 1)
+        found = abut.pairs_contacts(box, HERE, box, numpy.empty((0, 7)))
+        self.assertEqual((len(found), len(found.records)), (0, 0))
+
+    def test_pairs_that_have_no_contacts_are_told(self):
+        ground = abut.Shape.plane((0, 0, 1), 0)
+        with self.assertRaisesRegex(abut.Error, "pair 0: there is no algorithm for plane and plane"):
+            abut.pairs_contacts(ground, HERE, ground, [HERE] * 3)
+
     def test_casts_of_many_pairs(self):
         ball = abut.Shape.sphere(1)
         found = abut.pairs_cast(ball, HERE, [[4, 0, 0], [0, 4, 0]], ball, abut.pose(4))
         assert_allclose(found.fraction, [0.5, numpy.inf])
+        self.assertEqual(bytes(found[0]), bytes(abut.pair_cast(ball, HERE, (4, 0, 0), ball, abut.pose(4))))
+        ways = numpy.array([[4, 9, 0, 9, 0, 9], [0, 9, 4, 9, 0, 9]], "f4")[:, ::2]
+        assert_array_equal(abut.pairs_cast(ball, HERE, ways, ball, abut.pose(4)).fraction, found.fraction)
 
     def test_rays_on_a_shape(self):
         box = abut.Shape.box(1, 1, 1)

@@ -7,6 +7,7 @@ import importlib.util
 import io
 import threading
 import unittest
+import unittest.mock
 import weakref
 
 import abut
@@ -193,6 +194,14 @@ class Progress(unittest.TestCase):
         self.assertEqual((found[0].distance, found[count - 1].distance), (1, 1))
         with self.assertRaisesRegex(TypeError, "progress is of type str"):
             abut.pairs_distance(ball, abut.pose(), ball, poses, progress="yes")
+
+    def test_chunks_of_contacts_are_joined(self):
+        ball, poses, told = abut.Shape.sphere(1), [abut.pose(i / 8) for i in range(30)], []
+        with unittest.mock.patch("abut.progress.CHUNK", 7):
+            found = abut.pairs_contacts(ball, abut.pose(), ball, poses, progress=lambda *now: told.append(now))
+        self.assertEqual(told[-2:], [(28, 30), (30, 30)])
+        self.assertEqual([len(contacts) for contacts in found], [1] * 17 + [0] * 13)
+        self.assertEqual([contacts[0].distance for contacts in found if contacts], [i / 8 - 2 for i in range(17)])
 
     def test_true_writes_to_stderr(self):
         ball, written = abut.Shape.sphere(1), io.StringIO()

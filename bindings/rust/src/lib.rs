@@ -35,7 +35,7 @@ pub use motion::{Sleep, SleepChange, Velocity};
 pub use options::{
     Algorithm, Broadphase, GeometryOptions, Motion, Parking, PartOptions, QueryOptions, ToleranceMode, UniverseOptions,
 };
-pub use pair::{Pair, PairMemory};
+pub use pair::{ContactLists, Pair, PairMemory};
 pub use policy::{ContactMaterial, Detail, Policy};
 pub use ray::{CastHit, Closest, Hit, Ray, RayHit};
 pub use shape::{Shape, Sides};

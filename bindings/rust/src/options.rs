@@ -45,6 +45,8 @@ pub struct QueryOptions {
     pub max_contacts: u32,
     /// How many all patches of a pair keep together; 0 for all.
     pub max_pair_contacts: u32,
+    /// Of a batch; 0 for as many as there may be. Results are the same bits for any number.
+    pub threads: u32,
 }
 
 impl Default for QueryOptions {
@@ -56,6 +58,7 @@ impl Default for QueryOptions {
             margin: its.margin,
             max_contacts: its.max_contacts,
             max_pair_contacts: its.max_pair_contacts,
+            threads: its.threads,
         }
     }
 }
@@ -68,6 +71,7 @@ impl QueryOptions {
         options.margin = self.margin;
         options.max_contacts = self.max_contacts;
         options.max_pair_contacts = self.max_pair_contacts;
+        options.threads = self.threads;
         options
     }
 }

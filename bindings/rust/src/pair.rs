@@ -6,7 +6,7 @@ use crate::error::{check, expect_as_many};
 use crate::options::QueryOptions;
 use crate::ray::CastHit;
 use crate::shape::Shape;
-use crate::value::{blank, fill, mirror, raw_mut, raw_of, raw_slice, raw_slice_mut, Pose, Vec3};
+use crate::value::{blank, fill, fill_room, mirror, raw_mut, raw_of, raw_slice, raw_slice_mut, Pose, Vec3};
 use crate::{raw, Result};
 
 /// What queries remember of two shapes that move little from one to the next. It makes them faster and changes no
@@ -170,6 +170,53 @@ impl<'shapes> Pair<'shapes> {
         })
     }
 
+    /// Contact points for each pair of poses, in one call.
+    pub fn contacts_of_each(&self, poses_a: &[Pose], poses_b: &[Pose]) -> Result<ContactLists> {
+        expect_as_many(("poses_a", poses_a.len()), ("poses_b", poses_b.len()))?;
+        // SAFETY: see contacts; both slices are equally long, and offsets are one more.
+        fill_lists(poses_a.len(), |offsets, place, capacity, count| unsafe {
+            raw::abut_pairs_contacts(
+                self.a.as_ptr(),
+                raw_slice(poses_a),
+                self.b.as_ptr(),
+                raw_slice(poses_b),
+                poses_a.len(),
+                &self.options.raw(),
+                offsets,
+                place,
+                capacity,
+                count,
+            )
+        })
+    }
+
+    /// The same with a memory for each pair of poses.
+    pub fn contacts_of_each_from(
+        &self,
+        memories: &mut [PairMemory],
+        poses_a: &[Pose],
+        poses_b: &[Pose],
+    ) -> Result<ContactLists> {
+        expect_as_many(("poses_a", poses_a.len()), ("poses_b", poses_b.len()))?;
+        expect_as_many(("poses_a", poses_a.len()), ("memories", memories.len()))?;
+        // SAFETY: see contacts_of_each; memories are written during the call, and nobody else has them.
+        fill_lists(poses_a.len(), |offsets, place, capacity, count| unsafe {
+            raw::abut_pairs_contacts_with_memories(
+                self.a.as_ptr(),
+                raw_slice(poses_a),
+                self.b.as_ptr(),
+                raw_slice(poses_b),
+                poses_a.len(),
+                &self.options.raw(),
+                raw_slice_mut(memories),
+                offsets,
+                place,
+                capacity,
+                count,
+            )
+        })
+    }
+
     /// When they first touch while both move by a displacement without turning; None when they do not.
     pub fn cast(&self, a: (&Pose, Vec3), b: (&Pose, Vec3)) -> Result<Option<CastHit>> {
         let (mut hit, mut found) = (blank(), 0);
@@ -188,5 +235,72 @@ impl<'shapes> Pair<'shapes> {
             )
         })?;
         Ok((found == 1).then_some(hit))
+    }
+
+    /// The same for each pair of poses and displacements, in one call.
+    pub fn casts(&self, a: (&[Pose], &[Vec3]), b: (&[Pose], &[Vec3])) -> Result<Vec<Option<CastHit>>> {
+        let count = a.0.len();
+        expect_as_many(("poses_a", count), ("displacements_a", a.1.len()))?;
+        expect_as_many(("poses_a", count), ("poses_b", b.0.len()))?;
+        expect_as_many(("poses_a", count), ("displacements_b", b.1.len()))?;
+        let mut hits = vec![blank::<CastHit>(); count];
+        // SAFETY: see cast; all slices are equally long.
+        check(unsafe {
+            raw::abut_pairs_cast(
+                self.a.as_ptr(),
+                raw_slice(a.0),
+                raw_slice(a.1),
+                self.b.as_ptr(),
+                raw_slice(b.0),
+                raw_slice(b.1),
+                count,
+                &self.options.raw(),
+                raw_slice_mut(&mut hits),
+            )
+        })?;
+        Ok(hits.into_iter().map(|hit| hit.fraction.is_finite().then_some(hit)).collect())
+    }
+}
+
+fn fill_lists(
+    pairs: usize,
+    mut call: impl FnMut(*mut u64, *mut raw::abut_contact, usize, *mut usize) -> raw::abut_status,
+) -> Result<ContactLists> {
+    let mut offsets = vec![0; pairs + 1];
+    let contacts = fill_room(4 * pairs, |place, capacity, count| call(offsets.as_mut_ptr(), place, capacity, count))?;
+    Ok(ContactLists { offsets, contacts })
+}
+
+/// Contacts of many pairs, pair after pair.
+#[derive(Clone, Debug, Default)]
+pub struct ContactLists {
+    offsets: Vec<u64>,
+    contacts: Vec<Contact>,
+}
+
+impl ContactLists {
+    /// How many pairs there are.
+    pub fn len(&self) -> usize {
+        self.offsets.len().saturating_sub(1)
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Contacts of one pair, deepest first. Panics when there is no such pair.
+    pub fn of(&self, pair: usize) -> &[Contact] {
+        &self.contacts[self.offsets[pair] as usize..self.offsets[pair + 1] as usize]
+    }
+
+    /// Contacts of each pair, in their order.
+    pub fn iter(&self) -> impl Iterator<Item = &[Contact]> {
+        (0..self.len()).map(|pair| self.of(pair))
+    }
+
+    /// Contacts of all pairs, one after the other.
+    pub fn all(&self) -> &[Contact] {
+        &self.contacts
     }
 }

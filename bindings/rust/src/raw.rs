@@ -413,6 +413,8 @@ pub struct abut_query_options {
     pub margin: f64,
     pub max_contacts: u32,
     pub max_pair_contacts: u32,
+    pub threads: u32,
+    pub reserved: u32,
 }
 extern "C" {
     pub fn abut_query_options_init(options: *mut abut_query_options, struct_size: u32);
@@ -522,6 +524,20 @@ extern "C" {
     ) -> abut_status;
 }
 extern "C" {
+    pub fn abut_pairs_contacts(
+        a: *const abut_shape,
+        poses_a: *const abut_pose,
+        b: *const abut_shape,
+        poses_b: *const abut_pose,
+        pair_count: usize,
+        options: *const abut_query_options,
+        offsets: *mut u64,
+        contacts: *mut abut_contact,
+        capacity: usize,
+        count: *mut usize,
+    ) -> abut_status;
+}
+extern "C" {
     pub fn abut_pair_contacts_with_memory(
         a: *const abut_shape,
         pose_a: *const abut_pose,
@@ -529,6 +545,21 @@ extern "C" {
         pose_b: *const abut_pose,
         options: *const abut_query_options,
         memory: *mut abut_pair_memory,
+        contacts: *mut abut_contact,
+        capacity: usize,
+        count: *mut usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_pairs_contacts_with_memories(
+        a: *const abut_shape,
+        poses_a: *const abut_pose,
+        b: *const abut_shape,
+        poses_b: *const abut_pose,
+        pair_count: usize,
+        options: *const abut_query_options,
+        memories: *mut abut_pair_memory,
+        offsets: *mut u64,
         contacts: *mut abut_contact,
         capacity: usize,
         count: *mut usize,
@@ -1570,6 +1601,19 @@ extern "C" {
         options: *const abut_query_options,
         hit: *mut abut_cast_hit,
         found: *mut u32,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_pairs_cast(
+        a: *const abut_shape,
+        poses_a: *const abut_pose,
+        displacements_a: *const abut_vec3,
+        b: *const abut_shape,
+        poses_b: *const abut_pose,
+        displacements_b: *const abut_vec3,
+        count: usize,
+        options: *const abut_query_options,
+        hits: *mut abut_cast_hit,
     ) -> abut_status;
 }
 #[repr(C)]

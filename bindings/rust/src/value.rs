@@ -179,9 +179,17 @@ impl Feature {
 
 /// Calls a function that fills as much of a slice as there is, and tells how much there would be.
 pub(crate) fn fill<T: Mirror>(
+    call: impl FnMut(*mut T::Raw, usize, *mut usize) -> raw::abut_status,
+) -> crate::Result<Vec<T>> {
+    fill_room(8, call)
+}
+
+/// The same with room for as many at first: where it does not suffice, the function is called twice.
+pub(crate) fn fill_room<T: Mirror>(
+    room: usize,
     mut call: impl FnMut(*mut T::Raw, usize, *mut usize) -> raw::abut_status,
 ) -> crate::Result<Vec<T>> {
-    let mut values = vec![blank::<T>(); 8];
+    let mut values = vec![blank::<T>(); room];
     loop {
         let mut count = 0;
         crate::error::check(call(raw_slice_mut(&mut values), values.len(), &mut count))?;

@@ -112,6 +112,29 @@ fn batches_and_memories_change_no_answer() {
 }
 
 #[test]
+fn contacts_and_casts_of_many_poses_are_those_of_each() {
+    let cube = cube_of_points();
+    let pair = Pair::with_options(&cube, &cube, QueryOptions { threads: 1, ..QueryOptions::default() });
+    let here = vec![Pose::IDENTITY; 3];
+    let there: Vec<_> = (0..3).map(|i| Pose::at(0.75 * f64::from(i), 0.0, 0.0)).collect();
+    let lists = pair.contacts_of_each(&here, &there).unwrap();
+    assert_eq!((lists.len(), lists.is_empty(), lists.all().len()), (3, false, 8));
+    let mut memories = vec![PairMemory::default(); 3];
+    let warm = pair.contacts_of_each_from(&mut memories, &here, &there).unwrap();
+    for (i, (contacts, of_warm)) in lists.iter().zip(warm.iter()).enumerate() {
+        assert_eq!(contacts, pair.contacts(&here[i], &there[i]).unwrap());
+        assert_eq!(of_warm, contacts);
+    }
+    let (ways, still) = (vec![[1.0, 0.0, 0.0], [0.0, 9.0, 0.0], [1.0, 0.0, 0.0]], vec![[0.0; 3]; 3]);
+    let hits = pair.casts((&here, &ways), (&there, &still)).unwrap();
+    assert_eq!(hits.iter().map(|hit| hit.is_some()).collect::<Vec<_>>(), [true, true, true]);
+    assert_eq!(hits[2], pair.cast((&here[2], ways[2]), (&there[2], still[2])).unwrap());
+    let away = vec![[-1.0, 0.0, 0.0]; 3];
+    assert_eq!(pair.casts((&here, &away), (&there, &still)).unwrap()[2], None);
+    assert!(pair.casts((&here, &ways), (&there, &still[1..])).unwrap_err().message().contains("displacements_b"));
+}
+
+#[test]
 fn rays_and_casts_meet_or_miss() {
     let cube = Shape::cuboid([1.0; 3]).unwrap();
     let ray = Ray::new([0.0, 0.0, 5.0], [0.0, 0.0, -1.0]);

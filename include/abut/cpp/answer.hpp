@@ -168,6 +168,22 @@ Answer<std::vector<T>> collect(Fill&& fill) {
   return answer(status, values);
 }
 
+// The same for many queries: `fill(lists, &count)`. Nothing is asked after a status that is not ABUT_OK.
+template <class Lists, class Fill>
+Answer<Lists> collect_lists(std::size_t queries, abut_status status, Fill&& fill) {
+  Lists lists;
+  lists.offsets.resize(queries + 1);
+  lists.all.resize(4 * queries);
+  std::size_t count = 0;
+  if (status == ABUT_OK) status = fill(lists, &count);
+  if (status == ABUT_OK && count > lists.all.size()) {
+    lists.all.resize(count);
+    status = fill(lists, &count);
+  }
+  if (status == ABUT_OK) lists.all.resize(count);
+  return answer(status, lists);
+}
+
 // Text, which is counted with the zero at its end.
 template <class Fill>
 Answer<std::string> collect_text(Fill&& fill) {

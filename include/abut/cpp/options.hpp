@@ -76,6 +76,7 @@ struct QueryOptions : Defaulted<QueryOptions, abut_query_options, abut_query_opt
   [[nodiscard]] QueryOptions with_max_pair_contacts(std::uint32_t value) const {
     return with(&C::max_pair_contacts, value);
   }
+  [[nodiscard]] QueryOptions with_threads(std::uint32_t value) const { return with(&C::threads, value); }
 };
 
 struct QueryFilter : Defaulted<QueryFilter, abut_query_filter, abut_query_filter_init> {

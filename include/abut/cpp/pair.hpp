@@ -84,6 +84,32 @@ inline Answer<void> pairs_distance(const Shape& a, Span<const Pose> poses_a, con
   });
 }
 
+// Contacts of the same two shapes at many poses: those of pair i are of(i).
+[[nodiscard]] inline Answer<ContactLists> pairs_contacts(const Shape& a, Span<const Pose> poses_a, const Shape& b,
+                                                         Span<const Pose> poses_b,
+                                                         OptionalRef<abut_query_options> options = {}) {
+  const abut_status sizes = detail::expect_as_many("poses_b", poses_b.size(), "poses_a", poses_a.size());
+  return detail::collect_lists<ContactLists>(poses_a.size(), sizes, [&](ContactLists& lists, std::size_t* count) {
+    return abut_pairs_contacts(a.get(), poses_a.data(), b.get(), poses_b.data(), poses_a.size(), options.get(),
+                               lists.offsets.data(), lists.all.data(), lists.all.size(), count);
+  });
+}
+
+// With as many memories as poses.
+[[nodiscard]] inline Answer<ContactLists> pairs_contacts(const Shape& a, Span<const Pose> poses_a, const Shape& b,
+                                                         Span<const Pose> poses_b, Span<abut_pair_memory> memories,
+                                                         OptionalRef<abut_query_options> options = {}) {
+  const std::size_t pairs = poses_a.size();
+  const abut_status sizes =
+      detail::first_failure(detail::expect_as_many("poses_b", poses_b.size(), "poses_a", pairs),
+                            detail::expect_as_many("memories", memories.size(), "poses_a", pairs));
+  return detail::collect_lists<ContactLists>(pairs, sizes, [&](ContactLists& lists, std::size_t* count) {
+    return abut_pairs_contacts_with_memories(a.get(), poses_a.data(), b.get(), poses_b.data(), pairs, options.get(),
+                                             memories.data(), lists.offsets.data(), lists.all.data(), lists.all.size(),
+                                             count);
+  });
+}
+
 // When two shapes that move without turning first touch; nothing where they do not.
 [[nodiscard]] inline Answer<std::optional<CastHit>> pair_cast(const Shape& a, const Pose& pose_a, Vec3 displacement_a,
                                                               const Shape& b, const Pose& pose_b, Vec3 displacement_b,
@@ -93,6 +119,44 @@ inline Answer<void> pairs_distance(const Shape& a, Span<const Pose> poses_a, con
   const abut_status status =
       abut_pair_cast(a.get(), &pose_a, &displacement_a, b.get(), &pose_b, &displacement_b, options.get(), &hit, &found);
   return detail::answer_if_found(status, found, hit);
+}
+
+namespace detail {
+
+inline abut_status pairs_cast(const Shape& a, Span<const Pose> poses_a, Span<const Vec3> displacements_a,
+                              const Shape& b, Span<const Pose> poses_b, Span<const Vec3> displacements_b,
+                              Span<CastHit> out, OptionalRef<abut_query_options> options) {
+  const std::size_t count = poses_a.size();
+  const abut_status sizes =
+      first_failure(expect_as_many("displacements_a", displacements_a.size(), "poses_a", count),
+                    expect_as_many("poses_b", poses_b.size(), "poses_a", count),
+                    expect_as_many("displacements_b", displacements_b.size(), "poses_a", count),
+                    expect_as_many("out", out.size(), "poses_a", count));
+  return sizes != ABUT_OK
+             ? sizes
+             : abut_pairs_cast(a.get(), poses_a.data(), displacements_a.data(), b.get(), poses_b.data(),
+                               displacements_b.data(), count, options.get(), out.data());
+}
+
+}  // namespace detail
+
+// The same for many poses and displacements; the fraction of a hit is infinite where the two never touch.
+inline Answer<void> pairs_cast(const Shape& a, Span<const Pose> poses_a, Span<const Vec3> displacements_a,
+                               const Shape& b, Span<const Pose> poses_b, Span<const Vec3> displacements_b,
+                               Span<CastHit> out, OptionalRef<abut_query_options> options = {}) {
+  return detail::answer(
+      detail::pairs_cast(a, poses_a, displacements_a, b, poses_b, displacements_b, out, options));
+}
+
+[[nodiscard]] inline Answer<std::vector<CastHit>> pairs_cast(const Shape& a, Span<const Pose> poses_a,
+                                                             Span<const Vec3> displacements_a, const Shape& b,
+                                                             Span<const Pose> poses_b,
+                                                             Span<const Vec3> displacements_b,
+                                                             OptionalRef<abut_query_options> options = {}) {
+  std::vector<CastHit> out(poses_a.size());
+  const abut_status status =
+      detail::pairs_cast(a, poses_a, displacements_a, b, poses_b, displacements_b, out, options);
+  return detail::answer(status, out);
 }
 
 // Checks a contact that went through a file or was made by hand.

@@ -119,10 +119,9 @@ class Universe : public UniverseSteps {
                                                        OptionalRef<abut_query_filter> filter = {}) const {
     const std::vector<const abut_shape*> pointers = Shape::pointers_of(shapes);
     const abut_status sizes = detail::expect_as_many("poses", poses.size(), "shapes", shapes.size());
-    return collect_lists(shapes.size(), sizes, [&](GeometryLists& lists, std::size_t* count) {
+    return detail::collect_lists<GeometryLists>(shapes.size(), sizes, [&](GeometryLists& lists, std::size_t* count) {
       return abut_universe_overlaps_of_each(get(), pointers.data(), poses.data(), pointers.size(), filter.get(), margin,
-                                            lists.offsets.data(), lists.geometries.data(), lists.geometries.size(),
-                                            count);
+                                            lists.offsets.data(), lists.all.data(), lists.all.size(), count);
     });
   }
 
@@ -135,10 +134,11 @@ class Universe : public UniverseSteps {
   }
   [[nodiscard]] Answer<GeometryLists> at_points(Span<const Vec3> positions,
                                                 OptionalRef<abut_query_filter> filter = {}) const {
-    return collect_lists(positions.size(), ABUT_OK, [&](GeometryLists& lists, std::size_t* count) {
-      return abut_universe_at_points(get(), positions.data(), positions.size(), filter.get(), lists.offsets.data(),
-                                     lists.geometries.data(), lists.geometries.size(), count);
-    });
+    return detail::collect_lists<GeometryLists>(
+        positions.size(), ABUT_OK, [&](GeometryLists& lists, std::size_t* count) {
+          return abut_universe_at_points(get(), positions.data(), positions.size(), filter.get(), lists.offsets.data(),
+                                         lists.all.data(), lists.all.size(), count);
+        });
   }
 
   // What is closest to a shape, up to a distance that may be infinite; nothing where nothing is near.
@@ -166,21 +166,6 @@ class Universe : public UniverseSteps {
 
  private:
   explicit Universe(abut_universe* universe) noexcept : UniverseSteps(universe) {}
-
-  template <class Fill>
-  static Answer<GeometryLists> collect_lists(std::size_t queries, abut_status status, Fill&& fill) {
-    GeometryLists lists;
-    lists.offsets.resize(queries + 1);
-    lists.geometries.resize(4 * queries);
-    std::size_t count = 0;
-    if (status == ABUT_OK) status = fill(lists, &count);
-    if (status == ABUT_OK && count > lists.geometries.size()) {
-      lists.geometries.resize(count);
-      status = fill(lists, &count);
-    }
-    if (status == ABUT_OK) lists.geometries.resize(count);
-    return detail::answer(status, lists);
-  }
 };
 
 }  // namespace ABUT_ANSWERS

@@ -99,17 +99,20 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// Geometries that belong to many queries, query after query.
-struct GeometryLists {
+// Answers of many queries, query after query.
+template <class T>
+struct Lists {
   std::vector<std::uint64_t> offsets;  // one more than there are queries
-  std::vector<GeometryId> geometries;
+  std::vector<T> all;
 
   [[nodiscard]] std::size_t query_count() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
-  [[nodiscard]] Span<const GeometryId> of(std::size_t query) const& {
-    return {geometries.data() + offsets.at(query), static_cast<std::size_t>(offsets.at(query + 1) - offsets.at(query))};
+  [[nodiscard]] Span<const T> of(std::size_t query) const& {
+    return {all.data() + offsets.at(query), static_cast<std::size_t>(offsets.at(query + 1) - offsets.at(query))};
   }
-  Span<const GeometryId> of(std::size_t query) const&& = delete;
+  Span<const T> of(std::size_t query) const&& = delete;
 };
+using GeometryLists = Lists<GeometryId>;
+using ContactLists = Lists<Contact>;
 
 }  // namespace abut
 

@@ -258,18 +258,20 @@ Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, 
     }
   }
   const std::size_t first = out.size();
-  Outcome outcome = Outcome::ok;
-  if (hint.has_contacts == 0) {
-    outcome = pair_contacts(a, b, pose_a, pose_b, settings, out);
-  } else {
-    PairMemory memory = memory_of(hint);
-    outcome = pair_contacts(a, b, pose_a, pose_b, settings, memory, out);
+  PairMemory memory = memory_of(hint);
+  const bool is_known = hint.has_contacts != 0;
+  const Outcome outcome = is_known ? pair_contacts(a, b, pose_a, pose_b, settings, memory, out)
+                                   : pair_contacts(a, b, pose_a, pose_b, settings, out);
+  if (outcome != Outcome::ok) {
+    return outcome;
+  }
+  if (is_known) {
     if (memory.is_from_b != (hint.is_from_b != 0)) {
       swap_sides(hint);
     }
     hint.features = {packed(memory.features.a), packed(memory.features.b)};
   }
-  hint.has_contacts = outcome == Outcome::ok && out.size() == first ? 0 : 1;
+  hint.has_contacts = out.size() == first ? 0 : 1;
   return outcome;
 }
 

@@ -113,6 +113,7 @@ TEST(QueryOptionsInit, FillsInTheDefaults) {
   EXPECT_EQ(options.value().margin, 0.0);
   EXPECT_EQ(options.value().max_contacts, 4U);
   EXPECT_EQ(options.value().max_pair_contacts, 0U);
+  EXPECT_EQ(options.value().threads, 0U);
 }
 
 TEST(PairDistance, RefusesNullPointers) {

@@ -50,6 +50,14 @@ TEST(Result, IsTheAnswerOfEveryCall) {
   ASSERT_TRUE(universe->explain());
   ASSERT_TRUE(universe->shape(lists->of(0)[0]));
   EXPECT_FALSE(abut::pair_distance(*shape, abut::pose(), *shape, abut::Pose{}));
+  const auto of_each = abut::pairs_contacts(*shape, {abut::pose()}, *shape, {abut::pose({0, 0, 1.75})});
+  ASSERT_TRUE(of_each);
+  EXPECT_EQ(of_each->of(0).size(), 4U);
+  EXPECT_FALSE(abut::pairs_contacts(*shape, {abut::pose()}, *shape, {}));
+  const auto hits = abut::pairs_cast(*shape, {abut::pose()}, {{0, 0, 2}}, *shape, {abut::pose({0, 0, 3})}, {{0, 0, 0}});
+  ASSERT_TRUE(hits);
+  EXPECT_NEAR((*hits)[0].fraction, 0.5, 1e-9);
+  EXPECT_FALSE(abut::pairs_cast(*shape, {abut::pose()}, {}, *shape, {abut::pose()}, {{0, 0, 0}}));
 }
 
 }  // namespace

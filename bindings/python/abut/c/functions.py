@@ -84,6 +84,12 @@ FUNCTIONS = {
     "abut_pairs_distance": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), c_size_t, POINTER(QueryOptions),
         POINTER(Distance)]),
+    "abut_pairs_contacts": (Status, [
+        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), c_size_t, POINTER(QueryOptions), POINTER(c_uint64),
+        POINTER(Contact), c_size_t, POINTER(c_size_t)]),
+    "abut_pairs_contacts_with_memories": (Status, [
+        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), c_size_t, POINTER(QueryOptions), POINTER(PairMemory),
+        POINTER(c_uint64), POINTER(Contact), c_size_t, POINTER(c_size_t)]),
     "abut_pair_contacts": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Contact),
         c_size_t, POINTER(c_size_t)]),
@@ -216,6 +222,9 @@ FUNCTIONS = {
     "abut_pair_cast": (Status, [
         c_void_p, POINTER(Pose), POINTER(Vec3), c_void_p, POINTER(Pose), POINTER(Vec3), POINTER(QueryOptions),
         POINTER(CastHit), POINTER(c_uint32)]),
+    "abut_pairs_cast": (Status, [
+        c_void_p, POINTER(Pose), POINTER(Vec3), c_void_p, POINTER(Pose), POINTER(Vec3), c_size_t,
+        POINTER(QueryOptions), POINTER(CastHit)]),
     "abut_layout_count": (c_size_t, []),
     "abut_layout_at": (Status, [c_size_t, POINTER(LayoutEntry)]),
 }

@@ -64,9 +64,9 @@ class Queries(Lender):
         """The same for each of many shapes: group i are the geometries of shape i."""
         pointers, places = _placed(shapes, poses)
         count = given.together(pointers, places)
-        return answers.groups(count, lambda *rest: self._read(
+        return answers.groups(c.GeometryId, count, lambda *rest: self._read(
             library.abut_universe_overlaps_of_each, pointers.memory, places.memory, count, filter_of(filter), margin,
-            *rest))
+            *rest), 2 * count + 16)
 
     def at_point(self, point: Any, **filter: Any) -> Records:
         """Geometries that hold a point."""
@@ -77,8 +77,9 @@ class Queries(Lender):
     def at_points(self, points: Any, **filter: Any) -> Groups:
         """Geometries that hold each of (N, 3) points: group i are those of point i."""
         places = given.structs(c.Vec3, "points", points)
-        return answers.groups(len(places), lambda *rest: self._read(
-            library.abut_universe_at_points, places.memory, len(places), filter_of(filter), *rest))
+        return answers.groups(c.GeometryId, len(places), lambda *rest: self._read(
+            library.abut_universe_at_points, places.memory, len(places), filter_of(filter), *rest),
+            2 * len(places) + 16)
 
     def closest(self, shape: Shape, at: Any, max_distance: float = INFINITY, **filter: Any) -> c.Closest | None:
         """The closest geometry and its distance, or None."""

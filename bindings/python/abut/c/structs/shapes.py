@@ -72,6 +72,8 @@ class QueryOptions(Struct):
     margin: Double
     max_contacts: UInt32
     max_pair_contacts: UInt32
+    threads: UInt32
+    reserved: UInt32
 
 
 @struct
