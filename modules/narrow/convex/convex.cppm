@@ -127,7 +127,7 @@ template <Convex A, Convex B>
     }
   };
   [[clang::uninitialized]] ClipPoints points;
-  find_common_region(a, b, ab, face_a, face_b, core.normal, points);
+  find_common_region(a, b, ab, face_a, face_b, core.normal, points, closest_count);
   const RoundLift<A> lift_a(a, Pose::identity(), core.normal, true);
   const RoundLift<B> lift_b(b, ab, -core.normal, false);
   for (const ClipPoint& point : points.span()) {

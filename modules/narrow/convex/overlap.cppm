@@ -104,12 +104,12 @@ template <FewFaced A, FewFaced B>
   }
 }
 
-// False where there are too many axes, or rounding leaves the answer in doubt.
+// False where there are too many axes, or rounding leaves the answer in doubt. `enough`: as hull_sat has it.
 template <Convex A, Convex B>
   requires has_hull<A, B>
 [[nodiscard]] [[gnu::noinline]] bool separate_by_hull_sat(const A& a, const B& b, const Pose& ab, Real size,
-                                                          CoreSeparation& core) {
-  std::optional<SatResult> found = hull_sat(a, b, ab, noise_of(size));
+                                                          CoreSeparation& core, Real enough = infinity) {
+  std::optional<SatResult> found = hull_sat(a, b, ab, noise_of(size), enough);
   if (!found) {
     return false;
   }

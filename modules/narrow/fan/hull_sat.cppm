@@ -17,17 +17,18 @@ template <class A, class B>
 inline constexpr bool has_hull = (Faceted<A> && (is_seen<B> || Faceted<B>)) || (is_seen<A> && Faceted<B>);
 
 // The same from a to b, in the frame of a. Nothing where there are too many axes. The separation is that of the
-// features found: no more than the cores have along the normal.
+// features found: no more than the cores have along the normal. `enough`: faces that part both by more end the search.
 template <Convex A, Convex B>
   requires has_hull<A, B>
-[[nodiscard]] std::optional<SatResult> hull_sat(const A& a, const B& b, const Pose& ab, Real noise) {
+[[nodiscard]] std::optional<SatResult> hull_sat(const A& a, const B& b, const Pose& ab, Real noise,
+                                                Real enough = infinity) {
   if constexpr (Faceted<A> && Faceted<B>) {
     const bool few = has_few_vertices(a) && has_few_vertices(b) && has_facets(a, noise) && has_facets(b, noise);
-    return few ? sat_of_polytopes(a, b, ab, noise) : std::nullopt;
+    return few ? sat_of_polytopes(a, b, ab, noise, enough) : std::nullopt;
   } else if constexpr (Faceted<A>) {
-    return has_facets(a, noise) ? sat_of_polytopes(a, b, ab, noise) : std::nullopt;
+    return has_facets(a, noise) ? sat_of_polytopes(a, b, ab, noise, enough) : std::nullopt;
   } else {
-    std::optional<SatResult> found = hull_sat(b, a, ab.inverse(), noise);
+    std::optional<SatResult> found = hull_sat(b, a, ab.inverse(), noise, enough);
     if (found) {
       found->normal = -(ab.rotation * found->normal);
       found->features = {found->features.b, found->features.a};

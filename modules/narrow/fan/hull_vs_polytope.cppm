@@ -111,10 +111,12 @@ struct FaceSearch {
   }
 };
 
-// From a to b, in the frame of a. Nothing where rounding cuts arcs without end.
+// From a to b, in the frame of a. Nothing where rounding cuts arcs without end. `enough`: a face that parts both by
+// more ends the search.
 template <Faceted A, class B>
   requires Faceted<B> || is_seen<B>
-[[nodiscard]] std::optional<SatResult> sat_of_polytopes(const A& a, const B& b, const Pose& ab, Real noise) {
+[[nodiscard]] std::optional<SatResult> sat_of_polytopes(const A& a, const B& b, const Pose& ab, Real noise,
+                                                        Real enough = infinity) {
   constexpr std::size_t capacity = vertex_capacity<B>, group_limit = capacity / 2;
   const Pose ba = ab.inverse();
   const auto& own_of_b = corners_of(b);
@@ -136,6 +138,9 @@ template <Faceted A, class B>
   [[clang::uninitialized]] FaceSearch<group_limit> faces_of_a;
   faces_of_a.template search<true>(a.facets().planes, of_b, middle_of_b, inner_of_b, infinity);
   take_face(faces_of_a.faces, &CoreFeatures::a, [&](std::size_t face) { return face_normal(a, face); });
+  if (best.separation > enough) {
+    return best;
+  }
   if (has_planes(b)) {
     [[clang::uninitialized]] const SeenCorners<capacity> of_a(a.facets().points, ba);
     [[clang::uninitialized]] FaceSearch<group_limit> faces_of_b;
@@ -147,7 +152,7 @@ template <Faceted A, class B>
   const std::size_t planes = a.facets().planes.size() + (has_planes(b) ? own_of_b.planes.size() : 0);
   best.axes = static_cast<std::uint32_t>(4 * planes);
 
-  if constexpr (PointCored<B>) {
+  if (PointCored<B> || best.separation > enough) {
     return best;  // a point has no edges
   }
   // The arc of an edge of a leads from its left face to its right one. The deepest vertex of b changes on the way.

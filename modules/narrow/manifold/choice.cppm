@@ -6,6 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.narrow.manifold.four_points;
 
 export namespace abut {
 
@@ -34,12 +35,36 @@ using Flats = SmallVector<Vec2, 64>;
   return points;
 }
 
-// Twice the area of the convex hull of four points: the largest cross product of two lines between them. In convex
-// position these are the diagonals. Otherwise one point lies in the triangle of the others.
-[[nodiscard]] inline Real twice_hull_of_four(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const Vec2 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
-  const auto turn = [](const Vec2& p, const Vec2& q) { return std::fabs(cross(p, q)); };
-  return std::max({turn(ac, bd), turn(ab, cd), turn(ad, bc), turn(ab, ac), turn(ab, ad), turn(ac, ad), turn(bc, bd)});
+// Puts contacts into the order of `comes_before`. They are large: small keys are sorted, and each contact moves once.
+inline void sort_by_depth(std::span<ContactPoint> contacts) {
+  struct Key {
+    Real distance;
+    std::uint64_t id;
+    std::uint32_t place;
+  };
+  [[clang::uninitialized]] SmallVector<Key, 64> keys;
+  for (std::uint32_t place = 0; place < contacts.size(); ++place) {
+    keys.push_back({contacts[place].distance, contacts[place].id, place});
+  }
+  const std::span<Key> order = keys.span();
+  std::ranges::sort(order, [](const Key& a, const Key& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.id != b.id ? a.id < b.id : a.place < b.place;
+  });
+  for (std::uint32_t start = 0; start < order.size(); ++start) {
+    if (order[start].place == start) {
+      continue;
+    }
+    const ContactPoint first = contacts[start];
+    std::uint32_t to = start;
+    while (order[to].place != start) {
+      const std::uint32_t from = order[to].place;
+      contacts[to] = contacts[from];
+      order[to].place = to;
+      to = from;
+    }
+    contacts[to] = first;
+    order[to].place = to;
+  }
 }
 
 // How far the contacts lie from the first one.
@@ -49,72 +74,6 @@ using Flats = SmallVector<Vec2, 64>;
     square = std::max(square, squared_norm(middle(contact) - middle(contacts[0])));
   }
   return std::sqrt(square);
-}
-
-// Four points of a patch by their places, and twice the area that they span.
-struct Four {
-  std::array<std::uint32_t, 4> places;
-  Real twice_area;
-};
-
-[[nodiscard]] inline Four spanned(std::span<const Vec2> points, const std::array<std::uint32_t, 4>& places) {
-  const auto& [a, b, c, d] = places;
-  return {places, twice_hull_of_four(points[a], points[b], points[c], points[d])};
-}
-
-// Exchanges one of the last three points at a time while that gains area.
-[[nodiscard]] inline Four exchanged(std::span<const Vec2> points, Four best, Real least_gain) {
-  for (bool is_better = true; is_better;) {
-    is_better = false;
-    for (std::size_t i = 1; i < 4; ++i) {
-      for (std::uint32_t place = 0; place < points.size(); ++place) {
-        Four other = best;
-        other.places[i] = place;
-        other = spanned(points, other.places);
-        if (other.twice_area > best.twice_area + least_gain) {
-          best = other;
-          is_better = true;
-        }
-      }
-    }
-  }
-  return best;
-}
-
-// Up to this many points, each is tried as the corner opposite to the first.
-inline constexpr std::size_t few_points = 64;
-
-// Four points about the first of a patch, and whether no four of the patch span more.
-struct BestAbout {
-  Four four;
-  bool is_best;
-};
-
-// The four points of largest area that have the first as a corner: each other point is tried as the opposite corner,
-// with the points furthest off their line on either side. Where a side has no points, the first one takes the place.
-// The first point is then a corner of the hull of all: four points within which it lies do not exist.
-[[nodiscard]] inline BestAbout best_about(std::span<const Vec2> points, std::uint32_t first) {
-  BestAbout best{{{first, first, first, first}, 0}, false};
-  for (std::uint32_t opposite = 0; opposite < points.size(); ++opposite) {
-    const Vec2 across = points[opposite] - points[first];
-    std::uint32_t left = first, right = first;
-    Real most_left = 0, most_right = 0;
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-      const Real side = cross(across, points[i] - points[first]);
-      if (side > most_left) {
-        most_left = side;
-        left = i;
-      } else if (-side > most_right) {
-        most_right = -side;
-        right = i;
-      }
-    }
-    best.is_best = best.is_best || (most_left == 0) != (most_right == 0);
-    if (most_left + most_right > best.four.twice_area) {
-      best.four = {{first, opposite, left, right}, most_left + most_right};
-    }
-  }
-  return best;
 }
 
 // A choice of points of a patch: their places, and the polygon of those that span it, counter-clockwise seen against

@@ -135,7 +135,7 @@ struct Ties {
 // Brings the points that hold a patch to its front. Those that were kept before stay while one of them is as deep as
 // any, and while they span nearly as much as others could.
 std::size_t hold_patch(std::span<ContactPoint> patch, std::size_t most, Ids before, const Ties& ties) {
-  std::ranges::sort(patch, comes_before);
+  sort_by_depth(patch);
   if (patch.size() <= most) {
     return patch.size();
   }
@@ -171,7 +171,7 @@ std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, Ids be
 
 std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, Ids before, const Ties& ties) {
   if (most == 0 || contacts.size() <= most) {
-    std::ranges::sort(contacts, comes_before);
+    sort_by_depth(contacts);
     return contacts.size();
   }
   std::size_t kept = 0;
@@ -189,7 +189,7 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, I
     }
     rest = rest.subspan(count);
   }
-  std::ranges::sort(contacts.first(kept), comes_before);
+  sort_by_depth(contacts.first(kept));
   return kept;
 }
 

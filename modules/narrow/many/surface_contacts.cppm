@@ -54,6 +54,12 @@ class SurfaceContacts {
     if constexpr (Surface<Other>) {
       turns_b = b.has_area() && !(is_allowed && leads_out(other_, b, -ab_.rotation.undo(core.normal), noise));
     }
+    if constexpr (PointCored<B>) {
+      if (!core.overlap) {
+        add_point(triangle, b, part_of_b, core, is_allowed, turns_a);
+        return;
+      }
+    }
     const std::size_t first = out_.size(), part = met_.add(triangle, b, ab_, fronts, core.distance - radii);
     if (!turns_a && !turns_b) {
       append(triangle, b, part_of_b, core, true);
@@ -101,6 +107,25 @@ class SurfaceContacts {
       return other_.part(index);
     } else {
       return (other_);
+    }
+  }
+
+  // A point beside a face is nearer to a neighbour, which tells its contact. Over the face the nearest point has the
+  // normal of the face, but for rounding.
+  void add_point(const Triangle& triangle, const B& b, std::uint32_t part_of_b, const CoreSeparation& core,
+                 bool is_allowed, bool turns) {
+    if (!turns) {
+      append(triangle, b, part_of_b, core, true);
+      return;
+    }
+    if (is_allowed) {
+      leave(triangle, part_of_b, core);
+    }
+    const Vec3& normal = triangle.normal();
+    const bool is_in_front = triangle.is_one_sided() || dot(normal, core.normal) >= 0;
+    const CoreSeparation over = along_face(triangle, b, ab_, core, is_in_front ? normal : -normal);
+    if (is_over(triangle, over.point_a)) {
+      append(triangle, b, part_of_b, over, true);
     }
   }
 

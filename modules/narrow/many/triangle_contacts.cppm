@@ -87,11 +87,19 @@ template <Convex B>
       core.beyond = core.lower > limit;
       return true;
     }
-  } else if constexpr (FewFaced<B> && !SegmentCored<B>) {
-    if (limit <= 0 && separate_by_axes(triangle, b, ab, size, core)) {
-      core.beyond = core.distance > noise_of(size);
+  } else if constexpr ((FewFaced<B> && !SegmentCored<B>) || Faceted<B>) {
+    const Real noise = noise_of(size);
+    const auto is_separated = [&] {
+      if constexpr (Faceted<B>) {
+        return separate_by_hull_sat(triangle, b, ab, size, core, noise);
+      } else {
+        return separate_by_axes(triangle, b, ab, size, core);
+      }
+    };
+    if (limit <= 0 && is_separated()) {
+      core.beyond = core.distance > noise;
       core.overlap = !core.beyond;
-      return core.beyond || core.distance < -noise_of(size);
+      return core.beyond || core.distance < -noise;
     }
   }
   return false;

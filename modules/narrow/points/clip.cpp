@@ -354,7 +354,7 @@ void drop_too_close(const Vec3& normal, Real closest, Real most, ClipPoints& out
 }
 
 // A region may miss the closest points, as between edges that cross, or when a face stands steep.
-void settle_closest(const Face& a, const Face& b, const Vec3& normal, Real tie, ClipPoints& out) {
+void settle_closest(const Face& a, const Face& b, const Vec3& normal, Real tie, bool wants_closest, ClipPoints& out) {
   Real top = -infinity, bottom = infinity, least = infinity, size = 0;
   for (const FaceVertex& vertex : a.vertices.span()) {
     top = std::max(top, dot(vertex.point, normal));
@@ -376,7 +376,7 @@ void settle_closest(const Face& a, const Face& b, const Vec3& normal, Real tie, 
     drop_too_close(normal, closest, rounding + tie / steepest_cosine, out);
     find_least();
   }
-  if (least <= closest + rounding + tie) {
+  if (!wants_closest || least <= closest + rounding + tie) {
     return;
   }
   const AcrossPair pair = points_across(a, b, normal, rounding);
@@ -388,7 +388,7 @@ void settle_closest(const Face& a, const Face& b, const Vec3& normal, Real tie, 
 
 }  // namespace
 
-void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out) {
+void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out, bool wants_closest) {
   const std::size_t count_a = a.vertices.size(), count_b = b.vertices.size();
   if (count_a < 2 || count_b < 2) {
     return;
@@ -400,7 +400,7 @@ void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& ou
   } else {
     clip_facing(a, b, normal, tie, out);
   }
-  settle_closest(a, b, normal, tie, out);
+  settle_closest(a, b, normal, tie, wants_closest, out);
 }
 
 }  // namespace abut

@@ -24,7 +24,7 @@ inline constexpr Real parallel_sine = 1e-3;
 // shares no region with anything.
 // A face that stands so steep to the normal that lifting onto it has no meaning takes part with its
 // outer edge. Closest points that the corners miss come out as well. Nothing comes out when the
-// projections miss each other.
-void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out);
+// projections miss each other. `wants_closest`: unless the closest points are known to lie beside a face.
+void clip_faces(const Face& a, const Face& b, const Vec3& normal, ClipPoints& out, bool wants_closest = true);
 
 }  // namespace abut

@@ -70,10 +70,11 @@ export namespace abut {
   return true;
 }
 
-// Both faces in the frame of a, under a unit normal from a to b.
+// Both faces in the frame of a, under a unit normal from a to b. `wants_closest`: as clip_faces has it.
 template <Convex A, Convex B>
 [[gnu::always_inline]] inline void find_common_region(const A& a, const B& b, const Pose& ab, const Face& face_a,
-                                                      const Face& face_b, const Vec3& normal, ClipPoints& out) {
+                                                      const Face& face_b, const Vec3& normal, ClipPoints& out,
+                                                      bool wants_closest = true) {
   if constexpr (Rimmed<A>) {
     if (face_b.vertices.size() == 2) {
       if (const std::optional<Rim> rim = a.supporting_rim(normal);
@@ -90,7 +91,7 @@ template <Convex A, Convex B>
       }
     }
   }
-  clip_faces(face_a, face_b, normal, out);
+  clip_faces(face_a, face_b, normal, out, wants_closest);
 }
 
 }  // namespace abut
