@@ -10,6 +10,7 @@ import abut.core;
 import abut.math;
 import abut.narrow.convex;
 import abut.narrow.many.claims;
+import abut.narrow.many.continuation;
 import abut.narrow.many.parts_met;
 import abut.narrow.many.triangle_contacts;
 
@@ -49,7 +50,7 @@ class SurfaceContacts {
       return;
     }
     const Real noise = noise_of(core_size(triangle, b, ab_));
-    const bool turns_a = triangle.has_area() && !(is_allowed && leads_out(a_, triangle, core.normal, noise));
+    bool turns_a = triangle.has_area() && !(is_allowed && leads_out(a_, triangle, core.normal, noise));
     bool turns_b = false;
     if constexpr (Surface<Other>) {
       turns_b = b.has_area() && !(is_allowed && leads_out(other_, b, -ab_.rotation.undo(core.normal), noise));
@@ -63,8 +64,15 @@ class SurfaceContacts {
     const std::size_t first = out_.size(), part = met_.add(triangle, b, ab_, fronts, core.distance - radii);
     if (!turns_a && !turns_b) {
       append(triangle, b, part_of_b, core, true);
-      claim(first, false);
-      return;
+      turns_a = goes_on_past(a_, triangle, first, Pose::identity(), false);
+      if constexpr (Surface<Other>) {
+        turns_b = !turns_a && goes_on_past(other_, b, first, ab_, true);
+      }
+      if (!turns_a && !turns_b) {
+        claim(first, false);
+        return;
+      }
+      out_.resize(first);
     }
     if (is_allowed) {
       leave(triangle, part_of_b, core);
@@ -110,13 +118,47 @@ class SurfaceContacts {
     }
   }
 
+  // Whether a side, which lies at a pose, goes on past the deepest contact from `first` on, where that is at an edge or
+  // a corner of one of its triangles.
+  template <class Side>
+  [[nodiscard]] bool goes_on_past(const Side& side, const Triangle& triangle, std::size_t first, const Pose& pose,
+                                  bool is_b) const {
+    if constexpr (Terrain<Side>) {
+      return false;  // its triangles share all vertices
+    } else {
+      const auto found = std::span(out_).subspan(first);
+      if (found.empty() || !triangle.has_area()) {
+        return false;
+      }
+      const ContactPoint& deepest = *std::ranges::min_element(found, {}, &ContactPoint::distance);
+      const Vec3 normal = pose.rotation.undo(is_b ? -deepest.normal : deepest.normal);
+      if (is_along(normal, triangle.normal())) {
+        return false;
+      }
+      return goes_on(side, pose.undo(is_b ? deepest.point_b : deepest.point_a), normal,
+                     crack_share * std::min(triangle.extent(), size_of_other(is_b)));
+    }
+  }
+  // Of what touches a side.
+  [[nodiscard]] Real size_of_other(bool is_of_b) const {
+    if constexpr (Surface<Other>) {
+      return infinity;  // the triangle alone tells
+    } else {
+      return is_of_b ? infinity : other_.extent() + other_.radius();
+    }
+  }
+
   // A point beside a face is nearer to a neighbour, which tells its contact. Over the face the nearest point has the
   // normal of the face, but for rounding.
   void add_point(const Triangle& triangle, const B& b, std::uint32_t part_of_b, const CoreSeparation& core,
                  bool is_allowed, bool turns) {
     if (!turns) {
+      const std::size_t first = out_.size();
       append(triangle, b, part_of_b, core, true);
-      return;
+      if (!goes_on_past(a_, triangle, first, Pose::identity(), false)) {
+        return;
+      }
+      out_.resize(first);
     }
     if (is_allowed) {
       leave(triangle, part_of_b, core);

@@ -22,10 +22,15 @@ export namespace abut {
   return (0 >= outermost ? 1u : 0u) | (b >= outermost ? 2u : 0u) | (c >= outermost ? 4u : 0u);
 }
 
+// Whether a direction is the normal of a face or its opposite, within rounding.
+[[nodiscard]] inline bool is_along(const Vec3& direction, const Vec3& normal) {
+  return std::fabs(dot(direction, normal)) > 1 - 1e-12;
+}
+
 // Whether the way out of a triangle along a direction is one out of its surface. Otherwise a neighbour reaches further.
 template <Surface S>
 [[nodiscard]] bool leads_out(const S& surface, const Triangle& triangle, const Vec3& direction, Real noise) {
-  if (!triangle.has_area() || std::fabs(dot(direction, triangle.normal())) > 1 - 1e-12) {
+  if (!triangle.has_area() || is_along(direction, triangle.normal())) {
     return true;
   }
   const unsigned corners = outermost_corners(triangle, direction, noise);
