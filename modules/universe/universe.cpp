@@ -13,6 +13,7 @@ import abut.detect.jobs;
 import abut.detect.manifolds;
 import abut.detect.pairs;
 import abut.detect.refresh;
+import abut.detect.seams;
 import abut.detect.selection;
 import abut.detect.sleep;
 import abut.detect.stopwatch;
@@ -169,6 +170,7 @@ void Universe::run_stages(const Scope& scope) {
   selection_.run(workers_, scope, options_.tolerance_mode, places_, changes_.patches, meetings_, pairs_, jobs_);
   stats_.pair_microseconds = watch.lap();
   find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, jobs_);
+  seams_.run(places_, jobs_);
   stats_.narrowphase_microseconds = watch.lap();
   const ContactCounts counts = contacts_.collect(workers_, places_, is_timed, jobs_, pairs_.all());
   update_islands(scope.dt);
@@ -182,7 +184,7 @@ std::uint64_t Universe::hash() const { return hash_of(contacts(), local_points()
 
 std::size_t Universe::bytes() const {
   return sizeof(Universe) + Scene::bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() +
-         selection_.bytes() + jobs_.bytes() + contacts_.bytes() + events_.bytes() + island_links_.bytes() +
+         selection_.bytes() + jobs_.bytes() + seams_.bytes() + contacts_.bytes() + events_.bytes() + island_links_.bytes() +
          islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
 }
 

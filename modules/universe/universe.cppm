@@ -13,6 +13,7 @@ export import abut.detect.islands;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.detect.refresh;
+import abut.detect.seams;
 import abut.detect.selection;
 import abut.math;
 export import abut.report.plan;
@@ -103,6 +104,7 @@ class Universe : public Scene {
   PairStore pairs_;
   Selection selection_;
   JobList jobs_;
+  SeamStage seams_;
   ContactList contacts_;
   EventList events_;
   IslandLinks island_links_;

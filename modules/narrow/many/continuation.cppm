@@ -14,32 +14,55 @@ export namespace abut {
 // Triangles meet that are apart by no more than this share of the smaller one of a triangle and of what touches it.
 inline constexpr Real crack_share = 1e-4;
 
-// Whether a triangle that holds a point, within `reach`, rises over the plane through the point across a normal.
-[[nodiscard]] inline bool rises_over(const TriangleCorners& corners, const Vec3& point, const Vec3& normal,
-                                     Real reach) {
-  const Vec3 away = nearest_on(corners, point) - point;
-  if (squared_norm(away) > reach * reach) {
-    return false;
-  }
-  const Real highest = std::max(std::max(dot(normal, corners[0] - point), dot(normal, corners[1] - point)),
-                                dot(normal, corners[2] - point));
-  return highest > 2 * reach;
+[[nodiscard]] inline Real reach_of_cracks(const TriangleCorners& corners, Real size) {
+  const Aabb box = box_around(corners);
+  return crack_share * std::min(size, largest_magnitude(box.high - box.low));
 }
 
-// Whether any triangle of a surface does. `normal` leads out of the surface.
-template <Surface S>
-[[nodiscard]] bool goes_on(const S& surface, const Vec3& point, const Vec3& normal, Real reach) {
-  const Real within = reach + noise_of(largest_magnitude(point));
-  Aabb near{point, point};
-  near = near.inflated(within);
-  bool is_rising = false;
-  // No triangle is visited: all is told by corners.
-  const auto look = [&](const TriangleCorners& corners) {
-    is_rising = is_rising || rises_over(corners, point, normal, within);
+// Whether a triangle holds a point, within `reach`.
+[[nodiscard]] inline bool holds(const TriangleCorners& corners, const Vec3& point, Real reach) {
+  return squared_norm(nearest_on(corners, point) - point) <= reach * reach;
+}
+
+// How far a triangle rises over the plane through a point across a normal.
+[[nodiscard]] inline Real rise_of(const TriangleCorners& corners, const Vec3& point, const Vec3& normal) {
+  return std::max(std::max(dot(normal, corners[0] - point), dot(normal, corners[1] - point)),
+                  dot(normal, corners[2] - point));
+}
+
+// Calls look(corners, reach) for the triangles of a surface that hold a point of it, within `reach`, until one answers
+// true. `size`: of what touches the surface.
+template <Surface S, class Look>
+[[nodiscard]] bool any_around(const S& surface, const Vec3& point, Real size, Look&& look) {
+  const Real noise = noise_of(largest_magnitude(point));
+  Aabb near = Aabb{point, point}.inflated(crack_share * size + noise);
+  bool is_found = false;
+  // No triangle is visited: corners tell all.
+  const auto ask = [&](const TriangleCorners& corners) {
+    const Real reach = reach_of_cracks(corners, size) + noise;
+    is_found = is_found || (holds(corners, point, reach) && look(corners, reach));
     return false;
   };
-  surface.visit_parts(near, look, [](const typename S::Part&, std::uint32_t) {});
-  return is_rising;
+  surface.visit_parts(near, ask, [](const typename S::Part&, std::uint32_t) {});
+  return is_found;
+}
+
+// Whether a surface goes on from a point and rises over the plane across a normal, which leads out of it there.
+template <Surface S>
+[[nodiscard]] bool goes_on(const S& surface, const Vec3& point, const Vec3& normal, Real size) {
+  return any_around(surface, point, size, [&](const TriangleCorners& corners, Real reach) {
+    return rise_of(corners, point, normal) > 2 * reach;
+  });
+}
+
+// Whether a normal is that of a face that holds a point.
+template <Surface S>
+[[nodiscard]] bool has_face(const S& surface, const Vec3& point, const Vec3& normal, Real size) {
+  constexpr Real same_square = 1e-18;  // of the sine of the angle between two normals
+  return any_around(surface, point, size, [&](const TriangleCorners& corners, Real) {
+    const Vec3 n = cross(corners[1] - corners[0], corners[2] - corners[0]), aside = cross(n, normal);
+    return squared_norm(aside) <= same_square * squared_norm(n);
+  });
 }
 
 }  // namespace abut

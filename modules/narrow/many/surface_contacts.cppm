@@ -136,7 +136,7 @@ class SurfaceContacts {
         return false;
       }
       return goes_on(side, pose.undo(is_b ? deepest.point_b : deepest.point_a), normal,
-                     crack_share * std::min(triangle.extent(), size_of_other(is_b)));
+                     std::min(triangle.extent(), size_of_other(is_b)));
     }
   }
   // Of what touches a side.

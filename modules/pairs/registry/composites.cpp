@@ -7,6 +7,7 @@ import abut.core;
 import abut.math;
 import abut.narrow.many.cut;
 import abut.narrow.many.nearest_of_parts;
+import abut.pairs.registry.seams;
 import abut.pairs.rows.dispatch;
 
 namespace abut {
@@ -189,6 +190,10 @@ Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const 
                 }
                 name_children(a, b, child_a, child_b, begin, out);
               });
+  if (!with_nearest) {
+    settle_seams(a, Pose::identity(), false, b, first, out);
+    settle_seams(b, ab, true, a, first, out);
+  }
   if (a.has_holes() || b.has_holes()) {
     carve_both(a, b, ab, settings, first, out);
   }
