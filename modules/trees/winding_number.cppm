@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// How often a surface of triangles winds around a point: once where the point is inside a closed one. Where the surface
+// has gaps, it winds a share of that (Jacobson et al., "Robust inside-outside segmentation using generalized winding
+// numbers", 2013). Damage adds or takes a little. So inside is where the number exceeds one half.
+//
+// Triangles that are far are met as one, by their first three moments (Barill et al., "Fast winding numbers for soups
+// and clouds", 2018). What that leaves out has a bound. Where the sum of the bounds leaves inside or outside in doubt,
+// less is met as one, in the end nothing.
+export module abut.trees.winding_number;
+import abut.core.standard;
+import abut.math;
+import abut.math.four_vec3;
+import abut.trees.solid_angle;
+
+export namespace abut {
+
+class WindingNumber {
+ public:
+  // The true number is no further from `number` than `error`, but for rounding.
+  struct Estimate {
+    Real number, error;
+  };
+
+  WindingNumber() = default;
+  // Three indices to a triangle; all below the number of vertices, which are finite. O(n log n).
+  WindingNumber(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices);
+
+  // After vertices have moved: the same triangles are met as one, at their new places. O(n log n), a fraction of a new
+  // tree.
+  void refit(std::span<const Vec3> vertices);
+
+  // Whether the number exceeds one half. Any number of threads may ask at once.
+  [[nodiscard]] bool contains(const Vec3& point) const;
+  // The number within an error of at most `most_error`.
+  [[nodiscard]] Estimate at(const Vec3& point, Real most_error) const;
+
+  [[nodiscard]] std::size_t bytes() const {
+    return vertices_.capacity() * sizeof(Vec3) + triangles_.capacity() * sizeof(Corners) +
+           blocks_.capacity() * sizeof(Block);
+  }
+
+ private:
+  using Corners = std::array<std::uint32_t, 3>;
+  static constexpr std::size_t width = 4;
+  static constexpr std::uint32_t triangles_of_leaf = 8;
+  static constexpr std::uint32_t no_child = 0xffffffff;
+
+  // Triangles [first, first + count) of those in the order of the tree.
+  struct Range {
+    std::uint32_t first, count;
+  };
+  // Four groups of triangles: what stands for each of them far away. Moments are without trace, as potentials are.
+  struct Block {
+    Columns centre{};
+    Lanes radius{};                 // of a ball around the centre that holds the group
+    Lanes blur{};                   // the third moment of areas over four pi
+    Columns area{};                 // the sum of the vectors of areas over four pi
+    std::array<Lanes, 5> first{};   // xx, yy, xy, xz, yz
+    std::array<Lanes, 7> second{};  // xxx, yyy, xxy, xxz, yyx, yyz, xyz
+    std::array<Range, width> ranges{};
+    std::array<std::uint32_t, width> children{no_child, no_child, no_child, no_child};  // blocks, or no_child of leaves
+  };
+  struct Terms {
+    Lanes number, error;
+  };
+
+  [[nodiscard]] inline Vec3 local(const Vec3& point) const { return scale_ * (point - origin_); }
+  [[nodiscard]] static Terms terms_of(const Block& block, const Vec3& point);
+  void add_triangles(const Vec3& point, const Range& range, SolidAngles& angles) const;
+  [[nodiscard]] Estimate estimate(const Vec3& point, Real most_of_group) const;
+
+  std::uint32_t build(Range range, std::span<const Vec3> centres, std::span<std::uint32_t> order);
+  void measure();
+  void measure_group(Block& block, std::size_t lane) const;
+
+  // Lengths are in units of a power of two, near the size of the whole, from the middle of its box.
+  Vec3 origin_{0, 0, 0};
+  Real scale_ = 1;
+  std::vector<Vec3> vertices_;
+  std::vector<Corners> triangles_;
+  std::vector<Block> blocks_;  // the first one is the root
+};
+
+}  // namespace abut
