@@ -35,6 +35,7 @@ static_assert(is_plain<abut_query_options>(40));
 static_assert(is_plain<abut_distance>(104));
 static_assert(is_plain<abut_contact>(192));
 static_assert(is_plain<abut_pair_memory>(64));
+static_assert(is_plain<abut_first_touch>(24));
 static_assert(is_plain<abut_local_points>(48));
 static_assert(is_plain<abut_universe_options>(56));
 static_assert(is_plain<abut_part_options>(72));
@@ -164,6 +165,11 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
 
     ABUT_STRUCT(abut_pair_memory),
     ABUT_FIELD(abut_pair_memory, opaque),
+    ABUT_STRUCT(abut_first_touch),
+    ABUT_FIELD(abut_first_touch, touches),
+    ABUT_FIELD(abut_first_touch, reserved),
+    ABUT_FIELD(abut_first_touch, lower),
+    ABUT_FIELD(abut_first_touch, upper),
     ABUT_STRUCT(abut_local_points),
     ABUT_FIELD(abut_local_points, a),
     ABUT_FIELD(abut_local_points, b),

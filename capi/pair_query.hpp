@@ -79,7 +79,7 @@ static_assert(usual_points * sizeof(ContactPoint) <= 1024);
   if (outcome == Outcome::ok) [[likely]] {
     // Most pairs have nothing to choose from.
     kept = found.size() < 2 ? found.size() : reduce_children(found, query.max_contacts);
-    kept = cap(std::span(found).first(kept), query.max_pair_contacts);
+    kept = query.max_pair_contacts == 0 ? kept : cap(std::span(found).first(kept), query.max_pair_contacts);
   }
   return outcome;
 }

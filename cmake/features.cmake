@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Optional parts. A part that is left out is not compiled, not linked and not looked for.
-set(abut_known_features libccd hull picking threads)
+set(abut_known_features deforming libccd hull picking threads)
 foreach(feature IN LISTS ABUT_FEATURES)
   if(NOT feature IN_LIST abut_known_features)
     message(FATAL_ERROR "ABUT_FEATURES names '${feature}'; known are: ${abut_known_features}")
@@ -16,7 +16,9 @@ foreach(feature IN LISTS abut_known_features)
 endforeach()
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(Boost 1.74 REQUIRED)
+if(ABUT_WITH_DEFORMING)
+  find_package(Boost 1.74 REQUIRED)
+endif()
 if(ABUT_WITH_LIBCCD)
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(CCD REQUIRED IMPORTED_TARGET ccd)

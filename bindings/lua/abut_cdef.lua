@@ -286,6 +286,16 @@ abut_status abut_pairs_contacts_with_memories(const abut_shape *a, const abut_po
                                                        size_t pair_count, const abut_query_options *options,
                                                        abut_pair_memory *memories, uint64_t *offsets,
                                                        abut_contact *contacts, size_t capacity, size_t *count);
+typedef struct abut_first_touch {
+  uint32_t touches;
+  uint32_t reserved;
+  double lower;
+  double upper;
+} abut_first_touch;
+abut_status abut_vertices_touch_faces(const double *start, const double *end, size_t count, double separation,
+                                               double tolerance, abut_first_touch *out);
+abut_status abut_edges_touch_edges(const double *start, const double *end, size_t count, double separation,
+                                            double tolerance, abut_first_touch *out);
 typedef struct abut_universe abut_universe;
 typedef uint32_t abut_broadphase;
 enum abut_broadphase_value {

@@ -14,6 +14,7 @@
 #ifndef ABUT_ABUT_HPP
 #define ABUT_ABUT_HPP
 
+#include <abut/cpp/deforming.hpp>
 #include <abut/cpp/library.hpp>
 #include <abut/cpp/pair.hpp>
 #include <abut/cpp/shape.hpp>

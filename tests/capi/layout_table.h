@@ -108,6 +108,11 @@
   FIELD(abut_contact, reserved, 184, 8)                      \
   TYPE(abut_pair_memory, 64)                                 \
   FIELD(abut_pair_memory, opaque, 0, 64)                     \
+  TYPE(abut_first_touch, 24)                                 \
+  FIELD(abut_first_touch, touches, 0, 4)                     \
+  FIELD(abut_first_touch, reserved, 4, 4)                    \
+  FIELD(abut_first_touch, lower, 8, 8)                       \
+  FIELD(abut_first_touch, upper, 16, 8)                      \
   TYPE(abut_local_points, 48)                                \
   FIELD(abut_local_points, a, 0, 24)                         \
   FIELD(abut_local_points, b, 24, 24)                        \

@@ -17,6 +17,7 @@ LICENCE = "SPDX-License-Identifier: Apache-2.0"
 LIBRARY_OWNERS = {
     "Eigen": ("modules/math",),
     "embree[34]?": ("modules/picking", "bench"),
+    "boost": ("modules/deforming",),
     "ccd": ("modules/narrow", "bench"),
     "libqhull(?:_r)?": ("modules/shapes", "bench"),
 }

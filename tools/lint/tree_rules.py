@@ -29,7 +29,7 @@ LAYERS = [
     ("narrow/points",),
     ("narrow/warm", "narrow/convex"),
     ("narrow/many", "narrow/cast"),
-    ("pairs",),
+    ("pairs", "deforming"),
     ("pairs/rows",),
     ("pairs/registry",),
     ("pairs/any_shape",),

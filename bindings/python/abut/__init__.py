@@ -13,6 +13,7 @@ from . import c as c
 from . import given
 from .c import *
 from .c import library
+from .deforming import *
 from .lending import *
 from .pairs import *
 from .picker import *

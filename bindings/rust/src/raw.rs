@@ -566,6 +566,34 @@ extern "C" {
     ) -> abut_status;
 }
 #[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_first_touch {
+    pub touches: u32,
+    pub reserved: u32,
+    pub lower: f64,
+    pub upper: f64,
+}
+extern "C" {
+    pub fn abut_vertices_touch_faces(
+        start: *const f64,
+        end: *const f64,
+        count: usize,
+        separation: f64,
+        tolerance: f64,
+        out: *mut abut_first_touch,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_edges_touch_edges(
+        start: *const f64,
+        end: *const f64,
+        count: usize,
+        separation: f64,
+        tolerance: f64,
+        out: *mut abut_first_touch,
+    ) -> abut_status;
+}
+#[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct abut_universe {
     _unused: [u8; 0],

@@ -47,6 +47,7 @@ using Distance = abut_distance;
 using Event = abut_event;
 using Feature = abut_feature;
 using Finding = abut_finding;
+using FirstTouch = abut_first_touch;
 using Island = abut_island;
 using LayoutEntry = abut_layout_entry;
 using LocalPoints = abut_local_points;

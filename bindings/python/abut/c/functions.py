@@ -93,6 +93,10 @@ FUNCTIONS = {
     "abut_pair_contacts": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Contact),
         c_size_t, POINTER(c_size_t)]),
+    "abut_vertices_touch_faces": (Status, [
+        POINTER(c_double), POINTER(c_double), c_size_t, c_double, c_double, POINTER(FirstTouch)]),
+    "abut_edges_touch_edges": (Status, [
+        POINTER(c_double), POINTER(c_double), c_size_t, c_double, c_double, POINTER(FirstTouch)]),
     "abut_universe_options_init": (None, [POINTER(UniverseOptions), c_uint32]),
     "abut_universe_save": (Status, [c_void_p, c_void_p, c_size_t, POINTER(c_size_t)]),
     "abut_universe_load": (Status, [c_void_p, c_size_t, POINTER(c_void_p)]),

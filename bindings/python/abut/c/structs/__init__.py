@@ -4,7 +4,8 @@
 from .queries import (
     Camera, CastHit, Closest, Pick, QueryFilter, QueryHit)
 from .shapes import (
-    Contact, Distance, HeightFieldDesc, HullReport, MeshOptions, PairMemory, QueryOptions, Ray, RayHit, ShapeDesc)
+    Contact, Distance, FirstTouch, HeightFieldDesc, HullReport, MeshOptions, PairMemory, QueryOptions, Ray, RayHit,
+    ShapeDesc)
 from .universe import (
     Collidable, ContactMaterial, Event, Finding, Focus, GeometryInfo, GeometryOptions, Island, LocalPoints,
     PartOptions, Policy, Revision, Sleep, SleepChange, StepStats, UniverseOptions, Velocity)
@@ -13,7 +14,7 @@ from .values import (
 
 __all__ = [
     "Aabb", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance", "Event",
-    "Feature", "Finding", "Focus", "GeometryId", "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport",
+    "Feature", "Finding", "FirstTouch", "Focus", "GeometryId", "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport",
     "Island", "LayoutEntry", "LocalPoints", "MeshOptions", "PairMemory", "PartId", "PartOptions", "Pick", "Policy",
     "Pose", "Quat", "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision", "ShapeDesc", "Sleep",
     "SleepChange", "StepStats", "UniverseOptions", "Vec3", "Velocity"]

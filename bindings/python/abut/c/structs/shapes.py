@@ -112,5 +112,13 @@ class Contact(Struct):
 
 
 @struct
+class FirstTouch(Struct):
+    touches: UInt32
+    reserved: UInt32
+    lower: Double
+    upper: Double
+
+
+@struct
 class PairMemory(Struct):
     opaque: EightWords

@@ -7,10 +7,10 @@
 //
 // Along straight paths c is a cubic and each q_ij a quartic of the time. In Bernstein form their coefficients bound
 // them over a stretch of time, and halving the stretch tightens that (Farin, "Curves and Surfaces for CAGD", 2002).
-module abut.narrow.paths.moving_triangle;
+module abut.deforming.moving_triangle;
 import abut.core.standard;
 import abut.math;
-import abut.narrow.paths;
+import abut.deforming;
 
 namespace abut {
 namespace {
@@ -102,7 +102,8 @@ bool start_from(const MovingTriangle& triangle, Real cubic_error, Stretch& whole
   return true;
 }
 
-// The zero of a cubic that rises over [0, 1], as far as the signs beside it are certain.
+// The zero of a cubic that rises over [0, 1], as far as the signs beside it are certain. Regula falsi aims at it, and
+// looks at a place on each side: so both ends come nearer. Where they do not by half, the middle is looked at.
 std::pair<Real, Real> zero_of_rising(const Cubic& c, Real error, Real width) {
   Real low = 0, high = 1, at_low = c[0], at_high = c[3];
   const auto take = [&](Real x) {
@@ -116,11 +117,17 @@ std::pair<Real, Real> zero_of_rising(const Cubic& c, Real error, Real width) {
     }
     return std::fabs(value) > error;
   };
-  for (int round = 0; round < 60 && high - low > width; ++round) {
-    const Real slope = (at_high - at_low) / (high - low);
-    const Real zero = low - at_low / slope, aside = std::max(0.25 * width, 8 * error / slope);
+  // Near the zero no sign is certain: then the next places lie further from it.
+  constexpr Real further = 8;
+  Real share = 1;
+  for (int round = 0; round < 80 && high - low > width; ++round) {
+    const Real before = high - low, slope = (at_high - at_low) / before;
+    const Real zero = low - at_low / slope, aside = share * std::max(0.25 * width, 4 * error / slope);
     const bool has_left = take(zero - aside), has_right = take(zero + aside);
-    if ((!has_left || !has_right) && !take(0.5 * (low + high))) {
+    const bool is_half = high - low <= 0.5 * before;
+    const bool is_nearer = is_half || take(0.5 * (low + high)) || has_left || has_right;
+    share = is_nearer ? 1 : further * share;
+    if (!is_nearer && aside > before) {
       break;
     }
   }

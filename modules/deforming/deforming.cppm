@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // When a vertex meets a face, and an edge an edge, while all of their vertices move on straight lines at constant
 // speeds: the question of meshes that deform. Time runs from 0 to 1.
-export module abut.narrow.paths;
+export module abut.deforming;
 import abut.core.standard;
 import abut.math;
 
@@ -17,6 +17,9 @@ struct FirstTouch {
   bool touches = false;
   Real lower = 0, upper = 0;
 };
+
+// Whether this build answers. Only then may the others be called.
+[[nodiscard]] bool has_deforming();
 
 // With a separation of 0, whether they touch is exact: shapes that come to one point do, and no rounding of the inputs
 // or of the answer adds or takes away a touch. The times are those of exact arithmetic, rounded outward.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Along a direction, each corner moves at a constant speed. So what all corners are beyond at both ends of a stretch of
 // time, they are beyond all the time.
-module abut.narrow.paths.moving_triangle;
+module abut.deforming.moving_triangle;
 import abut.capability;
 import abut.core.standard;
+import abut.math.tolerance;
 import abut.math;
 import abut.narrow.many.triangle_point;
-import abut.narrow.paths;
+import abut.deforming;
 
 namespace abut {
 namespace {

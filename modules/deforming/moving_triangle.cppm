@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether a triangle whose corners move on straight lines comes to hold the origin, or near it: in double precision,
 // with bounds of what rounding does.
-export module abut.narrow.paths.moving_triangle;
+export module abut.deforming.moving_triangle;
 import abut.core.standard;
 import abut.math;
-import abut.narrow.paths;
+import abut.deforming;
 
 export namespace abut {
 

@@ -8,11 +8,11 @@ module;
 #pragma clang diagnostic ignored "-Weverything"
 #include <boost/multiprecision/cpp_int.hpp>
 #pragma clang diagnostic pop
-module abut.narrow.paths.exact_touch;
+module abut.deforming.exact_touch;
 import abut.core.standard;
 import abut.math;
-import abut.narrow.paths;
-import abut.narrow.paths.moving_triangle;
+import abut.deforming;
+import abut.deforming.moving_triangle;
 
 namespace abut {
 namespace {

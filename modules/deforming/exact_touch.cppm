@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same as quick_touch in whole numbers of any length: for what rounding leaves open.
-export module abut.narrow.paths.exact_touch;
+export module abut.deforming.exact_touch;
 import abut.core.standard;
 import abut.math;
-import abut.narrow.paths;
-import abut.narrow.paths.moving_triangle;
+import abut.deforming;
+import abut.deforming.moving_triangle;
 
 export namespace abut {
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vertices on straight lines.
+#include "border.hpp"
+#include "guard.hpp"
+
+import abut.capability;
+import abut.deforming;
+import abut.math;
+
+using namespace abut::capi;
+
+namespace {
+
+constexpr std::size_t numbers_of_query = 12;
+
+// Where the vertices of all queries are at one time, and then at another.
+struct Motion {
+  std::span<const double> start, end;
+
+  // A vertex of a query.
+  [[nodiscard]] abut::MovingPoint vertex(std::size_t query, std::size_t index) const {
+    const std::size_t first = numbers_of_query * query + 3 * index;
+    return {{start[first], start[first + 1], start[first + 2]}, {end[first], end[first + 1], end[first + 2]}};
+  }
+};
+
+abut_status read_motion(const double* start, const double* end, std::size_t count, Motion& out) {
+  if (const abut_status status = read_span<numbers_of_query>("start", start, "count", count, out.start);
+      status != ABUT_OK) {
+    return status;
+  }
+  if (const abut_status status = read_span<numbers_of_query>("end", end, "count", count, out.end); status != ABUT_OK) {
+    return status;
+  }
+  if (const abut_status status = to_status(abut::check_all_finite("start", out.start)); status != ABUT_OK) {
+    return status;
+  }
+  return to_status(abut::check_all_finite("end", out.end));
+}
+
+abut_status read_settings(double separation, double tolerance, abut::TouchSettings& out) {
+  if (const abut_status status = to_status(abut::check_not_negative("separation", separation)); status != ABUT_OK) {
+    return status;
+  }
+  if (separation > 0) {
+    if (const abut_status status = to_status(abut::check_positive("tolerance", tolerance)); status != ABUT_OK) {
+      return status;
+    }
+  }
+  out = {separation, tolerance};
+  return ABUT_OK;
+}
+
+// `answer` tells the first touch of a query.
+template <class Answer>
+abut_status answer_all(const double* start, const double* end, std::size_t count, double separation, double tolerance,
+                       abut_first_touch* out, const Answer& answer) {
+  if (!abut::has_deforming()) {
+    return refuse(ABUT_UNSUPPORTED, "this build of abut is without the feature \"deforming\"");
+  }
+  Motion motion;
+  abut::TouchSettings settings;
+  std::span<abut_first_touch> answers;
+  abut_status status = read_motion(start, end, count, motion);
+  status = status != ABUT_OK ? status : read_settings(separation, tolerance, settings);
+  status = status != ABUT_OK ? status : read_span("out", out, "count", count, answers);
+  if (status != ABUT_OK) {
+    return status;
+  }
+  for (std::size_t query = 0; query < count; ++query) {
+    const abut::FirstTouch touch = answer(motion, query, settings);
+    answers[query] = {touch.touches ? 1u : 0u, 0, touch.lower, touch.upper};
+  }
+  return ABUT_OK;
+}
+
+}  // namespace
+
+abut_status abut_vertices_touch_faces(const double* start, const double* end, size_t count, double separation,
+                                      double tolerance, abut_first_touch* out) {
+  return guard([&] {
+    return answer_all(start, end, count, separation, tolerance, out,
+                      [](const Motion& motion, std::size_t query, const abut::TouchSettings& settings) {
+                        return abut::first_touch_of_vertex_and_face(
+                            motion.vertex(query, 0),
+                            {motion.vertex(query, 1), motion.vertex(query, 2), motion.vertex(query, 3)}, settings);
+                      });
+  });
+}
+
+abut_status abut_edges_touch_edges(const double* start, const double* end, size_t count, double separation,
+                                   double tolerance, abut_first_touch* out) {
+  return guard([&] {
+    return answer_all(start, end, count, separation, tolerance, out,
+                      [](const Motion& motion, std::size_t query, const abut::TouchSettings& settings) {
+                        return abut::first_touch_of_edges({motion.vertex(query, 0), motion.vertex(query, 1)},
+                                                          {motion.vertex(query, 2), motion.vertex(query, 3)}, settings);
+                      });
+  });
+}
