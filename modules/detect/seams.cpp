@@ -15,18 +15,20 @@ import abut.scene.places;
 namespace abut {
 namespace {
 
-// The contacts that stay move to the front, those of the local frames with them.
-void keep(std::span<const ContactPoint> kept, JobList& jobs, JobResult& result) {
+// Contacts that stay, as they have become, move to the front, those of the local frames with them. `a`, `b`: where the
+// two geometries are.
+void keep(std::span<const ContactPoint> kept, const Pose& a, const Pose& b, JobList& jobs, JobResult& result) {
   ChunkScratch& scratch = jobs.scratch(result.chunk);
   const std::span<ContactPoint> all = std::span(scratch.points).subspan(result.first, result.count);
   std::size_t left = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (std::ranges::none_of(kept, [&](const ContactPoint& contact) { return contact.id == all[i].id; })) {
+  for (const ContactPoint& contact : all) {
+    const auto same = std::ranges::find(kept, contact.id, &ContactPoint::id);
+    if (same == kept.end()) {
       continue;
     }
-    all[left] = all[i];
+    all[left] = *same;
     if (!scratch.locals.empty()) {
-      scratch.locals[result.first + left] = scratch.locals[result.first + i];
+      scratch.locals[result.first + left] = {a.undo(same->point_a), b.undo(same->point_b)};
     }
     ++left;
   }
@@ -83,7 +85,7 @@ void SeamStage::run(const Places& places, JobList& jobs) {
     seams.clear();
     for (std::size_t i = begin; i < end; ++i) {
       const std::span<const ContactPoint> found = jobs.found(jobs.result(sides_[i].job));
-      seams.push_back({&*places.shapes[sides_[i].surface],
+      seams.push_back({places.shapes[sides_[i].surface],
                        places.worlds[sides_[i].surface],
                        sides_[i].surface > body,
                        {found.begin(), found.end()}});
@@ -91,7 +93,8 @@ void SeamStage::run(const Places& places, JobList& jobs) {
     const Aabb box = aabb_of(*places.shapes[body], Pose::identity());
     leave_out_at_seams(seams, 0.5 * largest_magnitude(box.high - box.low));
     for (std::size_t i = begin; i < end; ++i) {
-      keep(seams[i - begin].contacts, jobs, jobs.result(sides_[i].job));
+      const std::uint32_t low = std::min(body, sides_[i].surface), high = std::max(body, sides_[i].surface);
+      keep(seams[i - begin].contacts, places.worlds[low], places.worlds[high], jobs, jobs.result(sides_[i].job));
     }
   }
 }

@@ -184,8 +184,8 @@ std::uint64_t Universe::hash() const { return hash_of(contacts(), local_points()
 
 std::size_t Universe::bytes() const {
   return sizeof(Universe) + Scene::bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() +
-         selection_.bytes() + jobs_.bytes() + seams_.bytes() + contacts_.bytes() + events_.bytes() + island_links_.bytes() +
-         islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
+         selection_.bytes() + jobs_.bytes() + seams_.bytes() + contacts_.bytes() + events_.bytes() +
+         island_links_.bytes() + islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
 }
 
 Result<void> Universe::step(Real dt) {

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies that slide along random paths over tessellated surfaces, sunk in by a little: each normal lies in the cone of
-// normals of the whole surface at its point, and no contact is deeper than the body is sunk.
+// Bodies that slide along random paths over tessellated surfaces, sunk in by a little. Each normal lies in the cone of
+// normals of the whole surface at its point. No contact is deeper than the body is sunk, nor is the deepest one less
+// deep than the distance: but for one step in 200, and by half a millimetre at most. ABUT_SLIDE_PATHS=42 makes it ten
+// thousand paths.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "shortfall.hpp"
 #include "tessellations.hpp"
+
+std::span<const property::Shortfall> property::known_shortfalls() { return {}; }
 
 namespace {
 
@@ -108,9 +111,9 @@ std::vector<abut_contact> contacts_of_pair(const abut_shape* surface, const Body
   abut_query_options_init(&options, sizeof options);
   options.max_contacts = 0;
   std::size_t found = 0;
-  EXPECT_EQ(abut_pair_contacts(surface, &here, body.shape.get(), &pose, &options, contacts.data(), contacts.size(),
-                               &found),
-            ABUT_OK);
+  EXPECT_EQ(
+      abut_pair_contacts(surface, &here, body.shape.get(), &pose, &options, contacts.data(), contacts.size(), &found),
+      ABUT_OK);
   EXPECT_LE(found, contacts.size());
   contacts.resize(std::min(found, contacts.size()));
   return contacts;
@@ -253,11 +256,6 @@ class Slide {
       deepest = std::min(deepest, contact.distance);
     }
     const double lack = deepest - distance(surface_, body, pose);
-    if (std::getenv("ABUT_SLIDE_VERBOSE") && (sine > half_a_degree || excess > 2e-9 || lack > 1e-9)) {
-      std::printf("%s %s %.17g %.17g %.17g  %.17g %.17g %.17g %.17g sine %g excess %g lack %g\n",
-                  tessellation_.name.c_str(), body.name.c_str(), pose.position.x, pose.position.y, pose.position.z,
-                  pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z, sine, excess, lack);
-    }
     count.off += sine > half_a_degree ? 1 : 0;
     count.too_deep += excess > 2e-9 ? 1 : 0;
     count.too_shallow += lack > 1e-9 ? 1 : 0;
@@ -272,24 +270,26 @@ class Slide {
   Shape whole_;
 };
 
+// Of each body over each surface, one-sided or not, in a pair and across seams in a universe: 240 kinds of paths.
 int paths_of_each() {
   const char* wanted = std::getenv("ABUT_SLIDE_PATHS");
-  return wanted != nullptr ? std::atoi(wanted) : 6;
+  return wanted != nullptr ? std::atoi(wanted) : 8;
 }
 
 void slide_over(const Tessellation& surface, abut_sides sides, const Body& body, bool is_in_world) {
   const Slide slide(surface, sides);
-  const std::unique_ptr<World> world(is_in_world ? new World(slide.pieces(), body) : nullptr);
+  const std::unique_ptr<World> world = is_in_world ? std::make_unique<World>(slide.pieces(), body) : nullptr;
   Random random(7);
   Count count;
   for (int path = 0; path < paths_of_each(); ++path) slide.run(body, world.get(), random, count);
   const std::string where = surface.name + (sides == ABUT_SIDES_FRONT ? ", front" : "") +
                             (is_in_world ? ", in a universe" : "") + ", " + body.name;
-  if (count.off + count.too_deep + count.too_shallow > 0 || count.steps == 0) {
-    std::printf("%-56s %5d steps: %4d off (worst %.2g), %4d too deep (%.2g), %4d too shallow (%.2g)\n", where.c_str(),
-                count.steps, count.off, count.worst_sine, count.too_deep, count.worst_excess, count.too_shallow,
-                count.worst_lack);
-  }
+  EXPECT_GT(count.steps, 0) << where;
+  EXPECT_EQ(count.off, 0) << where << ": of " << count.steps << " steps, worst sine " << count.worst_sine;
+  EXPECT_LE(count.too_deep * 200, count.steps) << where << ": of " << count.steps;
+  EXPECT_LT(count.worst_excess, 5e-4) << where;
+  EXPECT_LE(count.too_shallow * 200, count.steps) << where << ": of " << count.steps;
+  EXPECT_LT(count.worst_lack, 5e-4) << where;
 }
 
 TEST(Ghosts, NoneOnRandomPaths) {

@@ -88,10 +88,16 @@ class PartsMet {
     const auto consider = [&](const Vec3& direction) {
       least = std::min(least, overlap_of_all(direction, lowest_along(direction), least, blocking));
     };
+    Vec3 sum{0, 0, 0};
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (i == 0 || !(contacts[i].normal == contacts[i - 1].normal)) {
         consider(contacts[i].normal);
+        sum = sum + contacts[i].normal;
       }
+    }
+    // Over a crest the way between the faces is shorter than out of any one of them.
+    if (const auto between = UnitVec3::make(sum)) {
+      consider(*between);
     }
     for (const Vec3& way : ways_.span()) {
       consider(way);

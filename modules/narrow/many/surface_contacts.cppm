@@ -10,9 +10,9 @@ import abut.core;
 import abut.math;
 import abut.narrow.convex;
 import abut.narrow.many.claims;
-import abut.narrow.many.continuation;
 import abut.narrow.many.parts_met;
 import abut.narrow.many.triangle_contacts;
+import abut.narrow.many.way_out;
 
 export namespace abut {
 
@@ -64,9 +64,9 @@ class SurfaceContacts {
     const std::size_t first = out_.size(), part = met_.add(triangle, b, ab_, fronts, core.distance - radii);
     if (!turns_a && !turns_b) {
       append(triangle, b, part_of_b, core, true);
-      turns_a = goes_on_past(a_, triangle, first, Pose::identity(), false);
+      turns_a = !leads_out_of_a(triangle, first, noise);
       if constexpr (Surface<Other>) {
-        turns_b = !turns_a && goes_on_past(other_, b, first, ab_, true);
+        turns_b = !turns_a && !leads_out_of_b(b, first, noise);
       }
       if (!turns_a && !turns_b) {
         claim(first, false);
@@ -118,34 +118,26 @@ class SurfaceContacts {
     }
   }
 
-  // Whether a side, which lies at a pose, goes on past the deepest contact from `first` on, where that is at an edge or
-  // a corner of one of its triangles.
-  template <class Side>
-  [[nodiscard]] bool goes_on_past(const Side& side, const Triangle& triangle, std::size_t first, const Pose& pose,
-                                  bool is_b) const {
-    if constexpr (Terrain<Side>) {
-      return false;  // its triangles share all vertices
-    } else {
-      const auto found = std::span(out_).subspan(first);
-      if (found.empty() || !triangle.has_area()) {
-        return false;
+  // Whether the deepest contact from `first` on leads out of a side, whatever lies beside its triangles.
+  [[nodiscard]] bool leads_out_of_a(const Triangle& triangle, std::size_t first, Real noise) const {
+    const ContactPoint* deepest = deepest_from(first);
+    const auto size = [&] {
+      if constexpr (Surface<Other>) {
+        return infinity;  // the triangle alone tells
+      } else {
+        return other_.extent() + other_.radius();
       }
-      const ContactPoint& deepest = *std::ranges::min_element(found, {}, &ContactPoint::distance);
-      const Vec3 normal = pose.rotation.undo(is_b ? -deepest.normal : deepest.normal);
-      if (is_along(normal, triangle.normal())) {
-        return false;
-      }
-      return goes_on(side, pose.undo(is_b ? deepest.point_b : deepest.point_a), normal,
-                     std::min(triangle.extent(), size_of_other(is_b)));
-    }
+    };
+    return deepest == nullptr || leads_out_of_all(a_, triangle, deepest->point_a, deepest->normal, noise, size());
   }
-  // Of what touches a side.
-  [[nodiscard]] Real size_of_other(bool is_of_b) const {
-    if constexpr (Surface<Other>) {
-      return infinity;  // the triangle alone tells
-    } else {
-      return is_of_b ? infinity : other_.extent() + other_.radius();
-    }
+  [[nodiscard]] bool leads_out_of_b(const B& b, std::size_t first, Real noise) const {
+    const ContactPoint* deepest = deepest_from(first);
+    return deepest == nullptr || leads_out_of_all(other_, b, ab_.undo(deepest->point_b),
+                                                  -ab_.rotation.undo(deepest->normal), noise, infinity);
+  }
+  [[nodiscard]] const ContactPoint* deepest_from(std::size_t first) const [[clang::lifetimebound]] {
+    const std::span<const ContactPoint> found = std::span(out_).subspan(first);
+    return found.empty() ? nullptr : &*std::ranges::min_element(found, {}, &ContactPoint::distance);
   }
 
   // A point beside a face is nearer to a neighbour, which tells its contact. Over the face the nearest point has the
@@ -155,7 +147,7 @@ class SurfaceContacts {
     if (!turns) {
       const std::size_t first = out_.size();
       append(triangle, b, part_of_b, core, true);
-      if (!goes_on_past(a_, triangle, first, Pose::identity(), false)) {
+      if (leads_out_of_a(triangle, first, noise_of(core_size(triangle, b, ab_)))) {
         return;
       }
       out_.resize(first);
@@ -320,26 +312,35 @@ class SurfaceContacts {
     }
   }
 
-  // Where no neighbour reports a contact that is as deep as the deepest one left to it, that one counts after all. It
-  // has a number of its own: the same features may have met under the normal of the face.
+  // Where no neighbour reports a contact, the deepest one left to them counts after all. It has a number of its own:
+  // the same features may have met under the normal of the face.
   void append_left() {
-    if (!left_) {
+    if (!left_ || out_.size() > first_) {
       return;
     }
     const Triangle triangle = a_.part(left_->part_of_a);
     const auto& b = part_of_other(left_->part_of_b);
-    const Real deep = left_->core.distance - b.radius() + 4 * left_->core.rounding;
-    if (depth_from(first_) >= -deep) {
-      return;
-    }
     const std::size_t first = out_.size();
     append(triangle, b, left_->part_of_b, left_->core, true);
     const auto found = std::span(out_).subspan(first);
     if (!found.empty()) {
       ContactPoint deepest = *std::ranges::min_element(found, {}, &ContactPoint::distance);
       deepest.id = mixed(~deepest.id);
+      take_normal_of_face(triangle, b, deepest);
       out_.resize(first);
       out_.push_back(deepest);
+    }
+  }
+
+  // A way out that belongs to a neighbour is none of the surface; the one along the face is, where that is below.
+  void take_normal_of_face(const Triangle& triangle, const B& b, ContactPoint& contact) const {
+    const Vec3 normal = dot(contact.normal, triangle.normal()) < 0 ? -triangle.normal() : triangle.normal();
+    const Real distance = dot(contact.point_b - contact.point_a, normal);
+    const Vec3 point_a = contact.point_b - distance * normal;
+    if (triangle.has_area() && is_over(triangle, point_a) && Fronts<B>(triangle, b, ab_).nearly_allows(normal)) {
+      contact.normal = normal;
+      contact.distance = distance;
+      contact.point_a = point_a;
     }
   }
 

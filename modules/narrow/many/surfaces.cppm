@@ -5,12 +5,14 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.many.half_space;
 import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.quick_axes;
 import abut.narrow.many.surface_contacts;
 import abut.narrow.many.triangle_contacts;
+import abut.narrow.many.way_out;
 
 export namespace abut {
 
@@ -18,15 +20,22 @@ export namespace abut {
   return algorithm == Algorithm::automatic || algorithm == Algorithm::gjk_epa;
 }
 
+[[nodiscard]] inline QuerySettings without_margin(const QuerySettings& settings) {
+  return {.algorithm = settings.algorithm, .error_bound = settings.error_bound};
+}
+
 // Distance of a surface and a convex shape: of the nearest or deepest part, each as a sheet. Starts
-// from a part near the shape and shrinks the box that is still of interest with every better one.
+// from a part near the shape and shrinks the box that is still of interest with every better one. Whether a part is
+// nearer than `best` was; if so, `nearest` is its number.
 template <Surface A, Convex B>
-void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& best) {
+bool nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& best,
+                  std::uint32_t& nearest) {
   const Aabb around = b.aabb(ab);
   const QuickAxes<B> axes(b, ab);
   const auto may_be_nearer = [&](const TriangleCorners& corners) {
     return !axes.are_beyond(corners, best.distance + b.radius());
   };
+  bool is_found = false;
   const auto consider = [&](const typename A::Part& part) {
     CoreSeparation core = separate_from_triangle(part, b, ab, settings, best.distance + b.radius());
     if (core.beyond) {
@@ -35,7 +44,10 @@ void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
       if (core.distance - b.radius() < best.distance) {
         find_points(part, b, ab, core);
       }
-      take_part(rounded(core, 0, b.radius()), best);
+      if (take_part(rounded(core, 0, b.radius()), best)) {
+        nearest = part.index();
+        is_found = true;
+      }
     }
   };
   const auto start = a.part_near(placed_centre(b, ab));
@@ -47,6 +59,30 @@ void nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
       query = best.distance < infinity ? around.inflated(std::max(best.distance, Real{0})) : query;
     }
   });
+  return is_found;
+}
+
+template <Surface A, Convex B>
+[[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                     Manifold& out);
+template <Surface A, Surface B>
+[[nodiscard]] Outcome surfaces_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
+                                        Manifold& out);
+
+// A depth may be that of a triangle whose way out belongs to a neighbour. Contacts know better, where there are any.
+inline void take_depth_of(const Manifold& contacts, Real noise, Distance& out) {
+  if (contacts.empty()) {
+    return;
+  }
+  const ContactPoint& deepest = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
+  if (deepest.distance > out.distance) {
+    out.distance = deepest.distance;
+    out.lower = deepest.distance - noise;
+    out.upper = deepest.distance + noise;
+    out.normal = deepest.normal;
+    out.point_a = deepest.point_a;
+    out.point_b = deepest.point_b;
+  }
 }
 
 template <Surface A, Convex B>
@@ -56,7 +92,16 @@ template <Surface A, Convex B>
     return Outcome::unsupported;
   }
   out = no_distance();
-  nearest_part(a, b, ab, settings, out);
+  std::uint32_t nearest = 0;
+  nearest_part(a, b, ab, settings, out, nearest);
+  const Triangle triangle = a.part(nearest);
+  const Real noise = noise_of(core_size(triangle, b, ab));
+  if (out.distance < -noise &&
+      !leads_out_of_all(a, triangle, out.point_a, out.normal, noise, b.extent() + b.radius())) {
+    Manifold contacts;
+    static_cast<void>(parts_contacts(a, b, ab, without_margin(settings), contacts));
+    take_depth_of(contacts, noise, out);
+  }
   return Outcome::ok;
 }
 
@@ -85,12 +130,22 @@ template <Surface A, Surface B>
   }
   out = no_distance();
   const Aabb around = a.aabb(ab.inverse());
-  nearest_part(a, b.part_near(around.centre()), ab, settings, out);
+  std::uint32_t of_a = 0, of_b = b.part_near(around.centre()).index();
+  nearest_part(a, b.part(of_b), ab, settings, out, of_a);
   Aabb query = out.distance < infinity ? around.inflated(std::max(out.distance, Real{0})) : Aabb::everything();
-  b.visit_parts(query, [&](const typename B::Part& part, std::uint32_t) {
-    nearest_part(a, part, ab, settings, out);
+  b.visit_parts(query, [&](const typename B::Part& part, std::uint32_t index) {
+    of_b = nearest_part(a, part, ab, settings, out, of_a) ? index : of_b;
     query = around.inflated(std::max(out.distance, Real{0}));
   });
+  const Triangle triangle = a.part(of_a), other = b.part(of_b);
+  const Real noise = noise_of(core_size(triangle, other, ab));
+  if (out.distance < -noise &&
+      !(leads_out_of_all(a, triangle, out.point_a, out.normal, noise, infinity) &&
+        leads_out_of_all(b, other, ab.undo(out.point_b), -ab.rotation.undo(out.normal), noise, infinity))) {
+    Manifold contacts;
+    static_cast<void>(surfaces_contacts(a, b, ab, without_margin(settings), contacts));
+    take_depth_of(contacts, noise, out);
+  }
   return Outcome::ok;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A triangle of a surface against a convex shape, or against a triangle of another surface: their separation, and which
-// normals may part them. A one-sided triangle only pushes to its front, and a way out of a triangle is one out of its
-// surface only where no neighbour reaches further.
+// normals may part them. A one-sided triangle only pushes to its front.
 export module abut.narrow.many.triangle_contacts;
 import abut.capability;
 import abut.core.standard;
@@ -12,30 +11,6 @@ import abut.narrow.convex;
 import abut.narrow.many.triangle_point;
 
 export namespace abut {
-
-// The corners of a triangle that lie furthest along a direction, by bit: one of a vertex, two of an edge, three of the
-// face.
-[[nodiscard]] inline unsigned outermost_corners(const Triangle& triangle, const Vec3& direction, Real noise) {
-  const Vec3 origin = triangle.corners()[0];
-  const Real b = dot(direction, triangle.corners()[1] - origin), c = dot(direction, triangle.corners()[2] - origin);
-  const Real outermost = std::max(std::max(b, c), Real{0}) - noise;
-  return (0 >= outermost ? 1u : 0u) | (b >= outermost ? 2u : 0u) | (c >= outermost ? 4u : 0u);
-}
-
-// Whether a direction is the normal of a face or its opposite, within rounding.
-[[nodiscard]] inline bool is_along(const Vec3& direction, const Vec3& normal) {
-  return std::fabs(dot(direction, normal)) > 1 - 1e-12;
-}
-
-// Whether the way out of a triangle along a direction is one out of its surface. Otherwise a neighbour reaches further.
-template <Surface S>
-[[nodiscard]] bool leads_out(const S& surface, const Triangle& triangle, const Vec3& direction, Real noise) {
-  if (!triangle.has_area() || is_along(direction, triangle.normal())) {
-    return true;
-  }
-  const unsigned corners = outermost_corners(triangle, direction, noise);
-  return corners == 7 || surface.is_crest(triangle.index(), corners, direction, noise);
-}
 
 // Whether a point of the plane of a triangle lies on the triangle, within rounding.
 [[nodiscard]] inline bool is_over(const Triangle& triangle, const Vec3& point) {

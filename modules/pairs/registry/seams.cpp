@@ -5,6 +5,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.many.continuation;
+import abut.narrow.many.nearest_face;
 import abut.pairs.registry;
 
 namespace abut {
@@ -36,6 +37,29 @@ bool has_own_face(const Seam& own, const ContactPoint& contact, Real size) {
   const Seen seen = seen_by(own, own, contact);
   return ask_surface(*own.surface,
                      [&](const auto& surface) { return has_face(surface, seen.point, seen.normal, size); });
+}
+
+// The contact under the normal of the face that it lies on, as deep as the body is below that there.
+std::optional<ContactPoint> turned_to_face(const Seam& own, const ContactPoint& contact, Real size) {
+  const Seen seen = seen_by(own, own, contact);
+  std::optional<Vec3> face;
+  static_cast<void>(ask_surface(*own.surface, [&](const auto& surface) {
+    face = nearest_face_normal(surface, seen.point, seen.normal, size);
+    return true;
+  }));
+  if (!face) {
+    return std::nullopt;
+  }
+  ContactPoint turned = contact;
+  const Vec3 normal = own.pose.rotation * *face;
+  turned.normal = own.is_b ? -normal : normal;
+  turned.distance = dot(contact.point_b - contact.point_a, turned.normal);
+  if (own.is_b) {
+    turned.point_b = contact.point_a + turned.distance * turned.normal;
+  } else {
+    turned.point_a = contact.point_b - turned.distance * turned.normal;
+  }
+  return turned;
 }
 
 bool goes_on_past(const Seam& own, const Seam& other, const ContactPoint& contact, Real size) {
@@ -83,20 +107,27 @@ void leave_out_at_seams(std::span<Seam> seams, Real size) {
       order, {}, [&](const Place& place) { return std::tuple(contact_at(place).distance, place.seam, place.contact); });
   // Deepest first, so that what another surface has kept so far is no less deep.
   std::vector<std::vector<ContactPoint>> kept(seams.size());
+  std::vector<std::vector<Vec3>> left_out(seams.size());  // normals
   for (const Place& place : order) {
     const Seam& own = seams[place.seam];
     const ContactPoint& contact = contact_at(place);
-    std::optional<bool> is_of_face;
-    bool stays = true;
-    for (std::size_t other = 0; stays && other < seams.size(); ++other) {
-      if (other == place.seam || kept[other].empty() || !goes_on_past(own, seams[other], contact, size)) {
-        continue;
-      }
-      is_of_face = is_of_face.has_value() ? is_of_face : has_own_face(own, contact, size);
-      stays = *is_of_face;
+    if (std::ranges::find(left_out[place.seam], contact.normal) != left_out[place.seam].end()) {
+      continue;  // the points of a face under one normal come from the deepest of them
     }
-    if (stays) {
+    bool is_border = false, is_covered = false;
+    for (std::size_t other = 0; other < seams.size() && !is_covered; ++other) {
+      if (other != place.seam && !seams[other].contacts.empty() && goes_on_past(own, seams[other], contact, size)) {
+        is_border = true;
+        is_covered = !kept[other].empty();
+      }
+    }
+    if (!is_border || has_own_face(own, contact, size)) {
       kept[place.seam].push_back(contact);
+      continue;
+    }
+    left_out[place.seam].push_back(contact.normal);
+    if (const auto turned = is_covered ? std::nullopt : turned_to_face(own, contact, size)) {
+      kept[place.seam].push_back(*turned);
     }
   }
   for (std::size_t seam = 0; seam < seams.size(); ++seam) {
@@ -129,7 +160,7 @@ void settle_seams(const AnyShape& composite, const Pose& pose, bool is_b, const 
             continue;
           }
           if (seams.empty() || child_of(all[end - 1]) != child_of(all[end])) {
-            seams.push_back({&*child.shape, pose * child.pose, is_b, {}});
+            seams.push_back({child.shape, pose * child.pose, is_b, {}});
           }
           seams.back().contacts.push_back(all[end]);
         }

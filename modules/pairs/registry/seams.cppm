@@ -4,6 +4,7 @@
 export module abut.pairs.registry.seams;
 import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
 import abut.pairs.registry;
 
@@ -15,14 +16,15 @@ export namespace abut {
 
 // A surface that a body touches, and the contacts of both. Poses and contacts are in one frame.
 struct Seam {
-  const AnyShape* surface;
+  Frozen<AnyShape> surface;
   Pose pose;
   bool is_b;  // the surface is side b of its contacts
   std::vector<ContactPoint> contacts;
 };
 
-// Takes out the contacts whose normals belong to no face of their surface, where another surface goes on past them and
-// has a contact that is no less deep. `size`: of the body. O(contacts * surfaces).
+// Takes out the contacts whose normals belong to no face of their surface, where another surface goes on past them.
+// Where that has no contact that is as deep, they turn to their face instead. `size`: of the body. O(contacts *
+// surfaces).
 void leave_out_at_seams(std::span<Seam> seams, Real size);
 
 // The same for the contacts from `first` on of a composite, which lies at a pose, with each child of the other side.
