@@ -76,11 +76,11 @@ void check_patches(const ShapePtr& body, std::size_t most_patches, std::uint64_t
 TEST(Patches, AreFewAndStable) {
   abut_shape* shape = nullptr;
   ASSERT_EQ(abut_box_create(0.4, 0.3, 0.2, &shape), ABUT_OK);
-  check_patches(ShapePtr(shape), 8, 3);
+  check_patches(ShapePtr(shape), 12, 3);
   ASSERT_EQ(abut_sphere_create(0.4, &shape), ABUT_OK);
   check_patches(ShapePtr(shape), 3, 4);
   ASSERT_EQ(abut_cylinder_create(0.25, 0.35, &shape), ABUT_OK);
-  check_patches(ShapePtr(shape), 6, 5);
+  check_patches(ShapePtr(shape), 12, 5);
 }
 
 }  // namespace
