@@ -12,6 +12,17 @@ static_assert(static_cast<abut_collidable_kind>(abut::CollidableKind::geometry) 
 static_assert(static_cast<abut_collidable_kind>(abut::CollidableKind::part) == ABUT_COLLIDABLE_PART);
 static_assert(static_cast<abut_collidable_kind>(abut::CollidableKind::label) == ABUT_COLLIDABLE_LABEL);
 static_assert(static_cast<abut_collidable_kind>(abut::CollidableKind::any) == ABUT_COLLIDABLE_ANY);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_part) == ABUT_APART_PART);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_motion) == ABUT_APART_MOTION);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_parking) == ABUT_APART_PARKING);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_exclusion) == ABUT_APART_EXCLUSION);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_layers) == ABUT_APART_LAYERS);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_rule) == ABUT_APART_RULE);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_filter) == ABUT_APART_FILTER);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_kinds) == ABUT_APART_KINDS);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_boxes) == ABUT_APART_BOXES);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_policy) == ABUT_APART_POLICY);
+static_assert(static_cast<abut_apart_reasons>(abut::apart_by_detection) == ABUT_APART_DETECTION);
 static_assert(static_cast<abut_rule>(abut::Rule::none) == ABUT_RULE_NONE);
 static_assert(static_cast<abut_rule>(abut::Rule::enable) == ABUT_RULE_ENABLE);
 static_assert(static_cast<abut_rule>(abut::Rule::disable) == ABUT_RULE_DISABLE);
@@ -59,6 +70,18 @@ abut_status set_rule(abut_universe& its, const abut_collidable& a, const abut_co
   return done ? static_cast<abut_status>(ABUT_OK) : refuse(done.error());
 }
 
+abut_collidable from_collidable(const abut::Collidable& its) {
+  return {static_cast<abut_collidable_kind>(its.kind), its.slot, its.generation};
+}
+
+// Two geometries that a question is about.
+abut_status check_both(const abut::Universe& universe, const abut_geometry_id& a, const abut_geometry_id& b) {
+  if (!exists(universe, a)) {
+    return refuse_stale({"geometry_a"}, a);
+  }
+  return exists(universe, b) ? static_cast<abut_status>(ABUT_OK) : refuse_stale({"geometry_b"}, b);
+}
+
 // Sets a filter of either form; `ask` knows how it is called. The handle outlives the universe that is in it.
 template <class Filter, class Ask>
 abut_status set_filter(abut_universe* universe, Filter filter, Ask ask) {
@@ -87,6 +110,33 @@ abut_status abut_rules_clear(abut_universe* universe) {
   return guard(universe, [](abut_universe& its) {
     its.universe.clear_rules();
     return abut_status{ABUT_OK};
+  });
+}
+
+abut_status abut_rule_between(const abut_universe* universe, abut_geometry_id geometry_a, abut_geometry_id geometry_b,
+                              abut_rule* rule, abut_collidable* a, abut_collidable* b) {
+  return guard(universe, [&](const abut_universe& its) {
+    abut_status status = check_none_null<3>({{{"rule", rule}, {"a", a}, {"b", b}}});
+    status = status != ABUT_OK ? status : check_both(its.universe, geometry_a, geometry_b);
+    if (status == ABUT_OK) {
+      const auto verdict = its.universe.rule_between(to_geometry(geometry_a), to_geometry(geometry_b)).value();
+      *rule = static_cast<abut_rule>(verdict.rule);
+      *a = from_collidable(verdict.a);
+      *b = from_collidable(verdict.b);
+    }
+    return status;
+  });
+}
+
+abut_status abut_universe_why_apart(const abut_universe* universe, abut_geometry_id geometry_a,
+                                    abut_geometry_id geometry_b, abut_apart_reasons* out) {
+  return guard(universe, [&](const abut_universe& its) {
+    abut_status status = check_not_null("out", out);
+    status = status != ABUT_OK ? status : check_both(its.universe, geometry_a, geometry_b);
+    if (status == ABUT_OK) {
+      *out = its.universe.why_apart(to_geometry(geometry_a), to_geometry(geometry_b)).value();
+    }
+    return status;
   });
 }
 

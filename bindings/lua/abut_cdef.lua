@@ -498,6 +498,9 @@ enum abut_rule_value {
 abut_status abut_rule_set(abut_universe *universe, const abut_collidable *a, const abut_collidable *b,
                                    abut_rule rule);
 abut_status abut_rules_clear(abut_universe *universe);
+abut_status abut_rule_between(const abut_universe *universe, abut_geometry_id geometry_a,
+                                       abut_geometry_id geometry_b, abut_rule *rule, abut_collidable *a,
+                                       abut_collidable *b);
 typedef uint32_t (*abut_filter)(void *context, const abut_universe *universe, abut_geometry_id geometry_a,
                                 abut_geometry_id geometry_b);
 abut_status abut_universe_set_filter(abut_universe *universe, abut_filter filter, void *context);
@@ -629,6 +632,22 @@ abut_status abut_universe_stats(const abut_universe *universe, abut_step_stats *
 abut_status abut_universe_explain(const abut_universe *universe, char *text, size_t capacity, size_t *needed);
 abut_status abut_universe_explain_json(const abut_universe *universe, char *text, size_t capacity,
                                                 size_t *needed);
+typedef uint32_t abut_apart_reasons;
+enum abut_apart_reasons_value {
+  ABUT_APART_PART = 1,
+  ABUT_APART_MOTION = 2,
+  ABUT_APART_PARKING = 4,
+  ABUT_APART_EXCLUSION = 8,
+  ABUT_APART_LAYERS = 16,
+  ABUT_APART_RULE = 32,
+  ABUT_APART_FILTER = 64,
+  ABUT_APART_KINDS = 128,
+  ABUT_APART_BOXES = 256,
+  ABUT_APART_POLICY = 512,
+  ABUT_APART_DETECTION = 1024
+};
+abut_status abut_universe_why_apart(const abut_universe *universe, abut_geometry_id geometry_a,
+                                             abut_geometry_id geometry_b, abut_apart_reasons *out);
 typedef uint32_t abut_finding_code;
 enum abut_finding_code_value {
   ABUT_FINDING_NOTHING_MOVES = 0,

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import koffi from 'koffi';
-import { AbutError, Shape, Universe, pairCast, pairContacts, pairDistance, pairDistances, pose, version } from 'abut';
+import { AbutError, Shape, Universe, pairCast, pairCasts, pairContactLists, pairContacts, pairDistance, pairDistances, pose, version } from 'abut';
 import { abut, structs } from './library.mjs';
 
 const vector = (x, y, z) => ({ x, y, z });
@@ -108,6 +108,19 @@ test('two boxes', () => {
   assert.equal(pairContacts(box, pose(), box, pose(0, 0, 1.75), { maxContacts: 1 }).length, 1);
 });
 
+test('batches have the contacts and casts of each pair', () => {
+  const [box, still] = [Shape.box(1, 1, 1), vector(0, 0, 0)];
+  const [here, there] = [[pose(), pose(), pose()], [pose(0, 0, 1.75), pose(9), pose(1.5)]];
+  const lists = pairContactLists(box, here, box, there, { threads: 1 });
+  assert.deepEqual(lists, here.map((at, i) => pairContacts(box, at, box, there[i])));
+  assert.deepEqual(lists.map((contacts) => contacts.length), [4, 0, 4]);
+  const ways = Float64Array.of(0, 0, 4, 0, 0, 4, 4, 0, 0);
+  const casts = pairCasts(box, here, ways, box, there, [still, still, still]);
+  assert.deepEqual(casts.map((hit) => hit?.fraction), [0, undefined, 0]);
+  assert.deepEqual(pairCasts(box, [], [], box, [], []), []);
+  refused('ABUT_INVALID_ARGUMENT', 'displacementsB has 0', () => pairCasts(box, here, ways, box, there, []));
+});
+
 test('casts of two shapes meet or miss', () => {
   const box = Shape.box(1, 1, 1);
   const still = vector(0, 0, 0);
@@ -158,6 +171,9 @@ test('rules, options, shapes and motions say who meets whom', () => {
   universe.setMotion(parts[1], 'static');
   universe.setMotion(parts[2], 'static');
   assert.equal(contactsOfAStep(universe), 0);
+  assert.deepEqual(universe.whyApart(geometries[1], geometries[2]), ['motion']);
+  assert.deepEqual(universe.whyApart(geometries[0], geometries[0]), ['part', 'kinds']);
+  refused('ABUT_STALE_ID', 'geometry_b', () => universe.whyApart(geometries[0], { slot: 99, generation: 1 }));
   refused('ABUT_INVALID_ARGUMENT', 'a side of a rule is', () => universe.setRule(geometries[1], 'any', 'enable'));
   refused('ABUT_INVALID_ARGUMENT', 'rule is off', () => universe.setRule('any', 'any', 'off'));
 });

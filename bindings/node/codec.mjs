@@ -75,10 +75,10 @@ export class Codec {
     return count === 0 ? [] : new Memory(this, koffi.view(pointer, this.size * count)).first(count);
   }
 
-  /** Objects that a call fills by count-then-fill: call(place, capacity, count). */
-  fill(call) {
+  /** Objects that a call fills by count-then-fill, with room for as many at first: call(place, capacity, count). */
+  fill(call, room = 8) {
     const count = [0];
-    for (let capacity = 8; ; capacity = Number(count[0])) {
+    for (let capacity = room; ; capacity = Number(count[0])) {
       const place = this.room(capacity);
       call(place.bytes, capacity, count);
       if (Number(count[0]) <= capacity) return place.first(Number(count[0]));

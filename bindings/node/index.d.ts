@@ -36,6 +36,9 @@ export interface Pose {
 /** Poses as objects, or 7 numbers each: x, y, z of the position, then w, x, y, z of the orientation. */
 export type Poses = readonly Pose[] | Float64Array;
 
+/** Vectors as objects, or 3 numbers each. */
+export type Vectors = readonly Vector[] | Float64Array;
+
 /** A pose at x, y, z, not turned unless an orientation says so. */
 export function pose(x?: number, y?: number, z?: number, orientation?: Quaternion): Pose;
 
@@ -158,10 +161,23 @@ export function pairDistances(
 /** Contact points of two shapes, deepest first. */
 export function pairContacts(a: Shape, poseA: Pose, b: Shape, poseB: Pose, options?: QueryOptions): Contact[];
 
+/** The same for many pairs of poses of two shapes, in one call: a list for each pair. */
+export function pairContactLists(
+  a: Shape, posesA: Poses, b: Shape, posesB: Poses, options?: QueryOptions): Contact[][];
+
 /** When two shapes first touch that both move by a displacement without turning; null when they do not. */
 export function pairCast(
   a: Shape, poseA: Pose, displacementA: Vector, b: Shape, poseB: Pose, displacementB: Vector,
   options?: QueryOptions): CastHit | null;
+
+/** The same for many poses and displacements, in one call. */
+export function pairCasts(
+  a: Shape, posesA: Poses, displacementsA: Vectors, b: Shape, posesB: Poses, displacementsB: Vectors,
+  options?: QueryOptions): (CastHit | null)[];
+
+/** What keeps two geometries from being examined. */
+export type ApartReason = 'part' | 'motion' | 'parking' | 'exclusion' | 'layers' | 'rule' | 'filter' | 'kinds' | 'boxes' |
+  'policy' | 'detection';
 
 export interface UniverseOptions {
   broadphase?: 'auto' | 'brute' | 'tree' | 'sweepAndPrune' | 'hashGrid';
@@ -288,6 +304,8 @@ export class Universe {
   setRule(a: Collidable, b: Collidable, rule: 'none' | 'enable' | 'disable'): void;
   /** Takes all rules away. */
   clearRules(): void;
+  /** Why two geometries are not examined; empty where they are, so that the distance of their shapes decides. */
+  whyApart(a: GeometryId, b: GeometryId): ApartReason[];
   /** Parks a geometry, or brings it back with 'none'. A filter may do that, too. */
   park(geometry: GeometryId, parking: Parking): void;
   /**

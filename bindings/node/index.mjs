@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // abut for Node: shapes, queries on two of them, and universes. index.d.ts describes all of it.
 import {
-  abut, answer, codecs, expectAsMany, made, options, poseAt, posesOf, refuse, structs, vectorAt,
+  abut, answer, codecs, expectAsMany, made, options, poseAt, posesOf, refuse, structs, vectorAt, vectorsOf,
 } from './library.mjs';
 
 export { AbutError } from './library.mjs';
@@ -126,6 +126,16 @@ export function pairContacts(a, poseA, b, poseB, fields) {
     a.pointer, poseAt(poseA, 0), b.pointer, poseAt(poseB, 1), its, place, capacity, count));
 }
 
+export function pairContactLists(a, posesA, b, posesB, fields) {
+  const [first, second] = [posesOf('posesA', posesA), posesOf('posesB', posesB)];
+  expectAsMany('posesA', first.count, 'posesB', second.count);
+  const its = options(structs.queryOptions, fields);
+  const offsets = new BigUint64Array(first.count + 1);
+  const all = codecs.contact.fill((place, capacity, count) => abut.abut_pairs_contacts(
+    a.pointer, first.bytes, b.pointer, second.bytes, first.count, its, offsets, place, capacity, count), 4 * first.count);
+  return Array.from({ length: first.count }, (_, i) => all.slice(Number(offsets[i]), Number(offsets[i + 1])));
+}
+
 export function pairCast(a, poseA, displacementA, b, poseB, displacementB, fields) {
   const out = codecs.castHit.room();
   const found = [0];
@@ -133,4 +143,18 @@ export function pairCast(a, poseA, displacementA, b, poseB, displacementB, field
     a.pointer, poseAt(poseA, 0), vectorAt(displacementA, 0), b.pointer, poseAt(poseB, 1), vectorAt(displacementB, 1),
     options(structs.queryOptions, fields), out.bytes, found);
   return found[0] === 1 ? out.get() : null;
+}
+
+export function pairCasts(a, posesA, displacementsA, b, posesB, displacementsB, fields) {
+  const given = {
+    posesA: posesOf('posesA', posesA), displacementsA: vectorsOf('displacementsA', displacementsA),
+    posesB: posesOf('posesB', posesB), displacementsB: vectorsOf('displacementsB', displacementsB),
+  };
+  const { count } = given.posesA;
+  for (const [name, each] of Object.entries(given)) expectAsMany('posesA', count, name, each.count);
+  const out = codecs.castHit.room(count);
+  abut.abut_pairs_cast(
+    a.pointer, given.posesA.bytes, given.displacementsA.bytes, b.pointer, given.posesB.bytes, given.displacementsB.bytes,
+    count, options(structs.queryOptions, fields), out.bytes);
+  return out.first(count).map((hit) => (Number.isFinite(hit.fraction) ? hit : null));
 }

@@ -150,6 +150,13 @@ const prototypes = [
     'const abut_pose *pose_b, const abut_vec3 *displacement_b, const abut_query_options *options, void *hit, ' +
     '_Out_ uint32_t *found)',
 
+  'int32_t abut_pairs_contacts(abut_shape *a, const abut_pose *poses_a, abut_shape *b, const abut_pose *poses_b, ' +
+    'size_t pair_count, const abut_query_options *options, void *offsets, void *contacts, size_t capacity, ' +
+    '_Out_ size_t *count)',
+  'int32_t abut_pairs_cast(abut_shape *a, const abut_pose *poses_a, const abut_vec3 *displacements_a, abut_shape *b, ' +
+    'const abut_pose *poses_b, const abut_vec3 *displacements_b, size_t count, const abut_query_options *options, ' +
+    'void *hits)',
+
   'int32_t abut_universe_create(const abut_universe_options *options, _Out_ abut_universe **out)',
   'void abut_universe_destroy(abut_universe *universe)',
   'int32_t abut_part_create(abut_universe *universe, const abut_part_options *options, abut_part_id *out)',
@@ -170,6 +177,7 @@ const prototypes = [
   'int32_t abut_geometry_set_shape(abut_universe *universe, abut_geometry_id geometry, abut_shape *shape)',
   'int32_t abut_rule_set(abut_universe *universe, const abut_collidable *a, const abut_collidable *b, uint32_t rule)',
   'int32_t abut_rules_clear(abut_universe *universe)',
+  'int32_t abut_universe_why_apart(abut_universe *universe, abut_geometry_id a, abut_geometry_id b, _Out_ uint32_t *out)',
   'int32_t abut_geometry_park(abut_universe *universe, abut_geometry_id geometry, uint32_t parking)',
   'int32_t abut_universe_set_filter(abut_universe *universe, abut_filter *filter, void *context)',
   'int32_t abut_universe_refilter(abut_universe *universe)',
@@ -224,11 +232,21 @@ export function vectorAt(vector, place = 0) {
   return scratch.vector[place].bytes;
 }
 
+// Structs of `width` numbers as they are, or as these numbers.
+function rowsOf(codec, width, name, values) {
+  if (!(values instanceof Float64Array)) return { bytes: codec.encode(values), count: values.length };
+  if (values.length % width !== 0) refuse(`${name} has ${values.length} numbers, which is not a multiple of ${width}`);
+  return { bytes: new Uint8Array(values.buffer, values.byteOffset, values.byteLength), count: values.length / width };
+}
+
 /** Poses as they are, or 7 numbers each: x, y, z of the position, then w, x, y, z of the orientation. */
 export function posesOf(name, poses) {
-  if (!(poses instanceof Float64Array)) return { bytes: codecs.pose.encode(poses), count: poses.length };
-  if (poses.length % 7 !== 0) refuse(`${name} has ${poses.length} numbers, which is not a multiple of 7`);
-  return { bytes: new Uint8Array(poses.buffer, poses.byteOffset, poses.byteLength), count: poses.length / 7 };
+  return rowsOf(codecs.pose, 7, name, poses);
+}
+
+/** Vectors as they are, or 3 numbers each. */
+export function vectorsOf(name, vectors) {
+  return rowsOf(codecs.vector, 3, name, vectors);
 }
 
 export function expectAsMany(nameA, countA, nameB, countB) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What compiles and what does not; the compiler checks it, and nobody runs it.
-import { Shape, Universe, pairContacts, pairDistance, pose, type Contact, type GeometryId, type PartId } from 'abut';
+import { Shape, Universe, pairContactLists, pairContacts, pairDistance, pose, type Contact, type GeometryId, type PartId } from 'abut';
 
 const ball: Shape = Shape.sphere(1);
 const hull: Shape = Shape.hull(new Float32Array(12));
 const found: number = pairDistance(ball, pose(), hull, pose(0, 0, 2), { margin: 1 }).distance;
 const contacts: Contact[] = pairContacts(ball, pose(), ball, pose());
+const lists: Contact[][] = pairContactLists(ball, new Float64Array(7), ball, [pose()], { threads: 2 });
 
 const universe = new Universe({ threads: 2, broadphase: 'tree' });
 const part: PartId = universe.addPart({ motion: 'static', pose: pose(1) });
@@ -22,4 +23,4 @@ universe.addPart({ motion: 'still' });
 // @ts-expect-error: a ray may meet nothing
 universe.castRay({ x: 0, y: 0, z: 5 }, { x: 0, y: 0, z: -1 }).distance;
 
-export { contacts, found, hit };
+export { contacts, found, hit, lists };

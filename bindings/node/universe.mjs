@@ -22,6 +22,11 @@ function collidable(what) {
   return codecs.collidable.encode([its]);
 }
 
+// Why two geometries are not examined, bit by bit.
+const reasons = [
+  'part', 'motion', 'parking', 'exclusion', 'layers', 'rule', 'filter', 'kinds', 'boxes', 'policy', 'detection',
+];
+
 const forgotten = new FinalizationRegistry(free);
 
 function free({ pointer, callback }) {
@@ -116,6 +121,11 @@ export class Universe {
 
   clearRules() {
     abut.abut_rules_clear(this.pointer);
+  }
+
+  whyApart(a, b) {
+    const bits = made(abut.abut_universe_why_apart, this.pointer, a, b);
+    return reasons.filter((_, bit) => (bits >> bit & 1) !== 0);
   }
 
   park(geometry, parking) {

@@ -1182,6 +1182,15 @@ ABUT_API abut_status abut_rule_set(abut_universe *universe, const abut_collidabl
 ABUT_API abut_status abut_rules_clear(abut_universe *universe);
 
 /**
+ * The rule that counts for two geometries: what it says, and the collidables that it names, `a` being or holding
+ * geometry_a. Where no rule speaks of the two, `rule` is ABUT_RULE_NONE, and both are any. The two may be one geometry.
+ * Complexity O(log rules). [const]
+ */
+ABUT_API abut_status abut_rule_between(const abut_universe *universe, abut_geometry_id geometry_a,
+                                       abut_geometry_id geometry_b, abut_rule *rule, abut_collidable *a,
+                                       abut_collidable *b);
+
+/**
  * Decides about a pair: 0 leaves it out. The thread that steps calls it once for each pair that comes near and is not
  * left out before. Calls are ordered by slots. It may make [const] calls, and park; contacts and events are those of
  * the step before then. It must not throw: what gets out of it makes the step answer ABUT_INTERNAL.
@@ -1469,6 +1478,35 @@ ABUT_API abut_status abut_universe_explain(const abut_universe *universe, char *
 /** The same as JSON; docs/universe.md lists the fields. [const] */
 ABUT_API abut_status abut_universe_explain_json(const abut_universe *universe, char *text, size_t capacity,
                                                 size_t *needed);
+
+/** What keeps two geometries from being examined, as bits. */
+typedef uint32_t abut_apart_reasons;
+enum abut_apart_reasons_value ABUT_ENUM(uint32_t) {
+  ABUT_APART_PART = 1,       /**< they are on one part, or are one geometry without ABUT_GEOMETRY_SELF_PAIRS */
+  ABUT_APART_MOTION = 2,     /**< neither part is dynamic */
+  ABUT_APART_PARKING = 4,    /**< one of them is parked */
+  ABUT_APART_EXCLUSION = 8,  /**< they have an exclusion bit in common */
+  ABUT_APART_LAYERS = 16,    /**< the layers of one do not meet the mask of the other */
+  ABUT_APART_RULE = 32,      /**< the rule that counts disables them; abut_rule_between tells which one that is */
+  ABUT_APART_FILTER = 64,    /**< the filter said no when it was asked last */
+  ABUT_APART_KINDS = 128,    /**< their kinds have no algorithm */
+  ABUT_APART_BOXES = 256,    /**< their boxes do not overlap */
+  ABUT_APART_POLICY = 512,   /**< a policy asks about their boxes only: events without contacts */
+  ABUT_APART_DETECTION = 1024 /**< the last detection has not looked at them as they are now: something has changed
+                                   since, or its scope or a policy with a period left them out */
+};
+
+/**
+ * Tells why two geometries are not examined, and so get no new contacts: all reasons that hold. With none of them, 0,
+ * the last detection has examined them or has kept what it had, and the distance of their shapes decides
+ * (abut_pair_distance).
+ * Options, rules, motions and parking are the present ones. Boxes are those of the last step or refresh, as queries see
+ * them. The filter is not called: its last answer counts. The order of the two does not matter. They may be one
+ * geometry.
+ * Complexity O(log pairs + log rules). [const]
+ */
+ABUT_API abut_status abut_universe_why_apart(const abut_universe *universe, abut_geometry_id geometry_a,
+                                             abut_geometry_id geometry_b, abut_apart_reasons *out);
 
 /** What will surprise whoever built a scene. */
 typedef uint32_t abut_finding_code;

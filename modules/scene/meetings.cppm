@@ -27,18 +27,35 @@ struct Meetings {
   // not parked. Layers, masks and exclusion speak of two geometries, not of one that meets itself.
   [[nodiscard]] bool admits(const Places& places, std::uint32_t low, std::uint32_t high) const {
     const PlaceInfo &a = places.infos[low], &b = places.infos[high];
-    const bool are_kept_apart =
-        low != high && ((a.exclusion & b.exclusion) != 0 || (a.layers & b.mask) == 0 || (b.layers & a.mask) == 0);
-    if (are_kept_apart) {
+    if (low != high && (are_excluded(a, b) || are_of_strange_layers(a, b))) {
       return false;
     }
-    const GeometryId first = places.id_at(low), second = places.id_at(high);
-    return (rules.is_empty() || rules.allows({first, a.part, a.label}, {second, b.part, b.label})) &&
-           (!filter || ask_filter(first, second));
+    return rules.allows(side_of(places, low), side_of(places, high)) &&
+           (!filter || ask_filter(places.id_at(low), places.id_at(high)));
+  }
+  // Why two places are not admitted, as bits of ApartReason; the filter is not asked.
+  [[nodiscard]] std::uint32_t reasons(const Places& places, std::uint32_t low, std::uint32_t high) const {
+    const PlaceInfo &a = places.infos[low], &b = places.infos[high];
+    const auto bit_if = [](bool is_one, ApartReason bit) { return is_one ? std::uint32_t{bit} : 0; };
+    std::uint32_t bits = bit_if(!rules.allows(side_of(places, low), side_of(places, high)), apart_by_rule);
+    if (low == high) {
+      return bits | bit_if(!a.has_self_pairs, apart_by_part);
+    }
+    bits |= bit_if(a.part == b.part, apart_by_part) | bit_if(!a.is_dynamic && !b.is_dynamic, apart_by_motion);
+    return bits | bit_if(are_excluded(a, b), apart_by_exclusion) | bit_if(are_of_strange_layers(a, b), apart_by_layers);
+  }
+  [[nodiscard]] static RuleSide side_of(const Places& places, std::uint32_t place) {
+    return {places.id_at(place), places.infos[place].part, places.infos[place].label};
   }
   [[nodiscard]] std::size_t bytes() const { return rules.bytes() + policies.bytes(); }
 
  private:
+  [[nodiscard]] static bool are_excluded(const PlaceInfo& a, const PlaceInfo& b) {
+    return (a.exclusion & b.exclusion) != 0;
+  }
+  [[nodiscard]] static bool are_of_strange_layers(const PlaceInfo& a, const PlaceInfo& b) {
+    return (a.layers & b.mask) == 0 || (b.layers & a.mask) == 0;
+  }
   [[nodiscard]] bool ask_filter(GeometryId first, GeometryId second) const {
     const bool is_kept = filter(first, second);
     ++filter_counts.asked;

@@ -136,6 +136,26 @@ struct Collidable {
   std::uint32_t generation = 0;  // of the geometry or the part
 };
 enum class Rule : std::uint32_t { none, enable, disable };
+// The rule that counts for two geometries, and the two that it speaks of; none where no rule does.
+struct RuleVerdict {
+  Rule rule = Rule::none;
+  Collidable a = {}, b = {};
+};
+
+// What keeps two geometries from being examined.
+enum ApartReason : std::uint32_t {
+  apart_by_part = 1,         // they are on one part, or are one that does not meet itself
+  apart_by_motion = 2,       // neither part is dynamic
+  apart_by_parking = 4,      // one of them is parked
+  apart_by_exclusion = 8,    // they have a bit in common
+  apart_by_layers = 16,      // the layers of one do not meet the mask of the other
+  apart_by_rule = 32,        // the rule that counts disables them
+  apart_by_filter = 64,      // the filter has said no
+  apart_by_kinds = 128,      // no algorithm
+  apart_by_boxes = 256,      // their boxes do not overlap
+  apart_by_policy = 512,     // their boxes are all that a policy asks about
+  apart_by_detection = 1024  // the last one has not looked at them as they are
+};
 
 // How much of a pair is found.
 enum class Detail : std::uint32_t {

@@ -66,20 +66,22 @@ std::optional<Rule> Rules::find(const Collidable& a, const Collidable& b) const 
   return found == rules_.end() ? std::nullopt : std::optional(found->second);
 }
 
-bool Rules::allows(const RuleSide& a, const RuleSide& b) const {
+RuleVerdict Rules::verdict(const RuleSide& a, const RuleSide& b) const {
   for (std::size_t low = 0; low < kind_count; ++low) {
     for (std::size_t high = low; high < kind_count; ++high) {
       if (counts_[low][high] == 0) {
         continue;
       }
-      const std::optional<Rule> one = find(of_kind(a, low), of_kind(b, high)),
-                                other = find(of_kind(a, high), of_kind(b, low));
-      if (one || other) {
-        return one != Rule::disable && other != Rule::disable;
+      const RuleVerdict one{find(of_kind(a, low), of_kind(b, high)).value_or(Rule::none), of_kind(a, low),
+                            of_kind(b, high)};
+      const RuleVerdict other{find(of_kind(a, high), of_kind(b, low)).value_or(Rule::none), of_kind(a, high),
+                              of_kind(b, low)};
+      if (one.rule != Rule::none || other.rule != Rule::none) {
+        return one.rule == Rule::disable || other.rule == Rule::none ? one : other;
       }
     }
   }
-  return true;
+  return {};
 }
 
 }  // namespace abut

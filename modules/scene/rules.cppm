@@ -32,8 +32,11 @@ class Rules {
   [[nodiscard]] inline std::size_t bytes() const { return rules_.size() * (sizeof(Key) + sizeof(Rule) + node_bytes); }
   // Whether nothing meets anything: any with any is disabled, and nothing more specific is enabled. O(rules).
   [[nodiscard]] bool disable_all() const;
-  // O(log rules) for each combination of kinds that has any rule.
-  [[nodiscard]] bool allows(const RuleSide& a, const RuleSide& b) const;
+  // The rule that counts. O(log rules) for each combination of kinds that has any rule.
+  [[nodiscard]] RuleVerdict verdict(const RuleSide& a, const RuleSide& b) const;
+  [[nodiscard]] inline bool allows(const RuleSide& a, const RuleSide& b) const {
+    return is_empty() || verdict(a, b).rule != Rule::disable;
+  }
 
   template <class Archive, class Self>
   static void transfer(Archive& archive, Self& self) {

@@ -6,6 +6,8 @@ import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
+import abut.scene.checks;
+import abut.scene.meetings;
 import abut.scene.policies;
 
 namespace abut {
@@ -62,6 +64,13 @@ Result<void> Scene::set_rule(const Collidable& a, const Collidable& b, Rule rule
 void Scene::clear_rules() {
   meetings_.must_ask_again = meetings_.must_ask_again || !meetings_.rules.is_empty();
   meetings_.rules.clear();
+}
+
+Result<RuleVerdict> Scene::rule_between(GeometryId a, GeometryId b) const {
+  if (!geometries_.contains(a) || !geometries_.contains(b)) {
+    return stale(geometries_.contains(a) ? "geometry_b" : "geometry_a");
+  }
+  return meetings_.rules.verdict(Meetings::side_of(places_, a.slot - 1), Meetings::side_of(places_, b.slot - 1));
 }
 
 void Scene::set_filter(Filter filter) {

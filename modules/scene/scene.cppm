@@ -88,6 +88,8 @@ class Scene {
   // Answers are kept per pair until something that they depend on changes.
   [[nodiscard]] Result<void> set_rule(const Collidable& a, const Collidable& b, Rule rule);
   void clear_rules();
+  // In the order of the two.
+  [[nodiscard]] Result<RuleVerdict> rule_between(GeometryId a, GeometryId b) const;
   // Asked last, once for each pair that comes near, in order. It may ask the universe but not change it.
   using Filter = Meetings::Filter;
   void set_filter(Filter filter);

@@ -50,6 +50,10 @@ class Universe : public Scene {
     return contacts_.locals();
   }
   [[nodiscard]] bool keeps_local_points() const { return options_.keeps_local_points; }
+  // Why two geometries are not examined, as bits of ApartReason; 0 where they are, so that the distance of their shapes
+  // decides. Options, rules and parking are the present ones, boxes those of the last refresh, and answers of the
+  // filter those of the last detection. O(log pairs).
+  [[nodiscard]] Result<std::uint32_t> why_apart(GeometryId a, GeometryId b) const;
   // One value per contact of the last step, in their order.
   [[nodiscard]] Result<void> set_contact_user_data(std::span<const std::uint64_t> user_data) {
     return contacts_.set_user_data(user_data);
@@ -94,6 +98,11 @@ class Universe : public Scene {
   void count_everything(const ContactCounts& counts);
   [[nodiscard]] std::size_t bytes() const;
   [[nodiscard]] Plan plan(std::span<const Plan::Extension> extensions) const;
+  [[nodiscard]] std::uint32_t why_apart_at(std::uint32_t low, std::uint32_t high) const;
+  [[nodiscard]] const Pair* find_pair(std::uint32_t low, std::uint32_t high) const;
+  [[nodiscard]] bool has_filter_refused(const Pair& pair) const;
+  [[nodiscard]] bool is_parked(std::uint32_t place) const;
+  [[nodiscard]] bool has_changed(std::uint32_t place) const;
   [[nodiscard]] std::vector<Plan::LeftOut> left_out(std::uint64_t never_met, bool has_extensions) const;
   [[nodiscard]] Plan::FocusCounts count_focus() const;
 

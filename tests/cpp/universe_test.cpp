@@ -204,10 +204,16 @@ TEST(Rules, DecideWhoMeetsWhom) {
   room.universe.set_rule(abut::collidable(room.ball), abut::all_with_label(0), ABUT_RULE_ENABLE);
   room.universe.step(0);
   EXPECT_EQ(room.universe.contacts().size(), 1U);
+  const abut::Contact contact = room.universe.contacts()[0];
+  EXPECT_EQ(room.universe.why_apart(contact.geometry_a, contact.geometry_b), 0U);
+  EXPECT_EQ(room.universe.rule_between(contact.geometry_a, contact.geometry_b).rule, ABUT_RULE_ENABLE);
   room.universe.clear_rules();
   room.universe.set_rule(abut::collidable(room.body), abut::collidable(room.floor), ABUT_RULE_DISABLE);
   room.universe.step(0);
   EXPECT_TRUE(room.universe.contacts().empty());
+  EXPECT_EQ(room.universe.why_apart(contact.geometry_a, contact.geometry_b), abut_apart_reasons{ABUT_APART_RULE});
+  EXPECT_EQ(room.universe.rule_between(contact.geometry_a, contact.geometry_b).a.kind,
+            abut_collidable_kind{ABUT_COLLIDABLE_PART});
 }
 
 TEST(Filter, DecidesAboutPairs) {

@@ -77,7 +77,7 @@ Encounters::Encounters(const World& world) : world_(&world), gates_(world), near
 }
 
 GateAnswer Encounters::answer_of_boxes(std::size_t a, std::size_t b) const {
-  const bool overlap = std::ranges::binary_search(near_, NumberPair(std::minmax(a, b)));
+  const bool overlap = (world_->why_apart(a, b) & ABUT_APART_BOXES) == 0;
   const char* what = overlap ? "overlap: there are events without contacts" : "are apart";
   return {"boxes", overlap, std::string("a policy asks about their boxes only, which ") + what};
 }

@@ -33,14 +33,8 @@ std::string names_of_bits(const Names& names, std::uint64_t bits) {
   return text;
 }
 
-bool on_two_parts(const Pair& pair) { return pair.geometry(pair.a).part != pair.geometry(pair.b).part; }
-
 std::string say_parts(const Pair& pair, bool is_open) {
   return is_open ? "they are on two parts" : "both are on the part " + pair.part(pair.a).name;
-}
-
-bool one_is_dynamic(const Pair& pair) {
-  return pair.part(pair.a).motion == ABUT_MOTION_DYNAMIC || pair.part(pair.b).motion == ABUT_MOTION_DYNAMIC;
 }
 
 std::string motion_name(const Part& part) {
@@ -57,8 +51,6 @@ std::string say_motion(const Pair& pair, bool is_open) {
 
 bool is_parked(const Pair& pair, std::size_t index) { return pair.options(index).parking != ABUT_PARKING_NONE; }
 
-bool none_is_parked(const Pair& pair) { return !is_parked(pair, pair.a) && !is_parked(pair, pair.b); }
-
 std::string say_parking(const Pair& pair, bool is_open) {
   return is_open ? "neither is parked" : pair.name(is_parked(pair, pair.a) ? pair.a : pair.b) + " is parked";
 }
@@ -66,8 +58,6 @@ std::string say_parking(const Pair& pair, bool is_open) {
 std::uint64_t shared_exclusions(const Pair& pair) {
   return pair.options(pair.a).exclusion & pair.options(pair.b).exclusion;
 }
-
-bool share_no_exclusion(const Pair& pair) { return shared_exclusions(pair) == 0; }
 
 std::string say_exclusion(const Pair& pair, bool is_open) {
   return is_open ? "they have no exclusion in common"
@@ -77,8 +67,6 @@ std::string say_exclusion(const Pair& pair, bool is_open) {
 bool meets(const Pair& pair, std::size_t one, std::size_t other) {
   return (pair.options(one).mask & pair.options(other).layers) != 0;
 }
-
-bool meet_each_other(const Pair& pair) { return meets(pair, pair.a, pair.b) && meets(pair, pair.b, pair.a); }
 
 std::string say_layers(const Pair& pair, bool is_open) {
   if (is_open) {
@@ -91,22 +79,10 @@ std::string say_layers(const Pair& pair, bool is_open) {
          names_of_bits(pair.scene->layers, pair.options(other).layers);
 }
 
-bool no_rule_disables(const Pair& pair) {
-  const auto verdict = pair.rules->verdict(*pair.scene, pair.a, pair.b);
-  return !verdict || verdict->rule != ABUT_RULE_DISABLE;
-}
-
 std::string say_rules(const Pair& pair, bool is_open) {
-  const auto verdict = pair.rules->verdict(*pair.scene, pair.a, pair.b);
-  return verdict ? verdict->path + (is_open ? " enables them" : " disables them") : "no rule speaks of them";
-}
-
-bool have_algorithm(const Pair& pair) {
-  std::uint32_t supported = 0;
-  check(abut_pair_support(abut_shape_kind_of(pair.geometry(pair.a).shape),
-                          abut_shape_kind_of(pair.geometry(pair.b).shape), ABUT_QUERY_CONTACTS, &supported),
-        "cannot ask what two kinds answer");
-  return supported != 0;
+  const Verdict verdict = pair.rules->verdict(pair.a, pair.b);
+  return verdict.rule == ABUT_RULE_NONE ? "no rule speaks of them"
+                                        : verdict.path + (is_open ? " enables them" : " disables them");
 }
 
 std::string say_kinds(const Pair& pair, bool is_open) {
@@ -117,17 +93,17 @@ std::string say_kinds(const Pair& pair, bool is_open) {
 
 struct Gate {
   std::string_view name;
-  bool (*is_open)(const Pair&);
+  abut_apart_reasons reason;  // with which it is closed
   std::string (*says)(const Pair&, bool is_open);
 };
 
-constexpr std::array<Gate, 7> gates{{{"parts", on_two_parts, say_parts},
-                                     {"motion", one_is_dynamic, say_motion},
-                                     {"parking", none_is_parked, say_parking},
-                                     {"exclusion", share_no_exclusion, say_exclusion},
-                                     {"layers", meet_each_other, say_layers},
-                                     {"rules", no_rule_disables, say_rules},
-                                     {"kinds", have_algorithm, say_kinds}}};
+constexpr std::array<Gate, 7> gates{{{"parts", ABUT_APART_PART, say_parts},
+                                     {"motion", ABUT_APART_MOTION, say_motion},
+                                     {"parking", ABUT_APART_PARKING, say_parking},
+                                     {"exclusion", ABUT_APART_EXCLUSION, say_exclusion},
+                                     {"layers", ABUT_APART_LAYERS, say_layers},
+                                     {"rules", ABUT_APART_RULE, say_rules},
+                                     {"kinds", ABUT_APART_KINDS, say_kinds}}};
 
 }  // namespace
 
@@ -139,17 +115,18 @@ std::vector<std::string_view> Gates::names() {
 
 std::vector<GateAnswer> Gates::answers(std::size_t a, std::size_t b) const {
   const Pair pair{&world_->scene(), &rules_, a, b};
+  const abut_apart_reasons reasons = world_->why_apart(a, b);
   std::vector<GateAnswer> all;
   for (const Gate& gate : gates) {
-    const bool is_open = gate.is_open(pair);
+    const bool is_open = (reasons & gate.reason) == 0;
     all.push_back({gate.name, is_open, gate.says(pair, is_open)});
   }
   return all;
 }
 
 std::optional<std::string_view> Gates::closed(std::size_t a, std::size_t b) const {
-  const Pair pair{&world_->scene(), &rules_, a, b};
-  const auto found = std::ranges::find_if(gates, [&](const Gate& gate) { return !gate.is_open(pair); });
+  const abut_apart_reasons reasons = world_->why_apart(a, b);
+  const auto found = std::ranges::find_if(gates, [&](const Gate& gate) { return (reasons & gate.reason) != 0; });
   return found == gates.end() ? std::nullopt : std::optional(found->name);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands between two geometries and a detection: the filters of the universe, in its order.
+// What stands between two geometries and a detection: the filters of the universe in its order, in words.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct GateAnswer {
 class Gates {
  public:
   /// The world must live longer.
-  explicit Gates(const World& world) : world_(&world), rules_(world.scene()) {}
+  explicit Gates(const World& world) : world_(&world), rules_(world) {}
 
   /// What each gate says about two geometries, by their numbers in the scene.
   [[nodiscard]] std::vector<GateAnswer> answers(std::size_t a, std::size_t b) const;

@@ -1,36 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which rule of a scene decides about a pair, in the order that abut_rule_set describes.
+// The places in a scene of the rules that a universe has.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
-#include "scene.hpp"
+#include "world.hpp"
 
 namespace cli {
 
+/// The rule that counts for two geometries; ABUT_RULE_NONE where no rule speaks of them.
+struct Verdict {
+  abut_rule rule;
+  std::string path;  // of the rule in the scene
+};
+
 class RuleBook {
  public:
-  struct Verdict {
-    abut_rule rule;
-    std::string path;  // of the rule in the scene
-  };
+  /// The world must live longer.
+  explicit RuleBook(const World& world);
 
-  explicit RuleBook(const Scene& scene);
-
-  /// The rule that counts for two geometries of the scene; none where no rule speaks of them.
-  [[nodiscard]] std::optional<Verdict> verdict(const Scene& scene, std::size_t a, std::size_t b) const;
+  /// By the numbers of the geometries in the scene.
+  [[nodiscard]] Verdict verdict(std::size_t a, std::size_t b) const;
 
  private:
-  using Side = std::pair<abut_collidable_kind, std::size_t>;
+  using Side = std::tuple<abut_collidable_kind, std::uint32_t, std::uint32_t>;
+  using Sides = std::pair<Side, Side>;  // the lesser one first
+  static Sides sides_of(const abut_collidable& a, const abut_collidable& b);
 
-  static std::array<Side, 4> sides_of(const Scene& scene, std::size_t geometry);
-
-  // The lesser side first; a later rule about the same two sides replaces an earlier one.
-  std::map<std::pair<Side, Side>, Verdict> verdicts_;
+  const World* world_;
+  std::map<Sides, std::string> paths_;  // a later rule about the same two sides replaces an earlier one
 };
 
 }  // namespace cli

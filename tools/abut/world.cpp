@@ -123,6 +123,13 @@ abut_pose World::pose_of(std::size_t geometry) const {
   return pose;
 }
 
+abut_apart_reasons World::why_apart(std::size_t a, std::size_t b) const {
+  abut_apart_reasons reasons = 0;
+  check(abut_universe_why_apart(universe_.get(), id_of(a), id_of(b), &reasons),
+        "cannot ask why two geometries do not meet");
+  return reasons;
+}
+
 std::uint32_t World::tag_of(std::size_t geometry) const {
   abut_geometry_info info;
   abut_geometry_info_init(&info, sizeof info);

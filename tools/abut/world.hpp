@@ -26,6 +26,11 @@ class World {
   [[nodiscard]] abut_pose pose_of(std::size_t geometry) const;
   /// The tag of the geometry of that number, which a focus may have switched.
   [[nodiscard]] std::uint32_t tag_of(std::size_t geometry) const;
+  /// The geometry of that number, and whatever a rule of the scene names, in the universe.
+  [[nodiscard]] abut_geometry_id id_of(std::size_t geometry) const { return geometries_.at(geometry); }
+  [[nodiscard]] abut_collidable collidable(const Collidable& what) const;
+  /// Why the last step did not examine two geometries, by their numbers; 0 where it did.
+  [[nodiscard]] abut_apart_reasons why_apart(std::size_t a, std::size_t b) const;
   /// The number in the scene of a geometry of the universe.
   [[nodiscard]] std::size_t number_of(abut_geometry_id id) const { return geometry_of_slot_[id.slot]; }
   [[nodiscard]] const std::string& part_name(abut_geometry_id id) const;
@@ -37,7 +42,6 @@ class World {
   void set_rules();
   void set_policies();
   void set_focus();
-  [[nodiscard]] abut_collidable collidable(const Collidable& what) const;
 
   Scene scene_;
   UniverseOwner universe_;

@@ -73,8 +73,17 @@ class Universes(unittest.TestCase):
             self.universe.set_rule(b, a, abut.RULE_NONE)
             self.universe.step()
             self.assertEqual(len(self.universe.contacts()), 2)
+        self.universe.set_rule(self.parts[1], 0, abut.RULE_ENABLE)
         self.universe.set_rule(None, None, abut.RULE_DISABLE)
+        self.universe.step()
+        a, b, last = self.geometries
+        self.assertEqual(self.universe.why_apart(a, b), set())
+        self.assertEqual(self.universe.why_apart(b, last), {"rule"})
+        self.assertEqual(self.universe.why_apart(a, last), {"rule", "boxes"})
+        self.assertEqual(self.universe.rule_between(a, b), (abut.RULE_ENABLE, 0, self.parts[1]))
+        self.assertEqual(self.universe.rule_between(b, last), (abut.RULE_DISABLE, None, None))
         self.universe.clear_rules()
+        self.assertEqual(self.universe.rule_between(a, b), (abut.RULE_NONE, None, None))
         self.universe.step()
         self.assertEqual(len(self.universe.contacts()), 2)
         with self.assertRaises(TypeError):

@@ -30,7 +30,7 @@ pub mod raw;
 
 pub use contact::{Contact, Distance, Event, EventKind};
 pub use error::{Error, Result, Status};
-pub use meeting::{Asking, Collidable, QueryFilter, RayStart, Rule};
+pub use meeting::{ApartReasons, Asking, Collidable, QueryFilter, RayStart, Rule};
 pub use motion::{Sleep, SleepChange, Velocity};
 pub use options::{
     Algorithm, Broadphase, GeometryOptions, Motion, Parking, PartOptions, QueryOptions, ToleranceMode, UniverseOptions,

@@ -35,11 +35,69 @@ impl Collidable {
     }
 }
 
+impl Collidable {
+    pub(crate) fn of_raw(its: raw::abut_collidable) -> Collidable {
+        let raw::abut_collidable { kind, slot, generation } = its;
+        match kind {
+            raw::ABUT_COLLIDABLE_GEOMETRY => Collidable::Geometry(GeometryId { slot, generation }),
+            raw::ABUT_COLLIDABLE_PART => Collidable::Part(PartId { slot, generation }),
+            raw::ABUT_COLLIDABLE_LABEL => Collidable::Label(slot),
+            _ => Collidable::Any,
+        }
+    }
+}
+
+/// What keeps two geometries from being examined: all reasons that hold.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ApartReasons {
+    /// They are on one part, or are one geometry that does not meet itself.
+    pub part: bool,
+    /// Neither part is dynamic.
+    pub motion: bool,
+    /// One of them is parked.
+    pub parking: bool,
+    /// They have an exclusion bit in common.
+    pub exclusion: bool,
+    /// The layers of one do not meet the mask of the other.
+    pub layers: bool,
+    /// The rule that counts disables them.
+    pub rule: bool,
+    /// The filter said no when it was asked last.
+    pub filter: bool,
+    /// Their kinds have no algorithm.
+    pub kinds: bool,
+    /// Their boxes do not overlap.
+    pub boxes: bool,
+    /// A policy asks about their boxes only.
+    pub policy: bool,
+    /// The last detection has not looked at them as they are now.
+    pub detection: bool,
+}
+
+impl ApartReasons {
+    pub(crate) fn of_bits(bits: u32) -> ApartReasons {
+        let has = |bit| bits & bit != 0;
+        ApartReasons {
+            part: has(raw::ABUT_APART_PART),
+            motion: has(raw::ABUT_APART_MOTION),
+            parking: has(raw::ABUT_APART_PARKING),
+            exclusion: has(raw::ABUT_APART_EXCLUSION),
+            layers: has(raw::ABUT_APART_LAYERS),
+            rule: has(raw::ABUT_APART_RULE),
+            filter: has(raw::ABUT_APART_FILTER),
+            kinds: has(raw::ABUT_APART_KINDS),
+            boxes: has(raw::ABUT_APART_BOXES),
+            policy: has(raw::ABUT_APART_POLICY),
+            detection: has(raw::ABUT_APART_DETECTION),
+        }
+    }
+}
+
 /// What a rule says. The most specific one that fits a pair counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum Rule {
-    /// Takes the rule away.
+    /// Takes the rule away; of two geometries: no rule speaks of them.
     None = raw::ABUT_RULE_NONE,
     /// They meet.
     Enable = raw::ABUT_RULE_ENABLE,

@@ -1058,6 +1058,16 @@ extern "C" {
 extern "C" {
     pub fn abut_rules_clear(universe: *mut abut_universe) -> abut_status;
 }
+extern "C" {
+    pub fn abut_rule_between(
+        universe: *const abut_universe,
+        geometry_a: abut_geometry_id,
+        geometry_b: abut_geometry_id,
+        rule: *mut abut_rule,
+        a: *mut abut_collidable,
+        b: *mut abut_collidable,
+    ) -> abut_status;
+}
 pub type abut_filter = ::std::option::Option<
     unsafe extern "C" fn(
         context: *mut ::std::os::raw::c_void,
@@ -1322,6 +1332,27 @@ extern "C" {
         text: *mut ::std::os::raw::c_char,
         capacity: usize,
         needed: *mut usize,
+    ) -> abut_status;
+}
+pub type abut_apart_reasons = u32;
+pub const ABUT_APART_PART: abut_apart_reasons_value = 1;
+pub const ABUT_APART_MOTION: abut_apart_reasons_value = 2;
+pub const ABUT_APART_PARKING: abut_apart_reasons_value = 4;
+pub const ABUT_APART_EXCLUSION: abut_apart_reasons_value = 8;
+pub const ABUT_APART_LAYERS: abut_apart_reasons_value = 16;
+pub const ABUT_APART_RULE: abut_apart_reasons_value = 32;
+pub const ABUT_APART_FILTER: abut_apart_reasons_value = 64;
+pub const ABUT_APART_KINDS: abut_apart_reasons_value = 128;
+pub const ABUT_APART_BOXES: abut_apart_reasons_value = 256;
+pub const ABUT_APART_POLICY: abut_apart_reasons_value = 512;
+pub const ABUT_APART_DETECTION: abut_apart_reasons_value = 1024;
+pub type abut_apart_reasons_value = ::std::os::raw::c_uint;
+extern "C" {
+    pub fn abut_universe_why_apart(
+        universe: *const abut_universe,
+        geometry_a: abut_geometry_id,
+        geometry_b: abut_geometry_id,
+        out: *mut abut_apart_reasons,
     ) -> abut_status;
 }
 pub type abut_finding_code = u32;

@@ -3,6 +3,7 @@
 
 use crate::contact::{Contact, Event};
 use crate::error::check;
+use crate::meeting::{ApartReasons, Collidable, Rule};
 use crate::value::{blank, fill, mirror, raw_mut, raw_slice, raw_slice_mut, GeometryId, Mirror, PartId, Pose};
 use crate::{raw, Result, Shape};
 use std::ptr::null;
@@ -104,6 +105,29 @@ impl View {
         // SAFETY: the messages are terminated.
         let words = |finding: &raw::abut_finding| unsafe { std::ffi::CStr::from_ptr(finding.message.as_ptr()) };
         Ok(findings.iter().map(|finding| words(finding).to_string_lossy().into_owned()).collect())
+    }
+
+    /// Why two geometries are not examined; nothing where they are, so that the distance of their shapes decides.
+    pub fn why_apart(&self, a: GeometryId, b: GeometryId) -> Result<ApartReasons> {
+        let mut out = 0;
+        // SAFETY: see contacts.
+        check(unsafe { raw::abut_universe_why_apart(self.universe, a.raw(), b.raw(), &mut out) })?;
+        Ok(ApartReasons::of_bits(out))
+    }
+
+    /// The rule that counts for two geometries, and the collidables that it names.
+    pub fn rule_between(&self, a: GeometryId, b: GeometryId) -> Result<(Rule, Collidable, Collidable)> {
+        let (mut rule, mut of_a, mut of_b) = (0, Collidable::Any.raw(), Collidable::Any.raw());
+        // SAFETY: see contacts.
+        check(unsafe {
+            raw::abut_rule_between(self.universe, a.raw(), b.raw(), &mut rule, &mut of_a, &mut of_b)
+        })?;
+        let rule = match rule {
+            raw::ABUT_RULE_ENABLE => Rule::Enable,
+            raw::ABUT_RULE_DISABLE => Rule::Disable,
+            _ => Rule::None,
+        };
+        Ok((rule, Collidable::of_raw(of_a), Collidable::of_raw(of_b)))
     }
 
     /// All parts, ordered by slot.

@@ -94,6 +94,10 @@ fn parking_rules_and_masks_say_who_meets_whom() {
     assert_eq!(row.contacts_of_a_step(), 1);
     row.universe.park(&row.geometries[..1], Parking::None).unwrap();
     row.universe.set_rule(Collidable::Geometry(row.geometries[1]), Collidable::Any, Rule::Disable).unwrap();
+    let verdict = row.universe.rule_between(row.geometries[0], row.geometries[1]).unwrap();
+    assert_eq!(verdict, (Rule::Disable, Collidable::Any, Collidable::Geometry(row.geometries[1])));
+    let reasons = row.universe.why_apart(row.geometries[0], row.geometries[1]).unwrap();
+    assert!(reasons.rule && reasons.detection && !reasons.part);
     assert_eq!(row.contacts_of_a_step(), 0);
     row.universe.clear_rules().unwrap();
     row.universe.set_options(row.geometries[2], &GeometryOptions { mask: 2, ..Default::default() }).unwrap();

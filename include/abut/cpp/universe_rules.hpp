@@ -26,6 +26,20 @@ class UniverseRules : public UniverseGeometries {
   }
   Answer<void> clear_rules() { return detail::answer(abut_rules_clear(get())); }
 
+  // The rule that counts for two geometries, and the collidables that it names.
+  [[nodiscard]] Answer<RuleVerdict> rule_between(GeometryId geometry_a, GeometryId geometry_b) const {
+    std::uint32_t rule = ABUT_RULE_NONE;
+    RuleVerdict out{};
+    const abut_status status = abut_rule_between(get(), geometry_a, geometry_b, &rule, &out.a, &out.b);
+    out.rule = static_cast<Rule>(rule);
+    return detail::answer(status, out);
+  }
+  // Why two geometries are not examined, as bits such as ABUT_APART_LAYERS; 0 where they are.
+  [[nodiscard]] Answer<abut_apart_reasons> why_apart(GeometryId geometry_a, GeometryId geometry_b) const {
+    abut_apart_reasons out = 0;
+    return detail::answer(abut_universe_why_apart(get(), geometry_a, geometry_b, &out), out);
+  }
+
   // The universe keeps the filter; an empty one takes it away.
   Answer<void> set_filter(Filter filter) {
     auto kept = filter ? std::make_unique<KeptFilter>(KeptFilter{std::move(filter), nullptr}) : nullptr;

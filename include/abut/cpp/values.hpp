@@ -84,6 +84,12 @@ struct PairMemory : abut_pair_memory {
   constexpr PairMemory() noexcept : abut_pair_memory{} {}
 };
 
+// The rule that counts for two geometries, and the collidables that it names.
+struct RuleVerdict {
+  Rule rule;
+  Collidable a, b;
+};
+
 struct PartVelocity {
   Velocity velocity;
   VelocitySource source;

@@ -134,6 +134,22 @@ bool may_meet(const std::vector<Known>& rules, const Ball& x, const Ball& y) {
   return meets;
 }
 
+// That the rule which the universe names is in the list, says what the list says of the two, and names each.
+void expect_rule_of_list(const abut_universe* universe, const std::vector<Known>& rules, const Ball& x, const Ball& y) {
+  Known found{};
+  ASSERT_TRUE(succeeded(abut_rule_between(universe, x.geometry, y.geometry, &found.rule, &found.a, &found.b)));
+  EXPECT_EQ(found.rule != ABUT_RULE_DISABLE, may_meet(rules, x, y));
+  if (found.rule == ABUT_RULE_NONE) {
+    EXPECT_TRUE(is_equal(found.a, anything) && is_equal(found.b, anything));
+    return;
+  }
+  EXPECT_TRUE(is_equal(found.a, x.named(found.a.kind)) && is_equal(found.b, y.named(found.b.kind)));
+  EXPECT_TRUE(std::any_of(rules.begin(), rules.end(), [&](const Known& known) {
+    return known.rule == found.rule && ((is_equal(known.a, found.a) && is_equal(known.b, found.b)) ||
+                                        (is_equal(known.a, found.b) && is_equal(known.b, found.a)));
+  }));
+}
+
 TEST(Rules, ManyOfThemAreThoseOfAModel) {
   Crowd crowd;
   std::vector<Ball> balls;
@@ -158,6 +174,7 @@ TEST(Rules, ManyOfThemAreThoseOfAModel) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> expected;
     for (const Ball& x : balls) {
       for (const Ball& y : balls) {
+        expect_rule_of_list(crowd.universe, rules, x, y);
         if (x.geometry.slot >= y.geometry.slot || x.part == y.part) continue;
         if (may_meet(rules, x, y)) {
           expected.insert({x.geometry.slot, y.geometry.slot});

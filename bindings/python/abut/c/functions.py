@@ -155,6 +155,9 @@ FUNCTIONS = {
     "abut_material_pair_get": (Status, [c_void_p, c_uint32, c_uint32, POINTER(ContactMaterial)]),
     "abut_rule_set": (Status, [c_void_p, POINTER(Collidable), POINTER(Collidable), c_uint32]),
     "abut_rules_clear": (Status, [c_void_p]),
+    "abut_rule_between": (Status, [
+        c_void_p, GeometryId, GeometryId, POINTER(c_uint32), POINTER(Collidable), POINTER(Collidable)]),
+    "abut_universe_why_apart": (Status, [c_void_p, GeometryId, GeometryId, POINTER(c_uint32)]),
     "abut_universe_set_filter": (Status, [c_void_p, Filter, c_void_p]),
     "abut_universe_set_pointer_filter": (Status, [c_void_p, PointerFilter, c_void_p]),
     "abut_universe_refilter": (Status, [c_void_p]),

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from ctypes import byref
+from ctypes import byref, c_uint32
 from typing import Any, Callable
 
 from .. import c, given, options
@@ -23,6 +23,17 @@ def _collidable(what):
     return c.Collidable(kinds[type(what)], what.slot, what.generation)
 
 
+def _named(collidable):
+    """The same the other way."""
+    names = {c.COLLIDABLE_GEOMETRY: c.GeometryId(collidable.slot, collidable.generation),
+             c.COLLIDABLE_PART: c.PartId(collidable.slot, collidable.generation),
+             c.COLLIDABLE_LABEL: collidable.slot}
+    return names.get(collidable.kind)
+
+
+_REASONS = {name[len("APART_"):].lower(): bit for name, bit in vars(c).items() if name.startswith("APART_")}
+
+
 class Filters(Lender):
     """Takes effect at the next step."""
 
@@ -36,6 +47,22 @@ class Filters(Lender):
     def clear_rules(self) -> None:
         """Takes all rules away."""
         self._change(library.abut_rules_clear)
+
+    def rule_between(self, geometry_a: c.GeometryId, geometry_b: c.GeometryId) -> tuple[int, Any, Any]:
+        """The rule that counts for two geometries, and the two collidables that it names, as set_rule takes them."""
+        rule, a, b = c_uint32(), c.Collidable(), c.Collidable()
+        self._read(library.abut_rule_between, geometry_a, geometry_b, byref(rule), byref(a), byref(b))
+        return rule.value, _named(a), _named(b)
+
+    def why_apart(self, geometry_a: c.GeometryId, geometry_b: c.GeometryId) -> set[str]:
+        """Why two geometries are not examined; empty where they are, so that the distance of their shapes decides.
+
+        Of "part", "motion", "parking", "exclusion", "layers", "rule", "filter", "kinds", "boxes", "policy" and
+        "detection": what ABUT_APART_ names in abut.h.
+        """
+        out = c_uint32()
+        self._read(library.abut_universe_why_apart, geometry_a, geometry_b, byref(out))
+        return {name for name, bit in _REASONS.items() if out.value & bit}
 
     def set_filter(self, keeps: Callable[[c.GeometryId, c.GeometryId], Any] | None) -> None:
         """keeps(a, b) says whether two geometries that come near meet; None for no filter.

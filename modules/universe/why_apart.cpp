@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why two geometries are not examined, from what the stages of a detection go by.
+module abut.universe;
+import abut.core.standard;
+import abut.core;
+import abut.detect.jobs;
+import abut.detect.pairs;
+import abut.scene.checks;
+import abut.scene.meetings;
+import abut.scene.places;
+import abut.scene.policies;
+
+namespace abut {
+
+// The pair that is kept of two geometries that are there now; null where none is.
+const Pair* Universe::find_pair(std::uint32_t low, std::uint32_t high) const {
+  const std::span<const Pair> all = pairs_.all();
+  const auto found = std::lower_bound(all.begin(), all.end(), std::pair(low, high), [](const Pair& pair, auto wanted) {
+    return std::pair(pair.low, pair.high) < wanted;
+  });
+  const bool is_found = found != all.end() && found->low == low && found->high == high &&
+                        found->generation_low == places_.infos[low].generation &&
+                        found->generation_high == places_.infos[high].generation;
+  return is_found ? &*found : nullptr;
+}
+
+bool Universe::is_parked(std::uint32_t place) const {
+  return geometries_.at(places_.id_at(place)).options.parking != Parking::none;
+}
+
+// Whether something has happened to a geometry that no detection has seen.
+bool Universe::has_changed(std::uint32_t place) const {
+  return parts_.at(places_.infos[place].part).is_moved || geometries_.at(places_.id_at(place)).is_changed ||
+         places_.infos[place].is_box_stale || places_.happened[place] != 0;
+}
+
+// What the filter said when it was asked last, if its answer still counts. Without a filter it is yes.
+bool Universe::has_filter_refused(const Pair& pair) const {
+  constexpr unsigned asks_again = happened_to_filters | happened_to_shape;
+  return !pair.is_admitted && !pair.is_unasked && !meetings_.must_ask_again &&
+         !places_.has_happened(pair.low, asks_again) && !places_.has_happened(pair.high, asks_again);
+}
+
+std::uint32_t Universe::why_apart_at(std::uint32_t low, std::uint32_t high) const {
+  const PlaceInfo &a = places_.infos[low], &b = places_.infos[high];
+  const Pair* const pair = find_pair(low, high);
+  const auto bit_if = [](bool is_one, ApartReason bit) { return is_one ? std::uint32_t{bit} : 0; };
+  const std::size_t run =
+      low == high ? self_run_of(a.kind) : run_of(std::min(a.kind, b.kind), std::max(a.kind, b.kind));
+  std::uint32_t reasons = meetings_.reasons(places_, low, high);
+  reasons |= bit_if(reasons == 0 && pair != nullptr && has_filter_refused(*pair), apart_by_filter);
+  reasons |= bit_if(!jobs_.is_supported(run), apart_by_kinds);
+  reasons |= bit_if(meetings_.policies.of(a.tag, b.tag).detail == Detail::box, apart_by_policy);
+  if (is_parked(low) || is_parked(high)) {
+    return reasons | apart_by_parking;
+  }
+  const bool have_boxes = space_.is_shown(low) && space_.is_shown(high);
+  reasons |= bit_if(have_boxes && !places_.boxes[low].overlaps(places_.boxes[high]), apart_by_boxes);
+  const bool is_overdue = pair == nullptr ? reasons == 0 : pair->is_admitted && pair->is_stale;
+  return reasons |
+         bit_if(is_overdue || has_changed(low) || has_changed(high) || meetings_.must_ask_again, apart_by_detection);
+}
+
+Result<std::uint32_t> Universe::why_apart(GeometryId a, GeometryId b) const {
+  if (!geometries_.contains(a) || !geometries_.contains(b)) {
+    return stale(geometries_.contains(a) ? "geometry_b" : "geometry_a");
+  }
+  return why_apart_at(std::min(a.slot, b.slot) - 1, std::max(a.slot, b.slot) - 1);
+}
+
+}  // namespace abut
