@@ -159,6 +159,12 @@ function(abut_limit_exports target script)
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${script})
 endfunction()
 
+# Threads of oneTBB sleep in a library after its calls are over, and wake up in it when the process ends. A host that
+# unloads the library must not take it from under them.
+function(abut_keep_loaded target)
+  target_link_options(${target} PRIVATE LINKER:-z,nodelete)
+endfunction()
+
 # Rarely run, and large where calls are taken apart.
 function(abut_compile_smallest source)
   set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:MinSizeRel>:-Oz>)
