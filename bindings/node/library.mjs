@@ -80,19 +80,21 @@ koffi.opaque('abut_universe');
 export const Filter = koffi.pointer(koffi.proto(
   'uint32_t abut_filter(void *context, void *universe, abut_geometry_id a, abut_geometry_id b)'));
 
-const library = load(process.env.ABUT_LIBRARY ?? 'libabut.so.0.2');
-
-function load(name) {
+/** The library of that name, or the file that a variable of the environment names. */
+export function load(soname, variable) {
+  const name = process.env[variable] ?? soname;
   try {
     return koffi.load(name);
   } catch (thrown) {
-    throw new Error(`${name} cannot be loaded; install abut, or name the file of the library in ABUT_LIBRARY`, { cause: thrown });
+    throw new Error(`${name} cannot be loaded; install abut, or name the file of the library in ${variable}`, { cause: thrown });
   }
 }
 
+const library = load('libabut.so.0.2', 'ABUT_LIBRARY');
+
 // A declaration becomes a function; one that answers a status throws what it stands for.
-function declare(prototype) {
-  const call = library.func(prototype);
+function declare(its, prototype) {
+  const call = its.func(prototype);
   return prototype.startsWith('int32_t ') ? (...values) => check(call(...values)) : call;
 }
 
@@ -200,8 +202,12 @@ const prototypes = [
     `void ${struct.name}_init(_Out_ ${struct.name} *out, uint32_t struct_size)`),
 ];
 
-/** The functions, by their names in abut.h. */
-export const abut = Object.fromEntries(prototypes.map((text) => [/(abut_\w+)\(/.exec(text)[1], declare(text)]));
+/** Functions of a library, by their names in its header. */
+export function declaredIn(its, declarations) {
+  return Object.fromEntries(declarations.map((text) => [/(abut_\w+)\(/.exec(text)[1], declare(its, text)]));
+}
+
+export const abut = declaredIn(library, prototypes);
 
 abut.abut_check_version(0, 2);
 
@@ -263,6 +269,7 @@ const words = {
   rayStart: ['farSide', 'solid', 'skip'],
   sides: ['both', 'front'],
   rule: ['none', 'enable', 'disable'],
+  coherence: ['none', 'neighbours'],
 };
 
 /** The number of a word of a field. */
@@ -271,11 +278,11 @@ export function numberOf(field, word) {
   return number >= 0 ? number : refuse(`${field} is ${word}; expected one of ${words[field].join(', ')}`);
 }
 
-/** Options with the defaults of the library, and the given fields on top; null where none is given. */
-export function options(struct, fields) {
+/** Options with the defaults of their library, and the given fields on top; null where none is given. */
+export function options(struct, fields, functions = abut) {
   if (fields === undefined) return null;
   const all = {};
-  abut[`${struct.name}_init`](all, koffi.sizeof(struct));
+  functions[`${struct.name}_init`](all, koffi.sizeof(struct));
   for (const [field, value] of Object.entries(fields)) {
     if (!(field in all) || field === 'structSize') {
       const known = Object.keys(all).filter((name) => name !== 'structSize' && name !== 'reserved').join(', ');

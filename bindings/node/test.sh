@@ -12,6 +12,9 @@ if ! cmp -s package-lock.json node_modules/.installed; then
   cp package-lock.json node_modules/.installed
 fi
 export ABUT_LIBRARY=$libraries/libabut.so
+if [[ -e $libraries/libabut_picking.so ]]; then
+  export ABUT_PICKING_LIBRARY=$libraries/libabut_picking.so
+fi
 npx --no-install tsc
 node --expose-gc --test
 first_query node first_query.mjs

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What compiles and what does not; the compiler checks it, and nobody runs it.
-import { Shape, Universe, pairContactLists, pairContacts, pairDistance, pose, type Contact, type GeometryId, type PartId } from 'abut';
+import {
+  Shape, Universe, pairContactLists, pairContacts, pairDistance, pose, type Contact, type GeometryId, type Hit, type PartId,
+} from 'abut';
+import { Camera, Picker } from 'abut/picking';
 
 const ball: Shape = Shape.sphere(1);
 const hull: Shape = Shape.hull(new Float32Array(12));
@@ -23,4 +26,9 @@ universe.addPart({ motion: 'still' });
 // @ts-expect-error: a ray may meet nothing
 universe.castRay({ x: 0, y: 0, z: 5 }, { x: 0, y: 0, z: -1 }).distance;
 
-export { contacts, found, hit, lists };
+const picker = new Picker(universe);
+const seen: Hit | null = picker.pickPixel(new Camera({ width: 320, height: 200 }), 160, 100, { radius: 2 });
+// @ts-expect-error: no such word
+picker.castRays([], { coherence: 'much' });
+
+export { contacts, found, hit, lists, seen };

@@ -29,7 +29,8 @@ const reasons = [
 
 const forgotten = new FinalizationRegistry(free);
 
-function free({ pointer, callback }) {
+function free({ pointer, callback, pickers }) {
+  for (const picker of [...pickers]) picker.free();
   abut.abut_universe_destroy(pointer);
   if (callback) koffi.unregister(callback);
 }
@@ -41,8 +42,13 @@ export class Universe {
 
   constructor(fields) {
     const pointer = made(abut.abut_universe_create, options(structs.universeOptions, fields));
-    this.#held = { pointer, callback: null, failure: null };
+    this.#held = { pointer, callback: null, failure: null, pickers: new Set() };
     forgotten.register(this, this.#held, this);
+  }
+
+  // What is to be freed before a universe: pickers are of a library of their own.
+  static pickersOf(universe) {
+    return universe.#held.pickers;
   }
 
   get pointer() {

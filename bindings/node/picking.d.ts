@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// abut/picking for Node: rays and the mouse against a universe, through Embree. It needs libabut_picking.
+// include/abut/picking.h is the reference of what each call does.
+import type { Hit, Pose, QueryFilter, Ray, Universe, Vector } from 'abut';
+
+export interface CameraOptions {
+  /** Where it stands; with `target` it looks there. */
+  eye?: Vector;
+  target?: Vector;
+  /** What is upwards in the picture; Z by default. */
+  up?: Vector;
+  /** In place of eye and target. It looks along its local -Z, with local +Y up. */
+  pose?: Pose;
+  /** Pixels; 640 and 480 by default. */
+  width?: number;
+  height?: number;
+  /** Between the upper and the lower edge, in radians; 1 by default. */
+  verticalFov?: number;
+  nearDistance?: number;
+  farDistance?: number;
+}
+
+/** A pinhole camera. */
+export class Camera {
+  constructor(options?: CameraOptions);
+  lookAt(eye: Vector, target: Vector, up?: Vector): void;
+  /** The ray through a point of the picture, x to the right and y down, in pixels. */
+  ray(x: number, y: number): Ray;
+}
+
+/** Rays against one universe, which it follows. It ends with its universe. */
+export class Picker {
+  constructor(universe: Universe);
+  readonly universe: Universe;
+  /** The pointer of the C interface, for calls of your own. */
+  readonly pointer: bigint;
+  /** Frees it now. Twice is allowed. */
+  destroy(): void;
+  /** Follows the universe now rather than at the next query. */
+  update(): void;
+  /** The first thing that a ray meets. */
+  castRay(origin: Vector, direction: Vector, options?: QueryFilter & { maxDistance?: number }): Hit | null;
+  /** The same for many rays, in one call; neighbours in space are traced faster when they are told. */
+  castRays(rays: readonly Ray[], options?: QueryFilter & { coherence?: 'none' | 'neighbours' }): (Hit | null)[];
+  /** Every crossing of a surface, nearest first. */
+  castRayAll(origin: Vector, direction: Vector, options?: QueryFilter & { maxDistance?: number }): Hit[];
+  /** What lies under the mouse, or within `radius` pixels of it. */
+  pickPixel(camera: Camera, x: number, y: number, options?: QueryFilter & { radius?: number }): Hit | null;
+  /** One ray through the centre of each pixel, row by row from the top. */
+  render(camera: Camera, filter?: QueryFilter): (Hit | null)[];
+}
