@@ -97,6 +97,57 @@ func TestTwoShapes(t *testing.T) {
 	}
 }
 
+func TestBatchesAreThoseOfEachPair(t *testing.T) {
+	box, here := must(Box(1, 1, 1)), At(0, 0, 0)
+	from, to := []Pose{here, here, here}, []Pose{At(0, 0, 1.75), At(9, 0, 0), At(1.5, 0, 0)}
+	lists := must(PairContactLists(box, from, box, to))
+	if len(lists) != 3 || len(lists[0]) != 4 || len(lists[1]) != 0 || len(lists[2]) != 4 {
+		t.Fatal(lists)
+	}
+	for i, contact := range must(PairContacts(box, here, box, to[2])) {
+		if lists[2][i] != contact {
+			t.Error(lists[2][i], contact)
+		}
+	}
+	still := make([]Vec3, 3)
+	hits := must(PairCasts(box, from, []Vec3{{0, 0, 4}, {0, 0, 4}, {4, 0, 0}}, box, []Pose{to[1], to[0], At(4, 0, 0)}, still))
+	if hits[0] != nil || hits[1].Fraction != 0 || math.Abs(hits[2].Fraction-0.5) > 1e-9 {
+		t.Error(hits)
+	}
+	if _, failure := PairCasts(box, from, still, box, to, nil); !strings.Contains(failure.Error(), "displacementsB has 0") {
+		t.Error(failure)
+	}
+	ground := must(Plane(Vec3{0, 0, 1}, 0))
+	if _, failure := PairContactLists(ground, from, ground, to); !strings.Contains(failure.Error(), "pair 0: there is no algorithm") {
+		t.Error(failure)
+	}
+}
+
+func TestAUniverseTellsWhyTwoAreApart(t *testing.T) {
+	universe := must(NewUniverse(1))
+	ball := must(Sphere(1))
+	geometries := []GeometryID{}
+	for i := 0; i < 3; i++ {
+		part := must(universe.AddPart(Dynamic, At(1.5*float64(i), 0, 0)))
+		geometries = append(geometries, must(universe.AddGeometry(part, ball)))
+	}
+	if reasons := must(universe.WhyApart(geometries[0], geometries[1])); reasons != ApartByDetection {
+		t.Error(reasons)
+	}
+	if failure := universe.Step(0.01); failure != nil {
+		t.Fatal(failure)
+	}
+	for i, expected := range []ApartReasons{ApartByPart | ApartByKinds, 0, ApartByBoxes} {
+		if reasons := must(universe.WhyApart(geometries[0], geometries[i])); reasons != expected {
+			t.Error(i, reasons)
+		}
+	}
+	if _, failure := universe.WhyApart(geometries[0], GeometryID{}); !strings.Contains(failure.Error(), "geometry_b is null") {
+		t.Error(failure)
+	}
+	universe.Destroy()
+}
+
 func TestMoreContactsThanExpectedAreAllThere(t *testing.T) {
 	vertices, triangles := []Vec3{}, [][3]uint32{}
 	for i := 0; i < 12; i++ {

@@ -119,6 +119,33 @@ const (
 	LongTerm  Parking = C.ABUT_PARKING_LONG_TERM
 )
 
+// ApartReasons say what keeps two geometries from being examined: all that hold.
+type ApartReasons uint32
+
+// Why two geometries are apart; abut.h tells more of each.
+const (
+	ApartByPart      ApartReasons = C.ABUT_APART_PART
+	ApartByMotion    ApartReasons = C.ABUT_APART_MOTION
+	ApartByParking   ApartReasons = C.ABUT_APART_PARKING
+	ApartByExclusion ApartReasons = C.ABUT_APART_EXCLUSION
+	ApartByLayers    ApartReasons = C.ABUT_APART_LAYERS
+	ApartByRule      ApartReasons = C.ABUT_APART_RULE
+	ApartByFilter    ApartReasons = C.ABUT_APART_FILTER
+	ApartByKinds     ApartReasons = C.ABUT_APART_KINDS
+	ApartByBoxes     ApartReasons = C.ABUT_APART_BOXES
+	ApartByPolicy    ApartReasons = C.ABUT_APART_POLICY
+	ApartByDetection ApartReasons = C.ABUT_APART_DETECTION
+)
+
+// WhyApart tells why two geometries are not examined; 0 where they are, so that the distance of their shapes decides.
+func (universe *Universe) WhyApart(a, b GeometryID) (ApartReasons, error) {
+	var out C.abut_apart_reasons
+	failure := universe.call(func() C.abut_status {
+		return C.abut_universe_why_apart(universe.pointer, a.raw(), b.raw(), &out)
+	})
+	return ApartReasons(out), failure
+}
+
 // Park parks a geometry, or brings it back. A filter may do that, too.
 func (universe *Universe) Park(geometry GeometryID, parking Parking) error {
 	return universe.call(func() C.abut_status {

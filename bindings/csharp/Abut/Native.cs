@@ -26,6 +26,24 @@ namespace Abut
             }
         }
 
+        internal delegate int Fill<T>(T[] place, UIntPtr capacity, out UIntPtr count);
+
+        /// <summary>The whole answer of a call that fills arrays of unknown length.</summary>
+        internal static T[] Filled<T>(int room, Fill<T> fill)
+        {
+            var values = new T[room];
+            while (true)
+            {
+                Check(fill(values, (UIntPtr)(uint)values.Length, out UIntPtr count));
+                bool isComplete = (ulong)count <= (ulong)values.Length;
+                Array.Resize(ref values, (int)count);
+                if (isComplete)
+                {
+                    return values;
+                }
+            }
+        }
+
         internal static string Text(IntPtr text)
         {
             return Marshal.PtrToStringAnsi(text);
@@ -97,6 +115,13 @@ namespace Abut
             Shape a, ref Pose poseA, Shape b, ref Pose poseB, IntPtr options, [Out] Contact[] contacts, UIntPtr capacity,
             out UIntPtr count);
 
+        [DllImport(Library)] internal static extern int abut_pairs_contacts(
+            Shape a, Pose[] posesA, Shape b, Pose[] posesB, UIntPtr pairCount, IntPtr options, [Out] ulong[] offsets,
+            [Out] Contact[] contacts, UIntPtr capacity, out UIntPtr count);
+        [DllImport(Library)] internal static extern int abut_pairs_cast(
+            Shape a, Pose[] posesA, Vector[] displacementsA, Shape b, Pose[] posesB, Vector[] displacementsB, UIntPtr count,
+            IntPtr options, [Out] CastHit[] hits);
+
         [DllImport(Library)] internal static extern void abut_universe_options_init(out UniverseOptions options, uint size);
         [DllImport(Library)] internal static extern int abut_universe_create(ref UniverseOptions options, out IntPtr universe);
         [DllImport(Library)] internal static extern void abut_universe_destroy(IntPtr universe);
@@ -111,6 +136,11 @@ namespace Abut
             Universe universe, GeometryId geometry, Parking parking);
         [DllImport(Library)] internal static extern int abut_universe_set_filter(
             Universe universe, Filter filter, IntPtr context);
+        [DllImport(Library)] internal static extern int abut_universe_why_apart(
+            Universe universe, GeometryId a, GeometryId b, out ApartReasons reasons);
+        [DllImport(Library)] internal static extern int abut_universe_overlaps(
+            Universe universe, Shape shape, ref Pose pose, IntPtr filter, double margin, [Out] GeometryId[] geometries,
+            UIntPtr capacity, out UIntPtr count);
         [DllImport(Library)] internal static extern int abut_universe_step(Universe universe, double dt);
         [DllImport(Library)] internal static extern int abut_universe_contacts(
             Universe universe, out IntPtr contacts, out UIntPtr count);

@@ -105,10 +105,7 @@ namespace Abut
         /// <summary>The same for many pairs of poses, in one call.</summary>
         public static Distance[] Distances(Shape a, Pose[] posesA, Shape b, Pose[] posesB)
         {
-            if (posesA.Length != posesB.Length)
-            {
-                throw new ArgumentException($"posesA has {posesA.Length} poses and posesB has {posesB.Length}; expected as many");
-            }
+            ExpectAsMany("posesA", posesA, "posesB", posesB);
             var distances = new Distance[posesA.Length];
             Native.Check(Native.abut_pairs_distance(
                 a, posesA, b, posesB, (UIntPtr)(uint)posesA.Length, IntPtr.Zero, distances));
@@ -118,17 +115,47 @@ namespace Abut
         /// <summary>Their contact points, deepest first.</summary>
         public static Contact[] Contacts(Shape a, Pose poseA, Shape b, Pose poseB)
         {
-            var contacts = new Contact[8];
-            while (true)
+            return Native.Filled<Contact>(8, (Contact[] contacts, UIntPtr capacity, out UIntPtr count) =>
+                Native.abut_pair_contacts(a, ref poseA, b, ref poseB, IntPtr.Zero, contacts, capacity, out count));
+        }
+
+        /// <summary>The same for many pairs of poses, in one call: an array for each pair.</summary>
+        public static Contact[][] ContactLists(Shape a, Pose[] posesA, Shape b, Pose[] posesB)
+        {
+            ExpectAsMany("posesA", posesA, "posesB", posesB);
+            var offsets = new ulong[posesA.Length + 1];
+            var pairs = (UIntPtr)(uint)posesA.Length;
+            Contact[] all = Native.Filled<Contact>(
+                4 * posesA.Length, (Contact[] contacts, UIntPtr capacity, out UIntPtr count) => Native.abut_pairs_contacts(
+                    a, posesA, b, posesB, pairs, IntPtr.Zero, offsets, contacts, capacity, out count));
+            var lists = new Contact[posesA.Length][];
+            for (int i = 0; i < lists.Length; ++i)
             {
-                Native.Check(Native.abut_pair_contacts(
-                    a, ref poseA, b, ref poseB, IntPtr.Zero, contacts, (UIntPtr)(uint)contacts.Length, out UIntPtr count));
-                bool isComplete = (ulong)count <= (ulong)contacts.Length;
-                Array.Resize(ref contacts, (int)count);
-                if (isComplete)
-                {
-                    return contacts;
-                }
+                lists[i] = new Contact[offsets[i + 1] - offsets[i]];
+                Array.Copy(all, (long)offsets[i], lists[i], 0, lists[i].Length);
+            }
+            return lists;
+        }
+
+        /// <summary>When two shapes that move by displacements without turning first touch, for many poses and displacements;
+        /// null where they never do.</summary>
+        public static CastHit?[] Casts(
+            Shape a, Pose[] posesA, Vector[] displacementsA, Shape b, Pose[] posesB, Vector[] displacementsB)
+        {
+            ExpectAsMany("posesA", posesA, "displacementsA", displacementsA);
+            ExpectAsMany("posesA", posesA, "posesB", posesB);
+            ExpectAsMany("posesA", posesA, "displacementsB", displacementsB);
+            var hits = new CastHit[posesA.Length];
+            Native.Check(Native.abut_pairs_cast(
+                a, posesA, displacementsA, b, posesB, displacementsB, (UIntPtr)(uint)hits.Length, IntPtr.Zero, hits));
+            return Array.ConvertAll(hits, hit => double.IsInfinity(hit.Fraction) ? (CastHit?)null : hit);
+        }
+
+        private static void ExpectAsMany(string nameA, Array a, string nameB, Array b)
+        {
+            if (a.Length != b.Length)
+            {
+                throw new ArgumentException($"{nameA} has {a.Length} elements and {nameB} has {b.Length}; expected as many");
             }
         }
     }

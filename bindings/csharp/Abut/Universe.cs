@@ -59,6 +59,21 @@ namespace Abut
             Native.Check(Native.abut_geometry_park(this, geometry, parking));
         }
 
+        /// <summary>Why two geometries are not examined; None where they are, so that the distance of their shapes
+        /// decides.</summary>
+        public ApartReasons WhyApart(GeometryId a, GeometryId b)
+        {
+            Native.Check(Native.abut_universe_why_apart(this, a, b, out ApartReasons reasons));
+            return reasons;
+        }
+
+        /// <summary>Geometries that a shape touches, or has within a margin, ordered by slot.</summary>
+        public GeometryId[] Overlaps(Shape shape, Pose pose, double margin = 0)
+        {
+            return Native.Filled<GeometryId>(8, (GeometryId[] place, UIntPtr capacity, out UIntPtr count) =>
+                Native.abut_universe_overlaps(this, shape, ref pose, IntPtr.Zero, margin, place, capacity, out count));
+        }
+
         /// <summary>Says which pairs that come near are kept; null keeps all. What it throws keeps the pair, and comes out
         /// of the step.</summary>
         public void SetFilter(Func<GeometryId, GeometryId, bool> keeps)

@@ -139,6 +139,27 @@ namespace Abut
         public Vector Point, Normal;
     }
 
+    /// <summary>Where a moving shape first touches another.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct CastHit
+    {
+        /// <summary>What is met; null for two shapes alone.</summary>
+        public GeometryId Geometry;
+        /// <summary>Of the displacement.</summary>
+        public double Fraction;
+        public Distance Contact;
+        public Feature FeatureA, FeatureB;
+        public uint ChildA, ChildB;
+    }
+
+    /// <summary>What keeps two geometries from being examined: all reasons that hold.</summary>
+    [Flags]
+    public enum ApartReasons : uint
+    {
+        None = 0, Part = 1, Motion = 2, Parking = 4, Exclusion = 8, Layers = 16, Rule = 32, Filter = 64, Kinds = 128,
+        Boxes = 256, Policy = 512, Detection = 1024
+    }
+
     /// <summary>How a part moves. Pairs of parts of which neither is dynamic are never examined.</summary>
     public enum Motion : uint { Dynamic, Animated, Static }
 

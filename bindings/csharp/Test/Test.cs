@@ -68,7 +68,7 @@ namespace Abut
                 { "vec3", typeof(Vector) }, { "quat", typeof(Quaternion) }, { "pose", typeof(Pose) },
                 { "part_id", typeof(PartId) }, { "geometry_id", typeof(GeometryId) }, { "feature", typeof(Feature) },
                 { "distance", typeof(Distance) }, { "contact", typeof(Contact) }, { "event", typeof(Event) },
-                { "ray", typeof(Ray) },
+                { "ray", typeof(Ray) }, { "cast_hit", typeof(CastHit) },
                 { "query_hit", typeof(Hit) }, { "part_options", typeof(Native.PartOptions) },
                 { "universe_options", typeof(Native.UniverseOptions) },
                 { "shape_desc", typeof(Native.ShapeDesc) },
@@ -124,6 +124,75 @@ namespace Abut
             }
         }
 
+        private static void BatchesAreThoseOfEachPair()
+        {
+            using (Shape box = Shape.Box(1, 1, 1))
+            {
+                var here = new[] { Here, Here, Here };
+                var there = new[] { new Pose(0, 0, 1.75), new Pose(9, 0, 0), new Pose(1.5, 0, 0) };
+                Contact[][] lists = Pair.ContactLists(box, here, box, there);
+                Equal("4 0 4", string.Join(" ", lists.Select(each => each.Length)));
+                Equal(Pair.Contacts(box, Here, box, there[2])[3], lists[2][3]);
+                Equal(0, Pair.ContactLists(box, new Pose[0], box, new Pose[0]).Length);
+                var still = new Vector[3];
+                var ways = new[] { new Vector(0, 0, 4), new Vector(0, 0, 4), new Vector(0, 4, 0) };
+                CastHit?[] hits = Pair.Casts(box, here, ways, box, new[] { there[1], there[1], new Pose(0, 4, 0) }, still);
+                Equal("none none 0.5", string.Join(" ", hits.Select(
+                    hit => hit.HasValue ? Math.Round(hit.Value.Fraction, 9).ToString() : "none")));
+                Throws<ArgumentException>("displacementsB has 0",
+                    () => Pair.Casts(box, here, ways, box, there, new Vector[0]));
+                Equal(Status.Unsupported, Throws<AbutException>("pair 0: there is no algorithm for plane and plane", () =>
+                {
+                    Shape floor = Shape.Plane(new Vector(0, 0, 1), 0);
+                    Pair.ContactLists(floor, here, floor, here);
+                }).Status);
+            }
+        }
+
+        private static void TheUniverseTellsWhyTwoAreApart()
+        {
+            using (Universe universe = Row(3, out PartId[] parts, out GeometryId[] geometries))
+            {
+                Equal(ApartReasons.Detection, universe.WhyApart(geometries[0], geometries[1]));
+                universe.Step(0.01);
+                Equal(ApartReasons.None, universe.WhyApart(geometries[0], geometries[1]));
+                Equal(ApartReasons.Boxes, universe.WhyApart(geometries[0], geometries[2]));
+                universe.Park(geometries[0], Parking.ShortTerm);
+                Equal(ApartReasons.Parking, universe.WhyApart(geometries[0], geometries[1]));
+                using (Shape probe = Shape.Sphere(0.1))
+                {
+                    Equal("2", string.Join(" ", universe.Overlaps(probe, new Pose(0.7, 0, 0)).Select(each => each.Slot)));
+                    Equal(2, universe.Overlaps(probe, new Pose(2.25, 0, 0), 0.5).Length);
+                }
+                universe.RemovePart(parts[2]);
+                Throws<AbutException>("geometry_b", () => universe.WhyApart(geometries[0], geometries[2]));
+            }
+        }
+
+        private static void PickersSeeRaysAndPixels()
+        {
+            Universe universe = Row(1, out PartId[] parts, out GeometryId[] geometries);
+            using (var picker = new Picker(universe))
+            {
+                Vector from = new Vector(-5, 0, 0), along = new Vector(1, 0, 0);
+                Equal(geometries[0], picker.CastRay(from, along).Value.Geometry);
+                Equal(false, picker.CastRay(from, along, 3).HasValue);
+                Equal("4 6", string.Join(" ", picker.CastRayAll(from, along).Select(hit => Math.Round(hit.Distance, 9))));
+                var camera = new Camera(16, 8);
+                camera.LookAt(from, new Vector(0, 0, 0), new Vector(0, 0, 1));
+                Equal(geometries[0], picker.PickPixel(camera, 8, 4).Value.Geometry);
+                Equal(false, picker.PickPixel(camera, 0.5, 0.5).HasValue);
+                // Seen from five radii the ball is 3 pixels wide: it covers the centres of the middle four.
+                Equal(4, picker.Render(camera).Count(hit => hit.Geometry.Slot != 0));
+                universe.SetPose(parts[0], new Pose(0, 9, 0));
+                Equal(false, picker.CastRay(from, along).HasValue);
+                Equal(Status.ZeroVector, Throws<AbutException>("direction", () => picker.CastRay(from, new Vector())).Status);
+                // The picker keeps what it needs of the universe.
+                universe.Dispose();
+                picker.CastRay(from, along);
+            }
+        }
+
         private static void StepsFindContactsAndEvents()
         {
             using (Universe universe = Row(2, out PartId[] parts, out GeometryId[] geometries))
@@ -162,13 +231,19 @@ namespace Abut
             }
         }
 
-        private static void Main()
+        // With an argument the library for picking is there.
+        private static void Main(string[] arguments)
         {
-            foreach (Action test in new Action[]
+            var tests = new List<Action>
             {
-                StructsAreThoseOfTheLibrary, EveryKindCanBeMade, BadInputIsNamed, TwoShapes, StepsFindContactsAndEvents,
-                FiltersAreAskedAndMayParkAndThrow,
-            })
+                StructsAreThoseOfTheLibrary, EveryKindCanBeMade, BadInputIsNamed, TwoShapes, BatchesAreThoseOfEachPair,
+                StepsFindContactsAndEvents, FiltersAreAskedAndMayParkAndThrow, TheUniverseTellsWhyTwoAreApart,
+            };
+            if (arguments.Length > 0)
+            {
+                tests.Add(PickersSeeRaysAndPixels);
+            }
+            foreach (Action test in tests)
             {
                 test();
                 Console.WriteLine("passed " + test.Method.Name);
