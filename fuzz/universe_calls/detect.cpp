@@ -120,6 +120,7 @@ void Play::after_detection(const Scope& scope, bool is_partial) {
   compare_with_full(first, full);
   judge_sleep();
   settle_filters();
+  judge_reasons();
   compare_state();
   compare_velocities();
   judge_islands();
@@ -174,6 +175,35 @@ void Play::settle_filters() {
   for (const auto& [geometry, parking] : parked) {
     world_.geometries[geometry].options.parking = parking;
     world_.geometries[geometry].is_moved = true;
+  }
+}
+
+// The universe tells why two geometries are apart, as the model knows it.
+void Play::judge_reasons() const {
+  constexpr abut_apart_reasons known = ABUT_APART_PART | ABUT_APART_MOTION | ABUT_APART_PARKING | ABUT_APART_EXCLUSION |
+                                       ABUT_APART_LAYERS | ABUT_APART_RULE;
+  const std::vector<std::size_t> living = world_.living_geometries();
+  for (const std::size_t i : living) {
+    for (const std::size_t k : living) {
+      const Geometry &a = world_.geometries.at(i), &b = world_.geometries.at(k);
+      if (i >= k) {
+        continue;
+      }
+      abut_apart_reasons reasons = 0;
+      require(abut_universe_why_apart(universes_.at(0), a.ids[0], b.ids[0], &reasons) == ABUT_OK,
+              "nobody tells why two are apart");
+      const abut_apart_reasons expected = world_.reasons_apart(a, b);
+      require((reasons & known) == expected, "two are apart for the reasons " + std::to_string(reasons) +
+                                                 ", of which those of the model are " + std::to_string(expected));
+      if (expected != 0) {
+        continue;
+      }
+      const Answer near = world_.is_near(a, b);
+      const bool are_apart = (reasons & ABUT_APART_BOXES) != 0, is_refused = (reasons & ABUT_APART_FILTER) != 0;
+      require(near == Answer::maybe || are_apart == (near == Answer::no), "boxes are near and apart");
+      require(near != Answer::yes || is_refused != world_.filter.keeps(a.options.user_data, b.options.user_data),
+              "the filter said something else");
+    }
   }
 }
 

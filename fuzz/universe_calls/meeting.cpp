@@ -117,17 +117,27 @@ const abut_policy& World::policy_of(const Geometry& a, const Geometry& b) const 
   return found == policies.end() ? standard : found->second;
 }
 
-bool World::may_meet(const Geometry& a, const Geometry& b) const {
-  const Part &its = parts.at(a.part), &other = parts.at(b.part);
-  return a.part != b.part && (its.motion == ABUT_MOTION_DYNAMIC || other.motion == ABUT_MOTION_DYNAMIC) &&
-         a.options.parking == ABUT_PARKING_NONE && b.options.parking == ABUT_PARKING_NONE;
+abut_apart_reasons World::reasons_apart(const Geometry& a, const Geometry& b) const {
+  const bool none_moves =
+      parts.at(a.part).motion != ABUT_MOTION_DYNAMIC && parts.at(b.part).motion != ABUT_MOTION_DYNAMIC;
+  const bool is_one_parked = a.options.parking != ABUT_PARKING_NONE || b.options.parking != ABUT_PARKING_NONE;
+  const bool are_excluded = (a.options.exclusion & b.options.exclusion) != 0;
+  const bool are_strangers = (a.options.layers & b.options.mask) == 0 || (b.options.layers & a.options.mask) == 0;
+  abut_apart_reasons reasons = 0;
+  reasons |= a.part == b.part ? ABUT_APART_PART : 0;
+  reasons |= none_moves ? ABUT_APART_MOTION : 0;
+  reasons |= is_one_parked ? ABUT_APART_PARKING : 0;
+  reasons |= are_excluded ? ABUT_APART_EXCLUSION : 0;
+  reasons |= are_strangers ? ABUT_APART_LAYERS : 0;
+  reasons |= rules_allow(*this, a, b) ? 0 : ABUT_APART_RULE;
+  return reasons;
 }
 
-bool World::is_admitted_before_filter(const Geometry& a, const Geometry& b) const {
-  return may_meet(a, b) && (a.options.exclusion & b.options.exclusion) == 0 &&
-         (a.options.layers & b.options.mask) != 0 && (b.options.layers & a.options.mask) != 0 &&
-         rules_allow(*this, a, b);
+bool World::may_meet(const Geometry& a, const Geometry& b) const {
+  return (reasons_apart(a, b) & (ABUT_APART_PART | ABUT_APART_MOTION | ABUT_APART_PARKING)) == 0;
 }
+
+bool World::is_admitted_before_filter(const Geometry& a, const Geometry& b) const { return reasons_apart(a, b) == 0; }
 
 bool World::is_admitted(const Geometry& a, const Geometry& b) const {
   return is_admitted_before_filter(a, b) && filter.keeps(a.options.user_data, b.options.user_data);

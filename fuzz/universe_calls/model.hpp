@@ -144,6 +144,8 @@ struct World {
   std::size_t parked_count() const;
   const abut_policy& policy_of(const Geometry& a, const Geometry& b) const;
 
+  // What of parts, motions, parking, exclusion, layers and rules keeps two apart.
+  abut_apart_reasons reasons_apart(const Geometry& a, const Geometry& b) const;
   // Who meets whom, without and with the last of the filters.
   bool may_meet(const Geometry& a, const Geometry& b) const;
   bool is_admitted_before_filter(const Geometry& a, const Geometry& b) const;

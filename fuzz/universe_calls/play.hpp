@@ -69,6 +69,7 @@ class Play {
   void after_detection(const Scope& scope, bool is_partial);
   void follow_focus();
   void settle_filters();
+  void judge_reasons() const;
   void compare_with_full(const Found& first, const Found& full) const;
   void compare_state() const;
   void compare_part(std::size_t part) const;
