@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # libabut_picking.so: picking.h on top of abut.h. Included by CMakeLists.txt beside it.
-add_library(abut_picking SHARED picking.cpp picking_arguments.cpp picking_source.cpp)
+add_library(abut_picking SHARED operator_new.cpp picking.cpp picking_arguments.cpp picking_source.cpp)
 add_library(abut::picking ALIAS abut_picking)
 target_link_libraries(abut_picking PUBLIC abut::abut PRIVATE abut_picking_modules)
 target_include_directories(abut_picking PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/modules)
+abut_wrap_memory(abut_picking)
 abut_limit_exports(abut_picking ${CMAKE_CURRENT_SOURCE_DIR}/picking.map)
 abut_keep_loaded(abut_picking)
 set_target_properties(abut_picking PROPERTIES

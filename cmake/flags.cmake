@@ -165,6 +165,15 @@ function(abut_keep_loaded target)
   target_link_options(${target} PRIVATE LINKER:-z,nodelete)
 endfunction()
 
+# Uses of operator new and delete inside a shared library become calls of its own functions, which operator_new.cpp defines
+# as __wrap_ and the name. What the process has under the name stays as it is, and is called __real_ and the name. These are
+# the forms without an exception of their own and with a size, of targets where a size has 64 bits.
+function(abut_wrap_memory target)
+  foreach(name _Znwm _ZnwmSt11align_val_t _ZdlPvm _ZdlPvmSt11align_val_t)
+    target_link_options(${target} PRIVATE LINKER:--wrap=${name})
+  endforeach()
+endfunction()
+
 # Rarely run, and large where calls are taken apart.
 function(abut_compile_smallest source)
   set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:MinSizeRel>:-Oz>)

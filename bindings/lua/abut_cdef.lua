@@ -36,6 +36,12 @@ abut_status abut_set_log(abut_log log, void *context, abut_log_level most);
 const char *abut_version_string(void);
 abut_status abut_check_version(uint32_t major, uint32_t minor);
 uint32_t abut_has_feature(const char *name);
+typedef void *(*abut_allocate)(void *context, size_t size, size_t alignment);
+typedef void (*abut_release)(void *context, void *memory, size_t size, size_t alignment);
+abut_status abut_set_allocator(abut_allocate allocate, abut_release release, void *context);
+abut_status abut_memory_in_use(uint64_t *bytes, uint64_t *blocks);
+void *abut_memory_allocate(size_t size, size_t alignment);
+void abut_memory_release(void *memory, size_t size, size_t alignment);
 typedef struct abut_vec3 {
   double x;
   double y;

@@ -80,7 +80,8 @@ enum abut_status_value ABUT_ENUM(int32_t) {
                                        ABUT_INTERNAL from now on */
   ABUT_INTERNAL = 16,             /**< a defect of abut; the universe answers only this from now on, as after a step
                                        without memory */
-  ABUT_BUSY = 17                  /**< an [exclusive] call from a callback of the same universe */
+  ABUT_BUSY = 17                  /**< an [exclusive] call from a callback of the same universe; or abut_set_allocator
+                                       while memory is in use */
 };
 
 /**
@@ -134,6 +135,39 @@ ABUT_API abut_status abut_check_version(uint32_t major, uint32_t minor);
 
 /** 1 when this build contains the feature ("libccd", "hull"), otherwise 0. [any] */
 ABUT_API uint32_t abut_has_feature(const char *name);
+
+/* ------------------------------------------------------------------------------------------------
+ * Memory: docs/memory.md
+ * --------------------------------------------------------------------------------------------- */
+
+/**
+ * Gives memory, or null where there is none. `size` is at least 1, `alignment` a power of two of at least 16. It runs
+ * on any thread, on several at once. It must not throw and must not call abut.
+ */
+typedef void *(*abut_allocate)(void *context, size_t size, size_t alignment);
+
+/** Takes memory back, with the size and the alignment that it was asked for. The same rules hold. */
+typedef void (*abut_release)(void *context, void *memory, size_t size, size_t alignment);
+
+/**
+ * Sets where the memory of abut and of its picking library comes from in the whole process; both null for operator new,
+ * the default. `context` is kept and handed to both. ABUT_BUSY while any of the memory is in use: shapes, universes and
+ * pickers have to be gone. No other function of abut runs meanwhile.
+ * Where memory is refused, or not aligned as asked, calls answer ABUT_OUT_OF_MEMORY. [exclusive]
+ */
+ABUT_API abut_status abut_set_allocator(abut_allocate allocate, abut_release release, void *context);
+
+/** How much memory abut has, in how many blocks; exact while no other function of abut runs. [any] */
+ABUT_API abut_status abut_memory_in_use(uint64_t *bytes, uint64_t *blocks);
+
+/**
+ * For extension libraries: memory from where abut has its own, and counted with it. Null where there is none, or where
+ * `alignment` is no power of two. [any]
+ */
+ABUT_API void *abut_memory_allocate(size_t size, size_t alignment);
+
+/** Takes it back, with the size and the alignment that it was asked for; `memory` may be null. [any] */
+ABUT_API void abut_memory_release(void *memory, size_t size, size_t alignment);
 
 /* ------------------------------------------------------------------------------------------------
  * Values

@@ -82,7 +82,7 @@ struct AllHits : Trace {
 
 class Tracer {
  public:
-  Tracer(std::unique_ptr<Source> source, Counters counters)
+  Tracer(std::unique_ptr<Source> source, Counters counters) noexcept
       : source_(std::move(source)), counters_(std::move(counters)) {}
 
   // Brings the scenes up to date when the world has changed.

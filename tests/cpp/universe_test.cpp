@@ -3,6 +3,7 @@
 #include <abut/abut.hpp>
 #include <gtest/gtest.h>
 
+#include <memory_resource>
 #include <stdexcept>
 #include <type_traits>
 #include <unordered_map>
@@ -111,6 +112,28 @@ TEST(Log, HearsWhatIsRefused) {
   EXPECT_THROW(static_cast<void>(abut::Shape::sphere(-1)), abut::Error);
   abut::set_log(nullptr);
   EXPECT_NE(heard.find("radius is -1"), std::string::npos) << heard;
+}
+
+TEST(Memory, ComesFromTheHost) {
+  static int given, taken;
+  given = taken = 0;
+  const auto give = [](void*, std::size_t size, std::size_t alignment) {
+    return ++given, std::pmr::new_delete_resource()->allocate(size, alignment);
+  };
+  const auto take = [](void*, void* memory, std::size_t size, std::size_t alignment) {
+    ++taken, std::pmr::new_delete_resource()->deallocate(memory, size, alignment);
+  };
+  abut::set_allocator(give, take);
+  {
+    const abut::Shape ball = abut::Shape::sphere(1);
+    EXPECT_GT(abut::memory_in_use().bytes, 0U);
+    EXPECT_EQ(abut::memory_in_use().blocks, static_cast<std::uint64_t>(given - taken));
+    EXPECT_THROW(abut::set_allocator(nullptr, nullptr), abut::Error);
+    abut::release_memory(abut::allocate_memory(100), 100);
+  }
+  EXPECT_GT(given, 1);
+  EXPECT_EQ(given, taken);
+  abut::set_allocator(nullptr, nullptr);
 }
 
 TEST(Parts, KeepValuesOfTheCaller) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """A shared library exports what its header declares and its committed list names, nothing else, and
-needs no library that it must do without.
+needs no library that it must do without. It asks for memory through the functions of memory.cpp alone.
 
 usage: check.py nm readelf library header symbols forbidden
 `forbidden` is a pattern for names of needed libraries; empty for none.
@@ -21,6 +21,18 @@ def exported(nm, library):
     """Defined dynamic symbols, without versions and without the nodes of the version script."""
     lines = subprocess.run([nm, "-D", "--defined-only", library], check=True, capture_output=True, text=True).stdout
     return {line.split()[-1].split("@")[0] for line in lines.splitlines() if line.split()[-2] != "A"}
+
+
+# Whoever hands memory to another library, or takes it from there, is not among what ours import.
+MEMORY = re.compile(r"_Zn[wa]|_Zd[la]Pv|(malloc|calloc|realloc|free|aligned_alloc|memalign|posix_memalign|strdup)$")
+# What memory.cpp itself calls where the host has set nothing.
+OF_THE_PROCESS = {"_Znwm", "_ZnwmSt11align_val_t", "_ZdlPvm", "_ZdlPvmSt11align_val_t"}
+
+
+def asked_for_memory(nm, library):
+    lines = subprocess.run([nm, "-D", "--undefined-only", library], check=True, capture_output=True, text=True).stdout
+    names = {line.split()[-1].split("@")[0] for line in lines.splitlines()}
+    return {name for name in names if MEMORY.match(name)}
 
 
 def needed(readelf, library):
@@ -44,6 +56,9 @@ def main(nm, readelf, library, header, symbols, forbidden):
     for name in needed(readelf, library):
         if forbidden and re.search(forbidden, name):
             failures.append(f"the library needs {name}")
+    allowed = OF_THE_PROCESS if "abut_memory_allocate" in declared else set()
+    for name in sorted(asked_for_memory(nm, library) - allowed):
+        failures.append(f"{name} asks for memory, or gives it back, past the allocator of the host")
     print(f"{Path(library).name}: {len(has)} symbols, needs {', '.join(needed(readelf, library))}")
     print("\n".join(failures))
     return 1 if failures else 0

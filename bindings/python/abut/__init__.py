@@ -9,6 +9,8 @@ carries the status and the message. Poses, points and rays are structs, sequence
 many are Records, whose fields are columns. NumPy is needed for arrays only. docs/python.md tells more.
 """
 
+import ctypes
+
 from . import c as c
 from . import given
 from .c import *
@@ -28,6 +30,13 @@ __version__ = "0.2.0"
 def version() -> str:
     """Version of the library that was loaded."""
     return library.abut_version_string().decode()
+
+
+def memory_in_use() -> "tuple[int, int]":
+    """How much memory the library has: bytes, and in how many blocks. NumPy and Python have theirs beside it."""
+    size, blocks = ctypes.c_uint64(), ctypes.c_uint64()
+    library.abut_memory_in_use(ctypes.byref(size), ctypes.byref(blocks))
+    return size.value, blocks.value
 
 
 def has_feature(name: str) -> bool:

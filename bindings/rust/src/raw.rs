@@ -58,6 +58,37 @@ extern "C" {
 extern "C" {
     pub fn abut_has_feature(name: *const ::std::os::raw::c_char) -> u32;
 }
+pub type abut_allocate = ::std::option::Option<
+    unsafe extern "C" fn(
+        context: *mut ::std::os::raw::c_void,
+        size: usize,
+        alignment: usize,
+    ) -> *mut ::std::os::raw::c_void,
+>;
+pub type abut_release = ::std::option::Option<
+    unsafe extern "C" fn(
+        context: *mut ::std::os::raw::c_void,
+        memory: *mut ::std::os::raw::c_void,
+        size: usize,
+        alignment: usize,
+    ),
+>;
+extern "C" {
+    pub fn abut_set_allocator(
+        allocate: abut_allocate,
+        release: abut_release,
+        context: *mut ::std::os::raw::c_void,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_memory_in_use(bytes: *mut u64, blocks: *mut u64) -> abut_status;
+}
+extern "C" {
+    pub fn abut_memory_allocate(size: usize, alignment: usize) -> *mut ::std::os::raw::c_void;
+}
+extern "C" {
+    pub fn abut_memory_release(memory: *mut ::std::os::raw::c_void, size: usize, alignment: usize);
+}
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_vec3 {

@@ -8,6 +8,7 @@
 #include <abut/cpp/values.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,35 @@ inline Answer<void> check_version() {
 // Hears of failures in the whole process; null for nothing. It may be called by several threads at once.
 inline Answer<void> set_log(abut_log log, void* context = nullptr, abut_log_level most = ABUT_LOG_WARNING) {
   return detail::answer(abut_set_log(log, context, most));
+}
+
+// Where the memory of the library comes from in the whole process; two times null for operator new. Before the first
+// shape and universe, or after the last one.
+inline Answer<void> set_allocator(abut_allocate allocate, abut_release release, void* context = nullptr) {
+  return detail::answer(abut_set_allocator(allocate, release, context));
+}
+
+struct Memory {
+  std::uint64_t bytes = 0;
+  std::uint64_t blocks = 0;
+};
+
+// What the library has.
+[[nodiscard]] inline Answer<Memory> memory_in_use() {
+  Memory memory;
+  const abut_status status = abut_memory_in_use(&memory.bytes, &memory.blocks);
+  return detail::answer(status, memory);
+}
+
+// For extension libraries: memory from where the library has its own; null where there is none.
+[[nodiscard]] inline void* allocate_memory(std::size_t size,
+                                           std::size_t alignment = alignof(std::max_align_t)) noexcept {
+  return abut_memory_allocate(size, alignment);
+}
+// With the size and the alignment that it was asked for.
+inline void release_memory(void* memory, std::size_t size,
+                           std::size_t alignment = alignof(std::max_align_t)) noexcept {
+  abut_memory_release(memory, size, alignment);
 }
 
 // Offsets and sizes of all structs, for bindings that check their own.

@@ -6,12 +6,16 @@ from ctypes import POINTER, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_u
 
 from .structs import *
 
-__all__ = ["FUNCTIONS", "Filter", "Log", "PICKING_FUNCTIONS"]
+__all__ = ["Allocate", "FUNCTIONS", "Filter", "Log", "PICKING_FUNCTIONS", "Release"]
 
 Status = c_int32
 
 # Hears of failures: context, level and a sentence.
 Log = ctypes.CFUNCTYPE(None, c_void_p, c_uint32, c_char_p)
+# Gives memory: context, size and alignment to an address. Takes it back: context, address, size and alignment. They run on
+# threads of the library, several at once.
+Allocate = ctypes.CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
+Release = ctypes.CFUNCTYPE(None, c_void_p, c_void_p, c_size_t, c_size_t)
 # A filter of pairs: context, universe and two geometries to a number, of which 0 leaves the pair out.
 Filter = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_void_p, GeometryId, GeometryId)
 PointerFilter = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_void_p, POINTER(GeometryId), POINTER(GeometryId))
@@ -19,6 +23,10 @@ PointerFilter = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_void_p, POINTER(GeometryI
 FUNCTIONS = {
     "abut_set_last_error": (Status, [Status, c_char_p]),
     "abut_set_log": (Status, [Log, c_void_p, c_uint32]),
+    "abut_set_allocator": (Status, [Allocate, Release, c_void_p]),
+    "abut_memory_in_use": (Status, [POINTER(c_uint64), POINTER(c_uint64)]),
+    "abut_memory_allocate": (c_void_p, [c_size_t, c_size_t]),
+    "abut_memory_release": (None, [c_void_p, c_size_t, c_size_t]),
     "abut_status_name": (c_char_p, [Status]),
     "abut_last_error_message": (c_char_p, []),
     "abut_version_string": (c_char_p, []),
