@@ -104,6 +104,27 @@ void sign(std::vector<std::uint8_t>& bytes) {
   for (std::size_t i = 0; i < 4; ++i) bytes[12 + i] = static_cast<std::uint8_t>(sum >> (8 * i));
 }
 
+// A part that lists one geometry twice would destroy it twice.
+TEST(UniverseLoad, RefusesAGeometryThatIsListedTwice) {
+  Universe universe;
+  const Shape ball = make_sphere(1);
+  const abut_part_id part = universe.add_part(identity);
+  const std::array listed{universe.add_geometry(part, ball), universe.add_geometry(part, ball)};
+  const std::array twice{listed[0], listed[0]};
+  universe.step();
+  std::vector<std::uint8_t> bytes = saved(universe);
+  const auto pattern = std::bit_cast<std::array<std::uint8_t, sizeof listed>>(listed);
+  const auto found = std::search(bytes.begin() + 24, bytes.end(), pattern.begin(), pattern.end());
+  ASSERT_NE(found, bytes.end()) << "the list of the part";
+  sign(bytes);
+  const Owned as_it_was = loaded(bytes);
+  std::memcpy(&*found, &twice, sizeof twice);
+  sign(bytes);
+  Out<abut_universe*> out;
+  EXPECT_TRUE(refused(load(bytes, out), ABUT_INVALID_ARGUMENT, {"bytes", "a geometry that is not its own"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
 // With a checksum that fits: each is refused with a sentence, or is a universe that can be used.
 void expect_harmless(const std::vector<std::uint8_t>& bytes) {
   abut_universe* made = nullptr;
