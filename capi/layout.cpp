@@ -27,6 +27,7 @@ static_assert(is_plain<abut_geometry_id>(8));
 static_assert(is_plain<abut_feature>(8));
 static_assert(is_plain<abut_hull_report>(48));
 static_assert(is_plain<abut_mesh_options>(8));
+static_assert(is_plain<abut_uv_grid_options>(24));
 static_assert(is_plain<abut_height_field_desc>(40));
 static_assert(is_plain<abut_shape_desc>(56));
 static_assert(is_plain<abut_ray>(56));
@@ -96,9 +97,16 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_STRUCT(abut_mesh_options),
     ABUT_FIELD(abut_mesh_options, struct_size),
     ABUT_FIELD(abut_mesh_options, sides),
+    ABUT_STRUCT(abut_uv_grid_options),
+    ABUT_FIELD(abut_uv_grid_options, struct_size),
+    ABUT_FIELD(abut_uv_grid_options, sides),
+    ABUT_FIELD(abut_uv_grid_options, axis_u),
+    ABUT_FIELD(abut_uv_grid_options, axis_v),
+    ABUT_FIELD(abut_uv_grid_options, cells_u),
+    ABUT_FIELD(abut_uv_grid_options, cells_v),
     ABUT_STRUCT(abut_height_field_desc),
     ABUT_FIELD(abut_height_field_desc, struct_size),
-    ABUT_FIELD(abut_height_field_desc, reserved),
+    ABUT_FIELD(abut_height_field_desc, diagonal),
     ABUT_FIELD(abut_height_field_desc, columns),
     ABUT_FIELD(abut_height_field_desc, rows),
     ABUT_FIELD(abut_height_field_desc, spacing_x),

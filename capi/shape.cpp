@@ -16,6 +16,13 @@ using namespace abut::capi;
 
 namespace {
 
+abut_status read_triangles(const double* xyz, std::size_t vertex_count, const std::uint32_t* triangles,
+                           std::size_t triangle_count, Numbers& numbers) {
+  const abut_status status = read_span<3>("xyz", xyz, "vertex_count", vertex_count, numbers.reals);
+  return status != ABUT_OK ? status
+                           : read_span<3>("triangles", triangles, "triangle_count", triangle_count, numbers.indices);
+}
+
 abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::uint32_t* triangles,
                         std::size_t triangle_count, const abut_mesh_options* options, abut_shape** out) {
   abut_sides sides = ABUT_SIDES_BOTH;
@@ -29,18 +36,37 @@ abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::
     }
   }
   Numbers numbers;
-  if (const abut_status status = read_span<3>("xyz", xyz, "vertex_count", vertex_count, numbers.reals);
-      status != ABUT_OK) {
-    return status;
-  }
-  if (const abut_status status =
-          read_span<3>("triangles", triangles, "triangle_count", triangle_count, numbers.indices);
+  if (const abut_status status = read_triangles(xyz, vertex_count, triangles, triangle_count, numbers);
       status != ABUT_OK) {
     return status;
   }
   const std::array one_sided{sides == ABUT_SIDES_FRONT ? 1.0 : 0.0};
   numbers.parameters = one_sided;
   return create_named("mesh", numbers, out);
+}
+
+constexpr abut_uv_grid_options uv_grid_defaults{
+    sizeof(abut_uv_grid_options), ABUT_SIDES_BOTH, ABUT_AXIS_X, ABUT_AXIS_Y, 0, 0};
+
+abut_status create_uv_grid(const double* xyz, std::size_t vertex_count, const std::uint32_t* triangles,
+                           std::size_t triangle_count, const abut_uv_grid_options& options, abut_shape** out) {
+  if (const abut_status status = check_struct_size({"options"}, options); status != ABUT_OK) {
+    return status;
+  }
+  if (const abut_status status = check_value({"options"}, ".sides", options.sides, ABUT_SIDES_FRONT);
+      status != ABUT_OK) {
+    return status;
+  }
+  Numbers numbers;
+  if (const abut_status status = read_triangles(xyz, vertex_count, triangles, triangle_count, numbers);
+      status != ABUT_OK) {
+    return status;
+  }
+  const std::array<double, 5> parameters{static_cast<double>(options.sides), static_cast<double>(options.axis_u),
+                                         static_cast<double>(options.axis_v), static_cast<double>(options.cells_u),
+                                         static_cast<double>(options.cells_v)};
+  numbers.parameters = parameters;
+  return create_named("uv_grid", numbers, out);
 }
 
 // `materials` may be null.
@@ -80,9 +106,6 @@ abut_status create_height_field(const abut_height_field_desc& desc, abut_shape**
   if (const abut_status status = check_struct_size({"desc"}, desc); status != ABUT_OK) {
     return status;
   }
-  if (const abut_status status = check_reserved({"desc"}, desc.reserved); status != ABUT_OK) {
-    return status;
-  }
   Numbers numbers;
   const std::string product =
       "desc.columns * desc.rows = " + std::to_string(desc.columns) + " * " + std::to_string(desc.rows);
@@ -92,7 +115,7 @@ abut_status create_height_field(const abut_height_field_desc& desc, abut_shape**
     return status;
   }
   const std::array parameters{static_cast<double>(desc.columns), static_cast<double>(desc.rows), desc.spacing_x,
-                              desc.spacing_y};
+                              desc.spacing_y, static_cast<double>(desc.diagonal)};
   numbers.parameters = parameters;
   return create_named("height_field", numbers, out);
 }
@@ -160,6 +183,20 @@ abut_status abut_composite_create_with_materials(const abut_shape* const* childr
   return guard([&] {
     const abut_status status = check_none_null<2>({{{"materials", materials}, {"out", out}}});
     return status != ABUT_OK ? status : create_composite(children, poses, materials, count, out);
+  });
+}
+
+void abut_uv_grid_options_init(abut_uv_grid_options* options, uint32_t struct_size) {
+  fill_defaults(uv_grid_defaults, struct_size, options);
+}
+
+abut_status abut_uv_grid_create(const double* xyz, size_t vertex_count, const uint32_t* triangles,
+                                size_t triangle_count, const abut_uv_grid_options* options, abut_shape** out) {
+  return guard([&] {
+    const abut_status status = check_not_null("out", out);
+    return status != ABUT_OK ? status
+                             : create_uv_grid(xyz, vertex_count, triangles, triangle_count,
+                                              options != nullptr ? *options : uv_grid_defaults, out);
   });
 }
 

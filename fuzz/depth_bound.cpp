@@ -32,7 +32,12 @@ std::optional<std::vector<Piece>> pieces_of(const Scene& scene) {
       [&]<class S>(const S& surface) -> std::optional<std::vector<Piece>> {
         if constexpr (Surface<S>) {
           std::vector<Piece> pieces;
-          for (std::uint32_t i = 0; i < surface.triangles().indices.size() / 3; ++i) {
+          const std::vector<std::uint32_t> indices = surface.triangles().indices;
+          for (std::uint32_t i = 0; i < indices.size() / 3; ++i) {
+            // A missing triangle has three equal corners.
+            if (indices[3 * i] == indices[3 * i + 1] && indices[3 * i] == indices[3 * i + 2]) {
+              continue;
+            }
             const auto part = surface.part(i);
             const auto& [a, b, c] = part.corners();
             const auto made = make_shape(*triangle, std::array{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}, {}, {});

@@ -6,6 +6,7 @@ module;
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -100,15 +101,31 @@ void append_child(ShapeInput& input, std::uint32_t kind, const std::array<Real, 
   input.reals.insert(input.reals.end(), child.reals.begin(), child.reals.end());
 }
 
-ShapeInput height_field_input(const Numbers& numbers, bool flat, bool on_lattice) {
+// Doubled: with a hole, and diagonals of any kind.
+ShapeInput height_field_input(const Numbers& numbers, bool flat, bool doubled, bool on_lattice) {
   Random random = random_of(numbers);
   const std::size_t columns = 3 + random.below(4), rows = 3 + random.below(3);
   ShapeInput input{
-      {static_cast<Real>(columns), static_cast<Real>(rows), size_or_one(numbers[0]), size_or_one(numbers[1])}, {}, {}};
+      {static_cast<Real>(columns), static_cast<Real>(rows), size_or_one(numbers[0]), size_or_one(numbers[1]), 0},
+      {},
+      {}};
   for (std::size_t i = 0; i < columns * rows; ++i) {
     input.reals.push_back(flat ? 0 : numbers[2] * coordinate(random, on_lattice));
   }
+  if (doubled) {
+    input.parameters[4] = static_cast<Real>(random.below(3));
+    input.reals[random.below(columns * rows)] = std::numeric_limits<Real>::quiet_NaN();
+  }
   return input;
+}
+
+// Any two axes and few cells, as the mesh that it is has few triangles.
+ShapeInput uv_grid_input(const Numbers& numbers, ShapeInput mesh, bool is_one_sided) {
+  Random random = random_of(numbers);
+  const std::size_t axis = random.below(3), other = (axis + 1 + random.below(2)) % 3;
+  mesh.parameters = {is_one_sided ? Real{1} : Real{0}, static_cast<Real>(axis), static_cast<Real>(other),
+                     static_cast<Real>(random.below(5)), static_cast<Real>(random.below(5))};
+  return mesh;
 }
 
 ShapeInput particles_input(const Numbers& numbers, bool various, bool on_lattice) {
@@ -159,8 +176,15 @@ ShapeInput composite_input(std::size_t place, const Numbers& numbers, bool nests
 
 // Parameters of this kind that are no lengths stay as they are.
 void scale(std::string_view kind, ShapeInput& input, Real by) {
-  const std::size_t first = kind == "plane" ? 3 : kind == "height_field" ? 2 : kind == "mesh" ? 1 : 0;
-  const std::size_t end = kind == "cylinder_hole" ? 2 : kind == "box_hole" ? 3 : input.parameters.size();
+  const std::size_t first = kind == "plane"          ? 3
+                            : kind == "height_field" ? 2
+                            : kind == "mesh"         ? 1
+                            : kind == "uv_grid"      ? 5
+                                                     : 0;
+  const std::size_t end = kind == "cylinder_hole"  ? 2
+                          : kind == "box_hole"     ? 3
+                          : kind == "height_field" ? 4
+                                                   : input.parameters.size();
   for (std::size_t i = first; i < end; ++i) {
     input.parameters[i] *= by;
   }
@@ -202,13 +226,13 @@ ShapeInput shape_input(std::size_t place, const std::array<Real, 8>& raw, bool f
   if (kind == "hull") {
     return hull_input(numbers, flat, doubled, on_lattice);
   }
-  if (kind == "mesh") {
+  if (kind == "mesh" || kind == "uv_grid") {
     ShapeInput input = doubled ? tetrahedron_input(numbers, flat) : sheet_input(numbers, flat, on_lattice);
     input.parameters[0] = (flags & one_sided) != 0 ? 1 : 0;
-    return input;
+    return kind == "mesh" ? input : uv_grid_input(numbers, std::move(input), (flags & one_sided) != 0);
   }
   if (kind == "height_field") {
-    return height_field_input(numbers, flat, on_lattice);
+    return height_field_input(numbers, flat, doubled, on_lattice);
   }
   if (kind == "particles") {
     return particles_input(numbers, doubled, on_lattice);

@@ -131,9 +131,28 @@ typedef struct abut_mesh_options {
 void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct_size);
 abut_status abut_mesh_create(const double *xyz, size_t vertex_count, const uint32_t *triangles,
                                       size_t triangle_count, const abut_mesh_options *options, abut_shape **out);
+typedef uint32_t abut_axis;
+enum abut_axis_value { ABUT_AXIS_X = 0, ABUT_AXIS_Y = 1, ABUT_AXIS_Z = 2 };
+typedef struct abut_uv_grid_options {
+  uint32_t struct_size;
+  abut_sides sides;
+  abut_axis axis_u;
+  abut_axis axis_v;
+  uint32_t cells_u;
+  uint32_t cells_v;
+} abut_uv_grid_options;
+void abut_uv_grid_options_init(abut_uv_grid_options *options, uint32_t struct_size);
+abut_status abut_uv_grid_create(const double *xyz, size_t vertex_count, const uint32_t *triangles,
+                                         size_t triangle_count, const abut_uv_grid_options *options, abut_shape **out);
+typedef uint32_t abut_diagonal;
+enum abut_diagonal_value {
+  ABUT_DIAGONAL_RISING = 0,
+  ABUT_DIAGONAL_FALLING = 1,
+  ABUT_DIAGONAL_ALTERNATING = 2
+};
 typedef struct abut_height_field_desc {
   uint32_t struct_size;
-  uint32_t reserved;
+  abut_diagonal diagonal;
   uint32_t columns;
   uint32_t rows;
   double spacing_x;

@@ -38,7 +38,7 @@ export const structs = {
   }),
   closest: koffi.struct('abut_closest', { geometry: geometryId, distance }),
   heightFieldDesc: koffi.struct('abut_height_field_desc', {
-    structSize: 'uint32_t', reserved: 'uint32_t', columns: 'uint32_t', rows: 'uint32_t', spacingX: 'double',
+    structSize: 'uint32_t', diagonal: 'uint32_t', columns: 'uint32_t', rows: 'uint32_t', spacingX: 'double',
     spacingY: 'double', heights: 'double *',
   }),
   collidable: koffi.struct('abut_collidable', { kind: 'uint32_t', slot: 'uint32_t', generation: 'uint32_t' }),

@@ -247,7 +247,7 @@ ABUT_API abut_shape_kind abut_shape_kind_at(size_t index);
 /**
  * Kind of that name: "sphere", "box", "capsule", "plane", "hull", "mesh", "height_field", "point", "segment",
  * "triangle", "cylinder", "cone", "ellipsoid", "particles", "composite", "sphere_hole",
- * "cylinder_hole", "box_hole". 0 if none in this build. docs/shapes.md lists what they take. [any]
+ * "cylinder_hole", "box_hole", "uv_grid". 0 if none in this build. docs/shapes.md lists what they take. [any]
  */
 ABUT_API abut_shape_kind abut_shape_kind_by_name(const char *name);
 
@@ -360,19 +360,52 @@ ABUT_API void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct
 ABUT_API abut_status abut_mesh_create(const double *xyz, size_t vertex_count, const uint32_t *triangles,
                                       size_t triangle_count, const abut_mesh_options *options, abut_shape **out);
 
+/** An axis of the frame of a shape. */
+typedef uint32_t abut_axis;
+enum abut_axis_value ABUT_ENUM(uint32_t) { ABUT_AXIS_X = 0, ABUT_AXIS_Y = 1, ABUT_AXIS_Z = 2 };
+
+/** The sides of a mesh, and the grid of cells by which its triangles are found. */
+typedef struct abut_uv_grid_options {
+  uint32_t struct_size;
+  abut_sides sides; /**< default ABUT_SIDES_BOTH */
+  abut_axis axis_u; /**< the first axis across which the grid lies; default ABUT_AXIS_X */
+  abut_axis axis_v; /**< the second one, another than the first; default ABUT_AXIS_Y */
+  uint32_t cells_u; /**< cells along the first axis, at most 65535; default 0: about four triangles in a cell */
+  uint32_t cells_v; /**< cells along the second axis, at most 2^24 with the others; default 0 */
+} abut_uv_grid_options;
+
+ABUT_API void abut_uv_grid_options_init(abut_uv_grid_options *options, uint32_t struct_size);
+
+/**
+ * A mesh whose triangles are found by a grid of cells across two axes: terrain with bridges, caves and walls.
+ * Parameters as those of abut_mesh_create.
+ * @param options  may be null
+ * Complexity O(n); its cells are filled when a query first needs them, in O(n). [any]
+ */
+ABUT_API abut_status abut_uv_grid_create(const double *xyz, size_t vertex_count, const uint32_t *triangles,
+                                         size_t triangle_count, const abut_uv_grid_options *options, abut_shape **out);
+
+/** How the cells of a height field are split into triangles: from sample (i, j) to (i + 1, j + 1), or the other way. */
+typedef uint32_t abut_diagonal;
+enum abut_diagonal_value ABUT_ENUM(uint32_t) {
+  ABUT_DIAGONAL_RISING = 0,     /**< from (i, j) to (i + 1, j + 1) */
+  ABUT_DIAGONAL_FALLING = 1,    /**< from (i + 1, j) to (i, j + 1) */
+  ABUT_DIAGONAL_ALTERNATING = 2 /**< rising where i + j is even, falling where it is odd */
+};
+
 /**
  * Terrain over a regular grid. Sample (i, j) is the point (i * spacing_x, j * spacing_y,
- * heights[j * columns + i]) - each cell holds two triangles, split from (i, j) to (i + 1, j + 1).
- * One-sided: the front is +Z.
+ * heights[j * columns + i]) - each cell holds two triangles. One-sided: the front is +Z. A height that is NaN makes a
+ * hole: triangles with this sample are missing. At least one triangle is there.
  */
 typedef struct abut_height_field_desc {
   uint32_t struct_size;
-  uint32_t reserved;     /**< zero */
-  uint32_t columns;      /**< samples along X, from 2 to 65535 */
-  uint32_t rows;         /**< samples along Y, from 2 to 65535 */
-  double spacing_x;      /**< positive */
-  double spacing_y;      /**< positive */
-  const double *heights; /**< columns * rows numbers, X fastest, copied */
+  abut_diagonal diagonal; /**< default ABUT_DIAGONAL_RISING */
+  uint32_t columns;       /**< samples along X, from 2 to 65535 */
+  uint32_t rows;          /**< samples along Y, from 2 to 65535 */
+  double spacing_x;       /**< positive */
+  double spacing_y;       /**< positive */
+  const double *heights;  /**< columns * rows numbers or NaN, X fastest, copied */
 } abut_height_field_desc;
 
 ABUT_API void abut_height_field_desc_init(abut_height_field_desc *desc, uint32_t struct_size);
@@ -645,7 +678,8 @@ ABUT_API abut_status abut_contact_validate(const abut_contact *contact);
 
 /**
  * Signed distance, closest or deepest points and normal of two shapes.
- * ABUT_UNSUPPORTED for terrain against terrain, and for an algorithm that the pair does not have.
+ * ABUT_UNSUPPORTED for planes against planes, for holes against what is no solid, and for an algorithm that the pair
+ * does not have.
  * @param options  may be null
  * Source: GJK with signed volumes (Montanari et al. 2017), EPA (van den Bergen 2001). [any]
  */
@@ -1085,8 +1119,9 @@ ABUT_API abut_status abut_geometries_set_parameters(abut_universe *universe, con
  * @param row      the first sample along Y that changes
  * @param columns  how many change along X; with 0 nothing changes
  * @param rows     how many change along Y; with 0 nothing changes
- * @param heights  columns * rows numbers, X fastest, copied
- * ABUT_INDEX_OUT_OF_RANGE beyond the field, ABUT_UNSUPPORTED for other kinds.
+ * @param heights  columns * rows numbers or NaN, X fastest, copied
+ * ABUT_INDEX_OUT_OF_RANGE beyond the field, ABUT_EMPTY where no triangle would be left, ABUT_UNSUPPORTED for other
+ * kinds.
  * Complexity O(columns * rows + log(samples)), and O(samples) once where the shape has other holders. [exclusive]
  */
 ABUT_API abut_status abut_geometry_set_heights(abut_universe *universe, abut_geometry_id geometry, uint32_t column,

@@ -109,7 +109,9 @@ struct AcceptsAnyCorners {
 };
 
 // Made of triangles. visit_parts visits every part whose box overlaps the given one, and whose corners meet a
-// condition, if there is one; the visitor may shrink that box on the way. part_near gives some part close to a point.
+// condition, if there is one; the visitor may shrink that box on the way. visit_below visits every part that reaches
+// down to a height along a direction, which the visitor may lower; lower ones come first, mostly. part_near gives some
+// part close to a point.
 // is_crest is asked about some corners of a part, given by bit: one is a vertex, two are an edge. It tells whether the
 // surface around them lies behind the plane through them across a direction, up to a height. The direction then is in
 // their cone of normals.
@@ -119,6 +121,7 @@ concept Surface =
     requires(const S& shape, Aabb& box, const Vec3& point, AcceptsAnyPart visitor, std::uint32_t index, Real height) {
       shape.visit_parts(box, visitor);
       shape.visit_parts(box, AcceptsAnyCorners{}, visitor);
+      shape.visit_below(point, height, visitor);
       { shape.part(index) } -> std::same_as<typename S::Part>;
       { shape.part_near(point) } -> std::same_as<typename S::Part>;
       { shape.is_crest(index, 1u, point, height) } -> std::same_as<bool>;
@@ -162,7 +165,7 @@ concept Triangulated = requires(const S& shape) {
   { shape.triangles() } -> std::same_as<Triangles>;
 };
 
-// Terrain never meets terrain.
+// Has one height above every point, and so never meets itself.
 template <class S>
 concept Terrain = requires { requires S::is_terrain; };
 

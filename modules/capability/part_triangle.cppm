@@ -15,6 +15,11 @@ using TriangleCorners = std::array<Vec3, 3>;
   return {minimum(minimum(corners[0], corners[1]), corners[2]), maximum(maximum(corners[0], corners[1]), corners[2])};
 }
 
+// Of their lowest point along a direction.
+[[nodiscard]] inline Real least_along(const TriangleCorners& corners, const Vec3& direction) {
+  return std::min(std::min(dot(direction, corners[0]), dot(direction, corners[1])), dot(direction, corners[2]));
+}
+
 // A ray that is asked for its distance to triangles. Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013:
 // seen along the ray, the side of an edge is the same number, but for its sign, for both triangles that share it. So no
 // ray slips between them.

@@ -23,11 +23,11 @@ enum class Route : std::uint8_t {
 // The route of a pair in this order of operands; none when the other order may have one.
 template <class A, class B>
 [[nodiscard]] consteval Route route_one_way() {
-  if constexpr (Terrain<A> && Terrain<B>) {
+  if constexpr (HalfSpace<A> && HalfSpace<B>) {
     return Route::unsupported;
   } else if constexpr (Assembly<A> || Assembly<B>) {
     return Route::children;
-  } else if constexpr (Hole<A> && (Hole<B> || Terrain<B> || Surface<B>)) {
+  } else if constexpr (Hole<A> && (Hole<B> || HalfSpace<B> || Surface<B>)) {
     return Route::unsupported;
   } else if constexpr (Scattered<A>) {
     return Route::scattered;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Terrain over a regular grid: sample (i, j) is the point (i * spacing_x, j * spacing_y, height).
-// Each cell holds two triangles, split from (i, j) to (i + 1, j + 1). One-sided: the front is +Z.
-// Cells under a box are found by division.
+// Each cell holds two triangles. One-sided: the front is +Z. A height that is NaN makes a hole: the triangles around it
+// are missing. Cells under a box are found by division.
 export module abut.shapes.height_field;
 import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.trees.box_heights;
 import abut.trees.range_pyramid;
 
 export namespace abut {
@@ -15,14 +16,16 @@ class HeightField {
  public:
   using Part = Triangle;
   static constexpr std::string_view name = "height_field";
-  static constexpr std::array<std::string_view, 4> parameter_names{"columns", "rows", "spacing_x", "spacing_y"};
+  static constexpr std::array<std::string_view, 5> parameter_names{"columns", "rows", "spacing_x", "spacing_y",
+                                                                   "diagonal"};
   static constexpr bool is_terrain = true;
 
   [[nodiscard]] static Result<HeightField> make(std::span<const Real> parameters, std::span<const Real> reals,
                                                 std::span<const std::uint32_t> indices);
   [[nodiscard]] std::vector<Real> parameters() const {
     const Data& field = *data_;
-    return {static_cast<Real>(field.columns), static_cast<Real>(field.rows), field.spacing_x, field.spacing_y};
+    return {static_cast<Real>(field.columns), static_cast<Real>(field.rows), field.spacing_x, field.spacing_y,
+            static_cast<Real>(field.diagonal)};
   }
   [[nodiscard]] Buffers buffers() const { return {data_->heights, {}}; }
   [[nodiscard]] static std::vector<HeightField> samples();
@@ -33,51 +36,66 @@ class HeightField {
   [[nodiscard]] inline Triangle part(std::uint32_t index) const {
     const Data& field = *data_;
     const std::uint32_t cell = index / 2, i = cell % (field.columns - 1), j = cell / (field.columns - 1);
-    return {corners(i, j, index % 2 != 0), index, true};
+    return {cell_of(i, j).triangle(index % 2 != 0), index, true};
   }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
 
-  template <class Wanted, class Visitor>
-  void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
+  // As visit_parts, but for what lies in a block of cells of which is_wanted_block(box of the block) is false.
+  template <class WantedBlock, class Wanted, class Visitor>
+  void visit_parts_of_blocks(Aabb& box, WantedBlock&& is_wanted_block, Wanted&& is_wanted, Visitor&& visit) const {
     const Data& field = *data_;
     if (!box.overlaps(field.box)) {
       return;
     }
-    const std::uint32_t i0 = cell_before(box.low.x / field.spacing_x, field.columns),
-                        i1 = cell_at(box.high.x / field.spacing_x, field.columns);
-    const std::uint32_t j0 = cell_before(box.low.y / field.spacing_y, field.rows),
-                        j1 = cell_at(box.high.y / field.spacing_y, field.rows);
-    for (std::uint32_t j = j0; j <= j1; ++j) {
-      for (std::uint32_t i = i0; i <= i1; ++i) {
-        const Vec3 a = point(i, j), b = point(i + 1, j), c = point(i, j + 1), d = point(i + 1, j + 1);
-        if (std::max(std::max(a.z, b.z), std::max(c.z, d.z)) < box.low.z ||
-            std::min(std::min(a.z, b.z), std::min(c.z, d.z)) > box.high.z) {
-          continue;
-        }
-        const std::uint32_t cell = j * (field.columns - 1) + i;
-        for (const bool is_upper : {false, true}) {
-          const TriangleCorners of_part{a, is_upper ? d : b, is_upper ? c : d};
-          if (box_around(of_part).overlaps(box) && is_wanted(of_part)) {
-            const std::uint32_t index = 2 * cell + (is_upper ? 1 : 0);
-            visit(Triangle(of_part, index, true), index);
-          }
+    const auto visit_cell = [&](std::uint32_t i, std::uint32_t j) {
+      const Cell cell = cell_of(i, j);
+      const Heights heights = cell.heights();
+      if (heights.high < box.low.z || heights.low > box.high.z) {
+        return;
+      }
+      for (const bool is_upper : {false, true}) {
+        const TriangleCorners of_part = cell.triangle(is_upper);
+        if (is_there(of_part) && box_around(of_part).overlaps(box) && is_wanted(of_part)) {
+          const std::uint32_t index = number_of(i, j, is_upper);
+          visit(Triangle(of_part, index, true), index);
         }
       }
-    }
+    };
+    field.ranges.visit_over(cells_under(box), box, {field.spacing_x, field.spacing_y}, is_wanted_block, visit_cell);
+  }
+  template <class Wanted, class Visitor>
+  void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
+    visit_parts_of_blocks(box, [](const Aabb&) { return true; }, is_wanted, visit);
   }
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {
     visit_parts(box, AcceptsAnyCorners{}, visit);
   }
-  [[nodiscard]] Triangle part_near(const Vec3& p) const {
+  template <class Visitor>
+  void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
     const Data& field = *data_;
-    const std::uint32_t i = cell_at(p.x / field.spacing_x, field.columns),
-                        j = cell_at(p.y / field.spacing_y, field.rows);
-    return part(2 * (j * (field.columns - 1) + i));
+    const auto lowest_of = [&](const Aabb& box) { return least_along(box, direction); };
+    field.ranges.visit_in_order({field.spacing_x, field.spacing_y}, limit, lowest_of,
+                                [&](std::uint32_t i, std::uint32_t j) {
+                                  const Cell cell = cell_of(i, j);
+                                  for (const bool is_upper : {false, true}) {
+                                    const TriangleCorners of_part = cell.triangle(is_upper);
+                                    if (is_there(of_part) && least_along(of_part, direction) <= limit) {
+                                      const std::uint32_t index = number_of(i, j, is_upper);
+                                      visit(Triangle(of_part, index, true), index);
+                                    }
+                                  }
+                                });
   }
+  // Whether parts may overlap a box, by the heights of blocks of cells.
+  [[nodiscard]] bool may_overlap(const Aabb& box) const {
+    return box.overlaps(data_->box) && data_->ranges.reach_over(cells_under(box), box);
+  }
+  [[nodiscard]] Triangle part_near(const Vec3& p) const;
 
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
+  // A triangle that is missing has three equal corners, so that the others keep their numbers.
   [[nodiscard]] Triangles triangles() const;
 
   // Other heights. O(heights that change + log(all heights)).
@@ -86,12 +104,40 @@ class HeightField {
   [[nodiscard]] Aabb apply(const HeightEdit& edit);
 
  private:
+  // From (i, j) to (i + 1, j + 1), from (i + 1, j) to (i, j + 1), or the one or the other as i + j is even or odd.
+  enum class Diagonal : std::uint8_t { rising, falling, alternating };
+
   struct Data {
     std::uint32_t columns, rows;
     Real spacing_x, spacing_y;
-    std::vector<Real> heights;
-    RangePyramid ranges;  // of the heights
+    Diagonal diagonal;
+    std::vector<Real> heights;  // NaN in holes
+    RangePyramid ranges;        // of the heights
     Aabb box;
+    std::uint64_t triangle_count;
+  };
+
+  // A sample, by column and row.
+  struct Sample {
+    std::uint32_t i, j;
+    friend bool operator==(const Sample&, const Sample&) = default;
+  };
+  struct Heights {
+    Real low, high;
+  };
+  // The points at (i, j), (i + 1, j), (i, j + 1) and (i + 1, j + 1).
+  struct Cell {
+    Vec3 a, b, c, d;
+    bool is_falling;  // its diagonal leads from b to c
+
+    [[nodiscard]] inline TriangleCorners triangle(bool is_upper) const {
+      return is_upper ? TriangleCorners{is_falling ? b : a, d, c} : TriangleCorners{a, b, is_falling ? c : d};
+    }
+    // Of the samples that are no NaN: std::min and std::max keep the first of two that do not compare.
+    [[nodiscard]] inline Heights heights() const {
+      return {std::min(std::min(std::min(std::min(infinity, a.z), b.z), c.z), d.z),
+              std::max(std::max(std::max(std::max(-infinity, a.z), b.z), c.z), d.z)};
+    }
   };
 
   explicit HeightField(Data data) : data_(std::move(data)) {}
@@ -101,11 +147,30 @@ class HeightField {
   [[nodiscard]] inline Vec3 point(std::uint32_t i, std::uint32_t j) const {
     return {i * data_->spacing_x, j * data_->spacing_y, height(i, j)};
   }
-  // Of a triangle of a cell.
-  [[nodiscard]] inline TriangleCorners corners(std::uint32_t i, std::uint32_t j, bool is_upper) const {
-    return {point(i, j), is_upper ? point(i + 1, j + 1) : point(i + 1, j),
-            is_upper ? point(i, j + 1) : point(i + 1, j + 1)};
+  [[nodiscard]] static inline bool is_falling(Diagonal diagonal, std::uint32_t i, std::uint32_t j) {
+    return diagonal == Diagonal::falling || (diagonal == Diagonal::alternating && (i + j) % 2 != 0);
   }
+  [[nodiscard]] inline Cell cell_of(std::uint32_t i, std::uint32_t j) const {
+    return {point(i, j), point(i + 1, j), point(i, j + 1), point(i + 1, j + 1), is_falling(data_->diagonal, i, j)};
+  }
+  [[nodiscard]] inline std::uint32_t number_of(std::uint32_t i, std::uint32_t j, bool is_upper) const {
+    return 2 * (j * (data_->columns - 1) + i) + (is_upper ? 1 : 0);
+  }
+  // A triangle with a sample that is NaN is missing.
+  [[nodiscard]] static inline bool is_there(const TriangleCorners& corners) {
+    return !std::isnan(corners[0].z + corners[1].z + corners[2].z);
+  }
+  // The corners of a triangle of a cell, as Cell lists them.
+  [[nodiscard]] inline std::array<Sample, 3> samples_of(std::uint32_t i, std::uint32_t j, bool is_upper) const {
+    const bool falls = is_falling(data_->diagonal, i, j);
+    const Sample a{i, j}, b{i + 1, j}, c{i, j + 1}, d{i + 1, j + 1};
+    return is_upper ? std::array{falls ? b : a, d, c} : std::array{a, b, falls ? c : d};
+  }
+  // How many triangles there are in a rectangle of cells. `height_at(i, j)`: of samples.
+  template <class HeightAt>
+  [[nodiscard]] static std::uint64_t count_triangles(const RangePyramid::Rectangle& cells, Diagonal diagonal,
+                                                     const HeightAt& height_at);
+  [[nodiscard]] std::int64_t change_of_count(const HeightEdit& edit) const;
   [[nodiscard]] static inline std::uint32_t cell_at(Real position, std::uint32_t samples) {
     const Real last = samples - 2;
     return position > 0 ? static_cast<std::uint32_t>(std::min(position, last)) : 0;
@@ -115,6 +180,16 @@ class HeightField {
     const std::uint32_t cell = cell_at(position, samples);
     return cell > 0 && static_cast<Real>(cell) >= position ? cell - 1 : cell;
   }
+  // Of a box that overlaps that of the field.
+  [[nodiscard]] inline RangePyramid::Rectangle cells_under(const Aabb& box) const {
+    const Data& field = *data_;
+    const std::uint32_t i0 = cell_before(box.low.x / field.spacing_x, field.columns),
+                        i1 = cell_at(box.high.x / field.spacing_x, field.columns);
+    const std::uint32_t j0 = cell_before(box.low.y / field.spacing_y, field.rows),
+                        j1 = cell_at(box.high.y / field.spacing_y, field.rows);
+    return {i0, j0, i1 - i0 + 1, j1 - j0 + 1};
+  }
+
   Frozen<Data> data_;
 };
 static_assert(Shape<HeightField> && Surface<HeightField> && Triangulated<HeightField> && Terrain<HeightField> &&

@@ -2,93 +2,67 @@
 module abut.shapes.height_field;
 import abut.capability;
 import abut.core.standard;
-import abut.core;
 import abut.math;
-import abut.trees.range_pyramid;
 import abut.trees.ray_slabs;
 
 namespace abut {
-namespace {
 
-Fault check_samples(std::string_view name, Real value) {
-  if (Fault fault = check_finite(name, value)) {
-    return fault;
-  }
-  if (value == 0) {
-    return error_about(Errc::empty, name, value, "at least 2");
-  }
-  if (!(value >= 2 && value <= 65535) || value != std::floor(value)) {
-    return error_about(Errc::out_of_range, name, value, "a whole number from 2 to 65535");
-  }
-  return std::nullopt;
-}
-
-// A sample, by column and row.
-struct Sample {
-  std::int64_t i, j;
-};
-
-// Samples are joined along the lines of the grid and along the diagonals that split the cells.
-constexpr auto neighbours = std::to_array<Sample>({{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}});
-
-constexpr bool are_joined(const Sample& a, const Sample& b) {
-  return std::ranges::any_of(neighbours,
-                             [&](const Sample& step) { return a.i + step.i == b.i && a.j + step.j == b.j; });
-}
-
-}  // namespace
-
-// The triangles at an edge are those with a third corner that is joined to both ends.
+// Of the triangles around a sample, or at the edge between two, those that are there.
 bool HeightField::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
   const Data& field = *data_;
-  const std::int64_t cell = index / 2, i = cell % (field.columns - 1), j = cell / (field.columns - 1);
-  const bool upper = index % 2 != 0;
-  const std::array<Sample, 3> own{{{i, j}, {i + 1, j + (upper ? 1 : 0)}, {i + (upper ? 0 : 1), j + 1}}};
+  const std::uint32_t cell = index / 2;
+  const auto own = samples_of(cell % (field.columns - 1), cell / (field.columns - 1), index % 2 != 0);
   const unsigned others = corners & (corners - 1);
-  const Sample& sample = own[static_cast<unsigned>(std::countr_zero(corners))];
-  const Sample* second = others != 0 ? &own[static_cast<unsigned>(std::countr_zero(others))] : nullptr;
-  const auto height_along = [&](const Sample& at) {
-    return dot(direction, point(static_cast<std::uint32_t>(at.i), static_cast<std::uint32_t>(at.j)));
-  };
-  const Real highest = height_along(sample) + height;
-  return std::ranges::all_of(neighbours, [&](const Sample& step) {
-    const Sample next{sample.i + step.i, sample.j + step.j};
-    const bool is_there = next.i >= 0 && next.j >= 0 && next.i < field.columns && next.j < field.rows;
-    return !is_there || (second && !are_joined(next, *second)) || height_along(next) <= highest;
-  });
+  const Sample& first = own[static_cast<unsigned>(std::countr_zero(corners))];
+  const Sample& second = others != 0 ? own[static_cast<unsigned>(std::countr_zero(others))] : first;
+  const Real highest = dot(direction, point(first.i, first.j)) + height;
+  for (std::uint32_t j = first.j > 0 ? first.j - 1 : 0; j <= first.j && j < field.rows - 1; ++j) {
+    for (std::uint32_t i = first.i > 0 ? first.i - 1 : 0; i <= first.i && i < field.columns - 1; ++i) {
+      for (const bool is_upper : {false, true}) {
+        const auto samples = samples_of(i, j, is_upper);
+        if (std::ranges::find(samples, first) == samples.end() || std::ranges::find(samples, second) == samples.end()) {
+          continue;
+        }
+        const TriangleCorners around = cell_of(i, j).triangle(is_upper);
+        if (is_there(around) && -least_along(around, -direction) > highest) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
 }
 
-Result<HeightField> HeightField::make(std::span<const Real> parameters, std::span<const Real> reals,
-                                      std::span<const std::uint32_t> indices) {
-  if (Fault fault = check_count("parameter_count", parameters.size(), 4)) {
-    return *fault;
-  }
-  if (Fault fault = check_count("index_count", indices.size(), 0)) {
-    return *fault;
-  }
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (Fault fault = check_samples(parameter_names[i], parameters[i])) {
-      return *fault;
+// The one of the cell below or above the point, or the nearest one that is there.
+Triangle HeightField::part_near(const Vec3& p) const {
+  const Data& field = *data_;
+  const auto any_of_cell = [&](std::uint32_t i, std::uint32_t j) -> std::optional<std::uint32_t> {
+    const Cell cell = cell_of(i, j);
+    for (const bool is_upper : {false, true}) {
+      if (is_there(cell.triangle(is_upper))) {
+        return number_of(i, j, is_upper);
+      }
     }
-    if (Fault fault = check_positive(parameter_names[i + 2], parameters[i + 2])) {
-      return *fault;
-    }
+    return std::nullopt;
+  };
+  const std::uint32_t i = cell_at(p.x / field.spacing_x, field.columns), j = cell_at(p.y / field.spacing_y, field.rows);
+  if (const auto below = any_of_cell(i, j)) {
+    return part(*below);
   }
-  const auto columns = static_cast<std::uint32_t>(parameters[0]), rows = static_cast<std::uint32_t>(parameters[1]);
-  if (reals.empty()) {
-    return Error{Errc::empty, "heights is empty; a height field needs columns * rows of them"};
-  }
-  if (Fault fault = check_count("real_count", reals.size(), std::size_t{columns} * rows)) {
-    return *fault;
-  }
-  if (Fault fault = check_all_finite("heights", reals)) {
-    return *fault;
-  }
-  RangePyramid ranges(reals, columns);
-  const auto [low, high] = ranges.whole();
-  const Aabb box{{0, 0, low}, {(columns - 1) * parameters[2], (rows - 1) * parameters[3], high}};
-  return HeightField(
-      Data{columns, rows, parameters[2], parameters[3], {reals.begin(), reals.end()}, std::move(ranges), box});
+  std::uint32_t nearest = 0;
+  Real limit = infinity;
+  const auto way_to = [&](const Aabb& box) {
+    const Real x = std::max(std::max(box.low.x - p.x, p.x - box.high.x), Real{0}),
+               y = std::max(std::max(box.low.y - p.y, p.y - box.high.y), Real{0});
+    return x + y;
+  };
+  const auto consider = [&](std::uint32_t column, std::uint32_t row) {
+    const auto found = limit == infinity ? any_of_cell(column, row) : std::nullopt;
+    nearest = found.value_or(nearest);
+    limit = found ? -infinity : limit;
+  };
+  field.ranges.visit_in_order({field.spacing_x, field.spacing_y}, limit, way_to, consider);
+  return part(nearest);
 }
 
 std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
@@ -98,6 +72,7 @@ std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& 
   const RaySlabs::Stretch over_box = slabs.within(field.box, {0, max_distance});
   Real nearest = max_distance;
   std::uint32_t hit = no_index;
+  // A triangle that is missing is met nowhere: comparisons with NaN are false.
   const auto meet = [&](const TriangleCorners& corners, std::uint32_t index) {
     const auto distance = ray.distance_to(corners, nearest);
     if (distance && (*distance < nearest || index < hit)) {
@@ -106,13 +81,11 @@ std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& 
     }
   };
   const auto meet_cell = [&](std::uint32_t i, std::uint32_t j, const RaySlabs::Stretch& over) {
-    const Vec3 a = point(i, j), b = point(i + 1, j), c = point(i, j + 1), d = point(i + 1, j + 1);
-    const Real low = std::min(std::min(a.z, b.z), std::min(c.z, d.z)),
-               high = std::max(std::max(a.z, b.z), std::max(c.z, d.z));
-    if (!slabs.within(2, low, high, over).is_empty()) {
-      const std::uint32_t index = 2 * (j * (field.columns - 1) + i);
-      meet({a, b, d}, index);
-      meet({a, d, c}, index + 1);
+    const Cell cell = cell_of(i, j);
+    const Heights heights = cell.heights();
+    if (!slabs.within(2, heights.low, heights.high, over).is_empty()) {
+      meet(cell.triangle(false), number_of(i, j, false));
+      meet(cell.triangle(true), number_of(i, j, true));
     }
   };
   field.ranges.visit_ray(slabs, over_box, {field.spacing_x, field.spacing_y}, nearest, meet_cell);
@@ -122,28 +95,26 @@ std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& 
 Triangles HeightField::triangles() const {
   const Data& field = *data_;
   Triangles out;
+  out.vertices.reserve(field.heights.size());
   for (std::uint32_t j = 0; j < field.rows; ++j) {
     for (std::uint32_t i = 0; i < field.columns; ++i) {
-      out.vertices.push_back(point(i, j));
-      if (i + 1 < field.columns && j + 1 < field.rows) {
-        const std::uint32_t k = j * field.columns + i, above = k + field.columns;
-        out.indices.insert(out.indices.end(), {k, k + 1, above + 1, k, above + 1, above});
+      const Vec3 sample = point(i, j);
+      out.vertices.push_back(std::isnan(sample.z) ? Vec3{sample.x, sample.y, field.box.low.z} : sample);
+    }
+  }
+  for (std::uint32_t j = 0; j + 1 < field.rows; ++j) {
+    for (std::uint32_t i = 0; i + 1 < field.columns; ++i) {
+      for (const bool is_upper : {false, true}) {
+        const bool is_missing = !is_there(cell_of(i, j).triangle(is_upper));
+        const auto samples = samples_of(i, j, is_upper);
+        for (const Sample& sample : samples) {
+          const Sample& corner = is_missing ? samples[0] : sample;
+          out.indices.push_back(corner.j * field.columns + corner.i);
+        }
       }
     }
   }
   return out;
-}
-
-std::vector<HeightField> HeightField::samples() {
-  std::vector<Real> hills;
-  for (int j = 0; j < 6; ++j) {
-    for (int i = 0; i < 8; ++i) {
-      hills.push_back(0.5 * std::sin(1.3 * i) * std::cos(0.9 * j));
-    }
-  }
-  const auto grid = std::to_array<Real>({8, 6, 0.5, 0.75}), cell = std::to_array<Real>({2, 2, 4, 4});
-  const auto flat = std::to_array<Real>({0, 0, 0, 0});
-  return {make(grid, hills, {}).value(), make(cell, flat, {}).value()};
 }
 
 }  // namespace abut

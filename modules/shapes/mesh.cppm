@@ -31,6 +31,12 @@ class Mesh {
   [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->box, pose); }
   [[nodiscard]] std::size_t triangle_count() const { return data_->indices.size() / 3; }
 
+  [[nodiscard]] bool is_one_sided() const { return data_->one_sided; }
+  [[nodiscard]] inline TriangleCorners corners(std::uint32_t index) const {
+    const Data& mesh = *data_;
+    const std::size_t first = 3 * std::size_t{index};
+    return corners({mesh.indices[first], mesh.indices[first + 1], mesh.indices[first + 2]});
+  }
   [[nodiscard]] Triangle part(std::uint32_t index) const { return {corners(index), index, data_->one_sided}; }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
@@ -65,6 +71,15 @@ class Mesh {
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {
     visit_parts(box, AcceptsAnyCorners{}, visit);
+  }
+  template <class Visitor>
+  void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
+    tree().bvh.visit_below(direction, limit, [&](std::uint32_t index) {
+      const TriangleCorners of_part = corners(index);
+      if (least_along(of_part, direction) <= limit) {
+        visit(Triangle(of_part, index, data_->one_sided), index);
+      }
+    });
   }
   [[nodiscard]] Triangle part_near(const Vec3& point) const { return part(tree().bvh.item_near(point)); }
 
@@ -124,11 +139,6 @@ class Mesh {
   [[nodiscard]] inline TriangleCorners corners(const std::array<std::uint32_t, 3>& vertices) const {
     const Data& mesh = *data_;
     return {mesh.vertices[vertices[0]], mesh.vertices[vertices[1]], mesh.vertices[vertices[2]]};
-  }
-  [[nodiscard]] inline TriangleCorners corners(std::uint32_t index) const {
-    const Data& mesh = *data_;
-    const std::size_t first = 3 * std::size_t{index};
-    return corners({mesh.indices[first], mesh.indices[first + 1], mesh.indices[first + 2]});
   }
   [[nodiscard]] const Tree& tree() const [[clang::lifetimebound]] {
     return data_->tree.get([this] { return make_tree(*data_); });

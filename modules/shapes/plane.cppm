@@ -12,7 +12,6 @@ class Plane {
  public:
   static constexpr std::string_view name = "plane";
   static constexpr std::array<std::string_view, 4> parameter_names{"normal_x", "normal_y", "normal_z", "offset"};
-  static constexpr bool is_terrain = true;
 
   [[nodiscard]] static Result<Plane> make(std::span<const Real> parameters, std::span<const Real> reals,
                                           std::span<const std::uint32_t> indices) {

@@ -50,6 +50,7 @@ class BoxSweep {
 class CompactSweep {
  public:
   using Floats = float __attribute__((ext_vector_type(8)));
+  using Way = float;
 
   explicit CompactSweep(const BoxSweep& sweep) {
     Real largest = 0;

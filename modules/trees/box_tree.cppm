@@ -3,7 +3,6 @@
 export module abut.trees.box_tree;
 import abut.core.standard;
 import abut.math;
-import abut.trees.box_sweep;
 import abut.trees.eight_boxes;
 
 export namespace abut {
@@ -61,17 +60,18 @@ class BoxTree {
   }
 
   // Calls visit_leaf(leaf) for the leaves whose boxes are met at some t up to `most`, nearer nodes first; it returns up
-  // to which t it wants more.
-  template <class Visitor>
-  void sweep(const CompactSweep& sweep, Real most, Visitor&& visit_leaf) const {
+  // to which t it wants more. `sweep`: a CompactSweep, or BoxHeights, of which t is the height of the lowest corner.
+  template <class Order, class Visitor>
+  void sweep(const Order& sweep, Real most, Visitor&& visit_leaf) const {
+    using Way = typename Order::Way;
     struct Waiting {
-      float entry;
+      Way entry;
       std::uint32_t child;
     };
     std::array<Waiting, most_waiting> waiting;
-    waiting[0] = {0, root_};
+    waiting[0] = {-std::numeric_limits<Way>::infinity(), root_};
     std::size_t count = 1;
-    float most_way = sweep.way_of(most);
+    Way most_way = sweep.way_of(most);
     while (count > 0) {
       const Waiting nearest = waiting[--count];
       if (nearest.entry > most_way) {
@@ -82,7 +82,7 @@ class BoxTree {
         continue;
       }
       const EightBoxes& node = nodes_[nearest.child];
-      const EightBoxes::Floats entries = node.entries(sweep, most_way);
+      const auto entries = node.entries(sweep, most_way);
       const std::uint32_t present = (1u << links_[nearest.child].count) - 1;
       const std::size_t begin = count;
       for (std::uint32_t met = EightBoxes::met(entries) & present; met != 0; met &= met - 1) {

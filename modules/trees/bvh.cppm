@@ -4,6 +4,7 @@
 export module abut.trees.bvh;
 import abut.core.standard;
 import abut.math;
+import abut.trees.box_heights;
 import abut.trees.box_sweep;
 import abut.trees.box_tree;
 import abut.trees.eight_boxes;
@@ -28,6 +29,17 @@ class Bvh {
     tree_.sweep(CompactSweep(BoxSweep(origin - origin_, {0, 0, 0}, direction)), limit, [&](std::uint32_t item) {
       cast(item);
       return limit;
+    });
+  }
+
+  // Calls visit(item) for the items whose boxes reach down to `limit` along a direction, which visit may lower. Lower
+  // nodes come first.
+  template <class Visitor>
+  void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
+    const Real base = dot(direction, origin_);
+    tree_.sweep(BoxHeights(direction), limit - base, [&](std::uint32_t item) {
+      visit(item);
+      return limit - base;
     });
   }
 

@@ -3,6 +3,7 @@
 export module abut.trees.eight_boxes;
 import abut.core.standard;
 import abut.math;
+import abut.trees.box_heights;
 import abut.trees.box_sweep;
 
 export namespace abut {
@@ -73,13 +74,21 @@ struct alignas(32) EightBoxes {
     }
     return ~mask_of(beyond) & 0xffu;
   }
-  // The way at which each is met, as CompactSweep says it.
-  [[nodiscard]] [[gnu::always_inline]] inline Floats entries(const CompactSweep& sweep, float most) const {
-    return sweep.entries([&](std::size_t i) { return side(i); }, most);
+  // The way at which each is met, as a CompactSweep or BoxHeights says it.
+  template <class Order>
+  [[nodiscard]] [[gnu::always_inline]] inline auto entries(const Order& order, typename Order::Way most) const {
+    return order.entries([&](std::size_t i) { return side(i); }, most);
   }
   // A bit for each box that is met.
   [[nodiscard]] static inline std::uint32_t met(Floats entries) {
     return mask_of(entries < std::numeric_limits<float>::infinity());
+  }
+  [[nodiscard]] static inline std::uint32_t met(const BoxHeights::Ways& entries) {
+    std::uint32_t met = 0;
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      met |= (entries[lane] < infinity ? 1u : 0u) << lane;
+    }
+    return met;
   }
 
   [[nodiscard]] inline BoxSides sides_of_lane(std::size_t lane) const {

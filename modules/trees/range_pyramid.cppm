@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The least and the greatest height of the cells of a grid, which follow when heights change: of blocks of 4 x 4 cells,
-// of blocks of 4 x 4 of these, and so on up to a single block. A cell lies between four samples.
+// of blocks of 4 x 4 of these, and so on up to a single block. A cell lies between four samples. Samples that are NaN
+// do not count.
 export module abut.trees.range_pyramid;
+import abut.core.small_vector;
 import abut.core.standard;
 import abut.math;
 import abut.trees.ray_slabs;
@@ -21,7 +23,7 @@ class RangePyramid {
     std::uint32_t column, row, columns, rows;
   };
 
-  // At least one height; `columns` of them in each row.
+  // At least one height; `columns` of them in each row. The range of no heights is from infinity to minus infinity.
   RangePyramid(std::span<const Real> values, std::uint32_t columns);
 
   [[nodiscard]] const Range& whole() const [[clang::lifetimebound]] { return levels_.back().ranges.front(); }
@@ -48,6 +50,44 @@ class RangePyramid {
     descend(level, passed, whole, ray, spacing, limit, visit);
   }
 
+  // Calls visit(column, row) for the cells of a rectangle. Cells are left out where the blocks around them lie above or
+  // below a box, or where is_wanted(box of the block) is false. visit may shrink the box.
+  template <class Wanted, class Visitor>
+  void visit_over(const Rectangle& cells, const Aabb& box, const Spacing& spacing, const Wanted& is_wanted,
+                  Visitor&& visit) const {
+    const std::size_t level = level_over(cells);
+    descend_over(
+        level, all_elements(level), cells,
+        [&](std::size_t number, std::uint32_t column, std::uint32_t row) {
+          const Range& range = levels_[number].ranges[std::size_t{row} * levels_[number].columns + column];
+          return range.low <= box.high.z && range.high >= box.low.z &&
+                 is_wanted(box_of(number, column, row, range, spacing));
+        },
+        visit);
+  }
+  // Whether blocks of 4 x 4 cells that hold cells of a rectangle reach into the heights of a box.
+  [[nodiscard]] bool reach_over(const Rectangle& cells, const Aabb& box) const {
+    const std::size_t level = std::max(level_over(cells), std::size_t{1});
+    bool is_reached = false;
+    descend_over(
+        level, all_elements(level), cells,
+        [&](std::size_t number, std::uint32_t column, std::uint32_t row) {
+          const Range& range = levels_[number].ranges[std::size_t{row} * levels_[number].columns + column];
+          const bool overlaps = !is_reached && range.low <= box.high.z && range.high >= box.low.z;
+          is_reached = is_reached || (overlaps && number == 0);
+          return overlaps && number > 0;
+        },
+        [](std::uint32_t, std::uint32_t) {});
+    return is_reached;
+  }
+
+  // Calls visit(column, row) for cells in blocks of which `measure` of their box is at most `limit`, which visit may
+  // lower. Blocks of less measure come first.
+  template <class Measure, class Visitor>
+  void visit_in_order(const Spacing& spacing, const Real& limit, const Measure& measure, Visitor&& visit) const {
+    visit_block(levels_.size() - 1, 0, 0, spacing, limit, measure, visit);
+  }
+
  private:
   static constexpr std::uint32_t side = 4;  // of a block
   struct Level {
@@ -59,10 +99,9 @@ class RangePyramid {
   [[nodiscard]] Rectangle passed_elements(std::size_t level, const RaySlabs::Stretch& over, const RaySlabs& ray,
                                           const Spacing& spacing) const {
     const Real cells = static_cast<Real>(std::uint64_t{1} << (2 * level));
-    const std::uint32_t all_columns = level == 0 ? cells_along(columns_) : levels_[level - 1].columns,
-                        all_rows = level == 0 ? cells_along(rows_) : levels_[level - 1].rows;
-    const RaySlabs::Range columns = ray.passed(0, over, cells * spacing.x, {0, all_columns - 1}),
-                          rows = ray.passed(1, over, cells * spacing.y, {0, all_rows - 1});
+    const Rectangle all = all_elements(level);
+    const RaySlabs::Range columns = ray.passed(0, over, cells * spacing.x, {0, all.columns - 1}),
+                          rows = ray.passed(1, over, cells * spacing.y, {0, all.rows - 1});
     return {columns.first, rows.first, columns.last - columns.first + 1, rows.last - rows.first + 1};
   }
   // The elements of a rectangle that a stretch of a ray meets: blocks of a level below `level`, or cells for 0.
@@ -98,11 +137,84 @@ class RangePyramid {
       }
     }
   }
+  // Small boxes lie over few cells, and need no blocks.
+  [[nodiscard]] std::size_t level_over(const Rectangle& cells) const {
+    std::size_t level = 0;
+    for (std::uint32_t columns = cells.columns, rows = cells.rows; columns > side || rows > side; ++level) {
+      columns = columns / side + 1;
+      rows = rows / side + 1;
+    }
+    return std::min(level, levels_.size());
+  }
+  // The elements of `within` that hold cells of a rectangle: blocks of a level below `level`, or cells for 0. Of
+  // blocks, those that are entered: enters(level, column, row).
+  template <class Enters, class Visitor>
+  void descend_over(std::size_t level, const Rectangle& within, const Rectangle& cells, const Enters& enters,
+                    Visitor&& visit) const {
+    const std::uint32_t shift = 2 * static_cast<std::uint32_t>(level);
+    const std::uint32_t last_row = std::min(within.row + within.rows - 1, (cells.row + cells.rows - 1) >> shift),
+                        last_column =
+                            std::min(within.column + within.columns - 1, (cells.column + cells.columns - 1) >> shift);
+    for (std::uint32_t row = std::max(within.row, cells.row >> shift); row <= last_row; ++row) {
+      for (std::uint32_t column = std::max(within.column, cells.column >> shift); column <= last_column; ++column) {
+        if (level == 0) {
+          visit(column, row);
+        } else if (enters(level - 1, column, row)) {
+          descend_over(level - 1, elements_of(level - 1, column, row), cells, enters, visit);
+        }
+      }
+    }
+  }
+  // As visit_in_order, of a block of level `number`.
+  template <class Measure, class Visitor>
+  void visit_block(std::size_t number, std::uint32_t column, std::uint32_t row, const Spacing& spacing,
+                   const Real& limit, const Measure& measure, Visitor&& visit) const {
+    struct Next {
+      Real measure;
+      std::uint32_t column, row;
+    };
+    [[clang::uninitialized]] SmallVector<Next, std::size_t{side} * side> order;
+    const Rectangle its = elements_of(number, column, row);
+    for (std::uint32_t j = its.row; j < its.row + its.rows; ++j) {
+      for (std::uint32_t i = its.column; i < its.column + its.columns; ++i) {
+        if (number == 0) {
+          visit(i, j);
+          continue;
+        }
+        const Range& range = levels_[number - 1].ranges[std::size_t{j} * levels_[number - 1].columns + i];
+        if (range.low <= range.high) {
+          order.push_back({measure(box_of(number - 1, i, j, range, spacing)), i, j});
+        }
+      }
+    }
+    std::ranges::sort(order.span(), [](const Next& a, const Next& b) {
+      return std::tie(a.measure, a.row, a.column) < std::tie(b.measure, b.row, b.column);
+    });
+    for (const Next& next : order.span()) {
+      if (next.measure <= limit) {
+        visit_block(number - 1, next.column, next.row, spacing, limit, measure, visit);
+      }
+    }
+  }
+  // Around a block of a level, of which the range is known.
+  [[nodiscard]] Aabb box_of(std::size_t number, std::uint32_t column, std::uint32_t row, const Range& range,
+                            const Spacing& spacing) const {
+    const std::uint64_t cells = std::uint64_t{1} << (2 * (number + 1));
+    const auto at = [&](std::uint64_t block, std::uint32_t samples) {
+      return static_cast<Real>(std::min<std::uint64_t>(block * cells, cells_along(samples)));
+    };
+    return {{at(column, columns_) * spacing.x, at(row, rows_) * spacing.y, range.low},
+            {at(column + 1, columns_) * spacing.x, at(row + 1, rows_) * spacing.y, range.high}};
+  }
   // Those that a block is made of: blocks of a level below `level`, or cells for 0.
   [[nodiscard]] Rectangle elements_of(std::size_t level, std::uint32_t column, std::uint32_t row) const {
-    const std::uint32_t columns = level == 0 ? cells_along(columns_) : levels_[level - 1].columns,
-                        rows = level == 0 ? cells_along(rows_) : levels_[level - 1].rows;
-    return {side * column, side * row, std::min(side, columns - side * column), std::min(side, rows - side * row)};
+    const Rectangle all = all_elements(level);
+    return {side * column, side * row, std::min(side, all.columns - side * column),
+            std::min(side, all.rows - side * row)};
+  }
+  [[nodiscard]] Rectangle all_elements(std::size_t level) const {
+    return level == 0 ? Rectangle{0, 0, cells_along(columns_), cells_along(rows_)}
+                      : Rectangle{0, 0, levels_[level - 1].columns, levels_[level - 1].rows};
   }
   [[nodiscard]] static constexpr std::uint32_t cells_along(std::uint32_t samples) {
     return samples > 1 ? samples - 1 : 1;

@@ -40,9 +40,16 @@
   TYPE(abut_mesh_options, 8)                                 \
   FIELD(abut_mesh_options, struct_size, 0, 4)                \
   FIELD(abut_mesh_options, sides, 4, 4)                      \
+  TYPE(abut_uv_grid_options, 24)                             \
+  FIELD(abut_uv_grid_options, struct_size, 0, 4)             \
+  FIELD(abut_uv_grid_options, sides, 4, 4)                   \
+  FIELD(abut_uv_grid_options, axis_u, 8, 4)                  \
+  FIELD(abut_uv_grid_options, axis_v, 12, 4)                 \
+  FIELD(abut_uv_grid_options, cells_u, 16, 4)                \
+  FIELD(abut_uv_grid_options, cells_v, 20, 4)                \
   TYPE(abut_height_field_desc, 40)                           \
   FIELD(abut_height_field_desc, struct_size, 0, 4)           \
-  FIELD(abut_height_field_desc, reserved, 4, 4)              \
+  FIELD(abut_height_field_desc, diagonal, 4, 4)              \
   FIELD(abut_height_field_desc, columns, 8, 4)               \
   FIELD(abut_height_field_desc, rows, 12, 4)                 \
   FIELD(abut_height_field_desc, spacing_x, 16, 8)            \

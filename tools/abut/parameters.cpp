@@ -29,14 +29,19 @@ double read_parameter(Fields& fields, const std::string& kind, const std::string
       return vector->json()[axis].get<double>();
     }
   }
+  if (name == "axis_v") {
+    return 1.0;
+  }
   return is_optional(kind, name) ? 0.0 : fields.need(name).number();
 }
 
 }  // namespace
 
 bool is_optional(std::string_view kind, std::string_view parameter) {
-  constexpr std::array<std::string_view, 4> zero_by_default{"offset", "one_sided", "open_ends", "open_faces"};
-  return std::find(zero_by_default.begin(), zero_by_default.end(), parameter) != zero_by_default.end() ||
+  // All but one are 0 then: the second axis of a grid is Y.
+  constexpr std::array<std::string_view, 9> with_defaults{"offset", "one_sided", "open_ends", "open_faces", "diagonal",
+                                                          "axis_u", "axis_v",    "cells_u",   "cells_v"};
+  return std::find(with_defaults.begin(), with_defaults.end(), parameter) != with_defaults.end() ||
          (kind == "particles" && parameter == "radius");
 }
 

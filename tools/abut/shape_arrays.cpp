@@ -23,8 +23,13 @@ struct Points {
   std::string_view kind;
   std::string_view field;
 };
-constexpr std::array<Points, 4> points_of_kinds{
-    {{"hull", "points"}, {"mesh", "vertices"}, {"particles", "centres"}, {"height_field", "heights"}}};
+constexpr std::array<Points, 5> points_of_kinds{{{"hull", "points"},
+                                                 {"mesh", "vertices"},
+                                                 {"uv_grid", "vertices"},
+                                                 {"particles", "centres"},
+                                                 {"height_field", "heights"}}};
+
+bool has_triangles(const std::string& kind) { return kind == "mesh" || kind == "uv_grid"; }
 
 std::string points_of(const std::string& kind) {
   const auto is_kind = [&](const Points& points) { return points.kind == kind; };
@@ -126,7 +131,7 @@ void load_file(const Node& file, const std::filesystem::path& folder, const std:
     for (const abut_vec3& v : triangles.vertices) {
       out.reals.insert(out.reals.end(), {v.x, v.y, v.z});
     }
-    if (kind == "mesh") {
+    if (has_triangles(kind)) {
       out.indices = triangles.indices;
     }
   } else if (suffix == ".txt" || suffix == ".csv" || suffix == ".xyz") {
@@ -182,7 +187,7 @@ ShapeArrays read_arrays(Fields& fields, const std::string& kind, const std::file
     }
     add_numbers(*inline_points, out.reals);
   }
-  if (kind == "mesh" && out.indices.empty()) {
+  if (has_triangles(kind) && out.indices.empty()) {
     out.indices = read_indices(fields.need("triangles"));
   } else if (!is_known && fields.node().has("indices")) {
     for (const Node& index : fields.need("indices").list("indices")) {
@@ -200,8 +205,8 @@ std::vector<std::string> arrays_of(const std::string& kind) {
   if (points.empty()) {
     return {};
   }
-  return kind == "mesh" ? std::vector<std::string>{points, "triangles", "file"}
-                        : std::vector<std::string>{points, "file"};
+  return has_triangles(kind) ? std::vector<std::string>{points, "triangles", "file"}
+                             : std::vector<std::string>{points, "file"};
 }
 
 }  // namespace cli

@@ -96,9 +96,24 @@ class Shape(Owner):
         return cls._made_by(library.abut_mesh_create, *points, *corners, byref(read_as))
 
     @classmethod
+    def uv_grid(cls, xyz: Any, triangles: Any = None, **fields: Any) -> Shape:
+        """A mesh whose triangles are found by a grid across two axes; given as to `mesh`.
+
+        The fields are those of UvGridOptions.
+        """
+        if triangles is None:
+            xyz, triangles = meshes.triangles_of(xyz)
+        points, corners = given.rows("xyz", xyz, 3), given.rows("triangles", triangles, 3, c_uint32)
+        read_as = options.filled(c.UvGridOptions, library.abut_uv_grid_options_init, fields)
+        return cls._made_by(library.abut_uv_grid_create, *points, *corners, byref(read_as))
+
+    @classmethod
     def height_field(cls, columns: int | None = None, rows: int | None = None, heights: Any = (),
-                     spacing_x: float = 1.0, spacing_y: float = 1.0) -> Shape:
-        """Terrain over a grid: `rows` times `columns` heights, X fastest. An array of two dimensions tells both."""
+                     spacing_x: float = 1.0, spacing_y: float = 1.0, diagonal: int = c.DIAGONAL_RISING) -> Shape:
+        """Terrain over a grid: `rows` times `columns` heights, X fastest. An array of two dimensions tells both.
+
+        A height that is NaN makes a hole.
+        """
         shape: Any = getattr(heights, "shape", ())
         if len(shape) == 2:
             if (rows or shape[0], columns or shape[1]) != tuple(shape):
@@ -110,7 +125,8 @@ class Shape(Owner):
         if len(values) != columns * rows:
             raise ValueError(f"heights has {len(values)} numbers; it must have {columns} * {rows}")
         desc = options.filled(c.HeightFieldDesc, library.abut_height_field_desc_init, {
-            "columns": columns, "rows": rows, "spacing_x": spacing_x, "spacing_y": spacing_y})
+            "columns": columns, "rows": rows, "spacing_x": spacing_x, "spacing_y": spacing_y,
+            "diagonal": diagonal})
         desc.heights = values
         return cls._made_by(library.abut_height_field_create, byref(desc))
 

@@ -257,11 +257,44 @@ extern "C" {
         out: *mut *mut abut_shape,
     ) -> abut_status;
 }
+pub type abut_axis = u32;
+pub const ABUT_AXIS_X: abut_axis_value = 0;
+pub const ABUT_AXIS_Y: abut_axis_value = 1;
+pub const ABUT_AXIS_Z: abut_axis_value = 2;
+pub type abut_axis_value = ::std::os::raw::c_uint;
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_uv_grid_options {
+    pub struct_size: u32,
+    pub sides: abut_sides,
+    pub axis_u: abut_axis,
+    pub axis_v: abut_axis,
+    pub cells_u: u32,
+    pub cells_v: u32,
+}
+extern "C" {
+    pub fn abut_uv_grid_options_init(options: *mut abut_uv_grid_options, struct_size: u32);
+}
+extern "C" {
+    pub fn abut_uv_grid_create(
+        xyz: *const f64,
+        vertex_count: usize,
+        triangles: *const u32,
+        triangle_count: usize,
+        options: *const abut_uv_grid_options,
+        out: *mut *mut abut_shape,
+    ) -> abut_status;
+}
+pub type abut_diagonal = u32;
+pub const ABUT_DIAGONAL_RISING: abut_diagonal_value = 0;
+pub const ABUT_DIAGONAL_FALLING: abut_diagonal_value = 1;
+pub const ABUT_DIAGONAL_ALTERNATING: abut_diagonal_value = 2;
+pub type abut_diagonal_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct abut_height_field_desc {
     pub struct_size: u32,
-    pub reserved: u32,
+    pub diagonal: abut_diagonal,
     pub columns: u32,
     pub rows: u32,
     pub spacing_x: f64,

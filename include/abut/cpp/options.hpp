@@ -67,6 +67,16 @@ struct MeshOptions : Defaulted<MeshOptions, abut_mesh_options, abut_mesh_options
   [[nodiscard]] MeshOptions with_sides(Sides value) const { return with(&abut_mesh_options::sides, value); }
 };
 
+struct UvGridOptions : Defaulted<UvGridOptions, abut_uv_grid_options, abut_uv_grid_options_init> {
+  [[nodiscard]] UvGridOptions with_sides(Sides value) const { return with(&C::sides, value); }
+  [[nodiscard]] UvGridOptions with_axes(Axis u, Axis v) const {
+    return with(&C::axis_u, u).with(&C::axis_v, v);
+  }
+  [[nodiscard]] UvGridOptions with_cells(std::uint32_t u, std::uint32_t v) const {
+    return with(&C::cells_u, u).with(&C::cells_v, v);
+  }
+};
+
 struct QueryOptions : Defaulted<QueryOptions, abut_query_options, abut_query_options_init> {
   using C = abut_query_options;
   [[nodiscard]] QueryOptions with_algorithm(Algorithm value) const { return with(&C::algorithm, value); }

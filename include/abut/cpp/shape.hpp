@@ -111,9 +111,21 @@ class Shape {
                                                  options.get(), out);
     });
   }
-  // `heights` holds columns * rows numbers, X fastest.
+  // A mesh whose triangles are found by a grid.
+  [[nodiscard]] static Answer<Shape> uv_grid(const Points& vertices, const Triangles& triangles,
+                                             OptionalRef<abut_uv_grid_options> options = {}) {
+    const abut_status whole =
+        detail::first_failure(detail::expect_whole("vertices", vertices), detail::expect_whole("triangles", triangles));
+    return made([&](abut_shape** out) {
+      return whole != ABUT_OK ? whole
+                              : abut_uv_grid_create(vertices.data(), vertices.size(), triangles.data(),
+                                                    triangles.size(), options.get(), out);
+    });
+  }
+  // `heights` holds columns * rows numbers or NaN, X fastest.
   [[nodiscard]] static Answer<Shape> height_field(std::uint32_t columns, std::uint32_t rows, double spacing_x,
-                                                  double spacing_y, Span<const double> heights) {
+                                                  double spacing_y, Span<const double> heights,
+                                                  Diagonal diagonal = ABUT_DIAGONAL_RISING) {
     abut_height_field_desc desc;
     abut_height_field_desc_init(&desc, sizeof desc);
     desc.columns = columns;
@@ -121,6 +133,7 @@ class Shape {
     desc.spacing_x = spacing_x;
     desc.spacing_y = spacing_y;
     desc.heights = heights.data();
+    desc.diagonal = diagonal;
     const abut_status sizes = expect_samples(heights.size(), std::uint64_t{columns} * rows);
     return made([&](abut_shape** out) { return sizes != ABUT_OK ? sizes : abut_height_field_create(&desc, out); });
   }

@@ -43,10 +43,6 @@ class PartMet {
   }
 
  private:
-  [[nodiscard]] static inline Real least_along(const TriangleCorners& corners, const Vec3& direction) {
-    return std::min(std::min(dot(direction, corners[0]), dot(direction, corners[1])), dot(direction, corners[2]));
-  }
-
   TriangleCorners corners_;
   Fronts<B> fronts_;
   Real gap_;

@@ -13,6 +13,7 @@ import abut.narrow.many.quick_axes;
 import abut.narrow.many.surface_contacts;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.many.way_out;
+import abut.narrow.points.lane_contact;
 
 export namespace abut {
 
@@ -121,6 +122,21 @@ template <Surface A, Convex B>
   return Outcome::ok;
 }
 
+// A surface whose parts lie in blocks tells at once that none of a block is near another such surface.
+template <class S>
+inline constexpr bool has_blocks = requires(const S& surface, const Aabb& box) { surface.may_overlap(box); };
+
+// Visits the parts of b in a box that may be within some reach of a.
+template <Surface A, Surface B, class Reach, class Visitor>
+void visit_parts_near(const A& a, const B& b, const Pose& ab, Aabb& box, const Reach& reach, Visitor&& visit) {
+  if constexpr (has_blocks<A> && has_blocks<B>) {
+    const auto is_near = [&](const Aabb& block) { return a.may_overlap(transformed(block, ab).inflated(reach())); };
+    b.visit_parts_of_blocks(box, is_near, AcceptsAnyCorners{}, visit);
+  } else {
+    b.visit_parts(box, visit);
+  }
+}
+
 // Two surfaces: the parts of b one by one, each a convex shape to a.
 template <Surface A, Surface B>
 [[nodiscard]] Outcome surfaces_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
@@ -133,9 +149,10 @@ template <Surface A, Surface B>
   std::uint32_t of_a = 0, of_b = b.part_near(around.centre()).index();
   nearest_part(a, b.part(of_b), ab, settings, out, of_a);
   Aabb query = out.distance < infinity ? around.inflated(std::max(out.distance, Real{0})) : Aabb::everything();
-  b.visit_parts(query, [&](const typename B::Part& part, std::uint32_t index) {
+  const auto reach = [&] { return std::max(out.distance, Real{0}); };
+  visit_parts_near(a, b, ab, query, reach, [&](const typename B::Part& part, std::uint32_t index) {
     of_b = nearest_part(a, part, ab, settings, out, of_a) ? index : of_b;
-    query = around.inflated(std::max(out.distance, Real{0}));
+    query = around.inflated(reach());
   });
   const Triangle triangle = a.part(of_a), other = b.part(of_b);
   const Real noise = noise_of(core_size(triangle, other, ab));
@@ -156,9 +173,10 @@ template <Surface A, Surface B>
     return Outcome::unsupported;
   }
   SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
-  Aabb query = a.aabb(ab.inverse()).inflated(std::max(settings.margin, Real{0}));
-  b.visit_parts(query, [&](const typename B::Part& part, std::uint32_t index) {
-    Aabb box = part.aabb(ab).inflated(std::max(settings.margin, Real{0}));
+  const auto reach = [&] { return std::max(settings.margin, Real{0}); };
+  Aabb query = a.aabb(ab.inverse()).inflated(reach());
+  visit_parts_near(a, b, ab, query, reach, [&](const typename B::Part& part, std::uint32_t index) {
+    Aabb box = part.aabb(ab).inflated(reach());
     const QuickAxes<typename B::Part> axes(part, ab);
     a.visit_parts(
         box, [&](const TriangleCorners& corners) { return !axes.are_beyond(corners, settings.margin); },
@@ -168,37 +186,52 @@ template <Surface A, Surface B>
   return Outcome::ok;
 }
 
-// A half-space against every part: what lies behind the plane counts.
+// How much heights over a plane may be off by rounding.
+template <Surface B>
+[[nodiscard]] Real noise_of_heights(const B& b, const PlaneBelow& plane) {
+  const Aabb box = b.aabb(Pose::identity());
+  return 16 * epsilon * (largest_magnitude(maximum(absolute(box.low), absolute(box.high))) + std::fabs(plane.height));
+}
+
+// A half-space against the parts that reach lowest: what lies behind the plane counts.
 template <HalfSpace A, Surface B>
 [[nodiscard]] Outcome half_space_parts_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                                 Distance& out) {
+  if (!takes_closed_forms(settings.algorithm)) {
+    return Outcome::unsupported;
+  }
   out = no_distance();
-  Aabb everything = Aabb::everything();
-  Outcome outcome = Outcome::ok;
-  b.visit_parts(everything, [&](const typename B::Part& part, std::uint32_t) {
+  const PlaneBelow plane = plane_below(a, Pose::identity(), ab);
+  // Parts that are as low as the lowest so far are passed over: of a flat surface, these would be all.
+  const Real noise = noise_of_heights(b, plane);
+  Real limit = infinity;
+  b.visit_below(plane.local_normal, limit, [&](const typename B::Part& part, std::uint32_t) {
     Distance distance{};
-    outcome = half_space_distance(a, part, ab, settings, distance);
-    if (outcome == Outcome::ok) {
+    if (half_space_distance(a, part, ab, settings, distance) == Outcome::ok) {
       take_part(distance, out);
     }
+    limit = out.distance - plane.height - noise;
   });
-  return outcome;
+  return Outcome::ok;
 }
 
 template <HalfSpace A, Surface B>
 [[nodiscard]] Outcome half_space_parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                                 Manifold& out) {
-  Aabb everything = Aabb::everything();
-  Outcome outcome = Outcome::ok;
-  b.visit_parts(everything, [&](const typename B::Part& part, std::uint32_t index) {
-    const std::size_t first = out.size();
-    outcome = half_space_contacts(a, part, ab, settings, out);
-    for (std::size_t i = first; i < out.size(); ++i) {
-      out[i].id = contact_id_of_part(out[i].id, index);
-      out[i].feature_b = {FeatureKind::face, index};
-    }
+  if (!takes_closed_forms(settings.algorithm)) {
+    return Outcome::unsupported;
+  }
+  const PlaneBelow plane = plane_below(a, Pose::identity(), ab);
+  Real limit = settings.margin - plane.height + noise_of_heights(b, plane);
+  b.visit_below(plane.local_normal, limit, [&](const typename B::Part& part, std::uint32_t index) {
+    face_on_plane(plane, part, ab, settings.margin, [&](const LaneContact& contact) {
+      append_contact(contact, out);
+      ContactPoint& added = out.back();
+      added.id = contact_id_of_part(added.id, index);
+      added.feature_b = {FeatureKind::face, index};
+    });
   });
-  return outcome;
+  return Outcome::ok;
 }
 
 }  // namespace abut

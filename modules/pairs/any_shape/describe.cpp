@@ -20,7 +20,7 @@ std::string_view reason_of(Route route) {
     case Route::hole: return "a hole against what is in it";
     case Route::children: return "a composite";
     case Route::unsupported:
-    case Route::none: return "terrain never meets terrain, and holes meet solids only";
+    case Route::none: return "planes never meet planes, and holes meet solids only";
   }
   return {};
 }

@@ -140,10 +140,17 @@ TEST(GeometrySetHeights, RefusesStaleIds) {
 
 TEST(GeometrySetHeights, RefusesNonFiniteNumbers) {
   const Edited scene;
-  expect_non_finite_refused("heights[2]", [&](double bad) {
-    const std::array heights{1.0, 2.0, bad, 3.0};
-    return abut_geometry_set_heights(scene.universe, scene.field, 0, 0, 2, 2, heights.data());
-  });
+  const std::array heights{1.0, 2.0, -std::numeric_limits<double>::infinity(), 3.0};
+  EXPECT_TRUE(refused(abut_geometry_set_heights(scene.universe, scene.field, 0, 0, 2, 2, heights.data()),
+                      ABUT_NOT_FINITE, {"heights[2]", "-inf"}));
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+TEST(GeometrySetHeights, RefusesToTakeTheLastTriangle) {
+  const Edited scene;
+  const std::vector<double> holes(9, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(refused(abut_geometry_set_heights(scene.universe, scene.field, 0, 0, 3, 3, holes.data()), ABUT_EMPTY,
+                      {"heights"}));
   EXPECT_TRUE(scene.is_as_before());
 }
 

@@ -25,7 +25,7 @@ TEST(HeightFieldDescInit, FillsInSizeAndZeroes) {
   Out<abut_height_field_desc> desc;
   abut_height_field_desc_init(desc.address(), sizeof(abut_height_field_desc));
   EXPECT_EQ(desc.value().struct_size, sizeof(abut_height_field_desc));
-  EXPECT_EQ(desc.value().reserved, 0U);
+  EXPECT_EQ(desc.value().diagonal, ABUT_DIAGONAL_RISING);
   EXPECT_EQ(desc.value().heights, nullptr);
 }
 
@@ -85,11 +85,20 @@ TEST(HeightFieldCreate, RefusesNonFiniteNumbers) {
     auto heights = six_heights;
     desc = good_desc();
     desc.heights = heights.data();
-    expect_non_finite_refused("heights", [&](double bad) {
-      heights.at(place) = bad;
-      return abut_height_field_create(&desc, out.address());
-    });
+    heights.at(place) = std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_NOT_FINITE, {"heights", "inf"}));
   }
+  EXPECT_TRUE(out.is_untouched());
+}
+
+// A height that is NaN makes a hole. Here a triangle lacks a corner on either side of the diagonal.
+TEST(HeightFieldCreate, RefusesFieldsWithoutTriangles) {
+  Out<abut_shape*> out;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::array<double, 6> heights{0, nan, 0, 0, nan, 0};
+  abut_height_field_desc desc = good_desc();
+  desc.heights = heights.data();
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_EMPTY, {"heights"}));
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -130,11 +139,11 @@ TEST(HeightFieldCreate, RefusesOverflowingCounts) {
   EXPECT_TRUE(out.is_untouched());
 }
 
-TEST(HeightFieldCreate, RefusesReservedThatIsNotZero) {
+TEST(HeightFieldCreate, RefusesUnknownDiagonals) {
   Out<abut_shape*> out;
   abut_height_field_desc desc = good_desc();
-  desc.reserved = 31;
-  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_INVALID_ARGUMENT, {"reserved", "31"}));
+  desc.diagonal = 31;
+  EXPECT_TRUE(refused(abut_height_field_create(&desc, out.address()), ABUT_UNKNOWN_VALUE, {"diagonal", "31"}));
   EXPECT_TRUE(out.is_untouched());
 }
 

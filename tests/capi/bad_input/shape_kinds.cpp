@@ -9,10 +9,10 @@ namespace {
 
 using namespace abut_test;
 
-constexpr std::array<const char*, 18> every_kind{"sphere",      "box",           "capsule",   "plane",     "hull",
+constexpr std::array<const char*, 19> every_kind{"sphere",      "box",           "capsule",   "plane",     "hull",
                                                  "mesh",        "height_field",  "point",     "segment",   "triangle",
                                                  "cylinder",    "cone",          "ellipsoid", "particles", "composite",
-                                                 "sphere_hole", "cylinder_hole", "box_hole"};
+                                                 "sphere_hole", "cylinder_hole", "box_hole",  "uv_grid"};
 constexpr std::array<abut_shape_kind, 3> no_kinds{0, 9999, 0xFFFFFFFFU};
 
 TEST(ShapeKindCount, CountsTheKinds) { EXPECT_EQ(abut_shape_kind_count(), every_kind.size()); }
@@ -70,7 +70,7 @@ TEST(ShapeKindParameterName, NamesTheRadiusOfASphere) {
   EXPECT_STREQ(abut_shape_kind_parameter_name(abut_shape_kind_by_name("sphere"), 0), "radius");
 }
 
-TEST(PairSupport, IsOneButForTerrain) {
+TEST(PairSupport, IsOneButForPlanesAndHoles) {
   const auto answers = [](const char* a, const char* b, abut_query query) {
     std::uint32_t out = 7;
     EXPECT_TRUE(succeeded(abut_pair_support(abut_shape_kind_by_name(a), abut_shape_kind_by_name(b), query, &out)));
@@ -79,8 +79,9 @@ TEST(PairSupport, IsOneButForTerrain) {
   for (const abut_query query : {ABUT_QUERY_DISTANCE, ABUT_QUERY_CONTACTS}) {
     EXPECT_EQ(answers("sphere", "cylinder", query), 1U);
     EXPECT_EQ(answers("height_field", "ellipsoid", query), 1U);
-    EXPECT_EQ(answers("plane", "height_field", query), 0U);
-    EXPECT_EQ(answers("height_field", "plane", query), 0U);
+    EXPECT_EQ(answers("plane", "height_field", query), 1U);
+    EXPECT_EQ(answers("height_field", "height_field", query), 1U);
+    EXPECT_EQ(answers("height_field", "box_hole", query), 0U);
     EXPECT_EQ(answers("plane", "plane", query), 0U);
   }
 }

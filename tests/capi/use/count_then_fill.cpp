@@ -87,7 +87,8 @@ TEST(CountThenFill, Triangles) {
 // Meshes and height fields are their triangles; the faces of boxes and hulls become several each.
 bool numbers_its_triangles(const abut_shape* shape) {
   const abut_shape_kind kind = abut_shape_kind_of(shape);
-  return kind == abut_shape_kind_by_name("mesh") || kind == abut_shape_kind_by_name("height_field");
+  return kind == abut_shape_kind_by_name("mesh") || kind == abut_shape_kind_by_name("height_field") ||
+         kind == abut_shape_kind_by_name("uv_grid");
 }
 
 // Every triangle of the surface lies on it, and of surfaces its index is the feature of a ray through its middle.

@@ -22,12 +22,13 @@ TEST(Explain, NamesTheKindsOfThePairsAndWhatWasLeftOut) {
   Universe universe;
   const auto shapes = make_one_of_each_kind();
   for (const Shape& shape : shapes) universe.add(shape, identity);
+  universe.add(make_plane({0, 1, 0}, 0), identity);
   universe.step();
   const std::string text = explain(universe);
   for (const std::string_view word : {"sphere", "box", "capsule", "plane", "hull", "mesh", "height_field"}) {
     EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
   }
-  EXPECT_NE(text.find("unsupported"), std::string::npos) << "the plane against the height field\n" << text;
+  EXPECT_NE(text.find("unsupported"), std::string::npos) << "the plane against the other\n" << text;
   EXPECT_NE(text.find("GJK"), std::string::npos) << text;
   EXPECT_NE(text.find("left out"), std::string::npos) << text;
 }

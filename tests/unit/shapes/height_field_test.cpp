@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "surfaces.hpp"
@@ -49,17 +51,113 @@ TEST(HeightField, BadInputIsRefusedByName) {
   test::expect_refused<HeightField>({2, 3, 1, 1}, four, {}, Errc::invalid_argument, "real_count is 4;");
   test::expect_refused<HeightField>({2, 2, 1, 1}, {}, {}, Errc::empty, "heights is empty;");
   test::expect_refused<HeightField>({2, 2, 1, 1}, four, {1}, Errc::invalid_argument, "index_count is 1;");
-  test::expect_refused<HeightField>({2, 2, 1, 1}, {0, 0, std::fabs(std::nan("")), 0}, {}, Errc::not_finite,
-                                    "heights[2] is nan;");
+  test::expect_refused<HeightField>({2, 2, 1, 1}, {0, 0, std::numeric_limits<double>::infinity(), 0}, {},
+                                    Errc::not_finite, "heights[2] is inf;");
+  test::expect_refused<HeightField>({2, 2, 1, 1, 3}, four, {}, Errc::unknown_value, "diagonal is 3;");
+  const double nan = std::nan("");
+  test::expect_refused<HeightField>({2, 2, 1, 1}, {nan, 0, 0, nan}, {}, Errc::empty, "heights is NaN");
 }
 
 TEST(HeightField, SamplesLieOnTheGridAndCellsAreSplitFromLowToHigh) {
   const HeightField field = test::made<HeightField>({3, 2, 2, 4}, {10, 11, 12, 13, 14, 15});
-  EXPECT_EQ(field.parameters(), (std::vector<double>{3, 2, 2, 4}));
+  EXPECT_EQ(field.parameters(), (std::vector<double>{3, 2, 2, 4, 0}));
   const abut::Triangles surface = field.triangles();
   EXPECT_EQ(surface.vertices,
             (std::vector<Vec3>{{0, 0, 10}, {2, 0, 11}, {4, 0, 12}, {0, 4, 13}, {2, 4, 14}, {4, 4, 15}}));
   EXPECT_EQ(surface.indices, (std::vector<std::uint32_t>{0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4}));
+}
+
+TEST(HeightField, DiagonalsFallOrAlternate) {
+  const std::vector<double> heights{10, 11, 12, 13, 14, 15};
+  using Indices = std::vector<std::uint32_t>;
+  EXPECT_EQ(test::made<HeightField>({3, 2, 2, 4, 1}, heights).triangles().indices,
+            (Indices{0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4}));
+  EXPECT_EQ(test::made<HeightField>({3, 2, 2, 4, 2}, heights).triangles().indices,
+            (Indices{0, 1, 4, 0, 4, 3, 1, 2, 4, 2, 5, 4}));
+}
+
+// Fields of all diagonals, with and without holes, answer as their triangles do one by one.
+class HeightFieldOf : public testing::TestWithParam<std::tuple<double, bool>> {
+ protected:
+  [[nodiscard]] static HeightField field(std::uint64_t seed) {
+    const auto [diagonal, has_holes] = GetParam();
+    test::Random random(seed);
+    std::vector<double> heights;
+    for (std::uint32_t k = 0; k < columns * rows; ++k) {
+      const bool is_hole = has_holes && k % columns != 0 && k % columns != columns - 1 && random.uniform(0, 1) < 0.15;
+      const double height = 0.125 * std::floor(random.uniform(-4, 4));
+      heights.push_back(is_hole ? std::nan("") : height);
+    }
+    return test::made<HeightField>({columns, rows, spacing_x, spacing_y, diagonal}, heights);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(All, HeightFieldOf, testing::Combine(testing::Values(0.0, 1.0, 2.0), testing::Bool()),
+                         [](const auto& given) {
+                           return std::string("Diagonal") + static_cast<char>('0' + std::get<0>(given.param)) +
+                                  (std::get<1>(given.param) ? "WithHoles" : "Whole");
+                         });
+
+TEST_P(HeightFieldOf, PartsAreThoseWhoseBoxesOverlap) { test::expect_parts(field(501), middle, extent, 502); }
+TEST_P(HeightFieldOf, PartsBelowAreThoseThatReachDown) { test::expect_below(field(503), 4, 504); }
+TEST_P(HeightFieldOf, RaysMeetTheFirstTriangle) {
+  test::expect_first_triangle(field(505), middle, {extent.x, extent.y, 1}, 506, 300);
+}
+TEST_P(HeightFieldOf, CrestsAreWhereNothingAroundRises) { test::expect_crests(field(507), 508, 200); }
+TEST_P(HeightFieldOf, PartNearAPointIsThere) {
+  const HeightField some = field(509);
+  test::Random random(510);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 p = middle + 3 * random.point(1);
+    const abut::Triangle part = some.part_near(p);
+    EXPECT_FALSE(std::isnan(part.corners()[0].z + part.corners()[1].z + part.corners()[2].z));
+  }
+}
+
+TEST(HeightField, RaysPassThroughHolesAndNextToThemMeet) {
+  std::vector<double> heights(25, 1.0);
+  heights[12] = std::nan("");
+  const HeightField field = test::made<HeightField>({5, 5, 1, 1, 0}, heights);
+  const auto meets = [&](double x, double y) {
+    return field.cast_ray({x, y, 5}, -abut::UnitVec3::axis_z(), 10).has_value();
+  };
+  EXPECT_FALSE(meets(2, 2));
+  EXPECT_FALSE(meets(1.6, 1.5));
+  EXPECT_TRUE(meets(1.2, 2.5)) << "the triangle on the other side of the diagonal";
+  EXPECT_TRUE(meets(0.5, 0.5));
+}
+
+TEST(HeightField, EditsMakeAndFillHoles) {
+  std::vector<double> heights(36, 0.0);
+  HeightField field = test::made<HeightField>({6, 6, 1, 1, 2}, heights);
+  test::Random random(511);
+  for (int round = 0; round < 300; ++round) {
+    const auto column = static_cast<std::uint32_t>(random.uniform(0, 5)),
+               row = static_cast<std::uint32_t>(random.uniform(0, 5));
+    const auto wide = static_cast<std::uint32_t>(random.uniform(1, 6 - column)),
+               high = static_cast<std::uint32_t>(random.uniform(1, 6 - row));
+    std::vector<double> changed;
+    for (std::uint32_t k = 0; k < wide * high; ++k) {
+      changed.push_back(random.uniform(0, 1) < 0.4 ? std::nan("") : std::floor(random.uniform(-3, 3)));
+    }
+    std::vector<double> after = heights;
+    for (std::uint32_t k = 0; k < wide * high; ++k) {
+      after[(row + k / wide) * 6 + column + k % wide] = changed[k];
+    }
+    const abut::HeightEdit edit{column, row, wide, high, changed};
+    const auto anew = HeightField::make(std::vector<double>{6, 6, 1, 1, 2}, after, {});
+    const abut::Fault fault = field.check(edit);
+    ASSERT_EQ(fault.has_value(), !static_cast<bool>(anew)) << "round " << round;
+    if (fault) {
+      EXPECT_EQ(fault->code, Errc::empty);
+      continue;
+    }
+    heights = after;
+    static_cast<void>(field.apply(edit));
+    EXPECT_EQ(field.triangles().indices, anew.value().triangles().indices);
+    EXPECT_EQ(field.triangles().vertices, anew.value().triangles().vertices);
+    EXPECT_EQ(field.aabb(abut::Pose::identity()).low.z, anew.value().aabb(abut::Pose::identity()).low.z);
+    EXPECT_EQ(field.aabb(abut::Pose::identity()).high.z, anew.value().aabb(abut::Pose::identity()).high.z);
+  }
 }
 
 TEST(HeightField, FrontIsUp) {

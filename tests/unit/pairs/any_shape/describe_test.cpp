@@ -31,7 +31,8 @@ TEST(DescribeRoute, NamesThoseOfThePartsOfAShape) {
   EXPECT_EQ(searches_of("particles", "mesh"), searches_of("sphere", "triangle"));
   EXPECT_EQ(searches_of("plane", "particles"), "support point");
   EXPECT_EQ(searches_of("box_hole", "sphere"), "walls, one by one");
-  EXPECT_EQ(searches_of("plane", "height_field"), "unsupported");
+  EXPECT_EQ(searches_of("plane", "height_field"), "support point");
+  EXPECT_EQ(searches_of("plane", "plane"), "unsupported");
 }
 
 TEST(DescribeRoute, IsTheSameInEitherOrder) {

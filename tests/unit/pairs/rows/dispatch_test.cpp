@@ -42,10 +42,10 @@ TEST(Route, FollowsFromCapabilities) {
   EXPECT_EQ((abut::route<abut::Triangle, abut::Triangle>()), Route::convex);
 }
 
-TEST(Route, TerrainNeverMeetsTerrain) {
+TEST(Route, PlanesNeverMeetPlanes) {
   EXPECT_EQ((abut::route<abut::Plane, abut::Plane>()), Route::unsupported);
-  EXPECT_EQ((abut::route<abut::Plane, HeightField>()), Route::unsupported);
-  EXPECT_EQ((abut::route<HeightField, HeightField>()), Route::unsupported);
+  EXPECT_EQ((abut::route<abut::Plane, HeightField>()), Route::half_space_of_parts);
+  EXPECT_EQ((abut::route<HeightField, HeightField>()), Route::parts_of_both);
 }
 
 TEST(Route, IsTheSameInBothOrders) {
@@ -70,7 +70,7 @@ TEST(Route, PairsOfTheTableFollowTheOrderOfTheRegistry) {
   }
 }
 
-TEST(DistanceByRoute, IsRefusedBetweenTerrains) {
+TEST(DistanceByRoute, IsRefusedBetweenPlanes) {
   abut::Distance out{};
   abut::Manifold manifold;
   EXPECT_EQ(distance_by_route(floor_plane(), floor_plane(), Pose::identity(), {}, out), abut::Outcome::unsupported);

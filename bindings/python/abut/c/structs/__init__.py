@@ -5,7 +5,7 @@ from .queries import (
     Camera, CastHit, Closest, Pick, QueryFilter, QueryHit)
 from .shapes import (
     Contact, Distance, FirstTouch, HeightFieldDesc, HullReport, MeshOptions, PairMemory, QueryOptions, Ray, RayHit,
-    ShapeDesc)
+    ShapeDesc, UvGridOptions)
 from .universe import (
     Collidable, ContactMaterial, Event, Finding, Focus, GeometryInfo, GeometryOptions, Island, LocalPoints,
     PartOptions, Policy, Revision, Sleep, SleepChange, StepStats, UniverseOptions, Velocity)
@@ -17,4 +17,4 @@ __all__ = [
     "Feature", "Finding", "FirstTouch", "Focus", "GeometryId", "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport",
     "Island", "LayoutEntry", "LocalPoints", "MeshOptions", "PairMemory", "PartId", "PartOptions", "Pick", "Policy",
     "Pose", "Quat", "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision", "ShapeDesc", "Sleep",
-    "SleepChange", "StepStats", "UniverseOptions", "Vec3", "Velocity"]
+    "SleepChange", "StepStats", "UniverseOptions", "UvGridOptions", "Vec3", "Velocity"]

@@ -25,9 +25,19 @@ class MeshOptions(Struct):
 
 
 @struct
+class UvGridOptions(Struct):
+    struct_size: UInt32
+    sides: UInt32
+    axis_u: UInt32
+    axis_v: UInt32
+    cells_u: UInt32
+    cells_v: UInt32
+
+
+@struct
 class HeightFieldDesc(Struct):
     struct_size: UInt32
-    reserved: UInt32
+    diagonal: UInt32
     columns: UInt32
     rows: UInt32
     spacing_x: Double

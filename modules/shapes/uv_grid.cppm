@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh whose triangles are found by a grid of cells across two axes: what terrain with bridges and caves is made of.
+export module abut.shapes.uv_grid;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.shapes.mesh;
+import abut.trees.uv_cells;
+
+export namespace abut {
+
+class UvGrid {
+ public:
+  using Part = Triangle;
+  static constexpr std::string_view name = "uv_grid";
+  static constexpr std::array<std::string_view, 5> parameter_names{"one_sided", "axis_u", "axis_v", "cells_u",
+                                                                   "cells_v"};
+
+  [[nodiscard]] static Result<UvGrid> make(std::span<const Real> parameters, std::span<const Real> reals,
+                                           std::span<const std::uint32_t> indices);
+  [[nodiscard]] std::vector<Real> parameters() const;
+  [[nodiscard]] Buffers buffers() const { return data_->mesh.buffers(); }
+  [[nodiscard]] static std::vector<UvGrid> samples();
+
+  [[nodiscard]] Aabb aabb(const Pose& pose) const { return data_->mesh.aabb(pose); }
+  [[nodiscard]] std::size_t triangle_count() const { return data_->mesh.triangle_count(); }
+
+  [[nodiscard]] Triangle part(std::uint32_t index) const { return data_->mesh.part(index); }
+  // See Surface.
+  [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
+    return data_->mesh.is_crest(index, corners, direction, height);
+  }
+
+  template <class Wanted, class Visitor>
+  void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
+    const Mesh& mesh = data_->mesh;
+    cells().visit_overlaps(box, [&](std::uint32_t index) {
+      const TriangleCorners of_part = mesh.corners(index);
+      if (box_around(of_part).overlaps(box) && is_wanted(of_part)) {
+        visit(Triangle(of_part, index, mesh.is_one_sided()), index);
+      }
+    });
+  }
+  template <class Visitor>
+  void visit_parts(Aabb& box, Visitor&& visit) const {
+    visit_parts(box, AcceptsAnyCorners{}, visit);
+  }
+  template <class Visitor>
+  void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
+    const Mesh& mesh = data_->mesh;
+    cells().visit_below(direction, limit, [&](std::uint32_t index) {
+      const TriangleCorners of_part = mesh.corners(index);
+      if (least_along(of_part, direction) <= limit) {
+        visit(Triangle(of_part, index, mesh.is_one_sided()), index);
+      }
+    });
+  }
+  [[nodiscard]] Triangle part_near(const Vec3& point) const { return part(cells().item_near(point)); }
+
+  [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
+  [[nodiscard]] Triangles triangles() const { return data_->mesh.triangles(); }
+
+  // Whether a query has needed the cells so far.
+  [[nodiscard]] bool has_cells() const { return data_->cells.is_made(); }
+
+ private:
+  struct Data {
+    Mesh mesh;
+    UvCells::Plan plan;  // 0 cells: as many as suit the triangles
+    Lazy<UvCells> cells;
+  };
+
+  explicit UvGrid(Data data) : data_(std::move(data)) {}
+  [[nodiscard]] const UvCells& cells() const [[clang::lifetimebound]] {
+    return data_->cells.get([this] { return make_cells(*data_); });
+  }
+  [[nodiscard]] static UvCells make_cells(const Data& data);
+
+  Frozen<Data> data_;
+};
+static_assert(Shape<UvGrid> && Surface<UvGrid> && Triangulated<UvGrid>);
+
+}  // namespace abut
