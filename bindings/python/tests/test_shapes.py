@@ -67,6 +67,21 @@ class Queries(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, name):
                 call()
 
+    def test_grids_of_cells(self):
+        points, triangles = [(0, 0, 0), (4, 0, 0), (4, 4, 1), (0, 4, 1)], [(0, 1, 2), (0, 2, 3)]
+        grid = abut.Shape.uv_grid(points, triangles, sides=abut.SIDES_FRONT, axis_v=abut.AXIS_Y, cells_u=3, cells_v=3)
+        self.assertEqual(list(grid.parameters.values()), [1, 0, 1, 3, 3])
+        self.assertEqual(grid.cast_ray(abut.pose(), abut.ray((1, 2, 5), (0, 0, -1))).distance, 4.5)
+        with self.assertRaisesRegex(abut.Error, "axis_v is 0"):
+            abut.Shape.uv_grid(points, triangles, axis_v=abut.AXIS_X)
+
+    def test_holes_of_height_fields(self):
+        heights = [0.0] * 9
+        heights[4] = float("nan")
+        field = abut.Shape.height_field(3, 3, heights, diagonal=abut.DIAGONAL_FALLING)
+        self.assertIsNone(field.cast_ray(abut.pose(), abut.ray((0.75, 0.75, 5), (0, 0, -1))))
+        self.assertEqual(field.cast_ray(abut.pose(), abut.ray((0.25, 0.25, 5), (0, 0, -1))).distance, 5)
+
     def test_shapes(self):
         capsule = abut.Shape.capsule(0.5, 2)
         self.assertEqual(capsule.kind, "capsule")
