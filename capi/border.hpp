@@ -74,6 +74,13 @@ template <std::size_t Count>
   return ABUT_OK;
 }
 
+// How many samples a grid has; more than any array holds where the number does not fit.
+[[nodiscard]] inline std::uint64_t samples_of_grid(std::uint32_t columns, std::uint32_t rows, std::uint32_t layers) {
+  const std::uint64_t of_layer = std::uint64_t{columns} * rows;
+  constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+  return layers != 0 && of_layer > most / layers ? most : of_layer * layers;
+}
+
 // An array of `count` groups of `Group` elements each. Sizes are checked before an element is read.
 template <std::size_t Group = 1, class T>
 [[nodiscard]] abut_status read_span(std::string_view name, T* pointer, std::string_view count_name, std::uint64_t count,

@@ -12,8 +12,12 @@ namespace abut::capi {
 namespace {
 
 Error renamed(Error error) {
-  for (const auto& [from, to] : std::array<std::pair<std::string_view, std::string_view>, 3>{
-           {{"xyz[", "desc.reals["}, {"heights[", "desc.reals["}, {"triangles[", "desc.indices["}}}) {
+  for (const auto& [from, to] :
+       std::array<std::pair<std::string_view, std::string_view>, 5>{{{"xyz[", "desc.reals["},
+                                                                     {"heights[", "desc.reals["},
+                                                                     {"values[", "desc.reals["},
+                                                                     {"indices[", "desc.indices["},
+                                                                     {"triangles[", "desc.indices["}}}) {
     if (error.message.starts_with(from)) {
       error.message.replace(0, from.size(), to);
       break;

@@ -40,6 +40,7 @@ abut_shape(composite    CompositeOf 15 OF_ANY)
 abut_shape(sphere_hole  SphereHole  16 NEEDS half_space hole)
 abut_shape(cylinder_hole CylinderHole 17 NEEDS half_space hole)
 abut_shape(box_hole     BoxHole     18 NEEDS half_space hole)
+abut_shape(distance_field DistanceField 19 NEEDS fields field_surfaces)
 abut_shape(uv_grid      UvGrid      20 NEEDS half_space surfaces MADE_OF mesh)
 
 # ---- nothing below changes when a shape is added ----

@@ -24,6 +24,7 @@ std::string fault(std::string_view what, Real got, Real expected) {
 bool is_convex(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Convex<S>; }, shape);
 }
+bool is_unbounded(const AnyShape& shape) { return !aabb_of(shape, Pose::identity()).is_bounded(); }
 // Convex, bounded or not: the least translation that parts it is unique in length.
 bool is_solid(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Convex<S> || HalfSpace<S>; }, shape);
@@ -35,7 +36,7 @@ bool has_back(const AnyShape& shape) {
         if constexpr (requires { s.triangle_count(); }) {
           return s.parameters()[0] == 0;
         } else {
-          return Convex<S> || HalfSpace<S>;
+          return Convex<S> || HalfSpace<S> || SampledSolid<S>;
         }
       },
       shape);
@@ -54,6 +55,20 @@ bool has_holes(const AnyShape& shape) {
       },
       shape);
 }
+
+// How far the answers of a sampled field may differ from each other: they come from values of several places.
+Real doubt_of(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& s) -> Real {
+        if constexpr (SampledSolid<S>) {
+          return s.surface_error();
+        } else {
+          return 0;
+        }
+      },
+      shape);
+}
+Real doubt_of(const Scene& scene) { return doubt_of(scene.a) + doubt_of(scene.b); }
 
 // Directions spread over the sphere, on a Fibonacci spiral.
 std::span<const Vec3> sweep() {
@@ -184,7 +199,8 @@ std::optional<Real> gap_along(const Scene& scene, const Vec3& direction) {
 }
 
 Verdict judge_distance(const Scene& scene, const Distance& found) {
-  const bool must_be_outermost = !has_holes(scene.a) && !has_holes(scene.b);
+  // The deepest point of a solid in a field may lie below its surface.
+  const bool must_be_outermost = !has_holes(scene.a) && !has_holes(scene.b) && doubt_of(scene) == 0;
   if (Verdict verdict =
           judge_record(scene, found.distance, found.point_a, found.point_b, found.normal, must_be_outermost)) {
     return verdict;
@@ -210,7 +226,7 @@ Verdict judge_distance(const Scene& scene, const Distance& found) {
 }
 
 Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manifold& found) {
-  const Real noise = tolerance(scene);
+  const Real noise = tolerance(scene) + doubt_of(scene);
   if (distance.distance > scene.margin + noise && !found.empty()) {
     return "contacts of shapes that are apart";
   }
@@ -276,6 +292,10 @@ Verdict judge(std::size_t place_a, std::size_t place_b, const Record& record) {
   const Outcome outcome = distance_of(scene, Algorithm::automatic, found);
   if (!is_supported(place_a, place_b)) {
     return outcome == Outcome::unsupported ? Verdict() : "an unsupported pair has an answer";
+  }
+  // Two solids without end always overlap.
+  if (outcome == Outcome::unsupported && doubt_of(scene) > 0 && is_unbounded(scene.a) && is_unbounded(scene.b)) {
+    return std::nullopt;
   }
   if (outcome != Outcome::ok) {
     return "the pair has no answer";

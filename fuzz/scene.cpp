@@ -144,6 +144,40 @@ ShapeInput particles_input(const Numbers& numbers, bool various, bool on_lattice
   return input;
 }
 
+// A ball, a box or what two balls have together, by their distances.
+ShapeInput distance_field_input(const Numbers& numbers, bool flat, bool doubled, std::uint8_t flags) {
+  Random random = random_of(numbers);
+  const Real cell = size_or_one(numbers[0]);
+  ShapeInput input;
+  for (int axis = 0; axis < 3; ++axis) {
+    input.parameters.push_back(static_cast<Real>(5 + random.below(8)));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    input.parameters.push_back(cell * (flat && axis == 2 ? 0.25 : random.between(0.5, 1)));
+  }
+  std::array<Real, 3> half{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    half[axis] = 0.5 * (input.parameters[axis] - 1) * input.parameters[axis + 3];
+    input.parameters.push_back((flags & lattice) != 0 ? 0 : -half[axis]);
+  }
+  input.parameters.push_back((flags & one_sided) != 0 ? 1 : 0);
+  const Real radius = 0.7 * std::min({half[0], half[1], half[2]});
+  const Real x = half[0] * random.between(-0.3, 0.3), y = half[1] * random.between(-0.3, 0.3);
+  for (Real k = 0; k < input.parameters[2]; ++k) {
+    for (Real j = 0; j < input.parameters[1]; ++j) {
+      for (Real i = 0; i < input.parameters[0]; ++i) {
+        const Vec3 p{i * input.parameters[3] - half[0], j * input.parameters[4] - half[1],
+                     k * input.parameters[5] - half[2]};
+        const Vec3 out = absolute(p) - Vec3{radius, 0.8 * radius, 0.6 * radius};
+        const Real of_box = norm(maximum(out, Vec3{0, 0, 0})) + std::min(std::max({out.x, out.y, out.z}), Real{0});
+        const Real of_balls = std::min(norm(p) - radius, norm(p - Vec3{x, y, 0}) - radius);
+        input.reals.push_back((flags & parallel) != 0 ? of_box : doubled ? of_balls : norm(p) - radius);
+      }
+    }
+  }
+  return input;
+}
+
 // Children of the kinds that take lengths alone, some of them in a composite of their own.
 ShapeInput composite_input(std::size_t place, const Numbers& numbers, bool nests, bool on_lattice) {
   Random random = random_of(numbers);
@@ -176,15 +210,17 @@ ShapeInput composite_input(std::size_t place, const Numbers& numbers, bool nests
 
 // Parameters of this kind that are no lengths stay as they are.
 void scale(std::string_view kind, ShapeInput& input, Real by) {
-  const std::size_t first = kind == "plane"          ? 3
-                            : kind == "height_field" ? 2
-                            : kind == "mesh"         ? 1
-                            : kind == "uv_grid"      ? 5
-                                                     : 0;
-  const std::size_t end = kind == "cylinder_hole"  ? 2
-                          : kind == "box_hole"     ? 3
-                          : kind == "height_field" ? 4
-                                                   : input.parameters.size();
+  const std::size_t first = kind == "plane"            ? 3
+                            : kind == "height_field"   ? 2
+                            : kind == "mesh"           ? 1
+                            : kind == "distance_field" ? 3
+                            : kind == "uv_grid"        ? 5
+                                                       : 0;
+  const std::size_t end = kind == "cylinder_hole"    ? 2
+                          : kind == "box_hole"       ? 3
+                          : kind == "height_field"   ? 4
+                          : kind == "distance_field" ? 9
+                                                     : input.parameters.size();
   for (std::size_t i = first; i < end; ++i) {
     input.parameters[i] *= by;
   }
@@ -202,6 +238,8 @@ Real reach(const AnyShape& shape) {
       []<class S>(const S& s) -> Real {
         if constexpr (HalfSpace<S>) {
           return std::fabs(s.offset());
+        } else if constexpr (SampledSolid<S>) {
+          return largest_magnitude(maximum(absolute(s.solid_box().low), absolute(s.solid_box().high)));
         } else {
           return 0;
         }
@@ -236,6 +274,9 @@ ShapeInput shape_input(std::size_t place, const std::array<Real, 8>& raw, bool f
   }
   if (kind == "particles") {
     return particles_input(numbers, doubled, on_lattice);
+  }
+  if (kind == "distance_field") {
+    return distance_field_input(numbers, flat, doubled, flags);
   }
   if (kind == "composite") {
     return composite_input(place, numbers, doubled, on_lattice);

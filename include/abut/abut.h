@@ -247,7 +247,8 @@ ABUT_API abut_shape_kind abut_shape_kind_at(size_t index);
 /**
  * Kind of that name: "sphere", "box", "capsule", "plane", "hull", "mesh", "height_field", "point", "segment",
  * "triangle", "cylinder", "cone", "ellipsoid", "particles", "composite", "sphere_hole",
- * "cylinder_hole", "box_hole", "uv_grid". 0 if none in this build. docs/shapes.md lists what they take. [any]
+ * "cylinder_hole", "box_hole", "distance_field", "uv_grid". 0 if none in this build. docs/shapes.md lists what they
+ * take. [any]
  */
 ABUT_API abut_shape_kind abut_shape_kind_by_name(const char *name);
 
@@ -414,6 +415,52 @@ ABUT_API void abut_height_field_desc_init(abut_height_field_desc *desc, uint32_t
 ABUT_API abut_status abut_height_field_create(const abut_height_field_desc *desc, abut_shape **out);
 
 /**
+ * A solid given by its signed distance on a regular grid, negative inside. Sample (i, j, k) lies at
+ * origin + (i * spacing.x, j * spacing.y, k * spacing.z) and has values[(k * rows + j) * columns + i]. Values between
+ * samples are tri-linear, and the solid is where they are not positive. A solid that reaches the border of the grid
+ * ends there: no sample is deeper than its distance from the border.
+ */
+typedef struct abut_distance_field_desc {
+  uint32_t struct_size;
+  uint32_t is_inside_out; /**< 1: a container, all that is not in the solid; default 0 */
+  uint32_t columns;       /**< samples along X, from 2 to 65535 */
+  uint32_t rows;          /**< samples along Y, from 2 to 65535 */
+  uint32_t layers;        /**< samples along Z, from 2 to 65535 */
+  uint32_t reserved;      /**< zero */
+  abut_vec3 spacing;      /**< positive; default 1 */
+  abut_vec3 origin;       /**< where the first sample lies */
+  const double *values;   /**< columns * rows * layers numbers, X fastest, then Y, copied as single numbers */
+} abut_distance_field_desc;
+
+ABUT_API void abut_distance_field_desc_init(abut_distance_field_desc *desc, uint32_t struct_size);
+
+/** A solid from samples of its signed distance. Complexity O(samples). [any] */
+ABUT_API abut_status abut_distance_field_create(const abut_distance_field_desc *desc, abut_shape **out);
+
+typedef struct abut_distance_field_options {
+  uint32_t struct_size;
+  uint32_t is_inside_out; /**< 1: a container, all that is not in the solid; default 0 */
+  double spacing;         /**< of samples; default 0: a sixty-fourth of the longest side of the triangles' box */
+  double band;            /**< how many cells around the surface hold samples of their own; default 3 */
+} abut_distance_field_options;
+
+ABUT_API void abut_distance_field_options_init(abut_distance_field_options *options, uint32_t struct_size);
+
+/**
+ * The solid within a mesh, as a distance field in the frame of the mesh. Inside is where the triangles wind around a
+ * point by more than one half, so gaps and flipped triangles do little harm. Near the surface samples are exact. Blocks
+ * of 8 x 8 x 8 cells beyond the band are interpolated between their corners.
+ * @param xyz        vertex_count * 3 numbers
+ * @param triangles  triangle_count * 3 indices into the vertices, counter-clockwise seen from outside
+ * @param options    may be null
+ * ABUT_INVALID_ARGUMENT where the triangles enclose no sample. Runs on as many threads as a universe may.
+ * Source: winding numbers of Barill et al. (2018). [any]
+ */
+ABUT_API abut_status abut_distance_field_from_mesh(const double *xyz, size_t vertex_count, const uint32_t *triangles,
+                                                   size_t triangle_count, const abut_distance_field_options *options,
+                                                   abut_shape **out);
+
+/**
  * Many small balls in one shape; a hash grid of its own finds those near another shape.
  * @param xyz     count * 3 numbers, the centres, copied
  * @param count   at least 1
@@ -500,7 +547,7 @@ typedef struct abut_shape_desc {
   abut_shape_kind kind;
   const double *parameters; /**< parameter_count numbers, in the order of abut_shape_kind_parameter_name */
   uint64_t parameter_count;
-  const double *reals;      /**< vertices (x, y, z each) or heights; null where the kind has none */
+  const double *reals;      /**< vertices (x, y, z each), heights or values; null where the kind has none */
   uint64_t real_count;      /**< how many numbers, not how many points */
   const uint32_t *indices;  /**< triangles (three each); null where the kind has none */
   uint64_t index_count;
@@ -529,7 +576,7 @@ ABUT_API abut_status abut_shape_parameters(const abut_shape *shape, double *para
 ABUT_API abut_status abut_shape_aabb(const abut_shape *shape, const abut_pose *pose, abut_aabb *out);
 
 /**
- * Surface of a mesh, height field, hull or box as triangles in the local frame, by count-then-fill;
+ * Surface of a mesh, height field, hull, box or distance field as triangles in the local frame, by count-then-fill;
  * of a mesh or a height field, triangle i is the feature (ABUT_FEATURE_FACE, i) of ray hits and contacts;
  * the faces of boxes and hulls become several triangles each, in order. ABUT_UNSUPPORTED for
  * curved and unbounded shapes, which rays meet exactly through abut_shape_cast_ray.
@@ -1098,7 +1145,7 @@ ABUT_API abut_status abut_geometries_set_shapes(abut_universe *universe, const a
  * @param parameters  parameter_count numbers, as abut_shape_desc.parameters takes them, and checked as
  *                    abut_shape_create does
  * ABUT_UNSUPPORTED for kinds that are made of more than their parameters: hull, mesh, height_field, particles,
- * composite.
+ * composite, distance_field.
  * Complexity O(1). [exclusive]
  */
 ABUT_API abut_status abut_geometry_set_parameters(abut_universe *universe, abut_geometry_id geometry,
@@ -1126,6 +1173,24 @@ ABUT_API abut_status abut_geometries_set_parameters(abut_universe *universe, con
  */
 ABUT_API abut_status abut_geometry_set_heights(abut_universe *universe, abut_geometry_id geometry, uint32_t column,
                                                uint32_t row, uint32_t columns, uint32_t rows, const double *heights);
+
+/**
+ * Changes values of the distance field of a geometry, as abut_geometry_set_parameters changes parameters. Where its box
+ * stays the same, only pairs near the changed samples are examined again; of a container all are.
+ * @param column   the first sample along X that changes
+ * @param row      the first sample along Y that changes
+ * @param layer    the first sample along Z that changes
+ * @param columns  how many change along X; with 0 nothing changes
+ * @param rows     how many change along Y; with 0 nothing changes
+ * @param layers   how many change along Z; with 0 nothing changes
+ * @param values   columns * rows * layers numbers, X fastest, then Y, copied
+ * ABUT_INDEX_OUT_OF_RANGE beyond the field, ABUT_UNSUPPORTED for other kinds and where the field holds no samples.
+ * Complexity O(columns * rows * layers + samples / 512), and O(samples) once where the shape has other holders.
+ * [exclusive]
+ */
+ABUT_API abut_status abut_geometry_set_field_values(abut_universe *universe, abut_geometry_id geometry, uint32_t column,
+                                                    uint32_t row, uint32_t layer, uint32_t columns, uint32_t rows,
+                                                    uint32_t layers, const double *values);
 
 /**
  * Moves particles of a geometry, as abut_geometry_set_parameters changes parameters.

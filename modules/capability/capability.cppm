@@ -12,6 +12,7 @@ export import abut.capability.placed_support;
 export import abut.capability.point_core;
 export import abut.capability.records;
 export import abut.capability.rim;
+export import abut.capability.sampled_solid;
 export import abut.capability.segment_core;
 export import abut.capability.ties;
 export import abut.capability.walls;

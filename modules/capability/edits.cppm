@@ -37,7 +37,15 @@ struct ParticleEdit {
   std::span<const Real> xyz, radii;
 };
 
-using Edit = std::variant<ParameterEdit, HeightEdit, ParticleEdit>;
+// Values of a box of samples of a distance field, along X first, then Y.
+struct FieldEdit {
+  static constexpr std::string_view subject = "values";
+  std::uint32_t column, row, layer;     // the first sample
+  std::uint32_t columns, rows, layers;  // how many
+  std::span<const Real> values;         // columns * rows * layers
+};
+
+using Edit = std::variant<ParameterEdit, HeightEdit, ParticleEdit, FieldEdit>;
 
 // Takes edits of a type. `check` says what is wrong with one. `own` makes the data of the shape its own, so that
 // holders of the same data do not see the change; it alone asks for memory. `apply`, after both, answers with a box in

@@ -16,6 +16,10 @@ enum class Route : std::uint8_t {
   parts_of_both,
   scattered,
   hole,
+  sampled,
+  sampled_and_parts,
+  sampled_both,
+  half_space_of_samples,
   children,
   none,
 };
@@ -27,7 +31,7 @@ template <class A, class B>
     return Route::unsupported;
   } else if constexpr (Assembly<A> || Assembly<B>) {
     return Route::children;
-  } else if constexpr (Hole<A> && (Hole<B> || HalfSpace<B> || Surface<B>)) {
+  } else if constexpr (Hole<A> && (Hole<B> || HalfSpace<B> || Surface<B> || SampledSolid<B>)) {
     return Route::unsupported;
   } else if constexpr (Scattered<A>) {
     return Route::scattered;
@@ -35,6 +39,14 @@ template <class A, class B>
     return Route::none;
   } else if constexpr (Hole<A> && Convex<B>) {
     return Route::hole;
+  } else if constexpr (SampledSolid<A> && Convex<B>) {
+    return Route::sampled;
+  } else if constexpr (SampledSolid<A> && Surface<B>) {
+    return Route::sampled_and_parts;
+  } else if constexpr (SampledSolid<A> && SampledSolid<B>) {
+    return Route::sampled_both;
+  } else if constexpr (HalfSpace<A> && SampledSolid<B>) {
+    return Route::half_space_of_samples;
   } else if constexpr (HalfSpace<A> && Convex<B>) {
     return Route::half_space;
   } else if constexpr (HalfSpace<A> && Surface<B>) {

@@ -55,6 +55,21 @@
   FIELD(abut_height_field_desc, spacing_x, 16, 8)            \
   FIELD(abut_height_field_desc, spacing_y, 24, 8)            \
   FIELD(abut_height_field_desc, heights, 32, 8)              \
+  TYPE(abut_distance_field_desc, 80)                         \
+  FIELD(abut_distance_field_desc, struct_size, 0, 4)         \
+  FIELD(abut_distance_field_desc, is_inside_out, 4, 4)       \
+  FIELD(abut_distance_field_desc, columns, 8, 4)             \
+  FIELD(abut_distance_field_desc, rows, 12, 4)               \
+  FIELD(abut_distance_field_desc, layers, 16, 4)             \
+  FIELD(abut_distance_field_desc, reserved, 20, 4)           \
+  FIELD(abut_distance_field_desc, spacing, 24, 24)           \
+  FIELD(abut_distance_field_desc, origin, 48, 24)            \
+  FIELD(abut_distance_field_desc, values, 72, 8)             \
+  TYPE(abut_distance_field_options, 24)                      \
+  FIELD(abut_distance_field_options, struct_size, 0, 4)      \
+  FIELD(abut_distance_field_options, is_inside_out, 4, 4)    \
+  FIELD(abut_distance_field_options, spacing, 8, 8)          \
+  FIELD(abut_distance_field_options, band, 16, 8)            \
   TYPE(abut_shape_desc, 56)                                  \
   FIELD(abut_shape_desc, struct_size, 0, 4)                  \
   FIELD(abut_shape_desc, kind, 4, 4)                         \

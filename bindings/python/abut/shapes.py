@@ -131,6 +131,38 @@ class Shape(Owner):
         return cls._made_by(library.abut_height_field_create, byref(desc))
 
     @classmethod
+    def distance_field(cls, values: Any, spacing: Any = 1.0, origin: Any = (0.0, 0.0, 0.0),
+                       is_inside_out: bool = False) -> Shape:
+        """A solid from its signed distance, an array of (layers, rows, columns). One spacing, or one for each axis."""
+        counts: Any = getattr(values, "shape", None)
+        if counts is None:
+            counts = (len(values), len(values[0]) if len(values) else 0,
+                      len(values[0][0]) if len(values) and len(values[0]) else 0)
+            values = [value for layer in values for row in layer for value in row]
+        elif len(counts) == 3:
+            values = values.reshape(-1)
+        if len(counts) != 3:
+            raise ValueError(f"values has shape {tuple(counts)}; it must be (layers, rows, columns)")
+        numbers = given.numbers("values", values)
+        if len(numbers) != counts[0] * counts[1] * counts[2]:
+            raise ValueError(f"values has {len(numbers)} numbers; it must have {' * '.join(map(str, counts))}")
+        sides = spacing if hasattr(spacing, "__len__") else (spacing, spacing, spacing)
+        desc = options.filled(c.DistanceFieldDesc, library.abut_distance_field_desc_init, {
+            "columns": counts[2], "rows": counts[1], "layers": counts[0], "is_inside_out": int(is_inside_out)})
+        desc.spacing, desc.origin = given.vec3("spacing", sides), given.vec3("origin", origin)
+        desc.values = numbers
+        return cls._made_by(library.abut_distance_field_create, byref(desc))
+
+    @classmethod
+    def distance_field_from_mesh(cls, xyz: Any, triangles: Any = None, **fields: Any) -> Shape:
+        """The solid within a mesh, which is given as `mesh` takes it. The fields are those of DistanceFieldOptions."""
+        if triangles is None:
+            xyz, triangles = meshes.triangles_of(xyz)
+        points, corners = given.rows("xyz", xyz, 3), given.rows("triangles", triangles, 3, c_uint32)
+        read_as = options.filled(c.DistanceFieldOptions, library.abut_distance_field_options_init, fields)
+        return cls._made_by(library.abut_distance_field_from_mesh, *points, *corners, byref(read_as))
+
+    @classmethod
     def particles(cls, xyz: Any, radius: Any) -> Shape:
         """Many balls about (N, 3) centres, of one radius, or of N radii."""
         centres, count = given.rows("xyz", xyz, 3)

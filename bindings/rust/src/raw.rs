@@ -316,6 +316,55 @@ extern "C" {
 extern "C" {
     pub fn abut_height_field_create(desc: *const abut_height_field_desc, out: *mut *mut abut_shape) -> abut_status;
 }
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct abut_distance_field_desc {
+    pub struct_size: u32,
+    pub is_inside_out: u32,
+    pub columns: u32,
+    pub rows: u32,
+    pub layers: u32,
+    pub reserved: u32,
+    pub spacing: abut_vec3,
+    pub origin: abut_vec3,
+    pub values: *const f64,
+}
+impl Default for abut_distance_field_desc {
+    fn default() -> Self {
+        let mut s = ::std::mem::MaybeUninit::<Self>::uninit();
+        unsafe {
+            ::std::ptr::write_bytes(s.as_mut_ptr(), 0, 1);
+            s.assume_init()
+        }
+    }
+}
+extern "C" {
+    pub fn abut_distance_field_desc_init(desc: *mut abut_distance_field_desc, struct_size: u32);
+}
+extern "C" {
+    pub fn abut_distance_field_create(desc: *const abut_distance_field_desc, out: *mut *mut abut_shape) -> abut_status;
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_distance_field_options {
+    pub struct_size: u32,
+    pub is_inside_out: u32,
+    pub spacing: f64,
+    pub band: f64,
+}
+extern "C" {
+    pub fn abut_distance_field_options_init(options: *mut abut_distance_field_options, struct_size: u32);
+}
+extern "C" {
+    pub fn abut_distance_field_from_mesh(
+        xyz: *const f64,
+        vertex_count: usize,
+        triangles: *const u32,
+        triangle_count: usize,
+        options: *const abut_distance_field_options,
+        out: *mut *mut abut_shape,
+    ) -> abut_status;
+}
 extern "C" {
     pub fn abut_particles_create(xyz: *const f64, count: usize, radius: f64, out: *mut *mut abut_shape) -> abut_status;
 }
@@ -979,6 +1028,19 @@ extern "C" {
         columns: u32,
         rows: u32,
         heights: *const f64,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_geometry_set_field_values(
+        universe: *mut abut_universe,
+        geometry: abut_geometry_id,
+        column: u32,
+        row: u32,
+        layer: u32,
+        columns: u32,
+        rows: u32,
+        layers: u32,
+        values: *const f64,
     ) -> abut_status;
 }
 extern "C" {

@@ -10,6 +10,7 @@
 #include <exception>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -198,6 +199,12 @@ Answer<std::string> collect_text(Fill&& fill) {
   return answer(status, text);
 }
 
+// How many samples a grid has; more than any array holds where the number does not fit.
+inline std::size_t product_of(std::uint32_t columns, std::uint32_t rows, std::uint32_t layers) {
+  const std::uint64_t of_layer = std::uint64_t{columns} * rows;
+  const std::uint64_t most = std::numeric_limits<std::size_t>::max();
+  return static_cast<std::size_t>(layers != 0 && of_layer > most / layers ? most : of_layer * layers);
+}
 // Arrays of one call have one length.
 inline abut_status expect_as_many(const char* name, std::size_t size, const char* of, std::size_t expected) {
   if (size == expected) return ABUT_OK;

@@ -137,6 +137,41 @@ class Shape {
     const abut_status sizes = expect_samples(heights.size(), std::uint64_t{columns} * rows);
     return made([&](abut_shape** out) { return sizes != ABUT_OK ? sizes : abut_height_field_create(&desc, out); });
   }
+  // A solid from its signed distance on a grid; `values` holds columns * rows * layers numbers, X fastest, then Y. Inside
+  // out it is a container.
+  [[nodiscard]] static Answer<Shape> distance_field(std::uint32_t columns, std::uint32_t rows, std::uint32_t layers,
+                                                    const Vec3& spacing, const Vec3& origin, Span<const double> values,
+                                                    bool is_inside_out = false) {
+    abut_distance_field_desc desc;
+    abut_distance_field_desc_init(&desc, sizeof desc);
+    desc.columns = columns;
+    desc.rows = rows;
+    desc.layers = layers;
+    desc.spacing = spacing;
+    desc.origin = origin;
+    desc.values = values.data();
+    desc.is_inside_out = is_inside_out ? 1 : 0;
+    const abut_status sizes = detail::expect_as_many("values", values.size(), "columns * rows * layers",
+                                                     detail::product_of(columns, rows, layers));
+    return made([&](abut_shape** out) { return sizes != ABUT_OK ? sizes : abut_distance_field_create(&desc, out); });
+  }
+  // The solid within a mesh; see abut_distance_field_options for spacing and band.
+  [[nodiscard]] static Answer<Shape> distance_field_from_mesh(const Points& vertices, const Triangles& triangles,
+                                                              double spacing = 0, double band = 3,
+                                                              bool is_inside_out = false) {
+    abut_distance_field_options options;
+    abut_distance_field_options_init(&options, sizeof options);
+    options.spacing = spacing;
+    options.band = band;
+    options.is_inside_out = is_inside_out ? 1 : 0;
+    const abut_status whole = detail::first_failure(detail::expect_whole("vertices", vertices),
+                                                    detail::expect_whole("triangles", triangles));
+    return made([&](abut_shape** out) {
+      return whole != ABUT_OK ? whole
+                              : abut_distance_field_from_mesh(vertices.data(), vertices.size(), triangles.data(),
+                                                              triangles.size(), &options, out);
+    });
+  }
   [[nodiscard]] static Answer<Shape> particles(const Points& centres, double radius) {
     const abut_status whole = detail::expect_whole("centres", centres);
     return made([&](abut_shape** out) {
@@ -220,7 +255,7 @@ class Shape {
     Aabb out{};
     return detail::answer(abut_shape_aabb(shape_, &pose, &out), out);
   }
-  // The surface of a mesh, height field, hull or box.
+  // The surface of a mesh, height field, hull, box or distance field.
   [[nodiscard]] Answer<TriangleMesh> triangles() const {
     TriangleMesh mesh;
     std::size_t vertices = 0, faces = 0;

@@ -114,6 +114,16 @@ class UniverseGeometries : public UniverseParts {
                               ? sizes
                               : abut_geometry_set_heights(get(), geometry, column, row, columns, rows, heights.data()));
   }
+  // Of a box of samples that begins at (column, row, layer): columns * rows * layers numbers, X fastest, then Y.
+  Answer<void> set_field_values(GeometryId geometry, std::uint32_t column, std::uint32_t row, std::uint32_t layer,
+                                std::uint32_t columns, std::uint32_t rows, std::uint32_t layers,
+                                Span<const double> values) {
+    const abut_status sizes = detail::expect_as_many("values", values.size(), "columns * rows * layers",
+                                                     detail::product_of(columns, rows, layers));
+    return detail::answer(sizes != ABUT_OK ? sizes
+                                           : abut_geometry_set_field_values(get(), geometry, column, row, layer,
+                                                                            columns, rows, layers, values.data()));
+  }
   // Of the particles from `first` on; radii are as many as centres, or none.
   Answer<void> set_particles(GeometryId geometry, std::size_t first, const Points& centres,
                              Span<const double> radii = {}) {

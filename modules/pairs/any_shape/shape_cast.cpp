@@ -27,11 +27,11 @@ Real size_of(const Aabb& a, const Aabb& b, const Pose& ab) {
 
 // What a kind is, by its place in the registry: read without a call for the shape.
 struct KindTraits {
-  bool is_convex, is_assembly, is_hole, has_parts;
+  bool is_convex, is_assembly, is_hole, is_sampled, has_parts;
 };
 constexpr auto kind_traits = []<std::size_t... Places>(std::index_sequence<Places...>) {
   return std::array{KindTraits{Convex<Shapes::At<Places>>, Assembly<Shapes::At<Places>>, Hole<Shapes::At<Places>>,
-                               has_parts<Shapes::At<Places>>}...};
+                               SampledSolid<Shapes::At<Places>>, has_parts<Shapes::At<Places>>}...};
 }(std::make_index_sequence<Shapes::count>{});
 
 const KindTraits& traits_of(const AnyShape& shape) { return kind_traits[shape.index()]; }
@@ -69,7 +69,7 @@ void cast_whole(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const 
   search.add(outcome, touch, pose_a, false, names);
 }
 
-// Whatever has a distance: what holes leave, and holes by themselves.
+// Whatever has a distance: what holes leave, holes by themselves, and sampled solids.
 void cast_in_strides(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& pose_b,
                      const CastNames& names, CastSearch& search) {
   constexpr Real strides_of_shape = 64, most_strides = 1024;
@@ -152,7 +152,10 @@ void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& 
       cast_children(b, pose_b, a, pose_a, true, names, search)) {
     return;
   }
-  if (traits_of(a).is_hole || traits_of(b).is_hole) {
+  const auto has_only_distances = [](const AnyShape& shape) {
+    return traits_of(shape).is_hole || traits_of(shape).is_sampled;
+  };
+  if (has_only_distances(a) || has_only_distances(b)) {
     cast_in_strides(a, pose_a, b, pose_b, names, search);
     return;
   }

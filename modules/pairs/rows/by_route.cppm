@@ -6,6 +6,8 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.convex;
+import abut.narrow.many.field_contacts;
+import abut.narrow.many.field_surfaces;
 import abut.narrow.many.half_space;
 import abut.narrow.many.hole;
 import abut.narrow.many.nearest_of_parts;
@@ -43,6 +45,14 @@ template <class A, class B>
     return scattered_distance(a, b, ab, settings, out);
   } else if constexpr (way == Route::hole) {
     return hole_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::sampled) {
+    return field_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::sampled_and_parts) {
+    return field_parts_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::sampled_both) {
+    return two_fields_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::half_space_of_samples) {
+    return half_space_field_distance(a, b, ab, settings, out);
   } else {
     return surfaces_distance(a, b, ab, settings, out);
   }
@@ -73,6 +83,14 @@ template <class A, class B>
     return scattered_contacts(a, b, ab, settings, out);
   } else if constexpr (way == Route::hole) {
     return hole_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::sampled) {
+    return field_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::sampled_and_parts) {
+    return field_parts_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::sampled_both) {
+    return two_fields_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::half_space_of_samples) {
+    return half_space_field_contacts(a, b, ab, settings, out);
   } else {
     return surfaces_contacts(a, b, ab, settings, out);
   }

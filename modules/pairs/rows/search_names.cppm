@@ -40,6 +40,10 @@ template <class A, class B>
     return "support point";
   } else if constexpr (way == Route::hole) {
     return "walls, one by one";
+  } else if constexpr (way == Route::half_space_of_samples || way == Route::sampled_both) {
+    return "points of the surface";
+  } else if constexpr (way == Route::sampled || way == Route::sampled_and_parts) {
+    return "descent of the field";
   } else if constexpr (way == Route::children) {
     return "as for the children, pair by pair";
   } else if constexpr (way == Route::convex) {

@@ -66,6 +66,8 @@ ABUT_BUSY_TEST(GeometriesSetShapes, abut_geometries_set_shapes(scene.universe, n
 ABUT_BUSY_TEST(GeometrySetParameters, abut_geometry_set_parameters(scene.universe, scene.geometry, nullptr, 0))
 ABUT_BUSY_TEST(GeometriesSetParameters, abut_geometries_set_parameters(scene.universe, nullptr, nullptr, 0, 0))
 ABUT_BUSY_TEST(GeometrySetHeights, abut_geometry_set_heights(scene.universe, scene.geometry, 0, 0, 0, 0, nullptr))
+ABUT_BUSY_TEST(GeometrySetFieldValues,
+               abut_geometry_set_field_values(scene.universe, scene.geometry, 0, 0, 0, 0, 0, 0, nullptr))
 ABUT_BUSY_TEST(GeometrySetParticles,
                abut_geometry_set_particles(scene.universe, scene.geometry, 0, nullptr, nullptr, 0))
 ABUT_BUSY_TEST(RuleSet, abut_rule_set(scene.universe, &anything, &anything, ABUT_RULE_DISABLE))

@@ -9,10 +9,10 @@ namespace {
 
 using namespace abut_test;
 
-constexpr std::array<const char*, 19> every_kind{"sphere",      "box",           "capsule",   "plane",     "hull",
-                                                 "mesh",        "height_field",  "point",     "segment",   "triangle",
-                                                 "cylinder",    "cone",          "ellipsoid", "particles", "composite",
-                                                 "sphere_hole", "cylinder_hole", "box_hole",  "uv_grid"};
+constexpr std::array<const char*, 20> every_kind{
+    "sphere",    "box",         "capsule",       "plane",    "hull",           "mesh",      "height_field",
+    "point",     "segment",     "triangle",      "cylinder", "cone",           "ellipsoid", "particles",
+    "composite", "sphere_hole", "cylinder_hole", "box_hole", "distance_field", "uv_grid"};
 constexpr std::array<abut_shape_kind, 3> no_kinds{0, 9999, 0xFFFFFFFFU};
 
 TEST(ShapeKindCount, CountsTheKinds) { EXPECT_EQ(abut_shape_kind_count(), every_kind.size()); }

@@ -10,7 +10,7 @@ namespace {
 
 using namespace abut_test;
 
-constexpr std::uint32_t columns = 12, rows = 9;
+constexpr std::uint32_t columns = 12, rows = 9, layers = 7;
 constexpr std::size_t particle_count = 40;
 
 // A geometry as the test knows it, without asking the library.
@@ -47,6 +47,16 @@ std::vector<Model> make_models(Numbers& random) {
   const abut_pose tilted{{-3, -2, 0}, random.turn()};
   models.push_back({"height_field", {columns, rows, 0.5, 0.5}, heights, at(-3, -2, 0), ABUT_MOTION_STATIC});
   models.push_back({"height_field", {columns, rows, 0.7, 0.3}, heights, tilted, ABUT_MOTION_STATIC});
+  // A wavy slab, and one that is a container from below.
+  for (const double is_inside_out : {0.0, 1.0}) {
+    std::vector<double> values;
+    for (std::uint32_t k = 0; k < layers; ++k) {
+      for (std::uint32_t i = 0; i < columns * rows; ++i) values.push_back(0.4 * (k - 3.0) + random.between(-0.2, 0.2));
+    }
+    const std::vector<double> parameters{
+        columns, rows, layers, 0.5, 0.5, 0.4, -3, -2, is_inside_out > 0 ? -0.6 : -1.4, is_inside_out};
+    models.push_back({"distance_field", parameters, values, at(0, 0, 0), ABUT_MOTION_STATIC});
+  }
   const auto place = [&] {
     const abut_vec3 position = random.point(-2.5, 2.5);
     return abut_pose{{position.x, position.y, 0.2 * position.z}, random.turn()};
@@ -116,6 +126,26 @@ void change_heights(World& world, std::size_t at, Model& model, Numbers& random)
   require(abut_geometry_set_heights(world.universe, world.geometries[at], column, row, wide, high, heights.data()));
 }
 
+void change_values(World& world, std::size_t at, Model& model, Numbers& random) {
+  const std::array<std::uint32_t, 3> all{columns, rows, layers};
+  std::array<std::uint32_t, 3> first{}, count{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    first.at(axis) = random.below(all.at(axis) + 1);
+    count.at(axis) = random.below(std::min(all.at(axis) - first.at(axis), 3U) + 1);
+  }
+  std::vector<double> values;
+  for (std::uint32_t k = first[2]; k < first[2] + count[2]; ++k) {
+    for (std::uint32_t j = first[1]; j < first[1] + count[1]; ++j) {
+      for (std::uint32_t i = first[0]; i < first[0] + count[0]; ++i) {
+        values.push_back(0.4 * (k - 3.0) + random.between(-0.15, 0.15));
+        model.reals.at((k * rows + j) * columns + i) = values.back();
+      }
+    }
+  }
+  require(abut_geometry_set_field_values(world.universe, world.geometries[at], first[0], first[1], first[2], count[0],
+                                         count[1], count[2], values.data()));
+}
+
 void move_particles(World& world, std::size_t at, Model& model, Numbers& random) {
   const bool has_radii = model.parameters[0] == 0;
   const bool changes_radii = has_radii && random.below(2) == 0;
@@ -145,6 +175,8 @@ void edit(World& world, std::vector<Model>& models, Numbers& random) {
     world.universe.move(world.parts[at], model.pose);
   } else if (model.kind == "height_field") {
     change_heights(world, at, model, random);
+  } else if (model.kind == "distance_field") {
+    change_values(world, at, model, random);
   } else if (model.kind == "particles") {
     move_particles(world, at, model, random);
   } else {

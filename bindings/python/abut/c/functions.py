@@ -66,6 +66,11 @@ FUNCTIONS = {
         POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t, POINTER(UvGridOptions), POINTER(c_void_p)]),
     "abut_height_field_desc_init": (None, [POINTER(HeightFieldDesc), c_uint32]),
     "abut_height_field_create": (Status, [POINTER(HeightFieldDesc), POINTER(c_void_p)]),
+    "abut_distance_field_desc_init": (None, [POINTER(DistanceFieldDesc), c_uint32]),
+    "abut_distance_field_create": (Status, [POINTER(DistanceFieldDesc), POINTER(c_void_p)]),
+    "abut_distance_field_options_init": (None, [POINTER(DistanceFieldOptions), c_uint32]),
+    "abut_distance_field_from_mesh": (Status, [
+        POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t, POINTER(DistanceFieldOptions), POINTER(c_void_p)]),
     "abut_particles_create": (Status, [POINTER(c_double), c_size_t, c_double, POINTER(c_void_p)]),
     "abut_particles_create_with_radii": (Status, [POINTER(c_double), POINTER(c_double), c_size_t, POINTER(c_void_p)]),
     "abut_shape_desc_init": (None, [POINTER(ShapeDesc), c_uint32]),
@@ -148,6 +153,8 @@ FUNCTIONS = {
     "abut_geometries_set_parameters": (Status, [c_void_p, POINTER(GeometryId), POINTER(c_double), c_size_t, c_size_t]),
     "abut_geometry_set_heights": (
         Status, [c_void_p, GeometryId, c_uint32, c_uint32, c_uint32, c_uint32, POINTER(c_double)]),
+    "abut_geometry_set_field_values": (
+        Status, [c_void_p, GeometryId, c_uint32, c_uint32, c_uint32, c_uint32, c_uint32, c_uint32, POINTER(c_double)]),
     "abut_geometry_set_particles": (
         Status, [c_void_p, GeometryId, c_size_t, POINTER(c_double), POINTER(c_double), c_size_t]),
     "abut_geometry_shape": (Status, [c_void_p, GeometryId, POINTER(c_void_p)]),

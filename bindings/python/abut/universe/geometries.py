@@ -110,6 +110,20 @@ class Geometries(Lender):
         flat, rows = given.rows("heights", heights, columns or 1)
         self._change(library.abut_geometry_set_heights, geometry, column, row, columns, rows, flat)
 
+    def set_field_values(self, geometry: c.GeometryId, column: int, row: int, layer: int, values: Any) -> None:
+        """Changes values of a distance field: an array of (layers, rows, columns), from a first sample on."""
+        rows = len(values[0]) if len(values) else 0
+        columns = len(values[0][0]) if rows else 0
+        if given.is_array(values):
+            values = values.reshape(-1)
+        else:
+            values = [number for of_layer in values for of_row in of_layer for number in of_row]
+        numbers = given.numbers("values", values)
+        layers = len(numbers) // (rows * columns) if rows * columns else 0
+        if len(numbers) != layers * rows * columns:
+            raise ValueError(f"values has {len(numbers)} numbers; it must have as many in each of {rows} rows")
+        self._change(library.abut_geometry_set_field_values, geometry, column, row, layer, columns, rows, layers, numbers)
+
     def set_particles(self, geometry: c.GeometryId, first: int, xyz: Any, radii: Any = None) -> None:
         """Moves particles of a geometry to (N, 3) centres, from the number `first` on."""
         centres, count = given.rows("xyz", xyz, 3)

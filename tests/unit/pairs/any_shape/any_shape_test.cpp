@@ -100,7 +100,7 @@ TEST(AnyShape, CurvedAndUnboundedOnesHaveNoTriangles) {
 
 TEST(Pairs, OnlyPlanesAndHolesDoNotMeet) {
   const std::set<std::string_view> holes{"sphere_hole", "cylinder_hole", "box_hole"},
-      no_solids{"plane", "height_field", "mesh", "uv_grid"};
+      no_solids{"plane", "height_field", "mesh", "uv_grid", "distance_field"};
   const auto is_no_solid = [&](std::string_view kind) { return no_solids.contains(kind) || holes.contains(kind); };
   for (std::size_t a = 0; a < abut::shape_kind_count; ++a) {
     for (std::size_t b = 0; b < abut::shape_kind_count; ++b) {

@@ -33,6 +33,11 @@ TEST(DescribeRoute, NamesThoseOfThePartsOfAShape) {
   EXPECT_EQ(searches_of("box_hole", "sphere"), "walls, one by one");
   EXPECT_EQ(searches_of("plane", "height_field"), "support point");
   EXPECT_EQ(searches_of("plane", "plane"), "unsupported");
+  EXPECT_EQ(searches_of("distance_field", "cone"), "descent of the field");
+  EXPECT_EQ(searches_of("distance_field", "mesh"), "descent of the field");
+  EXPECT_EQ(searches_of("particles", "distance_field"), "descent of the field");
+  EXPECT_EQ(searches_of("plane", "distance_field"), "points of the surface");
+  EXPECT_EQ(searches_of("distance_field", "distance_field"), "points of the surface");
 }
 
 TEST(DescribeRoute, IsTheSameInEitherOrder) {

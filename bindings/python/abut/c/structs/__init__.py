@@ -4,8 +4,8 @@
 from .queries import (
     Camera, CastHit, Closest, Pick, QueryFilter, QueryHit)
 from .shapes import (
-    Contact, Distance, FirstTouch, HeightFieldDesc, HullReport, MeshOptions, PairMemory, QueryOptions, Ray, RayHit,
-    ShapeDesc, UvGridOptions)
+    Contact, Distance, DistanceFieldDesc, DistanceFieldOptions, FirstTouch, HeightFieldDesc, HullReport, MeshOptions,
+    PairMemory, QueryOptions, Ray, RayHit, ShapeDesc, UvGridOptions)
 from .universe import (
     Collidable, ContactMaterial, Event, Finding, Focus, GeometryInfo, GeometryOptions, Island, LocalPoints,
     PartOptions, Policy, Revision, Sleep, SleepChange, StepStats, UniverseOptions, Velocity)
@@ -13,8 +13,9 @@ from .values import (
     Aabb, Feature, GeometryId, LayoutEntry, PartId, Pose, Quat, Vec3)
 
 __all__ = [
-    "Aabb", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance", "Event",
-    "Feature", "Finding", "FirstTouch", "Focus", "GeometryId", "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport",
-    "Island", "LayoutEntry", "LocalPoints", "MeshOptions", "PairMemory", "PartId", "PartOptions", "Pick", "Policy",
-    "Pose", "Quat", "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision", "ShapeDesc", "Sleep",
-    "SleepChange", "StepStats", "UniverseOptions", "UvGridOptions", "Vec3", "Velocity"]
+    "Aabb", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance",
+    "DistanceFieldDesc", "DistanceFieldOptions", "Event", "Feature", "Finding", "FirstTouch", "Focus", "GeometryId",
+    "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport", "Island", "LayoutEntry", "LocalPoints",
+    "MeshOptions", "PairMemory", "PartId", "PartOptions", "Pick", "Policy", "Pose", "Quat", "QueryFilter",
+    "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision", "ShapeDesc", "Sleep", "SleepChange", "StepStats",
+    "UniverseOptions", "UvGridOptions", "Vec3", "Velocity"]

@@ -46,6 +46,27 @@ class HeightFieldDesc(Struct):
 
 
 @struct
+class DistanceFieldDesc(Struct):
+    struct_size: UInt32
+    is_inside_out: UInt32
+    columns: UInt32
+    rows: UInt32
+    layers: UInt32
+    reserved: UInt32
+    spacing: Vec3
+    origin: Vec3
+    values: Doubles
+
+
+@struct
+class DistanceFieldOptions(Struct):
+    struct_size: UInt32
+    is_inside_out: UInt32
+    spacing: Double
+    band: Double
+
+
+@struct
 class ShapeDesc(Struct):
     struct_size: UInt32
     kind: UInt32

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// A convex core in a sampled field: values at its points, and the way from there to the surface.
+//
+// A descent leads from any point of the core to a point of least value nearby: steps against the gradient, each
+// projected back onto the core (Goldstein 1964), with the length of Barzilai and Borwein (1988).
+export module abut.narrow.many.field_core;
+import abut.capability.core_feature;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.narrow.apart.gjk;
+import abut.narrow.many.triangle_point;
+
+export namespace abut {
+
+// The point of a core that is nearest to a point, in the frame of the core; the point itself where it lies in it.
+// Nothing, or a point, where that is further away than a limit.
+template <Convex B>
+[[nodiscard]] std::optional<Vec3> nearest_of_core(const B& b, const Vec3& point, Real limit) {
+  if constexpr (PointCored<B>) {
+    return Vec3{0, 0, 0};
+  } else if constexpr (SegmentCored<B>) {
+    const Real half = b.half().z;
+    return Vec3{0, 0, std::max(-half, std::min(half, point.z))};
+  } else if constexpr (BoxCored<B>) {
+    return maximum(minimum(point, b.half()), -b.half());
+  } else if constexpr (Triangular<B>) {
+    return nearest_on(b.corners(), point);
+  } else {
+    if constexpr (Field<B>) {
+      if (b.radius() == 0) {
+        const SurfacePoint found = b.nearest(point);
+        return found.distance > 0 ? found.point : point;
+      }
+    }
+    constexpr Real allowed = 1e-9;
+    const Vec3 centre = b.centre();
+    const Real size = b.extent() + largest_magnitude(centre) + largest_magnitude(point);
+    const GjkResult found =
+        gjk(b, PointCore(0), Pose{Rotation::identity(), point}, point - centre, size, allowed * size, limit);
+    return found.beyond ? std::nullopt : std::optional(found.overlap ? point : point + found.closest);
+  }
+}
+
+// A box that holds a core, in its own frame.
+template <Convex B>
+[[nodiscard]] Aabb box_of_core(const B& b) {
+  const Aabb whole = b.aabb(Pose::identity());
+  const Vec3 middle = whole.centre(), r{b.radius(), b.radius(), b.radius()};
+  return {minimum(whole.low + r, middle), maximum(whole.high - r, middle)};
+}
+
+struct FieldPoint {
+  Vec3 point;  // of the core, in its own frame
+  FieldValue field;
+};
+
+// A convex core in a field, seen from the frame of the core.
+template <SampledSolid F, Convex B>
+class CoreInField {
+ public:
+  CoreInField(const F& field, const B& b, const Pose& pose) : field_(field), b_(b), pose_(pose) {}
+
+  [[nodiscard]] FieldPoint at(const Vec3& point) const {
+    const FieldValue found = field_.value_at(pose_ * point);
+    return {point, {found.value, pose_.rotation.undo(found.gradient)}};
+  }
+  [[nodiscard]] Vec3 nearest(const Vec3& point) const { return nearest_of_core(b_, point, infinity).value_or(point); }
+  // Nothing where the core is further away than a limit.
+  [[nodiscard]] std::optional<Vec3> nearest_within(const Vec3& point, Real limit) const {
+    const std::optional<Vec3> found = nearest_of_core(b_, point, limit);
+    return found && squared_norm(*found - point) <= limit * limit ? found : std::nullopt;
+  }
+
+  // A point of least value, downhill from one of the core. `stride`: the length of the first step.
+  [[nodiscard]] FieldPoint descend(const Vec3& start, Real stride) const {
+    return *descend_while(start, stride, infinity, [](const Vec3&) { return true; });
+  }
+  // The same with steps of bounded length; nothing where the way leads to where a condition is not met.
+  template <class Condition>
+  [[nodiscard]] std::optional<FieldPoint> descend_while(const Vec3& start, Real stride, Real longest,
+                                                        Condition&& is_met) const {
+    FieldPoint best = at(start);
+    if constexpr (!PointCored<B>) {
+      constexpr int most_steps = 32;
+      constexpr Real end_share = 1e-5;  // of a cell
+      Real step = stride;
+      for (int i = 0; i < most_steps; ++i) {
+        const FieldPoint next = at(nearest(best.point - step * best.field.gradient));
+        const Vec3 way = next.point - best.point, turn = next.field.gradient - best.field.gradient;
+        const Real moved = squared_norm(way);
+        if (!(moved > squared(end_share * field_.finest()))) {
+          break;
+        }
+        const Real bend = dot(way, turn);
+        const Real next_step = std::min(bend > 0 ? std::min(moved / bend, 4 * step) : 2 * step, longest);
+        if (next.field.value < best.field.value) {
+          best = next;
+          step = next_step;
+          if (!is_met(best.point)) {
+            return std::nullopt;
+          }
+        } else {
+          step = std::min(next_step, 0.25 * step);
+        }
+      }
+    }
+    return best;
+  }
+
+  // Where a point of the core is as it lies in the field, and what is nearest to it on the surface there.
+  struct Touch {
+    Vec3 point;      // of the core
+    Vec3 normal;     // unit, out of the solid
+    Real distance;   // to the surface, against the normal; the value where there is no surface
+    bool is_proven;  // that point of the surface was found
+  };
+  [[nodiscard]] Touch touch(const Vec3& point) const {
+    const Vec3 placed = pose_ * point;
+    const FieldValue start = field_.value_at(placed);
+    const Vec3 normal = UnitVec3::make(start.gradient).value_or(away(placed));
+    if (const std::optional<Real> way = way_to_surface(placed, normal, start.value)) {
+      return {placed, normal, *way, true};
+    }
+    if (const std::optional<Vec3> found = surface_below(placed)) {
+      const Vec3 between = placed - *found;
+      const Real length = norm(between), sign = start.value < 0 ? -1 : 1;
+      if (length > 0) {
+        return {placed, (sign / length) * between, sign * length, true};
+      }
+    }
+    return {placed, normal, start.value, false};
+  }
+  // The point of the surface that is nearest to a point outside, from one that is close. It slides along the tangent
+  // plane as long as that leads nearer.
+  [[nodiscard]] Vec3 nearest_on_surface(const Vec3& point, const Vec3& start) const {
+    constexpr int most_steps = 24;
+    constexpr Real end_share = 1e-4;  // of a cell
+    Vec3 best = start;
+    Real share = 1;
+    for (int i = 0; i < most_steps; ++i) {
+      const auto normal = UnitVec3::make(field_.value_at(best).gradient);
+      if (!normal) {
+        break;
+      }
+      const Vec3 between = point - best, aside = between - dot(between, *normal) * normal->vec();
+      if (share * norm(aside) <= end_share * field_.finest()) {
+        break;
+      }
+      const std::optional<Vec3> next = surface_below(best + share * aside);
+      if (next && squared_norm(point - *next) < squared_norm(between)) {
+        best = *next;
+      } else {
+        share *= 0.25;
+      }
+    }
+    return best;
+  }
+  // A point of the surface, down or up the gradient from a point in the frame of the field.
+  [[nodiscard]] std::optional<Vec3> surface_below(const Vec3& start) const {
+    constexpr int most_steps = 48;
+    Vec3 point = start;
+    for (int i = 0; i < most_steps; ++i) {
+      const FieldValue found = field_.value_at(point);
+      const Real square = squared_norm(found.gradient);
+      if (std::fabs(found.value) <= surface_share * field_.finest()) {
+        return point;
+      }
+      if (!(square > 0)) {
+        break;
+      }
+      // Nowhere is the surface nearer than by the value, but where gradients are longer than one.
+      point = point - (found.value / std::max(square, Real{1})) * found.gradient;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr Real surface_share = 1e-6;  // of a cell
+  [[nodiscard]] static Real squared(Real value) { return value * value; }
+  // Where the gradient vanishes.
+  [[nodiscard]] UnitVec3 away(const Vec3& point) const {
+    const Real sign = field_.is_inside_out() ? -1 : 1;
+    return UnitVec3::make(sign * (point - field_.solid_box().centre())).value_or(UnitVec3::axis_z());
+  }
+  // To a zero of the value along a line: in steps as long as the value (Hart, "Sphere tracing", 1996), then by secants.
+  [[nodiscard]] std::optional<Real> way_to_surface(const Vec3& start, const Vec3& normal, Real start_value) const {
+    constexpr int most_steps = 24;
+    Real way = 0, before = 0, value = start_value, value_before = value;
+    for (int i = 0; i < most_steps; ++i) {
+      if (way * start_value < 0) {
+        return std::nullopt;  // past the point itself
+      }
+      if (std::fabs(value) <= surface_share * surface_share * field_.finest()) {
+        return way;
+      }
+      const Real rise = value_before - value, secant = rise != 0 ? value * (way - before) / rise : value;
+      before = way;
+      value_before = value;
+      way += i > 0 && std::fabs(secant) <= 2 * std::fabs(value) ? secant : value;
+      value = field_.value_at(start - way * normal).value;
+      if (!std::isfinite(value)) {
+        return std::nullopt;
+      }
+    }
+    return std::fabs(value) <= surface_share * field_.finest() ? std::optional(way) : std::nullopt;
+  }
+
+  const F& field_;
+  const B& b_;
+  Pose pose_;
+};
+
+}  // namespace abut

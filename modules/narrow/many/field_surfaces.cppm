@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sampled solid against what is no convex shape: surfaces triangle by triangle, half-spaces and other fields by
+// points of its surface.
+export module abut.narrow.many.field_surfaces;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.narrow.many.field_contacts;
+import abut.narrow.many.field_descent;
+import abut.narrow.many.nearest_of_parts;
+
+export namespace abut {
+
+// Whether a contact pushes to the front of a triangle, from which the field comes.
+template <class Part>
+[[nodiscard]] bool is_in_front(const Part& part, const Pose& ab, const Vec3& normal) {
+  if constexpr (requires { part.is_one_sided(); }) {
+    return !part.is_one_sided() || dot(part.normal(), ab.rotation.undo(normal)) < 0;
+  } else {
+    return true;
+  }
+}
+
+template <SampledSolid F, Surface B>
+[[nodiscard]] Outcome field_parts_distance(const F& field, const B& b, const Pose& ab, const QuerySettings& settings,
+                                           Distance& out) {
+  if (!fields_support(settings.algorithm)) {
+    return Outcome::unsupported;
+  }
+  out = no_distance();
+  out.algorithm = Algorithm::analytic;
+  Outcome outcome = Outcome::ok;
+  const Aabb around = transformed(field.solid_box(), ab.inverse());
+  const auto consider = [&](const typename B::Part& part) {
+    Distance found{};
+    outcome = field_distance(field, part, ab, settings, found);
+    take_part(found, out);
+  };
+  const auto start = b.part_near(around.centre());
+  consider(start);
+  const auto near = [&] {
+    return field.is_inside_out() ? Aabb::everything() : around.inflated(std::max(out.upper, Real{0}));
+  };
+  Aabb query = near();
+  b.visit_parts(query, [&](const typename B::Part& part, std::uint32_t index) {
+    const Vec3 centre = part.centre();
+    Real reach = 0;
+    for (const Vec3& corner : part.corners()) {
+      reach = std::max(reach, norm(corner - centre));
+    }
+    if (index != start.index() &&
+        field.least_within(field.value_at(ab * centre).value, reach) < std::max(out.upper, Real{0})) {
+      consider(part);
+      query = near();
+    }
+  });
+  return outcome;
+}
+
+template <SampledSolid F, Surface B>
+[[nodiscard]] Outcome field_parts_contacts(const F& field, const B& b, const Pose& ab, const QuerySettings& settings,
+                                           Manifold& out) {
+  if (!fields_support(settings.algorithm)) {
+    return Outcome::unsupported;
+  }
+  const std::size_t first = out.size();
+  Aabb query = field.is_inside_out()
+                   ? Aabb::everything()
+                   : transformed(field.solid_box(), ab.inverse()).inflated(std::max(settings.margin, Real{0}));
+  Outcome outcome = Outcome::ok;
+  Manifold of_part;
+  b.visit_parts(query, [&](const typename B::Part& part, std::uint32_t index) {
+    of_part.clear();
+    const Outcome one = field_contacts(field, part, ab, settings, of_part);
+    outcome = one == Outcome::ok ? outcome : one;
+    for (ContactPoint& contact : of_part) {
+      if (is_in_front(part, ab, contact.normal)) {
+        contact.id = contact_id_of_part(contact.id, index);
+        contact.feature_b = {FeatureKind::face, index};
+        out.push_back(contact);
+      }
+    }
+  });
+  // Triangles share their corners.
+  const std::span<ContactPoint> found = std::span(out).subspan(first);
+  const auto place = [](const ContactPoint& contact) {
+    return std::tuple(contact.point_b.x, contact.point_b.y, contact.point_b.z, contact.feature_b.index);
+  };
+  std::ranges::sort(found, {}, place);
+  const auto is_same = [](const ContactPoint& a, const ContactPoint& c) { return a.point_b == c.point_b; };
+  out.resize(first + static_cast<std::size_t>(std::unique(found.begin(), found.end(), is_same) - found.begin()),
+             ContactPoint{});
+  return outcome;
+}
+
+// Of points that lie close together: the lowest one, and of those below a limit the furthest along four directions.
+class SpreadPoints {
+ public:
+  struct Kept {
+    std::uint32_t index;
+    Real height;
+  };
+  explicit SpreadPoints(const Vec3& normal) : tangents_(tangents_of(normal)) {}
+
+  void add(std::uint32_t index, const Vec3& point, Real height) {
+    const Real first = dot(tangents_.first, point), second = dot(tangents_.second, point);
+    const std::array<Real, 5> along{-height, first, -first, second, -second};
+    for (std::size_t i = 0; i < along.size(); ++i) {
+      if (along[i] > most_[i]) {
+        most_[i] = along[i];
+        kept_[i] = {index, height};
+      }
+    }
+    is_empty_ = false;
+  }
+  template <class Visitor>
+  void visit(Visitor&& visit) const {
+    for (std::size_t i = 0; i < kept_.size() && !is_empty_; ++i) {
+      const auto is_same = [&](const Kept& other) { return other.index == kept_[i].index; };
+      if (std::ranges::none_of(std::span(kept_).first(i), is_same)) {
+        visit(kept_[i]);
+      }
+    }
+  }
+
+ private:
+  Tangents tangents_;
+  std::array<Real, 5> most_{-infinity, -infinity, -infinity, -infinity, -infinity};
+  std::array<Kept, 5> kept_{};
+  bool is_empty_ = true;
+};
+
+// The lowest that a box reaches along a direction.
+[[nodiscard]] inline Real lowest_of(const Aabb& box, const Vec3& direction) {
+  return dot(box.centre(), direction) - 0.5 * dot(box.high - box.low, absolute(direction));
+}
+
+// A container reaches everywhere, and so behind every plane.
+template <HalfSpace A, SampledSolid F>
+[[nodiscard]] Outcome half_space_field_distance(const A& a, const F& field, const Pose& ab,
+                                                const QuerySettings& settings, Distance& out) {
+  if (!fields_support(settings.algorithm) || field.is_inside_out()) {
+    return Outcome::unsupported;
+  }
+  const Vec3 normal = ab.rotation.undo(a.normal());
+  const Real offset = a.offset() - dot(a.normal(), ab.position);
+  const SurfacePoints& surface = field.surface();
+  Real least = infinity;
+  Vec3 lowest = field.solid_box().centre();
+  for (const SurfacePoints::Run& run : surface.runs) {
+    if (lowest_of(run.box, normal) < least) {
+      for (const Vec3& point : std::span(surface.points).subspan(run.first, run.count)) {
+        if (const Real height = dot(normal, point); height < least) {
+          least = height;
+          lowest = point;
+        }
+      }
+    }
+  }
+  const Real distance = (least < infinity ? least : lowest_of(field.solid_box(), normal)) - offset;
+  const Vec3 point_b = ab * lowest;
+  out = {distance,
+         std::max(distance - field.surface_error(), lowest_of(field.solid_box(), normal) - offset),
+         least < infinity ? distance : infinity,
+         point_b - distance * a.normal(),
+         point_b,
+         a.normal(),
+         Algorithm::analytic,
+         1};
+  out.lower = std::min(out.lower, out.distance);
+  return Outcome::ok;
+}
+
+template <HalfSpace A, SampledSolid F>
+[[nodiscard]] Outcome half_space_field_contacts(const A& a, const F& field, const Pose& ab,
+                                                const QuerySettings& settings, Manifold& out) {
+  if (!fields_support(settings.algorithm) || field.is_inside_out()) {
+    return Outcome::unsupported;
+  }
+  const Vec3 normal = ab.rotation.undo(a.normal());
+  const Real offset = a.offset() - dot(a.normal(), ab.position);
+  const SurfacePoints& surface = field.surface();
+  for (const SurfacePoints::Run& run : surface.runs) {
+    if (lowest_of(run.box, normal) - offset > settings.margin) {
+      continue;
+    }
+    SpreadPoints spread(normal);
+    for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+      if (const Real height = dot(normal, surface.points[i]) - offset; height <= settings.margin) {
+        spread.add(i, surface.points[i], height);
+      }
+    }
+    spread.visit([&](const SpreadPoints::Kept& kept) {
+      const Vec3 point = ab * surface.points[kept.index];
+      const Feature of_plane{FeatureKind::whole, 0}, of_field{FeatureKind::cell, surface.cells[kept.index]};
+      out.push_back({point - kept.height * a.normal(), point, a.normal(), kept.height, of_plane, of_field,
+                     contact_id(of_plane, of_field)});
+    });
+  }
+  return Outcome::ok;
+}
+
+// Points of the surface of `other`, which is placed in the frame of a field, where the field has values up to a limit.
+// The limit may shrink on the way.
+template <SampledSolid F, SampledSolid G, class Visitor>
+void visit_points_in_field(const F& field, const G& other, const Pose& placed, const Real& limit, Visitor&& visit) {
+  const SurfacePoints& surface = other.surface();
+  for (const SurfacePoints::Run& run : surface.runs) {
+    const Real reach = 0.5 * norm(run.box.high - run.box.low);
+    if (field.least_within(field.value_at(placed * run.box.centre()).value, reach) > limit) {
+      continue;
+    }
+    for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+      if (const FieldValue found = field.value_at(placed * surface.points[i]); found.value <= limit) {
+        visit(run, i, found);
+      }
+    }
+  }
+}
+
+// The least value of a field at points of the surface of another one, as a distance from the field.
+template <SampledSolid F, SampledSolid G>
+[[nodiscard]] Distance distance_to_surface_of(const F& field, const G& other, const Pose& placed) {
+  Real least = infinity;
+  std::uint32_t deepest = no_index;
+  visit_points_in_field(field, other, placed, least,
+                        [&](const SurfacePoints::Run&, std::uint32_t i, const FieldValue& found) {
+                          if (found.value < least) {
+                            least = found.value;
+                            deepest = i;
+                          }
+                        });
+  if (deepest == no_index) {
+    return no_distance();
+  }
+  const PointCore point(0);
+  const Pose at{Rotation::identity(), placed * other.surface().points[deepest]};
+  const auto touch = CoreInField<F, PointCore>(field, point, at).touch({0, 0, 0});
+  return distance_of_touch(
+      field, touch, 0, least_nearby(field, least, other.surface_error()), [&](const Vec3& direction) {
+        return other.is_inside_out() ? -infinity : lowest_of(transformed(other.solid_box(), placed), direction);
+      });
+}
+
+template <SampledSolid F, SampledSolid G>
+[[nodiscard]] Outcome two_fields_distance(const F& a, const G& b, const Pose& ab, const QuerySettings& settings,
+                                          Distance& out) {
+  if (!fields_support(settings.algorithm) || (a.is_inside_out() && b.is_inside_out())) {
+    return Outcome::unsupported;
+  }
+  out = distance_to_surface_of(a, b, ab);
+  Distance of_b = distance_to_surface_of(b, a, ab.inverse());
+  move_by(of_b, ab, true);
+  // Either bounds the distance by itself.
+  const Real lower = std::max(out.lower, of_b.lower), upper = std::min(out.upper, of_b.upper);
+  if (of_b.distance < out.distance) {
+    out = of_b;
+  }
+  out.lower = std::min(lower, out.distance);
+  out.upper = std::max(upper, out.distance);
+  return Outcome::ok;
+}
+
+template <SampledSolid F, SampledSolid G>
+void contacts_with_surface_of(const F& field, const G& other, const Pose& placed, Real margin, bool is_of_a,
+                              Manifold& out) {
+  const SurfacePoints& surface = other.surface();
+  const PointCore point(0);
+  // The deepest point of each run.
+  const SurfacePoints::Run* last = nullptr;
+  std::uint32_t deepest = 0;
+  Real least = infinity;
+  const auto append = [&] {
+    const Pose at{Rotation::identity(), placed * surface.points[deepest]};
+    const Feature feature{FeatureKind::cell, surface.cells[deepest]};
+    ContactPoint found = contact_in_field(CoreInField<F, PointCore>(field, point, at), 0, {0, 0, 0}, feature);
+    if (found.distance <= margin) {
+      // Cells of both sides have the same numbers.
+      found.id = contact_id_of_part(found.id, is_of_a ? 1 : 0);
+      out.push_back(found);
+    }
+  };
+  visit_points_in_field(field, other, placed, margin,
+                        [&](const SurfacePoints::Run& run, std::uint32_t i, const FieldValue& found) {
+                          if (&run != last) {
+                            if (last != nullptr) {
+                              append();
+                            }
+                            last = &run;
+                            least = infinity;
+                          }
+                          if (found.value < least) {
+                            least = found.value;
+                            deepest = i;
+                          }
+                        });
+  if (last != nullptr) {
+    append();
+  }
+}
+
+template <SampledSolid F, SampledSolid G>
+[[nodiscard]] Outcome two_fields_contacts(const F& a, const G& b, const Pose& ab, const QuerySettings& settings,
+                                          Manifold& out) {
+  if (!fields_support(settings.algorithm) || (a.is_inside_out() && b.is_inside_out())) {
+    return Outcome::unsupported;
+  }
+  contacts_with_surface_of(a, b, ab, settings.margin, false, out);
+  const std::size_t first = out.size();
+  contacts_with_surface_of(b, a, ab.inverse(), settings.margin, true, out);
+  for (ContactPoint& contact : std::span(out).subspan(first)) {
+    move_by(contact, ab, true);
+  }
+  return Outcome::ok;
+}
+
+}  // namespace abut

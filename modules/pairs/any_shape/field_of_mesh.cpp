@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.pairs.any_shape.field_of_mesh;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
+import abut.trees.field_sampling;
+import abut.trees.sparse_blocks;
+
+namespace abut {
+namespace {
+
+constexpr Real border_cells = 3;  // around the box of the triangles
+
+Fault check_triangles(std::span<const Real> xyz, std::span<const std::uint32_t> triangles) {
+  if (xyz.empty()) {
+    return Error{Errc::empty, "vertex_count is 0; a distance field of a mesh needs vertices"};
+  }
+  if (triangles.empty()) {
+    return Error{Errc::empty, "triangle_count is 0; a distance field of a mesh needs at least one triangle"};
+  }
+  constexpr std::size_t most_triangles = 0x7fffffff;  // leaves of a tree of boxes
+  if (xyz.size() / 3 > no_index || triangles.size() / 3 > most_triangles) {
+    return Error{Errc::size_overflow, "a mesh has at most 2^32 - 1 vertices and 2^31 - 1 triangles"};
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (triangles[i] >= xyz.size() / 3) {
+      return error_about(Errc::index_out_of_range, "triangles[" + std::to_string(i) + "]", std::uint64_t{triangles[i]},
+                         "below vertex_count, which is " + std::to_string(xyz.size() / 3));
+    }
+  }
+  return check_all_finite("xyz", xyz);
+}
+
+Fault check_options(const FieldOptions& options) {
+  if (Fault fault = check_not_negative("options.spacing", options.spacing)) {
+    return fault;
+  }
+  return check_not_negative("options.band", options.band);
+}
+
+}  // namespace
+
+Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const std::uint32_t> triangles,
+                                    const FieldOptions& options) {
+  const std::optional<std::size_t> kind = find_kind("distance_field");
+  if (!kind) {
+    return Error{Errc::unsupported, "this build of abut has no shape named distance_field"};
+  }
+  if (Fault fault = check_triangles(xyz, triangles)) {
+    return *fault;
+  }
+  if (Fault fault = check_options(options)) {
+    return *fault;
+  }
+  std::vector<Vec3> vertices(xyz.size() / 3);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    vertices[i] = {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
+  }
+  Aabb box = Aabb::empty();
+  for (const std::uint32_t index : triangles) {
+    box.include(vertices[index]);
+  }
+  const Vec3 size = box.high - box.low;
+  constexpr Real usual_cells = 64, most_cells = 65000, most_samples = 4e9;
+  const Real spacing = options.spacing > 0 ? options.spacing : largest_magnitude(size) / usual_cells;
+  const auto samples_along = [&](Real side) { return std::ceil(side / spacing) + 2 * border_cells + 1; };
+  if (!(spacing > 0)) {
+    return Error{Errc::zero_vector, "the triangles have no extent; a distance field needs a solid"};
+  }
+  if (!(largest_magnitude(size) <= most_cells * spacing) ||
+      samples_along(size.x) * samples_along(size.y) * samples_along(size.z) > most_samples) {
+    return error_about(Errc::out_of_range, "options.spacing", spacing,
+                       "so large that the grid has at most 65000 cells along an axis and 4e9 in all");
+  }
+  const GridPlace samples{static_cast<std::uint32_t>(samples_along(size.x)),
+                          static_cast<std::uint32_t>(samples_along(size.y)),
+                          static_cast<std::uint32_t>(samples_along(size.z))};
+  const Real border = border_cells * spacing;
+  const Vec3 origin = box.low - Vec3{border, border, border};
+  const SampledField field =
+      sample_distances({vertices, triangles}, {samples, origin, spacing}, options.band * spacing);
+  if (!field.has_inside) {
+    return Error{Errc::invalid_argument,
+                 "triangles enclose no sample; they must be counter-clockwise seen from outside, and spacing small"};
+  }
+  const std::array<Real, 10> parameters{static_cast<Real>(samples.x),
+                                        static_cast<Real>(samples.y),
+                                        static_cast<Real>(samples.z),
+                                        spacing,
+                                        spacing,
+                                        spacing,
+                                        origin.x,
+                                        origin.y,
+                                        origin.z,
+                                        options.is_inside_out ? 1.0 : 0.0};
+  return make_shape(*kind, parameters, field.values, field.held);
+}
+
+}  // namespace abut

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.trees.field_sampling;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.trees.nearest_triangle;
+import abut.trees.sparse_blocks;
+import abut.trees.winding_number;
+
+namespace abut {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffff;
+constexpr std::uint32_t along = SparseBlocks::samples_along;
+
+// Whether each edge leads as often one way as the other. Vertices at one place are one.
+bool is_closed(const SurfaceTriangles& surface) {
+  std::vector<std::uint32_t> order(surface.vertices.size()), same(order.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto numbers = [&](std::uint32_t vertex) {
+    const Vec3& v = surface.vertices[vertex];
+    return std::tuple(v.x, v.y, v.z);
+  };
+  std::ranges::sort(order, {}, numbers);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    same[order[i]] = i > 0 && numbers(order[i]) == numbers(order[i - 1]) ? same[order[i - 1]] : order[i];
+  }
+  std::vector<std::pair<std::uint64_t, int>> edges;
+  edges.reserve(surface.indices.size());
+  for (std::size_t i = 0; i < surface.indices.size(); ++i) {
+    const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+    const auto [low, high] = std::pair(same[surface.indices[i]], same[surface.indices[next]]);
+    edges.emplace_back(std::uint64_t{std::min(low, high)} << 32 | std::max(low, high), low < high ? 1 : -1);
+  }
+  std::ranges::sort(edges);
+  int sum = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    sum = edges[i].first >> 32 == (edges[i].first & none) ? sum : sum + edges[i].second;
+    if (sum != 0 && (i + 1 == edges.size() || edges[i + 1].first != edges[i].first)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<TriangleAt> triangles_of(const SurfaceTriangles& surface) {
+  std::vector<TriangleAt> triangles(surface.indices.size() / 3);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const std::span<const std::uint32_t> corners = surface.indices.subspan(3 * i, 3);
+    triangles[i] = {surface.vertices[corners[0]], surface.vertices[corners[1]], surface.vertices[corners[2]]};
+  }
+  return triangles;
+}
+
+class MeshSampler {
+ public:
+  MeshSampler(const SurfaceTriangles& surface, const FieldGrid& grid)
+      : grid_(grid),
+        blocks_(grid.samples, {grid.spacing, grid.spacing, grid.spacing}, {}),
+        tree_(triangles_of(surface)),
+        winding_(surface.vertices, surface.indices),
+        is_closed_(is_closed(surface)) {}
+
+  [[nodiscard]] SampledField sample(Real band) {
+    find_held(band);
+    sample_held();
+    spread_to_corners();
+    sign_corners();
+    hold_crossed();
+    SampledField out{std::move(held_), std::move(corners_), false};
+    out.values.insert(out.values.end(), values_.begin(), values_.end());
+    out.has_inside = std::ranges::any_of(out.values, [](Real value) { return value < 0; });
+    return out;
+  }
+
+ private:
+  [[nodiscard]] Vec3 place_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+    return grid_.origin + grid_.spacing * Vec3{static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)};
+  }
+  [[nodiscard]] std::size_t corner_number(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+    const GridPlace& counts = blocks_.block_counts();
+    return (std::size_t{z} * (counts.y + 1) + y) * (counts.x + 1) + x;
+  }
+  // Corners lie at each eighth sample, and at the last one.
+  [[nodiscard]] Vec3 corner_place(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+    const GridPlace& all = grid_.samples;
+    constexpr std::uint32_t side = SparseBlocks::side;
+    return place_of(std::min(side * x, all.x - 1), std::min(side * y, all.y - 1), std::min(side * z, all.z - 1));
+  }
+
+  // The blocks that come within the band of a triangle; of each the triangle that is nearest to its middle.
+  void find_held(Real band) {
+    const std::size_t count = blocks_.blocks().size();
+    std::vector<Real> least(count, infinity);
+    closest_.assign(count, none);
+    const GridPlace& counts = blocks_.block_counts();
+    const Real side = SparseBlocks::side * grid_.spacing, reach = 0.5 * std::sqrt(Real{3}) * side + band;
+    const auto range = [&](Real low, Real high, std::uint32_t all) {
+      const auto block = [&](Real at) {
+        return static_cast<std::uint32_t>(std::clamp(std::floor(at / side), Real{0}, static_cast<Real>(all - 1)));
+      };
+      return std::pair(block(low - band), block(high + band));
+    };
+    for (std::uint32_t triangle = 0; triangle < tree_.triangles().size(); ++triangle) {
+      const TriangleAt& corners = tree_.triangles()[triangle];
+      const Vec3 low = minimum(minimum(corners.a, corners.b), corners.c) - grid_.origin,
+                 high = maximum(maximum(corners.a, corners.b), corners.c) - grid_.origin;
+      const auto [x0, x1] = range(low.x, high.x, counts.x);
+      const auto [y0, y1] = range(low.y, high.y, counts.y);
+      const auto [z0, z1] = range(low.z, high.z, counts.z);
+      for (std::uint32_t z = z0; z <= z1; ++z) {
+        for (std::uint32_t y = y0; y <= y1; ++y) {
+          for (std::uint32_t x = x0; x <= x1; ++x) {
+            const std::size_t number = (std::size_t{z} * counts.y + y) * counts.x + x;
+            const Vec3 middle = grid_.origin + side * Vec3{x + 0.5, y + 0.5, z + 0.5};
+            const Real squared = squared_distance(middle, corners);
+            if (squared <= reach * reach && squared < least[number]) {
+              least[number] = squared;
+              closest_[number] = triangle;
+            }
+          }
+        }
+      }
+    }
+    for (std::uint32_t number = 0; number < count; ++number) {
+      if (closest_[number] != none) {
+        held_.push_back(number);
+      }
+    }
+  }
+
+  // The samples of a block, row by row, each from the triangle of the one before.
+  void sample_block(std::uint32_t number, std::uint32_t close, std::span<Real> out,
+                    std::span<std::uint32_t> triangles) const {
+    const GridPlace first = blocks_.cells_of(number).first, &all = grid_.samples;
+    std::uint32_t of_layer = close, of_row = close;
+    for (std::uint32_t k = 0; k < along; ++k) {
+      for (std::uint32_t j = 0; j < along; ++j) {
+        for (std::uint32_t i = 0; i < along; ++i) {
+          const std::size_t at = (std::size_t{k} * along + j) * along + i;
+          const Vec3 p = place_of(std::min(first.x + i, all.x - 1), std::min(first.y + j, all.y - 1),
+                                  std::min(first.z + k, all.z - 1));
+          const std::uint32_t before = i > 0 ? triangles[at - 1] : j > 0 ? of_row : of_layer;
+          const NearestTriangle::Found found = tree_.nearest(p, before);
+          triangles[at] = found.triangle;
+          of_row = i == 0 ? found.triangle : of_row;
+          of_layer = i == 0 && j == 0 ? found.triangle : of_layer;
+          const Real distance = std::sqrt(found.squared);
+          out[at] = is_inside(p, distance, out, at, {i, j, k}) ? -distance : distance;
+        }
+      }
+    }
+  }
+  // As a neighbour in the block that is known, where no triangle lies between; else by winding.
+  [[nodiscard]] bool is_inside(const Vec3& p, Real distance, std::span<const Real> known, std::size_t at,
+                               const GridPlace& in_block) const {
+    if (!(distance > on_surface * grid_.spacing)) {
+      return false;
+    }
+    const std::array<std::pair<std::uint32_t, std::size_t>, 3> before{
+        {{in_block.x, 1}, {in_block.y, along}, {in_block.z, std::size_t{along} * along}}};
+    for (const auto& [place, step] : before) {
+      if (is_closed_ && place > 0 && std::fabs(known[at - step]) + distance > (1 + on_surface) * grid_.spacing) {
+        return known[at - step] < 0;
+      }
+    }
+    return winding_.contains(p);
+  }
+
+  void sample_held() {
+    corners_.assign(corner_number(0, 0, blocks_.block_counts().z + 1), 0);
+    corner_triangles_.assign(corners_.size(), none);
+    values_.resize(held_.size() * SparseBlocks::samples_of_block);
+    std::vector<std::uint32_t> triangles(values_.size());
+    const auto of_block = [](auto& list, std::size_t i) {
+      return std::span(list).subspan(i * SparseBlocks::samples_of_block, SparseBlocks::samples_of_block);
+    };
+    Workers(0).for_each(held_.size(), [&](std::size_t i) {
+      sample_block(held_[i], closest_[held_[i]], of_block(values_, i), of_block(triangles, i));
+    });
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+      const GridPlace at = blocks_.block_at(held_[i]);
+      const GridPlace count = blocks_.cells_of(held_[i]).count;
+      for (std::uint32_t bits = 0; bits < 8; ++bits) {
+        const std::uint32_t x = bits & 1u, y = bits >> 1 & 1u, z = bits >> 2;
+        const std::size_t from = (std::size_t{z * count.z} * along + y * count.y) * along + x * count.x;
+        const std::size_t corner = corner_number(at.x + x, at.y + y, at.z + z);
+        corners_[corner] = of_block(values_, i)[from];
+        corner_triangles_[corner] = of_block(triangles, i)[from];
+      }
+    }
+    is_known_.resize(corners_.size());
+    std::transform(corner_triangles_.begin(), corner_triangles_.end(), is_known_.begin(),
+                   [](std::uint32_t triangle) { return triangle != none ? 1 : 0; });
+  }
+
+  // Hands triangles on from corner to corner, in eight directions, twice.
+  void spread_to_corners() {
+    const GridPlace counts = blocks_.block_counts();
+    for (int pass = 0; pass < 16; ++pass) {
+      const auto turned = [&](int bit, std::uint32_t at, std::uint32_t last) {
+        return pass >> bit & 1 ? last - at : at;
+      };
+      for (std::uint32_t k = 0; k <= counts.z; ++k) {
+        for (std::uint32_t j = 0; j <= counts.y; ++j) {
+          for (std::uint32_t i = 0; i <= counts.x; ++i) {
+            const std::uint32_t x = turned(0, i, counts.x), y = turned(1, j, counts.y), z = turned(2, k, counts.z);
+            const std::size_t here = corner_number(x, y, z);
+            if (is_known_[here] != 0) {
+              continue;
+            }
+            if (i > 0) {
+              take_triangle(here, corner_number(turned(0, i - 1, counts.x), y, z), corner_place(x, y, z));
+            }
+            if (j > 0) {
+              take_triangle(here, corner_number(x, turned(1, j - 1, counts.y), z), corner_place(x, y, z));
+            }
+            if (k > 0) {
+              take_triangle(here, corner_number(x, y, turned(2, k - 1, counts.z)), corner_place(x, y, z));
+            }
+          }
+        }
+      }
+    }
+  }
+  void take_triangle(std::size_t here, std::size_t from, const Vec3& place) {
+    const std::uint32_t triangle = corner_triangles_[from];
+    if (triangle == none || triangle == corner_triangles_[here]) {
+      return;
+    }
+    const Real distance = std::sqrt(squared_distance(place, tree_.triangles()[triangle]));
+    if (corner_triangles_[here] == none || distance < corners_[here]) {
+      corners_[here] = distance;
+      corner_triangles_[here] = triangle;
+    }
+  }
+
+  // Beside a corner of no block that holds samples there are only blocks without triangles.
+  void sign_corners() {
+    const GridPlace counts = blocks_.block_counts();
+    for (std::uint32_t z = 0; z <= counts.z; ++z) {
+      for (std::uint32_t y = 0; y <= counts.y; ++y) {
+        for (std::uint32_t x = 0; x <= counts.x; ++x) {
+          const std::size_t here = corner_number(x, y, z);
+          if (is_known_[here] != 0) {
+            continue;
+          }
+          const std::size_t before = x > 0   ? corner_number(x - 1, y, z)
+                                     : y > 0 ? corner_number(x, y - 1, z)
+                                     : z > 0 ? corner_number(x, y, z - 1)
+                                             : here;
+          const bool is_inside =
+              is_closed_ && before != here ? corners_[before] < 0 : winding_.contains(corner_place(x, y, z));
+          corners_[here] = is_inside ? -corners_[here] : corners_[here];
+        }
+      }
+    }
+  }
+
+  // Around gaps the winding passes one half where no triangle is near: such blocks get samples, too.
+  void hold_crossed() {
+    const GridPlace counts = blocks_.block_counts();
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> crossed;  // and a triangle
+    for (std::uint32_t number = 0; number < closest_.size(); ++number) {
+      if (closest_[number] != none) {
+        continue;
+      }
+      const GridPlace at{number % counts.x, number / counts.x % counts.y, number / counts.x / counts.y};
+      int inside = 0;
+      for (std::uint32_t bits = 0; bits < 8; ++bits) {
+        inside += corners_[corner_number(at.x + (bits & 1u), at.y + (bits >> 1 & 1u), at.z + (bits >> 2))] < 0 ? 1 : 0;
+      }
+      if (inside % 8 != 0) {
+        crossed.emplace_back(number, corner_triangles_[corner_number(at.x, at.y, at.z)]);
+      }
+    }
+    if (crossed.empty()) {
+      return;
+    }
+    std::vector<Real> more(crossed.size() * SparseBlocks::samples_of_block);
+    Workers(0).for_each(crossed.size(), [&](std::size_t i) {
+      std::vector<std::uint32_t> triangles(SparseBlocks::samples_of_block);
+      sample_block(crossed[i].first, crossed[i].second, std::span(more).subspan(i * triangles.size(), triangles.size()),
+                   triangles);
+    });
+    merge(crossed, more);
+  }
+  // Blocks come in rising order.
+  void merge(std::span<const std::pair<std::uint32_t, std::uint32_t>> crossed, std::span<const Real> more) {
+    constexpr std::size_t each = SparseBlocks::samples_of_block;
+    std::vector<std::uint32_t> held;
+    std::vector<Real> values;
+    for (std::size_t i = 0, k = 0; i < held_.size() || k < crossed.size();) {
+      const bool is_more = i == held_.size() || (k < crossed.size() && crossed[k].first < held_[i]);
+      held.push_back(is_more ? crossed[k].first : held_[i]);
+      const std::span<const Real> from =
+          is_more ? more.subspan(k * each, each) : std::span<const Real>(values_).subspan(i * each, each);
+      values.insert(values.end(), from.begin(), from.end());
+      ++(is_more ? k : i);
+    }
+    held_ = std::move(held);
+    values_ = std::move(values);
+  }
+
+  static constexpr Real on_surface = 1e-7;  // of a cell: such points count as on the surface
+  FieldGrid grid_;
+  SparseBlocks blocks_;  // without samples: where they lie
+  NearestTriangle tree_;
+  WindingNumber winding_;
+  bool is_closed_;
+  std::vector<std::uint32_t> closest_, held_;  // a triangle for each block, and the blocks with samples
+  std::vector<Real> corners_, values_;
+  std::vector<std::uint32_t> corner_triangles_;
+  std::vector<std::uint8_t> is_known_;  // corners of blocks with samples
+};
+
+}  // namespace
+
+SampledField sample_distances(const SurfaceTriangles& surface, const FieldGrid& grid, Real band) {
+  return MeshSampler(surface, grid).sample(band);
+}
+
+}  // namespace abut

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+// Distance fields under bad input, as they are made and as they change.
+#include "bad_values.hpp"
+
+namespace {
+
+using namespace abut_test;
+
+constexpr std::array<double, 12> twelve_values{1, 1, 1, 1, -1, 1, 1, 1, 1, 1, 1, 1};
+
+abut_distance_field_desc good_desc() {
+  abut_distance_field_desc desc;
+  abut_distance_field_desc_init(&desc, sizeof desc);
+  desc.columns = 3;
+  desc.rows = 2;
+  desc.layers = 2;
+  desc.values = twelve_values.data();
+  return desc;
+}
+
+TEST(DistanceFieldDescInit, IgnoresNull) { abut_distance_field_desc_init(nullptr, 0); }
+
+TEST(DistanceFieldDescInit, FillsInSizeAndDefaults) {
+  Out<abut_distance_field_desc> desc;
+  abut_distance_field_desc_init(desc.address(), sizeof(abut_distance_field_desc));
+  EXPECT_EQ(desc.value().struct_size, sizeof(abut_distance_field_desc));
+  EXPECT_EQ(desc.value().is_inside_out, 0U);
+  EXPECT_EQ(desc.value().spacing.y, 1);
+  EXPECT_EQ(desc.value().origin.z, 0);
+  EXPECT_EQ(desc.value().values, nullptr);
+}
+
+TEST(DistanceFieldCreate, AcceptsTheDescriptionThatTheOthersSpoil) {
+  const abut_distance_field_desc desc = good_desc();
+  abut_shape* shape = nullptr;
+  EXPECT_TRUE(succeeded(abut_distance_field_create(&desc, &shape)));
+  abut_shape_release(shape);
+}
+
+TEST(DistanceFieldCreate, RefusesNullPointers) {
+  Out<abut_shape*> out;
+  abut_distance_field_desc desc = good_desc();
+  EXPECT_TRUE(refused(abut_distance_field_create(nullptr, out.address()), ABUT_NULL_ARGUMENT, {"desc", "null"}));
+  EXPECT_TRUE(refused(abut_distance_field_create(&desc, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  desc.values = nullptr;
+  EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_NULL_ARGUMENT, {"values", "null"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldCreate, RefusesCountsThatMakeNoCell) {
+  Out<abut_shape*> out;
+  abut_distance_field_desc desc = good_desc();
+  desc.layers = 0;
+  EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_EMPTY, {"layers", "0"}));
+  desc = good_desc();
+  desc.columns = desc.rows = desc.layers = 1;
+  EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_OUT_OF_RANGE, {"columns", "1"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldCreate, RefusesNonFiniteNumbers) {
+  Out<abut_shape*> out;
+  expect_non_finite_refused("spacing_y", [&](double bad) {
+    abut_distance_field_desc desc = good_desc();
+    desc.spacing.y = bad;
+    return abut_distance_field_create(&desc, out.address());
+  });
+  expect_non_finite_refused("origin_x", [&](double bad) {
+    abut_distance_field_desc desc = good_desc();
+    desc.origin.x = bad;
+    return abut_distance_field_create(&desc, out.address());
+  });
+  expect_non_finite_refused("values[7]", [&](double bad) {
+    std::array<double, 12> values = twelve_values;
+    values[7] = bad;
+    abut_distance_field_desc desc = good_desc();
+    desc.values = values.data();
+    return abut_distance_field_create(&desc, out.address());
+  });
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldCreate, RefusesSpacingThatIsNotPositive) {
+  Out<abut_shape*> out;
+  abut_distance_field_desc desc = good_desc();
+  desc.spacing.z = 0;
+  EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_OUT_OF_RANGE, {"spacing_z", "0"}));
+  desc.spacing.z = -2.5;
+  EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_OUT_OF_RANGE, {"spacing_z", "-2.5"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldCreate, RefusesFlagsThatAreNone) {
+  Out<abut_shape*> out;
+  abut_distance_field_desc desc = good_desc();
+  desc.is_inside_out = 2;
+  EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_UNKNOWN_VALUE, {"is_inside_out", "2"}));
+  desc = good_desc();
+  desc.reserved = 31;
+  EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_INVALID_ARGUMENT, {"reserved", "31"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldCreate, RefusesOverflowingCounts) {
+  Out<abut_shape*> out;
+  abut_distance_field_desc desc = good_desc();
+  desc.columns = desc.rows = desc.layers = 0xFFFFFFFFU;
+  EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_SIZE_OVERFLOW,
+                      {"desc.columns * desc.rows * desc.layers", "4294967295"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldCreate, RefusesWrongStructSize) {
+  Out<abut_shape*> out;
+  expect_struct_size_checked(good_desc(), [&](const abut_distance_field_desc* wrong) {
+    return abut_distance_field_create(wrong, out.address());
+  });
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldOptionsInit, FillsInSizeAndDefaults) {
+  abut_distance_field_options_init(nullptr, 0);
+  Out<abut_distance_field_options> options;
+  abut_distance_field_options_init(options.address(), sizeof(abut_distance_field_options));
+  EXPECT_EQ(options.value().struct_size, sizeof(abut_distance_field_options));
+  EXPECT_EQ(options.value().is_inside_out, 0U);
+  EXPECT_EQ(options.value().spacing, 0);
+  EXPECT_EQ(options.value().band, 3);
+}
+
+constexpr std::array<double, 12> four_corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+constexpr std::array<std::uint32_t, 12> four_triangles{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+abut_distance_field_options good_options() {
+  abut_distance_field_options options;
+  abut_distance_field_options_init(&options, sizeof options);
+  options.spacing = 0.1;
+  return options;
+}
+abut_status from_mesh(const abut_distance_field_options* options, abut_shape** out) {
+  return abut_distance_field_from_mesh(four_corners.data(), 4, four_triangles.data(), 4, options, out);
+}
+
+TEST(DistanceFieldFromMesh, AcceptsWhatTheOthersSpoil) {
+  const abut_distance_field_options options = good_options();
+  abut_shape* shape = nullptr;
+  EXPECT_TRUE(succeeded(from_mesh(&options, &shape)));
+  abut_shape_release(shape);
+  EXPECT_TRUE(succeeded(from_mesh(nullptr, &shape)));
+  abut_shape_release(shape);
+}
+
+TEST(DistanceFieldFromMesh, RefusesNullPointers) {
+  Out<abut_shape*> out;
+  EXPECT_TRUE(refused(from_mesh(nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(refused(abut_distance_field_from_mesh(nullptr, 4, four_triangles.data(), 4, nullptr, out.address()),
+                      ABUT_NULL_ARGUMENT, {"xyz", "null"}));
+  EXPECT_TRUE(refused(abut_distance_field_from_mesh(four_corners.data(), 4, nullptr, 4, nullptr, out.address()),
+                      ABUT_NULL_ARGUMENT, {"triangles", "null"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldFromMesh, RefusesNonFiniteNumbers) {
+  Out<abut_shape*> out;
+  expect_non_finite_refused("xyz[4]", [&](double bad) {
+    std::array<double, 12> xyz = four_corners;
+    xyz[4] = bad;
+    return abut_distance_field_from_mesh(xyz.data(), 4, four_triangles.data(), 4, nullptr, out.address());
+  });
+  expect_non_finite_refused("options.spacing", [&](double bad) {
+    abut_distance_field_options options = good_options();
+    options.spacing = bad;
+    return from_mesh(&options, out.address());
+  });
+  expect_non_finite_refused("options.band", [&](double bad) {
+    abut_distance_field_options options = good_options();
+    options.band = bad;
+    return from_mesh(&options, out.address());
+  });
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldFromMesh, RefusesOverflowingCounts) {
+  Out<abut_shape*> out;
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+  EXPECT_TRUE(refused(
+      abut_distance_field_from_mesh(four_corners.data(), most, four_triangles.data(), 4, nullptr, out.address()),
+      ABUT_SIZE_OVERFLOW, {"vertex_count"}));
+  EXPECT_TRUE(refused(
+      abut_distance_field_from_mesh(four_corners.data(), 4, four_triangles.data(), most, nullptr, out.address()),
+      ABUT_SIZE_OVERFLOW, {"triangle_count"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldFromMesh, RefusesWrongStructSize) {
+  Out<abut_shape*> out;
+  expect_struct_size_checked(good_options(),
+                             [&](const abut_distance_field_options* wrong) { return from_mesh(wrong, out.address()); });
+  EXPECT_TRUE(out.is_untouched());
+}
+
+// A field of 3 x 2 x 2 samples beside the geometries of a scene.
+struct Edited : Scene {
+  Edited() {
+    const std::vector<double> parameters{3, 2, 2, 1, 1, 1, 0, 0, 0, 0};
+    field = universe.add(make_of_kind("distance_field", parameters, {twelve_values.begin(), twelve_values.end()}),
+                         at(20, 0, 0), ABUT_MOTION_STATIC);
+    universe.step();
+    before = snapshot(universe);
+  }
+  bool is_as_before() const { return snapshot(universe) == before; }
+
+  abut_geometry_id field{};
+  std::vector<unsigned char> before;
+};
+
+TEST(GeometrySetFieldValues, RefusesNullPointers) {
+  const Edited scene;
+  EXPECT_TRUE(refused(abut_geometry_set_field_values(nullptr, scene.field, 0, 0, 0, 1, 1, 1, twelve_values.data()),
+                      ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometry_set_field_values(scene.universe, scene.field, 0, 0, 0, 1, 1, 1, nullptr),
+                      ABUT_NULL_ARGUMENT, {"values", "null"}));
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+TEST(GeometrySetFieldValues, RefusesStaleIds) {
+  const Edited scene;
+  for (const abut_geometry_id stale : scene.stale_geometries) {
+    EXPECT_TRUE(refused(abut_geometry_set_field_values(scene.universe, stale, 0, 0, 0, 1, 1, 1, twelve_values.data()),
+                        ABUT_STALE_ID, {"geometry", std::to_string(stale.slot)}));
+  }
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+TEST(GeometrySetFieldValues, RefusesNonFiniteNumbers) {
+  const Edited scene;
+  expect_non_finite_refused("values[1]", [&](double bad) {
+    const std::array values{1.0, bad};
+    return abut_geometry_set_field_values(scene.universe, scene.field, 0, 0, 0, 2, 1, 1, values.data());
+  });
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+TEST(GeometrySetFieldValues, RefusesSamplesBeyondTheField) {
+  const Edited scene;
+  const auto set = [&](std::uint32_t layer, std::uint32_t columns, std::uint32_t rows, std::uint32_t layers) {
+    return abut_geometry_set_field_values(scene.universe, scene.field, 0, 0, layer, columns, rows, layers,
+                                          twelve_values.data());
+  };
+  EXPECT_TRUE(refused(set(3, 0, 0, 0), ABUT_INDEX_OUT_OF_RANGE, {"layer is 3", "2"}));
+  EXPECT_TRUE(refused(set(1, 1, 1, 2), ABUT_INDEX_OUT_OF_RANGE, {"layers is 2", "1"}));
+  EXPECT_TRUE(refused(set(0, 4, 1, 1), ABUT_INDEX_OUT_OF_RANGE, {"columns is 4", "3"}));
+  EXPECT_TRUE(refused(set(0, 0xFFFFFFFF, 0xFFFFFFFF, 0xFFFFFFFF), ABUT_SIZE_OVERFLOW,
+                      {"columns * rows * layers", "4294967295"}));
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+TEST(GeometrySetFieldValues, RefusesOtherKinds) {
+  const Edited scene;
+  EXPECT_TRUE(refused(
+      abut_geometry_set_field_values(scene.universe, scene.second_geometry, 0, 0, 0, 1, 1, 1, twelve_values.data()),
+      ABUT_UNSUPPORTED, {"geometry", "box", "values"}));
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+}  // namespace
