@@ -1183,7 +1183,7 @@ ABUT_API abut_status abut_geometry_set_heights(abut_universe *universe, abut_geo
  * @param columns  how many change along X; with 0 nothing changes
  * @param rows     how many change along Y; with 0 nothing changes
  * @param layers   how many change along Z; with 0 nothing changes
- * @param values   columns * rows * layers numbers, X fastest, then Y, copied
+ * @param values   columns * rows * layers numbers, X fastest, then Y, copied.
  * ABUT_INDEX_OUT_OF_RANGE beyond the field, ABUT_UNSUPPORTED for other kinds and where the field holds no samples.
  * Complexity O(columns * rows * layers + samples / 512), and O(samples) once where the shape has other holders.
  * [exclusive]

@@ -204,8 +204,8 @@ void DistanceField::measure(Data& data, const GridBox& changed) {
   for (const SparseBlocks::Block& block : blocks) {
     data.steepest = std::max(data.steepest, static_cast<Real>(block.steepest));
   }
-  // Between samples of a distance values are off by half the diagonal of a cell at most, and so are those between the
-  // corners of a block.
+  // Between samples of a distance values are off by half the diagonal of a cell at most. Between the corners of a block
+  // it is half the diagonal of the block.
   const Real diagonal = norm(data.spacing);
   data.slack = data.blocks.is_sparse() ? 0.5 * (SparseBlocks::side + 1) * diagonal : 0;
   data.ways = DistanceFieldWays(blocks);

@@ -45,15 +45,12 @@ struct Cubic {
     Real s = 0.5 * (low + high);
     for (int step = 0; step < most_steps && high - low > epsilon; ++step) {
       const Real value = at(s), slope = c[1] + s * (2 * c[2] + s * 3 * c[3]);
-      if (value == 0) {
-        return s;
+      if (std::fabs(value) <= epsilon * std::fabs(slope)) {
+        break;
       }
       ((value < 0) == rises ? low : high) = s;
       const Real next = s - value / slope;
       s = next > low && next < high ? next : 0.5 * (low + high);
-      if (std::fabs(value) <= epsilon * std::fabs(slope)) {
-        break;
-      }
     }
     return s;
   }

@@ -82,6 +82,28 @@ class Queries(unittest.TestCase):
         self.assertIsNone(field.cast_ray(abut.pose(), abut.ray((0.75, 0.75, 5), (0, 0, -1))))
         self.assertEqual(field.cast_ray(abut.pose(), abut.ray((0.25, 0.25, 5), (0, 0, -1))).distance, 5)
 
+    def test_distance_fields(self):
+        values = [[[1, 1, 1], [1, -0.5, 1], [1, 1, 1]] if layer == 1 else [[1] * 3] * 3 for layer in range(3)]
+        field = abut.Shape.distance_field(values, 0.5, (-0.5, -0.5, -0.5))
+        self.assertEqual(field.kind, "distance_field")
+        self.assertEqual(field.parameters["spacing_y"], 0.5)
+        down = abut.ray((0, 0, 5), (0, 0, -1))
+        self.assertAlmostEqual(field.cast_ray(abut.pose(), down).distance, 5 - 0.5 / 3)
+        container = abut.Shape.distance_field(values, (0.5, 0.5, 0.5), (-0.5, -0.5, -0.5), is_inside_out=True)
+        self.assertEqual(container.cast_ray(abut.pose(), down).normal.z, -1)
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+        solid = abut.Shape.distance_field_from_mesh(corners, faces, spacing=0.05)
+        self.assertAlmostEqual(solid.cast_ray(abut.pose(), abut.ray((0.2, 0.2, -5), (0, 0, 1))).distance, 5, places=3)
+        with self.assertRaisesRegex(ValueError, "values has shape"):
+            abut.Shape.distance_field(memoryview(bytes(8)))
+        universe = abut.Universe()
+        part = universe.add_part(motion=abut.MOTION_STATIC)
+        geometry = universe.add_geometry(part, field)
+        universe.set_field_values(geometry, 1, 1, 1, [[[0.25]]])
+        with self.assertRaisesRegex(abut.Error, "layer is 4"):
+            universe.set_field_values(geometry, 1, 1, 4, [[[0.25]]])
+
     def test_shapes(self):
         capsule = abut.Shape.capsule(0.5, 2)
         self.assertEqual(capsule.kind, "capsule")

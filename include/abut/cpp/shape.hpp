@@ -137,8 +137,8 @@ class Shape {
     const abut_status sizes = expect_samples(heights.size(), std::uint64_t{columns} * rows);
     return made([&](abut_shape** out) { return sizes != ABUT_OK ? sizes : abut_height_field_create(&desc, out); });
   }
-  // A solid from its signed distance on a grid; `values` holds columns * rows * layers numbers, X fastest, then Y. Inside
-  // out it is a container.
+  // A solid from its signed distance on a grid. `values` holds columns * rows * layers numbers, X fastest, then Y.
+  // Inside out it is a container.
   [[nodiscard]] static Answer<Shape> distance_field(std::uint32_t columns, std::uint32_t rows, std::uint32_t layers,
                                                     const Vec3& spacing, const Vec3& origin, Span<const double> values,
                                                     bool is_inside_out = false) {

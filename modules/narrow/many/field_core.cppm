@@ -120,19 +120,22 @@ class CoreInField {
     const Vec3 placed = pose_ * point;
     const FieldValue start = field_.value_at(placed);
     const Vec3 normal = UnitVec3::make(start.gradient).value_or(away(placed));
-    if (const std::optional<Real> way = way_to_surface(placed, normal, start.value)) {
+    const std::optional<Real> way = way_to_surface(placed, normal, start.value);
+    // Where the gradient is bent, as in the middle of a solid, it may lead along the surface.
+    constexpr Real most_detour = 1.02, like = 1e-2;
+    if (way && std::fabs(*way) <= most_detour * std::fabs(start.value) + like * field_.finest()) {
       return {placed, normal, *way, true};
     }
-    if (const std::optional<Vec3> found = surface_below(placed)) {
-      const Vec3 between = placed - *found;
+    if (const std::optional<Vec3> found = way ? placed - *way * normal : surface_around(placed, start.value)) {
+      const Vec3 between = placed - nearest_on_surface(placed, *found);
       const Real length = norm(between), sign = start.value < 0 ? -1 : 1;
       if (length > 0) {
         return {placed, (sign / length) * between, sign * length, true};
       }
     }
-    return {placed, normal, start.value, false};
+    return {placed, normal, way.value_or(start.value), way.has_value()};
   }
-  // The point of the surface that is nearest to a point outside, from one that is close. It slides along the tangent
+  // The point of the surface that is nearest to a point, from one that is close. It slides along the tangent
   // plane as long as that leads nearer.
   [[nodiscard]] Vec3 nearest_on_surface(const Vec3& point, const Vec3& start) const {
     constexpr int most_steps = 24;
@@ -163,15 +166,16 @@ class CoreInField {
     Vec3 point = start;
     for (int i = 0; i < most_steps; ++i) {
       const FieldValue found = field_.value_at(point);
-      const Real square = squared_norm(found.gradient);
+      const Real slope = norm(found.gradient);
       if (std::fabs(found.value) <= surface_share * field_.finest()) {
         return point;
       }
-      if (!(square > 0)) {
+      if (!(slope > 0)) {
         break;
       }
-      // Nowhere is the surface nearer than by the value, but where gradients are longer than one.
-      point = point - (found.value / std::max(square, Real{1})) * found.gradient;
+      // By Newton's method; a bent gradient is too short.
+      constexpr Real least_slope = 0.75;
+      point = point - (found.value / (slope * std::max(slope, least_slope))) * found.gradient;
     }
     return std::nullopt;
   }
@@ -183,6 +187,17 @@ class CoreInField {
   [[nodiscard]] UnitVec3 away(const Vec3& point) const {
     const Real sign = field_.is_inside_out() ? -1 : 1;
     return UnitVec3::make(sign * (point - field_.solid_box().centre())).value_or(UnitVec3::axis_z());
+  }
+  // Down the gradient, or straight along an axis, whichever is there.
+  [[nodiscard]] std::optional<Vec3> surface_around(const Vec3& point, Real value) const {
+    std::optional<Vec3> best = surface_below(point);
+    for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+      for (const Vec3& direction : {axis, -axis}) {
+        const std::optional<Real> way = best ? std::nullopt : way_to_surface(point, direction, value);
+        best = way ? point - *way * direction : best;
+      }
+    }
+    return best;
   }
   // To a zero of the value along a line: in steps as long as the value (Hart, "Sphere tracing", 1996), then by secants.
   [[nodiscard]] std::optional<Real> way_to_surface(const Vec3& start, const Vec3& normal, Real start_value) const {
