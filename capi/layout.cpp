@@ -28,9 +28,9 @@ static_assert(is_plain<abut_feature>(8));
 static_assert(is_plain<abut_hull_report>(48));
 static_assert(is_plain<abut_mesh_options>(8));
 static_assert(is_plain<abut_uv_grid_options>(24));
-static_assert(is_plain<abut_height_field_desc>(40));
 static_assert(is_plain<abut_distance_field_desc>(80));
 static_assert(is_plain<abut_distance_field_options>(24));
+static_assert(is_plain<abut_height_field_desc>(48));
 static_assert(is_plain<abut_shape_desc>(56));
 static_assert(is_plain<abut_ray>(56));
 static_assert(is_plain<abut_ray_hit>(72));
@@ -114,6 +114,8 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_height_field_desc, spacing_x),
     ABUT_FIELD(abut_height_field_desc, spacing_y),
     ABUT_FIELD(abut_height_field_desc, heights),
+    ABUT_FIELD(abut_height_field_desc, below),
+    ABUT_FIELD(abut_height_field_desc, reserved),
     ABUT_STRUCT(abut_distance_field_desc),
     ABUT_FIELD(abut_distance_field_desc, struct_size),
     ABUT_FIELD(abut_distance_field_desc, is_inside_out),

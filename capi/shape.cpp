@@ -31,7 +31,7 @@ abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::
       return status;
     }
     sides = options->sides;
-    if (const abut_status status = check_value({"options"}, ".sides", sides, ABUT_SIDES_FRONT); status != ABUT_OK) {
+    if (const abut_status status = check_value({"options"}, ".sides", sides, ABUT_SIDES_SOLID); status != ABUT_OK) {
       return status;
     }
   }
@@ -40,8 +40,8 @@ abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::
       status != ABUT_OK) {
     return status;
   }
-  const std::array one_sided{sides == ABUT_SIDES_FRONT ? 1.0 : 0.0};
-  numbers.parameters = one_sided;
+  const std::array parameters{static_cast<double>(sides)};
+  numbers.parameters = parameters;
   return create_named("mesh", numbers, out);
 }
 
@@ -53,7 +53,7 @@ abut_status create_uv_grid(const double* xyz, std::size_t vertex_count, const st
   if (const abut_status status = check_struct_size({"options"}, options); status != ABUT_OK) {
     return status;
   }
-  if (const abut_status status = check_value({"options"}, ".sides", options.sides, ABUT_SIDES_FRONT);
+  if (const abut_status status = check_value({"options"}, ".sides", options.sides, ABUT_SIDES_SOLID);
       status != ABUT_OK) {
     return status;
   }
@@ -106,6 +106,12 @@ abut_status create_height_field(const abut_height_field_desc& desc, abut_shape**
   if (const abut_status status = check_struct_size({"desc"}, desc); status != ABUT_OK) {
     return status;
   }
+  if (const abut_status status = check_value({"desc"}, ".below", desc.below, ABUT_BELOW_SOLID); status != ABUT_OK) {
+    return status;
+  }
+  if (const abut_status status = check_reserved({"desc"}, desc.reserved); status != ABUT_OK) {
+    return status;
+  }
   Numbers numbers;
   const std::string product =
       "desc.columns * desc.rows = " + std::to_string(desc.columns) + " * " + std::to_string(desc.rows);
@@ -115,7 +121,7 @@ abut_status create_height_field(const abut_height_field_desc& desc, abut_shape**
     return status;
   }
   const std::array parameters{static_cast<double>(desc.columns), static_cast<double>(desc.rows), desc.spacing_x,
-                              desc.spacing_y, static_cast<double>(desc.diagonal)};
+                              desc.spacing_y, static_cast<double>(desc.diagonal), static_cast<double>(desc.below)};
   numbers.parameters = parameters;
   return create_named("height_field", numbers, out);
 }
@@ -201,7 +207,8 @@ abut_status abut_uv_grid_create(const double* xyz, size_t vertex_count, const ui
 }
 
 void abut_height_field_desc_init(abut_height_field_desc* desc, uint32_t struct_size) {
-  fill_defaults<abut_height_field_desc>({sizeof(abut_height_field_desc), 0, 0, 0, 1, 1, nullptr}, struct_size, desc);
+  fill_defaults<abut_height_field_desc>({sizeof(abut_height_field_desc), 0, 0, 0, 1, 1, nullptr, ABUT_BELOW_OPEN, 0},
+                                        struct_size, desc);
 }
 
 abut_status abut_height_field_create(const abut_height_field_desc* desc, abut_shape** out) {

@@ -122,7 +122,8 @@ abut_status abut_hull_describe(const abut_shape *shape, abut_hull_report *out);
 typedef uint32_t abut_sides;
 enum abut_sides_value {
   ABUT_SIDES_BOTH = 0,
-  ABUT_SIDES_FRONT = 1
+  ABUT_SIDES_FRONT = 1,
+  ABUT_SIDES_SOLID = 2
 };
 typedef struct abut_mesh_options {
   uint32_t struct_size;
@@ -150,6 +151,11 @@ enum abut_diagonal_value {
   ABUT_DIAGONAL_FALLING = 1,
   ABUT_DIAGONAL_ALTERNATING = 2
 };
+typedef uint32_t abut_below;
+enum abut_below_value {
+  ABUT_BELOW_OPEN = 0,
+  ABUT_BELOW_SOLID = 1
+};
 typedef struct abut_height_field_desc {
   uint32_t struct_size;
   abut_diagonal diagonal;
@@ -158,6 +164,8 @@ typedef struct abut_height_field_desc {
   double spacing_x;
   double spacing_y;
   const double *heights;
+  abut_below below;
+  uint32_t reserved;
 } abut_height_field_desc;
 void abut_height_field_desc_init(abut_height_field_desc *desc, uint32_t struct_size);
 abut_status abut_height_field_create(const abut_height_field_desc *desc, abut_shape **out);

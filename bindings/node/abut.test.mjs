@@ -71,7 +71,7 @@ test('bad input is named', () => {
   refused('ABUT_INVALID_ARGUMENT', 'xyz has 4 numbers', () => Shape.hull([1, 2, 3, 4]));
   refused('ABUT_INVALID_ARGUMENT', 'heights has 1 numbers', () => Shape.heightField(2, 2, 1, 1, [0]));
   refused('ABUT_INVALID_ARGUMENT', 'triangles has 2 numbers', () => Shape.mesh(square, [0, 1]));
-  refused('ABUT_INVALID_ARGUMENT', 'sides is back; expected one of both, front', () => Shape.mesh(square, [], { sides: 'back' }));
+  refused('ABUT_INVALID_ARGUMENT', 'sides is back; expected one of both, front, solid', () => Shape.mesh(square, [], { sides: 'back' }));
   const ball = Shape.sphere(1);
   refused('ABUT_INVALID_ARGUMENT', 'posesB has 0', () => pairDistances(ball, [pose()], ball, []));
   refused('ABUT_INVALID_ARGUMENT', 'marign is no option; there are algorithm, errorBound, margin',

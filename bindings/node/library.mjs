@@ -39,7 +39,7 @@ export const structs = {
   closest: koffi.struct('abut_closest', { geometry: geometryId, distance }),
   heightFieldDesc: koffi.struct('abut_height_field_desc', {
     structSize: 'uint32_t', diagonal: 'uint32_t', columns: 'uint32_t', rows: 'uint32_t', spacingX: 'double',
-    spacingY: 'double', heights: 'double *',
+    spacingY: 'double', heights: 'double *', below: 'uint32_t', reserved: 'uint32_t',
   }),
   collidable: koffi.struct('abut_collidable', { kind: 'uint32_t', slot: 'uint32_t', generation: 'uint32_t' }),
   shapeDesc: koffi.struct('abut_shape_desc', {
@@ -267,7 +267,7 @@ const words = {
   motion: ['dynamic', 'animated', 'static'],
   parking: ['none', 'shortTerm', 'longTerm'],
   rayStart: ['farSide', 'solid', 'skip'],
-  sides: ['both', 'front'],
+  sides: ['both', 'front', 'solid'],
   rule: ['none', 'enable', 'disable'],
   coherence: ['none', 'neighbours'],
 };

@@ -339,8 +339,9 @@ ABUT_API abut_status abut_hull_describe(const abut_shape *shape, abut_hull_repor
 /** How a triangle mesh is read. */
 typedef uint32_t abut_sides;
 enum abut_sides_value ABUT_ENUM(uint32_t) {
-  ABUT_SIDES_BOTH = 0, /**< a sheet: pushed out on the side where the other shape lies */
-  ABUT_SIDES_FRONT = 1 /**< only the counter-clockwise side stops other shapes */
+  ABUT_SIDES_BOTH = 0,  /**< a sheet: pushed out on the side where the other shape lies */
+  ABUT_SIDES_FRONT = 1, /**< only the counter-clockwise side stops other shapes */
+  ABUT_SIDES_SOLID = 2  /**< a solid: what it encloses is inside, and is pushed out */
 };
 
 typedef struct abut_mesh_options {
@@ -351,7 +352,8 @@ typedef struct abut_mesh_options {
 ABUT_API void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct_size);
 
 /**
- * Triangle mesh: a surface without inside.
+ * Triangle mesh: a surface without inside, or with ABUT_SIDES_SOLID a solid. Inside is where the winding number exceeds
+ * one half, so that open, repeated and wrongly wound triangles do little harm.
  * @param xyz             vertex_count * 3 numbers, copied
  * @param triangles       triangle_count * 3 indices into the vertices, counter-clockwise seen from
  *                        the front, copied; triangles without area are kept
@@ -394,6 +396,13 @@ enum abut_diagonal_value ABUT_ENUM(uint32_t) {
   ABUT_DIAGONAL_ALTERNATING = 2 /**< rising where i + j is even, falling where it is odd */
 };
 
+/** What lies below a height field. */
+typedef uint32_t abut_below;
+enum abut_below_value ABUT_ENUM(uint32_t) {
+  ABUT_BELOW_OPEN = 0, /**< nothing: what has fallen through is apart */
+  ABUT_BELOW_SOLID = 1 /**< ground: what has fallen through is pushed up. The floor is as deep as the field is long */
+};
+
 /**
  * Terrain over a regular grid. Sample (i, j) is the point (i * spacing_x, j * spacing_y,
  * heights[j * columns + i]) - each cell holds two triangles. One-sided: the front is +Z. A height that is NaN makes a
@@ -407,6 +416,8 @@ typedef struct abut_height_field_desc {
   double spacing_x;       /**< positive */
   double spacing_y;       /**< positive */
   const double *heights;  /**< columns * rows numbers or NaN, X fastest, copied */
+  abut_below below;       /**< default ABUT_BELOW_OPEN */
+  uint32_t reserved;      /**< zero */
 } abut_height_field_desc;
 
 ABUT_API void abut_height_field_desc_init(abut_height_field_desc *desc, uint32_t struct_size);

@@ -127,6 +127,17 @@ concept Surface =
       { shape.is_crest(index, 1u, point, height) } -> std::same_as<bool>;
     };
 
+// A surface that may be declared solid. What it encloses then is inside; is_turned tells of a part that its front looks
+// inside. `pieces` has a vertex of each connected piece, or nothing where the surface has no piece that something else
+// could enclose.
+template <class S>
+concept Enclosing = Surface<S> && requires(const S& shape, const Vec3& point, std::uint32_t index) {
+  { shape.is_solid() } -> std::same_as<bool>;
+  { shape.contains(point) } -> std::same_as<bool>;
+  { shape.is_turned(index) } -> std::same_as<bool>;
+  { shape.pieces() } -> std::same_as<std::span<const Vec3>>;
+};
+
 struct AcceptsAnyPlace {
   void operator()(const Vec3&, std::uint32_t) const {}
 };

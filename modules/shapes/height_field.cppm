@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Terrain over a regular grid: sample (i, j) is the point (i * spacing_x, j * spacing_y, height).
 // Each cell holds two triangles. One-sided: the front is +Z. A height that is NaN makes a hole: the triangles around it
-// are missing. Cells under a box are found by division.
+// are missing. Cells under a box are found by division. By option what is below is inside, down to a floor.
 export module abut.shapes.height_field;
 import abut.capability;
 import abut.core.standard;
@@ -16,8 +16,8 @@ class HeightField {
  public:
   using Part = Triangle;
   static constexpr std::string_view name = "height_field";
-  static constexpr std::array<std::string_view, 5> parameter_names{"columns", "rows", "spacing_x", "spacing_y",
-                                                                   "diagonal"};
+  static constexpr std::array<std::string_view, 6> parameter_names{"columns", "rows", "spacing_x", "spacing_y",
+                                                                   "diagonal", "solid_below"};
   static constexpr bool is_terrain = true;
 
   [[nodiscard]] static Result<HeightField> make(std::span<const Real> parameters, std::span<const Real> reals,
@@ -25,7 +25,7 @@ class HeightField {
   [[nodiscard]] std::vector<Real> parameters() const {
     const Data& field = *data_;
     return {static_cast<Real>(field.columns), static_cast<Real>(field.rows), field.spacing_x, field.spacing_y,
-            static_cast<Real>(field.diagonal)};
+            static_cast<Real>(field.diagonal), field.is_solid ? 1.0 : 0.0};
   }
   [[nodiscard]] Buffers buffers() const { return {data_->heights, {}}; }
   [[nodiscard]] static std::vector<HeightField> samples();
@@ -98,6 +98,12 @@ class HeightField {
   // A triangle that is missing has three equal corners, so that the others keep their numbers.
   [[nodiscard]] Triangles triangles() const;
 
+  // See Enclosing. The floor is as far below the lowest sample as the field is long.
+  [[nodiscard]] inline bool is_solid() const { return data_->is_solid; }
+  [[nodiscard]] bool contains(const Vec3& point) const;
+  [[nodiscard]] inline bool is_turned(std::uint32_t) const { return false; }
+  [[nodiscard]] inline std::span<const Vec3> pieces() const { return {}; }
+
   // Other heights. O(heights that change + log(all heights)).
   [[nodiscard]] Fault check(const HeightEdit& edit) const;
   void own() { static_cast<void>(data_.own()); }
@@ -111,10 +117,16 @@ class HeightField {
     std::uint32_t columns, rows;
     Real spacing_x, spacing_y;
     Diagonal diagonal;
+    bool is_solid;
     std::vector<Real> heights;  // NaN in holes
     RangePyramid ranges;        // of the heights
     Aabb box;
     std::uint64_t triangle_count;
+
+    // The low end of the box, where the lowest sample is at `lowest`.
+    [[nodiscard]] Real floor_below(Real lowest) const {
+      return is_solid ? lowest - std::max(box.high.x, box.high.y) : lowest;
+    }
   };
 
   // A sample, by column and row.

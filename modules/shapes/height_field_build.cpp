@@ -76,10 +76,11 @@ std::uint64_t HeightField::count_triangles(const RangePyramid::Rectangle& cells,
 
 Result<HeightField> HeightField::make(std::span<const Real> parameters, std::span<const Real> reals,
                                       std::span<const std::uint32_t> indices) {
-  // The last one may be left out.
-  const bool has_diagonal = parameters.size() != parameter_names.size() - 1;
-  if (Fault fault = check_count("parameter_count", parameters.size(), parameter_names.size()); fault && has_diagonal) {
-    return *fault;
+  // The last two may be left out.
+  if (parameters.size() != 4 && parameters.size() != 5) {
+    if (Fault fault = check_count("parameter_count", parameters.size(), parameter_names.size())) {
+      return *fault;
+    }
   }
   if (Fault fault = check_count("index_count", indices.size(), 0)) {
     return *fault;
@@ -92,9 +93,12 @@ Result<HeightField> HeightField::make(std::span<const Real> parameters, std::spa
       return *fault;
     }
   }
-  const Real split = has_diagonal ? parameters[4] : 0;
+  const Real split = parameters.size() > 4 ? parameters[4] : 0, below = parameters.size() > 5 ? parameters[5] : 0;
   if (split != 0 && split != 1 && split != 2) {
     return error_about(Errc::unknown_value, "diagonal", split, "0 (rising), 1 (falling) or 2 (alternating)");
+  }
+  if (below != 0 && below != 1) {
+    return error_about(Errc::unknown_value, "solid_below", below, "0 (open) or 1 (solid)");
   }
   const auto columns = static_cast<std::uint32_t>(parameters[0]), rows = static_cast<std::uint32_t>(parameters[1]);
   if (reals.empty()) {
@@ -119,15 +123,18 @@ Result<HeightField> HeightField::make(std::span<const Real> parameters, std::spa
   RangePyramid ranges(reals, columns);
   const auto [low, high] = ranges.whole();
   const Aabb box{{0, 0, low}, {(columns - 1) * parameters[2], (rows - 1) * parameters[3], high}};
-  return HeightField(Data{columns,
-                          rows,
-                          parameters[2],
-                          parameters[3],
-                          diagonal,
-                          {reals.begin(), reals.end()},
-                          std::move(ranges),
-                          box,
-                          triangle_count});
+  Data data{columns,
+            rows,
+            parameters[2],
+            parameters[3],
+            diagonal,
+            below == 1,
+            {reals.begin(), reals.end()},
+            std::move(ranges),
+            box,
+            triangle_count};
+  data.box.low.z = data.floor_below(low);
+  return HeightField(std::move(data));
 }
 
 // The triangles around the samples of an edit that come less those that go.
@@ -174,7 +181,8 @@ Aabb HeightField::apply(const HeightEdit& edit) {
         from, std::span(field.heights).subspan(std::size_t{edit.row + j} * field.columns + edit.column).begin());
   }
   field.ranges.update(field.heights, {edit.column, edit.row, edit.columns, edit.rows});
-  const auto [low, high] = field.ranges.whole();
+  const auto [lowest, high] = field.ranges.whole();
+  const Real low = field.floor_below(lowest);
   const bool has_same_box = low == field.box.low.z && high == field.box.high.z;
   field.box.low.z = low;
   field.box.high.z = high;
@@ -194,7 +202,7 @@ std::vector<HeightField> HeightField::samples() {
       hills.push_back(0.5 * std::sin(1.3 * i) * std::cos(0.9 * j));
     }
   }
-  const auto grid = std::to_array<Real>({8, 6, 0.5, 0.75, 0}), cell = std::to_array<Real>({2, 2, 4, 4, 0});
+  const auto grid = std::to_array<Real>({8, 6, 0.5, 0.75, 0, 0}), cell = std::to_array<Real>({2, 2, 4, 4, 0, 0});
   const auto flat = std::to_array<Real>({0, 0, 0, 0});
   return {make(grid, hills, {}).value(), make(cell, flat, {}).value()};
 }

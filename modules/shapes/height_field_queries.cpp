@@ -92,6 +92,24 @@ std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& 
   return hit == no_index ? std::nullopt : std::optional(RayHit{nearest, part(hit).normal(), {FeatureKind::face, hit}});
 }
 
+// Below the triangle of the column, and nowhere below a hole.
+bool HeightField::contains(const Vec3& p) const {
+  const Data& field = *data_;
+  if (!field.box.overlaps({p, p})) {
+    return false;
+  }
+  const std::uint32_t i = cell_at(p.x / field.spacing_x, field.columns), j = cell_at(p.y / field.spacing_y, field.rows);
+  const Real x = p.x / field.spacing_x - i, y = p.y / field.spacing_y - j;
+  const Cell cell = cell_of(i, j);
+  const Real a = cell.a.z, b = cell.b.z, c = cell.c.z, d = cell.d.z;
+  // On either side of the diagonal.
+  Real surface = y <= x ? a + x * (b - a) + y * (d - b) : a + y * (c - a) + x * (d - c);
+  if (cell.is_falling) {
+    surface = x + y <= 1 ? a + x * (b - a) + y * (c - a) : d + (1 - x) * (c - d) + (1 - y) * (b - d);
+  }
+  return p.z < surface;
+}
+
 Triangles HeightField::triangles() const {
   const Data& field = *data_;
   Triangles out;

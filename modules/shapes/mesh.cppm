@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle mesh: a surface without inside.
+// Triangle mesh: a surface without inside, unless it is declared solid.
 export module abut.shapes.mesh;
 import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.trees.bvh;
+import abut.trees.winding_number;
 
 export namespace abut {
 
@@ -13,11 +14,11 @@ class Mesh {
  public:
   using Part = Triangle;
   static constexpr std::string_view name = "mesh";
-  static constexpr std::array<std::string_view, 1> parameter_names{"one_sided"};
+  static constexpr std::array<std::string_view, 1> parameter_names{"sides"};
 
   [[nodiscard]] static Result<Mesh> make(std::span<const Real> parameters, std::span<const Real> reals,
                                          std::span<const std::uint32_t> indices);
-  [[nodiscard]] std::vector<Real> parameters() const { return {data_->one_sided ? 1.0 : 0.0}; }
+  [[nodiscard]] std::vector<Real> parameters() const { return {static_cast<Real>(data_->sides)}; }
   [[nodiscard]] Buffers buffers() const {
     Buffers out{{}, data_->indices};
     out.reals.reserve(3 * data_->vertices.size());
@@ -31,13 +32,16 @@ class Mesh {
   [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->box, pose); }
   [[nodiscard]] std::size_t triangle_count() const { return data_->indices.size() / 3; }
 
-  [[nodiscard]] bool is_one_sided() const { return data_->one_sided; }
+  // A triangle of a solid that is wound the wrong way stops from both sides: then neighbours tell where inside is.
+  [[nodiscard]] inline bool is_one_sided(std::uint32_t index) const {
+    return data_->sides == Sides::front || (data_->sides == Sides::solid && !inside().turns(index));
+  }
   [[nodiscard]] inline TriangleCorners corners(std::uint32_t index) const {
     const Data& mesh = *data_;
     const std::size_t first = 3 * std::size_t{index};
     return corners({mesh.indices[first], mesh.indices[first + 1], mesh.indices[first + 2]});
   }
-  [[nodiscard]] Triangle part(std::uint32_t index) const { return {corners(index), index, data_->one_sided}; }
+  [[nodiscard]] Triangle part(std::uint32_t index) const { return {corners(index), index, is_one_sided(index)}; }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
 
@@ -54,7 +58,7 @@ class Mesh {
       }
       for (std::size_t i = 0; i < near.size(); ++i) {
         if (box_around(corners_of[i]).overlaps(box) && is_wanted(corners_of[i])) {
-          visit(Triangle(corners_of[i], near[i], data_->one_sided), near[i]);
+          visit(Triangle(corners_of[i], near[i], is_one_sided(near[i])), near[i]);
         }
       }
       near.clear();
@@ -99,6 +103,12 @@ class Mesh {
   }
   [[nodiscard]] Triangles triangles() const { return {data_->vertices, data_->indices}; }
 
+  // See Enclosing.
+  [[nodiscard]] inline bool is_solid() const { return data_->sides == Sides::solid; }
+  [[nodiscard]] bool contains(const Vec3& point) const { return inside().winding.contains(point); }
+  [[nodiscard]] bool is_turned(std::uint32_t index) const { return inside().turns(index); }
+  [[nodiscard]] std::span<const Vec3> pieces() const [[clang::lifetimebound]] { return inside().pieces; }
+
   // Whether a query has needed the tree so far.
   [[nodiscard]] bool has_tree() const { return data_->tree.is_made(); }
 
@@ -127,12 +137,23 @@ class Mesh {
       return std::span(around).subspan(first_around[vertex], first_around[vertex + 1] - first_around[vertex]);
     }
   };
+  // What stops other shapes: both sides of triangles, their fronts, or all that is inside.
+  enum class Sides : std::uint8_t { both, front, solid };
+
+  struct Inside {
+    WindingNumber winding;
+    std::vector<Vec3> pieces;
+    std::vector<bool> turned;  // for each triangle; nothing where none is
+
+    [[nodiscard]] inline bool turns(std::uint32_t index) const { return !turned.empty() && turned[index]; }
+  };
   struct Data {
     std::vector<Vec3> vertices;
     std::vector<std::uint32_t> indices;
-    bool one_sided;
+    Sides sides;
     Aabb box;
     Lazy<Tree> tree;
+    Lazy<Inside> inside;
   };
 
   explicit Mesh(Data data) : data_(std::move(data)) {}
@@ -143,11 +164,15 @@ class Mesh {
   [[nodiscard]] const Tree& tree() const [[clang::lifetimebound]] {
     return data_->tree.get([this] { return make_tree(*data_); });
   }
+  [[nodiscard]] const Inside& inside() const [[clang::lifetimebound]] {
+    return data_->inside.get([this] { return make_inside(*data_); });
+  }
   [[nodiscard]] static Tree make_tree(const Data& data);
+  [[nodiscard]] static Inside make_inside(const Data& data);
   [[nodiscard]] static std::vector<Linked> linked_by(const Tree& tree, std::span<const std::uint32_t> indices);
 
   Frozen<Data> data_;
 };
-static_assert(Shape<Mesh> && Surface<Mesh> && Triangulated<Mesh>);
+static_assert(Shape<Mesh> && Surface<Mesh> && Enclosing<Mesh> && Triangulated<Mesh>);
 
 }  // namespace abut

@@ -12,8 +12,8 @@ Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> 
   if (Fault fault = check_count("parameter_count", parameters.size(), 1)) {
     return *fault;
   }
-  if (parameters[0] != 0 && parameters[0] != 1) {
-    return error_about(Errc::unknown_value, "sides", parameters[0], "0 (both) or 1 (front)");
+  if (parameters[0] != 0 && parameters[0] != 1 && parameters[0] != 2) {
+    return error_about(Errc::unknown_value, "sides", parameters[0], "0 (both), 1 (front) or 2 (solid)");
   }
   if (reals.empty()) {
     return Error{Errc::empty, "vertex_count is 0; a mesh needs vertices"};
@@ -43,7 +43,7 @@ Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> 
                          "below vertex_count, which is " + std::to_string(vertex_count));
     }
   }
-  Data data{{}, {indices.begin(), indices.end()}, parameters[0] == 1, Aabb::empty(), {}};
+  Data data{{}, {indices.begin(), indices.end()}, static_cast<Sides>(parameters[0]), Aabb::empty(), {}, {}};
   data.vertices.resize(vertex_count);
   for (std::size_t i = 0; i < vertex_count; ++i) {
     data.vertices[i] = {reals[3 * i], reals[3 * i + 1], reals[3 * i + 2]};

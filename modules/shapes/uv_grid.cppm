@@ -14,7 +14,7 @@ class UvGrid {
  public:
   using Part = Triangle;
   static constexpr std::string_view name = "uv_grid";
-  static constexpr std::array<std::string_view, 5> parameter_names{"one_sided", "axis_u", "axis_v", "cells_u",
+  static constexpr std::array<std::string_view, 5> parameter_names{"sides", "axis_u", "axis_v", "cells_u",
                                                                    "cells_v"};
 
   [[nodiscard]] static Result<UvGrid> make(std::span<const Real> parameters, std::span<const Real> reals,
@@ -38,7 +38,7 @@ class UvGrid {
     cells().visit_overlaps(box, [&](std::uint32_t index) {
       const TriangleCorners of_part = mesh.corners(index);
       if (box_around(of_part).overlaps(box) && is_wanted(of_part)) {
-        visit(Triangle(of_part, index, mesh.is_one_sided()), index);
+        visit(Triangle(of_part, index, mesh.is_one_sided(index)), index);
       }
     });
   }
@@ -52,7 +52,7 @@ class UvGrid {
     cells().visit_below(direction, limit, [&](std::uint32_t index) {
       const TriangleCorners of_part = mesh.corners(index);
       if (least_along(of_part, direction) <= limit) {
-        visit(Triangle(of_part, index, mesh.is_one_sided()), index);
+        visit(Triangle(of_part, index, mesh.is_one_sided(index)), index);
       }
     });
   }
@@ -60,6 +60,12 @@ class UvGrid {
 
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
   [[nodiscard]] Triangles triangles() const { return data_->mesh.triangles(); }
+
+  // See Enclosing.
+  [[nodiscard]] inline bool is_solid() const { return data_->mesh.is_solid(); }
+  [[nodiscard]] bool contains(const Vec3& point) const { return data_->mesh.contains(point); }
+  [[nodiscard]] bool is_turned(std::uint32_t index) const { return data_->mesh.is_turned(index); }
+  [[nodiscard]] std::span<const Vec3> pieces() const [[clang::lifetimebound]] { return data_->mesh.pieces(); }
 
   // Whether a query has needed the cells so far.
   [[nodiscard]] bool has_cells() const { return data_->cells.is_made(); }
@@ -79,6 +85,6 @@ class UvGrid {
 
   Frozen<Data> data_;
 };
-static_assert(Shape<UvGrid> && Surface<UvGrid> && Triangulated<UvGrid>);
+static_assert(Shape<UvGrid> && Surface<UvGrid> && Enclosing<UvGrid> && Triangulated<UvGrid>);
 
 }  // namespace abut

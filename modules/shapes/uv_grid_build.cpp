@@ -77,7 +77,7 @@ Result<UvGrid> UvGrid::make(std::span<const Real> parameters, std::span<const Re
 
 std::vector<Real> UvGrid::parameters() const {
   const UvCells::Plan& plan = data_->plan;
-  return {data_->mesh.is_one_sided() ? 1.0 : 0.0, static_cast<Real>(plan.u), static_cast<Real>(plan.v),
+  return {data_->mesh.parameters().front(), static_cast<Real>(plan.u), static_cast<Real>(plan.v),
           static_cast<Real>(plan.columns), static_cast<Real>(plan.rows)};
 }
 

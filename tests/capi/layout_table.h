@@ -47,7 +47,7 @@
   FIELD(abut_uv_grid_options, axis_v, 12, 4)                 \
   FIELD(abut_uv_grid_options, cells_u, 16, 4)                \
   FIELD(abut_uv_grid_options, cells_v, 20, 4)                \
-  TYPE(abut_height_field_desc, 40)                           \
+  TYPE(abut_height_field_desc, 48)                           \
   FIELD(abut_height_field_desc, struct_size, 0, 4)           \
   FIELD(abut_height_field_desc, diagonal, 4, 4)              \
   FIELD(abut_height_field_desc, columns, 8, 4)               \
@@ -55,6 +55,8 @@
   FIELD(abut_height_field_desc, spacing_x, 16, 8)            \
   FIELD(abut_height_field_desc, spacing_y, 24, 8)            \
   FIELD(abut_height_field_desc, heights, 32, 8)              \
+  FIELD(abut_height_field_desc, below, 40, 4)                \
+  FIELD(abut_height_field_desc, reserved, 44, 4)             \
   TYPE(abut_distance_field_desc, 80)                         \
   FIELD(abut_distance_field_desc, struct_size, 0, 4)         \
   FIELD(abut_distance_field_desc, is_inside_out, 4, 4)       \

@@ -13,6 +13,14 @@ from .values import pose
 
 __all__ = ["Shape", "pair_support", "shape_kinds"]
 
+_SIDES = {"both": c.SIDES_BOTH, "front": c.SIDES_FRONT, "solid": c.SIDES_SOLID}
+
+
+def _sides_named(name: str) -> int:
+    if name not in _SIDES:
+        raise ValueError(f"sides is {name!r}; it must be one of {', '.join(_SIDES)}")
+    return _SIDES[name]
+
 
 class Shape(Owner):
     """A shape: immutable, shared, independent of any universe. docs/shapes.md tells the kinds and their frames."""
@@ -87,11 +95,13 @@ class Shape(Owner):
         """A triangle mesh from vertices and triangles, each (N, 3) or flat.
 
         Without triangles `xyz` is the name of an OBJ or STL file. Or it is an object that has `vertices` and `faces`,
-        such as a mesh of trimesh. The fields are those of MeshOptions.
+        such as a mesh of trimesh. The fields are those of MeshOptions; sides may be "both", "front" or "solid".
         """
         if triangles is None:
             xyz, triangles = meshes.triangles_of(xyz)
         points, corners = given.rows("xyz", xyz, 3), given.rows("triangles", triangles, 3, c_uint32)
+        if isinstance(fields.get("sides"), str):
+            fields["sides"] = _sides_named(fields["sides"])
         read_as = options.filled(c.MeshOptions, library.abut_mesh_options_init, fields)
         return cls._made_by(library.abut_mesh_create, *points, *corners, byref(read_as))
 
@@ -109,7 +119,8 @@ class Shape(Owner):
 
     @classmethod
     def height_field(cls, columns: int | None = None, rows: int | None = None, heights: Any = (),
-                     spacing_x: float = 1.0, spacing_y: float = 1.0, diagonal: int = c.DIAGONAL_RISING) -> Shape:
+                     spacing_x: float = 1.0, spacing_y: float = 1.0, diagonal: int = c.DIAGONAL_RISING,
+                     solid_below: bool = False) -> Shape:
         """Terrain over a grid: `rows` times `columns` heights, X fastest. An array of two dimensions tells both.
 
         A height that is NaN makes a hole.
@@ -126,7 +137,7 @@ class Shape(Owner):
             raise ValueError(f"heights has {len(values)} numbers; it must have {columns} * {rows}")
         desc = options.filled(c.HeightFieldDesc, library.abut_height_field_desc_init, {
             "columns": columns, "rows": rows, "spacing_x": spacing_x, "spacing_y": spacing_y,
-            "diagonal": diagonal})
+            "diagonal": diagonal, "below": c.BELOW_SOLID if solid_below else c.BELOW_OPEN})
         desc.heights = values
         return cls._made_by(library.abut_height_field_create, byref(desc))
 

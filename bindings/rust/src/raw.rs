@@ -237,6 +237,7 @@ extern "C" {
 pub type abut_sides = u32;
 pub const ABUT_SIDES_BOTH: abut_sides_value = 0;
 pub const ABUT_SIDES_FRONT: abut_sides_value = 1;
+pub const ABUT_SIDES_SOLID: abut_sides_value = 2;
 pub type abut_sides_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
@@ -290,6 +291,10 @@ pub const ABUT_DIAGONAL_RISING: abut_diagonal_value = 0;
 pub const ABUT_DIAGONAL_FALLING: abut_diagonal_value = 1;
 pub const ABUT_DIAGONAL_ALTERNATING: abut_diagonal_value = 2;
 pub type abut_diagonal_value = ::std::os::raw::c_uint;
+pub type abut_below = u32;
+pub const ABUT_BELOW_OPEN: abut_below_value = 0;
+pub const ABUT_BELOW_SOLID: abut_below_value = 1;
+pub type abut_below_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct abut_height_field_desc {
@@ -300,6 +305,8 @@ pub struct abut_height_field_desc {
     pub spacing_x: f64,
     pub spacing_y: f64,
     pub heights: *const f64,
+    pub below: abut_below,
+    pub reserved: u32,
 }
 impl Default for abut_height_field_desc {
     fn default() -> Self {

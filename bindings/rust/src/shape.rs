@@ -34,6 +34,8 @@ pub enum Sides {
     Both,
     /// Only the side from which triangles are counter-clockwise.
     Front,
+    /// All that the mesh encloses: what is inside is pushed out.
+    Solid,
 }
 
 impl Shape {
@@ -86,7 +88,11 @@ impl Shape {
         // SAFETY: see sphere; vertices and triangles are copied, and three numbers each lie in a row.
         Shape::made(|out| unsafe {
             raw::abut_mesh_options_init(&mut options, std::mem::size_of_val(&options) as u32);
-            options.sides = if sides == Sides::Front { raw::ABUT_SIDES_FRONT } else { raw::ABUT_SIDES_BOTH };
+            options.sides = match sides {
+                Sides::Both => raw::ABUT_SIDES_BOTH,
+                Sides::Front => raw::ABUT_SIDES_FRONT,
+                Sides::Solid => raw::ABUT_SIDES_SOLID,
+            };
             raw::abut_mesh_create(
                 vertices.as_ptr().cast(),
                 vertices.len(),

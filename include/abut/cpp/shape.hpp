@@ -125,7 +125,8 @@ class Shape {
   // `heights` holds columns * rows numbers or NaN, X fastest.
   [[nodiscard]] static Answer<Shape> height_field(std::uint32_t columns, std::uint32_t rows, double spacing_x,
                                                   double spacing_y, Span<const double> heights,
-                                                  Diagonal diagonal = ABUT_DIAGONAL_RISING) {
+                                                  Diagonal diagonal = ABUT_DIAGONAL_RISING,
+                                                  abut_below below = ABUT_BELOW_OPEN) {
     abut_height_field_desc desc;
     abut_height_field_desc_init(&desc, sizeof desc);
     desc.columns = columns;
@@ -134,6 +135,7 @@ class Shape {
     desc.spacing_y = spacing_y;
     desc.heights = heights.data();
     desc.diagonal = diagonal;
+    desc.below = below;
     const abut_status sizes = expect_samples(heights.size(), std::uint64_t{columns} * rows);
     return made([&](abut_shape** out) { return sizes != ABUT_OK ? sizes : abut_height_field_create(&desc, out); });
   }

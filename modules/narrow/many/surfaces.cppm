@@ -10,6 +10,9 @@ import abut.narrow.convex;
 import abut.narrow.many.half_space;
 import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.quick_axes;
+import abut.narrow.many.solid_contacts;
+import abut.narrow.many.solid_depth;
+import abut.narrow.many.solid_pair_depth;
 import abut.narrow.many.surface_contacts;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.many.way_out;
@@ -92,6 +95,12 @@ template <Surface A, Convex B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
+  if constexpr (Enclosing<A>) {
+    if (const auto depth = a.is_solid() ? solid_depth(a, b, ab, settings) : std::nullopt) {
+      out = distance_of(*depth);
+      return Outcome::ok;
+    }
+  }
   out = no_distance();
   std::uint32_t nearest = 0;
   nearest_part(a, b, ab, settings, out, nearest);
@@ -112,6 +121,7 @@ template <Surface A, Convex B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
+  const std::size_t first = out.size();
   SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
   Aabb query = b.aabb(ab).inflated(std::max(settings.margin, Real{0}));
   const QuickAxes<B> axes(b, ab);
@@ -119,6 +129,12 @@ template <Surface A, Convex B>
       query, [&](const TriangleCorners& corners) { return !axes.are_beyond(corners, settings.margin + b.radius()); },
       [&](const typename A::Part& part, std::uint32_t) { contacts.add(part, b, 0); });
   contacts.finish();
+  if constexpr (Enclosing<A>) {
+    if (a.is_solid()) {
+      keep_leading_out(a, first, out);
+      settle_depth(solid_depth(a, b, ab, settings), first, settings.margin, out);
+    }
+  }
   return Outcome::ok;
 }
 
@@ -137,12 +153,28 @@ void visit_parts_near(const A& a, const B& b, const Pose& ab, Aabb& box, const R
   }
 }
 
+// Nothing where no side is a solid, or where nothing is inside.
+template <Surface A, Surface B>
+[[nodiscard]] std::optional<SolidDepth> depth_of_solids(const A& a, const B& b, const Pose& ab,
+                                                        const QuerySettings& settings) {
+  if constexpr (Enclosing<A> && Enclosing<B>) {
+    if (a.is_solid() || b.is_solid()) {
+      return solid_pair_depth(a, b, ab, settings);
+    }
+  }
+  return std::nullopt;
+}
+
 // Two surfaces: the parts of b one by one, each a convex shape to a.
 template <Surface A, Surface B>
 [[nodiscard]] Outcome surfaces_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                         Distance& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
+  }
+  if (const auto depth = depth_of_solids(a, b, ab, settings)) {
+    out = distance_of(*depth);
+    return Outcome::ok;
   }
   out = no_distance();
   const Aabb around = a.aabb(ab.inverse());
@@ -172,6 +204,7 @@ template <Surface A, Surface B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
+  const std::size_t first = out.size();
   SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
   const auto reach = [&] { return std::max(settings.margin, Real{0}); };
   Aabb query = a.aabb(ab.inverse()).inflated(reach());
@@ -183,6 +216,7 @@ template <Surface A, Surface B>
         [&](const typename A::Part& other, std::uint32_t) { contacts.add(other, part, index); });
   });
   contacts.finish();
+  settle_depth(depth_of_solids(a, b, ab, settings), first, settings.margin, out);
   return Outcome::ok;
 }
 

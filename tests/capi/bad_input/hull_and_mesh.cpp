@@ -187,7 +187,7 @@ TEST(MeshCreate, RefusesUnknownSides) {
   Out<abut_shape*> out;
   abut_mesh_options options;
   abut_mesh_options_init(&options, sizeof options);
-  for (const abut_sides sides : {2U, 77U, 0xFFFFFFFFU}) {
+  for (const abut_sides sides : {3U, 77U, 0xFFFFFFFFU}) {
     options.sides = sides;
     EXPECT_TRUE(refused(MeshCall{.options = &options}.into(out.address()), ABUT_UNKNOWN_VALUE,
                         {"sides", std::to_string(sides)}));

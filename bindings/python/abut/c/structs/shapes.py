@@ -43,6 +43,8 @@ class HeightFieldDesc(Struct):
     spacing_x: Double
     spacing_y: Double
     heights: Doubles
+    below: UInt32
+    reserved: UInt32
 
 
 @struct

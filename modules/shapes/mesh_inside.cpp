@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is inside of a solid mesh, its connected pieces, and which triangles are wound the wrong way.
+module abut.shapes.mesh;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.trees.winding_number;
+
+namespace abut {
+namespace {
+
+// Sets of numbers that are joined two by two. The least number of a set stands for it.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0u); }
+
+  [[nodiscard]] std::uint32_t of(std::uint32_t number) {
+    while (parents_[number] != number) {
+      parents_[number] = parents_[parents_[number]];
+      number = parents_[number];
+    }
+    return number;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t of_a = of(a), of_b = of(b);
+    parents_[std::max(of_a, of_b)] = std::min(of_a, of_b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parents_;
+};
+
+// An edge of a triangle, by its ends in order.
+struct Edge {
+  std::uint32_t low, high, triangle;
+  bool is_forward;  // from low to high along the winding
+};
+
+std::vector<Edge> edges_in_order(std::span<const std::uint32_t> indices) {
+  std::vector<Edge> edges;
+  edges.reserve(indices.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const std::uint32_t start = indices[i], end = indices[i - i % 3 + (i + 1) % 3];
+    edges.push_back({std::min(start, end), std::max(start, end), static_cast<std::uint32_t>(i / 3), start < end});
+  }
+  std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
+    return std::tuple(a.low, a.high, a.triangle, a.is_forward) < std::tuple(b.low, b.high, b.triangle, b.is_forward);
+  });
+  return edges;
+}
+
+// Triangles that share an edge with one neighbour each look the same way if they run along it in opposite directions.
+Sets sets_that_look_alike(std::span<const std::uint32_t> indices) {
+  const std::vector<Edge> edges = edges_in_order(indices);
+  Sets sets(indices.size() / 3);
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high) {
+      ++end;
+    }
+    if (end - begin == 2 && edges[begin].is_forward != edges[begin + 1].is_forward) {
+      sets.join(edges[begin].triangle, edges[begin + 1].triangle);
+    }
+  }
+  return sets;
+}
+
+std::vector<Vec3> vertices_of_pieces(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices) {
+  Sets pieces(vertices.size());
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    pieces.join(indices[i], indices[i + 1]);
+    pieces.join(indices[i], indices[i + 2]);
+  }
+  std::vector<bool> is_listed(vertices.size());
+  std::vector<Vec3> out;
+  for (const std::uint32_t vertex : indices) {
+    const std::uint32_t piece = pieces.of(vertex);
+    if (!is_listed[piece]) {
+      is_listed[piece] = true;
+      out.push_back(vertices[vertex]);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+// The largest triangle of each set tells for all: whether there is nothing behind it, but something in front. Close to
+// a set that is wound the wrong way, it rules the number. So both are asked at a distance of about its size.
+Mesh::Inside Mesh::make_inside(const Data& data) {
+  constexpr Real most_beside = 0.05;  // of the whole
+  Inside out{WindingNumber(data.vertices, data.indices), vertices_of_pieces(data.vertices, data.indices), {}};
+  const auto count = static_cast<std::uint32_t>(data.indices.size() / 3);
+  Sets sets = sets_that_look_alike(data.indices);
+  const auto triangle = [&](std::uint32_t index) {
+    const std::size_t first = 3 * std::size_t{index};
+    return Triangle(data.vertices[data.indices[first]], data.vertices[data.indices[first + 1]],
+                    data.vertices[data.indices[first + 2]], index, false);
+  };
+  std::vector<std::uint32_t> largest(count, no_index);
+  std::vector<Real> areas(count, 0), areas_of_largest(count, -1);
+  for (std::uint32_t index = 0; index < count; ++index) {
+    const TriangleCorners corners = triangle(index).corners();
+    const Real area = 0.5 * norm(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    const std::uint32_t set = sets.of(index);
+    areas[set] += area;
+    if (area > areas_of_largest[set]) {
+      areas_of_largest[set] = area;
+      largest[set] = index;
+    }
+  }
+  const Real furthest = most_beside * largest_magnitude(data.box.high - data.box.low);
+  const auto looks_inside = [&](std::uint32_t index, Real area) {
+    const Triangle its = triangle(index);
+    const Vec3 step = std::min(std::sqrt(area), furthest) * its.normal();
+    return out.winding.contains(its.centre() + step) && !out.winding.contains(its.centre() - step);
+  };
+  std::vector<bool> is_set_turned(count);
+  bool any = false;
+  for (std::uint32_t set = 0; set < count; ++set) {
+    is_set_turned[set] = largest[set] != no_index && looks_inside(largest[set], areas[set]);
+    any = any || is_set_turned[set];
+  }
+  if (any) {
+    out.turned.resize(count);
+    for (std::uint32_t index = 0; index < count; ++index) {
+      out.turned[index] = is_set_turned[sets.of(index)];
+    }
+  }
+  return out;
+}
+
+}  // namespace abut
