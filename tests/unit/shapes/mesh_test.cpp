@@ -43,7 +43,7 @@ Mesh sheet(int cells, bool one_sided, std::uint64_t seed) {
 TEST(Mesh, BadInputIsRefusedByName) {
   const std::vector<double> xyz{0, 0, 0, 1, 0, 0, 0, 1, 0};
   const std::vector<std::uint32_t> indices{0, 1, 2};
-  test::expect_refused<Mesh>({2}, xyz, indices, Errc::unknown_value, "sides is 2;");
+  test::expect_refused<Mesh>({3}, xyz, indices, Errc::unknown_value, "sides is 3;");
   test::expect_refused<Mesh>({0.5}, xyz, indices, Errc::unknown_value, "sides is 0.5;");
   test::expect_refused<Mesh>({}, xyz, indices, Errc::invalid_argument, "parameter_count is 0;");
   test::expect_refused<Mesh>({0}, {}, indices, Errc::empty, "vertex_count is 0;");
