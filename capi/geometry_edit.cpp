@@ -97,6 +97,12 @@ abut_status set_particles(abut_universe& its, const abut_geometry_id& geometry, 
   return status != ABUT_OK ? status : edit_one(its, geometry, abut::ParticleEdit{first, numbers, given_radii});
 }
 
+abut_status set_vertices(abut_universe& its, const abut_geometry_id& geometry, abut::VertexEdit edit, const double* xyz,
+                         std::size_t count) {
+  const abut_status status = read_span<3>("xyz", xyz, "count", count, edit.xyz);
+  return status != ABUT_OK ? status : edit_one(its, geometry, edit);
+}
+
 }  // namespace
 
 abut_status abut_geometry_set_parameters(abut_universe* universe, abut_geometry_id geometry, const double* parameters,
@@ -144,6 +150,41 @@ abut_status abut_geometry_set_field_values(abut_universe* universe, abut_geometr
 abut_status abut_geometry_set_particles(abut_universe* universe, abut_geometry_id geometry, size_t first,
                                         const double* xyz, const double* radii, size_t count) {
   return guard(universe, [&](abut_universe& its) { return set_particles(its, geometry, first, xyz, radii, count); });
+}
+
+abut_status abut_geometry_set_vertices(abut_universe* universe, abut_geometry_id geometry, size_t first,
+                                       const double* xyz, size_t count) {
+  return guard(universe, [&](abut_universe& its) { return set_vertices(its, geometry, {first, {}, {}}, xyz, count); });
+}
+
+abut_status abut_geometry_set_vertices_at(abut_universe* universe, abut_geometry_id geometry, const uint32_t* vertices,
+                                          const double* xyz, size_t count) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const std::uint32_t> given;
+    const abut_status status = read_span("vertices", vertices, "count", count, given);
+    return status != ABUT_OK ? status : set_vertices(its, geometry, {0, given, {}}, xyz, count);
+  });
+}
+
+abut_status abut_geometry_remove_triangles(abut_universe* universe, abut_geometry_id geometry,
+                                           const uint32_t* triangles, size_t count) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const std::uint32_t> given;
+    const abut_status status = read_span("triangles", triangles, "count", count, given);
+    return status != ABUT_OK ? status : edit_one(its, geometry, abut::RemovalEdit{given});
+  });
+}
+
+abut_status abut_geometry_set_mesh(abut_universe* universe, abut_geometry_id geometry, const double* xyz,
+                                   size_t vertex_count, const uint32_t* triangles, size_t triangle_count) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const double> reals;
+    std::span<const std::uint32_t> indices;
+    abut_status status = read_span<3>("xyz", xyz, "vertex_count", vertex_count, reals);
+    status =
+        status != ABUT_OK ? status : read_span<3>("triangles", triangles, "triangle_count", triangle_count, indices);
+    return status != ABUT_OK ? status : edit_one(its, geometry, abut::RecreationEdit{reals, indices});
+  });
 }
 
 abut_status abut_geometry_shape(const abut_universe* universe, abut_geometry_id geometry, abut_shape** out) {

@@ -497,6 +497,14 @@ abut_status abut_geometry_set_field_values(abut_universe *universe, abut_geometr
                                                     uint32_t layers, const double *values);
 abut_status abut_geometry_set_particles(abut_universe *universe, abut_geometry_id geometry, size_t first,
                                                  const double *xyz, const double *radii, size_t count);
+abut_status abut_geometry_set_vertices(abut_universe *universe, abut_geometry_id geometry, size_t first,
+                                                const double *xyz, size_t count);
+abut_status abut_geometry_set_vertices_at(abut_universe *universe, abut_geometry_id geometry,
+                                                   const uint32_t *vertices, const double *xyz, size_t count);
+abut_status abut_geometry_remove_triangles(abut_universe *universe, abut_geometry_id geometry,
+                                                    const uint32_t *triangles, size_t count);
+abut_status abut_geometry_set_mesh(abut_universe *universe, abut_geometry_id geometry, const double *xyz,
+                                            size_t vertex_count, const uint32_t *triangles, size_t triangle_count);
 abut_status abut_geometry_shape(const abut_universe *universe, abut_geometry_id geometry, abut_shape **out);
 abut_status abut_geometry_park(abut_universe *universe, abut_geometry_id geometry, abut_parking parking);
 abut_status abut_geometries_park(abut_universe *universe, const abut_geometry_id *geometries, size_t count,

@@ -18,6 +18,19 @@ bool is_same(const abut_velocity& a, const abut_velocity& b) {
   return numbers(a) == numbers(b);
 }
 
+abut_status set_one_sample(abut_universe* universe, abut_geometry_id id, std::size_t kind) {
+  constexpr std::array<double, 9> numbers{0.5, 0.25, 0.125, 1};
+  constexpr std::array<std::uint32_t, 3> triangle{0, 1, 2};
+  switch (kind) {
+    case 0: return abut_geometry_set_heights(universe, id, 0, 0, 1, 1, numbers.data());
+    case 1: return abut_geometry_set_particles(universe, id, 0, numbers.data(), nullptr, 1);
+    case 2: return abut_geometry_set_vertices(universe, id, 0, numbers.data(), 1);
+    case 3: return abut_geometry_set_vertices_at(universe, id, triangle.data(), numbers.data(), 1);
+    case 4: return abut_geometry_remove_triangles(universe, id, triangle.data(), 1);
+    default: return abut_geometry_set_mesh(universe, id, numbers.data(), 3, triangle.data(), 1);
+  }
+}
+
 }  // namespace
 
 // Boxes get other half extents; all other shapes of sequences keep theirs.
@@ -41,15 +54,12 @@ void Play::set_parameters(const Call& call) {
   }
 }
 
-// No shape of a sequence has heights or particles.
+// No shape of a sequence has heights, particles or triangles.
 void Play::set_samples(const Call& call) {
-  constexpr std::array<double, 3> numbers{0.5, 0.25, 0.125};
   for (const std::size_t place : picked(world_.living_geometries(), call, 1)) {
     const GeometryIds& ids = world_.geometries[place].ids;
     for (std::size_t u = 0; u < universe_count; ++u) {
-      const abut_status status =
-          call.has(2, 0) ? abut_geometry_set_heights(universes_.at(u), ids.at(u), 0, 0, 1, 1, numbers.data())
-                         : abut_geometry_set_particles(universes_.at(u), ids.at(u), 0, numbers.data(), nullptr, 1);
+      const abut_status status = set_one_sample(universes_.at(u), ids.at(u), call.pick(2, 6));
       require(status == ABUT_UNSUPPORTED, std::string("samples of another shape: ") + abut_status_name(status));
     }
     compare_geometry(place);

@@ -356,7 +356,9 @@ ABUT_API void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct
  * one half, so that open, repeated and wrongly wound triangles do little harm.
  * @param xyz             vertex_count * 3 numbers, copied
  * @param triangles       triangle_count * 3 indices into the vertices, counter-clockwise seen from
- *                        the front, copied; triangles without area are kept
+ *                        the front, copied; triangles without area are kept: they are met as segments or points,
+ *                        but not by rays. One that names a vertex three times counts as removed: see
+ *                        abut_geometry_remove_triangles
  * @param options         may be null
  * Complexity O(n); its tree is built when a query first needs it, in O(n log n). [any]
  */
@@ -1216,6 +1218,48 @@ ABUT_API abut_status abut_geometry_set_field_values(abut_universe *universe, abu
  */
 ABUT_API abut_status abut_geometry_set_particles(abut_universe *universe, abut_geometry_id geometry, size_t first,
                                                  const double *xyz, const double *radii, size_t count);
+
+/**
+ * Moves vertices of the mesh of a geometry, as abut_geometry_set_parameters changes parameters. Contacts of triangles
+ * that stay in touch keep ids, ages and user data. Where the box of the mesh stays the same, only pairs near the
+ * triangles that changed are examined again.
+ * @param first  the first vertex that moves
+ * @param xyz    count * 3 numbers, the new places, copied
+ * @param count  how many move; with 0 nothing changes
+ * ABUT_INDEX_OUT_OF_RANGE beyond the last vertex, ABUT_UNSUPPORTED for other kinds. Complexity O(count + triangles around
+ * these vertices); the tree is fitted to what moved, and built anew with the next query once its boxes have grown so
+ * much that queries cost more by a half. O(vertices + triangles) once where the shape has other holders. [exclusive]
+ */
+ABUT_API abut_status abut_geometry_set_vertices(abut_universe *universe, abut_geometry_id geometry, size_t first,
+                                                const double *xyz, size_t count);
+
+/**
+ * The same for vertices of a list. Of a vertex that is there twice, the last place counts.
+ * @param vertices  count indices of vertices, copied
+ * @param xyz       count * 3 numbers, the new places, copied
+ * [exclusive]
+ */
+ABUT_API abut_status abut_geometry_set_vertices_at(abut_universe *universe, abut_geometry_id geometry,
+                                                   const uint32_t *vertices, const double *xyz, size_t count);
+
+/**
+ * Takes triangles out of the mesh of a geometry, as abut_geometry_set_parameters changes parameters. The others keep
+ * their numbers, and their contacts keep ids, ages and user data. A triangle that has gone keeps its number too: it
+ * meets nothing from then on, and abut_shape_triangles names one vertex three times for it.
+ * @param triangles  count numbers of triangles, copied; those that have gone before, or are there twice, are no error
+ * @param count      with 0 nothing changes
+ * ABUT_INDEX_OUT_OF_RANGE beyond the last triangle, ABUT_EMPTY where none would be left, ABUT_UNSUPPORTED for other
+ * kinds. Complexity O(count), and O(vertices + triangles) once where the shape has other holders. [exclusive]
+ */
+ABUT_API abut_status abut_geometry_remove_triangles(abut_universe *universe, abut_geometry_id geometry,
+                                                    const uint32_t *triangles, size_t count);
+
+/**
+ * Makes the mesh of a geometry anew, as abut_mesh_create takes it, with the options that it has. Unlike
+ * abut_geometry_set_shape it ends no contact where the same triangle, by its number, still touches. [exclusive]
+ */
+ABUT_API abut_status abut_geometry_set_mesh(abut_universe *universe, abut_geometry_id geometry, const double *xyz,
+                                            size_t vertex_count, const uint32_t *triangles, size_t triangle_count);
 
 /**
  * The shape that a geometry has at present, with a reference that belongs to the caller: release it. While the caller

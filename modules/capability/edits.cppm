@@ -45,11 +45,34 @@ struct FieldEdit {
   std::span<const Real> values;         // columns * rows * layers
 };
 
-using Edit = std::variant<ParameterEdit, HeightEdit, ParticleEdit, FieldEdit>;
+// Places of vertices, three numbers each: of those that `vertices` lists or, where it lists none, of those from `first`
+// on.
+struct VertexEdit {
+  static constexpr std::string_view subject = "vertices that can be moved";
+  std::size_t first;
+  std::span<const std::uint32_t> vertices;
+  std::span<const Real> xyz;
+};
+
+// Triangles that are no longer there. The others keep their numbers.
+struct RemovalEdit {
+  static constexpr std::string_view subject = "triangles that can be removed";
+  std::span<const std::uint32_t> triangles;
+};
+
+// All that the shape is made of beside its parameters, as `make` takes it.
+struct RecreationEdit {
+  static constexpr std::string_view subject = "vertices and triangles to be made of";
+  std::span<const Real> reals;
+  std::span<const std::uint32_t> indices;
+};
+
+using Edit = std::variant<ParameterEdit, HeightEdit, ParticleEdit, FieldEdit, VertexEdit, RemovalEdit, RecreationEdit>;
 
 // Takes edits of a type. `check` says what is wrong with one. `own` makes the data of the shape its own, so that
-// holders of the same data do not see the change; it alone asks for memory. `apply`, after both, answers with a box in
-// the frame of the shape: whatever meets the shape outside of it meets what it met before.
+// holders of the same data do not see the change. `make_room`, where the shape has it, gets the memory that the change
+// takes; nothing else asks for memory. `apply`, after all of these, answers with a box in the frame of the shape:
+// whatever meets the shape outside of it meets what it met before.
 template <class S, class E>
 concept Editable = requires(S& shape, const S& same, const E& edit) {
   { same.check(edit) } -> std::same_as<Fault>;

@@ -25,6 +25,8 @@ class Lazy {
     }
     return *value_;
   }
+  // For whoever is alone with the value and changes it along with what it was made of: none where it was not made.
+  [[nodiscard]] std::optional<T>& made() noexcept [[clang::lifetimebound]] { return value_; }
   // For whoever is alone with the value, after what it was made of has changed.
   void forget() noexcept {
     made_.store(false, std::memory_order_relaxed);

@@ -39,8 +39,8 @@ void Scene::patch(GeometryId geometry, const Aabb& changed) {
 void Scene::apply_edits(std::span<const GeometryId> geometries, std::span<const Edit> edits) {
   make_room(changes_.changed_geometries, geometries.size());
   make_room(changes_.patches, geometries.size());
-  for (const GeometryId geometry : geometries) {
-    own_shape(places_.shapes[geometry.slot - 1]);
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    own_shape(places_.shapes[geometries[i].slot - 1], edits[i]);
   }
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     const std::uint32_t place = geometries[i].slot - 1;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle mesh: a surface without inside, unless it is declared solid.
+// Triangle mesh: a surface without inside, unless it is declared solid. Its vertices move, and its triangles go, while
+// others use it. A triangle that has gone keeps its number and names one vertex three times; it is met by nothing.
 export module abut.shapes.mesh;
 import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
 import abut.trees.winding_number;
 
@@ -39,7 +41,8 @@ class Mesh {
   [[nodiscard]] inline TriangleCorners corners(std::uint32_t index) const {
     const Data& mesh = *data_;
     const std::size_t first = 3 * std::size_t{index};
-    return corners({mesh.indices[first], mesh.indices[first + 1], mesh.indices[first + 2]});
+    return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]],
+            mesh.vertices[mesh.indices[first + 2]]};
   }
   [[nodiscard]] Triangle part(std::uint32_t index) const { return {corners(index), index, is_one_sided(index)}; }
   // See Surface.
@@ -47,14 +50,14 @@ class Mesh {
 
   template <class Wanted, class Visitor>
   void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
-    const Tree& tree = this->tree();
+    const Data& mesh = *data_;
     // Corners of triangles that are near each other lie far apart in memory. Those of some triangles are read at once,
     // so that the memory is waited for once.
     [[clang::uninitialized]] SmallVector<std::uint32_t, most_at_once> near;
     const auto visit_near = [&] {
       [[clang::uninitialized]] std::array<TriangleCorners, most_at_once> corners_of;
       for (std::size_t i = 0; i < near.size(); ++i) {
-        corners_of[i] = corners(tree.linked[near[i]].corners);
+        corners_of[i] = corners(near[i]);
       }
       for (std::size_t i = 0; i < near.size(); ++i) {
         if (box_around(corners_of[i]).overlaps(box) && is_wanted(corners_of[i])) {
@@ -63,8 +66,8 @@ class Mesh {
       }
       near.clear();
     };
-    tree.bvh.visit_overlaps(box, [&](std::uint32_t index) {
-      __builtin_prefetch(&tree.linked[index]);
+    tree().visit_overlaps(box, [&](std::uint32_t index) {
+      __builtin_prefetch(&mesh.indices[3 * std::size_t{index}]);
       near.push_back(index);
       if (near.size() == most_at_once) {
         visit_near();
@@ -78,20 +81,20 @@ class Mesh {
   }
   template <class Visitor>
   void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
-    tree().bvh.visit_below(direction, limit, [&](std::uint32_t index) {
+    tree().visit_below(direction, limit, [&](std::uint32_t index) {
       const TriangleCorners of_part = corners(index);
       if (least_along(of_part, direction) <= limit) {
-        visit(Triangle(of_part, index, data_->one_sided), index);
+        visit(Triangle(of_part, index, is_one_sided(index)), index);
       }
     });
   }
-  [[nodiscard]] Triangle part_near(const Vec3& point) const { return part(tree().bvh.item_near(point)); }
+  [[nodiscard]] Triangle part_near(const Vec3& point) const { return part(tree().item_near(point)); }
 
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
     const TriangleRay ray(origin, direction);
     Real nearest = max_distance;
     std::uint32_t hit = no_index;
-    tree().bvh.visit_ray(origin, direction, nearest, [&](std::uint32_t index) {
+    tree().visit_ray(origin, direction, nearest, [&](std::uint32_t index) {
       const auto distance = ray.distance_to(corners(index), nearest);
       if (distance && (*distance < nearest || index < hit)) {
         nearest = *distance;
@@ -112,31 +115,20 @@ class Mesh {
   // Whether a query has needed the tree so far.
   [[nodiscard]] bool has_tree() const { return data_->tree.is_made(); }
 
+  [[nodiscard]] Fault check(const VertexEdit& edit) const;
+  [[nodiscard]] Fault check(const RemovalEdit& edit) const;
+  [[nodiscard]] Fault check(const RecreationEdit& edit) const;
+  void own() { static_cast<void>(data_.own()); }
+  void make_room(const VertexEdit&) { make_room_for_change(); }
+  void make_room(const RemovalEdit&) { make_room_for_change(); }
+  void make_room(const RecreationEdit& edit);
+  [[nodiscard]] Aabb apply(const VertexEdit& edit);
+  [[nodiscard]] Aabb apply(const RemovalEdit& edit);
+  [[nodiscard]] Aabb apply(const RecreationEdit& edit);
+
  private:
   static constexpr std::size_t most_at_once = 32;
 
-  // The corners that a triangle has beside one of its vertices.
-  struct OtherCorners {
-    std::uint32_t next, last;
-  };
-  // A triangle by its corners, and by the corners that its neighbours have across its edges. Edge i leads from corner i
-  // to the next one. Across a border it is the corner opposite to the edge; where several neighbours share an edge,
-  // no_index.
-  struct Linked {
-    std::array<std::uint32_t, 3> corners, across;
-  };
-  struct Tree {
-    Bvh bvh;
-    std::vector<Linked> linked;
-    // The triangles around each vertex: those of vertex v are around[first_around[v]] to around[first_around[v + 1] -
-    // 1].
-    std::vector<std::size_t> first_around;
-    std::vector<OtherCorners> around;
-
-    [[nodiscard]] std::span<const OtherCorners> around_vertex(std::uint32_t vertex) const [[clang::lifetimebound]] {
-      return std::span(around).subspan(first_around[vertex], first_around[vertex + 1] - first_around[vertex]);
-    }
-  };
   // What stops other shapes: both sides of triangles, their fronts, or all that is inside.
   enum class Sides : std::uint8_t { both, front, solid };
 
@@ -152,27 +144,38 @@ class Mesh {
     std::vector<std::uint32_t> indices;
     Sides sides;
     Aabb box;
-    Lazy<Tree> tree;
+    std::size_t present;  // triangles that have not gone
+    Vec3 widest;          // at least the extents of the box of each triangle
+    Lazy<Bvh> tree;
+    Lazy<MeshNeighbours> neighbours;
     Lazy<Inside> inside;
   };
 
   explicit Mesh(Data data) : data_(std::move(data)) {}
-  [[nodiscard]] inline TriangleCorners corners(const std::array<std::uint32_t, 3>& vertices) const {
-    const Data& mesh = *data_;
-    return {mesh.vertices[vertices[0]], mesh.vertices[vertices[1]], mesh.vertices[vertices[2]]};
+  [[nodiscard]] const Bvh& tree() const [[clang::lifetimebound]] {
+    return data_->tree.get([this] { return make_tree(Workers(1)); });
   }
-  [[nodiscard]] const Tree& tree() const [[clang::lifetimebound]] {
-    return data_->tree.get([this] { return make_tree(*data_); });
+  [[nodiscard]] const MeshNeighbours& neighbours() const [[clang::lifetimebound]] {
+    return data_->neighbours.get([this] { return MeshNeighbours(data_->vertices.size(), data_->indices); });
   }
   [[nodiscard]] const Inside& inside() const [[clang::lifetimebound]] {
     return data_->inside.get([this] { return make_inside(*data_); });
   }
-  [[nodiscard]] static Tree make_tree(const Data& data);
   [[nodiscard]] static Inside make_inside(const Data& data);
-  [[nodiscard]] static std::vector<Linked> linked_by(const Tree& tree, std::span<const std::uint32_t> indices);
+  [[nodiscard]] static Fault check_buffers(std::span<const Real> reals, std::span<const std::uint32_t> indices);
+  void make_room_for_change();
+  [[nodiscard]] Aabb follow(std::uint32_t touched, const Aabb& moved);
+  static void fill(Data& data, std::span<const Real> reals, std::span<const std::uint32_t> indices);
+  [[nodiscard]] static Aabb box_of(const Data& data);
+  // Of a triangle; empty where it has gone.
+  [[nodiscard]] inline Aabb present_box(std::uint32_t index) const {
+    return is_removed(data_->indices, index) ? Aabb::empty() : box_around(corners(index));
+  }
+  [[nodiscard]] Bvh make_tree(const Workers& workers) const;
 
   Frozen<Data> data_;
 };
-static_assert(Shape<Mesh> && Surface<Mesh> && Enclosing<Mesh> && Triangulated<Mesh>);
+static_assert(Shape<Mesh> && Surface<Mesh> && Enclosing<Mesh> && Triangulated<Mesh> && Editable<Mesh, VertexEdit> &&
+              Editable<Mesh, RemovalEdit> && Editable<Mesh, RecreationEdit>);
 
 }  // namespace abut

@@ -4,6 +4,7 @@ module abut.shapes.mesh;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.shapes.mesh_neighbours;
 import abut.trees.winding_number;
 
 namespace abut {
@@ -72,9 +73,9 @@ std::vector<Vec3> vertices_of_pieces(std::span<const Vec3> vertices, std::span<c
   }
   std::vector<bool> is_listed(vertices.size());
   std::vector<Vec3> out;
-  for (const std::uint32_t vertex : indices) {
-    const std::uint32_t piece = pieces.of(vertex);
-    if (!is_listed[piece]) {
+  for (std::uint32_t triangle = 0; triangle < indices.size() / 3; ++triangle) {
+    const std::uint32_t vertex = indices[3 * std::size_t{triangle}], piece = pieces.of(vertex);
+    if (!is_listed[piece] && !is_removed(indices, triangle)) {
       is_listed[piece] = true;
       out.push_back(vertices[vertex]);
     }

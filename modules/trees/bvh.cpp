@@ -1,27 +1,161 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.trees.bvh;
 import abut.core.standard;
+import abut.core;
 import abut.math;
-import abut.trees.box_tree;
+import abut.trees.eight_boxes;
 
 namespace abut {
+namespace {
 
-Bvh::Bvh(std::span<const Aabb> boxes) {
+// What the chance of being visited is proportional to. Of no box it is nothing.
+double surface_of(const BoxSides& sides) {
+  const auto minus_length = [&](std::size_t axis) {
+    return static_cast<double>(sides[axis]) + static_cast<double>(sides[axis + 3]);
+  };
+  const double x = minus_length(0), y = minus_length(1), z = minus_length(2);
+  const double surface = x * y + y * z + z * x;
+  return surface < std::numeric_limits<double>::infinity() ? surface : 0;
+}
+
+Aabb box_around(std::span<const Aabb> boxes) {
+  Aabb around = Aabb::empty();
   for (const Aabb& box : boxes) {
-    bounds_.include(box);
+    around.include(box);
   }
-  origin_ = boxes.empty() ? origin_ : bounds_.centre();
-  std::vector<CompactAabb> compact_boxes;
-  compact_boxes.reserve(boxes.size());
-  for (const Aabb& box : boxes) {
-    compact_boxes.push_back(compact(box, origin_));
-  }
-  tree_ = BoxTree(compact_boxes);
+  return around;
+}
+
+}  // namespace
+
+Bvh::Bvh(std::span<const Aabb> boxes)
+    : Bvh(
+          box_around(boxes), boxes.size(), [&](std::uint32_t item) -> const Aabb& { return boxes[item]; }, Workers(1)) {
+}
+
+EightBoxes Bvh::empty_node() {
+  EightBoxes node;
+  node.numbers.fill(nobody);
+  return node;
 }
 
 std::uint32_t Bvh::item_near(const Vec3& point) const {
-  const Aabb place{point, point};
-  return tree_.leaf_near(compact(place, origin_).low);
+  const std::array<float, 3> place = compact({point, point}, origin_).low;
+  std::uint32_t at = 0;
+  while (!is_item(at)) {
+    const EightBoxes& node = nodes_[at];
+    Floats square(0.0f);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Floats below = node.side(axis) - place[axis], above = place[axis] + node.side(axis + 3);
+      const Floats beyond = below > above ? below : above;
+      square += beyond > 0.0f ? beyond * beyond : Floats(0.0f);
+    }
+    // A point far from all boxes is as far from lanes without one.
+    std::uint32_t present = present_lanes(node);
+    auto nearest = static_cast<std::size_t>(std::countr_zero(present));
+    for (present &= present - 1; present != 0; present &= present - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(present));
+      nearest = square[lane] < square[nearest] ? lane : nearest;
+    }
+    at = node.numbers[nearest];
+  }
+  return at & ~item_bit;
+}
+
+std::size_t Bvh::bytes() const {
+  return nodes_.capacity() * sizeof(EightBoxes) + stale_.capacity() * sizeof(std::uint64_t) +
+         (places_.capacity() + parents_.capacity()) * sizeof(std::uint32_t);
+}
+
+void Bvh::make_room() {
+  if (!parents_.empty()) {
+    return;
+  }
+  std::vector<std::uint32_t> places, parents(nodes_.size(), nobody);
+  std::vector<std::uint64_t> stale(nodes_.size() / 64 + 1, 0);
+  std::uint32_t most = 0;
+  for (const EightBoxes& node : nodes_) {
+    for (const std::uint32_t child : node.numbers) {
+      most = is_item(child) ? std::max(most, (child & ~item_bit) + 1) : most;
+    }
+  }
+  places.resize(most, nobody);
+  surface_ = 0;
+  for (std::uint32_t place = 0; place < nodes_.size() * EightBoxes::width; ++place) {
+    const EightBoxes& node = nodes_[place / EightBoxes::width];
+    const std::uint32_t child = node.numbers[place % EightBoxes::width];
+    if (child != nobody) {
+      (is_item(child) ? places[child & ~item_bit] : parents[child]) = place;
+      surface_ += surface_of(node.sides_of_lane(place % EightBoxes::width));
+    }
+  }
+  first_surface_ = surface_ / root_surface();
+  places_ = std::move(places);
+  stale_ = std::move(stale);
+  parents_ = std::move(parents);
+}
+
+double Bvh::root_surface() const {
+  // Items without extent have none at all.
+  return std::max(surface_of(nodes_[0].sides_around()), std::numeric_limits<double>::min());
+}
+
+void Bvh::set_lane(std::uint32_t place, const BoxSides& sides) {
+  const std::uint32_t index = place / EightBoxes::width;
+  EightBoxes& node = nodes_[index];
+  surface_ += surface_of(sides) - surface_of(node.sides_of_lane(place % EightBoxes::width));
+  node.set_sides(place % EightBoxes::width, sides);
+  stale_[index / 64] |= std::uint64_t{1} << index % 64;
+}
+
+void Bvh::move(std::uint32_t item, const Aabb& box) {
+  const std::uint32_t place = item < places_.size() ? places_[item] : nobody;
+  if (place == nobody) {
+    return;
+  }
+  EightBoxes& node = nodes_[place / EightBoxes::width];
+  const Entry entry = entry_of(box, item);
+  BoxSides sides{};
+  for (std::size_t side = 0; side < sides.size(); ++side) {
+    sides[side] = entry.lanes[static_cast<int>(side)];
+  }
+  changed_ = merged(changed_, merged(sides, node.sides_of_lane(place % EightBoxes::width)));
+  set_lane(place, sides);
+  if (entry.number() == nobody) {
+    node.numbers[place % EightBoxes::width] = nobody;
+    places_[item] = nobody;
+  }
+}
+
+Aabb Bvh::settle() {
+  // Children come after their parents, so that each node is fitted after all below it.
+  for (std::size_t word = stale_.size(); word > 0; --word) {
+    while (stale_[word - 1] != 0) {
+      const auto bit = static_cast<std::size_t>(std::bit_width(stale_[word - 1])) - 1;
+      stale_[word - 1] ^= std::uint64_t{1} << bit;
+      const std::uint32_t place = parents_[64 * (word - 1) + bit];
+      if (place == nobody) {
+        continue;
+      }
+      const BoxSides around = nodes_[64 * (word - 1) + bit].sides_around();
+      if (around != nodes_[place / EightBoxes::width].sides_of_lane(place % EightBoxes::width)) {
+        set_lane(place, around);
+      }
+    }
+  }
+  const BoxSides sides = std::exchange(changed_, no_sides);
+  const auto wide = [&](std::size_t first, Real sign) {
+    const Vec3 relative{static_cast<Real>(sides[first]), static_cast<Real>(sides[first + 1]),
+                        static_cast<Real>(sides[first + 2])};
+    const Vec3 sum = origin_ + sign * relative;
+    return sum - sign * (2 * epsilon) * (absolute(sum) + absolute(origin_));
+  };
+  return {wide(0, 1), wide(3, -1)};
+}
+
+bool Bvh::is_worn() const {
+  constexpr double most = 1.5;
+  return surface_ > most * first_surface_ * root_surface();
 }
 
 }  // namespace abut

@@ -1,32 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bounding volume hierarchy of boxes that stay, such as those of the triangles of a mesh: a tree of boxes about the
-// middle of all, so that single precision loses little far from the origin.
+// A bounding volume hierarchy of boxes that are all there from the start, such as those of the triangles of a mesh.
+// Boxes are relative to the middle of all, so that single precision loses little far from the origin. They may move
+// later, or go: then the boxes around them are fitted, and the tree keeps its form.
 export module abut.trees.bvh;
 import abut.core.standard;
+import abut.core;
 import abut.math;
 import abut.trees.box_heights;
 import abut.trees.box_sweep;
-import abut.trees.box_tree;
 import abut.trees.eight_boxes;
 
 export namespace abut {
 
+// Nodes have up to eight children, which are nodes or items. Items are numbered as their boxes are.
 class Bvh {
  public:
   Bvh() = default;
   explicit Bvh(std::span<const Aabb> boxes);
+  // Of `count` items, of which box_of(item) tells the box; an empty box is no item. `around`: all of them. The tree
+  // does not depend on the number of threads.
+  template <class BoxOf>
+  Bvh(const Aabb& around, std::size_t count, const BoxOf& box_of, const Workers& workers)
+      : bounds_(around), origin_(around.is_bounded() ? around.centre() : Vec3{0, 0, 0}) {
+    std::vector<Entry> entries(count);
+    const Cuts cuts = workers.cut(count, least_of_task);
+    workers.for_each(cuts.tasks(), [&](std::size_t task) {
+      for (std::size_t item = cuts.begin(task); item < cuts.end(task); ++item) {
+        entries[item] = entry_of(box_of(static_cast<std::uint32_t>(item)), static_cast<std::uint32_t>(item));
+      }
+    });
+    build(std::move(entries), workers);
+  }
 
   // Calls visit(item) for the items whose boxes overlap `query`, within rounding. visit may shrink `query`.
   template <class Visitor>
   void visit_overlaps(const Aabb& query, Visitor&& visit) const {
-    tree_.visit_within([&] { return limits_of(compact(query, origin_)); }, visit);
+    [[clang::uninitialized]] std::array<std::uint32_t, most_waiting> waiting;
+    std::size_t count = 0;
+    std::uint32_t at = 0;
+    for (;;) {
+      const EightBoxes& node = nodes_[at];
+      for (std::uint32_t met = node.overlapping(limits_of(compact(query, origin_))); met != 0; met &= met - 1) {
+        const std::uint32_t child = node.numbers[static_cast<std::size_t>(std::countr_zero(met))];
+        if (is_item(child)) {
+          visit(child & ~item_bit);
+        } else {
+          fetch(nodes_[child]);
+          waiting[count++] = child;
+        }
+      }
+      if (count == 0) {
+        return;
+      }
+      at = waiting[--count];
+    }
   }
 
   // Calls cast(item) for the items whose boxes a ray meets within `limit`, which cast may lower. Nearer nodes come
   // first.
   template <class Caster>
   void visit_ray(const Vec3& origin, const Vec3& direction, Real& limit, Caster&& cast) const {
-    tree_.sweep(CompactSweep(BoxSweep(origin - origin_, {0, 0, 0}, direction)), limit, [&](std::uint32_t item) {
+    sweep(CompactSweep(BoxSweep(origin - origin_, {0, 0, 0}, direction)), limit, [&](std::uint32_t item) {
       cast(item);
       return limit;
     });
@@ -37,21 +71,154 @@ class Bvh {
   template <class Visitor>
   void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
     const Real base = dot(direction, origin_);
-    tree_.sweep(BoxHeights(direction), limit - base, [&](std::uint32_t item) {
+    sweep(BoxHeights(direction), limit - base, [&](std::uint32_t item) {
       visit(item);
       return limit - base;
     });
   }
 
-  // An item close to a point. There are items.
+  // An item close to a point: down the side whose box is closer. There are items.
   [[nodiscard]] std::uint32_t item_near(const Vec3& point) const;
 
+  // Around all items, as they were at the start.
   [[nodiscard]] Aabb bounds() const { return bounds_; }
+  [[nodiscard]] std::size_t bytes() const;
+
+  // The memory that changes take. Whoever changes a tree asks for it first.
+  void make_room();
+  // Gives items their new boxes; an empty box takes an item out for good. Items may be there twice. Call settle after
+  // the last one.
+  template <class BoxOf>
+  void move(std::span<const std::uint32_t> items, const BoxOf& box_of) {
+    for (const std::uint32_t item : items) {
+      move(item, box_of(item));
+    }
+  }
+  void move(std::uint32_t item, const Aabb& box);
+  // Fits the boxes above items that moved. A box around these items, before and after.
+  [[nodiscard]] Aabb settle();
+  // Whether what a query costs, by the surfaces of all boxes, has grown by a half since the tree was made.
+  [[nodiscard]] bool is_worn() const;
+
+  // The least of value_of(item), where side 0 to 2 asks for the low side of the box along an axis, 3 to 5 for the
+  // negated high one. One that is not above `enough` is as good.
+  template <class ValueOf>
+  [[nodiscard]] Real least(std::size_t side, Real enough, const ValueOf& value_of) const {
+    const Real base = side < 3 ? origin_[static_cast<int>(side)] : -origin_[static_cast<int>(side - 3)];
+    [[clang::uninitialized]] std::array<std::uint32_t, most_waiting> waiting;
+    waiting[0] = 0;
+    std::size_t count = 1;
+    Real best = infinity;
+    while (count > 0 && best > enough) {
+      const EightBoxes& node = nodes_[waiting[--count]];
+      for (std::size_t lane = 0; lane < EightBoxes::width; ++lane) {
+        const Real beyond = best - base;
+        if (node.numbers[lane] == nobody ||
+            static_cast<Real>(node.sides[side].of[lane]) > beyond + 4 * epsilon * std::fabs(beyond)) {
+          continue;
+        }
+        if (is_item(node.numbers[lane])) {
+          best = std::min(best, value_of(node.numbers[lane] & ~item_bit));
+        } else {
+          waiting[count++] = node.numbers[lane];
+        }
+      }
+    }
+    return best;
+  }
 
  private:
+  friend class BvhBuild;
+  using Floats = EightBoxes::Floats;
+
+  // The low sides and the negated high sides of a box, one lane without use, and the bits of the number of the item.
+  struct Entry {
+    Floats lanes;
+
+    [[nodiscard]] inline std::uint32_t number() const { return std::bit_cast<std::uint32_t>(float{lanes[7]}); }
+  };
+  static constexpr std::size_t least_of_task = 4096;
+
+  // No path is longer than most_levels (see BvhBuild); of each node on it all but one child may wait.
+  static constexpr std::size_t most_levels = 72, most_waiting = most_levels * (EightBoxes::width - 1) + 1;
+
+  // A child is the index of a node, with this bit an item, or nobody.
+  static constexpr std::uint32_t item_bit = 0x80000000, nobody = 0x7fffffff;
+  [[nodiscard]] static constexpr bool is_item(std::uint32_t child) { return (child & item_bit) != 0; }
+  [[nodiscard]] static inline std::uint32_t present_lanes(const EightBoxes& node) {
+    return ~EightBoxes::mask_of(std::bit_cast<EightBoxes::Numbers>(node.numbers) ==
+                                EightBoxes::Numbers(static_cast<std::int32_t>(nobody))) &
+           0xffu;
+  }
+  static inline void fetch(const EightBoxes& node) {
+    __builtin_prefetch(&node.sides[0]);
+    __builtin_prefetch(&node.sides[2]);
+    __builtin_prefetch(&node.sides[4]);
+    __builtin_prefetch(&node.numbers[0]);
+  }
+  // Calls visit(item) for the items whose boxes are met at some t up to `most`, nearer nodes first; it returns up to
+  // which t it wants more. `order`: a CompactSweep, or BoxHeights, of which t is the height of the lowest corner.
+  template <class Order, class Visitor>
+  void sweep(const Order& order, Real most, Visitor&& visit) const {
+    using Way = typename Order::Way;
+    struct Waiting {
+      Way entry;
+      std::uint32_t child;
+    };
+    [[clang::uninitialized]] std::array<Waiting, most_waiting> waiting;
+    waiting[0] = {-std::numeric_limits<Way>::infinity(), 0};
+    std::size_t count = 1;
+    Way most_way = order.way_of(most);
+    while (count > 0) {
+      const Waiting nearest = waiting[--count];
+      if (nearest.entry > most_way) {
+        continue;
+      }
+      if (is_item(nearest.child)) {
+        most_way = order.way_of(visit(nearest.child & ~item_bit));
+        continue;
+      }
+      const EightBoxes& node = nodes_[nearest.child];
+      const auto entries = node.entries(order, most_way);
+      const std::size_t begin = count;
+      for (std::uint32_t met = EightBoxes::met(entries) & present_lanes(node); met != 0; met &= met - 1) {
+        // The nearest one comes last, and next off the stack.
+        const auto lane = static_cast<std::size_t>(std::countr_zero(met));
+        std::size_t place = count++;
+        for (; place > begin && waiting[place - 1].entry < entries[lane]; --place) {
+          waiting[place] = waiting[place - 1];
+        }
+        waiting[place] = {entries[lane], node.numbers[lane]};
+        if (!is_item(node.numbers[lane])) {
+          fetch(nodes_[node.numbers[lane]]);
+        }
+      }
+    }
+  }
+  [[nodiscard]] static EightBoxes empty_node();
+  [[nodiscard]] inline Entry entry_of(const Aabb& box, std::uint32_t item) const {
+    if (!(box.low.x <= box.high.x)) {
+      const float none = no_sides[0];
+      return {{none, none, none, none, none, none, 0, std::bit_cast<float>(nobody)}};
+    }
+    const CompactAabb its = compact(box, origin_);
+    return {
+        {its.low[0], its.low[1], its.low[2], -its.high[0], -its.high[1], -its.high[2], 0, std::bit_cast<float>(item)}};
+  }
+  void build(std::vector<Entry> entries, const Workers& workers);
+  void set_lane(std::uint32_t place, const BoxSides& sides);
+  [[nodiscard]] double root_surface() const;
+
   Aabb bounds_ = Aabb::empty();
-  Vec3 origin_{0, 0, 0};  // the middle of the bounds
-  BoxTree tree_;
+  Vec3 origin_{0, 0, 0};                         // the middle of the bounds
+  std::vector<EightBoxes> nodes_{empty_node()};  // children come after their parents
+
+  // Only for changes. A place is the index of a node times eight plus a lane.
+  std::vector<std::uint32_t> places_;       // of items
+  std::vector<std::uint32_t> parents_;      // places of nodes
+  std::vector<std::uint64_t> stale_;        // a bit for each node whose children have changed
+  BoxSides changed_ = no_sides;             // around what has moved since the last settle, before and after
+  double surface_ = 0, first_surface_ = 0;  // of the boxes of all children; and at the start, relative to the root
 };
 
 }  // namespace abut

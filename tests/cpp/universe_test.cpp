@@ -213,6 +213,17 @@ TEST(Geometries, Change) {
   EXPECT_THROW(room.universe.set_heights(room.ball, 1, 1, 1, 1, {6, 7}), abut::Error);
   room.universe.set_particles(room.box, 1, {{9, 0, 0}});
   EXPECT_EQ(room.universe.shape(room.box).aabb(abut::pose()).maximum.x, 9.5);
+  room.universe.set_shape(room.ball,
+                          abut::Shape::mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{{0, 1, 2}}, {{0, 2, 3}}}));
+  room.universe.set_vertices(room.ball, 3, {{0, 1, 7}});
+  EXPECT_EQ(room.universe.shape(room.ball).aabb(abut::pose()).maximum.z, 7);
+  room.universe.set_vertices(room.ball, {0, 3}, {{0, 0, 5}, {0, 1, 0}});
+  EXPECT_EQ(room.universe.shape(room.ball).aabb(abut::pose()).maximum.z, 5);
+  EXPECT_THROW(room.universe.set_vertices(room.ball, {0, 3}, {{0, 0, 5}}), abut::Error);
+  room.universe.remove_triangles(room.ball, {1});
+  EXPECT_EQ(room.universe.shape(room.ball).aabb(abut::pose()).maximum.z, 5);
+  room.universe.set_mesh(room.ball, {{0, 0, 0}, {1, 0, 0}, {1, 1, 4}}, {{{0, 1, 2}}});
+  EXPECT_EQ(room.universe.shape(room.ball).aabb(abut::pose()).maximum.z, 4);
   room.universe.park(room.ball, ABUT_PARKING_LONG_TERM);
   room.universe.park({room.box}, ABUT_PARKING_SHORT_TERM);
   EXPECT_EQ(room.universe.describe(room.ball).parking, ABUT_PARKING_LONG_TERM);

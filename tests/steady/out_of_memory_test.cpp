@@ -133,6 +133,28 @@ std::vector<Change> edits() {
            return abut_geometry_set_particles(crowd.universe(), shared->geometry, 1, xyz.data(), nullptr, 1);
          };
        }},
+      {"geometry_set_vertices",
+       [](const Crowd& crowd) -> Call {
+         const auto shared = std::make_shared<Shared>(crowd, make_square_mesh(1));
+         return [&crowd, shared, xyz = std::array<double, 3>{-1, -1, 1}] {
+           return abut_geometry_set_vertices(crowd.universe(), shared->geometry, 0, xyz.data(), 1);
+         };
+       }},
+      {"geometry_remove_triangles",
+       [](const Crowd& crowd) -> Call {
+         const auto shared = std::make_shared<Shared>(crowd, make_square_mesh(1));
+         return [&crowd, shared, first = std::uint32_t{0}] {
+           return abut_geometry_remove_triangles(crowd.universe(), shared->geometry, &first, 1);
+         };
+       }},
+      {"geometry_set_mesh",
+       [](const Crowd& crowd) -> Call {
+         const auto shared = std::make_shared<Shared>(crowd, make_square_mesh(1));
+         return [&crowd, shared, xyz = std::array<double, 9>{0, 0, 0, 1, 0, 0, 0, 1, 0},
+                 triangle = std::array<std::uint32_t, 3>{0, 1, 2}] {
+           return abut_geometry_set_mesh(crowd.universe(), shared->geometry, xyz.data(), 3, triangle.data(), 1);
+         };
+       }},
   };
 }
 

@@ -281,6 +281,18 @@ class Universes(unittest.TestCase):
         balls = self.universe.add_geometry(part, abut.Shape.particles(numpy.zeros((4, 3)), 1))
         self.universe.set_particles(balls, 2, numpy.array([[0, 0, 7]]))
         self.assertEqual(self.universe.shape_of(balls).aabb().maximum.z, 8)
+        square = abut.Shape.mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+        mesh = self.universe.add_geometry(part, square)
+        self.universe.set_vertices(mesh, 3, numpy.array([[0, 1, 7]]))
+        self.assertEqual(self.universe.shape_of(mesh).aabb().maximum.z, 7)
+        self.universe.set_vertices(mesh, numpy.array([3, 0]), numpy.array([[0, 1, 0], [0, 0, 5]]))
+        self.assertEqual(self.universe.shape_of(mesh).aabb().maximum.z, 5)
+        with self.assertRaises(ValueError):
+            self.universe.set_vertices(mesh, [3, 0], [[0, 1, 0]])
+        self.universe.remove_triangles(mesh, [1])
+        self.assertEqual(self.universe.shape_of(mesh).aabb().maximum.z, 5)
+        self.universe.set_mesh(mesh, numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 4]]), [[0, 1, 2]])
+        self.assertEqual(self.universe.shape_of(mesh).aabb().maximum.z, 4)
 
 
 if __name__ == "__main__":

@@ -46,6 +46,58 @@ impl Universe {
         })
     }
 
+    /// Moves vertices of a mesh from the given one on.
+    pub fn set_vertices(&mut self, geometry: GeometryId, first: usize, places: &[Vec3]) -> Result<()> {
+        // SAFETY: see set_parameters; three numbers of each place lie in a row.
+        check(unsafe {
+            raw::abut_geometry_set_vertices(
+                self.as_ptr(),
+                geometry.raw(),
+                first,
+                places.as_ptr().cast(),
+                places.len(),
+            )
+        })
+    }
+
+    /// Moves vertices of a mesh by their numbers. Of one that is there twice, the last place counts.
+    pub fn set_vertices_at(&mut self, geometry: GeometryId, vertices: &[u32], places: &[Vec3]) -> Result<()> {
+        expect_as_many(("vertices", vertices.len()), ("places", places.len()))?;
+        // SAFETY: see set_vertices; there are as many places as vertices.
+        check(unsafe {
+            raw::abut_geometry_set_vertices_at(
+                self.as_ptr(),
+                geometry.raw(),
+                vertices.as_ptr(),
+                places.as_ptr().cast(),
+                places.len(),
+            )
+        })
+    }
+
+    /// Takes triangles out of a mesh. The others keep their numbers.
+    pub fn remove_triangles(&mut self, geometry: GeometryId, triangles: &[u32]) -> Result<()> {
+        // SAFETY: see set_parameters.
+        check(unsafe {
+            raw::abut_geometry_remove_triangles(self.as_ptr(), geometry.raw(), triangles.as_ptr(), triangles.len())
+        })
+    }
+
+    /// Makes a mesh anew. Contacts live on by the numbers of triangles.
+    pub fn set_mesh(&mut self, geometry: GeometryId, vertices: &[Vec3], triangles: &[[u32; 3]]) -> Result<()> {
+        // SAFETY: see set_parameters; three numbers of each vertex and triangle lie in a row.
+        check(unsafe {
+            raw::abut_geometry_set_mesh(
+                self.as_ptr(),
+                geometry.raw(),
+                vertices.as_ptr().cast(),
+                vertices.len(),
+                triangles.as_ptr().cast(),
+                triangles.len(),
+            )
+        })
+    }
+
     /// Moves particles from the given one on; radii are for particles that have some of their own.
     pub fn set_particles(
         &mut self,

@@ -1061,6 +1061,42 @@ extern "C" {
     ) -> abut_status;
 }
 extern "C" {
+    pub fn abut_geometry_set_vertices(
+        universe: *mut abut_universe,
+        geometry: abut_geometry_id,
+        first: usize,
+        xyz: *const f64,
+        count: usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_geometry_set_vertices_at(
+        universe: *mut abut_universe,
+        geometry: abut_geometry_id,
+        vertices: *const u32,
+        xyz: *const f64,
+        count: usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_geometry_remove_triangles(
+        universe: *mut abut_universe,
+        geometry: abut_geometry_id,
+        triangles: *const u32,
+        count: usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_geometry_set_mesh(
+        universe: *mut abut_universe,
+        geometry: abut_geometry_id,
+        xyz: *const f64,
+        vertex_count: usize,
+        triangles: *const u32,
+        triangle_count: usize,
+    ) -> abut_status;
+}
+extern "C" {
     pub fn abut_geometry_shape(
         universe: *const abut_universe,
         geometry: abut_geometry_id,

@@ -2,8 +2,8 @@
 //! What a simulation asks of a universe: velocities, sleep, islands, policies, materials, shapes that change.
 
 use abut::{
-    ContactMaterial, Detail, GeometryId, GeometryOptions, Motion, PartId, PartOptions, Policy, Pose, Shape, Sleep,
-    Status, Universe, UniverseOptions, Velocity,
+    ContactMaterial, Detail, GeometryId, GeometryOptions, Motion, PartId, PartOptions, Policy, Pose, Shape, Sides,
+    Sleep, Status, Universe, UniverseOptions, Velocity,
 };
 
 fn empty() -> Universe {
@@ -123,5 +123,14 @@ fn shapes_change_in_place() {
     universe.set_particles(cloud, 1, &[[-19.0, 1.0, 0.5]], None).unwrap();
     universe.step(0.5).unwrap();
     assert!(universe.contacts().unwrap().iter().any(|contact| contact.geometry_b == cloud));
+    let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let mesh = Shape::mesh(&square, &[[0, 1, 2], [0, 2, 3]], Sides::Both).unwrap();
+    let (_, mesh) = add(&mut universe, &mesh, Pose::at(50.0, 0.0, 0.0));
+    universe.set_vertices(mesh, 3, &[[0.0, 1.0, 7.0]]).unwrap();
+    universe.set_vertices_at(mesh, &[0], &[[0.0, 0.0, 1.0]]).unwrap();
+    assert!(universe.set_vertices_at(mesh, &[0, 1], &[[0.0; 3]]).is_err());
+    universe.remove_triangles(mesh, &[1]).unwrap();
+    assert_eq!(universe.remove_triangles(mesh, &[0]).unwrap_err().status(), Status::Empty);
+    universe.set_mesh(mesh, &square[..3], &[[0, 1, 2]]).unwrap();
     assert_eq!(universe.set_particles(ball, 0, &[[0.0; 3]], None).unwrap_err().status(), Status::Unsupported);
 }

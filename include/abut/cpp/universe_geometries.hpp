@@ -135,6 +135,35 @@ class UniverseGeometries : public UniverseParts {
                               : abut_geometry_set_particles(get(), geometry, first, centres.data(),
                                                             radii.empty() ? nullptr : radii.data(), centres.size()));
   }
+  // Vertices of a mesh, from `first` on.
+  Answer<void> set_vertices(GeometryId geometry, std::size_t first, const Points& places) {
+    const abut_status sizes = detail::expect_whole("places", places);
+    return detail::answer(
+        sizes != ABUT_OK ? sizes
+                         : abut_geometry_set_vertices(get(), geometry, first, places.data(), places.size()));
+  }
+  // Those of a list, as many as there are places.
+  Answer<void> set_vertices(GeometryId geometry, Span<const std::uint32_t> vertices, const Points& places) {
+    const abut_status sizes =
+        detail::first_failure(detail::expect_whole("places", places),
+                              detail::expect_as_many("vertices", vertices.size(), "places", places.size()));
+    return detail::answer(sizes != ABUT_OK ? sizes
+                                           : abut_geometry_set_vertices_at(get(), geometry, vertices.data(),
+                                                                           places.data(), vertices.size()));
+  }
+  // The other triangles of the mesh keep their numbers.
+  Answer<void> remove_triangles(GeometryId geometry, Span<const std::uint32_t> triangles) {
+    return detail::answer(abut_geometry_remove_triangles(get(), geometry, triangles.data(), triangles.size()));
+  }
+  // All of a mesh. Contacts live on by the numbers of triangles.
+  Answer<void> set_mesh(GeometryId geometry, const Points& vertices, const Triangles& triangles) {
+    const abut_status sizes =
+        detail::first_failure(detail::expect_whole("vertices", vertices), detail::expect_whole("triangles", triangles));
+    return detail::answer(sizes != ABUT_OK
+                              ? sizes
+                              : abut_geometry_set_mesh(get(), geometry, vertices.data(), vertices.size(),
+                                                       triangles.data(), triangles.size()));
+  }
 
   // The one change that a filter may make.
   Answer<void> park(GeometryId geometry, Parking parking) {

@@ -44,14 +44,17 @@ Fault check_edit(const AnyShape& shape, const Edit& edit) {
                     static_cast<const AnyShape::Variant&>(shape), edit);
 }
 
-void own_shape(ShapeHandle& shape) {
+void own_shape(ShapeHandle& shape, const Edit& edit) {
   std::visit(
-      []<class S>(S& its) {
+      []<class S>(S& its, const auto& given) {
         if constexpr (requires { its.own(); }) {
           its.own();
         }
+        if constexpr (requires { its.make_room(given); }) {
+          its.make_room(given);
+        }
       },
-      static_cast<AnyShape::Variant&>(shape.own()));
+      static_cast<AnyShape::Variant&>(shape.own()), edit);
 }
 
 Aabb apply_edit(ShapeHandle& shape, const Edit& edit) {

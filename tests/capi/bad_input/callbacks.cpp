@@ -70,6 +70,11 @@ ABUT_BUSY_TEST(GeometrySetFieldValues,
                abut_geometry_set_field_values(scene.universe, scene.geometry, 0, 0, 0, 0, 0, 0, nullptr))
 ABUT_BUSY_TEST(GeometrySetParticles,
                abut_geometry_set_particles(scene.universe, scene.geometry, 0, nullptr, nullptr, 0))
+ABUT_BUSY_TEST(GeometrySetVertices, abut_geometry_set_vertices(scene.universe, scene.geometry, 0, nullptr, 0))
+ABUT_BUSY_TEST(GeometrySetVerticesAt,
+               abut_geometry_set_vertices_at(scene.universe, scene.geometry, nullptr, nullptr, 0))
+ABUT_BUSY_TEST(GeometryRemoveTriangles, abut_geometry_remove_triangles(scene.universe, scene.geometry, nullptr, 0))
+ABUT_BUSY_TEST(GeometrySetMesh, abut_geometry_set_mesh(scene.universe, scene.geometry, nullptr, 0, nullptr, 0))
 ABUT_BUSY_TEST(RuleSet, abut_rule_set(scene.universe, &anything, &anything, ABUT_RULE_DISABLE))
 ABUT_BUSY_TEST(RulesClear, abut_rules_clear(scene.universe))
 ABUT_BUSY_TEST(UniverseSetFilter, abut_universe_set_filter(scene.universe, nullptr, nullptr))

@@ -157,6 +157,12 @@ FUNCTIONS = {
         Status, [c_void_p, GeometryId, c_uint32, c_uint32, c_uint32, c_uint32, c_uint32, c_uint32, POINTER(c_double)]),
     "abut_geometry_set_particles": (
         Status, [c_void_p, GeometryId, c_size_t, POINTER(c_double), POINTER(c_double), c_size_t]),
+    "abut_geometry_set_vertices": (Status, [c_void_p, GeometryId, c_size_t, POINTER(c_double), c_size_t]),
+    "abut_geometry_set_vertices_at": (
+        Status, [c_void_p, GeometryId, POINTER(c_uint32), POINTER(c_double), c_size_t]),
+    "abut_geometry_remove_triangles": (Status, [c_void_p, GeometryId, POINTER(c_uint32), c_size_t]),
+    "abut_geometry_set_mesh": (
+        Status, [c_void_p, GeometryId, POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t]),
     "abut_geometry_shape": (Status, [c_void_p, GeometryId, POINTER(c_void_p)]),
     "abut_geometry_park": (Status, [c_void_p, GeometryId, c_uint32]),
     "abut_geometries_park": (Status, [c_void_p, POINTER(GeometryId), c_size_t, c_uint32]),

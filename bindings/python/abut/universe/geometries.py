@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_double, c_size_t, c_void_p
+from ctypes import byref, c_double, c_size_t, c_uint32, c_void_p
 from typing import Any
 
 from .. import answers, c, given, options
@@ -131,6 +131,27 @@ class Geometries(Lender):
         if sizes is not None and len(sizes) != count:
             raise ValueError(f"xyz has {count} and radii has {len(sizes)}; they must have as many elements")
         self._change(library.abut_geometry_set_particles, geometry, c_size_t(first), centres, sizes, count)
+
+    def set_vertices(self, geometry: c.GeometryId, vertices: Any, xyz: Any) -> None:
+        """Moves vertices of a mesh to (N, 3) places: those from a number on, or those of a list of N numbers."""
+        places, count = given.rows("xyz", xyz, 3)
+        if isinstance(vertices, int):
+            self._change(library.abut_geometry_set_vertices, geometry, c_size_t(vertices), places, count)
+            return
+        listed = given.numbers("vertices", vertices, c_uint32)
+        if len(listed) != count:
+            raise ValueError(f"xyz has {count} and vertices has {len(listed)}; they must have as many elements")
+        self._change(library.abut_geometry_set_vertices_at, geometry, listed, places, count)
+
+    def remove_triangles(self, geometry: c.GeometryId, triangles: Any) -> None:
+        """Takes triangles out of a mesh; the others keep their numbers."""
+        going = given.numbers("triangles", triangles, c_uint32)
+        self._change(library.abut_geometry_remove_triangles, geometry, going, len(going))
+
+    def set_mesh(self, geometry: c.GeometryId, xyz: Any, triangles: Any) -> None:
+        """Makes a mesh anew from vertices and triangles, each (N, 3). Contacts live on by the numbers of triangles."""
+        points, corners = given.rows("xyz", xyz, 3), given.rows("triangles", triangles, 3, c_uint32)
+        self._change(library.abut_geometry_set_mesh, geometry, *points, *corners)
 
     def park(self, geometries: Any, parking: int = c.PARKING_SHORT_TERM) -> None:
         """Parks geometries, or brings them back with PARKING_NONE. A filter may do that, too."""

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.shapes.mesh;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.shapes.mesh_neighbours;
+import abut.trees.bvh;
+
+namespace abut {
+
+Fault Mesh::check(const VertexEdit& edit) const {
+  const std::size_t all = data_->vertices.size(), count = edit.xyz.size() / 3;
+  if (edit.first > all) {
+    return error_about(Errc::index_out_of_range, "first", std::uint64_t{edit.first}, "at most " + std::to_string(all));
+  }
+  if (edit.vertices.empty() && count > all - edit.first) {
+    return error_about(Errc::index_out_of_range, "count", std::uint64_t{count},
+                       "at most " + std::to_string(all - edit.first) + ", as first is " + std::to_string(edit.first));
+  }
+  for (std::size_t i = 0; i < edit.vertices.size(); ++i) {
+    if (edit.vertices[i] >= all) {
+      return error_about(Errc::index_out_of_range, "vertices[" + std::to_string(i) + "]",
+                         std::uint64_t{edit.vertices[i]}, "below the vertices, which are " + std::to_string(all));
+    }
+  }
+  return check_all_finite("xyz", edit.xyz);
+}
+
+Fault Mesh::check(const RemovalEdit& edit) const {
+  const std::span<const std::uint32_t> indices = data_->indices;
+  const std::size_t all = triangle_count();
+  for (std::size_t i = 0; i < edit.triangles.size(); ++i) {
+    if (edit.triangles[i] >= all) {
+      return error_about(Errc::index_out_of_range, "triangles[" + std::to_string(i) + "]",
+                         std::uint64_t{edit.triangles[i]}, "below the triangles, which are " + std::to_string(all));
+    }
+  }
+  if (edit.triangles.size() < data_->present) {
+    return std::nullopt;
+  }
+  std::vector<std::uint32_t> going(edit.triangles.begin(), edit.triangles.end());
+  std::ranges::sort(going);
+  going.erase(std::unique(going.begin(), going.end()), going.end());
+  std::erase_if(going, [&](std::uint32_t triangle) { return is_removed(indices, triangle); });
+  if (going.size() == data_->present) {
+    return error_about(Errc::empty, "count", std::uint64_t{edit.triangles.size()},
+                       "less, as that leaves no triangle; a mesh needs at least one");
+  }
+  return std::nullopt;
+}
+
+Fault Mesh::check(const RecreationEdit& edit) const { return check_buffers(edit.reals, edit.indices); }
+
+// Where no query has needed the tree so far, there is nothing to follow the change.
+void Mesh::make_room_for_change() {
+  if (std::optional<Bvh>& tree = data_.own().tree.made()) {
+    static_cast<void>(neighbours());
+    tree->make_room();
+  }
+}
+
+void Mesh::make_room(const RecreationEdit& edit) {
+  Data& data = data_.own();
+  data.vertices.reserve(edit.reals.size() / 3);
+  data.indices.reserve(edit.indices.size());
+}
+
+// After triangles have moved or gone: the tree and the box follow. `touched`: the sides of the box at which something
+// of them was, low ones before high ones; `moved`: around their new places.
+Aabb Mesh::follow(std::uint32_t touched, const Aabb& moved) {
+  Data& data = data_.own();
+  Bvh& tree = *data.tree.made();
+  const Aabb changed = tree.settle(), before = data.box;
+  for (std::size_t side = 0; side < 6; ++side) {
+    const Real sign = side < 3 ? 1 : -1;
+    const auto axis = static_cast<int>(side % 3);
+    const auto at = [&](const Aabb& box) { return sign * (side < 3 ? box.low : box.high)[axis]; };
+    Real value = std::min(at(before), at(moved));
+    if ((touched & 1u << side) != 0 && at(moved) > at(before)) {
+      value = tree.least(side, at(before), [&](std::uint32_t triangle) { return at(present_box(triangle)); });
+    }
+    Vec3& bound = side < 3 ? data.box.low : data.box.high;
+    (axis == 0 ? bound.x : axis == 1 ? bound.y : bound.z) = sign * value;
+  }
+  if (tree.is_worn()) {
+    data.tree.forget();
+  }
+  // What is inside of a solid may change anywhere. Whether an edge dips depends on the triangles that share a corner with it, which reach so much further.
+  const Vec3 reach = data.widest;
+  const bool has_same_box = before.low == data.box.low && before.high == data.box.high;
+  return has_same_box && !is_solid() ? Aabb{changed.low - reach, changed.high + reach} : Aabb::everything();
+}
+
+namespace {
+
+std::uint32_t sides_touched(const Aabb& box, const Vec3& point) {
+  return (point.x <= box.low.x ? 1u : 0u) | (point.y <= box.low.y ? 2u : 0u) | (point.z <= box.low.z ? 4u : 0u) |
+         (point.x >= box.high.x ? 8u : 0u) | (point.y >= box.high.y ? 16u : 0u) | (point.z >= box.high.z ? 32u : 0u);
+}
+
+}  // namespace
+
+Aabb Mesh::apply(const VertexEdit& edit) {
+  Data& data = data_.own();
+  const std::size_t count = edit.xyz.size() / 3;
+  if (count == 0) {
+    return {data.box.low, data.box.low};
+  }
+  data.inside.forget();
+  const auto vertex_at = [&](std::size_t i) {
+    return edit.vertices.empty() ? static_cast<std::uint32_t>(edit.first + i) : edit.vertices[i];
+  };
+  std::uint32_t touched = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3& place = data.vertices[vertex_at(i)];
+    touched |= sides_touched(data.box, place);
+    place = {edit.xyz[3 * i], edit.xyz[3 * i + 1], edit.xyz[3 * i + 2]};
+  }
+  if (!data.tree.is_made()) {
+    data.box = box_of(data);
+    return Aabb::everything();
+  }
+  Bvh& tree = *data.tree.made();
+  Aabb moved = Aabb::empty();
+  const bool is_range = edit.vertices.empty();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const std::uint32_t triangle : neighbours().around_vertex(vertex_at(i))) {
+      // One that several vertices of a range share moves with the first of them.
+      const auto its = std::span(data.indices).subspan(3 * std::size_t{triangle}, 3);
+      if (is_removed(data.indices, triangle) || (is_range && std::ranges::any_of(its, [&](std::uint32_t vertex) {
+                                                   return vertex >= edit.first && vertex < vertex_at(i);
+                                                 }))) {
+        continue;
+      }
+      const Aabb box = box_around(corners(triangle));
+      tree.move(triangle, box);
+      moved.include(box);
+      data.widest = maximum(data.widest, box.high - box.low);
+    }
+  }
+  return follow(touched, moved);
+}
+
+Aabb Mesh::apply(const RemovalEdit& edit) {
+  Data& data = data_.own();
+  if (edit.triangles.empty()) {
+    return {data.box.low, data.box.low};
+  }
+  data.inside.forget();
+  std::uint32_t touched = 0;
+  std::optional<MeshNeighbours>& neighbours = data.neighbours.made();
+  std::optional<Bvh>& tree = data.tree.made();
+  for (const std::uint32_t triangle : edit.triangles) {
+    if (is_removed(data.indices, triangle)) {
+      continue;
+    }
+    --data.present;
+    for (const Vec3& corner : corners(triangle)) {
+      touched |= sides_touched(data.box, corner);
+    }
+    if (neighbours) {
+      neighbours->remove(triangle, data.indices);
+    } else {
+      const std::size_t first = 3 * std::size_t{triangle};
+      data.indices[first + 1] = data.indices[first + 2] = data.indices[first];
+    }
+    if (tree) {
+      tree->move(triangle, Aabb::empty());
+    }
+  }
+  if (!tree) {
+    data.box = box_of(data);
+    return Aabb::everything();
+  }
+  return follow(touched, Aabb::empty());
+}
+
+Aabb Mesh::apply(const RecreationEdit& edit) {
+  Data& data = data_.own();
+  fill(data, edit.reals, edit.indices);
+  data.tree.forget();
+  data.neighbours.forget();
+  data.inside.forget();
+  return Aabb::everything();
+}
+
+}  // namespace abut

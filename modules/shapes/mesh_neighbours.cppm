@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which triangles of a mesh lie beside each other: 26 bytes for a triangle of a mesh with half as many vertices.
+export module abut.shapes.mesh_neighbours;
+import abut.core.standard;
+import abut.core;
+
+export namespace abut {
+
+// Whether a triangle has gone: it names one vertex three times.
+[[nodiscard]] inline bool is_removed(std::span<const std::uint32_t> indices, std::uint32_t triangle) {
+  const std::size_t first = 3 * std::size_t{triangle};
+  return indices[first] == indices[first + 1] && indices[first] == indices[first + 2];
+}
+
+class MeshNeighbours {
+ public:
+  MeshNeighbours(std::size_t vertex_count, std::span<const std::uint32_t> indices);
+
+  // The triangles that have a vertex. Some of them may have been removed.
+  [[nodiscard]] inline std::span<const std::uint32_t> around_vertex(std::uint32_t vertex) const
+      [[clang::lifetimebound]] {
+    return std::span(around_).subspan(first_around_[vertex], first_around_[vertex + 1] - first_around_[vertex]);
+  }
+  // The corner that the neighbour across an edge of a triangle has opposite to it. Edge i leads from corner i to the
+  // next one. Across a border it is the corner of the triangle itself; where several neighbours share the edge,
+  // no_index.
+  [[nodiscard]] inline std::uint32_t across(std::uint32_t triangle, std::size_t edge) const {
+    return across_[3 * std::size_t{triangle} + edge];
+  }
+
+  // A triangle is about to be removed; after that, the edges that it had are told to those that are left.
+  void remove(std::uint32_t triangle, std::span<std::uint32_t> indices);
+
+ private:
+  [[nodiscard]] std::uint32_t across_of(std::span<const std::uint32_t> indices, std::uint32_t triangle,
+                                        std::size_t edge) const;
+
+  // Those of vertex v are around_[first_around_[v]] to around_[first_around_[v + 1] - 1].
+  std::vector<std::uint32_t> first_around_, around_;
+  std::vector<std::uint32_t> across_;
+};
+
+}  // namespace abut
