@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The names that fragments of C in the documents may use, and what runs a fragment. A fragment whose calls fail fails.
  */
+#define _POSIX_C_SOURCE 200112L /* posix_memalign */
 #include <abut/abut.h>
 #include <abut/picking.h>
 #include <math.h>
