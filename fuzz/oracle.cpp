@@ -198,9 +198,22 @@ std::optional<Real> gap_along(const Scene& scene, const Vec3& direction) {
   return a && b ? std::optional(dot(direction, scene.ab.position) - *a - *b) : std::nullopt;
 }
 
-Verdict judge_distance(const Scene& scene, const Distance& found) {
+// Whether a depth of a surface is that of a contact: one whose way out of the deepest triangle leads into a neighbour.
+// Its points lie across each other and need not be outermost.
+bool is_of_contact(const Scene& scene, const Distance& found, const Manifold& contacts) {
+  return !(is_solid(scene.a) && is_solid(scene.b)) && found.distance < 0 &&
+         std::ranges::any_of(
+             contacts,
+             [&](const ContactPoint& contact) {
+               return contact.distance == found.distance && contact.normal == found.normal &&
+                      contact.point_a == found.point_a && contact.point_b == found.point_b;
+             });
+}
+
+Verdict judge_distance(const Scene& scene, const Distance& found, const Manifold& contacts) {
   // The deepest point of a solid in a field may lie below its surface.
-  const bool must_be_outermost = !has_holes(scene.a) && !has_holes(scene.b) && doubt_of(scene) == 0;
+  const bool must_be_outermost = !has_holes(scene.a) && !has_holes(scene.b) && doubt_of(scene) == 0 &&
+                                 !is_of_contact(scene, found, contacts);
   if (Verdict verdict =
           judge_record(scene, found.distance, found.point_a, found.point_b, found.normal, must_be_outermost)) {
     return verdict;
@@ -304,7 +317,7 @@ Verdict judge(std::size_t place_a, std::size_t place_b, const Record& record) {
   if (pair_contacts(scene.a, scene.b, scene.ab, {.margin = scene.margin}, contacts) != Outcome::ok) {
     return "the pair has no contacts query";
   }
-  if (Verdict verdict = judge_distance(scene, found)) {
+  if (Verdict verdict = judge_distance(scene, found, contacts)) {
     return verdict;
   }
   if (Verdict verdict = judge_contacts(scene, found, contacts)) {
