@@ -1158,7 +1158,7 @@ ABUT_API abut_status abut_geometries_set_shapes(abut_universe *universe, const a
  * @param parameters  parameter_count numbers, as abut_shape_desc.parameters takes them, and checked as
  *                    abut_shape_create does
  * ABUT_UNSUPPORTED for kinds that are made of more than their parameters: hull, mesh, height_field, particles,
- * composite, distance_field.
+ * composite, distance_field, uv_grid.
  * Complexity O(1). [exclusive]
  */
 ABUT_API abut_status abut_geometry_set_parameters(abut_universe *universe, abut_geometry_id geometry,
