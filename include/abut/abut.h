@@ -1226,9 +1226,9 @@ ABUT_API abut_status abut_geometry_set_particles(abut_universe *universe, abut_g
  * @param first  the first vertex that moves
  * @param xyz    count * 3 numbers, the new places, copied
  * @param count  how many move; with 0 nothing changes
- * ABUT_INDEX_OUT_OF_RANGE beyond the last vertex, ABUT_UNSUPPORTED for other kinds. Complexity O(count + triangles around
- * these vertices); the tree is fitted to what moved, and built anew with the next query once its boxes have grown so
- * much that queries cost more by a half. O(vertices + triangles) once where the shape has other holders. [exclusive]
+ * ABUT_INDEX_OUT_OF_RANGE beyond the last vertex, ABUT_UNSUPPORTED for other kinds. Complexity O(count + triangles
+ * around these vertices), and O(vertices + triangles) once where the shape has other holders. The tree is fitted to what
+ * moved. Once queries cost more by a half, the next one makes it anew. [exclusive]
  */
 ABUT_API abut_status abut_geometry_set_vertices(abut_universe *universe, abut_geometry_id geometry, size_t first,
                                                 const double *xyz, size_t count);

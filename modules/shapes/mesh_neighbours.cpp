@@ -2,7 +2,6 @@
 module abut.shapes.mesh_neighbours;
 import abut.capability;
 import abut.core.standard;
-import abut.core;
 
 namespace abut {
 

@@ -16,17 +16,17 @@ class BvhBuild {
   using Entry = Bvh::Entry;
   using Floats = Bvh::Floats;
 
-  BvhBuild(std::vector<Entry> entries, const Workers& workers) : entries_(std::move(entries)), workers_(workers) {}
+  explicit BvhBuild(std::vector<Entry> entries) : entries_(std::move(entries)) {}
 
-  [[nodiscard]] std::vector<EightBoxes> nodes() {
-    cut_all();
+  [[nodiscard]] std::vector<EightBoxes> nodes(const Workers& workers) {
+    cut_all(workers);
     place_range(0);
     nodes_.resize(node_count_, Bvh::empty_node());
     for (const Inner& inner : inner_) {
       fill_inner(inner);
     }
-    const Cuts cuts = workers_.cut(clusters_.size(), 64);
-    workers_.for_each(cuts.tasks(), [&](std::size_t task) {
+    const Cuts cuts = workers.cut(clusters_.size(), 64);
+    workers.for_each(cuts.tasks(), [&](std::size_t task) {
       for (const Cluster& cluster : cuts.of(std::span<const Cluster>(clusters_), task)) {
         fill_cluster(cluster);
       }
@@ -230,7 +230,7 @@ class BvhBuild {
   }
 
   // Large ranges first, all of one round at once; then those that are left, each as a task.
-  void cut_all() {
+  void cut_all(const Workers& workers) {
     const auto all = static_cast<std::uint32_t>(entries_.size());
     const std::uint32_t most_of_task = std::max(most_packed, all / 64);
     ranges_.push_back({0, all, 0, 0, 0, none()});
@@ -242,7 +242,7 @@ class BvhBuild {
     while (!large.empty()) {
       const std::vector<std::uint32_t> round = std::exchange(large, {});
       std::vector<std::uint32_t> between(round.size());
-      workers_.for_each(round.size(), [&](std::size_t i) {
+      workers.for_each(round.size(), [&](std::size_t i) {
         Range& range = ranges_[round[i]];
         const Extent extent = extent_of(range.begin, range.end);
         range.around = extent.around;
@@ -255,7 +255,7 @@ class BvhBuild {
       }
     }
     std::vector<std::vector<Range>> below(tasks.size());
-    workers_.for_each(tasks.size(), [&](std::size_t i) {
+    workers.for_each(tasks.size(), [&](std::size_t i) {
       below[i].push_back(ranges_[tasks[i]]);
       cut_below(below[i], 0);
     });
@@ -341,7 +341,6 @@ class BvhBuild {
   }
 
   std::vector<Entry> entries_;
-  const Workers& workers_;
   std::vector<Range> ranges_;
   std::vector<Inner> inner_;
   std::vector<Cluster> clusters_;
@@ -351,7 +350,7 @@ class BvhBuild {
 
 void Bvh::build(std::vector<Entry> entries, const Workers& workers) {
   std::erase_if(entries, [](const Entry& entry) { return entry.number() == nobody; });
-  nodes_ = BvhBuild(std::move(entries), workers).nodes();
+  nodes_ = BvhBuild(std::move(entries)).nodes(workers);
 }
 
 }  // namespace abut
