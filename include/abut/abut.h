@@ -1227,8 +1227,8 @@ ABUT_API abut_status abut_geometry_set_particles(abut_universe *universe, abut_g
  * @param xyz    count * 3 numbers, the new places, copied
  * @param count  how many move; with 0 nothing changes
  * ABUT_INDEX_OUT_OF_RANGE beyond the last vertex, ABUT_UNSUPPORTED for other kinds. Complexity O(count + triangles
- * around these vertices), and O(vertices + triangles) once where the shape has other holders. The tree is fitted to what
- * moved. Once queries cost more by a half, the next one makes it anew. [exclusive]
+ * around these vertices), and O(vertices + triangles) once where the shape has other holders. The tree is fitted to
+ * what moved. Once queries cost more by a half, the next one makes it anew. [exclusive]
  */
 ABUT_API abut_status abut_geometry_set_vertices(abut_universe *universe, abut_geometry_id geometry, size_t first,
                                                 const double *xyz, size_t count);

@@ -13,8 +13,8 @@ export namespace abut {
 // What is wrong with an edit of a shape; unsupported where shapes of its kind do not take it.
 [[nodiscard]] Fault check_edit(const AnyShape& shape, const Edit& edit);
 
-// Makes the shape and its data those of this holder alone, by a copy where there are other holders. Gets the memory that
-// the edit takes. Nobody sees a change.
+// Makes the shape and its data those of this holder alone, by a copy where there are other holders. Gets the memory
+// that the edit takes. Nobody sees a change.
 void own_shape(ShapeHandle& shape, const Edit& edit);
 
 // After both: needs no memory. Answers with a box in the frame of the shape, outside of which nothing meets anything
