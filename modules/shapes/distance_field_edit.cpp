@@ -54,8 +54,8 @@ Fault DistanceField::check(const FieldEdit& edit) const {
   return std::nullopt;
 }
 
-// What lies outside of the box of changed values meets the same values, and is searched in the same way while slopes
-// are bounded as before. From a point in the solid the surface may be as far as the solid is deep.
+// Outside of the box of changed values others meet what they met: the values are the same, and the search is while
+// slopes are bounded as before. From a point in the solid the surface may be as far as the solid is deep.
 Aabb DistanceField::apply(const FieldEdit& edit) {
   if (edit.values.empty()) {
     return Aabb::empty();

@@ -4,7 +4,6 @@
 module abut.shapes.distance_field;
 import abut.capability;
 import abut.core.standard;
-import abut.core;
 import abut.math;
 import abut.trees.sparse_blocks;
 

@@ -44,7 +44,7 @@ class SparseBlocks {
  public:
   static constexpr std::uint32_t side = 8;  // of a block, in cells
   static constexpr std::uint32_t samples_along = side + 1;
-  static constexpr std::size_t samples_of_block = std::size_t{samples_along} * samples_along * samples_along;
+  static constexpr std::size_t samples_of_block = 729;  // nine along each axis
 
   // What is known of a block as a whole.
   struct Block {
