@@ -120,8 +120,9 @@ abut_status create_height_field(const abut_height_field_desc& desc, abut_shape**
       status != ABUT_OK) {
     return status;
   }
-  const std::array parameters{static_cast<double>(desc.columns), static_cast<double>(desc.rows), desc.spacing_x,
-                              desc.spacing_y, static_cast<double>(desc.diagonal), static_cast<double>(desc.below)};
+  const std::array parameters{
+      static_cast<double>(desc.columns),  static_cast<double>(desc.rows), desc.spacing_x, desc.spacing_y,
+      static_cast<double>(desc.diagonal), static_cast<double>(desc.below)};
   numbers.parameters = parameters;
   return create_named("height_field", numbers, out);
 }

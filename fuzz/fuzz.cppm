@@ -100,7 +100,7 @@ using Verdict = std::optional<std::string>;
 // best of the normals of contacts and of triangles that overlap.
 [[nodiscard]] std::optional<Real> depth_bound(const Scene& scene, const Manifold& found);
 
-[[nodiscard]] Verdict judge_distance(const Scene& scene, const Distance& found);
+[[nodiscard]] Verdict judge_distance(const Scene& scene, const Distance& found, const Manifold& contacts);
 [[nodiscard]] Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manifold& found);
 // Our second route must agree. libccd may be wrong; what it says counts when the gap along its own
 // normal is larger than the distance, which cannot be.

@@ -212,8 +212,8 @@ bool is_of_contact(const Scene& scene, const Distance& found, const Manifold& co
 
 Verdict judge_distance(const Scene& scene, const Distance& found, const Manifold& contacts) {
   // The deepest point of a solid in a field may lie below its surface.
-  const bool must_be_outermost = !has_holes(scene.a) && !has_holes(scene.b) && doubt_of(scene) == 0 &&
-                                 !is_of_contact(scene, found, contacts);
+  const bool must_be_outermost =
+      !has_holes(scene.a) && !has_holes(scene.b) && doubt_of(scene) == 0 && !is_of_contact(scene, found, contacts);
   if (Verdict verdict =
           judge_record(scene, found.distance, found.point_a, found.point_b, found.normal, must_be_outermost)) {
     return verdict;

@@ -45,9 +45,9 @@ void expect_refused(Change change) {
   for (const bool apart : {false, true}) {
     const Scene scene = boxes(apart);
     Distance found = answer(scene);
-    ASSERT_EQ(judge_distance(scene, found), std::nullopt);
+    ASSERT_EQ(judge_distance(scene, found, {}), std::nullopt);
     change(found);
-    EXPECT_NE(judge_distance(scene, found), std::nullopt) << (apart ? "apart" : "overlapping");
+    EXPECT_NE(judge_distance(scene, found, {}), std::nullopt) << (apart ? "apart" : "overlapping");
   }
 }
 
@@ -105,7 +105,7 @@ TEST(FuzzOracle, RefusesADepthThatIsNotTheLeast) {
   found.point_a = {0.9, 0, 1};
   found.point_b = {0.9, 0, -0.5};
   found.distance = found.lower = found.upper = -1.5;
-  EXPECT_NE(judge_distance(scene, found), std::nullopt);
+  EXPECT_NE(judge_distance(scene, found, {}), std::nullopt);
 }
 
 TEST(FuzzOracle, RefusesADistanceThatGjkAndEpaRuleOut) {
@@ -139,7 +139,7 @@ TEST(FuzzOracle, TakesAnyContactForTheDistanceOfWhatHolesLeave) {
   for (const bool is_holed : {false, true}) {
     const std::array both{placed_solid, placed_hole};
     const Scene scene{make_composite(std::span(both).first(is_holed ? 2 : 1)).value(), needle, askew, 0, 4};
-    EXPECT_EQ(judge_distance(scene, found) == std::nullopt, is_holed);
+    EXPECT_EQ(judge_distance(scene, found, {}) == std::nullopt, is_holed);
   }
 }
 

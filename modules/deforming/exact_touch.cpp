@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coordinates are multiples of a power of two, so c and q (see quick_touch.cpp) are polynomials with whole
-// coefficients. A time of touch is a zero of one of them. Zeros are told apart by Sturm's theorem, and the sign of one
-// polynomial at a zero of another by their common divisor (Basu, Pollack, Roy, "Algorithms in Real Algebraic Geometry",
-// 2006, chapters 2 and 10).
+// coefficients. A time of touch is a zero of one of them. Sturm's theorem tells zeros apart. A common
+// divisor tells the sign of one polynomial at a zero of another. Source: Basu, Pollack, Roy, "Algorithms in Real
+// Algebraic Geometry", 2006, chapters 2 and 10.
 module;
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Weverything"

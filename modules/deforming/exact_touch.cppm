@@ -2,7 +2,6 @@
 // The same as quick_touch in whole numbers of any length: for what rounding leaves open.
 export module abut.deforming.exact_touch;
 import abut.core.standard;
-import abut.math;
 import abut.deforming;
 import abut.deforming.moving_triangle;
 

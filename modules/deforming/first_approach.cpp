@@ -27,10 +27,6 @@ TriangleCorners corners_at(const MovingTriangle& triangle, Real time) {
   return corners;
 }
 
-Real least_along(const TriangleCorners& corners, const Vec3& direction) {
-  return std::min({dot(corners[0], direction), dot(corners[1], direction), dot(corners[2], direction)});
-}
-
 struct Stretch {
   Real low, high;
 };

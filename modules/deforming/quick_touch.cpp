@@ -18,8 +18,9 @@ namespace {
 using Cubic = std::array<Real, 4>;
 using Quartic = std::array<Real, 5>;
 
-// What rounding may add to c and to q, by the cube and the fourth power of the largest coordinate m, in units in the
-// last place of one. Products and sums: 48 and 136. Each halving: 18 and 48, at most 30 times.
+// What rounding may add to c and to q, in units in the last place of one. Bounds of c are times the cube of the largest
+// coordinate, those of q times its fourth power. Products and sums add 48 and 136. Each of at most 30 halvings adds 18
+// and 48.
 constexpr int most_halvings = 30;
 constexpr Real unit = epsilon / 2;
 constexpr Real cubic_rounding = 1024 * unit, quartic_rounding = 2048 * unit;

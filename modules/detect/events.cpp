@@ -32,7 +32,7 @@ void write_event(EventKind kind, const Pair& pair, std::uint32_t flags, std::vec
 
 // First those that are there, in their order, then those that are gone, in theirs.
 void write_contact_events(const Pair& pair, std::uint32_t flags, bool with_persist, const ContactList& contacts,
-                          std::vector<Event>& out) {
+                          ContactIndex& index, std::vector<Event>& out) {
   const std::span<const ContactHistory> before = contacts.histories_before_of(pair);
   const std::span<const ContactHistory> present = contacts.histories_of(pair);
   const auto write = [&](EventKind kind, std::uint64_t id, std::uint32_t place) {
@@ -45,7 +45,6 @@ void write_contact_events(const Pair& pair, std::uint32_t flags, bool with_persi
                    .first_contact = is_end ? 0 : place,
                    .contact_count = is_end ? 0u : 1u});
   };
-  ContactIndex index;
   index.look_at(before);
   for (std::uint32_t i = 0; i < present.size(); ++i) {
     const std::uint64_t id = present[i].id;
@@ -70,7 +69,7 @@ std::uint32_t flags_of(const Pair& pair, std::span<const PlaceInfo> infos, const
 // Of pairs in order, and of those that are lost among them.
 void write_events(std::uint32_t wanted, std::span<const Pair> pairs, std::span<const Pair> lost,
                   std::span<const PlaceInfo> infos, const ContactList& contacts, const SleepTable& sleep,
-                  std::vector<Event>& out) {
+                  ContactIndex& index, std::vector<Event>& out) {
   const bool with_pairs = (wanted & event_pairs) != 0, with_contacts = (wanted & event_contacts) != 0;
   const bool with_persist = (wanted & event_persist) != 0;
   const auto end = [&](const Pair& pair) {
@@ -83,7 +82,7 @@ void write_events(std::uint32_t wanted, std::span<const Pair> pairs, std::span<c
     if (with_contacts) {
       gone.first_before = std::exchange(gone.first_contact, 0);
       gone.count_before = std::exchange(gone.contact_count, 0);
-      write_contact_events(gone, flags, with_persist, contacts, out);
+      write_contact_events(gone, flags, with_persist, contacts, index, out);
     }
   };
   for (const Pair& pair : pairs) {
@@ -106,7 +105,7 @@ void write_events(std::uint32_t wanted, std::span<const Pair> pairs, std::span<c
       write_event(kind, pair, flags, out);
     }
     if (with_contacts) {
-      write_contact_events(pair, flags, with_persist, contacts, out);
+      write_contact_events(pair, flags, with_persist, contacts, index, out);
     }
   }
   std::ranges::for_each(lost, end);
@@ -120,11 +119,11 @@ void EventList::collect(const Workers& workers, std::uint32_t wanted, const Pair
   events_.clear();
   const std::span<const Pair> pairs = store.all(), lost = store.lost();
   const Cuts cuts = workers.cut(pairs.size(), least_of_task);
+  tasks_.resize(std::max(tasks_.size(), cuts.tasks()));
   if (cuts.tasks() == 1) {
-    write_events(wanted, pairs, lost, infos, contacts, sleep, events_);
+    write_events(wanted, pairs, lost, infos, contacts, sleep, tasks_.front().index, events_);
     return;
   }
-  tasks_.resize(std::max(tasks_.size(), cuts.tasks()));
   const auto lost_at = [&](std::size_t task) {
     if (task == 0 || task == cuts.tasks()) {
       return task == 0 ? 0 : lost.size();
@@ -137,7 +136,7 @@ void EventList::collect(const Workers& workers, std::uint32_t wanted, const Pair
     const std::size_t begin = lost_at(task), end = lost_at(task + 1);
     tasks_[task].events.clear();
     write_events(wanted, cuts.of(pairs, task), lost.subspan(begin, end - begin), infos, contacts, sleep,
-                 tasks_[task].events);
+                 tasks_[task].index, tasks_[task].events);
   });
   std::size_t total = 0;
   for (Task& task : std::span(tasks_).first(cuts.tasks())) {
@@ -152,7 +151,7 @@ void EventList::collect(const Workers& workers, std::uint32_t wanted, const Pair
 std::size_t EventList::bytes() const {
   std::size_t sum = events_.capacity() * sizeof(Event) + tasks_.capacity() * sizeof(Task);
   for (const Task& task : tasks_) {
-    sum += task.events.capacity() * sizeof(Event);
+    sum += task.events.capacity() * sizeof(Event) + task.index.bytes();
   }
   return sum;
 }

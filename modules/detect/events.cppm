@@ -3,6 +3,7 @@
 export module abut.detect.events;
 import abut.core.standard;
 import abut.core.workers;
+import abut.detect.contact_index;
 import abut.detect.contacts;
 import abut.detect.pairs;
 import abut.scene.options;
@@ -25,6 +26,7 @@ class EventList {
   // What one task writes.
   struct Task {
     std::vector<Event> events;
+    ContactIndex index;
     std::size_t first = 0;  // where they go
   };
   std::vector<Event> events_;

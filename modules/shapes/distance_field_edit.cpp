@@ -54,44 +54,20 @@ Fault DistanceField::check(const FieldEdit& edit) const {
   return std::nullopt;
 }
 
-// Outside of the box of changed values others meet what they met: the values are the same, and the search is while
-// slopes are bounded as before. From a point in the solid the surface may be as far as the solid is deep.
+// A body deep in the solid searches all of it for the surface, so any change may reach it.
 Aabb DistanceField::apply(const FieldEdit& edit) {
   if (edit.values.empty()) {
     return Aabb::empty();
   }
   Data& field = data_.own();
   const GridBox box{{edit.column, edit.row, edit.layer}, {edit.columns, edit.rows, edit.layers}};
-  const auto deepest = [&] {
-    Real most = 0;
-    for (const SparseBlocks::Block& block : field.blocks.blocks()) {
-      most = std::max(most, -static_cast<Real>(block.low));
-    }
-    return most;
-  };
-  const Real before = deepest();
-  const Aabb solid = field.solid;
-  using Bounds = std::array<Real, sizeof(DistanceFieldWays) / sizeof(Real)>;
-  const auto bounds_of_slopes = [&] { return std::pair(field.steepest, std::bit_cast<Bounds>(field.ways)); };
-  const auto slopes_before = bounds_of_slopes();
   field.blocks.set(box, [&](const GridPlace& at) {
     const std::size_t from =
         (std::size_t{at.z - edit.layer} * edit.rows + (at.y - edit.row)) * edit.columns + (at.x - edit.column);
     return limited(field, at, edit.values[from]);
   });
   measure(field, box);
-  if (field.is_inside_out || solid.low != field.solid.low || solid.high != field.solid.high ||
-      bounds_of_slopes() != slopes_before) {
-    return Aabb::everything();
-  }
-  const auto placed = [&](Real x, Real y, Real z) {
-    return field.origin + Vec3{x * field.spacing.x, y * field.spacing.y, z * field.spacing.z};
-  };
-  // A sample counts in the cells on both of its sides.
-  const Aabb changed{placed(edit.column - 1.0, edit.row - 1.0, edit.layer - 1.0),
-                     placed(static_cast<Real>(edit.column) + edit.columns, static_cast<Real>(edit.row) + edit.rows,
-                            static_cast<Real>(edit.layer) + edit.layers)};
-  return changed.inflated(std::max(before, deepest()));
+  return Aabb::everything();
 }
 
 }  // namespace abut

@@ -16,15 +16,15 @@ class HeightField {
  public:
   using Part = Triangle;
   static constexpr std::string_view name = "height_field";
-  static constexpr std::array<std::string_view, 6> parameter_names{"columns", "rows", "spacing_x", "spacing_y",
-                                                                   "diagonal", "solid_below"};
+  static constexpr std::array<std::string_view, 6> parameter_names{"columns",   "rows",     "spacing_x",
+                                                                   "spacing_y", "diagonal", "solid_below"};
   static constexpr bool is_terrain = true;
 
   [[nodiscard]] static Result<HeightField> make(std::span<const Real> parameters, std::span<const Real> reals,
                                                 std::span<const std::uint32_t> indices);
   [[nodiscard]] std::vector<Real> parameters() const {
     const Data& field = *data_;
-    return {static_cast<Real>(field.columns), static_cast<Real>(field.rows), field.spacing_x, field.spacing_y,
+    return {static_cast<Real>(field.columns),  static_cast<Real>(field.rows), field.spacing_x, field.spacing_y,
             static_cast<Real>(field.diagonal), field.is_solid ? 1.0 : 0.0};
   }
   [[nodiscard]] Buffers buffers() const { return {data_->heights, {}}; }

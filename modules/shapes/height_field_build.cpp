@@ -123,16 +123,8 @@ Result<HeightField> HeightField::make(std::span<const Real> parameters, std::spa
   RangePyramid ranges(reals, columns);
   const auto [low, high] = ranges.whole();
   const Aabb box{{0, 0, low}, {(columns - 1) * parameters[2], (rows - 1) * parameters[3], high}};
-  Data data{columns,
-            rows,
-            parameters[2],
-            parameters[3],
-            diagonal,
-            below == 1,
-            {reals.begin(), reals.end()},
-            std::move(ranges),
-            box,
-            triangle_count};
+  Data data{columns,           rows, parameters[2], parameters[3], diagonal, below == 1, {reals.begin(), reals.end()},
+            std::move(ranges), box,  triangle_count};
   data.box.low.z = data.floor_below(low);
   return HeightField(std::move(data));
 }

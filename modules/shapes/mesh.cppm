@@ -44,6 +44,10 @@ class Mesh {
     return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]],
             mesh.vertices[mesh.indices[first + 2]]};
   }
+  // Of a triangle; empty where it has gone.
+  [[nodiscard]] inline Aabb present_box(std::uint32_t index) const {
+    return is_removed(data_->indices, index) ? Aabb::empty() : box_around(corners(index));
+  }
   [[nodiscard]] Triangle part(std::uint32_t index) const { return {corners(index), index, is_one_sided(index)}; }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
@@ -167,10 +171,6 @@ class Mesh {
   [[nodiscard]] Aabb follow(std::uint32_t touched, const Aabb& moved);
   static void fill(Data& data, std::span<const Real> reals, std::span<const std::uint32_t> indices);
   [[nodiscard]] static Aabb box_of(const Data& data);
-  // Of a triangle; empty where it has gone.
-  [[nodiscard]] inline Aabb present_box(std::uint32_t index) const {
-    return is_removed(data_->indices, index) ? Aabb::empty() : box_around(corners(index));
-  }
   [[nodiscard]] Bvh make_tree(const Workers& workers) const;
 
   Frozen<Data> data_;

@@ -86,7 +86,8 @@ Aabb Mesh::follow(std::uint32_t touched, const Aabb& moved) {
   if (tree.is_worn()) {
     data.tree.forget();
   }
-  // What is inside of a solid may change anywhere. Whether an edge dips depends on the triangles that share a corner with it, which reach so much further.
+  // What is inside of a solid may change anywhere. Whether an edge dips depends on the triangles that share a corner
+  // with it, which reach so much further.
   const Vec3 reach = data.widest;
   const bool has_same_box = before.low == data.box.low && before.high == data.box.high;
   return has_same_box && !is_solid() ? Aabb{changed.low - reach, changed.high + reach} : Aabb::everything();

@@ -14,8 +14,7 @@ class UvGrid {
  public:
   using Part = Triangle;
   static constexpr std::string_view name = "uv_grid";
-  static constexpr std::array<std::string_view, 5> parameter_names{"sides", "axis_u", "axis_v", "cells_u",
-                                                                   "cells_v"};
+  static constexpr std::array<std::string_view, 5> parameter_names{"sides", "axis_u", "axis_v", "cells_u", "cells_v"};
 
   [[nodiscard]] static Result<UvGrid> make(std::span<const Real> parameters, std::span<const Real> reals,
                                            std::span<const std::uint32_t> indices);

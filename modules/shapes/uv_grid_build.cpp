@@ -87,8 +87,10 @@ UvCells UvGrid::make_cells(const Data& data) {
   boxes.reserve(count);
   Vec3 widths{0, 0, 0};
   for (std::uint32_t triangle = 0; triangle < count; ++triangle) {
-    boxes.push_back(box_around(data.mesh.corners(triangle)));
-    widths += boxes.back().high - boxes.back().low;
+    boxes.push_back(data.mesh.present_box(triangle));
+    if (boxes.back().low.x <= boxes.back().high.x) {
+      widths += boxes.back().high - boxes.back().low;
+    }
   }
   const Aabb around = data.mesh.aabb(Pose::identity());
   const Vec3 extent = around.high - around.low;

@@ -5,6 +5,7 @@
 
 #include "support.hpp"
 
+#include <iterator>
 #include <map>
 #include <memory_resource>
 #include <mutex>
@@ -37,6 +38,7 @@ class Ledger {
  private:
   struct Block {
     std::size_t size, alignment;
+    void* whole;
   };
   static constexpr std::size_t shift = 8;
 
@@ -47,9 +49,10 @@ class Ledger {
     EXPECT_GE(alignment, 16U);
     EXPECT_TRUE(std::has_single_bit(alignment)) << alignment;
     if (its.asked_++ == its.refused_) return nullptr;
-    auto* memory = static_cast<unsigned char*>(std::pmr::new_delete_resource()->allocate(size + shift, alignment));
-    memory += its.are_shifted_ ? shift : 0;
-    its.held_[memory] = {size, alignment};
+    void* const whole = std::pmr::new_delete_resource()->allocate(size + shift, alignment);
+    void* const memory =
+        std::next(static_cast<unsigned char*>(whole), static_cast<std::ptrdiff_t>(its.are_shifted_ ? shift : 0));
+    its.held_[memory] = {size, alignment, whole};
     return memory;
   }
 
@@ -60,10 +63,9 @@ class Ledger {
     ASSERT_NE(found, its.held_.end()) << "a block that was not given";
     EXPECT_EQ(found->second.size, size);
     EXPECT_EQ(found->second.alignment, alignment);
+    std::pmr::new_delete_resource()->deallocate(found->second.whole, size + shift, alignment);
     its.held_.erase(found);
     ++its.given_back_;
-    auto* const given = static_cast<unsigned char*>(memory) - (its.are_shifted_ ? shift : 0);
-    std::pmr::new_delete_resource()->deallocate(given, size + shift, alignment);
   }
 
   std::mutex mutex_;

@@ -7,7 +7,7 @@ from tables import table_under
 COLOURS = {"🟢": "good", "🔵": "a", "🟡": "gold", "🟠": "b", "🟣": "mark"}
 LEGEND = (("good", "F, S", "exact by a formula"), ("a", "A, B, H", "proven to rounding"), ("gold", "R", "proven within 1e-9"),
           ("b", "D, E, P", "within an interval"), ("mark", "C, W", "as its children or walls"), (None, "", "never meet"))
-LEFT, TOP, SIDE = 126, 182, 33
+LEFT, TOP, SIDE = 126, 200, 30
 
 
 def _cell(picture, x, y, sign):

@@ -68,12 +68,12 @@ struct MeshOptions : Defaulted<MeshOptions, abut_mesh_options, abut_mesh_options
 };
 
 struct UvGridOptions : Defaulted<UvGridOptions, abut_uv_grid_options, abut_uv_grid_options_init> {
-  [[nodiscard]] UvGridOptions with_sides(Sides value) const { return with(&C::sides, value); }
+  [[nodiscard]] UvGridOptions with_sides(Sides value) const { return with(&abut_uv_grid_options::sides, value); }
   [[nodiscard]] UvGridOptions with_axes(Axis u, Axis v) const {
-    return with(&C::axis_u, u).with(&C::axis_v, v);
+    return with(&abut_uv_grid_options::axis_u, u).with(&abut_uv_grid_options::axis_v, v);
   }
   [[nodiscard]] UvGridOptions with_cells(std::uint32_t u, std::uint32_t v) const {
-    return with(&C::cells_u, u).with(&C::cells_v, v);
+    return with(&abut_uv_grid_options::cells_u, u).with(&abut_uv_grid_options::cells_v, v);
   }
 };
 

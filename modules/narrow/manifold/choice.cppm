@@ -22,7 +22,7 @@ export namespace abut {
 }
 
 // A point of a patch in the plane across its normal.
-using Flats = SmallVector<Vec2, 64>;
+using Flats = SmallVector<Vec2, 256>;
 
 [[nodiscard]] inline Flats flattened(std::span<const ContactPoint> patch) {
   const Tangents tangents = tangents_of(patch[0].normal);
@@ -36,13 +36,19 @@ using Flats = SmallVector<Vec2, 64>;
 }
 
 // Puts contacts into the order of `comes_before`. They are large: small keys are sorted, and each contact moves once.
+// Of very many, which are rare, no list of keys is made: that would take memory from step to step.
 inline void sort_by_depth(std::span<ContactPoint> contacts) {
   struct Key {
     Real distance;
     std::uint64_t id;
     std::uint32_t place;
   };
-  [[clang::uninitialized]] SmallVector<Key, 64> keys;
+  constexpr std::size_t most_keys = 64;
+  if (contacts.size() > most_keys) {
+    std::ranges::sort(contacts, comes_before);
+    return;
+  }
+  [[clang::uninitialized]] SmallVector<Key, most_keys> keys;
   for (std::uint32_t place = 0; place < contacts.size(); ++place) {
     keys.push_back({contacts[place].distance, contacts[place].id, place});
   }

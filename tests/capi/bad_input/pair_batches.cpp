@@ -149,11 +149,11 @@ void refuse_overflowing_counts(Ask ask) {
   EXPECT_TRUE(room.is_untouched());
 }
 
-void refuse_terrain_against_terrain(Ask ask) {
+void refuse_plane_against_plane(Ask ask) {
   Room room;
   room.a = make_plane({0.0, 0.0, 1.0}, 0.0);
-  room.b = make_terrain(3, 1.0);
-  EXPECT_TRUE(refused(ask(room.call()), ABUT_UNSUPPORTED, {"pair 0", "plane", "height_field"}));
+  room.b = make_plane({1.0, 0.0, 0.0}, 0.0);
+  EXPECT_TRUE(refused(ask(room.call()), ABUT_UNSUPPORTED, {"pair 0", "plane and plane"}));
   EXPECT_TRUE(room.is_untouched());
 }
 
@@ -175,7 +175,7 @@ TEST(PairsContacts, RefusesNonFiniteAndOtherBadPoses) { refuse_bad_poses(ask_col
 TEST(PairsContacts, RefusesBadOptions) { refuse_bad_options(ask_cold); }
 TEST(PairsContacts, RefusesWrongStructSize) { refuse_wrong_struct_size(ask_cold); }
 TEST(PairsContacts, RefusesOverflowingCounts) { refuse_overflowing_counts(ask_cold); }
-TEST(PairsContacts, RefusesTerrainAgainstTerrain) { refuse_terrain_against_terrain(ask_cold); }
+TEST(PairsContacts, RefusesPlaneAgainstPlane) { refuse_plane_against_plane(ask_cold); }
 TEST(PairsContacts, AcceptsNoPairs) { accept_no_pairs(ask_cold); }
 
 TEST(PairsContactsWithMemories, RefusesNull) {
@@ -190,7 +190,7 @@ TEST(PairsContactsWithMemories, RefusesNonFiniteAndOtherBadPoses) { refuse_bad_p
 TEST(PairsContactsWithMemories, RefusesBadOptions) { refuse_bad_options(ask_warm); }
 TEST(PairsContactsWithMemories, RefusesWrongStructSize) { refuse_wrong_struct_size(ask_warm); }
 TEST(PairsContactsWithMemories, RefusesOverflowingCounts) { refuse_overflowing_counts(ask_warm); }
-TEST(PairsContactsWithMemories, RefusesTerrainAgainstTerrain) { refuse_terrain_against_terrain(ask_warm); }
+TEST(PairsContactsWithMemories, RefusesPlaneAgainstPlane) { refuse_plane_against_plane(ask_warm); }
 TEST(PairsContactsWithMemories, AcceptsNoPairs) { accept_no_pairs(ask_warm); }
 
 // Two shapes, each with two poses and two displacements.
@@ -275,11 +275,11 @@ TEST(PairsCast, RefusesOverflowingCounts) {
   EXPECT_TRUE(call.hits.is_untouched());
 }
 
-TEST(PairsCast, RefusesTerrainAgainstTerrain) {
+TEST(PairsCast, RefusesPlaneAgainstPlane) {
   CastCall call;
   call.a = make_plane({0.0, 0.0, 1.0}, 0.0);
-  call.b = make_terrain(3, 1.0);
-  EXPECT_TRUE(refused(call.ask(nullptr), ABUT_UNSUPPORTED, {"pair 0", "plane", "height_field"}));
+  call.b = make_plane({1.0, 0.0, 0.0}, 0.0);
+  EXPECT_TRUE(refused(call.ask(nullptr), ABUT_UNSUPPORTED, {"pair 0", "plane and plane"}));
   EXPECT_TRUE(call.hits.is_untouched());
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vertices on straight lines, against public truth, against a search of boxes of time and place, and against itself.
+#include <bit>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -143,30 +144,33 @@ TEST(EdgesTouchEdges, AsASearchTells) {
   for (const int most : {1, 2, 5}) expect_as_search(Features::edges, most, 200, 42);
 }
 
-std::vector<std::pair<Query, bool>> public_truth(const char* name, bool edges) {
+std::vector<std::pair<Query, bool>> public_truth(const char* name, std::size_t count) {
   std::ifstream file(std::string(ABUT_TEST_DATA) + "/ccd/" + name, std::ios::binary);
-  std::vector<std::pair<Query, bool>> out;
-  std::array<double, 25> record{};
-  while (file.read(reinterpret_cast<char*>(record.data()), sizeof record)) {
-    Query query{};
-    std::copy_n(record.begin(), 12, query.start.begin());
-    std::copy_n(record.begin() + 12, 12, query.end.begin());
-    out.emplace_back(query, record[24] == 1);
+  const auto next = [&] {
+    std::array<char, sizeof(double)> bytes{};
+    file.read(bytes.data(), bytes.size());
+    return std::bit_cast<double>(bytes);
+  };
+  std::vector<std::pair<Query, bool>> out(count);
+  for (auto& [query, touches] : out) {
+    for (double& value : query.start) value = next();
+    for (double& value : query.end) value = next();
+    touches = next() == 1;
   }
-  EXPECT_EQ(out.size(), edges ? 74U : 250U);
+  EXPECT_TRUE(file.good() && file.peek() == std::ifstream::traits_type::eof()) << name;
   return out;
 }
 
 TEST(VerticesTouchFaces, AsThePublicTruthTells) {
   int wrong = 0;
-  for (const auto& [query, touches] : public_truth("ccd_vertex_face.bin", false)) {
+  for (const auto& [query, touches] : public_truth("ccd_vertex_face.bin", 250)) {
     wrong += (ask(Features::vertex_and_face, query).touches != 0) == touches ? 0 : 1;
   }
   EXPECT_EQ(wrong, 0);
 }
 TEST(EdgesTouchEdges, AsThePublicTruthTells) {
   int wrong = 0;
-  for (const auto& [query, touches] : public_truth("ccd_edge_edge.bin", true)) {
+  for (const auto& [query, touches] : public_truth("ccd_edge_edge.bin", 74)) {
     wrong += (ask(Features::edges, query).touches != 0) == touches ? 0 : 1;
   }
   EXPECT_EQ(wrong, 0);

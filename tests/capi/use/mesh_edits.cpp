@@ -2,13 +2,17 @@
 // Meshes that change against meshes that are made anew, and against all of their triangles one by one.
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
+#include <span>
 
 #include "support.hpp"
 
 namespace {
 
 using namespace abut_test;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A mesh as the test knows it. A triangle that has gone names one vertex three times.
 struct Model {
@@ -90,7 +94,7 @@ struct Edited {
     const std::size_t first = random.below(model.vertex_count() + 1);
     const std::size_t count = random.below(std::min<std::size_t>(model.vertex_count() - first, 30) + 1);
     for (std::size_t i = first; i < first + count; ++i) moved(i, reach);
-    require(abut_geometry_set_vertices(universe, mesh, first, model.xyz.data() + 3 * first, count));
+    require(abut_geometry_set_vertices(universe, mesh, first, std::span(model.xyz).subspan(3 * first).data(), count));
   }
   void move_list(double reach) {
     std::vector<std::uint32_t> vertices;
@@ -152,12 +156,12 @@ void expect_same_rays(Edited& scene, const abut_shape* anew, const std::vector<S
     require(abut_shape_cast_ray(scene.shape(), &identity, &ray, &one, &is_hit));
     require(abut_shape_cast_ray(anew, &identity, &ray, &other, &is_hit_anew));
     ASSERT_EQ(is_hit, is_hit_anew);
-    double nearest = INFINITY;
+    double nearest = infinity;
     for (const Shape& its : parts) {
       require(abut_shape_cast_ray(its, &identity, &ray, &part, &is_part_hit));
       if (is_part_hit != 0) nearest = std::min(nearest, part.distance);
     }
-    ASSERT_EQ(is_hit != 0, nearest < INFINITY);
+    ASSERT_EQ(is_hit != 0, nearest < infinity);
     if (is_hit == 0) continue;
     EXPECT_EQ(one.distance, other.distance);
     EXPECT_EQ(one.distance, nearest);
@@ -172,7 +176,7 @@ void expect_same_distances(Edited& scene, const abut_shape* anew, const std::vec
     const abut_pose pose{scene.random.point(2.5), no_rotation};
     const double found = distance_of(scene.shape(), identity, probe, pose);
     EXPECT_NEAR(found, distance_of(anew, identity, probe, pose), 1e-12);
-    double nearest = INFINITY;
+    double nearest = infinity;
     for (const Shape& its : parts) nearest = std::min(nearest, distance_of(its, identity, probe, pose));
     EXPECT_NEAR(std::max(found, 0.0), std::max(nearest, 0.0), 1e-12);
   }
@@ -182,7 +186,7 @@ void expect_same_distances(Edited& scene, const abut_shape* anew, const std::vec
 void expect_same_touches(Edited& scene, const abut_shape* anew) {
   const std::vector<abut_contact> contacts = scene.universe.step();
   for (std::uint32_t slot = 2; slot < 8; ++slot) {
-    double deepest = INFINITY, expected = INFINITY;
+    double deepest = infinity, expected = infinity;
     abut_pose pose = identity;
     for (const abut_contact& contact : contacts) {
       const bool is_of_mesh = contact.geometry_a.slot == 1 || contact.geometry_b.slot == 1;
@@ -197,7 +201,7 @@ void expect_same_touches(Edited& scene, const abut_shape* anew) {
     for (const abut_contact& contact : contacts_of(anew, identity, make_sphere(0.4), pose)) {
       expected = std::min(expected, contact.distance);
     }
-    if (deepest < INFINITY || expected < INFINITY) EXPECT_NEAR(deepest, expected, 1e-12) << "ball " << slot;
+    if (deepest < infinity || expected < infinity) EXPECT_NEAR(deepest, expected, 1e-12) << "ball " << slot;
   }
 }
 

@@ -140,10 +140,12 @@ TEST(WhyApart, TellsWhatTheFilterSaid) {
 TEST(WhyApart, TellsKindsAndBoxes) {
   TwoBalls room;
   const abut_geometry_id floor = room.universe.add(make_plane({0, 0, 1}, 0.0), identity, ABUT_MOTION_DYNAMIC);
+  const abut_geometry_id wall = room.universe.add(make_plane({1, 0, 0}, 0.0), identity, ABUT_MOTION_STATIC);
   const abut_geometry_id terrain = room.universe.add(make_terrain(3, 1.0), identity, ABUT_MOTION_STATIC);
   room.universe.move(room.second_part, at(2.5, 0, 0));
   EXPECT_EQ(room.why_after_step(), abut_apart_reasons{ABUT_APART_BOXES});
-  EXPECT_EQ(why_apart(room.universe, floor, terrain), abut_apart_reasons{ABUT_APART_KINDS});
+  EXPECT_EQ(why_apart(room.universe, floor, wall), abut_apart_reasons{ABUT_APART_KINDS});
+  EXPECT_EQ(why_apart(room.universe, floor, terrain), 0U);
 }
 
 TEST(WhyApart, TellsThatAPolicyAsksForBoxes) {

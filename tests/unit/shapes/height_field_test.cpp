@@ -60,7 +60,7 @@ TEST(HeightField, BadInputIsRefusedByName) {
 
 TEST(HeightField, SamplesLieOnTheGridAndCellsAreSplitFromLowToHigh) {
   const HeightField field = test::made<HeightField>({3, 2, 2, 4}, {10, 11, 12, 13, 14, 15});
-  EXPECT_EQ(field.parameters(), (std::vector<double>{3, 2, 2, 4, 0}));
+  EXPECT_EQ(field.parameters(), (std::vector<double>{3, 2, 2, 4, 0, 0}));
   const abut::Triangles surface = field.triangles();
   EXPECT_EQ(surface.vertices,
             (std::vector<Vec3>{{0, 0, 10}, {2, 0, 11}, {4, 0, 12}, {0, 4, 13}, {2, 4, 14}, {4, 4, 15}}));

@@ -100,7 +100,7 @@ TEST_P(UvGridOf, PartNearAPointIsNearerThanMost) {
 TEST(UvGrid, BadInputIsRefusedByName) {
   const std::vector<double> xyz{0, 0, 0, 1, 0, 0, 0, 1, 0};
   const std::vector<std::uint32_t> one{0, 1, 2};
-  test::expect_refused<UvGrid>({2, 0, 1, 0, 0}, xyz, one, Errc::unknown_value, "sides is 2;");
+  test::expect_refused<UvGrid>({3, 0, 1, 0, 0}, xyz, one, Errc::unknown_value, "sides is 3;");
   test::expect_refused<UvGrid>({0, 3, 1, 0, 0}, xyz, one, Errc::unknown_value, "axis_u is 3;");
   test::expect_refused<UvGrid>({0, 0, 0.5, 0, 0}, xyz, one, Errc::unknown_value, "axis_v is 0.5;");
   test::expect_refused<UvGrid>({0, 1, 1, 0, 0}, xyz, one, Errc::out_of_range, "axis_v is 1;");
@@ -112,15 +112,31 @@ TEST(UvGrid, BadInputIsRefusedByName) {
   test::expect_refused<UvGrid>({0, 0, 1, 0}, xyz, one, Errc::invalid_argument, "parameter_count is 4;");
 }
 
-// All triangles stand upright over one line, or are one point.
+// All triangles stand upright over one line, or are one point. A triangle that names one vertex three times is not
+// there.
 TEST(UvGrid, WithoutExtentAcrossItsAxesAnswersToo) {
   const UvGrid wall = test::made<UvGrid>({0, 0, 1, 0, 0}, {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1}, {0, 1, 2, 1, 3, 2});
   EXPECT_TRUE(wall.cast_ray({-1, 0.5, 0.25}, abut::UnitVec3::make({1, 0, 0}).value(), 10).has_value());
-  const UvGrid point = test::made<UvGrid>({0, 0, 1, 100, 100}, {1, 2, 3}, {0, 0, 0});
+  const UvGrid point = test::made<UvGrid>({0, 0, 1, 100, 100}, {1, 2, 3, 1, 2, 3, 1, 2, 3}, {0, 1, 2});
   abut::Aabb box{{0, 0, 0}, {4, 4, 4}};
   int parts = 0;
   point.visit_parts(box, [&](const abut::Triangle&, std::uint32_t) { ++parts; });
   EXPECT_EQ(parts, 1);
+  const UvGrid gap = test::made<UvGrid>({0, 0, 1, 0, 0}, {0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 1, 1, 1});
+  parts = 0;
+  gap.visit_parts(box, [&](const abut::Triangle&, std::uint32_t) { ++parts; });
+  EXPECT_EQ(parts, 1);
+}
+
+// A tetrahedron that is declared solid encloses as its mesh does.
+TEST(UvGrid, MayBeSolid) {
+  const UvGrid solid =
+      test::made<UvGrid>({2, 0, 1, 0, 0}, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+  EXPECT_TRUE(solid.is_solid());
+  EXPECT_TRUE(solid.contains({0.2, 0.2, 0.2}));
+  EXPECT_FALSE(solid.contains({0.5, 0.5, 0.5}));
+  EXPECT_EQ(solid.parameters().front(), 2);
+  EXPECT_FALSE(test::made<UvGrid>({0, 0, 1, 0, 0}, {0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}).is_solid());
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(AnyShape, ComesFromNumbersAndTellsThem) {
   const AnyShape capsule = made("capsule", {0.5, 2});
   EXPECT_EQ(capsule.index(), place_of("capsule"));
   EXPECT_EQ(abut::parameters_of(capsule), (std::vector{0.5, 2.0}));
-  EXPECT_EQ(abut::parameters_of(field()), (std::vector{2.0, 2.0, 4.0, 4.0, 0.0}));
+  EXPECT_EQ(abut::parameters_of(field()), (std::vector{2.0, 2.0, 4.0, 4.0, 0.0, 0.0}));
 }
 
 TEST(AnyShape, BadNumbersAreRefusedByTheKind) {
