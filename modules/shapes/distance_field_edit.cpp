@@ -4,7 +4,6 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-import abut.shapes.distance_field_ways;
 import abut.trees.sparse_blocks;
 
 namespace abut {
