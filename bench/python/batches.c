@@ -22,10 +22,10 @@ static abut_shape *a, *b;
 static abut_pose *poses_a, *poses_b;
 static abut_vec3 *ways, *still;
 static abut_query_options options;
-static abut_distance *distances;
-static abut_contact *contacts;
-static uint64_t *offsets;
-static abut_cast_hit *hits;
+static abut_distance* distances;
+static abut_contact* contacts;
+static uint64_t* offsets;
+static abut_cast_hit* hits;
 
 static double seconds(void) {
   struct timespec now;
@@ -95,7 +95,7 @@ static double sum_of_casts(void) {
 }
 
 typedef struct question {
-  const char *name;
+  const char* name;
   abut_status (*loop)(void), (*batch)(void);
   double (*sum)(void);
 } question;
@@ -112,8 +112,8 @@ static double time_of(abut_status (*ask)(void)) {
   return seconds() - start;
 }
 
-static int read_poses(const char *path) {
-  FILE *file = fopen(path, "rb");
+static int read_poses(const char* path) {
+  FILE* file = fopen(path, "rb");
   int is_read = file && fread(poses_a, sizeof *poses_a, count, file) == count &&
                 fread(poses_b, sizeof *poses_b, count, file) == count;
   if (file) {
@@ -122,8 +122,8 @@ static int read_poses(const char *path) {
   return is_read;
 }
 
-int main(int argc, char **argv) {
-  const question *asked = NULL;
+int main(int argc, char** argv) {
+  const question* asked = NULL;
   for (size_t i = 0; argc == 5 && i < sizeof questions / sizeof *questions; ++i) {
     asked = strcmp(questions[i].name, argv[1]) == 0 ? questions + i : asked;
   }

@@ -14,11 +14,11 @@
 
 enum { COUNT = 20000 };
 
-static void *library;
+static void* library;
 
 /* Functions and objects are pointers of different kinds in C. */
-static void find(void *function, const char *name) {
-  void *symbol = dlsym(library, name);
+static void find(void* function, const char* name) {
+  void* symbol = dlsym(library, name);
   if (!symbol) {
     fprintf(stderr, "unload: %s\n", dlerror());
     exit(1);
@@ -26,14 +26,14 @@ static void find(void *function, const char *name) {
   memcpy(function, &symbol, sizeof symbol);
 }
 
-int main(int argc, char **argv) {
-  abut_status (*make_box)(double, double, double, abut_shape **);
-  abut_status (*ask)(const abut_shape *, const abut_pose *, const abut_shape *, const abut_pose *, size_t,
-                     const abut_query_options *, abut_distance *);
-  void (*release)(abut_shape *);
-  abut_pose *poses = calloc(COUNT, sizeof *poses);
-  abut_distance *found = calloc(COUNT, sizeof *found);
-  abut_shape *box = NULL;
+int main(int argc, char** argv) {
+  abut_status (*make_box)(double, double, double, abut_shape**);
+  abut_status (*ask)(const abut_shape*, const abut_pose*, const abut_shape*, const abut_pose*, size_t,
+                     const abut_query_options*, abut_distance*);
+  void (*release)(abut_shape*);
+  abut_pose* poses = calloc(COUNT, sizeof *poses);
+  abut_distance* found = calloc(COUNT, sizeof *found);
+  abut_shape* box = NULL;
   const struct timespec while_threads_wake = {0, 100000000};
   size_t i;
   library = argc == 2 ? dlopen(argv[1], RTLD_NOW) : NULL;
