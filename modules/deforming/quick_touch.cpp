@@ -135,7 +135,7 @@ std::pair<Real, Real> zero_of_rising(const Cubic& c, Real error, Real width) {
   return {low, high};
 }
 
-// Where c surely passes zero once while the origin is surely on the same side of all edges, the time at which it does.
+// The time at which c passes zero; none unless it surely passes once, with the origin surely on one side of all edges.
 std::optional<FirstTouch> certain_touch(const Stretch& at, Real cubic_error, Real quartic_error) {
   if (!std::ranges::all_of(at.q, [&](const Quartic& q) { return are_above(q, quartic_error); })) {
     return std::nullopt;

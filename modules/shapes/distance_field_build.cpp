@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.shapes.distance_field;
 import abut.capability;
+import abut.capability.grid_checks;
 import abut.core.standard;
 import abut.core;
 import abut.math;
@@ -10,20 +11,6 @@ namespace abut {
 namespace {
 
 constexpr Real least_spacing = 1e-30;
-constexpr Real largest_value = 3e38;  // values are kept as single numbers
-
-Fault check_samples(std::string_view name, Real value) {
-  if (Fault fault = check_finite(name, value)) {
-    return fault;
-  }
-  if (value == 0) {
-    return error_about(Errc::empty, name, value, "at least 2");
-  }
-  if (!(value >= 2 && value <= 65535) || value != std::floor(value)) {
-    return error_about(Errc::out_of_range, name, value, "a whole number from 2 to 65535");
-  }
-  return std::nullopt;
-}
 
 Fault check_spacing(std::string_view name, Real value, Real samples) {
   if (Fault fault = check_positive(name, value)) {
@@ -157,12 +144,8 @@ Result<DistanceField> DistanceField::make(std::span<const Real> parameters, std:
   if (Fault fault = check_held(indices, blocks)) {
     return *fault;
   }
-  for (std::size_t i = 0; i < reals.size(); ++i) {
-    if (!(std::fabs(reals[i]) <= largest_value)) {
-      const std::string value = "values[" + std::to_string(i) + "]";
-      const Fault fault = check_finite(value, reals[i]);
-      return fault ? *fault : error_about(Errc::out_of_range, value, reals[i], "at most 3e38 in magnitude");
-    }
+  if (Fault fault = check_field_values(reals)) {
+    return *fault;
   }
   std::vector<std::uint32_t> held(indices.begin(), indices.end());
   if (held.empty()) {

@@ -1,50 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.shapes.distance_field;
 import abut.capability;
+import abut.capability.grid_checks;
 import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.trees.sparse_blocks;
 
 namespace abut {
-namespace {
-
-struct StretchNames {
-  std::string_view first, count;
-};
-
-Fault check_stretch(const StretchNames& names, std::uint32_t first, std::uint32_t count, std::uint32_t all) {
-  if (first > all) {
-    return error_about(Errc::index_out_of_range, names.first, std::uint64_t{first}, "at most " + std::to_string(all));
-  }
-  if (count > all - first) {
-    return error_about(
-        Errc::index_out_of_range, names.count, std::uint64_t{count},
-        "at most " + std::to_string(all - first) + ", as " + std::string(names.first) + " is " + std::to_string(first));
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 Fault DistanceField::check(const FieldEdit& edit) const {
   const GridPlace& all = data_->blocks.samples();
-  if (Fault fault = check_stretch({"column", "columns"}, edit.column, edit.columns, all.x)) {
+  if (Fault fault = check_stretch({"column", "columns", edit.column, edit.columns}, all.x)) {
     return fault;
   }
-  if (Fault fault = check_stretch({"row", "rows"}, edit.row, edit.rows, all.y)) {
+  if (Fault fault = check_stretch({"row", "rows", edit.row, edit.rows}, all.y)) {
     return fault;
   }
-  if (Fault fault = check_stretch({"layer", "layers"}, edit.layer, edit.layers, all.z)) {
+  if (Fault fault = check_stretch({"layer", "layers", edit.layer, edit.layers}, all.z)) {
     return fault;
   }
-  constexpr Real largest_value = 3e38;
-  for (std::size_t i = 0; i < edit.values.size(); ++i) {
-    if (!(std::fabs(edit.values[i]) <= largest_value)) {
-      const std::string value = "values[" + std::to_string(i) + "]";
-      const Fault fault = check_finite(value, edit.values[i]);
-      return fault ? fault : error_about(Errc::out_of_range, value, edit.values[i], "at most 3e38 in magnitude");
-    }
+  if (Fault fault = check_field_values(edit.values)) {
+    return fault;
   }
   const GridBox box{{edit.column, edit.row, edit.layer}, {edit.columns, edit.rows, edit.layers}};
   if (!edit.values.empty() && !data_->blocks.holds(box)) {

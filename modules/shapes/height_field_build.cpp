@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.shapes.height_field;
 import abut.capability;
+import abut.capability.grid_checks;
 import abut.core.standard;
 import abut.core;
 import abut.math;
@@ -8,19 +9,6 @@ import abut.trees.range_pyramid;
 
 namespace abut {
 namespace {
-
-Fault check_samples(std::string_view name, Real value) {
-  if (Fault fault = check_finite(name, value)) {
-    return fault;
-  }
-  if (value == 0) {
-    return error_about(Errc::empty, name, value, "at least 2");
-  }
-  if (!(value >= 2 && value <= 65535) || value != std::floor(value)) {
-    return error_about(Errc::out_of_range, name, value, "a whole number from 2 to 65535");
-  }
-  return std::nullopt;
-}
 
 Fault check_heights(std::span<const Real> heights) {
   for (std::size_t i = 0; i < heights.size(); ++i) {
@@ -41,19 +29,6 @@ Error no_triangle() {
 
 // How many cells further than the changed ones contacts change: whether an edge dips depends on both of its sides.
 constexpr Real cells_beyond = 1;
-
-Fault check_stretch(std::string_view first_name, std::string_view count_name, std::uint32_t first, std::uint32_t count,
-                    std::uint32_t all) {
-  if (first > all) {
-    return error_about(Errc::index_out_of_range, first_name, std::uint64_t{first}, "at most " + std::to_string(all));
-  }
-  if (count > all - first) {
-    return error_about(
-        Errc::index_out_of_range, count_name, std::uint64_t{count},
-        "at most " + std::to_string(all - first) + ", as " + std::string(first_name) + " is " + std::to_string(first));
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -151,10 +126,10 @@ std::int64_t HeightField::change_of_count(const HeightEdit& edit) const {
 }
 
 Fault HeightField::check(const HeightEdit& edit) const {
-  if (Fault fault = check_stretch("column", "columns", edit.column, edit.columns, data_->columns)) {
+  if (Fault fault = check_stretch({"column", "columns", edit.column, edit.columns}, data_->columns)) {
     return fault;
   }
-  if (Fault fault = check_stretch("row", "rows", edit.row, edit.rows, data_->rows)) {
+  if (Fault fault = check_stretch({"row", "rows", edit.row, edit.rows}, data_->rows)) {
     return fault;
   }
   if (Fault fault = check_heights(edit.heights)) {

@@ -12,6 +12,12 @@ inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr std::size_t size_max = std::numeric_limits<std::size_t>::max();
 
+inline abut_query_options default_options() {
+  abut_query_options options;
+  abut_query_options_init(&options, sizeof options);
+  return options;
+}
+
 struct BadNumber {
   double value;
   std::string_view word;  // what a message about it must contain

@@ -201,7 +201,7 @@ template <HalfSpace A, SampledSolid F>
   return Outcome::ok;
 }
 
-// Points of the surface of `other`, which is placed in the frame of a field, where the field has values up to a limit.
+// Points of the surface of `other` where a field has values up to a limit. `placed` is `other` in the frame of the field.
 // The limit may shrink on the way.
 template <SampledSolid F, SampledSolid G, class Visitor>
 void visit_points_in_field(const F& field, const G& other, const Pose& placed, const Real& limit, Visitor&& visit) {

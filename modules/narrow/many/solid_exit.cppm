@@ -164,7 +164,7 @@ class SolidExit {
     return false;
   }
 
-  // Halves what lies between a way that is blocked and one that is out, and passes what is in the way in the end.
+  // Halves what lies between a way that is blocked and one that is out. In the end it passes what is in the way.
   [[nodiscard]] WayOut shortened(WayOut out, Real blocked) const {
     for (int halving = 0; halving < most_halvings && out.length - blocked > touching_; ++halving) {
       const Real middle = 0.5 * (blocked + out.length);

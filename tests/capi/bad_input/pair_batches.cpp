@@ -6,12 +6,6 @@ namespace {
 
 using namespace abut_test;
 
-abut_query_options default_options() {
-  abut_query_options options;
-  abut_query_options_init(&options, sizeof options);
-  return options;
-}
-
 // What both functions of contacts take.
 struct Call {
   const abut_shape* a;

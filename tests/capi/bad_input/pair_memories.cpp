@@ -19,12 +19,6 @@ struct Call {
   }
 };
 
-abut_query_options default_options() {
-  abut_query_options options;
-  abut_query_options_init(&options, sizeof options);
-  return options;
-}
-
 TEST(PairDistanceWithMemory, RefusesNullPointers) {
   Call call;
   abut_pair_memory* const memory = call.memory.address();

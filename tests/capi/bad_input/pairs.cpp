@@ -6,12 +6,6 @@ namespace {
 
 using namespace abut_test;
 
-abut_query_options default_options() {
-  abut_query_options options;
-  abut_query_options_init(&options, sizeof options);
-  return options;
-}
-
 // The three queries of a pair behind one signature, so that each bad input meets all of them.
 struct PairCall {
   Shape a = make_sphere(1.0);
