@@ -129,27 +129,66 @@ class MeshSampler {
     }
   }
 
-  // The samples of a block, row by row, each from the triangle of the one before.
+  // The samples of a block, in cubes of 27, each from a triangle of the one before. Signs follow row by row.
   void sample_block(std::uint32_t number, std::uint32_t close, std::span<Real> out,
                     std::span<std::uint32_t> triangles) const {
-    const GridPlace first = blocks_.cells_of(number).first, &all = grid_.samples;
-    std::uint32_t of_layer = close, of_row = close;
+    constexpr std::uint32_t cube = 3, cubes = along / cube;
+    static_assert(cubes * cube == along);
+    for (std::uint32_t i = 0; i < cubes * cubes * cubes; ++i) {
+      const GridPlace first{cube * (i % cubes), cube * (i / cubes % cubes), cube * (i / cubes / cubes)};
+      sample_cube<cube>(number, first, close, out, triangles);
+    }
     for (std::uint32_t k = 0; k < along; ++k) {
       for (std::uint32_t j = 0; j < along; ++j) {
         for (std::uint32_t i = 0; i < along; ++i) {
-          const std::size_t at = (std::size_t{k} * along + j) * along + i;
-          const Vec3 p = place_of(std::min(first.x + i, all.x - 1), std::min(first.y + j, all.y - 1),
-                                  std::min(first.z + k, all.z - 1));
-          const std::uint32_t before = i > 0 ? triangles[at - 1] : j > 0 ? of_row : of_layer;
-          const NearestTriangle::Found found = tree_.nearest(p, before);
-          triangles[at] = found.triangle;
-          of_row = i == 0 ? found.triangle : of_row;
-          of_layer = i == 0 && j == 0 ? found.triangle : of_layer;
-          const Real distance = std::sqrt(found.squared);
-          out[at] = is_inside(p, distance, out, at, {i, j, k}) ? -distance : distance;
+          const std::size_t at = index_in_block({i, j, k});
+          out[at] = is_inside(place_in_block(number, {i, j, k}), out[at], out, at, {i, j, k}) ? -out[at] : out[at];
         }
       }
     }
+  }
+  template <std::uint32_t Side>
+  void sample_cube(std::uint32_t number, const GridPlace& first, std::uint32_t close, std::span<Real> out,
+                   std::span<std::uint32_t> triangles) const {
+    constexpr std::size_t count = Side * Side * Side;
+    static_assert(count <= NearestTriangle::most_points);
+    std::array<Vec3, count> places;
+    std::array<std::size_t, count> indices;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const GridPlace at{first.x + i % Side, first.y + i / Side % Side, first.z + i / Side / Side};
+      places[i] = place_in_block(number, at);
+      indices[i] = index_in_block(at);
+    }
+    std::array<NearestTriangle::Found, count> found;
+    // Triangles of the neighbours that are known, each once.
+    std::array<std::uint32_t, count + 1> near{close};
+    std::size_t near_count = 1;
+    const std::array<std::pair<std::uint32_t, std::size_t>, 3> before{
+        {{first.x, 1}, {first.y, along}, {first.z, std::size_t{along} * along}}};
+    for (std::uint32_t axis = 0, divisor = 1; axis < 3; ++axis, divisor *= Side) {
+      for (std::uint32_t i = 0; before[axis].first > 0 && i < count; ++i) {
+        if (i / divisor % Side == 0) {
+          near[near_count++] = triangles[indices[i] - before[axis].second];
+        }
+      }
+    }
+    const std::span<std::uint32_t> known = std::span(near).first(near_count);
+    std::ranges::sort(known);
+    const auto end = std::unique(known.begin(), known.end());
+    tree_.find(places, known.first(static_cast<std::size_t>(end - known.begin())), found);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      out[indices[i]] = std::sqrt(found[i].squared);
+      triangles[indices[i]] = found[i].triangle;
+    }
+  }
+  [[nodiscard]] static std::size_t index_in_block(const GridPlace& at) {
+    return (std::size_t{at.z} * along + at.y) * along + at.x;
+  }
+  // Samples beyond the border count as those on it.
+  [[nodiscard]] Vec3 place_in_block(std::uint32_t number, const GridPlace& at) const {
+    const GridPlace first = blocks_.cells_of(number).first, &all = grid_.samples;
+    return place_of(std::min(first.x + at.x, all.x - 1), std::min(first.y + at.y, all.y - 1),
+                    std::min(first.z + at.z, all.z - 1));
   }
   // As a neighbour in the block that is known, where no triangle lies between; else by winding.
   [[nodiscard]] bool is_inside(const Vec3& p, Real distance, std::span<const Real> known, std::size_t at,

@@ -2,6 +2,7 @@
 module abut.trees.nearest_triangle;
 import abut.core.standard;
 import abut.math;
+import abut.math.four_vec3;
 
 namespace abut {
 namespace {
@@ -30,6 +31,16 @@ Real squared_distance(const Vec3& p, const TriangleAt& t) {
 NearestTriangle::NearestTriangle(std::vector<TriangleAt> triangles) : triangles_(std::move(triangles)) {
   nodes_.reserve(triangles_.size());
   build(0, static_cast<std::uint32_t>(triangles_.size()));
+  discs_.resize(triangles_.size());
+  std::transform(triangles_.begin(), triangles_.end(), discs_.begin(), disc_of);
+}
+
+NearestTriangle::Disc NearestTriangle::disc_of(const TriangleAt& t) {
+  const Vec3 centre = (1.0 / 3) * (t.a + t.b + t.c), normal = cross(t.b - t.a, t.c - t.a);
+  const Real squared = std::max({squared_norm(t.a - centre), squared_norm(t.b - centre), squared_norm(t.c - centre)});
+  constexpr Real narrowest = 1e-6;
+  const Real size = norm(normal);
+  return {centre, size > narrowest * squared ? (1 / size) * normal : Vec3{0, 0, 0}, std::sqrt(squared)};
 }
 
 // Halves by the middles of the boxes along the longest side of the box of all.
@@ -56,36 +67,144 @@ void NearestTriangle::build(std::uint32_t begin, std::uint32_t end) {
   build(middle, end);
 }
 
-NearestTriangle::Found NearestTriangle::nearest(const Vec3& point, std::uint32_t close) const {
-  Found best{close, squared_distance(point, triangles_[close])};
+// The points as vectors of four. The last one stands in for those that are missing.
+class NearestTriangle::Search {
+ public:
+  explicit Search(std::span<const Vec3> points) : count_((points.size() + 3) / 4) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const auto lanes = [&](std::size_t lane) { return lanes_of(points[std::min(4 * i + lane, points.size() - 1)]); };
+      points_[i] = Columns::of(lanes(0), lanes(1), lanes(2), lanes(3));
+      squared_[i] = all_lanes(infinity);
+      nearest_[i] = LaneNumbers{0, 0, 0, 0};
+    }
+    for (const Vec3& point : points) {
+      box_.include(point);
+    }
+  }
+
+  // No point of a box is nearer to any of the points.
+  [[nodiscard]] Real squared_distance_to(const Aabb& box) const {
+    return squared_norm(maximum(maximum(box.low - box_.high, box_.low - box.high), Vec3{0, 0, 0}));
+  }
+  // Which of these vectors, a bit each, hold a point that is nearer to the box than to its triangle so far.
+  [[nodiscard]] std::uint32_t gaining(std::uint32_t vectors, const Aabb& box) const {
+    const Columns low = Columns::all(box.low), high = Columns::all(box.high);
+    std::uint32_t out = 0;
+    for (std::uint32_t left = vectors; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      const Columns& p = points_[i];
+      const auto away = [](Lanes at, Lanes from, Lanes to) {
+        return maximum(maximum(from - at, at - to), all_lanes(0));
+      };
+      const Columns outside{away(p.x, low.x, high.x), away(p.y, low.y, high.y), away(p.z, low.z, high.z)};
+      out |= bits_of(dot(outside, outside) < squared_[i]) != 0 ? left & -left : 0;
+    }
+    return out;
+  }
+  // The same for a triangle. A point over a disc is as far from it as from its plane.
+  [[nodiscard]] std::uint32_t gaining(std::uint32_t vectors, const Disc& disc) const {
+    const Columns centre = Columns::all(disc.centre), up = Columns::all(disc.up);
+    const Lanes radius = all_lanes(disc.radius);
+    std::uint32_t out = 0;
+    for (std::uint32_t left = vectors; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      const Columns away = points_[i] - centre;
+      const Lanes height = dot(away, up), over = height * height;
+      const Lanes aside = __builtin_elementwise_sqrt(maximum(dot(away, away) - over, all_lanes(0)));
+      const Lanes beyond = maximum(aside - radius, all_lanes(0));
+      out |= bits_of(over + beyond * beyond < squared_[i]) != 0 ? left & -left : 0;
+    }
+    return out;
+  }
+  [[nodiscard]] std::uint32_t all_vectors() const { return (1u << count_) - 1; }
+
+  // As squared_distance, for these vectors.
+  void look_at(std::uint32_t vectors, const TriangleAt& t, std::uint32_t number) {
+    const Vec3 ab = t.b - t.a, bc = t.c - t.b, ca = t.a - t.c, normal = cross(ab, -ca);
+    const Real square = squared_norm(normal);
+    const Edge edges[3] = {Edge(t.a, ab, normal), Edge(t.b, bc, normal), Edge(t.c, ca, normal)};
+    const Columns up = Columns::all(normal), from = Columns::all(t.a);
+    const Lanes inverse = all_lanes(square > 0 ? 1 / square : 0);
+    for (; vectors != 0; vectors &= vectors - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(vectors));
+      const Columns& p = points_[i];
+      const auto [over_ab, to_ab] = edges[0].seen_from(p);
+      const auto [over_bc, to_bc] = edges[1].seen_from(p);
+      const auto [over_ca, to_ca] = edges[2].seen_from(p);
+      const Lanes height = dot(up, p - from), inside = minimum(minimum(over_ab, over_bc), over_ca);
+      const Lanes to_edges = minimum(minimum(to_ab, to_bc), to_ca);
+      const Lanes squared = square > 0 ? (inside >= 0 ? height * height * inverse : to_edges) : to_edges;
+      nearest_[i] = squared < squared_[i] ? LaneNumbers{number, number, number, number} : nearest_[i];
+      squared_[i] = minimum(squared, squared_[i]);
+    }
+  }
+
+  [[nodiscard]] Found found(std::size_t point) const {
+    return {static_cast<std::uint32_t>(nearest_[point / 4][point % 4]), squared_[point / 4][point % 4]};
+  }
+
+ private:
+  static constexpr std::size_t most_vectors = most_points / 4;
+  // `inward` lies in the plane of the triangle, across the edge.
+  struct Edge {
+    Edge(const Vec3& start, const Vec3& way, const Vec3& normal)
+        : from(Columns::all(start)), along(Columns::all(way)), inward(Columns::all(cross(normal, way))) {
+      const Real square = squared_norm(way);
+      inverse = all_lanes(square > 0 ? 1 / square : 0);
+    }
+    // On which side a point is, and how far away squared.
+    [[nodiscard]] [[gnu::always_inline]] inline std::pair<Lanes, Lanes> seen_from(const Columns& point) const {
+      const Columns at = point - from;
+      const Lanes share = minimum(maximum(dot(at, along) * inverse, all_lanes(0)), all_lanes(1));
+      const Columns away = at - share * along;
+      return {dot(at, inward), dot(away, away)};
+    }
+    Columns from, along, inward;
+    Lanes inverse;
+  };
+
+  std::size_t count_;
+  std::array<Columns, most_vectors> points_;
+  std::array<Lanes, most_vectors> squared_;
+  std::array<LaneNumbers, most_vectors> nearest_;
+  Aabb box_ = Aabb::empty();
+};
+
+void NearestTriangle::find(std::span<const Vec3> points, std::span<const std::uint32_t> close,
+                           std::span<Found> found) const {
+  Search search(points);
+  for (const std::uint32_t triangle : close) {
+    search.look_at(search.all_vectors(), triangles_[triangle], triangle);
+  }
   struct Waiting {
-    std::uint32_t node;
-    Real squared;
+    std::uint32_t node, vectors;
   };
   std::array<Waiting, 64> waiting;  // one for each level at most
-  waiting[0] = {0, nodes_[0].box.squared_distance(point)};
+  waiting[0] = {0, search.all_vectors()};
   for (std::size_t count = 1; count > 0;) {
     const Waiting next = waiting[--count];
-    if (!(next.squared < best.squared)) {
+    const Node& node = nodes_[next.node];
+    const std::uint32_t vectors = search.gaining(next.vectors, node.box);
+    if (vectors == 0) {
       continue;
     }
-    const Node& node = nodes_[next.node];
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (const Real squared = squared_distance(point, triangles_[i]); squared < best.squared) {
-        best = {i, squared};
+      if (const std::uint32_t some = search.gaining(vectors, discs_[i]); some != 0) {
+        search.look_at(some, triangles_[i], i);
       }
     }
     if (node.count == 0) {
-      Waiting near{next.node + 1, nodes_[next.node + 1].box.squared_distance(point)},
-          far{node.first, nodes_[node.first].box.squared_distance(point)};
-      if (far.squared < near.squared) {
+      std::uint32_t near = next.node + 1, far = node.first;
+      if (search.squared_distance_to(nodes_[far].box) < search.squared_distance_to(nodes_[near].box)) {
         std::swap(near, far);
       }
-      waiting[count++] = far;
-      waiting[count++] = near;
+      waiting[count++] = {far, vectors};
+      waiting[count++] = {near, vectors};
     }
   }
-  return best;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    found[i] = search.found(i);
+  }
 }
 
 }  // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The triangle of many that is nearest to a point: a tree of boxes, of which those that are further away than the
-// nearest triangle so far are passed over.
+// nearest triangle so far are passed over. Points that lie close to each other go down the tree together, four to a
+// vector.
 export module abut.trees.nearest_triangle;
 import abut.core.standard;
 import abut.math;
@@ -25,8 +26,10 @@ class NearestTriangle {
   explicit NearestTriangle(std::vector<TriangleAt> triangles);
 
   [[nodiscard]] std::span<const TriangleAt> triangles() const [[clang::lifetimebound]] { return triangles_; }
-  // `close`: some triangle; the search is the shorter the nearer it is.
-  [[nodiscard]] Found nearest(const Vec3& point, std::uint32_t close) const;
+  // For each point. `close`: some triangles; the search is the shorter the nearer they are, and the closer the points
+  // lie to each other.
+  static constexpr std::size_t most_points = 32;
+  void find(std::span<const Vec3> points, std::span<const std::uint32_t> close, std::span<Found> found) const;
 
  private:
   static constexpr std::uint32_t most_in_leaf = 4;
@@ -35,9 +38,17 @@ class NearestTriangle {
     Aabb box;
     std::uint32_t first, count;
   };
+  // Holds a triangle. `up` is zero for a ball, which stands for a triangle that is too narrow for a sure plane.
+  struct Disc {
+    Vec3 centre, up;
+    Real radius;
+  };
+  class Search;
+  [[nodiscard]] static Disc disc_of(const TriangleAt& triangle);
   void build(std::uint32_t begin, std::uint32_t end);
 
   std::vector<TriangleAt> triangles_;
+  std::vector<Disc> discs_;
   std::vector<Node> nodes_;
 };
 
