@@ -201,8 +201,8 @@ template <HalfSpace A, SampledSolid F>
   return Outcome::ok;
 }
 
-// Points of the surface of `other` where a field has values up to a limit. `placed` is `other` in the frame of the field.
-// The limit may shrink on the way.
+// Points of the surface of `other` where a field has values up to a limit, which may shrink on the way. `placed` tells
+// where `other` is in the frame of the field.
 template <SampledSolid F, SampledSolid G, class Visitor>
 void visit_points_in_field(const F& field, const G& other, const Pose& placed, const Real& limit, Visitor&& visit) {
   const SurfacePoints& surface = other.surface();
