@@ -11,8 +11,12 @@ namespace {
 using Number = long double;
 using Vector = std::array<Number, 3>;
 
+Vector vector_of(const Point& point) {
+  return {static_cast<Number>(point[0]), static_cast<Number>(point[1]), static_cast<Number>(point[2])};
+}
 Vector between(const Point& from, const Point& to) {
-  return {Number{to[0]} - from[0], Number{to[1]} - from[1], Number{to[2]} - from[2]};
+  const Vector a = vector_of(from), b = vector_of(to);
+  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 }
 Number dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vector cross(const Vector& a, const Vector& b) {
@@ -54,7 +58,7 @@ double distance_from(const Point& point, const std::vector<Triangle>& triangles)
 double distance_from(const Point& point, const std::vector<Ball>& balls) {
   Number best = std::numeric_limits<Number>::infinity();
   for (const Ball& ball : balls) {
-    best = std::min(best, length(between(ball.centre, point)) - Number{ball.radius});
+    best = std::min(best, length(between(ball.centre, point)) - static_cast<Number>(ball.radius));
   }
   return static_cast<double>(best);
 }
@@ -63,7 +67,7 @@ double distance_from(const Point& point, const std::vector<Ball>& balls) {
 Crossing first_crossing(const Point& origin, const Point& direction, const std::vector<Triangle>& triangles) {
   constexpr Number close = 1e-9L;
   Crossing out;
-  const Vector way{direction[0], direction[1], direction[2]};
+  const Vector way = vector_of(direction);
   for (const Triangle& triangle : triangles) {
     const Vector normal = cross(between(triangle[0], triangle[1]), between(triangle[0], triangle[2]));
     const Number slope = dot(normal, way), size = length(normal) * length(way);

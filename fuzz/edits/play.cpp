@@ -2,6 +2,7 @@
 // Edits of a shape while balls touch it, against a shape and a universe made anew, and against all triangles.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -67,7 +68,9 @@ struct Scene {
     succeed(abut_universe_contacts(universe.get(), &contacts, &count), "abut_universe_contacts");
     std::array<double, ball_count + 2> deepest{};
     deepest.fill(infinity);
-    for (const abut_contact& contact : std::span(contacts, count)) {
+    std::vector<abut_contact> all;
+    std::copy_n(contacts, count, std::back_inserter(all));
+    for (const abut_contact& contact : all) {
       const auto other = contact.geometry_a.slot == subject.slot ? contact.geometry_b : contact.geometry_a;
       if (contact.geometry_a.slot == subject.slot || contact.geometry_b.slot == subject.slot) {
         deepest.at(other.slot) = std::min(deepest.at(other.slot), contact.distance);

@@ -14,8 +14,9 @@ class Sheet : public Subject {
  public:
   explicit Sheet(const Record& first) : is_grid_(first.pick(1, 2) == 1) {
     const auto side = static_cast<std::uint32_t>(2 + first.pick(2, 6));
-    across_ = {0, 1, 2};
-    std::rotate(across_.begin(), across_.begin() + static_cast<std::ptrdiff_t>(first.pick(3, 3)), across_.end());
+    for (std::size_t i = 0; i < 3; ++i) {
+      across_.at(i) = (i + first.pick(3, 3)) % 3;
+    }
     parameters_ = {static_cast<double>(first.pick(4, 2))};
     if (is_grid_) {
       for (const std::size_t axis : {across_[0], across_[1]}) {

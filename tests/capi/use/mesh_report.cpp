@@ -40,9 +40,10 @@ std::vector<std::size_t> some_apart(std::size_t count, std::mt19937& random) {
   std::shuffle(all.begin(), all.end(), random);
   std::set<std::uint32_t> taken;
   for (const std::size_t triangle : all) {
-    const std::uint32_t* its = &whole.triangles[3 * triangle];
-    if (out.size() == count || taken.count(its[0]) + taken.count(its[1]) + taken.count(its[2]) > 0) continue;
-    taken.insert({its[0], its[1], its[2]});
+    const std::array its{whole.triangles[3 * triangle], whole.triangles[3 * triangle + 1],
+                         whole.triangles[3 * triangle + 2]};
+    if (out.size() == count || std::ranges::any_of(its, [&](auto vertex) { return taken.count(vertex) > 0; })) continue;
+    taken.insert(its.begin(), its.end());
     out.push_back(triangle);
   }
   if (out.size() < count) throw std::runtime_error("too few triangles apart");
