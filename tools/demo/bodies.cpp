@@ -126,10 +126,7 @@ std::size_t Catalogue::hull(const std::vector<Vec3>& points) {
 std::size_t Catalogue::mesh(const std::vector<Vec3>& points, const std::vector<std::uint32_t>& indices) {
   abut_shape* shape = nullptr;
   const std::vector<double> xyz = flat(points);
-  abut_mesh_options options;
-  abut_mesh_options_init(&options, sizeof options);
-  options.sides = ABUT_SIDES_SOLID;
-  check(abut_mesh_create(xyz.data(), points.size(), indices.data(), indices.size() / 3, &options, &shape),
+  check(abut_mesh_create(xyz.data(), points.size(), indices.data(), indices.size() / 3, nullptr, &shape),
         "cannot create a triangle mesh");
   return keep(shape);
 }
