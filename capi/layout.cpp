@@ -26,8 +26,9 @@ static_assert(is_plain<abut_part_id>(8));
 static_assert(is_plain<abut_geometry_id>(8));
 static_assert(is_plain<abut_feature>(8));
 static_assert(is_plain<abut_hull_report>(48));
-static_assert(is_plain<abut_mesh_options>(8));
-static_assert(is_plain<abut_uv_grid_options>(24));
+static_assert(is_plain<abut_mesh_options>(24));
+static_assert(is_plain<abut_mesh_report>(112));
+static_assert(is_plain<abut_uv_grid_options>(40));
 static_assert(is_plain<abut_distance_field_desc>(80));
 static_assert(is_plain<abut_distance_field_options>(24));
 static_assert(is_plain<abut_height_field_desc>(48));
@@ -99,6 +100,25 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_STRUCT(abut_mesh_options),
     ABUT_FIELD(abut_mesh_options, struct_size),
     ABUT_FIELD(abut_mesh_options, sides),
+    ABUT_FIELD(abut_mesh_options, corners),
+    ABUT_FIELD(abut_mesh_options, merges_vertices),
+    ABUT_FIELD(abut_mesh_options, merge_distance),
+    ABUT_STRUCT(abut_mesh_report),
+    ABUT_FIELD(abut_mesh_report, struct_size),
+    ABUT_FIELD(abut_mesh_report, reserved),
+    ABUT_FIELD(abut_mesh_report, triangles),
+    ABUT_FIELD(abut_mesh_report, vertices),
+    ABUT_FIELD(abut_mesh_report, merged_vertices),
+    ABUT_FIELD(abut_mesh_report, collapsed_triangles),
+    ABUT_FIELD(abut_mesh_report, duplicate_vertices),
+    ABUT_FIELD(abut_mesh_report, duplicate_triangles),
+    ABUT_FIELD(abut_mesh_report, slivers),
+    ABUT_FIELD(abut_mesh_report, open_edges),
+    ABUT_FIELD(abut_mesh_report, non_manifold_edges),
+    ABUT_FIELD(abut_mesh_report, reversed_triangles),
+    ABUT_FIELD(abut_mesh_report, twisted_patches),
+    ABUT_FIELD(abut_mesh_report, components),
+    ABUT_FIELD(abut_mesh_report, merge_error),
     ABUT_STRUCT(abut_uv_grid_options),
     ABUT_FIELD(abut_uv_grid_options, struct_size),
     ABUT_FIELD(abut_uv_grid_options, sides),
@@ -106,6 +126,9 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_uv_grid_options, axis_v),
     ABUT_FIELD(abut_uv_grid_options, cells_u),
     ABUT_FIELD(abut_uv_grid_options, cells_v),
+    ABUT_FIELD(abut_uv_grid_options, corners),
+    ABUT_FIELD(abut_uv_grid_options, merges_vertices),
+    ABUT_FIELD(abut_uv_grid_options, merge_distance),
     ABUT_STRUCT(abut_height_field_desc),
     ABUT_FIELD(abut_height_field_desc, struct_size),
     ABUT_FIELD(abut_height_field_desc, diagonal),

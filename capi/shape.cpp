@@ -5,68 +5,73 @@
 #include "options.hpp"
 #include "shape_handle.hpp"
 #include "shape_make.hpp"
+#include "triangle_source.hpp"
 
 import abut.capability;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
+import abut.triangles.buffers;
+import abut.triangles.report;
 
 using namespace abut::capi;
 
 namespace {
 
-abut_status read_triangles(const double* xyz, std::size_t vertex_count, const std::uint32_t* triangles,
-                           std::size_t triangle_count, Numbers& numbers) {
-  const abut_status status = read_span<3>("xyz", xyz, "vertex_count", vertex_count, numbers.reals);
-  return status != ABUT_OK ? status
-                           : read_span<3>("triangles", triangles, "triangle_count", triangle_count, numbers.indices);
-}
-
-abut_status create_mesh(const double* xyz, std::size_t vertex_count, const std::uint32_t* triangles,
-                        std::size_t triangle_count, const abut_mesh_options* options, abut_shape** out) {
-  abut_sides sides = ABUT_SIDES_BOTH;
-  if (options != nullptr) {
-    if (const abut_status status = check_struct_size({"options"}, *options); status != ABUT_OK) {
-      return status;
-    }
-    sides = options->sides;
-    if (const abut_status status = check_value({"options"}, ".sides", sides, ABUT_SIDES_SOLID); status != ABUT_OK) {
-      return status;
-    }
-  }
-  Numbers numbers;
-  if (const abut_status status = read_triangles(xyz, vertex_count, triangles, triangle_count, numbers);
-      status != ABUT_OK) {
-    return status;
-  }
-  const std::array parameters{static_cast<double>(sides)};
-  numbers.parameters = parameters;
-  return create_named("mesh", numbers, out);
-}
-
+constexpr abut_mesh_options mesh_defaults{sizeof(abut_mesh_options), ABUT_SIDES_BOTH, 3, 0, 0};
 constexpr abut_uv_grid_options uv_grid_defaults{
-    sizeof(abut_uv_grid_options), ABUT_SIDES_BOTH, ABUT_AXIS_X, ABUT_AXIS_Y, 0, 0};
+    sizeof(abut_uv_grid_options), ABUT_SIDES_BOTH, ABUT_AXIS_X, ABUT_AXIS_Y, 0, 0, 3, 0, 0};
 
-abut_status create_uv_grid(const double* xyz, std::size_t vertex_count, const std::uint32_t* triangles,
-                           std::size_t triangle_count, const abut_uv_grid_options& options, abut_shape** out) {
-  if (const abut_status status = check_struct_size({"options"}, options); status != ABUT_OK) {
-    return status;
-  }
-  if (const abut_status status = check_value({"options"}, ".sides", options.sides, ABUT_SIDES_SOLID);
-      status != ABUT_OK) {
-    return status;
-  }
-  Numbers numbers;
-  if (const abut_status status = read_triangles(xyz, vertex_count, triangles, triangle_count, numbers);
-      status != ABUT_OK) {
-    return status;
-  }
+// A struct of options that says how faces are read.
+template <class Options>
+abut_status read_options(const Options& options, FaceOptions& out) {
+  abut_status status = check_struct_size({"options"}, options);
+  status = status != ABUT_OK ? status : check_value({"options"}, ".sides", options.sides, ABUT_SIDES_SOLID);
+  out = {options.corners, options.merges_vertices, options.merge_distance};
+  return status;
+}
+
+template <class Options>
+abut_status create_from_faces(const Faces& faces, const Options& options, std::string_view kind,
+                              std::span<const double> parameters, abut_shape** out) {
+  FaceOptions read_as{};
+  abut_status status = read_options(options, read_as);
+  TriangleSource source;
+  status = status != ABUT_OK ? status : TriangleSource::read(faces, read_as, source);
+  return status != ABUT_OK ? status : create_named(kind, {parameters, source.xyz(), source.triangles()}, out);
+}
+
+abut_status create_mesh(const Faces& faces, const abut_mesh_options& options, abut_shape** out) {
+  return create_from_faces(faces, options, "mesh", std::array{static_cast<double>(options.sides)}, out);
+}
+
+abut_status create_uv_grid(const Faces& faces, const abut_uv_grid_options& options, abut_shape** out) {
   const std::array<double, 5> parameters{static_cast<double>(options.sides), static_cast<double>(options.axis_u),
                                          static_cast<double>(options.axis_v), static_cast<double>(options.cells_u),
                                          static_cast<double>(options.cells_v)};
-  numbers.parameters = parameters;
-  return create_named("uv_grid", numbers, out);
+  return create_from_faces(faces, options, "uv_grid", parameters, out);
+}
+
+abut_status describe_mesh(const Faces& faces, const abut_mesh_options& options, abut_mesh_report* out) {
+  FaceOptions read_as{};
+  abut_status status = check_struct_size({"out"}, *out);
+  status = status != ABUT_OK ? status : read_options(options, read_as);
+  TriangleSource source;
+  status = status != ABUT_OK ? status : TriangleSource::read(faces, read_as, source);
+  if (status != ABUT_OK) {
+    return status;
+  }
+  if (const abut::Fault fault = abut::check_triangles("a mesh", source.xyz(), source.triangles())) {
+    return refuse(*fault);
+  }
+  const abut::TriangleReport found = abut::report_triangles(source.xyz(), source.triangles());
+  write_struct({sizeof(abut_mesh_report), 0, found.triangles, found.vertices, source.merged().vertices,
+                source.merged().collapsed, found.duplicate_vertices, found.duplicate_triangles, found.slivers,
+                found.open_edges, found.non_manifold_edges, found.reversed_triangles, found.twisted_patches,
+                found.components, source.merged().error},
+               out);
+  return ABUT_OK;
 }
 
 // `materials` may be null.
@@ -166,14 +171,30 @@ abut_status abut_hull_create(const double* xyz, size_t point_count, abut_shape**
 }
 
 void abut_mesh_options_init(abut_mesh_options* options, uint32_t struct_size) {
-  fill_defaults<abut_mesh_options>({sizeof(abut_mesh_options), ABUT_SIDES_BOTH}, struct_size, options);
+  fill_defaults(mesh_defaults, struct_size, options);
 }
 
 abut_status abut_mesh_create(const double* xyz, size_t vertex_count, const uint32_t* triangles, size_t triangle_count,
                              const abut_mesh_options* options, abut_shape** out) {
   return guard([&] {
     const abut_status status = check_not_null("out", out);
-    return status != ABUT_OK ? status : create_mesh(xyz, vertex_count, triangles, triangle_count, options, out);
+    return status != ABUT_OK ? status
+                             : create_mesh({xyz, vertex_count, triangles, triangle_count},
+                                           options != nullptr ? *options : mesh_defaults, out);
+  });
+}
+
+void abut_mesh_report_init(abut_mesh_report* report, uint32_t struct_size) {
+  fill_defaults(abut_mesh_report{}, struct_size, report);
+}
+
+abut_status abut_mesh_describe(const double* xyz, size_t vertex_count, const uint32_t* triangles, size_t triangle_count,
+                               const abut_mesh_options* options, abut_mesh_report* out) {
+  return guard([&] {
+    const abut_status status = check_not_null("out", out);
+    return status != ABUT_OK ? status
+                             : describe_mesh({xyz, vertex_count, triangles, triangle_count},
+                                             options != nullptr ? *options : mesh_defaults, out);
   });
 }
 
@@ -202,7 +223,7 @@ abut_status abut_uv_grid_create(const double* xyz, size_t vertex_count, const ui
   return guard([&] {
     const abut_status status = check_not_null("out", out);
     return status != ABUT_OK ? status
-                             : create_uv_grid(xyz, vertex_count, triangles, triangle_count,
+                             : create_uv_grid({xyz, vertex_count, triangles, triangle_count},
                                               options != nullptr ? *options : uv_grid_defaults, out);
   });
 }

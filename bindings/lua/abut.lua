@@ -33,12 +33,15 @@ function abut.hull(xyz)
   return made(library.abut_hull_create, array, count)
 end
 
--- A surface of triangles, each three indices from 0; options such as {sides = ...}.
+-- A surface of triangles, each three indices from 0; options such as {sides = ...}, or {corners = 4} for quads.
 function abut.mesh(xyz, triangles, options)
-  if #triangles % 3 ~= 0 then core.refuse("triangles has %d numbers, which is not a multiple of 3", #triangles) end
+  local width = options and options.corners == 4 and 4 or 3
+  if #triangles % width ~= 0 then
+    core.refuse("triangles has %d numbers, which is not a multiple of %d", #triangles, width)
+  end
   local array, count = points(xyz, "xyz")
   local indices, index_count = core.array("uint32_t", triangles)
-  return made(library.abut_mesh_create, array, count, indices, index_count / 3,
+  return made(library.abut_mesh_create, array, count, indices, index_count / width,
               core.options("abut_mesh_options", options))
 end
 

@@ -128,10 +128,34 @@ enum abut_sides_value {
 typedef struct abut_mesh_options {
   uint32_t struct_size;
   abut_sides sides;
+  uint32_t corners;
+  uint32_t merges_vertices;
+  double merge_distance;
 } abut_mesh_options;
 void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct_size);
 abut_status abut_mesh_create(const double *xyz, size_t vertex_count, const uint32_t *triangles,
                                       size_t triangle_count, const abut_mesh_options *options, abut_shape **out);
+typedef struct abut_mesh_report {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t triangles;
+  uint64_t vertices;
+  uint64_t merged_vertices;
+  uint64_t collapsed_triangles;
+  uint64_t duplicate_vertices;
+  uint64_t duplicate_triangles;
+  uint64_t slivers;
+  uint64_t open_edges;
+  uint64_t non_manifold_edges;
+  uint64_t reversed_triangles;
+  uint64_t twisted_patches;
+  uint64_t components;
+  double merge_error;
+} abut_mesh_report;
+void abut_mesh_report_init(abut_mesh_report *report, uint32_t struct_size);
+abut_status abut_mesh_describe(const double *xyz, size_t vertex_count, const uint32_t *triangles,
+                                        size_t triangle_count, const abut_mesh_options *options,
+                                        abut_mesh_report *out);
 typedef uint32_t abut_axis;
 enum abut_axis_value { ABUT_AXIS_X = 0, ABUT_AXIS_Y = 1, ABUT_AXIS_Z = 2 };
 typedef struct abut_uv_grid_options {
@@ -141,6 +165,9 @@ typedef struct abut_uv_grid_options {
   abut_axis axis_v;
   uint32_t cells_u;
   uint32_t cells_v;
+  uint32_t corners;
+  uint32_t merges_vertices;
+  double merge_distance;
 } abut_uv_grid_options;
 void abut_uv_grid_options_init(abut_uv_grid_options *options, uint32_t struct_size);
 abut_status abut_uv_grid_create(const double *xyz, size_t vertex_count, const uint32_t *triangles,

@@ -346,7 +346,12 @@ enum abut_sides_value ABUT_ENUM(uint32_t) {
 
 typedef struct abut_mesh_options {
   uint32_t struct_size;
-  abut_sides sides; /**< default ABUT_SIDES_BOTH */
+  abut_sides sides;         /**< default ABUT_SIDES_BOTH */
+  uint32_t corners;         /**< of a face: 3 or 4; default 3. Face i of four is triangles 2 i and 2 i + 1: its
+                                 corners 0, 1, 2 and 0, 2, 3. Where its last two are one vertex, the second counts as
+                                 removed */
+  uint32_t merges_vertices; /**< 1: triangles share vertices that are near each other; default 0 */
+  double merge_distance;    /**< how near, not negative; default 0: in the same place */
 } abut_mesh_options;
 
 ABUT_API void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct_size);
@@ -355,15 +360,47 @@ ABUT_API void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct
  * Triangle mesh: a surface without inside, or with ABUT_SIDES_SOLID a solid. Inside is where the winding number exceeds
  * one half, so that open, repeated and wrongly wound triangles do little harm.
  * @param xyz             vertex_count * 3 numbers, copied
- * @param triangles       triangle_count * 3 indices into the vertices, counter-clockwise seen from
- *                        the front, copied; triangles without area are kept: they are met as segments or points,
- *                        but not by rays. One that names a vertex three times counts as removed: see
- *                        abut_geometry_remove_triangles
- * @param options         may be null
+ * @param triangles       triangle_count * 3 indices into the vertices (of faces with four corners, 4 each),
+ *                        counter-clockwise seen from the front, copied; triangles without area are kept: they are met
+ *                        as segments or points, but not by rays. One that names a vertex three times counts as
+ *                        removed: see abut_geometry_remove_triangles
+ * @param options         may be null.
+ * Vertices are merged in the order of their numbers: each stays, or gives way to the nearest within the distance that
+ * stayed. All keep their numbers; those that gave way belong to no triangle. Triangles keep theirs. One of which two
+ * corners are one vertex counts as removed. ABUT_EMPTY where none is left.
  * Complexity O(n); its tree is built when a query first needs it, in O(n log n). [any]
  */
 ABUT_API abut_status abut_mesh_create(const double *xyz, size_t vertex_count, const uint32_t *triangles,
                                       size_t triangle_count, const abut_mesh_options *options, abut_shape **out);
+
+/** What is unusual about triangles, in numbers. Set struct_size, or use the _init function, before asking. */
+typedef struct abut_mesh_report {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t triangles;           /**< that count: not removed, and not collapsed */
+  uint64_t vertices;            /**< that these have */
+  uint64_t merged_vertices;     /**< that gave way to another one */
+  uint64_t collapsed_triangles; /**< that merging has left with fewer than three corners */
+  uint64_t duplicate_vertices;  /**< in the place of one with a lower number */
+  uint64_t duplicate_triangles; /**< with the vertices of one with a lower number */
+  uint64_t slivers;             /**< triangles whose least height is at most a thousandth of their longest side */
+  uint64_t open_edges;          /**< of one triangle: a closed surface has none */
+  uint64_t non_manifold_edges;  /**< of more than two triangles */
+  uint64_t reversed_triangles;  /**< the least number to be turned so that neighbours are wound alike */
+  uint64_t twisted_patches;     /**< that no turning makes alike, as a Moebius strip; edges of two connect a patch */
+  uint64_t components;          /**< that have no vertex in common with each other */
+  double merge_error;           /**< how far a corner of a triangle has moved at most */
+} abut_mesh_report;
+
+ABUT_API void abut_mesh_report_init(abut_mesh_report *report, uint32_t struct_size);
+
+/**
+ * What is unusual about a mesh before it is made, after vertices were merged as the options say. Parameters as those of
+ * abut_mesh_create. Complexity O(n log n). [any]
+ */
+ABUT_API abut_status abut_mesh_describe(const double *xyz, size_t vertex_count, const uint32_t *triangles,
+                                        size_t triangle_count, const abut_mesh_options *options,
+                                        abut_mesh_report *out);
 
 /** An axis of the frame of a shape. */
 typedef uint32_t abut_axis;
@@ -377,6 +414,9 @@ typedef struct abut_uv_grid_options {
   abut_axis axis_v; /**< the second one, another than the first; default ABUT_AXIS_Y */
   uint32_t cells_u; /**< cells along the first axis, at most 65535; default 0: about four triangles in a cell */
   uint32_t cells_v; /**< cells along the second axis, at most 2^24 with the others; default 0 */
+  uint32_t corners; /**< this and the next two as those of abut_mesh_options */
+  uint32_t merges_vertices;
+  double merge_distance;
 } abut_uv_grid_options;
 
 ABUT_API void abut_uv_grid_options_init(abut_uv_grid_options *options, uint32_t struct_size);
@@ -1220,15 +1260,17 @@ ABUT_API abut_status abut_geometry_set_particles(abut_universe *universe, abut_g
                                                  const double *xyz, const double *radii, size_t count);
 
 /**
- * Moves vertices of the mesh of a geometry, as abut_geometry_set_parameters changes parameters. Contacts of triangles
- * that stay in touch keep ids, ages and user data. Where the box of the mesh stays the same, only pairs near the
- * triangles that changed are examined again.
+ * Moves vertices of the mesh or the uv_grid of a geometry, as abut_geometry_set_parameters changes parameters. Contacts
+ * of triangles that stay in touch keep ids, ages and user data. Where the box of the mesh stays the same, only pairs
+ * near the triangles that changed are examined again. Vertices of a uv_grid move along the axis that is none of its
+ * grid.
  * @param first  the first vertex that moves
  * @param xyz    count * 3 numbers, the new places, copied
  * @param count  how many move; with 0 nothing changes
- * ABUT_INDEX_OUT_OF_RANGE beyond the last vertex, ABUT_UNSUPPORTED for other kinds. Complexity O(count + triangles
- * around these vertices), and O(vertices + triangles) once where the shape has other holders. The tree is fitted to
- * what moved. Once queries cost more by a half, the next one makes it anew. [exclusive]
+ * ABUT_INDEX_OUT_OF_RANGE beyond the last vertex, ABUT_OUT_OF_RANGE for other moves in a uv_grid, ABUT_UNSUPPORTED for
+ * other kinds. Complexity O(count + triangles around these vertices), and O(vertices + triangles) for the first change
+ * and where the shape has other holders. The tree or the cells are fitted to what moved. Once queries cost more by a
+ * half, the next one makes them anew. [exclusive]
  */
 ABUT_API abut_status abut_geometry_set_vertices(abut_universe *universe, abut_geometry_id geometry, size_t first,
                                                 const double *xyz, size_t count);
@@ -1243,9 +1285,9 @@ ABUT_API abut_status abut_geometry_set_vertices_at(abut_universe *universe, abut
                                                    const uint32_t *vertices, const double *xyz, size_t count);
 
 /**
- * Takes triangles out of the mesh of a geometry, as abut_geometry_set_parameters changes parameters. The others keep
- * their numbers, and their contacts keep ids, ages and user data. A triangle that has gone keeps its number too: it
- * meets nothing from then on, and abut_shape_triangles names one vertex three times for it.
+ * Takes triangles out of the mesh or the uv_grid of a geometry, as abut_geometry_set_parameters changes parameters. The
+ * others keep their numbers, and their contacts keep ids, ages and user data. A triangle that has gone keeps its number
+ * too: it meets nothing from then on, and abut_shape_triangles names one vertex three times for it.
  * @param triangles  count numbers of triangles, copied; those that have gone before, or are there twice, are no error
  * @param count      with 0 nothing changes
  * ABUT_INDEX_OUT_OF_RANGE beyond the last triangle, ABUT_EMPTY where none would be left, ABUT_UNSUPPORTED for other
@@ -1255,7 +1297,7 @@ ABUT_API abut_status abut_geometry_remove_triangles(abut_universe *universe, abu
                                                     const uint32_t *triangles, size_t count);
 
 /**
- * Makes the mesh of a geometry anew, as abut_mesh_create takes it, with the options that it has. Unlike
+ * Makes the mesh or the uv_grid of a geometry anew of triangles, on the sides and cells that it has. Unlike
  * abut_geometry_set_shape it ends no contact where the same triangle, by its number, still touches. [exclusive]
  */
 ABUT_API abut_status abut_geometry_set_mesh(abut_universe *universe, abut_geometry_id geometry, const double *xyz,

@@ -12,6 +12,11 @@ import abut.trees.winding_number;
 
 export namespace abut {
 
+// The number of the vertex that place i of an edit is for.
+[[nodiscard]] inline std::uint32_t moved_vertex(const VertexEdit& edit, std::size_t i) {
+  return edit.vertices.empty() ? static_cast<std::uint32_t>(edit.first + i) : edit.vertices[i];
+}
+
 class Mesh {
  public:
   using Part = Triangle;
@@ -46,8 +51,9 @@ class Mesh {
   }
   // Of a triangle; empty where it has gone.
   [[nodiscard]] inline Aabb present_box(std::uint32_t index) const {
-    return is_removed(data_->indices, index) ? Aabb::empty() : box_around(corners(index));
+    return has_gone(index) ? Aabb::empty() : box_around(corners(index));
   }
+  [[nodiscard]] bool has_gone(std::uint32_t index) const { return is_removed(data_->indices, index); }
   [[nodiscard]] Triangle part(std::uint32_t index) const { return {corners(index), index, is_one_sided(index)}; }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
@@ -130,6 +136,34 @@ class Mesh {
   [[nodiscard]] Aabb apply(const RemovalEdit& edit);
   [[nodiscard]] Aabb apply(const RecreationEdit& edit);
 
+  // For shapes that find the triangles of a mesh of their own by other means: changes that no tree follows. Each is an
+  // edit or a part of one that was checked, of a mesh that is owned; neighbours have been found before.
+  void find_neighbours() { static_cast<void>(neighbours()); }
+  [[nodiscard]] const Vec3& vertex(std::uint32_t number) const [[clang::lifetimebound]] {
+    return data_->vertices[number];
+  }
+  void place(const VertexEdit& edit);
+  void take_out(std::uint32_t triangle);
+  void set_box(const Aabb& box) { data_.own().box = box; }
+  // Calls visit(triangle) for all around the vertices of an edit: once each where these are a range.
+  template <class Visitor>
+  void visit_moved(const VertexEdit& edit, Visitor&& visit) const {
+    const Data& mesh = *data_;
+    for (std::size_t i = 0; i < edit.xyz.size() / 3; ++i) {
+      const std::uint32_t vertex = moved_vertex(edit, i);
+      for (const std::uint32_t triangle : neighbours().around_vertex(vertex)) {
+        // One that several vertices of a range share moves with the first of them.
+        const auto its = std::span(mesh.indices).subspan(3 * std::size_t{triangle}, 3);
+        const auto moves_before = [&](std::uint32_t other) { return other >= edit.first && other < vertex; };
+        if (!has_gone(triangle) && !(edit.vertices.empty() && std::ranges::any_of(its, moves_before))) {
+          visit(triangle);
+        }
+      }
+    }
+  }
+  // A box around the triangles that share a corner with one.
+  [[nodiscard]] Aabb box_beside(std::uint32_t triangle) const;
+
  private:
   static constexpr std::size_t most_at_once = 32;
 
@@ -166,7 +200,6 @@ class Mesh {
     return data_->inside.get([this] { return make_inside(*data_); });
   }
   [[nodiscard]] static Inside make_inside(const Data& data);
-  [[nodiscard]] static Fault check_buffers(std::span<const Real> reals, std::span<const std::uint32_t> indices);
   void make_room_for_change();
   [[nodiscard]] Aabb follow(std::uint32_t touched, const Aabb& moved);
   static void fill(Data& data, std::span<const Real> reals, std::span<const std::uint32_t> indices);

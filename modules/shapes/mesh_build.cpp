@@ -6,44 +6,9 @@ import abut.core;
 import abut.math;
 import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
+import abut.triangles.buffers;
 
 namespace abut {
-Fault Mesh::check_buffers(std::span<const Real> reals, std::span<const std::uint32_t> indices) {
-  if (reals.empty()) {
-    return Error{Errc::empty, "vertex_count is 0; a mesh needs vertices"};
-  }
-  if (indices.empty()) {
-    return Error{Errc::empty, "triangle_count is 0; a mesh needs at least one triangle"};
-  }
-  if (reals.size() % 3 != 0) {
-    return error_about(Errc::invalid_argument, "real_count", static_cast<std::uint64_t>(reals.size()),
-                       "a multiple of 3");
-  }
-  if (indices.size() % 3 != 0) {
-    return error_about(Errc::invalid_argument, "index_count", static_cast<std::uint64_t>(indices.size()),
-                       "a multiple of 3");
-  }
-  constexpr std::size_t most_triangles = 0x3fffffff;  // three corners of each are numbered as well
-  if (reals.size() / 3 > no_index || indices.size() / 3 > most_triangles) {
-    return Error{Errc::size_overflow, "a mesh has at most 2^32 - 1 vertices and 2^30 - 1 triangles"};
-  }
-  if (Fault fault = check_all_finite("xyz", reals)) {
-    return fault;
-  }
-  const std::size_t vertex_count = reals.size() / 3;
-  std::size_t removed = 0;
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (indices[i] >= vertex_count) {
-      return error_about(Errc::index_out_of_range, "triangles[" + std::to_string(i) + "]", std::uint64_t{indices[i]},
-                         "below vertex_count, which is " + std::to_string(vertex_count));
-    }
-    removed += i % 3 == 2 && is_removed(indices, static_cast<std::uint32_t>(i / 3)) ? 1 : 0;
-  }
-  if (removed == indices.size() / 3) {
-    return Error{Errc::empty, "triangles names one vertex three times in each; a mesh needs at least one triangle"};
-  }
-  return std::nullopt;
-}
 
 void Mesh::fill(Data& data, std::span<const Real> reals, std::span<const std::uint32_t> indices) {
   data.indices.assign(indices.begin(), indices.end());
@@ -83,7 +48,7 @@ Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> 
   if (parameters[0] != 0 && parameters[0] != 1 && parameters[0] != 2) {
     return error_about(Errc::unknown_value, "sides", parameters[0], "0 (both), 1 (front) or 2 (solid)");
   }
-  if (Fault fault = check_buffers(reals, indices)) {
+  if (Fault fault = check_triangles("a mesh", reals, indices)) {
     return *fault;
   }
   Data data{{}, {}, static_cast<Sides>(parameters[0]), Aabb::empty(), 0, {0, 0, 0}, {}, {}, {}};
@@ -107,8 +72,8 @@ bool Mesh::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction
   const auto are_below = [&](std::optional<std::uint32_t> other) {
     return std::ranges::all_of(neighbours.around_vertex(vertex), [&](std::uint32_t triangle) {
       const auto its = std::span(mesh.indices).subspan(3 * std::size_t{triangle}, 3);
-      return (other && its[0] != *other && its[1] != *other && its[2] != *other) ||
-             is_removed(mesh.indices, triangle) || (is_below(its[0]) && is_below(its[1]) && is_below(its[2]));
+      return (other && its[0] != *other && its[1] != *other && its[2] != *other) || has_gone(triangle) ||
+             (is_below(its[0]) && is_below(its[1]) && is_below(its[2]));
     });
   };
   const unsigned others = corners & (corners - 1);

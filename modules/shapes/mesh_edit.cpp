@@ -6,6 +6,7 @@ import abut.core;
 import abut.math;
 import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
+import abut.triangles.buffers;
 
 namespace abut {
 
@@ -50,7 +51,7 @@ Fault Mesh::check(const RemovalEdit& edit) const {
   return std::nullopt;
 }
 
-Fault Mesh::check(const RecreationEdit& edit) const { return check_buffers(edit.reals, edit.indices); }
+Fault Mesh::check(const RecreationEdit& edit) const { return check_triangles("a mesh", edit.reals, edit.indices); }
 
 // Where no query has needed the tree so far, there is nothing to follow the change.
 void Mesh::make_room_for_change() {
@@ -108,38 +109,23 @@ Aabb Mesh::apply(const VertexEdit& edit) {
   if (count == 0) {
     return {data.box.low, data.box.low};
   }
-  data.inside.forget();
-  const auto vertex_at = [&](std::size_t i) {
-    return edit.vertices.empty() ? static_cast<std::uint32_t>(edit.first + i) : edit.vertices[i];
-  };
   std::uint32_t touched = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    Vec3& place = data.vertices[vertex_at(i)];
-    touched |= sides_touched(data.box, place);
-    place = {edit.xyz[3 * i], edit.xyz[3 * i + 1], edit.xyz[3 * i + 2]};
+    touched |= sides_touched(data.box, data.vertices[moved_vertex(edit, i)]);
   }
+  place(edit);
   if (!data.tree.is_made()) {
     data.box = box_of(data);
     return Aabb::everything();
   }
   Bvh& tree = *data.tree.made();
   Aabb moved = Aabb::empty();
-  const bool is_range = edit.vertices.empty();
-  for (std::size_t i = 0; i < count; ++i) {
-    for (const std::uint32_t triangle : neighbours().around_vertex(vertex_at(i))) {
-      // One that several vertices of a range share moves with the first of them.
-      const auto its = std::span(data.indices).subspan(3 * std::size_t{triangle}, 3);
-      if (is_removed(data.indices, triangle) || (is_range && std::ranges::any_of(its, [&](std::uint32_t vertex) {
-                                                   return vertex >= edit.first && vertex < vertex_at(i);
-                                                 }))) {
-        continue;
-      }
-      const Aabb box = box_around(corners(triangle));
-      tree.move(triangle, box);
-      moved.include(box);
-      data.widest = maximum(data.widest, box.high - box.low);
-    }
-  }
+  visit_moved(edit, [&](std::uint32_t triangle) {
+    const Aabb box = box_around(corners(triangle));
+    tree.move(triangle, box);
+    moved.include(box);
+    data.widest = maximum(data.widest, box.high - box.low);
+  });
   return follow(touched, moved);
 }
 
@@ -148,24 +134,16 @@ Aabb Mesh::apply(const RemovalEdit& edit) {
   if (edit.triangles.empty()) {
     return {data.box.low, data.box.low};
   }
-  data.inside.forget();
   std::uint32_t touched = 0;
-  std::optional<MeshNeighbours>& neighbours = data.neighbours.made();
   std::optional<Bvh>& tree = data.tree.made();
   for (const std::uint32_t triangle : edit.triangles) {
-    if (is_removed(data.indices, triangle)) {
+    if (has_gone(triangle)) {
       continue;
     }
-    --data.present;
     for (const Vec3& corner : corners(triangle)) {
       touched |= sides_touched(data.box, corner);
     }
-    if (neighbours) {
-      neighbours->remove(triangle, data.indices);
-    } else {
-      const std::size_t first = 3 * std::size_t{triangle};
-      data.indices[first + 1] = data.indices[first + 2] = data.indices[first];
-    }
+    take_out(triangle);
     if (tree) {
       tree->move(triangle, Aabb::empty());
     }
@@ -175,6 +153,36 @@ Aabb Mesh::apply(const RemovalEdit& edit) {
     return Aabb::everything();
   }
   return follow(touched, Aabb::empty());
+}
+
+void Mesh::place(const VertexEdit& edit) {
+  Data& data = data_.own();
+  data.inside.forget();
+  for (std::size_t i = 0; i < edit.xyz.size() / 3; ++i) {
+    data.vertices[moved_vertex(edit, i)] = {edit.xyz[3 * i], edit.xyz[3 * i + 1], edit.xyz[3 * i + 2]};
+  }
+}
+
+void Mesh::take_out(std::uint32_t triangle) {
+  Data& data = data_.own();
+  data.inside.forget();
+  --data.present;
+  if (std::optional<MeshNeighbours>& neighbours = data.neighbours.made()) {
+    neighbours->remove(triangle, data.indices);
+  } else {
+    const std::size_t first = 3 * std::size_t{triangle};
+    data.indices[first + 1] = data.indices[first + 2] = data.indices[first];
+  }
+}
+
+Aabb Mesh::box_beside(std::uint32_t triangle) const {
+  Aabb box = Aabb::empty();
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (const std::uint32_t other : neighbours().around_vertex(data_->indices[3 * std::size_t{triangle} + corner])) {
+      box.include(present_box(other));
+    }
+  }
+  return box;
 }
 
 Aabb Mesh::apply(const RecreationEdit& edit) {

@@ -2,71 +2,29 @@
 // What is inside of a solid mesh, its connected pieces, and which triangles are wound the wrong way.
 module abut.shapes.mesh;
 import abut.capability;
+import abut.core.joined_sets;
 import abut.core.standard;
 import abut.math;
 import abut.shapes.mesh_neighbours;
 import abut.trees.winding_number;
+import abut.triangles.edges;
 
 namespace abut {
 namespace {
 
-// Sets of numbers that are joined two by two. The least number of a set stands for it.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0u); }
-
-  [[nodiscard]] std::uint32_t of(std::uint32_t number) {
-    while (parents_[number] != number) {
-      parents_[number] = parents_[parents_[number]];
-      number = parents_[number];
-    }
-    return number;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t of_a = of(a), of_b = of(b);
-    parents_[std::max(of_a, of_b)] = std::min(of_a, of_b);
-  }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
-
-// An edge of a triangle, by its ends in order.
-struct Edge {
-  std::uint32_t low, high, triangle;
-  bool is_forward;  // from low to high along the winding
-};
-
-std::vector<Edge> edges_in_order(std::span<const std::uint32_t> indices) {
-  std::vector<Edge> edges;
-  edges.reserve(indices.size());
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    const std::uint32_t start = indices[i], end = indices[i - i % 3 + (i + 1) % 3];
-    edges.push_back({std::min(start, end), std::max(start, end), static_cast<std::uint32_t>(i / 3), start < end});
-  }
-  std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
-    return std::tuple(a.low, a.high, a.triangle, a.is_forward) < std::tuple(b.low, b.high, b.triangle, b.is_forward);
-  });
-  return edges;
-}
-
 // Triangles that share an edge with one neighbour each look the same way if they run along it in opposite directions.
-Sets sets_that_look_alike(std::span<const std::uint32_t> indices) {
-  const std::vector<Edge> edges = edges_in_order(indices);
-  Sets sets(indices.size() / 3);
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high) {
-      ++end;
+JoinedSets sets_that_look_alike(std::span<const std::uint32_t> indices) {
+  JoinedSets sets(indices.size() / 3);
+  visit_edges(indices, [&](std::span<const EdgeOfTriangle> sharing) {
+    if (sharing.size() == 2 && sharing[0].is_forward != sharing[1].is_forward) {
+      sets.join(sharing[0].triangle, sharing[1].triangle);
     }
-    if (end - begin == 2 && edges[begin].is_forward != edges[begin + 1].is_forward) {
-      sets.join(edges[begin].triangle, edges[begin + 1].triangle);
-    }
-  }
+  });
   return sets;
 }
 
 std::vector<Vec3> vertices_of_pieces(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices) {
-  Sets pieces(vertices.size());
+  JoinedSets pieces(vertices.size());
   for (std::size_t i = 0; i < indices.size(); i += 3) {
     pieces.join(indices[i], indices[i + 1]);
     pieces.join(indices[i], indices[i + 2]);
@@ -91,7 +49,7 @@ Mesh::Inside Mesh::make_inside(const Data& data) {
   constexpr Real most_beside = 0.05;  // of the whole
   Inside out{WindingNumber(data.vertices, data.indices), vertices_of_pieces(data.vertices, data.indices), {}};
   const auto count = static_cast<std::uint32_t>(data.indices.size() / 3);
-  Sets sets = sets_that_look_alike(data.indices);
+  JoinedSets sets = sets_that_look_alike(data.indices);
   const auto triangle = [&](std::uint32_t index) {
     const std::size_t first = 3 * std::size_t{index};
     return Triangle(data.vertices[data.indices[first]], data.vertices[data.indices[first + 1]],

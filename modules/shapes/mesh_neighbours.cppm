@@ -3,14 +3,9 @@
 export module abut.shapes.mesh_neighbours;
 import abut.core.standard;
 import abut.core;
+export import abut.triangles.buffers;
 
 export namespace abut {
-
-// Whether a triangle has gone: it names one vertex three times.
-[[nodiscard]] inline bool is_removed(std::span<const std::uint32_t> indices, std::uint32_t triangle) {
-  const std::size_t first = 3 * std::size_t{triangle};
-  return indices[first] == indices[first + 1] && indices[first] == indices[first + 2];
-}
 
 class MeshNeighbours {
  public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A mesh whose triangles are found by a grid of cells across two axes: what terrain with bridges and caves is made of.
+// Vertices move up and down, and triangles go, while others use it.
 export module abut.shapes.uv_grid;
 import abut.capability;
 import abut.core.standard;
@@ -66,6 +67,19 @@ class UvGrid {
   [[nodiscard]] bool is_turned(std::uint32_t index) const { return data_->mesh.is_turned(index); }
   [[nodiscard]] std::span<const Vec3> pieces() const [[clang::lifetimebound]] { return data_->mesh.pieces(); }
 
+  // Heights of vertices, along the axis that is none of the grid; triangles that go; another mesh. The first change
+  // takes O(all triangles), and so does one of another holder's grid.
+  [[nodiscard]] Fault check(const VertexEdit& edit) const;
+  [[nodiscard]] Fault check(const RemovalEdit& edit) const { return data_->mesh.check(edit); }
+  [[nodiscard]] Fault check(const RecreationEdit& edit) const { return data_->mesh.check(edit); }
+  void own() { data_.own().mesh.own(); }
+  void make_room(const VertexEdit&) { make_room_for_change(); }
+  void make_room(const RemovalEdit&) { make_room_for_change(); }
+  void make_room(const RecreationEdit& edit) { data_.own().mesh.make_room(edit); }
+  [[nodiscard]] Aabb apply(const VertexEdit& edit);
+  [[nodiscard]] Aabb apply(const RemovalEdit& edit);
+  [[nodiscard]] Aabb apply(const RecreationEdit& edit);
+
   // Whether a query has needed the cells so far.
   [[nodiscard]] bool has_cells() const { return data_->cells.is_made(); }
 
@@ -81,9 +95,12 @@ class UvGrid {
     return data_->cells.get([this] { return make_cells(*data_); });
   }
   [[nodiscard]] static UvCells make_cells(const Data& data);
+  void make_room_for_change();
+  [[nodiscard]] Aabb follow(const Aabb& changed);
 
   Frozen<Data> data_;
 };
-static_assert(Shape<UvGrid> && Surface<UvGrid> && Enclosing<UvGrid> && Triangulated<UvGrid>);
+static_assert(Shape<UvGrid> && Surface<UvGrid> && Enclosing<UvGrid> && Triangulated<UvGrid> &&
+              Editable<UvGrid, VertexEdit> && Editable<UvGrid, RemovalEdit> && Editable<UvGrid, RecreationEdit>);
 
 }  // namespace abut

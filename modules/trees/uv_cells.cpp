@@ -37,15 +37,15 @@ UvCells::UvCells(const Plan& plan, const Aabb& around, std::span<const Aabb> box
 }
 
 // The narrowest cell that is as wide as a box, where its low corner lies. The last one takes whatever is left.
-std::size_t UvCells::cell_of(const Aabb& box) const {
+UvCells::Place UvCells::place_of(const Aabb& box) const {
   const Vec3 size = box.high - box.low;
   std::size_t number = 0;
   while (number + 1 < levels_.size() && !(size[u_] <= levels_[number].width_u && size[v_] <= levels_[number].width_v)) {
     ++number;
   }
   const Level& level = levels_[number];
-  return number_of(number, place_at(box.low[u_] - origin_u_, level.inverse_u, level.columns),
-                   place_at(box.low[v_] - origin_v_, level.inverse_v, level.rows));
+  return {number, place_at(box.low[u_] - origin_u_, level.inverse_u, level.columns),
+          place_at(box.low[v_] - origin_v_, level.inverse_v, level.rows)};
 }
 
 // Sorted by counting: where the items of each cell begin, then the items.
@@ -53,7 +53,7 @@ void UvCells::place_items(std::span<const Aabb> boxes) {
   std::vector<std::size_t> cells(boxes.size(), cells_.size());
   for (std::size_t item = 0; item < boxes.size(); ++item) {
     if (boxes[item].low.x <= boxes[item].high.x) {
-      cells[item] = cell_of(boxes[item]);
+      cells[item] = number_of(place_of(boxes[item]));
       ++cells_[cells[item]].count;
       boxes_[cells[item]].include(boxes[item]);
     }
@@ -104,7 +104,7 @@ std::uint32_t UvCells::item_near(const Vec3& point) const {
   const auto any_of = [&](const Cell& cell) {
     return items_[cell.first + (cell.tree != none ? trees_[cell.tree].item_near(point) : 0)];
   };
-  const Cell& below = cells_[cell_of({point, point})];
+  const Cell& below = cells_[number_of(place_of({point, point}))];
   if (below.count > 0) {
     return any_of(below);
   }
@@ -123,9 +123,29 @@ std::uint32_t UvCells::item_near(const Vec3& point) const {
   return nearest;
 }
 
+void UvCells::make_room() {
+  if (!slots_.empty()) {
+    return;
+  }
+  for (Bvh& tree : trees_) {
+    tree.make_room();
+  }
+  slots_.resize(std::size_t{*std::max_element(items_.begin(), items_.end())} + 1);
+  for (std::uint32_t slot = 0; slot < items_.size(); ++slot) {
+    slots_[items_[slot]] = slot;
+  }
+}
+
+void UvCells::move_in_tree(const Cell& cell, std::uint32_t item, const Aabb& box) {
+  Bvh& tree = trees_[cell.tree];
+  tree.move(slots_[item] - cell.first, box);
+  static_cast<void>(tree.settle());
+  is_worn_ = is_worn_ || tree.is_worn();
+}
+
 std::size_t UvCells::bytes() const {
-  std::size_t sum =
-      cells_.capacity() * sizeof(Cell) + boxes_.capacity() * sizeof(Aabb) + items_.capacity() * sizeof(std::uint32_t);
+  std::size_t sum = cells_.capacity() * sizeof(Cell) + boxes_.capacity() * sizeof(Aabb) +
+                    (items_.capacity() + slots_.capacity()) * sizeof(std::uint32_t);
   return sum + trees_.capacity() * sizeof(Bvh);
 }
 

@@ -78,6 +78,38 @@ class UvCells {
   // An item close to a point. There are items.
   [[nodiscard]] std::uint32_t item_near(const Vec3& point) const;
 
+  // The memory that changes take. Whoever changes cells asks for it first.
+  void make_room();
+  // Fits the boxes around an item that got another box, which lies where it lay across the grid. box_of(item): of any.
+  template <class BoxOf>
+  void fit(std::uint32_t item, const BoxOf& box_of) {
+    const Aabb box = box_of(item);
+    const Place place = place_of(box);
+    const Cell& cell = cells_[number_of(place)];
+    if (cell.tree != none) {
+      move_in_tree(cell, item, box);
+    }
+    fit_from(place, box_of);
+  }
+  // Takes out for good an item that has its box still.
+  template <class BoxOf>
+  void remove(std::uint32_t item, const BoxOf& box_of) {
+    const Place place = place_of(box_of(item));
+    Cell& cell = cells_[number_of(place)];
+    if (cell.tree != none) {
+      move_in_tree(cell, item, Aabb::empty());
+    } else {
+      const std::uint32_t last = items_[cell.first + cell.count - 1];
+      items_[slots_[item]] = last;
+      slots_[last] = slots_[item];
+    }
+    --cell.count;
+    --levels_[place.level].items;
+    fit_from(place, box_of);
+  }
+  // Whether changes have made what a query costs grow by a half in a cell that has a tree.
+  [[nodiscard]] bool is_worn() const { return is_worn_; }
+
   // Around all items.
   [[nodiscard]] const Aabb& bounds() const [[clang::lifetimebound]] { return boxes_.back(); }
   [[nodiscard]] std::size_t bytes() const;
@@ -221,7 +253,56 @@ class UvCells {
     }
   }
 
-  [[nodiscard]] std::size_t cell_of(const Aabb& box) const;
+  // A cell of a level.
+  struct Place {
+    std::size_t level;
+    std::uint32_t i, j;
+  };
+  [[nodiscard]] inline std::size_t number_of(const Place& place) const {
+    return number_of(place.level, place.i, place.j);
+  }
+  [[nodiscard]] Place place_of(const Aabb& box) const;
+  void move_in_tree(const Cell& cell, std::uint32_t item, const Aabb& box);
+  // The boxes of a cell and of those that it lies in.
+  template <class BoxOf>
+  void fit_from(Place place, const BoxOf& box_of) {
+    for (;; place = {place.level + 1, place.i / side, place.j / side}) {
+      const Aabb box = box_at(place, box_of);
+      const Aabb before = std::exchange(boxes_[number_of(place)], box);
+      if ((box.low == before.low && box.high == before.high) || place.level + 1 == levels_.size()) {
+        return;
+      }
+    }
+  }
+  // Around the items of a cell and the cells in it.
+  template <class BoxOf>
+  [[nodiscard]] Aabb box_at(const Place& place, const BoxOf& box_of) const {
+    const Cell& cell = cells_[number_of(place)];
+    Aabb box = Aabb::empty();
+    if (cell.tree == none) {
+      for (std::uint32_t i = cell.first; i < cell.first + cell.count; ++i) {
+        box.include(box_of(items_[i]));
+      }
+    } else if (cell.count > 0) {
+      box = box_of_tree(cell, box_of);
+    }
+    if (place.level > 0) {
+      cells_in(place.level, place.i, place.j).for_each([&](std::uint32_t i, std::uint32_t j) {
+        box.include(boxes_[number_of(place.level - 1, i, j)]);
+      });
+    }
+    return box;
+  }
+  template <class BoxOf>
+  [[nodiscard]] Aabb box_of_tree(const Cell& cell, const BoxOf& box_of) const {
+    const auto least = [&](std::size_t number) {
+      return trees_[cell.tree].least(number, -infinity, [&](std::uint32_t item) {
+        const Aabb box = box_of(items_[cell.first + item]);
+        return number < 3 ? box.low[static_cast<int>(number)] : -box.high[static_cast<int>(number - 3)];
+      });
+    };
+    return {{least(0), least(1), least(2)}, {-least(3), -least(4), -least(5)}};
+  }
   void place_items(std::span<const Aabb> boxes);
   void fit_from_below();
 
@@ -232,6 +313,9 @@ class UvCells {
   std::vector<Aabb> boxes_;    // around the items of each cell and of the cells in it
   std::vector<std::uint32_t> items_;
   std::vector<Bvh> trees_;
+  // Only for changes.
+  std::vector<std::uint32_t> slots_;  // where items lie in items_
+  bool is_worn_ = false;
 };
 
 }  // namespace abut

@@ -37,16 +37,38 @@
   FIELD(abut_hull_report, edge_count, 24, 8)                 \
   FIELD(abut_hull_report, face_count, 32, 8)                 \
   FIELD(abut_hull_report, error, 40, 8)                      \
-  TYPE(abut_mesh_options, 8)                                 \
+  TYPE(abut_mesh_options, 24)                                \
   FIELD(abut_mesh_options, struct_size, 0, 4)                \
   FIELD(abut_mesh_options, sides, 4, 4)                      \
-  TYPE(abut_uv_grid_options, 24)                             \
+  FIELD(abut_mesh_options, corners, 8, 4)                    \
+  FIELD(abut_mesh_options, merges_vertices, 12, 4)           \
+  FIELD(abut_mesh_options, merge_distance, 16, 8)            \
+  TYPE(abut_mesh_report, 112)                                \
+  FIELD(abut_mesh_report, struct_size, 0, 4)                 \
+  FIELD(abut_mesh_report, reserved, 4, 4)                    \
+  FIELD(abut_mesh_report, triangles, 8, 8)                   \
+  FIELD(abut_mesh_report, vertices, 16, 8)                   \
+  FIELD(abut_mesh_report, merged_vertices, 24, 8)            \
+  FIELD(abut_mesh_report, collapsed_triangles, 32, 8)        \
+  FIELD(abut_mesh_report, duplicate_vertices, 40, 8)         \
+  FIELD(abut_mesh_report, duplicate_triangles, 48, 8)        \
+  FIELD(abut_mesh_report, slivers, 56, 8)                    \
+  FIELD(abut_mesh_report, open_edges, 64, 8)                 \
+  FIELD(abut_mesh_report, non_manifold_edges, 72, 8)         \
+  FIELD(abut_mesh_report, reversed_triangles, 80, 8)         \
+  FIELD(abut_mesh_report, twisted_patches, 88, 8)            \
+  FIELD(abut_mesh_report, components, 96, 8)                 \
+  FIELD(abut_mesh_report, merge_error, 104, 8)               \
+  TYPE(abut_uv_grid_options, 40)                             \
   FIELD(abut_uv_grid_options, struct_size, 0, 4)             \
   FIELD(abut_uv_grid_options, sides, 4, 4)                   \
   FIELD(abut_uv_grid_options, axis_u, 8, 4)                  \
   FIELD(abut_uv_grid_options, axis_v, 12, 4)                 \
   FIELD(abut_uv_grid_options, cells_u, 16, 4)                \
   FIELD(abut_uv_grid_options, cells_v, 20, 4)                \
+  FIELD(abut_uv_grid_options, corners, 24, 4)                \
+  FIELD(abut_uv_grid_options, merges_vertices, 28, 4)        \
+  FIELD(abut_uv_grid_options, merge_distance, 32, 8)         \
   TYPE(abut_height_field_desc, 48)                           \
   FIELD(abut_height_field_desc, struct_size, 0, 4)           \
   FIELD(abut_height_field_desc, diagonal, 4, 4)              \

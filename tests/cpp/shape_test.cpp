@@ -79,6 +79,25 @@ TEST(Shape, ComesInEveryKindWithAName) {
   for (const auto& [name, shape] : shapes) EXPECT_EQ(abut::name_of(shape.kind()), name);
 }
 
+TEST(Shape, FacesMayHaveFourCornersAndVerticesMayMerge) {
+  const std::vector<double> two_squares{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0};
+  const std::vector<std::uint32_t> quads{0, 1, 2, 3, 4, 5, 6, 7};
+  const auto apart = abut::MeshOptions().with_corners(4);
+  const abut::MeshReport report = abut::Shape::describe_mesh(two_squares, quads, apart);
+  EXPECT_EQ(report.triangles, 4u);
+  EXPECT_EQ(report.open_edges, 8u);
+  const abut::MeshReport merged = abut::Shape::describe_mesh(two_squares, quads, apart.with_merging(0));
+  EXPECT_EQ(merged.merged_vertices, 2u);
+  EXPECT_EQ(merged.open_edges, 6u);
+  const abut::Shape mesh = abut::Shape::mesh(two_squares, quads, apart);
+  const abut::TriangleMesh halves = mesh.triangles();
+  EXPECT_EQ(halves.triangles.size(), 4u);
+  const abut::Shape grid =
+      abut::Shape::uv_grid(two_squares, quads, abut::UvGridOptions().with_corners(4).with_merging(0));
+  const abut::TriangleMesh joined = grid.triangles();
+  EXPECT_EQ(joined.triangles.at(2), (std::array<std::uint32_t, 3>{1, 5, 6}));
+}
+
 TEST(Shape, ComesWithHolesAndBallsOfVariousRadii) {
   const abut::Shape balls = abut::Shape::particles_with_radii({{0, 0, 0}, {5, 0, 0}}, {0.5, 0.25});
   const abut::Distance gap = abut::pair_distance(balls, abut::pose(), abut::Shape::point(), abut::pose({7, 0, 0}));

@@ -7,6 +7,7 @@ usage: check_demo.py PROGRAM DATA_FOLDER
 import csv
 import math
 import pathlib
+import re
 import struct
 import subprocess
 import sys
@@ -45,6 +46,11 @@ class Demo(unittest.TestCase):
         self.assertEqual(self.result.returncode, 0, self.result.stderr)
         for word in ("candidate pairs", "contacts", "narrow phase", "whole step"):
             self.assertIn(word, self.result.stdout)
+
+    def test_it_digs(self):
+        # 3 m a step, in a bowl of half the volume of a cylinder with a radius of two cells of 74.4 m by 92.6 m.
+        dug = float(re.search(r"excavation: ([0-9.]+) million", self.result.stdout)[1])
+        self.assertAlmostEqual(dug, 4 * 3 * math.pi * 4 / 2 * 74.4 * 92.6 / 1e6, delta=0.03)
 
     def test_progress_goes_to_the_error_output_without_control_characters(self):
         self.assertIn("steps: 100%", self.result.stderr)

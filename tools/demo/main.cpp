@@ -92,6 +92,7 @@ void run(const Options& options) {
   const Statistics statistics = run_steps(scene, options.steps);
   const std::vector<abut_contact> contacts = contacts_of(scene.universe());
   statistics.print();
+  std::printf("\nexcavation: %.2f million cubic metres\n", 1e-6 * scene.terrain().excavated());
   if (options.explain) {
     std::printf("\n%s", plan_of(scene.universe()).c_str());
   }

@@ -26,7 +26,17 @@ void Scene::add_terrain() {
   abut_part_id part;
   check(abut_part_create(universe_.get(), &options, &part), "cannot create the part of the terrain");
   const ShapeOwner shape = terrain_.make_shape();
-  add_geometry(part, shape.get(), {{0.0, 0.0, 0.0}, no_rotation}, Owner{});
+  ground_ = add_geometry(part, shape.get(), {{0.0, 0.0, 0.0}, no_rotation}, Owner{});
+}
+
+// A cut through the slope on which the bodies lie, from the south-west to the north-east.
+void Scene::excavate() {
+  constexpr double start_x = 250.0, start_y = -1150.0, speed_x = 30.0, speed_y = 40.0, metres_per_step = 3.0;
+  const double seconds = step_seconds * steps_;
+  const Samples changed = terrain_.dig(start_x + seconds * speed_x, start_y + seconds * speed_y, metres_per_step);
+  check(abut_geometry_set_heights(universe_.get(), ground_, changed.column, changed.row, changed.columns, changed.rows,
+                                  changed.heights.data()),
+        "cannot dig");
 }
 
 void Scene::add_body(const Slider& slider) {
@@ -48,7 +58,8 @@ void Scene::add_body(const Slider& slider) {
   }
 }
 
-void Scene::add_geometry(abut_part_id part, const abut_shape* shape, const abut_pose& pose, const Owner& owner) {
+abut_geometry_id Scene::add_geometry(abut_part_id part, const abut_shape* shape, const abut_pose& pose,
+                                     const Owner& owner) {
   abut_geometry_options options;
   abut_geometry_options_init(&options, sizeof options);
   options.pose = pose;
@@ -58,9 +69,12 @@ void Scene::add_geometry(abut_part_id part, const abut_shape* shape, const abut_
   owners_.resize(std::max<std::size_t>(owners_.size(), std::size_t{geometry.slot} + 1));
   owners_[geometry.slot] = owner;
   ++geometry_count_;
+  return geometry;
 }
 
 void Scene::move() {
+  excavate();
+  ++steps_;
   for (std::size_t i = 0; i < sliders_.size(); ++i) {
     advance(sliders_[i], terrain_);
     poses_[i] = pose_of(sliders_[i], terrain_);

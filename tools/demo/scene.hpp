@@ -23,7 +23,7 @@ class Scene {
  public:
   Scene(const std::filesystem::path& data, std::size_t bodies, std::uint64_t seed);
 
-  /// Moves every body by one step of the prescribed motion and places it.
+  /// Digs, moves every body by one step of the prescribed motion and places it.
   void move();
 
   /// Detects the contacts of the present poses.
@@ -38,8 +38,9 @@ class Scene {
 
  private:
   void add_terrain();
+  void excavate();
   void add_body(const Slider& slider);
-  void add_geometry(abut_part_id part, const abut_shape* shape, const abut_pose& pose, const Owner& owner);
+  abut_geometry_id add_geometry(abut_part_id part, const abut_shape* shape, const abut_pose& pose, const Owner& owner);
 
   Terrain terrain_;
   Catalogue catalogue_;
@@ -49,6 +50,8 @@ class Scene {
   std::vector<abut_pose> poses_;
   std::vector<Owner> owners_;  // by slot of the geometry
   std::size_t geometry_count_ = 0;
+  abut_geometry_id ground_{};
+  std::uint32_t steps_ = 0;  // that were moved
 };
 
 }  // namespace demo

@@ -76,4 +76,29 @@ Vec3 Terrain::normal(double x, double y) const {
   return normalised({-slope.x, -slope.y, 1.0});
 }
 
+Samples Terrain::dig(double x, double y, double depth) {
+  constexpr std::size_t reach = 2;  // in cells
+  const Cell middle = cell(x, y);
+  const std::size_t west = middle.i > reach ? middle.i - reach : 0, south = middle.j > reach ? middle.j - reach : 0;
+  const std::size_t east = std::min(middle.i + reach + 1, std::size_t{columns_} - 1);
+  const std::size_t north = std::min(middle.j + reach + 1, std::size_t{rows_} - 1);
+  Samples out{static_cast<std::uint32_t>(west),
+              static_cast<std::uint32_t>(south),
+              static_cast<std::uint32_t>(east - west + 1),
+              static_cast<std::uint32_t>(north - south + 1),
+              {}};
+  for (std::size_t j = south; j <= north; ++j) {
+    for (std::size_t i = west; i <= east; ++i) {
+      const double across = static_cast<double>(i) - static_cast<double>(middle.i) - middle.u;
+      const double along = static_cast<double>(j) - static_cast<double>(middle.j) - middle.v;
+      const double cut = depth * std::max(0.0, 1.0 - (across * across + along * along) / (reach * reach));
+      double& height = heights_[j * columns_ + i];
+      height -= cut;
+      excavated_ += cut * spacing_x * spacing_y;
+      out.heights.push_back(height);
+    }
+  }
+  return out;
+}
+
 }  // namespace demo

@@ -11,6 +11,15 @@
 
 namespace demo {
 
+/// A rectangle of samples, X fastest.
+struct Samples {
+  std::uint32_t column;
+  std::uint32_t row;
+  std::uint32_t columns;
+  std::uint32_t rows;
+  std::vector<double> heights;
+};
+
 class Terrain {
  public:
   /// Heights are multiplied by this, as on relief maps: over 30 km of width the true relief of 840 m looks flat.
@@ -29,6 +38,12 @@ class Terrain {
 
   /// Unit normal at (x, y), smoothed over the neighbouring cells.
   [[nodiscard]] Vec3 normal(double x, double y) const;
+
+  /// Digs a bowl around (x, y), `depth` deep in the middle. Answers with the samples around it, as they are then.
+  [[nodiscard]] Samples dig(double x, double y, double depth);
+
+  /// What was dug so far, in cubic metres, heights as they are exaggerated.
+  [[nodiscard]] double excavated() const { return excavated_; }
 
   [[nodiscard]] std::uint32_t columns() const { return columns_; }
   [[nodiscard]] std::uint32_t rows() const { return rows_; }
@@ -59,6 +74,7 @@ class Terrain {
   std::vector<double> heights_;  // from south to north
   double lowest_;
   double highest_;
+  double excavated_ = 0.0;
 };
 
 }  // namespace demo

@@ -11,7 +11,7 @@ FLOORS = (
     ("b", (("queries", "rays, points, casts"), ("detect", "poses to contacts, events"), ("scene", "parts, rules: no detection"))),
     ("a", (("pairs", "two kinds of shapes to a kernel: the table, any_shape"), ("deforming", "vertices on straight lines"))),
     ("a", (("narrow", "two shapes to contacts"), ("broadphase", "boxes to pairs of boxes"), ("shapes", "one file per shape"))),
-    ("good", (("trees", "from boxes to items"), ("capability", "what shapes can do"))),
+    ("good", (("trees", "from boxes to items"), ("triangles", "as they are given"), ("capability", "what shapes can do"))),
     ("good", (("math", "vectors, poses, boxes"), ("core", "ids, results, threads"))),
 )
 

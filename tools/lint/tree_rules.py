@@ -21,6 +21,7 @@ LAYERS = [
     ("core",),
     ("math",),
     ("capability",),
+    ("triangles",),
     ("trees",),
     ("shapes", "broadphase"),
     ("narrow/cores",),

@@ -16,6 +16,32 @@ __all__ = ["Shape", "pair_support", "shape_kinds"]
 _SIDES = {"both": c.SIDES_BOTH, "front": c.SIDES_FRONT, "solid": c.SIDES_SOLID}
 
 
+def _faces(struct, init, xyz, triangles, fields):
+    """Options, vertices and faces as the library takes them."""
+    if triangles is None:
+        xyz, triangles = meshes.triangles_of(xyz)
+    fields = dict(fields)
+    if isinstance(fields.get("sides"), str):
+        fields["sides"] = _sides_named(fields["sides"])
+    if "merge_distance" in fields:
+        fields.setdefault("merges_vertices", 1)
+    if "corners" not in fields and _row_width(triangles) == 4:
+        fields["corners"] = 4
+    read_as = options.filled(struct, init, fields)
+    width = 4 if read_as.corners == 4 else 3
+    return read_as, *given.rows("xyz", xyz, 3), *given.rows("triangles", triangles, width, c_uint32)
+
+
+def _row_width(rows):
+    shape = getattr(rows, "shape", None)
+    if shape is not None:
+        return shape[1] if len(shape) == 2 else None
+    try:
+        return len(rows[0])
+    except (TypeError, IndexError, KeyError):
+        return None
+
+
 def _sides_named(name: str) -> int:
     if name not in _SIDES:
         raise ValueError(f"sides is {name!r}; it must be one of {', '.join(_SIDES)}")
@@ -95,15 +121,19 @@ class Shape(Owner):
         """A triangle mesh from vertices and triangles, each (N, 3) or flat.
 
         Without triangles `xyz` is the name of an OBJ or STL file. Or it is an object that has `vertices` and `faces`,
-        such as a mesh of trimesh. The fields are those of MeshOptions; sides may be "both", "front" or "solid".
+        such as a mesh of trimesh. The fields are those of MeshOptions; sides may be "both", "front" or "solid". Rows
+        of four are quads. Where merge_distance is given, vertices within it are merged.
         """
-        if triangles is None:
-            xyz, triangles = meshes.triangles_of(xyz)
-        points, corners = given.rows("xyz", xyz, 3), given.rows("triangles", triangles, 3, c_uint32)
-        if isinstance(fields.get("sides"), str):
-            fields["sides"] = _sides_named(fields["sides"])
-        read_as = options.filled(c.MeshOptions, library.abut_mesh_options_init, fields)
-        return cls._made_by(library.abut_mesh_create, *points, *corners, byref(read_as))
+        read_as, *faces = _faces(c.MeshOptions, library.abut_mesh_options_init, xyz, triangles, fields)
+        return cls._made_by(library.abut_mesh_create, *faces, byref(read_as))
+
+    @staticmethod
+    def describe_mesh(xyz: Any, triangles: Any = None, **fields: Any) -> c.MeshReport:
+        """What is unusual about a mesh, given as to `mesh`, before it is made: open edges, slivers and the like."""
+        read_as, *faces = _faces(c.MeshOptions, library.abut_mesh_options_init, xyz, triangles, fields)
+        out = options.filled(c.MeshReport, library.abut_mesh_report_init, {})
+        library.abut_mesh_describe(*faces, byref(read_as), byref(out))
+        return out
 
     @classmethod
     def uv_grid(cls, xyz: Any, triangles: Any = None, **fields: Any) -> Shape:
@@ -111,11 +141,8 @@ class Shape(Owner):
 
         The fields are those of UvGridOptions.
         """
-        if triangles is None:
-            xyz, triangles = meshes.triangles_of(xyz)
-        points, corners = given.rows("xyz", xyz, 3), given.rows("triangles", triangles, 3, c_uint32)
-        read_as = options.filled(c.UvGridOptions, library.abut_uv_grid_options_init, fields)
-        return cls._made_by(library.abut_uv_grid_create, *points, *corners, byref(read_as))
+        read_as, *faces = _faces(c.UvGridOptions, library.abut_uv_grid_options_init, xyz, triangles, fields)
+        return cls._made_by(library.abut_uv_grid_create, *faces, byref(read_as))
 
     @classmethod
     def height_field(cls, columns: int | None = None, rows: int | None = None, heights: Any = (),

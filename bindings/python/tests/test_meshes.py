@@ -39,6 +39,20 @@ class Meshes(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "of type list is no mesh: triangles are missing"):
             abut.Shape.mesh(CORNERS)
 
+    def test_quads_are_split(self):
+        self.expect_square(abut.Shape.mesh(CORNERS, [(0, 1, 2, 3)]))
+        self.expect_square(abut.Shape.uv_grid(CORNERS, [(0, 1, 2, 3)]))
+        self.expect_square(abut.Shape.mesh(CORNERS, [0, 1, 2, 3], corners=4))
+        with self.assertRaisesRegex(abut.Error, "options.corners is 5"):
+            abut.Shape.mesh(CORNERS, SQUARE, corners=5)
+
+    def test_a_mesh_is_described_before_it_is_made(self):
+        halves = CORNERS[:3] + [CORNERS[0], CORNERS[2], CORNERS[3]]
+        apart = abut.Shape.describe_mesh(halves, [(0, 1, 2), (3, 4, 5)])
+        self.assertEqual((apart.open_edges, apart.duplicate_vertices, apart.components), (6, 2, 2))
+        merged = abut.Shape.describe_mesh(halves, [(0, 1, 2), (3, 4, 5)], merge_distance=0)
+        self.assertEqual((merged.open_edges, merged.merged_vertices, merged.components), (4, 2, 1))
+
     def test_obj(self):
         corners = "".join(f"v {x} {y} {z}\n" for x, y, z in CORNERS)
         for faces in ("f 1 2 3 4\n", "f 1/1 2/2/2 3//3 4\n", "f -4 -3 -2\nf -4 -2 -1\n"):

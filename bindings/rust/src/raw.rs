@@ -244,6 +244,9 @@ pub type abut_sides_value = ::std::os::raw::c_uint;
 pub struct abut_mesh_options {
     pub struct_size: u32,
     pub sides: abut_sides,
+    pub corners: u32,
+    pub merges_vertices: u32,
+    pub merge_distance: f64,
 }
 extern "C" {
     pub fn abut_mesh_options_init(options: *mut abut_mesh_options, struct_size: u32);
@@ -256,6 +259,38 @@ extern "C" {
         triangle_count: usize,
         options: *const abut_mesh_options,
         out: *mut *mut abut_shape,
+    ) -> abut_status;
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_mesh_report {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub triangles: u64,
+    pub vertices: u64,
+    pub merged_vertices: u64,
+    pub collapsed_triangles: u64,
+    pub duplicate_vertices: u64,
+    pub duplicate_triangles: u64,
+    pub slivers: u64,
+    pub open_edges: u64,
+    pub non_manifold_edges: u64,
+    pub reversed_triangles: u64,
+    pub twisted_patches: u64,
+    pub components: u64,
+    pub merge_error: f64,
+}
+extern "C" {
+    pub fn abut_mesh_report_init(report: *mut abut_mesh_report, struct_size: u32);
+}
+extern "C" {
+    pub fn abut_mesh_describe(
+        xyz: *const f64,
+        vertex_count: usize,
+        triangles: *const u32,
+        triangle_count: usize,
+        options: *const abut_mesh_options,
+        out: *mut abut_mesh_report,
     ) -> abut_status;
 }
 pub type abut_axis = u32;
@@ -272,6 +307,9 @@ pub struct abut_uv_grid_options {
     pub axis_v: abut_axis,
     pub cells_u: u32,
     pub cells_v: u32,
+    pub corners: u32,
+    pub merges_vertices: u32,
+    pub merge_distance: f64,
 }
 extern "C" {
     pub fn abut_uv_grid_options_init(options: *mut abut_uv_grid_options, struct_size: u32);

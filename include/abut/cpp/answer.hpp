@@ -214,10 +214,10 @@ inline abut_status expect_as_many(const char* name, std::size_t size, const char
 }
 
 template <class Number>
-abut_status expect_whole(const char* name, const Triples<Number>& triples) {
-  if (triples.number_count() % 3 == 0) return ABUT_OK;
-  const std::string message =
-      std::string(name) + " has " + std::to_string(triples.number_count()) + " numbers; it must be a multiple of 3";
+abut_status expect_whole(const char* name, const Triples<Number>& triples, std::size_t width = 3) {
+  if (triples.number_count() % width == 0) return ABUT_OK;
+  const std::string message = std::string(name) + " has " + std::to_string(triples.number_count()) +
+                              " numbers; it must be a multiple of " + std::to_string(width);
   return abut_set_last_error(ABUT_INVALID_ARGUMENT, message.c_str());
 }
 

@@ -64,7 +64,13 @@ struct GeometryOptions : Defaulted<GeometryOptions, abut_geometry_options, abut_
 };
 
 struct MeshOptions : Defaulted<MeshOptions, abut_mesh_options, abut_mesh_options_init> {
-  [[nodiscard]] MeshOptions with_sides(Sides value) const { return with(&abut_mesh_options::sides, value); }
+  using C = abut_mesh_options;
+  [[nodiscard]] MeshOptions with_sides(Sides value) const { return with(&C::sides, value); }
+  [[nodiscard]] MeshOptions with_corners(std::uint32_t value) const { return with(&C::corners, value); }
+  // Of vertices within a distance.
+  [[nodiscard]] MeshOptions with_merging(double distance) const {
+    return with(&C::merges_vertices, 1u).with(&C::merge_distance, distance);
+  }
 };
 
 struct UvGridOptions : Defaulted<UvGridOptions, abut_uv_grid_options, abut_uv_grid_options_init> {
@@ -74,6 +80,12 @@ struct UvGridOptions : Defaulted<UvGridOptions, abut_uv_grid_options, abut_uv_gr
   }
   [[nodiscard]] UvGridOptions with_cells(std::uint32_t u, std::uint32_t v) const {
     return with(&abut_uv_grid_options::cells_u, u).with(&abut_uv_grid_options::cells_v, v);
+  }
+  [[nodiscard]] UvGridOptions with_corners(std::uint32_t value) const {
+    return with(&abut_uv_grid_options::corners, value);
+  }
+  [[nodiscard]] UvGridOptions with_merging(double distance) const {
+    return with(&abut_uv_grid_options::merges_vertices, 1u).with(&abut_uv_grid_options::merge_distance, distance);
   }
 };
 
@@ -148,6 +160,7 @@ struct ContactMaterial : Defaulted<ContactMaterial, abut_contact_material, abut_
 
 // Answers that grow over time.
 struct HullReport : Defaulted<HullReport, abut_hull_report, abut_hull_report_init> {};
+struct MeshReport : Defaulted<MeshReport, abut_mesh_report, abut_mesh_report_init> {};
 struct GeometryInfo : Defaulted<GeometryInfo, abut_geometry_info, abut_geometry_info_init> {};
 struct StepStats : Defaulted<StepStats, abut_step_stats, abut_step_stats_init> {};
 

@@ -101,25 +101,38 @@ class Shape {
       return whole != ABUT_OK ? whole : abut_hull_create(points.data(), points.size(), out);
     });
   }
+  // Options say how many corners a face has. Faces of four are given as plain numbers.
   [[nodiscard]] static Answer<Shape> mesh(const Points& vertices, const Triangles& triangles,
                                           OptionalRef<abut_mesh_options> options = {}) {
-    const abut_status whole =
-        detail::first_failure(detail::expect_whole("vertices", vertices), detail::expect_whole("triangles", triangles));
+    const std::size_t width = corners_of(options);
+    const abut_status whole = expect_whole_faces(vertices, triangles, width);
     return made([&](abut_shape** out) {
       return whole != ABUT_OK ? whole
-                              : abut_mesh_create(vertices.data(), vertices.size(), triangles.data(), triangles.size(),
-                                                 options.get(), out);
+                              : abut_mesh_create(vertices.data(), vertices.size(), triangles.data(),
+                                                 triangles.number_count() / width, options.get(), out);
     });
+  }
+  // What is unusual about such a mesh, before it is made.
+  [[nodiscard]] static Answer<MeshReport> describe_mesh(const Points& vertices, const Triangles& triangles,
+                                                        OptionalRef<abut_mesh_options> options = {}) {
+    MeshReport out;
+    const std::size_t width = corners_of(options);
+    const abut_status whole = expect_whole_faces(vertices, triangles, width);
+    return detail::answer(whole != ABUT_OK
+                              ? whole
+                              : abut_mesh_describe(vertices.data(), vertices.size(), triangles.data(),
+                                                   triangles.number_count() / width, options.get(), &out),
+                          out);
   }
   // A mesh whose triangles are found by a grid.
   [[nodiscard]] static Answer<Shape> uv_grid(const Points& vertices, const Triangles& triangles,
                                              OptionalRef<abut_uv_grid_options> options = {}) {
-    const abut_status whole =
-        detail::first_failure(detail::expect_whole("vertices", vertices), detail::expect_whole("triangles", triangles));
+    const std::size_t width = corners_of(options);
+    const abut_status whole = expect_whole_faces(vertices, triangles, width);
     return made([&](abut_shape** out) {
       return whole != ABUT_OK ? whole
                               : abut_uv_grid_create(vertices.data(), vertices.size(), triangles.data(),
-                                                    triangles.size(), options.get(), out);
+                                                    triangles.number_count() / width, options.get(), out);
     });
   }
   // `heights` holds columns * rows numbers or NaN, X fastest.
@@ -297,6 +310,16 @@ class Shape {
     abut_shape* out = nullptr;
     const abut_status status = make(&out);
     return detail::answer_with(status, [&] { return adopt(out); });
+  }
+
+  // Others than these are refused before a face is read.
+  template <class Options>
+  static std::size_t corners_of(const OptionalRef<Options>& options) {
+    return options.get() != nullptr && options.get()->corners == 4 ? 4 : 3;
+  }
+  static abut_status expect_whole_faces(const Points& vertices, const Triangles& triangles, std::size_t width) {
+    return detail::first_failure(detail::expect_whole("vertices", vertices),
+                                 detail::expect_whole("triangles", triangles, width));
   }
 
   static abut_status expect_samples(std::uint64_t given, std::uint64_t expected) {

@@ -8,30 +8,17 @@ import abut.pairs.any_shape;
 import abut.pairs.registry;
 import abut.trees.field_sampling;
 import abut.trees.sparse_blocks;
+import abut.triangles.buffers;
 
 namespace abut {
 namespace {
 
 constexpr Real border_cells = 3;  // around the box of the triangles
 
-Fault check_triangles(std::span<const Real> xyz, std::span<const std::uint32_t> triangles) {
-  if (xyz.empty()) {
-    return Error{Errc::empty, "vertex_count is 0; a distance field of a mesh needs vertices"};
-  }
-  if (triangles.empty()) {
-    return Error{Errc::empty, "triangle_count is 0; a distance field of a mesh needs at least one triangle"};
-  }
-  constexpr std::size_t most_triangles = 0x7fffffff;  // leaves of a tree of boxes
-  if (xyz.size() / 3 > no_index || triangles.size() / 3 > most_triangles) {
-    return Error{Errc::size_overflow, "a mesh has at most 2^32 - 1 vertices and 2^31 - 1 triangles"};
-  }
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (triangles[i] >= xyz.size() / 3) {
-      return error_about(Errc::index_out_of_range, "triangles[" + std::to_string(i) + "]", std::uint64_t{triangles[i]},
-                         "below vertex_count, which is " + std::to_string(xyz.size() / 3));
-    }
-  }
-  return check_all_finite("xyz", xyz);
+// Known while compiling, so that a build without the kind carries none of what follows.
+template <std::size_t... places>
+constexpr bool has_kind(std::string_view name, std::index_sequence<places...>) {
+  return ((std::variant_alternative_t<places, AnyShape::Variant>::name == name) || ...);
 }
 
 Fault check_options(const FieldOptions& options) {
@@ -45,14 +32,12 @@ Fault check_options(const FieldOptions& options) {
 
 Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const std::uint32_t> triangles,
                                     const FieldOptions& options) {
-  // Known while compiling, so that a build without the kind carries none of what follows.
-  constexpr std::uint32_t number_of_kind = 19;
-  constexpr bool has_kind = std::ranges::find(Shapes::kinds, number_of_kind) != Shapes::kinds.end();
-  if constexpr (!has_kind) {
+  constexpr std::string_view name = "distance_field";
+  if constexpr (!has_kind(name, std::make_index_sequence<Shapes::count>())) {
     return Error{Errc::unsupported, "this build of abut has no shape named distance_field"};
   }
-  const std::optional<std::size_t> kind = find_kind("distance_field");
-  if (Fault fault = check_triangles(xyz, triangles)) {
+  const std::optional<std::size_t> kind = find_kind(name);
+  if (Fault fault = check_triangles("a distance field of a mesh", xyz, triangles)) {
     return *fault;
   }
   if (Fault fault = check_options(options)) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes that change against meshes that are made anew, and against all of their triangles one by one.
+// Meshes and grids of cells that change against such that are made anew, and against all of their triangles one by one.
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
 #include <span>
+#include <string>
+#include <tuple>
 
 #include "support.hpp"
 
@@ -14,8 +16,14 @@ using namespace abut_test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+const std::vector<double>& settings_of(const std::string& kind) {
+  static const std::vector<double> mesh{0}, grid{0, 0, 1, 0, 0};
+  return kind == "mesh" ? mesh : grid;
+}
+
 // A mesh as the test knows it. A triangle that has gone names one vertex three times.
 struct Model {
+  std::string kind = "mesh";
   std::vector<double> xyz;
   std::vector<std::uint32_t> triangles;
 
@@ -38,7 +46,7 @@ struct Model {
     for (const std::uint32_t number : present()) {
       left.insert(left.end(), triangles.begin() + 3 * number, triangles.begin() + 3 * number + 3);
     }
-    return make_of_kind("mesh", {0}, xyz, left);
+    return make_of_kind(kind.c_str(), settings_of(kind), xyz, left);
   }
   Shape triangle(std::size_t number) const {
     std::vector<double> corners;
@@ -61,8 +69,9 @@ class Numbers {
   std::mt19937_64 random_;
 };
 
-Model bumpy_sheet(std::uint32_t side, Numbers& random) {
+Model bumpy_sheet(const std::string& kind, std::uint32_t side, Numbers& random) {
   Model model;
+  model.kind = kind;
   for (std::uint32_t j = 0; j <= side; ++j) {
     for (std::uint32_t i = 0; i <= side; ++i) {
       model.xyz.insert(model.xyz.end(), {4.0 * i / side - 2, 4.0 * j / side - 2, random.between(-0.3, 0.3)});
@@ -76,14 +85,17 @@ Model bumpy_sheet(std::uint32_t side, Numbers& random) {
 }
 
 struct Edited {
-  explicit Edited(std::uint64_t seed) : random(seed), model(bumpy_sheet(11, random)) {
-    mesh = universe.add(make_of_kind("mesh", {0}, model.xyz, model.triangles), identity, ABUT_MOTION_STATIC);
+  Edited(const std::string& kind, std::uint64_t seed) : random(seed), model(bumpy_sheet(kind, 11, random)) {
+    mesh = universe.add(make_of_kind(kind.c_str(), settings_of(kind), model.xyz, model.triangles), identity,
+                        ABUT_MOTION_STATIC);
     for (int i = 0; i < 6; ++i) universe.add(make_sphere(0.4), {random.point(1.5), no_rotation});
   }
   const abut_shape* shape() const { return universe.describe(mesh).shape; }
 
+  // A vertex of a grid goes up or down.
   abut_vec3 moved(std::size_t vertex, double reach) {
     abut_vec3 place = random.point(reach);
+    if (model.kind == "uv_grid") place.x = place.y = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double by = axis == 0 ? place.x : axis == 1 ? place.y : place.z;
       model.xyz.at(3 * vertex + axis) += by;
@@ -116,7 +128,7 @@ struct Edited {
     }
   }
   void make_anew() {
-    model = bumpy_sheet(static_cast<std::uint32_t>(7 + random.below(6)), random);
+    model = bumpy_sheet(model.kind, static_cast<std::uint32_t>(7 + random.below(6)), random);
     require(abut_geometry_set_mesh(universe, mesh, model.xyz.data(), model.vertex_count(), model.triangles.data(),
                                    model.triangle_count()));
   }
@@ -205,13 +217,14 @@ void expect_same_touches(Edited& scene, const abut_shape* anew) {
   }
 }
 
-class MeshEditing : public testing::TestWithParam<std::uint64_t> {};
+class MeshEditing : public testing::TestWithParam<std::tuple<std::string, std::uint64_t>> {};
 
 TEST_P(MeshEditing, AnswersAsAMeshMadeAnewAndAsItsTriangles) {
-  Edited scene(GetParam());
+  const auto& [kind, seed] = GetParam();
+  Edited scene(kind, seed);
   abut_shape* held = nullptr;
   for (int round = 0; round < 40; ++round) {
-    SCOPED_TRACE("seed " + std::to_string(GetParam()) + ", round " + std::to_string(round));
+    SCOPED_TRACE(kind + ", seed " + std::to_string(seed) + ", round " + std::to_string(round));
     for (std::size_t i = 0; i <= scene.random.below(3); ++i) scene.change();
     const Shape anew = scene.model.made_anew();
     const std::vector<std::uint32_t> numbers = scene.model.present();
@@ -228,11 +241,14 @@ TEST_P(MeshEditing, AnswersAsAMeshMadeAnewAndAsItsTriangles) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Random, MeshEditing, testing::Range(std::uint64_t{1}, std::uint64_t{7}));
+INSTANTIATE_TEST_SUITE_P(Random, MeshEditing,
+                         testing::Combine(testing::Values("mesh", "uv_grid"),
+                                          testing::Range(std::uint64_t{1}, std::uint64_t{7})));
 
 // Flat ground of 40 x 40 cells with a ball on each fourth vertex.
 struct Ground {
-  Ground() {
+  explicit Ground(const std::string& kind) {
+    model.kind = kind;
     for (std::uint32_t j = 0; j <= 40; ++j) {
       for (std::uint32_t i = 0; i <= 40; ++i) {
         model.xyz.insert(model.xyz.end(), {double(i), double(j), i + j == 0 ? -2.0 : i + j == 80 ? 2.0 : 0.0});
@@ -240,7 +256,8 @@ struct Ground {
         if (i < 40 && j < 40) model.triangles.insert(model.triangles.end(), {k, k + 1, k + 42, k, k + 42, k + 41});
       }
     }
-    mesh = universe.add(make_of_kind("mesh", {0}, model.xyz, model.triangles), identity, ABUT_MOTION_STATIC);
+    mesh = universe.add(make_of_kind(kind.c_str(), settings_of(kind), model.xyz, model.triangles), identity,
+                        ABUT_MOTION_STATIC);
     for (int j = 2; j < 40; j += 4) {
       for (int i = 2; i < 40; i += 4) universe.add(make_sphere(0.5), at(i, j, 0.49));
     }
@@ -251,8 +268,11 @@ struct Ground {
   abut_geometry_id mesh{};
 };
 
-TEST(MeshEdits, OnlyPairsNearTheChangeAreExamined) {
-  Ground scene;
+class MeshEdits : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Kind, MeshEdits, testing::Values("mesh", "uv_grid"));
+
+TEST_P(MeshEdits, OnlyPairsNearTheChangeAreExamined) {
+  Ground scene(GetParam());
   ASSERT_EQ(scene.universe.stats().touching_pairs, 100U);
   const std::array lower{10.0, 10.0, -1.5};
   ASSERT_TRUE(succeeded(abut_geometry_set_vertices(scene.universe, scene.mesh, 10 * 41 + 10, lower.data(), 1)));
@@ -267,8 +287,8 @@ TEST(MeshEdits, OnlyPairsNearTheChangeAreExamined) {
   EXPECT_EQ(scene.universe.stats().examined_pairs, 0U);
 }
 
-TEST(MeshEdits, ContactsKeepIdsWhereTrianglesStay) {
-  Ground scene;
+TEST_P(MeshEdits, ContactsKeepIdsWhereTrianglesStay) {
+  Ground scene(GetParam());
   const auto ids = [&] {
     std::vector<std::uint64_t> all;
     for (const abut_contact& contact : scene.universe.contacts()) all.push_back(contact.id);
@@ -283,11 +303,11 @@ TEST(MeshEdits, ContactsKeepIdsWhereTrianglesStay) {
   for (const abut_contact& contact : scene.universe.contacts()) EXPECT_EQ(contact.age, 1U);
 }
 
-TEST(MeshEdits, WhatLayOnARemovedTriangleFalls) {
+TEST_P(MeshEdits, WhatLayOnARemovedTriangleFalls) {
   Universe universe;
-  const abut_geometry_id mesh =
-      universe.add(make_of_kind("mesh", {0}, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {0, 1, 2, 0, 2, 3}), identity,
-                   ABUT_MOTION_STATIC);
+  const abut_geometry_id mesh = universe.add(make_of_kind(GetParam().c_str(), settings_of(GetParam()),
+                                                          {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {0, 1, 2, 0, 2, 3}),
+                                             identity, ABUT_MOTION_STATIC);
   universe.add(make_sphere(0.1), at(0.7, 0.3, 0.05));
   EXPECT_EQ(universe.step().size(), 1U);
   const std::uint32_t first = 0;

@@ -61,6 +61,9 @@ FUNCTIONS = {
     "abut_mesh_options_init": (None, [POINTER(MeshOptions), c_uint32]),
     "abut_mesh_create": (Status, [
         POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t, POINTER(MeshOptions), POINTER(c_void_p)]),
+    "abut_mesh_report_init": (None, [POINTER(MeshReport), c_uint32]),
+    "abut_mesh_describe": (Status, [
+        POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t, POINTER(MeshOptions), POINTER(MeshReport)]),
     "abut_uv_grid_options_init": (None, [POINTER(UvGridOptions), c_uint32]),
     "abut_uv_grid_create": (Status, [
         POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t, POINTER(UvGridOptions), POINTER(c_void_p)]),

@@ -5,7 +5,7 @@ from .queries import (
     Camera, CastHit, Closest, Pick, QueryFilter, QueryHit)
 from .shapes import (
     Contact, Distance, DistanceFieldDesc, DistanceFieldOptions, FirstTouch, HeightFieldDesc, HullReport, MeshOptions,
-    PairMemory, QueryOptions, Ray, RayHit, ShapeDesc, UvGridOptions)
+    MeshReport, PairMemory, QueryOptions, Ray, RayHit, ShapeDesc, UvGridOptions)
 from .universe import (
     Collidable, ContactMaterial, Event, Finding, Focus, GeometryInfo, GeometryOptions, Island, LocalPoints,
     PartOptions, Policy, Revision, Sleep, SleepChange, StepStats, UniverseOptions, Velocity)
@@ -16,6 +16,6 @@ __all__ = [
     "Aabb", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance",
     "DistanceFieldDesc", "DistanceFieldOptions", "Event", "Feature", "Finding", "FirstTouch", "Focus", "GeometryId",
     "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport", "Island", "LayoutEntry", "LocalPoints",
-    "MeshOptions", "PairMemory", "PartId", "PartOptions", "Pick", "Policy", "Pose", "Quat", "QueryFilter",
-    "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision", "ShapeDesc", "Sleep", "SleepChange", "StepStats",
+    "MeshOptions", "MeshReport", "PairMemory", "PartId", "PartOptions", "Pick", "Policy", "Pose", "Quat",
+    "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision", "ShapeDesc", "Sleep", "SleepChange", "StepStats",
     "UniverseOptions", "UvGridOptions", "Vec3", "Velocity"]

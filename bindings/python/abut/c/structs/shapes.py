@@ -22,6 +22,28 @@ class HullReport(Struct):
 class MeshOptions(Struct):
     struct_size: UInt32
     sides: UInt32
+    corners: UInt32
+    merges_vertices: UInt32
+    merge_distance: Double
+
+
+@struct
+class MeshReport(Struct):
+    struct_size: UInt32
+    reserved: UInt32
+    triangles: UInt64
+    vertices: UInt64
+    merged_vertices: UInt64
+    collapsed_triangles: UInt64
+    duplicate_vertices: UInt64
+    duplicate_triangles: UInt64
+    slivers: UInt64
+    open_edges: UInt64
+    non_manifold_edges: UInt64
+    reversed_triangles: UInt64
+    twisted_patches: UInt64
+    components: UInt64
+    merge_error: Double
 
 
 @struct
@@ -32,6 +54,9 @@ class UvGridOptions(Struct):
     axis_v: UInt32
     cells_u: UInt32
     cells_v: UInt32
+    corners: UInt32
+    merges_vertices: UInt32
+    merge_distance: Double
 
 
 @struct
