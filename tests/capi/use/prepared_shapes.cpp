@@ -42,7 +42,7 @@ TEST(PreparedShapes, GiveTheSameBitsForAnyNumberOfThreads) {
   ASSERT_GT(wanted.size(), 100U);
   for (const std::uint32_t threads : {0U, 1U, 2U, 8U}) {
     const Shape shape = waves.mesh();
-    ASSERT_TRUE(succeeded(abut_shape_prepare(shape, threads)));
+    ASSERT_TRUE(succeeded(abut_shape_prepare(shape, threads_of_build(threads))));
     const std::vector<abut_contact> found = contacts_with_slab(shape);
     ASSERT_EQ(found.size(), wanted.size());
     EXPECT_EQ(std::memcmp(found.data(), wanted.data(), wanted.size() * sizeof(abut_contact)), 0) << threads;
