@@ -258,7 +258,7 @@ class Shape {
     return detail::answer(abut_shape_aabb(shape_, &pose, &out), out);
   }
   // Makes what queries would make when they first need it, such as the tree of a mesh. 0: on as many threads as may be.
-  [[nodiscard]] Answer<void> prepare(std::uint32_t threads = 0) const {
+  Answer<void> prepare(std::uint32_t threads = 0) const {
     return detail::answer(abut_shape_prepare(shape_, threads));
   }
   // The surface of a mesh, height field, hull, box or distance field.
