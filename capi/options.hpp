@@ -55,15 +55,15 @@ template <class Struct>
   return ABUT_OK;
 }
 
-// The number of threads that options ask for. No machine runs more at once; a number beyond is a mistake.
-[[nodiscard]] inline abut_status check_threads(std::uint32_t threads) {
+// The number of threads that a call asks for. No machine runs more at once; a number beyond is a mistake.
+[[nodiscard]] inline abut_status check_threads(std::uint32_t threads, std::string_view name = "options.threads") {
   constexpr std::uint32_t most_threads = 1024;
   if (threads > most_threads) [[unlikely]] {
-    return refuse(error_about(Errc::out_of_range, "options.threads", std::uint64_t{threads},
-                              "at most " + std::to_string(most_threads)));
+    return refuse(
+        error_about(Errc::out_of_range, name, std::uint64_t{threads}, "at most " + std::to_string(most_threads)));
   }
   if (threads > 1 && abut_has_feature("threads") == 0) [[unlikely]] {
-    return refuse(ABUT_UNSUPPORTED, "options.threads is " + std::to_string(threads) +
+    return refuse(ABUT_UNSUPPORTED, std::string(name) + " is " + std::to_string(threads) +
                                         "; this build of abut is without the feature \"threads\", so 0 and 1 are left");
   }
   return ABUT_OK;

@@ -174,6 +174,17 @@ abut_status abut_shape_triangles(const abut_shape* shape, double* xyz, size_t ve
   });
 }
 
+abut_status abut_shape_prepare(const abut_shape* shape, uint32_t threads) {
+  return guard([&] {
+    abut_status status = check_not_null("shape", shape);
+    status = status != ABUT_OK ? status : check_threads(threads, "threads");
+    if (status == ABUT_OK) {
+      abut::prepare(shape_of(shape), abut::Workers(threads));
+    }
+    return status;
+  });
+}
+
 void abut_hull_report_init(abut_hull_report* report, uint32_t struct_size) {
   fill_defaults(abut_hull_report{}, struct_size, report);
 }

@@ -9,7 +9,7 @@ set(abut_kernel_fields abut.narrow.many.field_contacts)
 set(abut_kernel_field_surfaces abut.narrow.many.field_surfaces)
 set(abut_kernel_half_space abut.narrow.many.half_space)
 set(abut_kernel_hole abut.narrow.many.hole)
-set(abut_kernel_surfaces abut.narrow.many.surfaces)
+set(abut_kernel_surfaces abut.narrow.many.two_surfaces)
 set(abut_kernels discs fields field_surfaces half_space hole surfaces)
 
 # Reads what a source is and what it imports: appends to <prefix>_imports_<module> and sets <prefix>_module.

@@ -265,6 +265,7 @@ abut_status abut_shape_aabb(const abut_shape *shape, const abut_pose *pose, abut
 abut_status abut_shape_triangles(const abut_shape *shape, double *xyz, size_t vertex_capacity,
                                           size_t *vertex_count, uint32_t *triangles, size_t triangle_capacity,
                                           size_t *triangle_count);
+abut_status abut_shape_prepare(const abut_shape *shape, uint32_t threads);
 typedef struct abut_ray {
   abut_vec3 origin;
   abut_vec3 direction;

@@ -454,7 +454,7 @@ typedef struct abut_height_field_desc {
   uint32_t struct_size;
   abut_diagonal diagonal; /**< default ABUT_DIAGONAL_RISING */
   uint32_t columns;       /**< samples along X, from 2 to 65535 */
-  uint32_t rows;          /**< samples along Y, from 2 to 65535 */
+  uint32_t rows;          /**< samples along Y, from 2 to 65535; columns * rows is at most 2^30 */
   double spacing_x;       /**< positive */
   double spacing_y;       /**< positive */
   const double *heights;  /**< columns * rows numbers or NaN, X fastest, copied */
@@ -640,6 +640,16 @@ ABUT_API abut_status abut_shape_aabb(const abut_shape *shape, const abut_pose *p
 ABUT_API abut_status abut_shape_triangles(const abut_shape *shape, double *xyz, size_t vertex_capacity,
                                           size_t *vertex_count, uint32_t *triangles, size_t triangle_capacity,
                                           size_t *triangle_count);
+
+/**
+ * Makes what queries of a shape make when they first need it, such as the tree of a mesh; of a composite, for all
+ * children. So no query waits for it later. Shapes that need nothing of the kind are left as they are. Queries give the
+ * same bits afterwards, for any number of threads.
+ * @param threads  how many share the work: 0 for as many as there may be, as in abut_universe_options. More than 1 is
+ *                 ABUT_UNSUPPORTED in a build without the feature threads
+ * Complexity O(n log n). Source: binned surface area heuristic, Wald 2007. [any]
+ */
+ABUT_API abut_status abut_shape_prepare(const abut_shape *shape, uint32_t threads);
 
 /** A ray. The direction has any length but zero; distances are measured in world units. */
 typedef struct abut_ray {

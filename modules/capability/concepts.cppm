@@ -122,6 +122,7 @@ concept Surface =
       shape.visit_parts(box, visitor);
       shape.visit_parts(box, AcceptsAnyCorners{}, visitor);
       shape.visit_below(point, height, visitor);
+      { shape.corners(index) } -> std::same_as<std::array<Vec3, 3>>;
       { shape.part(index) } -> std::same_as<typename S::Part>;
       { shape.part_near(point) } -> std::same_as<typename S::Part>;
       { shape.is_crest(index, 1u, point, height) } -> std::same_as<bool>;

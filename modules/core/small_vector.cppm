@@ -21,6 +21,16 @@ class SmallVector {
     }
     ++size_;
   }
+  inline void pop_back() {
+    if (size_ > N) [[unlikely]] {
+      outside_.pop_back();
+      if (outside_.size() == N) {
+        std::ranges::copy(outside_, inside_.begin());
+        outside_.clear();
+      }
+    }
+    --size_;
+  }
   inline void clear() {
     size_ = 0;
     outside_.clear();

@@ -8,6 +8,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.trees.box_heights;
+import abut.trees.eight_boxes;
 import abut.trees.range_pyramid;
 
 export namespace abut {
@@ -33,17 +34,16 @@ class HeightField {
   [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->box, pose); }
 
   // Triangle 2 c is the one below the diagonal of cell c, 2 c + 1 the one above; cells run along X first.
-  [[nodiscard]] inline Triangle part(std::uint32_t index) const {
-    const Data& field = *data_;
-    const std::uint32_t cell = index / 2, i = cell % (field.columns - 1), j = cell / (field.columns - 1);
-    return {cell_of(i, j).triangle(index % 2 != 0), index, true};
+  [[nodiscard]] inline TriangleCorners corners(std::uint32_t index) const {
+    const std::uint32_t cell = index / 2, i = cell % (data_->columns - 1), j = cell / (data_->columns - 1);
+    return cell_of(i, j).triangle(index % 2 != 0);
   }
+  [[nodiscard]] inline Triangle part(std::uint32_t index) const { return {corners(index), index, true}; }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
 
-  // As visit_parts, but for what lies in a block of cells of which is_wanted_block(box of the block) is false.
-  template <class WantedBlock, class Wanted, class Visitor>
-  void visit_parts_of_blocks(Aabb& box, WantedBlock&& is_wanted_block, Wanted&& is_wanted, Visitor&& visit) const {
+  template <class Wanted, class Visitor>
+  void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
     const Data& field = *data_;
     if (!box.overlaps(field.box)) {
       return;
@@ -62,11 +62,7 @@ class HeightField {
         }
       }
     };
-    field.ranges.visit_over(cells_under(box), box, {field.spacing_x, field.spacing_y}, is_wanted_block, visit_cell);
-  }
-  template <class Wanted, class Visitor>
-  void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
-    visit_parts_of_blocks(box, [](const Aabb&) { return true; }, is_wanted, visit);
+    field.ranges.visit_over(cells_under(box), box, visit_cell);
   }
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {
@@ -88,11 +84,42 @@ class HeightField {
                                   }
                                 });
   }
-  // Whether parts may overlap a box, by the heights of blocks of cells.
-  [[nodiscard]] bool may_overlap(const Aabb& box) const {
-    return box.overlaps(data_->box) && data_->ranges.reach_over(cells_under(box), box);
-  }
   [[nodiscard]] Triangle part_near(const Vec3& p) const;
+
+  // See Hierarchy: blocks of cells and the triangles in them.
+  [[nodiscard]] Vec3 origin() const { return data_->box.centre(); }
+  template <class Visitor>
+  void visit_children(std::uint32_t node, Visitor&& visit) const {
+    const Data& field = *data_;
+    const Vec3 middle = origin();
+    EightBoxes eight = EightBoxes::empty();
+    std::size_t count = 0;
+    const auto add = [&](std::uint32_t number, const Aabb& box) {
+      eight.set_sides(count, sides_of(compact(box, middle)));
+      eight.numbers[count++] = number;
+      if (count == EightBoxes::width) {
+        visit(eight);
+        eight = EightBoxes::empty();
+        count = 0;
+      }
+    };
+    field.ranges.visit_in_block(
+        node, {field.spacing_x, field.spacing_y}, add, [&](const RangePyramid::Rectangle& cells) {
+          for (std::uint32_t j = cells.row; j < cells.row + cells.rows; ++j) {
+            for (std::uint32_t i = cells.column; i < cells.column + cells.columns; ++i) {
+              const Cell cell = cell_of(i, j);
+              for (const bool is_upper : {false, true}) {
+                if (const TriangleCorners of_part = cell.triangle(is_upper); is_there(of_part)) {
+                  add(number_of(i, j, is_upper) | EightBoxes::item_bit, box_around(of_part));
+                }
+              }
+            }
+          }
+        });
+    if (count > 0) {
+      visit(eight);
+    }
+  }
 
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
   // A triangle that is missing has three equal corners, so that the others keep their numbers.
@@ -204,7 +231,7 @@ class HeightField {
 
   Frozen<Data> data_;
 };
-static_assert(Shape<HeightField> && Surface<HeightField> && Triangulated<HeightField> && Terrain<HeightField> &&
-              Editable<HeightField, HeightEdit>);
+static_assert(Shape<HeightField> && Surface<HeightField> && Hierarchy<HeightField> && Triangulated<HeightField> &&
+              Terrain<HeightField> && Editable<HeightField, HeightEdit>);
 
 }  // namespace abut

@@ -8,6 +8,7 @@ import abut.core;
 import abut.math;
 import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
+import abut.trees.eight_boxes;
 import abut.trees.winding_number;
 
 export namespace abut {
@@ -100,6 +101,13 @@ class Mesh {
   }
   [[nodiscard]] Triangle part_near(const Vec3& point) const { return part(tree().item_near(point)); }
 
+  // See Hierarchy.
+  [[nodiscard]] const Vec3& origin() const [[clang::lifetimebound]] { return tree().origin(); }
+  template <class Visitor>
+  void visit_children(std::uint32_t node, Visitor&& visit) const {
+    tree().visit_children(node, visit);
+  }
+
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
     const TriangleRay ray(origin, direction);
     Real nearest = max_distance;
@@ -122,6 +130,8 @@ class Mesh {
   [[nodiscard]] bool is_turned(std::uint32_t index) const { return inside().turns(index); }
   [[nodiscard]] std::span<const Vec3> pieces() const [[clang::lifetimebound]] { return inside().pieces; }
 
+  // Makes what queries make when they first need it.
+  void prepare(const Workers& workers) const;
   // Whether a query has needed the tree so far.
   [[nodiscard]] bool has_tree() const { return data_->tree.is_made(); }
 
@@ -208,7 +218,7 @@ class Mesh {
 
   Frozen<Data> data_;
 };
-static_assert(Shape<Mesh> && Surface<Mesh> && Enclosing<Mesh> && Triangulated<Mesh> && Editable<Mesh, VertexEdit> &&
-              Editable<Mesh, RemovalEdit> && Editable<Mesh, RecreationEdit>);
+static_assert(Shape<Mesh> && Surface<Mesh> && Hierarchy<Mesh> && Enclosing<Mesh> && Triangulated<Mesh> &&
+              Editable<Mesh, VertexEdit> && Editable<Mesh, RemovalEdit> && Editable<Mesh, RecreationEdit>);
 
 }  // namespace abut

@@ -60,6 +60,14 @@ Bvh Mesh::make_tree(const Workers& workers) const {
   return Bvh(data_->box, triangle_count(), [this](std::uint32_t triangle) { return present_box(triangle); }, workers);
 }
 
+void Mesh::prepare(const Workers& workers) const {
+  static_cast<void>(data_->tree.get([&] { return make_tree(workers); }));
+  static_cast<void>(neighbours());
+  if (is_solid()) {
+    static_cast<void>(inside());
+  }
+}
+
 bool Mesh::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
   const Data& mesh = *data_;
   const MeshNeighbours& neighbours = this->neighbours();

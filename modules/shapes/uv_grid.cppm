@@ -7,6 +7,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.shapes.mesh;
+import abut.trees.eight_boxes;
 import abut.trees.uv_cells;
 
 export namespace abut {
@@ -26,6 +27,7 @@ class UvGrid {
   [[nodiscard]] Aabb aabb(const Pose& pose) const { return data_->mesh.aabb(pose); }
   [[nodiscard]] std::size_t triangle_count() const { return data_->mesh.triangle_count(); }
 
+  [[nodiscard]] TriangleCorners corners(std::uint32_t index) const { return data_->mesh.corners(index); }
   [[nodiscard]] Triangle part(std::uint32_t index) const { return data_->mesh.part(index); }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
@@ -58,6 +60,13 @@ class UvGrid {
   }
   [[nodiscard]] Triangle part_near(const Vec3& point) const { return part(cells().item_near(point)); }
 
+  // See Hierarchy. Two surfaces need a tree, which the mesh makes when they first meet.
+  [[nodiscard]] const Vec3& origin() const [[clang::lifetimebound]] { return data_->mesh.origin(); }
+  template <class Visitor>
+  void visit_children(std::uint32_t node, Visitor&& visit) const {
+    data_->mesh.visit_children(node, visit);
+  }
+
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
   [[nodiscard]] Triangles triangles() const { return data_->mesh.triangles(); }
 
@@ -80,6 +89,11 @@ class UvGrid {
   [[nodiscard]] Aabb apply(const RemovalEdit& edit);
   [[nodiscard]] Aabb apply(const RecreationEdit& edit);
 
+  // See Mesh::prepare.
+  void prepare(const Workers& workers) const {
+    static_cast<void>(cells());
+    data_->mesh.prepare(workers);
+  }
   // Whether a query has needed the cells so far.
   [[nodiscard]] bool has_cells() const { return data_->cells.is_made(); }
 
@@ -100,7 +114,7 @@ class UvGrid {
 
   Frozen<Data> data_;
 };
-static_assert(Shape<UvGrid> && Surface<UvGrid> && Enclosing<UvGrid> && Triangulated<UvGrid> &&
+static_assert(Shape<UvGrid> && Surface<UvGrid> && Hierarchy<UvGrid> && Enclosing<UvGrid> && Triangulated<UvGrid> &&
               Editable<UvGrid, VertexEdit> && Editable<UvGrid, RemovalEdit> && Editable<UvGrid, RecreationEdit>);
 
 }  // namespace abut

@@ -33,16 +33,10 @@ Bvh::Bvh(std::span<const Aabb> boxes)
           box_around(boxes), boxes.size(), [&](std::uint32_t item) -> const Aabb& { return boxes[item]; }, Workers(1)) {
 }
 
-EightBoxes Bvh::empty_node() {
-  EightBoxes node;
-  node.numbers.fill(nobody);
-  return node;
-}
-
 std::uint32_t Bvh::item_near(const Vec3& point) const {
   const std::array<float, 3> place = compact({point, point}, origin_).low;
   std::uint32_t at = 0;
-  while (!is_item(at)) {
+  while (!EightBoxes::is_item(at)) {
     const EightBoxes& node = nodes_[at];
     Floats square(0.0f);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -51,7 +45,7 @@ std::uint32_t Bvh::item_near(const Vec3& point) const {
       square += beyond > 0.0f ? beyond * beyond : Floats(0.0f);
     }
     // A point far from all boxes is as far from lanes without one.
-    std::uint32_t present = present_lanes(node);
+    std::uint32_t present = node.present();
     auto nearest = static_cast<std::size_t>(std::countr_zero(present));
     for (present &= present - 1; present != 0; present &= present - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(present));
@@ -59,7 +53,7 @@ std::uint32_t Bvh::item_near(const Vec3& point) const {
     }
     at = node.numbers[nearest];
   }
-  return at & ~item_bit;
+  return EightBoxes::item_of(at);
 }
 
 std::size_t Bvh::bytes() const {
@@ -76,7 +70,7 @@ void Bvh::make_room() {
   std::uint32_t most = 0;
   for (const EightBoxes& node : nodes_) {
     for (const std::uint32_t child : node.numbers) {
-      most = is_item(child) ? std::max(most, (child & ~item_bit) + 1) : most;
+      most = EightBoxes::is_item(child) ? std::max(most, EightBoxes::item_of(child) + 1) : most;
     }
   }
   places.resize(most, nobody);
@@ -85,7 +79,7 @@ void Bvh::make_room() {
     const EightBoxes& node = nodes_[place / EightBoxes::width];
     const std::uint32_t child = node.numbers[place % EightBoxes::width];
     if (child != nobody) {
-      (is_item(child) ? places[child & ~item_bit] : parents[child]) = place;
+      (EightBoxes::is_item(child) ? places[EightBoxes::item_of(child)] : parents[child]) = place;
       surface_ += surface_of(node.sides_of_lane(place % EightBoxes::width));
     }
   }

@@ -42,8 +42,8 @@ class Bvh {
       const EightBoxes& node = nodes_[at];
       for (std::uint32_t met = node.overlapping(limits_of(compact(query, origin_))); met != 0; met &= met - 1) {
         const std::uint32_t child = node.numbers[static_cast<std::size_t>(std::countr_zero(met))];
-        if (is_item(child)) {
-          visit(child & ~item_bit);
+        if (EightBoxes::is_item(child)) {
+          visit(EightBoxes::item_of(child));
         } else {
           fetch(nodes_[child]);
           waiting[count++] = child;
@@ -75,6 +75,13 @@ class Bvh {
       visit(item);
       return limit - base;
     });
+  }
+
+  // See Hierarchy.
+  [[nodiscard]] const Vec3& origin() const [[clang::lifetimebound]] { return origin_; }
+  template <class Visitor>
+  void visit_children(std::uint32_t node, Visitor&& visit) const {
+    visit(nodes_[node]);
   }
 
   // An item close to a point: down the side whose box is closer. There are items.
@@ -117,8 +124,8 @@ class Bvh {
             static_cast<Real>(node.sides[side].of[lane]) > beyond + 4 * epsilon * std::fabs(beyond)) {
           continue;
         }
-        if (is_item(node.numbers[lane])) {
-          best = std::min(best, value_of(node.numbers[lane] & ~item_bit));
+        if (EightBoxes::is_item(node.numbers[lane])) {
+          best = std::min(best, value_of(EightBoxes::item_of(node.numbers[lane])));
         } else {
           waiting[count++] = node.numbers[lane];
         }
@@ -142,14 +149,7 @@ class Bvh {
   // No path is longer than most_levels (see BvhBuild); of each node on it all but one child may wait.
   static constexpr std::size_t most_levels = 72, most_waiting = most_levels * (EightBoxes::width - 1) + 1;
 
-  // A child is the index of a node, with this bit an item, or nobody.
-  static constexpr std::uint32_t item_bit = 0x80000000, nobody = 0x7fffffff;
-  [[nodiscard]] static constexpr bool is_item(std::uint32_t child) { return (child & item_bit) != 0; }
-  [[nodiscard]] static inline std::uint32_t present_lanes(const EightBoxes& node) {
-    return ~EightBoxes::mask_of(std::bit_cast<EightBoxes::Numbers>(node.numbers) ==
-                                EightBoxes::Numbers(static_cast<std::int32_t>(nobody))) &
-           0xffu;
-  }
+  static constexpr std::uint32_t nobody = EightBoxes::nobody;
   static inline void fetch(const EightBoxes& node) {
     __builtin_prefetch(&node.sides[0]);
     __builtin_prefetch(&node.sides[2]);
@@ -174,14 +174,14 @@ class Bvh {
       if (nearest.entry > most_way) {
         continue;
       }
-      if (is_item(nearest.child)) {
-        most_way = order.way_of(visit(nearest.child & ~item_bit));
+      if (EightBoxes::is_item(nearest.child)) {
+        most_way = order.way_of(visit(EightBoxes::item_of(nearest.child)));
         continue;
       }
       const EightBoxes& node = nodes_[nearest.child];
       const auto entries = node.entries(order, most_way);
       const std::size_t begin = count;
-      for (std::uint32_t met = EightBoxes::met(entries) & present_lanes(node); met != 0; met &= met - 1) {
+      for (std::uint32_t met = EightBoxes::met(entries) & node.present(); met != 0; met &= met - 1) {
         // The nearest one comes last, and next off the stack.
         const auto lane = static_cast<std::size_t>(std::countr_zero(met));
         std::size_t place = count++;
@@ -189,13 +189,12 @@ class Bvh {
           waiting[place] = waiting[place - 1];
         }
         waiting[place] = {entries[lane], node.numbers[lane]};
-        if (!is_item(node.numbers[lane])) {
+        if (!EightBoxes::is_item(node.numbers[lane])) {
           fetch(nodes_[node.numbers[lane]]);
         }
       }
     }
   }
-  [[nodiscard]] static EightBoxes empty_node();
   [[nodiscard]] inline Entry entry_of(const Aabb& box, std::uint32_t item) const {
     if (!(box.low.x <= box.high.x)) {
       const float none = no_sides[0];
@@ -210,8 +209,8 @@ class Bvh {
   [[nodiscard]] double root_surface() const;
 
   Aabb bounds_ = Aabb::empty();
-  Vec3 origin_{0, 0, 0};                         // the middle of the bounds
-  std::vector<EightBoxes> nodes_{empty_node()};  // children come after their parents
+  Vec3 origin_{0, 0, 0};                                // the middle of the bounds
+  std::vector<EightBoxes> nodes_{EightBoxes::empty()};  // children come after their parents
 
   // Only for changes. A place is the index of a node times eight plus a lane.
   std::vector<std::uint32_t> places_;       // of items

@@ -21,7 +21,7 @@ class BvhBuild {
   [[nodiscard]] std::vector<EightBoxes> nodes(const Workers& workers) {
     cut_all(workers);
     place_range(0);
-    nodes_.resize(node_count_, Bvh::empty_node());
+    nodes_.resize(node_count_, EightBoxes::empty());
     for (const Inner& inner : inner_) {
       fill_inner(inner);
     }
@@ -97,13 +97,46 @@ class BvhBuild {
     return longest;
   }
 
+  // Puts the entries first that are wanted, and tells where the others begin. Whether an entry is wanted cannot be
+  // foreseen, so nothing waits for the answer.
+  template <class IsWanted>
+  [[nodiscard]] std::uint32_t put_first(std::uint32_t begin, std::uint32_t end, const IsWanted& is_wanted) {
+    const std::span<Entry> entries(entries_);
+    std::uint32_t between = begin;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const Entry entry = entries[i];
+      entries[i] = entries[between];
+      entries[between] = entry;
+      between += is_wanted(entry) ? 1 : 0;
+    }
+    return between;
+  }
+  // Calls use(axis) with the axis as a constant: one number of a register is quickly read where its place is known.
+  template <class Use>
+  static std::uint32_t with_axis(int axis, const Use& use) {
+    return axis == 0   ? use(std::integral_constant<int, 0>())
+           : axis == 1 ? use(std::integral_constant<int, 1>())
+                       : use(std::integral_constant<int, 2>());
+  }
+
   // Puts the items with the least centres first. Equal ones are told apart by their numbers.
   void put_least_first(std::uint32_t begin, std::uint32_t count, std::uint32_t end, int axis) {
-    const auto first = entries_.begin() + begin;
-    std::nth_element(first, first + count, entries_.begin() + end, [axis](const Entry& a, const Entry& b) {
-      const float at_a = a.lanes[axis] - a.lanes[axis + 3], at_b = b.lanes[axis] - b.lanes[axis + 3];
-      return at_a < at_b || (at_a == at_b && a.number() < b.number());
-    });
+    static_cast<void>(with_axis(axis, [&]<int at>(std::integral_constant<int, at>) {
+      // Numbers in the order of centres: floats of one sign are ordered as their bits are.
+      const auto key_of = [](const Entry& entry) {
+        const auto bits = std::bit_cast<std::uint32_t>(entry.lanes[at] - entry.lanes[at + 3] + 0.0f);
+        const std::uint32_t ordered = (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
+        return std::uint64_t{ordered} << 32 | entry.number();
+      };
+      SmallVector<std::uint64_t, cluster_size> keys;
+      for (const Entry& entry : std::span(entries_).subspan(begin, end - begin)) {
+        keys.push_back(key_of(entry));
+      }
+      const std::span<std::uint64_t> all = keys.span();
+      std::nth_element(all.begin(), all.begin() + count, all.end());
+      const std::uint64_t first_of_others = all[count];
+      return put_first(begin, end, [&](const Entry& entry) { return key_of(entry) < first_of_others; });
+    }));
   }
 
   struct Cut {
@@ -190,11 +223,12 @@ class BvhBuild {
       put_least_first(range.begin, half - range.begin, range.end, longest_axis(centres));
       return half;
     }
-    const auto first = entries_.begin() + range.begin;
-    const auto between = std::partition(first, entries_.begin() + range.end, [&](const Entry& entry) {
-      return bins.of(centres_of(entry))[best.axis] <= static_cast<std::int32_t>(best.bin);
+    const auto last = static_cast<std::int32_t>(best.bin);
+    const std::uint32_t between = with_axis(best.axis, [&]<int at>(std::integral_constant<int, at>) {
+      return put_first(range.begin, range.end,
+                       [&](const Entry& entry) { return bins.of(centres_of(entry))[at] <= last; });
     });
-    const auto count = static_cast<std::uint32_t>(between - first);
+    const std::uint32_t count = between - range.begin;
     if (range.size() > most_packed) {
       return range.begin + count;
     }
@@ -336,7 +370,7 @@ class BvhBuild {
   void fill_items(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t i = begin; i < end; ++i) {
       nodes_[node].set_sides(i - begin, sides_of(entries_[i].lanes));
-      nodes_[node].numbers[i - begin] = entries_[i].number() | Bvh::item_bit;
+      nodes_[node].numbers[i - begin] = entries_[i].number() | EightBoxes::item_bit;
     }
   }
 

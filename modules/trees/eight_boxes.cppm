@@ -59,6 +59,15 @@ struct alignas(32) EightBoxes {
   std::array<Side, 6> sides;
   std::array<std::uint32_t, width> numbers{};  // whatever the owner calls the boxes
 
+  // In a Hierarchy a number is that of a node, with this bit that of an item, or nobody.
+  static constexpr std::uint32_t item_bit = 0x80000000, nobody = 0x7fffffff;
+  [[nodiscard]] static constexpr bool is_item(std::uint32_t number) { return (number & item_bit) != 0; }
+  [[nodiscard]] static constexpr std::uint32_t item_of(std::uint32_t number) { return number & ~item_bit; }
+  // A bit for each box that is there.
+  [[nodiscard]] inline std::uint32_t present() const {
+    return ~mask_of(std::bit_cast<Numbers>(numbers) == Numbers(static_cast<std::int32_t>(nobody))) & 0xffu;
+  }
+
   // One side of all boxes at once.
   [[nodiscard]] inline Floats side(std::size_t i) const { return std::bit_cast<Floats>(sides[i]); }
 
@@ -111,6 +120,24 @@ struct alignas(32) EightBoxes {
       sides[i].of[lane] = given[i];
     }
   }
+  // Without any box.
+  [[nodiscard]] static inline EightBoxes empty() {
+    EightBoxes none;
+    none.numbers.fill(nobody);
+    return none;
+  }
+};
+
+struct AcceptsEightBoxes {
+  void operator()(const EightBoxes&) const {}
+};
+
+// What can be gone down from boxes to items. visit_children hands over the boxes of the children of a node, eight at a
+// time and relative to the origin; they are numbered as nodes or as items. The root is node 0.
+template <class T>
+concept Hierarchy = requires(const T& tree, std::uint32_t node, AcceptsEightBoxes visitor) {
+  { tree.origin() } -> std::convertible_to<Vec3>;
+  tree.visit_children(node, visitor);
 };
 
 }  // namespace abut

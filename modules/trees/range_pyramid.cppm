@@ -51,34 +51,44 @@ class RangePyramid {
   }
 
   // Calls visit(column, row) for the cells of a rectangle. Cells are left out where the blocks around them lie above or
-  // below a box, or where is_wanted(box of the block) is false. visit may shrink the box.
-  template <class Wanted, class Visitor>
-  void visit_over(const Rectangle& cells, const Aabb& box, const Spacing& spacing, const Wanted& is_wanted,
-                  Visitor&& visit) const {
+  // below a box, which visit may shrink.
+  template <class Visitor>
+  void visit_over(const Rectangle& cells, const Aabb& box, Visitor&& visit) const {
     const std::size_t level = level_over(cells);
     descend_over(
         level, all_elements(level), cells,
         [&](std::size_t number, std::uint32_t column, std::uint32_t row) {
           const Range& range = levels_[number].ranges[std::size_t{row} * levels_[number].columns + column];
-          return range.low <= box.high.z && range.high >= box.low.z &&
-                 is_wanted(box_of(number, column, row, range, spacing));
+          return range.low <= box.high.z && range.high >= box.low.z;
         },
         visit);
   }
-  // Whether blocks of 4 x 4 cells that hold cells of a rectangle reach into the heights of a box.
-  [[nodiscard]] bool reach_over(const Rectangle& cells, const Aabb& box) const {
-    const std::size_t level = std::max(level_over(cells), std::size_t{1});
-    bool is_reached = false;
-    descend_over(
-        level, all_elements(level), cells,
-        [&](std::size_t number, std::uint32_t column, std::uint32_t row) {
-          const Range& range = levels_[number].ranges[std::size_t{row} * levels_[number].columns + column];
-          const bool overlaps = !is_reached && range.low <= box.high.z && range.high >= box.low.z;
-          is_reached = is_reached || (overlaps && number == 0);
-          return overlaps && number > 0;
-        },
-        [](std::uint32_t, std::uint32_t) {});
-    return is_reached;
+
+  // The blocks as nodes of a tree; node 0 is the block of all cells. Calls visit(node, box) for the blocks that a block
+  // is made of, or visit_cells(rectangle) where these are cells.
+  template <class Visitor, class CellsVisitor>
+  void visit_in_block(std::uint32_t node, const Spacing& spacing, Visitor&& visit, CellsVisitor&& visit_cells) const {
+    std::size_t number = levels_.size() - 1;
+    std::uint32_t first = 0;  // node of the level
+    for (; node - first >= levels_[number].ranges.size(); --number) {
+      first += static_cast<std::uint32_t>(levels_[number].ranges.size());
+    }
+    const Level& level = levels_[number];
+    const Rectangle its = elements_of(number, (node - first) % level.columns, (node - first) / level.columns);
+    if (number == 0) {
+      visit_cells(its);
+      return;
+    }
+    first += static_cast<std::uint32_t>(level.ranges.size());
+    for (std::uint32_t j = its.row; j < its.row + its.rows; ++j) {
+      for (std::uint32_t i = its.column; i < its.column + its.columns; ++i) {
+        const std::uint32_t place = j * levels_[number - 1].columns + i;
+        const Range& range = levels_[number - 1].ranges[place];
+        if (range.low <= range.high) {
+          visit(first + place, box_of(number - 1, i, j, range, spacing));
+        }
+      }
+    }
   }
 
   // Calls visit(column, row) for cells in blocks of which `measure` of their box is at most `limit`, which visit may

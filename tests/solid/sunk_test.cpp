@@ -49,6 +49,17 @@ TEST(Sunk, WallIsLeftOnTheNearerSide) {
   }
 }
 
+// Ways of the proven length along directions all around end in an overlap.
+void expect_no_shorter_way(const ShapePtr& a, const ShapePtr& b, const abut_pose& pose, const abut_distance& found) {
+  const double way = -found.upper * (1 - 1e-6);
+  for (int i = 0; i < 60; ++i) {
+    const double z = 1 - (2 * i + 1) / 60.0, angle = 2.399963 * i, flat = std::sqrt(1 - z * z);
+    const abut_pose moved = at(pose.position.x + way * flat * std::cos(angle),
+                               pose.position.y + way * flat * std::sin(angle), pose.position.z + way * z);
+    EXPECT_LE(distance(a, b, moved).distance, 1e-9);
+  }
+}
+
 // Directions all around bound the least depth from above, points of the body inside from below.
 void expect_between_samples(const test::Surface& surface, const ShapePtr& solid, const ShapePtr& body,
                             const std::array<double, 3>& half, const std::array<double, 3>& place) {
@@ -65,14 +76,7 @@ void expect_between_samples(const test::Surface& surface, const ShapePtr& solid,
   if (!is_any_inside) return;
   EXPECT_LT(found.distance, 0);
   expect_parted(solid, body, at(place[0], place[1], place[2]), found);
-  // No shorter way parts them: ways of the proven length along directions all around end in an overlap.
-  const double way = -found.upper * (1 - 1e-6);
-  for (int i = 0; i < 60; ++i) {
-    const double z = 1 - (2 * i + 1) / 60.0, angle = 2.399963 * i, flat = std::sqrt(1 - z * z);
-    const abut_pose moved =
-        at(place[0] + way * flat * std::cos(angle), place[1] + way * flat * std::sin(angle), place[2] + way * z);
-    EXPECT_LE(distance(solid, body, moved).distance, 1e-9);
-  }
+  expect_no_shorter_way(solid, body, at(place[0], place[1], place[2]), found);
 }
 
 TEST(Sunk, DepthInATorusLiesInItsInterval) {
@@ -140,6 +144,27 @@ TEST(Sunk, TwoSolidMeshes) {
     EXPECT_EQ(found.distance < 0, z < 1.4);
     if (found.distance < 0) expect_parted(one, two, at(0.2, 0, z), found);
   }
+}
+
+// From grazing to one around the other's tube, and within it.
+TEST(Sunk, DepthOfTwoMeshesLiesInItsInterval) {
+  const test::Surface ring = test::torus(2, 0.7, 32, 16), small = test::torus(0.5, 0.25, 20, 10);
+  const ShapePtr one = mesh(ring), two = mesh(ring), tiny = mesh(small);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(-1, 1);
+  int deep = 0;
+  for (int i = 0; i < 16; ++i) {
+    const ShapePtr& other = i % 2 == 0 ? two : tiny;
+    const abut_pose pose = at(2.5 * share(random), 2.5 * share(random), share(random));
+    const abut_distance found = distance(one, other, pose);
+    if (found.distance >= 0) continue;
+    ++deep;
+    expect_parted(one, other, pose, found);
+    expect_no_shorter_way(one, other, pose, found);
+    // Both bounds are of the same size.
+    EXPECT_LT(found.upper, 0.25 * found.distance);
+  }
+  EXPECT_GE(deep, 8);
 }
 
 }  // namespace

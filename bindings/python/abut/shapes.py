@@ -286,6 +286,10 @@ class Shape(Owner):
         library.abut_shape_triangles(self.pointer, xyz, vertices, byref(vertices), indices, triangles, byref(triangles))
         return xyz, indices
 
+    def prepare(self, threads: int = 0) -> None:
+        """Makes what queries would make when they first need it, such as the tree of a mesh; 0 threads: as many as may be."""
+        library.abut_shape_prepare(self.pointer, threads)
+
     def cast_ray(self, at: Any, along: c.Ray) -> c.RayHit | None:
         """The first hit of a ray on the shape at a pose, or None."""
         hit, found = c.RayHit(), c_uint32()

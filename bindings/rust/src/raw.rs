@@ -528,6 +528,9 @@ extern "C" {
         triangle_count: *mut usize,
     ) -> abut_status;
 }
+extern "C" {
+    pub fn abut_shape_prepare(shape: *const abut_shape, threads: u32) -> abut_status;
+}
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_ray {

@@ -270,6 +270,10 @@ class Shape {
     Aabb out{};
     return detail::answer(abut_shape_aabb(shape_, &pose, &out), out);
   }
+  // Makes what queries would make when they first need it, such as the tree of a mesh. 0: on as many threads as may be.
+  Answer<void> prepare(std::uint32_t threads = 0) const {
+    return detail::answer(abut_shape_prepare(shape_, threads));
+  }
   // The surface of a mesh, height field, hull, box or distance field.
   [[nodiscard]] Answer<TriangleMesh> triangles() const {
     TriangleMesh mesh;

@@ -11,6 +11,7 @@ import abut.narrow.cast.cast_search;
 import abut.narrow.cast.linear_cast;
 import abut.narrow.cast.parts_in_order;
 import abut.narrow.convex;
+import abut.trees.two_trees;
 
 export namespace abut {
 
@@ -43,6 +44,20 @@ void cast_part(CastSearch& search, const A& part, const B& b, const Pose& ab, co
     touch.reset();
   }
   search.add(outcome, touch, frame, swapped, names);
+}
+
+// Two surfaces: their parts in the order in which the boxes of both trees meet.
+template <Surface A, Surface B>
+void cast_surfaces(CastSearch& search, const A& a, const B& b, const Pose& ab, const LinearMotion& motion,
+                   const Pose& frame, bool swapped, const CastNames& names) {
+  const PassageOrder order(a.origin(), b.origin(), ab, motion.direction, search.slack());
+  visit_two(a, b, order, search.limit(), [&](std::uint32_t of_a, std::uint32_t of_b) {
+    CastNames of_parts = names;
+    (swapped ? of_parts.feature_b : of_parts.feature_a) = {FeatureKind::face, of_a};
+    (swapped ? of_parts.feature_a : of_parts.feature_b) = {FeatureKind::face, of_b};
+    cast_part(search, a.part(of_a), b.part(of_b), ab, motion, frame, swapped, of_parts);
+    return search.limit();
+  });
 }
 
 // a is made of parts and placed by `frame`; b, which is so too or convex, moves in it from ab on.

@@ -112,7 +112,7 @@ class SolidDepthSearch {
   // Directions out of the triangles that are overlapped, and of all together.
   void find_overlaps() {
     Vec3 sum{0, 0, 0};
-    exit_.visit_overlaps([&](const Triangle& part, const B&) {
+    exit_.visit_overlaps([&](const Triangle& part) {
       const Vec3 outward = a_.is_turned(part.index()) ? -part.normal() : part.normal();
       const TriangleCorners& corners = part.corners();
       sum += std::sqrt(squared_norm(cross(corners[1] - corners[0], corners[2] - corners[0]))) * outward;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // How deep two surfaces are in each other, of which one or both are solid. The least way out that is found is an upper
-// bound, as with a convex shape. Corners of one that lie deep in the other give a lower one.
+// bound, as with a convex shape. Points that lie deep in both give a lower one.
 export module abut.narrow.many.solid_pair_depth;
 import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.many.solid_depth;
+import abut.narrow.many.solid_pair_exit;
 import abut.narrow.many.solid_point;
+import abut.narrow.many.two_parts;
 
 export namespace abut {
 
@@ -19,68 +21,105 @@ class SolidPairDepthSearch {
 
   // Nothing where both are outside of each other.
   [[nodiscard]] std::optional<SolidDepth> find() {
-    find_overlaps();
-    const std::optional<Vec3> inside = outward_.empty() ? exit_.place_inside({0, 0, 0}) : std::nullopt;
-    if (outward_.empty() && !inside) {
+    const bool do_cross = exit_.do_cross({0, 0, 0});
+    const std::optional<Vec3> inside = do_cross ? std::nullopt : exit_.place_inside({0, 0, 0});
+    if (!do_cross && !inside) {
       return std::nullopt;
     }
     try_boxes();
     if (inside) {
       try_from(*inside);
+    } else {
+      find_crossings();
     }
     for (const Vec3& direction : outward_.span()) {
-      try_along(direction);
+      try_along(direction, first_along(direction));
     }
     refine();
     raise_lower();
-    return SolidDepth{best_, std::min(std::max(lower_, Real{0}), best_.length)};
+    return SolidDepth{best_, std::clamp(lower_, Real{0}, best_.length)};
   }
 
  private:
-  static constexpr std::size_t most_directions = 4, most_places = 12;
-  static constexpr int most_turns = 3;
-  static constexpr Real same_direction = 0.9, settled_share = 1e-6;
+  static constexpr std::size_t most_directions = 4, most_crossings = 256;
+  static constexpr int most_turns = 7, most_climbs = 4;
+  static constexpr Real same_direction = 0.9, settled_share = 1e-4;
+
+  struct Crossing {
+    std::uint32_t of_a, of_b;
+  };
 
   [[nodiscard]] bool is_settled() const {
     return best_.length - lower_ <= settled_share * best_.length + exit_.touching();
   }
 
-  // Directions out of the triangles of a solid that are overlapped: of all together, then of those that differ.
-  void find_overlaps() {
+  // Directions out of triangles that cross: of all together, then of those that differ. Of very many triangles some
+  // tell enough, evenly taken.
+  void find_crossings() {
     Vec3 sum{0, 0, 0};
     SmallVector<Vec3, most_directions> apart;
-    exit_.visit_overlaps([&](const Triangle& part, const Triangle& other) {
-      const bool is_of_a = a_.is_solid();
-      const Triangle& of_solid = is_of_a ? part : other;
-      const bool is_turned = is_of_a ? a_.is_turned(part.index()) : b_.is_turned(other.index());
-      const Vec3 front = is_of_a ? of_solid.normal() : -(ab_.rotation * of_solid.normal());
+    const auto add = [&](const Vec3& front, bool is_turned) {
       const Vec3 outward = is_turned ? -front : front;
       sum += outward;
-      if (is_of_a && b_.is_solid()) {
-        const Vec3 toward = -(ab_.rotation * other.normal());
-        sum += b_.is_turned(other.index()) ? -toward : toward;
-      }
       const bool is_known =
           std::ranges::any_of(apart.span(), [&](const Vec3& known) { return dot(known, outward) > same_direction; });
       if (!is_known && apart.size() < most_directions) {
         apart.push_back(outward);
       }
-    });
-    if (!apart.empty()) {
-      outward_.push_back(sum);
-      for (const Vec3& direction : apart.span()) {
-        outward_.push_back(direction);
+    };
+    std::size_t count = 0, stride = 1;
+    visit_two_parts(a_, b_, ab_, 0, [&](const Triangle& part, const Triangle& other) {
+      if (a_.is_solid()) {
+        add(part.normal(), a_.is_turned(part.index()));
       }
+      if (b_.is_solid()) {
+        add(-(ab_.rotation * other.normal()), b_.is_turned(other.index()));
+      }
+      if (count++ % stride == 0) {
+        if (crossings_.size() == most_crossings) {
+          // Every second one stays.
+          for (std::size_t i = 0; i < most_crossings / 2; ++i) {
+            crossings_[i] = crossings_[2 * i];
+          }
+          while (crossings_.size() > most_crossings / 2) {
+            crossings_.pop_back();
+          }
+          stride *= 2;
+        }
+        crossings_.push_back({part.index(), other.index()});
+      }
+      return Real{0};
+    });
+    outward_.push_back(sum);
+    for (const Vec3& direction : apart.span()) {
+      outward_.push_back(direction);
     }
   }
 
-  // The six ways along the axes after which the boxes are apart.
+  // A way after which the triangles that cross have passed each other.
+  [[nodiscard]] Real first_along(const Vec3& direction) const {
+    const Vec3 unit = normalized_or_zero(direction), local = ab_.rotation.undo(unit);
+    Real first = 0;
+    for (const Crossing& crossing : crossings_.span()) {
+      first = std::max(first, -least_along(a_.corners(crossing.of_a), -unit) -
+                                  least_along(b_.corners(crossing.of_b), local) - dot(unit, ab_.position));
+    }
+    return first;
+  }
+  [[nodiscard]] static Vec3 normalized_or_zero(const Vec3& direction) {
+    const std::optional<UnitVec3> unit = UnitVec3::make(direction);
+    return unit ? unit->vec() : Vec3{0, 0, 0};
+  }
+
+  // The best of the six ways along the axes after which the boxes are apart.
   void try_boxes() {
     const Aabb box = a_.aabb(Pose::identity()), around = b_.aabb(ab_);
+    Vec3 best{0, 0, 1};
+    Real least = infinity;
     const auto take = [&](const Vec3& direction, Real length) {
-      if (length < best_.length) {
-        const Vec3 middle = around.centre() + length * direction;
-        best_ = {direction, length, middle, direction, no_index};
+      if (length < least) {
+        least = length;
+        best = direction;
       }
     };
     for (int axis = 0; axis < 3; ++axis) {
@@ -88,35 +127,34 @@ class SolidPairDepthSearch {
       take(along, box.high[axis] - around.low[axis]);
       take(-along, around.high[axis] - box.low[axis]);
     }
-    if (best_.length < infinity) {
-      const Vec3 direction = best_.direction;
-      best_.length = (1 + 1e-12) * best_.length;
-      try_along(direction);
-    }
+    try_along(best, infinity);
   }
 
   // From a place of b in a to the nearest surface of a; of a in b, the other way round.
   void try_from(const Vec3& place) {
     if (a_.is_solid() && a_.contains(place)) {
-      try_along(nearest_on_surface(a_, place).point - place);
+      const Vec3 way = nearest_on_surface(a_, place).point - place;
+      try_along(way, norm(way));
     } else {
-      const Vec3 local = ab_.undo(place);
-      try_along(ab_.rotation * (local - nearest_on_surface(b_, local).point));
+      const Vec3 local = ab_.undo(place), way = local - nearest_on_surface(b_, local).point;
+      try_along(ab_.rotation * way, norm(way));
     }
   }
 
-  WayOut try_along(const Vec3& direction) {
+  // `first`: where the end is first looked for; without end from where both have passed each other.
+  WayOut try_along(const Vec3& direction, Real first) {
     const std::optional<UnitVec3> unit = UnitVec3::make(direction);
     if (!unit) {
       return best_;
     }
-    const WayOut way = exit_.along(*unit, best_.length);
+    const WayOut way = exit_.along(*unit, first, best_.length);
     if (way.length < best_.length) {
       best_ = way;
     }
     return way;
   }
 
+  // Along the shortest move that leaves all that was touched about the best way.
   void refine() {
     LeavingMoves moves;
     moves.add(best_);
@@ -125,49 +163,67 @@ class SolidPairDepthSearch {
       if (!(norm(move) < (1 - settled_share) * best_.length)) {
         return;
       }
-      moves.add(try_along(move));
+      moves.add(try_along(move, (1 + settled_share) * norm(move)));
     }
   }
 
-  // Corners that are last on the way out, of either in the other. A point that is inside takes as far as the surface.
+  // A point of one that is inside of the other takes as far as the surface. Around a point that is inside of both there
+  // is a ball of each: they are parted after both radii.
   void raise_lower() {
-    const Vec3 d = best_.direction;
+    const Vec3 of_a = best_.point, of_b = best_.point - best_.length * best_.direction;
     if (a_.is_solid()) {
-      raise_lower_by(b_, a_, ab_, a_.aabb(ab_.inverse()), ab_.rotation.undo(d));
+      lower_ = std::max(lower_, depth_of_point(a_, of_b));
+      raise_lower_by_corner(b_, a_, ab_, ab_.rotation.undo(best_.direction));
     }
     if (b_.is_solid()) {
-      raise_lower_by(a_, b_, ab_.inverse(), b_.aabb(ab_), -d);
+      lower_ = std::max(lower_, depth_of_point(b_, ab_.undo(of_a)));
+      raise_lower_by_corner(a_, b_, ab_.inverse(), -best_.direction);
+    }
+    if (a_.is_solid() && b_.is_solid()) {
+      climb(0.5 * (of_a + of_b));
     }
   }
+
+  // The corner of `of` that is last on the way out.
   template <class Of, class In>
-  void raise_lower_by(const Of& of, const In& in, const Pose& to_in, const Aabb& near, const Vec3& direction) {
-    struct Place {
-      Real height;
-      Vec3 point;
-    };
-    SmallVector<Place, most_places> lowest;
-    Aabb query = near;
-    of.visit_parts(query, [&](const Triangle& part, std::uint32_t) {
+  void raise_lower_by_corner(const Of& of, const In& in, const Pose& to_in, const Vec3& direction) {
+    Vec3 lowest{0, 0, 0};
+    Real limit = infinity;
+    of.visit_below(direction, limit, [&](const Triangle& part, std::uint32_t) {
       const Vec3 corner = part.support(-direction).point;
-      const Place place{dot(corner, direction), corner};
-      if (lowest.size() < most_places) {
-        lowest.push_back(place);
+      if (const Real height = dot(corner, direction) - exit_.touching(); height < limit) {
+        limit = height;
+        lowest = corner;
+      }
+    });
+    lower_ = std::max(lower_, depth_of_point(in, to_in * lowest));
+  }
+
+  // Away from both surfaces, as long as that makes the sum of both balls larger.
+  void climb(Vec3 place) {
+    Real before = 0;
+    for (int step = 0; step < most_climbs && !is_settled(); ++step) {
+      const Vec3 local = ab_.undo(place);
+      if (!a_.contains(place) || !b_.contains(local)) {
         return;
       }
-      Place* const highest = &*std::max_element(lowest.span().begin(), lowest.span().end(),
-                                                [](const Place& a, const Place& b) { return a.height < b.height; });
-      const bool is_listed = std::ranges::any_of(lowest.span(), [&](const Place& l) { return l.point == corner; });
-      *highest = place.height < highest->height && !is_listed ? place : *highest;
-    });
-    for (const Place& place : lowest.span()) {
-      lower_ = std::max(lower_, depth_of_point(in, to_in * place.point));
+      const PointOnSurface of_a = nearest_on_surface(a_, place), of_b = nearest_on_surface(b_, local);
+      const Real sum = of_a.distance + of_b.distance;
+      lower_ = std::max(lower_, sum);
+      if (sum <= before) {
+        return;
+      }
+      before = sum;
+      const Vec3 up = normalized_or_zero(place - of_a.point) + normalized_or_zero(ab_.rotation * (local - of_b.point));
+      place += 0.25 * (best_.length - sum) * up;
     }
   }
 
   const A& a_;
   const B& b_;
   const Pose& ab_;
-  SolidExit<A, B> exit_;
+  SolidPairExit<A, B> exit_;
+  SmallVector<Crossing, most_crossings> crossings_;
   SmallVector<Vec3, most_directions + 1> outward_;
   WayOut best_{{0, 0, 1}, infinity, {0, 0, 0}, {0, 0, 1}, no_index};
   Real lower_ = -infinity;

@@ -5,7 +5,10 @@ export module abut.narrow.many.solid_point;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.many.triangle_point;
+import abut.trees.eight_boxes;
+import abut.trees.two_trees;
 
 export namespace abut {
 
@@ -15,25 +18,37 @@ struct PointOnSurface {
   std::uint32_t part;
 };
 
+// A point as a tree of one item without extent.
+struct PointTree {
+  Vec3 point;
+
+  [[nodiscard]] inline const Vec3& origin() const [[clang::lifetimebound]] { return point; }
+  template <class Visitor>
+  inline void visit_children(std::uint32_t, Visitor&& visit) const {
+    EightBoxes eight = EightBoxes::empty();
+    eight.set_sides(0, {});
+    eight.numbers[0] = EightBoxes::item_bit;
+    visit(eight);
+  }
+};
+
 template <Surface A>
 [[nodiscard]] PointOnSurface nearest_on_surface(const A& a, const Vec3& point) {
   PointOnSurface best{point, infinity, no_index};
   Real least = infinity;
-  const auto consider = [&](const typename A::Part& part) {
-    const Vec3 nearest = nearest_on(part.corners(), point);
+  const Real noise = noise_of(largest_magnitude(point) + largest_magnitude(a.origin()));
+  const auto consider = [&](std::uint32_t part) {
+    const Vec3 nearest = nearest_on(a.corners(part), point);
     const Real square = squared_norm(nearest - point);
-    if (square < least || (square == least && part.index() < best.part)) {
+    if (square < least || (square == least && part < best.part)) {
       least = square;
-      best = {nearest, 0, part.index()};
+      best = {nearest, 0, part};
     }
+    return std::sqrt(least) + noise;
   };
-  consider(a.part_near(point));
-  const auto near = [&] { return Aabb{point, point}.inflated((1 + 4 * epsilon) * std::sqrt(least)); };
-  Aabb query = near();
-  a.visit_parts(query, [&](const typename A::Part& part, std::uint32_t) {
-    consider(part);
-    query = near();
-  });
+  const Real reach = consider(a.part_near(point).index());
+  visit_two(a, PointTree{point}, GapOrder(a.origin(), point, Pose::identity()), reach,
+            [&](std::uint32_t part, std::uint32_t) { return consider(part); });
   best.distance = norm(best.point - point);
   return best;
 }

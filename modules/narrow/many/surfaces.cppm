@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces: a mesh or a height field against anything, triangle by triangle.
+// Surfaces: a mesh or a height field against convex shapes and half-spaces, triangle by triangle.
 export module abut.narrow.many.surfaces;
 import abut.capability;
 import abut.core.standard;
@@ -12,7 +12,6 @@ import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.quick_axes;
 import abut.narrow.many.solid_contacts;
 import abut.narrow.many.solid_depth;
-import abut.narrow.many.solid_pair_depth;
 import abut.narrow.many.surface_contacts;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.many.way_out;
@@ -28,6 +27,20 @@ export namespace abut {
   return {.algorithm = settings.algorithm, .error_bound = settings.error_bound};
 }
 
+// Takes a part where it is nearer or deeper than the best so far. Whether it was.
+template <Convex B>
+bool take_nearer(const Triangle& part, const B& b, const Pose& ab, const QuerySettings& settings, Distance& best) {
+  CoreSeparation core = separate_from_triangle(part, b, ab, settings, best.distance + b.radius());
+  if (core.beyond) {
+    best.iterations += core.iterations;
+    return false;
+  }
+  if (core.distance - b.radius() < best.distance) {
+    find_points(part, b, ab, core);
+  }
+  return take_part(rounded(core, 0, b.radius()), best);
+}
+
 // Distance of a surface and a convex shape: of the nearest or deepest part, each as a sheet. Starts
 // from a part near the shape and shrinks the box that is still of interest with every better one. Whether a part is
 // nearer than `best` was; if so, `nearest` is its number.
@@ -41,17 +54,9 @@ bool nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
   };
   bool is_found = false;
   const auto consider = [&](const typename A::Part& part) {
-    CoreSeparation core = separate_from_triangle(part, b, ab, settings, best.distance + b.radius());
-    if (core.beyond) {
-      best.iterations += core.iterations;
-    } else {
-      if (core.distance - b.radius() < best.distance) {
-        find_points(part, b, ab, core);
-      }
-      if (take_part(rounded(core, 0, b.radius()), best)) {
-        nearest = part.index();
-        is_found = true;
-      }
+    if (take_nearer(part, b, ab, settings, best)) {
+      nearest = part.index();
+      is_found = true;
     }
   };
   const auto start = a.part_near(placed_centre(b, ab));
@@ -69,10 +74,6 @@ bool nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
 template <Surface A, Convex B>
 [[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                      Manifold& out);
-template <Surface A, Surface B>
-[[nodiscard]] Outcome surfaces_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                        Manifold& out);
-
 // A depth may be that of a triangle whose way out belongs to a neighbour. Contacts know better, where there are any.
 inline void take_depth_of(const Manifold& contacts, Real noise, Distance& out) {
   if (contacts.empty()) {
@@ -135,88 +136,6 @@ template <Surface A, Convex B>
       settle_depth(solid_depth(a, b, ab, settings), first, settings.margin, out);
     }
   }
-  return Outcome::ok;
-}
-
-// A surface whose parts lie in blocks tells at once that none of a block is near another such surface.
-template <class S>
-inline constexpr bool has_blocks = requires(const S& surface, const Aabb& box) { surface.may_overlap(box); };
-
-// Visits the parts of b in a box that may be within some reach of a.
-template <Surface A, Surface B, class Reach, class Visitor>
-void visit_parts_near(const A& a, const B& b, const Pose& ab, Aabb& box, const Reach& reach, Visitor&& visit) {
-  if constexpr (has_blocks<A> && has_blocks<B>) {
-    const auto is_near = [&](const Aabb& block) { return a.may_overlap(transformed(block, ab).inflated(reach())); };
-    b.visit_parts_of_blocks(box, is_near, AcceptsAnyCorners{}, visit);
-  } else {
-    b.visit_parts(box, visit);
-  }
-}
-
-// Nothing where no side is a solid, or where nothing is inside.
-template <Surface A, Surface B>
-[[nodiscard]] std::optional<SolidDepth> depth_of_solids(const A& a, const B& b, const Pose& ab,
-                                                        const QuerySettings& settings) {
-  if constexpr (Enclosing<A> && Enclosing<B>) {
-    if (a.is_solid() || b.is_solid()) {
-      return solid_pair_depth(a, b, ab, settings);
-    }
-  }
-  return std::nullopt;
-}
-
-// Two surfaces: the parts of b one by one, each a convex shape to a.
-template <Surface A, Surface B>
-[[nodiscard]] Outcome surfaces_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                        Distance& out) {
-  if (!parts_support(settings.algorithm)) {
-    return Outcome::unsupported;
-  }
-  if (const auto depth = depth_of_solids(a, b, ab, settings)) {
-    out = distance_of(*depth);
-    return Outcome::ok;
-  }
-  out = no_distance();
-  const Aabb around = a.aabb(ab.inverse());
-  std::uint32_t of_a = 0, of_b = b.part_near(around.centre()).index();
-  nearest_part(a, b.part(of_b), ab, settings, out, of_a);
-  Aabb query = out.distance < infinity ? around.inflated(std::max(out.distance, Real{0})) : Aabb::everything();
-  const auto reach = [&] { return std::max(out.distance, Real{0}); };
-  visit_parts_near(a, b, ab, query, reach, [&](const typename B::Part& part, std::uint32_t index) {
-    of_b = nearest_part(a, part, ab, settings, out, of_a) ? index : of_b;
-    query = around.inflated(reach());
-  });
-  const Triangle triangle = a.part(of_a), other = b.part(of_b);
-  const Real noise = noise_of(core_size(triangle, other, ab));
-  if (out.distance < -noise &&
-      !(leads_out_of_all(a, triangle, out.point_a, out.normal, noise, infinity) &&
-        leads_out_of_all(b, other, ab.undo(out.point_b), -ab.rotation.undo(out.normal), noise, infinity))) {
-    Manifold contacts;
-    static_cast<void>(surfaces_contacts(a, b, ab, without_margin(settings), contacts));
-    take_depth_of(contacts, noise, out);
-  }
-  return Outcome::ok;
-}
-
-template <Surface A, Surface B>
-[[nodiscard]] Outcome surfaces_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                        Manifold& out) {
-  if (!parts_support(settings.algorithm)) {
-    return Outcome::unsupported;
-  }
-  const std::size_t first = out.size();
-  SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
-  const auto reach = [&] { return std::max(settings.margin, Real{0}); };
-  Aabb query = a.aabb(ab.inverse()).inflated(reach());
-  visit_parts_near(a, b, ab, query, reach, [&](const typename B::Part& part, std::uint32_t index) {
-    Aabb box = part.aabb(ab).inflated(reach());
-    const QuickAxes<typename B::Part> axes(part, ab);
-    a.visit_parts(
-        box, [&](const TriangleCorners& corners) { return !axes.are_beyond(corners, settings.margin); },
-        [&](const typename A::Part& other, std::uint32_t) { contacts.add(other, part, index); });
-  });
-  contacts.finish();
-  settle_depth(depth_of_solids(a, b, ab, settings), first, settings.margin, out);
   return Outcome::ok;
 }
 

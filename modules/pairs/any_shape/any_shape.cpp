@@ -90,6 +90,20 @@ std::optional<RayHit> cast_ray(const AnyShape& shape, const Vec3& origin, const 
   return std::visit([&](const auto& s) { return s.cast_ray(origin, direction, max_distance); }, shape);
 }
 
+void prepare(const AnyShape& shape, const Workers& workers) {
+  std::visit(
+      [&]<class S>(const S& s) {
+        if constexpr (Assembly<S>) {
+          for (const auto& child : s.children()) {
+            prepare(*child.shape, workers);
+          }
+        } else if constexpr (requires { s.prepare(workers); }) {
+          s.prepare(workers);
+        }
+      },
+      shape);
+}
+
 std::optional<Triangles> triangles_of(const AnyShape& shape) {
   return std::visit(
       []<class S>(const S& s) -> std::optional<Triangles> {

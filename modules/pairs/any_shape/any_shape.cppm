@@ -43,6 +43,9 @@ struct PlacedShape {
 // Nothing for shapes without a surface of plane triangles.
 [[nodiscard]] std::optional<Triangles> triangles_of(const AnyShape& shape);
 
+// Makes what queries of a shape, or of the children of a composite, make when they first need it.
+void prepare(const AnyShape& shape, const Workers& workers);
+
 // What making a shape of points left of them, and how far a given point is from the shape at most. Nothing for kinds
 // that keep what they are given.
 struct BuildReport {

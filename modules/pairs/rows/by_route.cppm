@@ -11,7 +11,7 @@ import abut.narrow.many.field_surfaces;
 import abut.narrow.many.half_space;
 import abut.narrow.many.hole;
 import abut.narrow.many.nearest_of_parts;
-import abut.narrow.many.surfaces;
+import abut.narrow.many.two_surfaces;
 import abut.pairs.routes;
 
 export namespace abut {

@@ -166,6 +166,9 @@ void cast_parts_kernel(const Any& a, const Any& b, const Pose& pose_a, const Pos
   if constexpr (are_boxes<A, B>) {
     cast_boxes(search, std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), search.motion_in(pose_a, swapped),
                pose_a, swapped, names);
+  } else if constexpr (Surface<A> && Surface<B>) {
+    cast_surfaces(search, std::get<A>(a), std::get<B>(b), relative(pose_a, pose_b), search.motion_in(pose_a, swapped),
+                  pose_a, swapped, names);
   } else if constexpr (has_parts<A>) {
     cast_parts(search, std::get<A>(a), core_of(std::get<B>(b)), relative(pose_a, pose_b),
                search.motion_in(pose_a, swapped), pose_a, swapped, names);

@@ -139,6 +139,11 @@ TEST(HeightFieldCreate, RefusesOverflowingCounts) {
   EXPECT_TRUE(out.is_untouched());
 }
 
+TEST(HeightFieldCreate, RefusesMoreSamplesThanNumbersOfTriangles) {
+  expect_kind_refused("height_field", {65535, 65535, 1, 1}, {0, 0, 0, 0}, {}, ABUT_SIZE_OVERFLOW,
+                      {"columns * rows", "4294836225", "1073741824"});
+}
+
 TEST(HeightFieldCreate, RefusesUnknownDiagonals) {
   Out<abut_shape*> out;
   abut_height_field_desc desc = good_desc();

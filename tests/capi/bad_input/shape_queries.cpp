@@ -65,6 +65,12 @@ TEST(ShapeAabb, NormalisesOrientationsThatAreNearlyUnit) {
   }
 }
 
+TEST(ShapePrepare, RefusesNullAndTooManyThreads) {
+  EXPECT_TRUE(refused(abut_shape_prepare(nullptr, 1), ABUT_NULL_ARGUMENT, {"shape", "null"}));
+  const Shape ball = make_sphere(1.0);
+  EXPECT_TRUE(refused(abut_shape_prepare(ball, 1025), ABUT_OUT_OF_RANGE, {"threads", "1025", "1024"}));
+}
+
 // One call of abut_shape_triangles with room for the surface of a box.
 struct TrianglesCall {
   OutArray<double> xyz{64 * 3};

@@ -86,6 +86,7 @@ FUNCTIONS = {
     "abut_shape_triangles": (Status, [
         c_void_p, POINTER(c_double), c_size_t, POINTER(c_size_t), POINTER(c_uint32), c_size_t,
         POINTER(c_size_t)]),
+    "abut_shape_prepare": (Status, [c_void_p, c_uint32]),
     "abut_shape_cast_ray": (Status, [
         c_void_p, POINTER(Pose), POINTER(Ray), POINTER(RayHit), POINTER(c_uint32)]),
     "abut_query_options_init": (None, [POINTER(QueryOptions), c_uint32]),

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The triangles of two surfaces that may be within a reach of each other.
+export module abut.narrow.many.two_parts;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.math.tolerance;
+import abut.narrow.many.quick_axes;
+import abut.trees.two_trees;
+
+export namespace abut {
+
+// How far the places of parts of two surfaces may be off by rounding.
+template <Surface A, Surface B>
+[[nodiscard]] Real noise_of_two(const A& a, const B& b, const Pose& ab) {
+  const auto size_of = [](const Aabb& box) {
+    return largest_magnitude(maximum(absolute(box.low), absolute(box.high)));
+  };
+  return noise_of(size_of(a.aabb(Pose::identity())) + size_of(b.aabb(Pose::identity())) +
+                  largest_magnitude(ab.position));
+}
+
+// Where a surface begins along a direction, or just before. Of a flat surface not all parts are asked.
+template <Surface S>
+[[nodiscard]] Real lowest_of(const S& surface, const Vec3& direction) {
+  const Aabb box = surface.aabb(Pose::identity());
+  const Real noise = noise_of(largest_magnitude(maximum(absolute(box.low), absolute(box.high))));
+  Real limit = infinity;
+  surface.visit_below(direction, limit, [&](const Triangle& part, std::uint32_t) {
+    limit = std::min(limit, least_along(part.corners(), direction) - noise);
+  });
+  return limit;
+}
+
+// Calls visit(part of a, part of b) for parts that may be within `reach`, mostly nearer ones first. visit returns the
+// reach that is wanted from then on. Parts may be left out, as by visit_two.
+template <Surface A, Surface B, class Visitor, class Wants = WantsAnyItem>
+void visit_two_parts(const A& a, const B& b, const Pose& ab, Real reach, Visitor&& visit, Wants&& wants = {}) {
+  struct Held {
+    Triangle part;
+    QuickAxes<Triangle> axes;
+  };
+  std::optional<Held> held;  // often several parts of a meet one of b, one after the other
+  const Real noise = noise_of_two(a, b, ab);
+  const auto visit_items = [&](std::uint32_t of_a, std::uint32_t of_b) {
+    if (!held || held->part.index() != of_b) {
+      const Triangle part = b.part(of_b);
+      held.emplace(Held{part, {part, ab}});
+    }
+    if (const TriangleCorners corners = a.corners(of_a); !held->axes.are_beyond(corners, reach)) {
+      reach = visit(a.part(of_a), held->part);
+    }
+    return reach + noise;
+  };
+  visit_two(a, b, GapOrder(a.origin(), b.origin(), ab), reach + noise, visit_items, wants);
+}
+
+}  // namespace abut
