@@ -188,7 +188,7 @@ class SolidExit {
     if constexpr (Convex<B>) {
       const QuickAxes<B> axes(b_, at);
       Aabb query = b_.aabb(at);
-      const auto is_near = [&](const TriangleCorners& corners) { return !axes.are_beyond(corners, b_.radius()); };
+      const InFours is_near{[&](const FourTriangles& triangles) { return axes.near(triangles, b_.radius()); }};
       a_.visit_parts(query, is_near, [&](const Triangle& part, std::uint32_t) {
         if (!is_to_stop && do_overlap(part, b_, at)) {
           visit(part, b_, 0);
@@ -222,7 +222,8 @@ class SolidExit {
       for (const PlacedPart& each : parts.span()) {
         if (!is_to_stop && box.overlaps(each.box)) {
           const Part convex = b_.part(each.index);
-          if (!QuickAxes<Part>(convex, at).are_beyond(part.corners(), 0) && do_overlap(part, convex, at)) {
+          const FourTriangles triangle = FourTriangles::all(part.corners());
+          if (QuickAxes<Part>(convex, at).near(triangle, 0) != 0 && do_overlap(part, convex, at)) {
             visit(part, convex, each.index);
           }
         }
