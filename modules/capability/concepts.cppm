@@ -106,15 +106,18 @@ struct AcceptsAnyPart {
 
 struct AcceptsAnyCorners {
   bool operator()(const std::array<Vec3, 3>&) const { return true; }
+  template <class Four>
+  static std::uint64_t ask(const Four&) {
+    return 15;
+  }
 };
 
 // Made of triangles. visit_parts visits every part whose box overlaps the given one, and whose corners meet a
-// condition, if there is one; the visitor may shrink that box on the way. visit_below visits every part that reaches
-// down to a height along a direction, which the visitor may lower; lower ones come first, mostly. part_near gives some
-// part close to a point.
-// is_crest is asked about some corners of a part, given by bit: one is a vertex, two are an edge. It tells whether the
-// surface around them lies behind the plane through them across a direction, up to a height. The direction then is in
-// their cone of normals.
+// condition, if there is one (see wanted_of); the visitor may shrink that box on the way. visit_below visits every part
+// that reaches down to a height along a direction, which the visitor may lower; lower ones come first, mostly.
+// part_near gives some part close to a point. is_crest is asked about some corners of a part, given by bit: one is a
+// vertex, two are an edge. It tells whether the surface around them lies behind the plane through them across a
+// direction, up to a height. The direction then is in their cone of normals.
 template <class S>
 concept Surface =
     Bounded<S> && Convex<typename S::Part> &&

@@ -36,6 +36,9 @@ struct Columns {
 [[nodiscard]] [[gnu::always_inline]] inline Lanes dot(const Columns& a, const Columns& b) {
   return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
 }
+[[nodiscard]] [[gnu::always_inline]] inline Lanes largest_magnitude(const Columns& a) {
+  return maximum(maximum(absolute(a.x), absolute(a.y)), absolute(a.z));
+}
 [[nodiscard]] [[gnu::always_inline]] inline Columns cross(const Columns& a, const Columns& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }

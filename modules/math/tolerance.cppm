@@ -8,6 +8,7 @@
 //   that differ by less are equal.
 export module abut.math.tolerance;
 import abut.core.standard;
+import abut.math.lanes;
 import abut.math.vec3;
 
 export namespace abut {
@@ -15,6 +16,7 @@ export namespace abut {
 [[nodiscard]] [[gnu::always_inline]] inline Real touching_distance(Real size) { return 4 * epsilon * size; }
 [[nodiscard]] [[gnu::always_inline]] inline Real rounding_of(Real size) { return 16 * epsilon * size; }
 [[nodiscard]] [[gnu::always_inline]] inline Real noise_of(Real size) { return 64 * epsilon * size; }
+[[nodiscard]] [[gnu::always_inline]] inline Lanes noise_of(Lanes size) { return 64 * epsilon * size; }
 
 // Squares of sines. Two edges nearer to parallel span no face: leaving theirs out errs by at most the angle times the
 // length of an edge, which is rounding.

@@ -7,6 +7,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
 import abut.trees.box_heights;
 import abut.trees.eight_boxes;
 import abut.trees.range_pyramid;
@@ -48,21 +49,25 @@ class HeightField {
     if (!box.overlaps(field.box)) {
       return;
     }
-    const auto visit_cell = [&](std::uint32_t i, std::uint32_t j) {
-      const Cell cell = cell_of(i, j);
-      const Heights heights = cell.heights();
-      if (heights.high < box.low.z || heights.low > box.high.z) {
-        return;
-      }
-      for (const bool is_upper : {false, true}) {
-        const TriangleCorners of_part = cell.triangle(is_upper);
-        if (is_there(of_part) && box_around(of_part).overlaps(box) && is_wanted(of_part)) {
-          const std::uint32_t index = number_of(i, j, is_upper);
-          visit(Triangle(of_part, index, true), index);
+    const auto visit_row = [&](std::uint32_t i, std::uint32_t count, std::uint32_t j) {
+      for (; count > 0; i += 4, count -= std::min(count, 4u)) {
+        const FourCells cells = cells_from(i, std::min(count, 4u), j);
+        const Heights heights = cells.heights();
+        if (heights.high < box.low.z || heights.low > box.high.z) {
+          continue;
+        }
+        for (const bool is_upper : {false, true}) {
+          const FourTriangles triangles = cells.triangles(is_upper);
+          std::uint64_t wanted =
+              wanted_of(triangles, cells.are_there(is_upper) & triangles.overlapping(box), is_wanted);
+          for (; wanted != 0; wanted &= wanted - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(wanted));
+            visit(Triangle(triangles[lane], triangles.numbers[lane], true), triangles.numbers[lane]);
+          }
         }
       }
     };
-    field.ranges.visit_over(cells_under(box), box, visit_cell);
+    field.ranges.visit_over(cells_under(box), box, visit_row);
   }
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {
@@ -179,6 +184,44 @@ class HeightField {
     }
   };
 
+  // Up to four cells of a row, a cell per lane. The last one stands in for those that lack.
+  struct FourCells {
+    Lanes x, next_x;
+    Real y, next_y;
+    Lanes a, b, c, d;  // the heights of the points of Cell
+    LaneNumbers are_falling;
+    std::array<std::uint32_t, 4> numbers;  // of the lower triangles
+    std::uint64_t present;                 // a bit for each cell
+
+    [[nodiscard]] inline FourTriangles triangles(bool is_upper) const {
+      const Columns of_a{x, all_lanes(y), a}, of_b{next_x, all_lanes(y), b}, of_c{x, all_lanes(next_y), c},
+          of_d{next_x, all_lanes(next_y), d};
+      const auto chosen = [&](const Columns& p, const Columns& q) {
+        return Columns{are_falling ? p.x : q.x, are_falling ? p.y : q.y, are_falling ? p.z : q.z};
+      };
+      if (!is_upper) {
+        return {of_a, of_b, chosen(of_c, of_d), numbers};
+      }
+      FourTriangles upper{chosen(of_b, of_a), of_d, of_c, numbers};
+      for (std::uint32_t& number : upper.numbers) {
+        ++number;
+      }
+      return upper;
+    }
+    // Those that have all corners.
+    [[nodiscard]] inline std::uint64_t are_there(bool is_upper) const {
+      const Lanes sum = is_upper ? (are_falling ? b : a) + d + c : a + b + (are_falling ? c : d);
+      return present & bits_of(sum == sum);
+    }
+    // Of the samples that are no NaN, which does not compare.
+    [[nodiscard]] inline Heights heights() const {
+      const auto least = [](Lanes p, Lanes q, Lanes r, Lanes s) {
+        return minimum(s, minimum(r, minimum(q, minimum(p, all_lanes(infinity)))));
+      };
+      return {-largest(-least(a, b, c, d)), largest(-least(-a, -b, -c, -d))};
+    }
+  };
+
   explicit HeightField(Data data) : data_(std::move(data)) {}
   [[nodiscard]] inline Real height(std::uint32_t i, std::uint32_t j) const {
     return data_->heights[std::size_t{j} * data_->columns + i];
@@ -191,6 +234,28 @@ class HeightField {
   }
   [[nodiscard]] inline Cell cell_of(std::uint32_t i, std::uint32_t j) const {
     return {point(i, j), point(i + 1, j), point(i, j + 1), point(i + 1, j + 1), is_falling(data_->diagonal, i, j)};
+  }
+  // `count`: of cells, 1 to 4.
+  [[nodiscard]] inline FourCells cells_from(std::uint32_t i, std::uint32_t count, std::uint32_t j) const {
+    const Data& field = *data_;
+    const std::span<const Real> row = std::span(field.heights).subspan(std::size_t{j} * field.columns + i),
+                                next_row = row.subspan(field.columns);
+    FourCells cells{};
+    for (std::uint32_t lane = 0; lane < 4; ++lane) {
+      const std::uint32_t at = std::min(lane, count - 1);
+      cells.x[lane] = (i + at) * field.spacing_x;
+      cells.next_x[lane] = (i + at + 1) * field.spacing_x;
+      cells.a[lane] = row[at];
+      cells.b[lane] = row[at + 1];
+      cells.c[lane] = next_row[at];
+      cells.d[lane] = next_row[at + 1];
+      cells.are_falling[lane] = is_falling(field.diagonal, i + at, j) ? -1 : 0;
+      cells.numbers[lane] = number_of(i + at, j, false);
+    }
+    cells.y = j * field.spacing_y;
+    cells.next_y = (j + 1) * field.spacing_y;
+    cells.present = (std::uint64_t{1} << count) - 1;
+    return cells;
   }
   [[nodiscard]] inline std::uint32_t number_of(std::uint32_t i, std::uint32_t j, bool is_upper) const {
     return 2 * (j * (data_->columns - 1) + i) + (is_upper ? 1 : 0);

@@ -61,34 +61,26 @@ class Mesh {
 
   template <class Wanted, class Visitor>
   void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
-    const Data& mesh = *data_;
-    // Corners of triangles that are near each other lie far apart in memory. Those of some triangles are read at once,
-    // so that the memory is waited for once.
-    [[clang::uninitialized]] SmallVector<std::uint32_t, most_at_once> near;
-    const auto visit_near = [&] {
-      [[clang::uninitialized]] std::array<TriangleCorners, most_at_once> corners_of;
-      for (std::size_t i = 0; i < near.size(); ++i) {
-        corners_of[i] = corners(near[i]);
-      }
-      for (std::size_t i = 0; i < near.size(); ++i) {
-        if (box_around(corners_of[i]).overlaps(box) && is_wanted(corners_of[i])) {
-          visit(Triangle(corners_of[i], near[i], is_one_sided(near[i])), near[i]);
-        }
-      }
-      near.clear();
-    };
-    tree().visit_overlaps(box, [&](std::uint32_t index) {
-      __builtin_prefetch(&mesh.indices[3 * std::size_t{index}]);
-      near.push_back(index);
-      if (near.size() == most_at_once) {
-        visit_near();
-      }
-    });
-    visit_near();
+    visit_found(box, is_wanted, visit, [&](const auto& add) { tree().visit_overlaps(box, add); });
   }
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {
     visit_parts(box, AcceptsAnyCorners{}, visit);
+  }
+  // As visit_parts, of the triangles whose numbers find(add) adds.
+  template <class Wanted, class Visitor, class Find>
+  void visit_found(const Aabb& box, const Wanted& is_wanted, Visitor&& visit, const Find& find) const {
+    const Data& mesh = *data_;
+    const auto corners_of = [&](std::uint32_t index) { return corners(index); };
+    const auto visit_part = [&](const TriangleCorners& of_part, std::uint32_t index) {
+      visit(Triangle(of_part, index, is_one_sided(index)), index);
+    };
+    [[clang::uninitialized]] WaitingTriangles waiting(box, corners_of, is_wanted, visit_part);
+    find([&](std::uint32_t index) {
+      __builtin_prefetch(&mesh.indices[3 * std::size_t{index}]);
+      waiting.add(index);
+    });
+    waiting.visit_all();
   }
   template <class Visitor>
   void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
@@ -175,8 +167,6 @@ class Mesh {
   [[nodiscard]] Aabb box_beside(std::uint32_t triangle) const;
 
  private:
-  static constexpr std::size_t most_at_once = 32;
-
   // What stops other shapes: both sides of triangles, their fronts, or all that is inside.
   enum class Sides : std::uint8_t { both, front, solid };
 

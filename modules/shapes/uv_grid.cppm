@@ -36,13 +36,7 @@ class UvGrid {
 
   template <class Wanted, class Visitor>
   void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
-    const Mesh& mesh = data_->mesh;
-    cells().visit_overlaps(box, [&](std::uint32_t index) {
-      const TriangleCorners of_part = mesh.corners(index);
-      if (box_around(of_part).overlaps(box) && is_wanted(of_part)) {
-        visit(Triangle(of_part, index, mesh.is_one_sided(index)), index);
-      }
-    });
+    data_->mesh.visit_found(box, is_wanted, visit, [&](const auto& add) { cells().visit_overlaps(box, add); });
   }
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {

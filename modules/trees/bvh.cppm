@@ -38,12 +38,15 @@ class Bvh {
     [[clang::uninitialized]] std::array<std::uint32_t, most_waiting> waiting;
     std::size_t count = 0;
     std::uint32_t at = 0;
+    BoxSides limits = limits_of(compact(query, origin_));
     for (;;) {
       const EightBoxes& node = nodes_[at];
-      for (std::uint32_t met = node.overlapping(limits_of(compact(query, origin_))); met != 0; met &= met - 1) {
+      bool is_visited = false;
+      for (std::uint32_t met = node.overlapping(limits); met != 0; met &= met - 1) {
         const std::uint32_t child = node.numbers[static_cast<std::size_t>(std::countr_zero(met))];
         if (EightBoxes::is_item(child)) {
           visit(EightBoxes::item_of(child));
+          is_visited = true;
         } else {
           fetch(nodes_[child]);
           waiting[count++] = child;
@@ -52,6 +55,7 @@ class Bvh {
       if (count == 0) {
         return;
       }
+      limits = is_visited ? limits_of(compact(query, origin_)) : limits;
       at = waiting[--count];
     }
   }

@@ -50,8 +50,8 @@ class RangePyramid {
     descend(level, passed, whole, ray, spacing, limit, visit);
   }
 
-  // Calls visit(column, row) for the cells of a rectangle. Cells are left out where the blocks around them lie above or
-  // below a box, which visit may shrink.
+  // Calls visit(column, count, row) for the cells of a rectangle, for each row of a block at once. Cells are left out
+  // where the blocks around them lie above or below a box, which visit may shrink.
   template <class Visitor>
   void visit_over(const Rectangle& cells, const Aabb& box, Visitor&& visit) const {
     const std::size_t level = level_over(cells);
@@ -156,8 +156,8 @@ class RangePyramid {
     }
     return std::min(level, levels_.size());
   }
-  // The elements of `within` that hold cells of a rectangle: blocks of a level below `level`, or cells for 0. Of
-  // blocks, those that are entered: enters(level, column, row).
+  // The elements of `within` that hold cells of a rectangle: blocks of a level below `level`, or cells for 0, row by
+  // row. Of blocks, those that are entered: enters(level, column, row).
   template <class Enters, class Visitor>
   void descend_over(std::size_t level, const Rectangle& within, const Rectangle& cells, const Enters& enters,
                     Visitor&& visit) const {
@@ -166,10 +166,13 @@ class RangePyramid {
                         last_column =
                             std::min(within.column + within.columns - 1, (cells.column + cells.columns - 1) >> shift);
     for (std::uint32_t row = std::max(within.row, cells.row >> shift); row <= last_row; ++row) {
-      for (std::uint32_t column = std::max(within.column, cells.column >> shift); column <= last_column; ++column) {
-        if (level == 0) {
-          visit(column, row);
-        } else if (enters(level - 1, column, row)) {
+      std::uint32_t column = std::max(within.column, cells.column >> shift);
+      if (level == 0) {
+        visit(column, std::max(last_column + 1, column) - column, row);
+        continue;
+      }
+      for (; column <= last_column; ++column) {
+        if (enters(level - 1, column, row)) {
           descend_over(level - 1, elements_of(level - 1, column, row), cells, enters, visit);
         }
       }

@@ -35,27 +35,61 @@ using Flats = SmallVector<Vec2, 256>;
   return points;
 }
 
+// What contacts are put in order by.
+struct DepthKey {
+  Real distance;
+  std::uint64_t id;
+  std::uint32_t place;
+};
+
+// Puts a few keys in the order of their distances: how many are less tells the place of each. False, with nothing done,
+// where there are many, or where two tie.
+[[nodiscard]] inline bool sort_by_rank(std::span<DepthKey> keys) {
+  constexpr std::size_t most = 128;
+  if (keys.size() > most) {
+    return false;
+  }
+  [[clang::uninitialized]] std::array<Lanes, most / 4> distances;
+  const std::size_t groups = (keys.size() + 3) / 4;
+  for (std::size_t i = 0; i < 4 * groups; ++i) {
+    distances[i / 4][i % 4] = i < keys.size() ? keys[i].distance : infinity;
+  }
+  [[clang::uninitialized]] std::array<DepthKey, most> sorted;
+  std::array<bool, most> taken{};
+  for (const DepthKey& key : keys) {
+    LaneNumbers less = 0;
+    for (std::size_t group = 0; group < groups; ++group) {
+      less -= distances[group] < all_lanes(key.distance);
+    }
+    const auto rank = static_cast<std::size_t>(less[0] + less[1] + less[2] + less[3]);
+    if (taken[rank]) {
+      return false;
+    }
+    taken[rank] = true;
+    sorted[rank] = key;
+  }
+  std::ranges::copy(std::span(sorted).first(keys.size()), keys.begin());
+  return true;
+}
+
 // Puts contacts into the order of `comes_before`. They are large: small keys are sorted, and each contact moves once.
 // Of very many, which are rare, no list of keys is made: that would take memory from step to step.
 inline void sort_by_depth(std::span<ContactPoint> contacts) {
-  struct Key {
-    Real distance;
-    std::uint64_t id;
-    std::uint32_t place;
-  };
-  constexpr std::size_t most_keys = 64;
+  constexpr std::size_t most_keys = 256;
   if (contacts.size() > most_keys) {
     std::ranges::sort(contacts, comes_before);
     return;
   }
-  [[clang::uninitialized]] SmallVector<Key, most_keys> keys;
+  [[clang::uninitialized]] SmallVector<DepthKey, most_keys> keys;
   for (std::uint32_t place = 0; place < contacts.size(); ++place) {
     keys.push_back({contacts[place].distance, contacts[place].id, place});
   }
-  const std::span<Key> order = keys.span();
-  std::ranges::sort(order, [](const Key& a, const Key& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.id != b.id ? a.id < b.id : a.place < b.place;
-  });
+  const std::span<DepthKey> order = keys.span();
+  if (!sort_by_rank(order)) {
+    std::ranges::sort(order, [](const DepthKey& a, const DepthKey& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.id != b.id ? a.id < b.id : a.place < b.place;
+    });
+  }
   for (std::uint32_t start = 0; start < order.size(); ++start) {
     if (order[start].place == start) {
       continue;

@@ -22,9 +22,27 @@ constexpr Real same_patch_cosine = 0.98;
            (is_wide(contact.feature_a) && is_whole(contact.feature_b)));
 }
 
-using Ids = std::span<const std::uint64_t>;
+// Some ids, of which most that are asked for are none: a bit for what is left of each tells so.
+class Ids {
+ public:
+  explicit Ids(std::span<const std::uint64_t> ids) : ids_(ids) {
+    for (const std::uint64_t id : ids) {
+      bits_[word_of(id)] |= bit_of(id);
+    }
+  }
+  [[nodiscard]] bool empty() const { return ids_.empty(); }
+  [[nodiscard]] bool hold(std::uint64_t id) const {
+    return (bits_[word_of(id)] & bit_of(id)) != 0 && std::ranges::find(ids_, id) != ids_.end();
+  }
 
-bool holds(Ids ids, std::uint64_t id) { return std::ranges::find(ids, id) != ids.end(); }
+ private:
+  [[nodiscard]] static std::uint64_t mixed_up(std::uint64_t id) { return id * 0x9e3779b97f4a7c15; }
+  [[nodiscard]] static std::size_t word_of(std::uint64_t id) { return mixed_up(id) >> 60; }
+  [[nodiscard]] static std::uint64_t bit_of(std::uint64_t id) { return std::uint64_t{1} << (mixed_up(id) >> 54 & 63); }
+
+  std::span<const std::uint64_t> ids_;
+  std::array<std::uint64_t, 16> bits_{};
+};
 
 // Contacts are large, so that one which stays is not moved.
 void exchange(ContactPoint& a, ContactPoint& b) {
@@ -34,12 +52,12 @@ void exchange(ContactPoint& a, ContactPoint& b) {
 }
 
 // The place of the deepest contact. One that was kept before wins ties.
-[[nodiscard]] std::uint32_t deepest_of(std::span<const ContactPoint> contacts, Real tie, Ids before) {
+[[nodiscard]] std::uint32_t deepest_of(std::span<const ContactPoint> contacts, Real tie, const Ids& before) {
   std::uint32_t deepest = 0;
   std::optional<std::uint32_t> kept;
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     deepest = comes_before(contacts[i], contacts[deepest]) ? i : deepest;
-    if (holds(before, contacts[i].id) && (!kept || comes_before(contacts[i], contacts[*kept]))) {
+    if (before.hold(contacts[i].id) && (!kept || comes_before(contacts[i], contacts[*kept]))) {
       kept = i;
     }
   }
@@ -60,22 +78,21 @@ using SomeIds = SmallVector<std::uint64_t, Choice::capacity>;
 
 // The ids of a patch that were kept before. Where these are more than `most`, the ones that span most.
 [[nodiscard]] SomeIds kept_before(std::span<const ContactPoint> patch, std::span<const Vec2> points, std::size_t most,
-                                  Real extent, Ids before) {
+                                  Real extent, const Ids& before) {
   SomeIds all;
   for (const ContactPoint& contact : patch) {
-    if (holds(before, contact.id)) {
+    if (before.hold(contact.id)) {
       all.push_back(contact.id);
     }
   }
   if (all.size() <= most) {
     return all;
   }
+  const Ids ids(all.span());
   SomeIds best;
   Real most_area = -1;
   for (const std::uint64_t left_out : all.span()) {
-    const auto stays = [&](const ContactPoint& contact) {
-      return contact.id != left_out && holds(all.span(), contact.id);
-    };
+    const auto stays = [&](const ContactPoint& contact) { return contact.id != left_out && ids.hold(contact.id); };
     Choice others(patch, first_of(patch, stays));
     others.grow(patch, most, extent, stays);
     if (const Real twice_area = others.twice_area(points); twice_area > most_area) {
@@ -90,8 +107,8 @@ using SomeIds = SmallVector<std::uint64_t, Choice::capacity>;
 }
 
 // The points that were kept before, and the ones that span most with them.
-[[nodiscard]] Choice keep_again(std::span<const ContactPoint> patch, std::size_t most, Real extent, Ids before) {
-  const auto was_kept = [&](const ContactPoint& contact) { return holds(before, contact.id); };
+[[nodiscard]] Choice keep_again(std::span<const ContactPoint> patch, std::size_t most, Real extent, const Ids& before) {
+  const auto was_kept = [&](const ContactPoint& contact) { return before.hold(contact.id); };
   Choice choice(patch, first_of(patch, was_kept));
   choice.grow(patch, most, extent, was_kept);
   for (std::uint32_t place = 0; place < patch.size(); ++place) {
@@ -134,7 +151,7 @@ struct Ties {
 
 // Brings the points that hold a patch to its front. Those that were kept before stay while one of them is as deep as
 // any, and while they span nearly as much as others could.
-std::size_t hold_patch(std::span<ContactPoint> patch, std::size_t most, Ids before, const Ties& ties) {
+std::size_t hold_patch(std::span<ContactPoint> patch, std::size_t most, const Ids& before, const Ties& ties) {
   sort_by_depth(patch);
   if (patch.size() <= most) {
     return patch.size();
@@ -147,7 +164,7 @@ std::size_t hold_patch(std::span<ContactPoint> patch, std::size_t most, Ids befo
   if (again.empty()) {
     return bring_to_front(patch, fresh(0).places());
   }
-  const Choice same = keep_again(patch, most, extent, again.span());
+  const Choice same = keep_again(patch, most, extent, Ids(again.span()));
   const Real as_deep = patch[0].distance + ties.depth * extent, enough = same.twice_area(points) / tied_area;
   // Any of the points that tie in depth could have been the deepest when the others were chosen for it.
   const bool stays = std::ranges::any_of(same.places(), [&](std::uint32_t place) {
@@ -157,7 +174,7 @@ std::size_t hold_patch(std::span<ContactPoint> patch, std::size_t most, Ids befo
 }
 
 // The deepest contact is always kept. It is one more where it is none of the points that hold the patch.
-std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, Ids before, const Ties& ties) {
+std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, const Ids& before, const Ties& ties) {
   std::size_t kept = ties.are_exact()
                          ? hold_patch(patch, most, before, ties)
                          : hold_patch(without_running(patch, ties.running * extent_of(patch)), most, before, ties);
@@ -169,7 +186,7 @@ std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, Ids be
   return kept;
 }
 
-std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, Ids before, const Ties& ties) {
+std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, const Ids& before, const Ties& ties) {
   if (most == 0 || contacts.size() <= most) {
     sort_by_depth(contacts);
     return contacts.size();
@@ -196,10 +213,10 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, I
 }  // namespace
 
 std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most) {
-  return reduce_patches(contacts, most, {}, {0, 0});
+  return reduce_patches(contacts, most, Ids({}), {0, 0});
 }
-std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, Ids before) {
-  return reduce_patches(contacts, most, most == 1 ? Ids{} : before,
+std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, std::span<const std::uint64_t> before) {
+  return reduce_patches(contacts, most, Ids(most == 1 ? std::span<const std::uint64_t>{} : before),
                         most == 1 ? Ties{0, 0} : Ties{tied_depth, running_depth});
 }
 

@@ -15,33 +15,55 @@ inline constexpr Real claim_blur = 1e-6;
 class Claims {
  public:
   // `is_turned`: the normal is that of a face, not that of the least way out.
-  void add(const Vec3& normal, Real depth, bool is_turned) {
-    // One claim is enough for normals that are alike, and some are enough of many: fewer claims leave more contacts.
-    for (Claim& claim : claims_.span()) {
-      if (claim.is_turned == is_turned && dot(claim.normal, normal) > 1 - 1e-4) {
-        if (depth > claim.depth) {
-          claim = {normal, depth, is_turned};
-        }
-        return;
+  void add(const Vec3& normal, Real depth, bool is_turned) { claims_.push_back({normal, depth, 0, is_turned}); }
+
+  // To be called after the last one. One claim is enough for normals that are alike, and some are enough of many: fewer
+  // claims leave more contacts. The order in which they came has no say. `lowest_along`: where b begins along a
+  // direction.
+  template <class LowestAlong>
+  void settle(const LowestAlong& lowest_along) {
+    const std::span<Claim> claims = claims_.span();
+    std::ranges::sort(claims, [](const Claim& a, const Claim& b) {
+      return std::tie(a.is_turned, b.depth, a.normal.x, a.normal.y, a.normal.z) <
+             std::tie(b.is_turned, a.depth, b.normal.x, b.normal.y, b.normal.z);
+    });
+    count_ = 0;
+    for (std::size_t i = 0; i < claims.size() && count_ < most_claims; ++i) {
+      const Claim& claim = claims[i];
+      const bool is_new = std::ranges::none_of(claims.first(count_), [&](const Claim& other) {
+        return other.is_turned == claim.is_turned && dot(other.normal, claim.normal) > 1 - 1e-4;
+      });
+      if (is_new) {
+        claims[count_] = claim;
+        claims[count_].lowest = lowest_along(claim.normal);
+        ++count_;
       }
-    }
-    if (claims_.size() < most_claims) {
-      claims_.push_back({normal, depth, is_turned});
     }
   }
 
+  // Of the claims that count.
+  [[nodiscard]] Vec3 sum_of_normals() const {
+    Vec3 sum{0, 0, 0};
+    for (const Claim& claim : claims_.span().first(count_)) {
+      sum = sum + claim.normal;
+    }
+    return sum;
+  }
+
   // The depth along a normal that a triangle may claim. Its contacts there are as deep as `depth`.
-  // `overlap_along` tells how far b has to move along a direction to be parted from the triangle.
+  // `overlap_along` tells how far b has to move along a direction to be parted from the triangle, from where b begins
+  // along it.
   template <class OverlapAlong>
   [[nodiscard]] Real allowed_depth(const Vec3& normal, Real depth, Real noise,
                                    const OverlapAlong& overlap_along) const {
     const Real blur = claim_blur * depth + noise;
     Real allowed = infinity;
-    for (const Claim& claim : claims_.span()) {
+    for (const Claim& claim : claims_.span().first(count_)) {
       const Real share = claim.depth * dot(claim.normal, normal) + blur;
       // Where both are turned, the less deep one is right.
       const bool may_judge = !claim.is_turned || claim.depth < depth - blur;
-      if (may_judge && share < std::min(depth, allowed) && overlap_along(claim.normal) <= claim.depth + noise) {
+      if (may_judge && share < std::min(depth, allowed) &&
+          overlap_along(claim.normal, claim.lowest) <= claim.depth + noise) {
         allowed = share;
       }
     }
@@ -52,11 +74,13 @@ class Claims {
   struct Claim {
     Vec3 normal;
     Real depth;
+    Real lowest;
     bool is_turned;
   };
   static constexpr std::size_t most_claims = 16;
 
-  SmallVector<Claim, most_claims> claims_;
+  SmallVector<Claim, 32> claims_;
+  std::size_t count_ = 0;  // of those that count, which come first
 };
 
 }  // namespace abut

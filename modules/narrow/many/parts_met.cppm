@@ -61,9 +61,12 @@ class PartsMet {
     }
     return parts_.size() - 1;
   }
-  // Directions that might part the whole: the least way out of a part, beside those out of faces.
+  // Directions that might part the whole: the normals of contacts, the least ways out of parts, and the ways out of
+  // faces.
   void add_way(const Vec3& way) {
-    if (ways_.empty() || !(ways_[ways_.size() - 1] == way)) {
+    const std::span<const Vec3> ways = ways_.span();
+    const auto is_it = [&](const Vec3& other) { return other == way; };
+    if (std::ranges::none_of(ways.last(std::min<std::size_t>(ways.size(), 4)), is_it)) {
       ways_.push_back(way);
     }
   }
@@ -72,27 +75,26 @@ class PartsMet {
     return parts_[part].overlap_along(direction, lowest);
   }
 
-  // How far b has to move, along the best of the normals of contacts and of the ways; not more than `most`, by
-  // which the part `deepest` overlaps. `lowest_along`: where b begins along a direction.
+  // How far b has to move, along the best of the ways and of the mean of `normals`; not more than `most`, by which the
+  // part `deepest` overlaps. `lowest_along`: where b begins along a direction; `inner`: no later than there.
   template <class LowestAlong>
-  [[nodiscard]] Real depth(std::span<const ContactPoint> contacts, std::size_t deepest, Real most,
-                           const LowestAlong& lowest_along) const {
+  [[nodiscard]] Real depth(const Vec3& normals, std::size_t deepest, Real most, const LowestAlong& lowest_along,
+                           const Vec3& inner) const {
     Real least = most;
     // Parts that lately were not parted are asked first: one of them mostly stands in the way again.
     std::array<std::size_t, 4> blocking;
     blocking.fill(deepest);
     const auto consider = [&](const Vec3& direction) {
+      if constexpr (!std::same_as<B, Triangle>) {
+        const PartMet<B>& first = parts_[blocking[0]];
+        if (first.gap() <= 0 && first.overlap_along(direction, dot(direction, inner)) >= least) {
+          return;
+        }
+      }
       least = std::min(least, overlap_of_all(direction, lowest_along(direction), least, blocking));
     };
-    Vec3 sum{0, 0, 0};
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      if (i == 0 || !(contacts[i].normal == contacts[i - 1].normal)) {
-        consider(contacts[i].normal);
-        sum = sum + contacts[i].normal;
-      }
-    }
     // Over a crest the way between the faces is shorter than out of any one of them.
-    if (const auto between = UnitVec3::make(sum)) {
+    if (const auto between = UnitVec3::make(normals)) {
       consider(*between);
     }
     for (const Vec3& way : ways_.span()) {
@@ -115,21 +117,22 @@ class PartsMet {
   // far as `enough`, the answer is `enough`, and the part that overlaps so far comes first in a list.
   [[nodiscard]] Real overlap_of_all(const Vec3& direction, Real lowest, Real enough,
                                     std::span<std::size_t> blocking) const {
+    const std::span<const PartMet<B>> parts = parts_.span();
     for (const std::size_t part : blocking) {
-      if (parts_[part].gap() <= 0 && parts_[part].overlap_along(direction, lowest) >= enough) {
+      if (parts[part].gap() <= 0 && parts[part].overlap_along(direction, lowest) >= enough) {
         return enough;
       }
     }
     Real depth = 0;
     for (bool has_grown = true; has_grown;) {
       has_grown = false;
-      for (std::size_t part = 0; part < parts_.size(); ++part) {
-        if (parts_[part].gap() > depth) {
+      for (std::size_t part = 0; part < parts.size(); ++part) {
+        if (parts[part].gap() > depth) {
           continue;
         }
-        const Real overlap = parts_[part].overlap_along(direction, lowest);
+        const Real overlap = parts[part].overlap_along(direction, lowest);
         if (overlap >= enough) {
-          if (parts_[part].gap() <= 0) {
+          if (parts[part].gap() <= 0) {
             std::move_backward(blocking.begin(), blocking.end() - 1, blocking.end());
             blocking.front() = part;
           }

@@ -109,7 +109,7 @@ class SolidExit {
   void visit_overlaps_at(const Pose& at, Visitor&& visit) const {
     const QuickAxes<B> axes(b_, at);
     Aabb query = b_.aabb(at);
-    const auto is_near = [&](const TriangleCorners& corners) { return !axes.are_beyond(corners, b_.radius()); };
+    const InFours is_near{[&](const FourTriangles& triangles) { return axes.near(triangles, b_.radius()); }};
     a_.visit_parts(query, is_near, [&](const Triangle& part, std::uint32_t) {
       const CoreSeparation core = separate_from_triangle(part, b_, at, settings_, b_.radius());
       if (!core.beyond && core.distance - b_.radius() < -touching_) {

@@ -90,10 +90,18 @@ class SurfaceContacts {
     met_.add_way(core.normal);
   }
 
-  // To be called after the last part.
-  void finish() {
+  // To be called after the last part. `add_more`: adds parts that were passed over; it is called where there is no
+  // contact otherwise.
+  template <class AddMore>
+  void finish(const AddMore& add_more) {
     settle_claims();
+    if (out_.size() == first_) {
+      add_more();
+    }
     append_left();
+  }
+  void finish() {
+    finish([] {});
   }
 
  private:
@@ -107,6 +115,7 @@ class SurfaceContacts {
   // The deepest contact that was left to a neighbour across an edge.
   struct Left {
     std::uint32_t part_of_a, part_of_b;
+    Vec3 normal;  // of part a
     CoreSeparation core;
   };
 
@@ -163,9 +172,14 @@ class SurfaceContacts {
     }
   }
 
+  // Where two are equally deep, the order in which they came has no say.
   void leave(const Triangle& triangle, std::uint32_t part_of_b, const CoreSeparation& core) {
-    if (!left_ || core.distance < left_->core.distance) {
-      left_ = Left{triangle.index(), part_of_b, core};
+    const auto key = [](Real distance, const Vec3& n, std::uint32_t part) {
+      return std::tuple(distance, n.x, n.y, n.z, part);
+    };
+    if (!left_ ||
+        key(core.distance, triangle.normal(), part_of_b) < key(left_->core.distance, left_->normal, left_->part_of_b)) {
+      left_ = Left{triangle.index(), part_of_b, triangle.normal(), core};
     }
   }
 
@@ -178,30 +192,44 @@ class SurfaceContacts {
   // The normals of faces may stand in for the normal that was found; the one that parts them sooner does.
   [[nodiscard]] std::optional<Turned> turn(const Triangle& triangle, const B& b, const CoreSeparation& core,
                                            const Fronts<B>& fronts, bool turns_a, bool turns_b) const {
-    std::optional<Turned> best;
+    struct Way {
+      Vec3 normal;
+      Real distance;
+      bool is_of_b;
+    };
+    Way best{{0, 0, 0}, -infinity, false};
     // Cores that are apart are on the side that their closest points tell.
     const bool is_apart = !core.overlap && fronts.allows(core.normal);
-    const auto consider = [&](const Vec3& normal, bool is_of_b, const auto& along) {
+    const auto consider = [&](const Vec3& normal, bool is_of_b, const auto& distance_along) {
       for (const Vec3& direction : {normal, -normal}) {
         if ((!is_apart || dot(core.normal, direction) >= 0) && fronts.nearly_allows(direction)) {
-          const CoreSeparation separation = along(direction);
-          if (!best || separation.distance > best->separation.distance) {
-            best = Turned{separation, is_of_b};
-          }
+          const Real distance = distance_along(direction);
+          best = distance > best.distance ? Way{direction, distance, is_of_b} : best;
         }
       }
     };
     if (turns_a) {
-      consider(triangle.normal(), false,
-               [&](const Vec3& direction) { return along_face(triangle, b, ab_, core, direction); });
+      consider(triangle.normal(), false, [&](const Vec3& direction) {
+        return dot(direction, placed_support(b, place(b, ab_), -direction).point - triangle.corners()[0]);
+      });
     }
     if constexpr (Surface<Other>) {
       if (turns_b) {
-        consider(-(ab_.rotation * b.normal()), true,
-                 [&](const Vec3& direction) { return along_other_face(triangle, b, ab_, core, direction); });
+        const Vec3 corner_of_b = ab_ * b.corners()[0];
+        consider(-(ab_.rotation * b.normal()), true, [&](const Vec3& direction) {
+          return dot(direction, corner_of_b - triangle.support(direction).point);
+        });
       }
     }
-    return best;
+    if (!(best.distance > -infinity)) {
+      return std::nullopt;
+    }
+    if constexpr (Surface<Other>) {
+      if (best.is_of_b) {
+        return Turned{along_other_face(triangle, b, ab_, core, best.normal), true};
+      }
+    }
+    return Turned{along_face(triangle, b, ab_, core, best.normal), false};
   }
 
   [[nodiscard]] bool is_over_face(const Triangle& triangle, const B& b, const Turned& turned) const {
@@ -220,6 +248,9 @@ class SurfaceContacts {
               bool closest_count) {
     const std::size_t first = out_.size();
     contacts_under(triangle, b, ab_, core, settings_.margin, closest_count, out_);
+    if (out_.size() > first) {
+      met_.add_way(core.normal);
+    }
     for (ContactPoint& contact : std::span(out_).subspan(first)) {
       contact.id = contact_id_of_part(contact.id, triangle.index());
       contact.feature_a = {FeatureKind::face, triangle.index()};
@@ -255,6 +286,10 @@ class SurfaceContacts {
 
   // Takes out what turned contacts claim too much.
   void settle_claims() {
+    if (turned_.empty()) {
+      return;
+    }
+    claims_.settle([&](const Vec3& direction) { return lowest_along(direction); });
     std::size_t kept = first_, next = first_;
     const Real whole = depth_of_whole();
     const auto keep = [&](std::size_t last, Real depth) {
@@ -272,9 +307,9 @@ class SurfaceContacts {
         continue;
       }
       const Vec3 normal = out_[group.first].normal;
-      const Real claimed = claims_.allowed_depth(normal, group.depth, group.noise, [&](const Vec3& direction) {
-        return met_.overlap_along(group.part, direction, lowest_along(direction));
-      });
+      const Real claimed = claims_.allowed_depth(
+          normal, group.depth, group.noise,
+          [&](const Vec3& direction, Real lowest) { return met_.overlap_along(group.part, direction, lowest); });
       const Real allowed = std::min(claimed, (1 + claim_blur) * whole + group.noise);
       if (allowed < group.depth) {
         keep(group.first, infinity);
@@ -299,8 +334,9 @@ class SurfaceContacts {
     if (!deepest || deepest->depth <= (1 + claim_blur) * depth_) {
       return infinity;
     }
-    return met_.depth(std::span(out_).subspan(first_), deepest->part, deepest->depth,
-                      [&](const Vec3& direction) { return lowest_along(direction); });
+    return met_.depth(
+        claims_.sum_of_normals(), deepest->part, deepest->depth,
+        [&](const Vec3& direction) { return lowest_along(direction); }, inner());
   }
 
   // Where b begins along a direction, unless it is made of parts: each knows its own.
@@ -309,6 +345,15 @@ class SurfaceContacts {
       return 0;
     } else {
       return dot(direction, placed_support(other_, place(other_, ab_), -direction).point) - other_.radius();
+    }
+  }
+
+  // A point of b, which begins no later.
+  [[nodiscard]] Vec3 inner() const {
+    if constexpr (Surface<Other>) {
+      return {0, 0, 0};
+    } else {
+      return placed_centre(other_, ab_);
     }
   }
 

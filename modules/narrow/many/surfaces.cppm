@@ -7,8 +7,10 @@ import abut.core;
 import abut.math;
 import abut.math.tolerance;
 import abut.narrow.convex;
+import abut.narrow.many.four_nearest;
 import abut.narrow.many.half_space;
 import abut.narrow.many.nearest_of_parts;
+import abut.narrow.many.point_ghosts;
 import abut.narrow.many.quick_axes;
 import abut.narrow.many.solid_contacts;
 import abut.narrow.many.solid_depth;
@@ -49,9 +51,8 @@ bool nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
                   std::uint32_t& nearest) {
   const Aabb around = b.aabb(ab);
   const QuickAxes<B> axes(b, ab);
-  const auto may_be_nearer = [&](const TriangleCorners& corners) {
-    return !axes.are_beyond(corners, best.distance + b.radius());
-  };
+  const InFours may_be_nearer{
+      [&](const FourTriangles& triangles) { return axes.near(triangles, best.distance + b.radius()); }};
   bool is_found = false;
   const auto consider = [&](const typename A::Part& part) {
     if (take_nearer(part, b, ab, settings, best)) {
@@ -126,10 +127,20 @@ template <Surface A, Convex B>
   SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
   Aabb query = b.aabb(ab).inflated(std::max(settings.margin, Real{0}));
   const QuickAxes<B> axes(b, ab);
-  a.visit_parts(
-      query, [&](const TriangleCorners& corners) { return !axes.are_beyond(corners, settings.margin + b.radius()); },
-      [&](const typename A::Part& part, std::uint32_t) { contacts.add(part, b, 0); });
-  contacts.finish();
+  const Real limit = settings.margin + b.radius();
+  const auto add = [&](const typename A::Part& part, std::uint32_t) { contacts.add(part, b, 0); };
+  if constexpr (PointCored<B>) {
+    [[clang::uninitialized]] PointGhosts<A> ghosts(a, placed_centre(b, ab));
+    const auto ask = [&](const FourTriangles& triangles) {
+      const FourNearest nearest = axes.nearest_of(triangles);
+      return ghosts.without(triangles, nearest, axes.near(triangles, nearest, limit));
+    };
+    a.visit_parts(query, InFours{ask}, add);
+    contacts.finish([&] { ghosts.visit(add); });
+  } else {
+    a.visit_parts(query, InFours{[&](const FourTriangles& triangles) { return axes.near(triangles, limit); }}, add);
+    contacts.finish();
+  }
   if constexpr (Enclosing<A>) {
     if (a.is_solid()) {
       keep_leading_out(a, first, out);

@@ -47,7 +47,7 @@ void visit_two_parts(const A& a, const B& b, const Pose& ab, Real reach, Visitor
       const Triangle part = b.part(of_b);
       held.emplace(Held{part, {part, ab}});
     }
-    if (const TriangleCorners corners = a.corners(of_a); !held->axes.are_beyond(corners, reach)) {
+    if (held->axes.near(FourTriangles::all(a.corners(of_a)), reach) != 0) {
       reach = visit(a.part(of_a), held->part);
     }
     return reach + noise;

@@ -11,9 +11,8 @@ export namespace abut {
 
 // The corners of a triangle that lie furthest along a direction, by bit: one of a vertex, two of an edge, three of the
 // face.
-[[nodiscard]] inline unsigned outermost_corners(const Triangle& triangle, const Vec3& direction, Real noise) {
-  const Vec3 origin = triangle.corners()[0];
-  const Real b = dot(direction, triangle.corners()[1] - origin), c = dot(direction, triangle.corners()[2] - origin);
+[[nodiscard]] inline unsigned outermost_corners(const TriangleCorners& corners, const Vec3& direction, Real noise) {
+  const Real b = dot(direction, corners[1] - corners[0]), c = dot(direction, corners[2] - corners[0]);
   const Real outermost = std::max(std::max(b, c), Real{0}) - noise;
   return (0 >= outermost ? 1u : 0u) | (b >= outermost ? 2u : 0u) | (c >= outermost ? 4u : 0u);
 }
@@ -29,7 +28,7 @@ template <Surface S>
   if (!triangle.has_area() || is_along(direction, triangle.normal())) {
     return true;
   }
-  const unsigned corners = outermost_corners(triangle, direction, noise);
+  const unsigned corners = outermost_corners(triangle.corners(), direction, noise);
   return corners == 7 || surface.is_crest(triangle.index(), corners, direction, noise);
 }
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
 import abut.math;
 import abut.narrow.many.claims;
 
@@ -12,8 +17,9 @@ using abut::Vec3;
 constexpr Vec3 x{1, 0, 0}, z{0, 0, 1};
 
 // What the claims leave of a depth of 0.9 along z, to a triangle that is parted by `overlap` along any direction.
-double left_of(const Claims& claims, double overlap) {
-  return claims.allowed_depth(z, 0.9, 1e-15, [&](const Vec3&) { return overlap; });
+double left_of(Claims claims, double overlap) {
+  claims.settle([](const Vec3&) { return 0.0; });
+  return claims.allowed_depth(z, 0.9, 1e-15, [&](const Vec3&, double) { return overlap; });
 }
 
 TEST(Claims, LeaveAllWhereThereIsNone) { EXPECT_EQ(left_of({}, 0), abut::infinity); }
@@ -37,6 +43,37 @@ TEST(Claims, OfTwoTurnedOnesTheLessDeepOneIsRight) {
   EXPECT_EQ(left_of(claims, 0.05), abut::infinity);
   claims.add({0, 1, 0}, 0.5, true);
   EXPECT_NEAR(left_of(claims, 0.05), 0, 1e-5);
+}
+
+// Many more than count, some of them alike.
+TEST(Claims, DoNotDependOnTheirOrder) {
+  struct Each {
+    Vec3 normal;
+    double depth;
+    bool is_turned;
+  };
+  std::mt19937 random(811);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::vector<Each> all;
+  for (int i = 0; i < 60; ++i) {
+    const double angle = 0.02 * number(random) * i;
+    all.push_back({{std::sin(angle), 0, std::cos(angle)}, std::fabs(number(random)), i % 3 == 0});
+  }
+  const auto left = [&] {
+    Claims claims;
+    for (const Each& each : all) {
+      claims.add(each.normal, each.depth, each.is_turned);
+    }
+    claims.settle([](const Vec3& direction) { return direction.x; });
+    const Vec3 sum = claims.sum_of_normals();
+    return std::vector<double>{claims.allowed_depth(z, 0.9, 1e-15, [](const Vec3&, double lowest) { return lowest; }),
+                               sum.x, sum.z};
+  };
+  const std::vector<double> first = left();
+  for (int i = 0; i < 20; ++i) {
+    std::shuffle(all.begin(), all.end(), random);
+    EXPECT_EQ(left(), first);
+  }
 }
 
 TEST(Claims, OfLikeNormalsTheDeepestCounts) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -13,6 +14,7 @@
 
 import abut.capability;
 import abut.math;
+import abut.narrow.many.four_nearest;
 import abut.narrow.many.quick_axes;
 import abut.narrow.many.triangle_point;
 import abut.shapes.box;
@@ -57,6 +59,18 @@ TriangleCorners random_sliver(test::Random& random) {
   return {near, near + along, near + random.uniform(-1, 1) * along};
 }
 
+// Whether a triangle is left out; other triangles are in the other lanes.
+template <class S>
+bool is_left_out(const abut::QuickAxes<S>& axes, const TriangleCorners& corners, double limit, std::size_t lane) {
+  std::array<TriangleCorners, 4> four;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double away = 3.0 * (static_cast<double>(i) - static_cast<double>(lane));
+    const Vec3 shift{away, -away, 0.5 * away};
+    four.at(i) = {corners[0] + shift, corners[1] + shift, corners[2] + shift};
+  }
+  return (axes.near(abut::FourTriangles::of(four, {}), limit) >> lane & 1) == 0;
+}
+
 struct Counts {
   int left_out = 0, kept = 0;
 };
@@ -72,7 +86,8 @@ Counts check(const S& shape, const std::function<double(const Vec3&)>& outside, 
     const Pose pose{random.rotation(), random.point(1)};
     const double limit = i % 3 == 0 ? 0 : random.uniform(0, 0.3);
     const double least = least_over(corners, [&](const Vec3& p) { return outside(pose.undo(p)); });
-    const bool are_beyond = abut::QuickAxes<S>(shape, pose).are_beyond(corners, limit);
+    const bool are_beyond =
+        is_left_out(abut::QuickAxes<S>(shape, pose), corners, limit, static_cast<std::size_t>(i) % 4);
     EXPECT_FALSE(are_beyond && least <= limit) << "triangle " << i << " comes within " << least << " of " << limit;
     // The nearest point lies within a step of one that was looked at.
     const double at_least = least - longest_side(corners) / steps;
@@ -124,7 +139,8 @@ TEST(QuickAxes, OfTwoTrianglesLeaveOutNoneThatComesNear) {
     const Pose pose{random.rotation(), random.point(1)};
     const double limit = i % 3 == 0 ? 0 : random.uniform(0, 0.3);
     const abut::Triangle other(second, 0, false);
-    const bool are_beyond = abut::QuickAxes<abut::Triangle>(other, pose).are_beyond(first, limit);
+    const bool are_beyond =
+        is_left_out(abut::QuickAxes<abut::Triangle>(other, pose), first, limit, static_cast<std::size_t>(i) % 4);
     const TriangleCorners placed{pose * second[0], pose * second[1], pose * second[2]};
     const double least = least_over(first, [&](const Vec3& p) { return norm(p - abut::nearest_on(placed, p)); });
     EXPECT_FALSE(are_beyond && least <= limit) << "triangle " << i << " comes within " << least << " of " << limit;
@@ -132,6 +148,30 @@ TEST(QuickAxes, OfTwoTrianglesLeaveOutNoneThatComesNear) {
   }
   EXPECT_GT(counts.left_out, 50);
   EXPECT_GT(counts.kept, 30);
+}
+
+// Slivers and points too.
+TEST(FourNearest, AgreeWithEachTriangleByItself) {
+  test::Random random(807);
+  int aside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::array<TriangleCorners, 4> four;
+    for (TriangleCorners& corners : four) {
+      corners = i % 7 == 0 ? random_sliver(random) : random_triangle(random, i % 5 == 0 ? 0.05 : 1.5);
+    }
+    const Vec3 corner = random.point(2);
+    four[2] = i % 11 == 0 ? TriangleCorners{corner, corner, corner} : four[2];
+    const Vec3 point = random.point(3);
+    const abut::FourNearest nearest(abut::FourTriangles::of(four, {}), point);
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const Vec3 expected = abut::nearest_on(four.at(lane), point);
+      const double further = std::sqrt(nearest.square[lane]) - norm(point - expected);
+      EXPECT_LE(further, 1e-9);
+      EXPECT_TRUE(i % 7 == 0 || further >= -1e-9) << "only slivers have their nearest point in doubt";
+      aside += nearest.is_aside[lane] != 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(aside, 4000);
 }
 
 TEST(NearestOnATriangle, IsNoFurtherThanAnyPoint) {
