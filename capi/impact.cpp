@@ -114,11 +114,8 @@ abut_status impact_of_one(const PlacedPair& pair, const abut_movement& movement_
   return refuse_outcome(find_impact(pair.a, pair.b, paths, query, out), pair.a, pair.b, abut::Algorithm::automatic);
 }
 
-struct MovementsOfEach {
-  std::span<const abut_movement> a, b;
-};
-
-abut_status impact_of_each(const PairBatch& pairs, const MovementsOfEach& movements, double duration,
+abut_status impact_of_each(const PairBatch& pairs, std::span<const abut_movement> movements_a,
+                           std::span<const abut_movement> movements_b, double duration,
                            const abut_impact_options* options, std::span<abut_impact> out) {
   ImpactQuery query;
   abut_status status = check_feature();
@@ -126,9 +123,9 @@ abut_status impact_of_each(const PairBatch& pairs, const MovementsOfEach& moveme
   status = status != ABUT_OK ? status : read_impact_options(options, query);
   std::vector<Paths> paths(pairs.size());
   for (std::size_t i = 0; status == ABUT_OK && i < paths.size(); ++i) {
-    status = read_path({"poses_a", i}, pairs.poses_a[i], {"movements_a", i}, movements.a[i], duration, paths[i].a);
+    status = read_path({"poses_a", i}, pairs.poses_a[i], {"movements_a", i}, movements_a[i], duration, paths[i].a);
     status = status != ABUT_OK ? status
-                               : read_path({"poses_b", i}, pairs.poses_b[i], {"movements_b", i}, movements.b[i],
+                               : read_path({"poses_b", i}, pairs.poses_b[i], {"movements_b", i}, movements_b[i],
                                            duration, paths[i].b);
   }
   if (status != ABUT_OK) {
@@ -193,12 +190,12 @@ abut_status abut_pairs_time_of_impact(const abut_shape* a, const abut_pose* pose
                                       abut_impact* out) {
   return guard([&] {
     PairBatch pairs{};
-    MovementsOfEach movements;
+    std::span<const abut_movement> all_a, all_b;
     std::span<abut_impact> answers;
     abut_status status = read_span("out", out, "count", count, answers);
     status = status != ABUT_OK ? status : read_batch(a, poses_a, b, poses_b, "count", count, pairs);
-    status = status != ABUT_OK ? status : read_span("movements_a", movements_a, "count", count, movements.a);
-    status = status != ABUT_OK ? status : read_span("movements_b", movements_b, "count", count, movements.b);
-    return status != ABUT_OK ? status : impact_of_each(pairs, movements, duration, options, answers);
+    status = status != ABUT_OK ? status : read_span("movements_a", movements_a, "count", count, all_a);
+    status = status != ABUT_OK ? status : read_span("movements_b", movements_b, "count", count, all_b);
+    return status != ABUT_OK ? status : impact_of_each(pairs, all_a, all_b, duration, options, answers);
   });
 }

@@ -3,8 +3,8 @@
 //
 // A round finds the distance at a time, and with it a separating direction. Then a later time is proposed: where the
 // gap along the direction is closed by the present speed. The gap along a direction is the least of many smooth
-// functions, one for each two points. The second derivative of each is bounded, so two values of the gap prove the time
-// between them free, up to where the bound is used up. The bound shrinks with the square of the time.
+// functions, one for each two points. The second derivative of each is bounded. So two values of the gap prove the time
+// between them free, or some of it. What the bound takes away shrinks with the square of the time.
 //
 // Far away the direction stays as it is. Near the touch it turns as the features turn that span it: as a face of one
 // part does, or across two edges. Otherwise each corner of a face that turns would count as an approach.
@@ -62,21 +62,15 @@ Bounds bounds_of(const MovingPart& a, const MovingPart& b, const TimeSpan& span)
           acceleration, norm(acceleration)};
 }
 
-struct Search {
-  const MovingPart& a;
-  const MovingPart& b;
-  const ImpactSettings& settings;
-  const Bounds bounds;
+Real radii_of(const MovingPair& pair) { return pair.a.part.radius() + pair.b.part.radius(); }
+Placed placed_at(const MovingPair& pair, Real time) { return {pair.a.at(time), pair.b.at(time)}; }
 
-  [[nodiscard]] Real radii() const { return a.part.radius() + b.part.radius(); }
-  [[nodiscard]] Placed at(Real time) const { return {a.at(time), b.at(time)}; }
-  // How far b is from a along a unit vector, less the margin and what rounding may add.
-  [[nodiscard]] Real gap_along(const Placed& placed, const Vec3& normal) const {
-    const Vec3 on_a = placed.a * a.part.support(placed.a.rotation.undo(normal)).point;
-    const Vec3 on_b = placed.b * b.part.support(placed.b.rotation.undo(-normal)).point;
-    return dot(normal, on_b - on_a) - radii() - settings.margin - rounding_of(settings.size);
-  }
-};
+// How far b is from a along a unit vector, less the margin and what rounding may add.
+Real gap_along(const MovingPair& pair, const Placed& placed, const Vec3& normal) {
+  const Vec3 on_a = placed.a * pair.a.part.support(placed.a.rotation.undo(normal)).point;
+  const Vec3 on_b = placed.b * pair.b.part.support(placed.b.rotation.undo(-normal)).point;
+  return dot(normal, on_b - on_a) - radii_of(pair) - pair.settings.margin - rounding_of(pair.settings.size);
+}
 
 // The velocity of a point of a body in the world.
 Vec3 velocity_of(const Path& path, const Vec3& point, Real time) {
@@ -108,7 +102,7 @@ Change change_of_normal(const Vec3& n, std::span<const Vec3> points, std::span<c
 }
 
 // In the world, from a search in the frame of a. `time`: of the velocities.
-Separation separation_of(const Search& search, const Placed& placed, const GjkResult& found, Real time) {
+Separation separation_of(const MovingPair& pair, const Placed& placed, const GjkResult& found, Real time) {
   Separation out{};
   const Rotation& turned = placed.a.rotation;
   const Vec3 n = turned * found.normal;
@@ -120,7 +114,7 @@ Separation separation_of(const Search& search, const Placed& placed, const GjkRe
     const DifferenceVertex& vertex = found.simplex.vertices[i];
     const Vec3 of_a = placed.a * vertex.a, difference = turned * vertex.w;
     points[i] = difference;
-    velocities[i] = velocity_of(search.a.path, of_a, time) - velocity_of(search.b.path, of_a - difference, time);
+    velocities[i] = velocity_of(pair.a.path, of_a, time) - velocity_of(pair.b.path, of_a - difference, time);
     velocity += weights[i] * velocities[i];
     on_a += weights[i] * of_a;
   }
@@ -128,11 +122,11 @@ Separation separation_of(const Search& search, const Placed& placed, const GjkRe
       change_of_normal(n, std::span(points).first(size), std::span(velocities).first(size), velocity, found.upper);
   const Vec3 turning = cross(n, change.with_edges + change.with_points);
   const Vec3 on_b = on_a + found.upper * n;
-  out.distance = {found.upper - search.radii(),
-                  found.lower - search.radii(),
-                  found.upper - search.radii(),
-                  on_a + search.a.part.radius() * n,
-                  on_b - search.b.part.radius() * n,
+  out.distance = {found.upper - radii_of(pair),
+                  found.lower - radii_of(pair),
+                  found.upper - radii_of(pair),
+                  on_a + pair.a.part.radius() * n,
+                  on_b - pair.b.part.radius() * n,
                   n,
                   Algorithm::gjk_epa,
                   found.iterations};
@@ -144,23 +138,23 @@ Separation separation_of(const Search& search, const Placed& placed, const GjkRe
 }
 
 // How much the ways of any two points along a direction that stays are bent at most.
-Real bend_of_still(const Search& search, const Vec3& normal, const TimeSpan& span) {
-  return search.b.path.largest_acceleration_along(normal, span, search.b.reach) +
-         search.a.path.largest_acceleration_along(-normal, span, search.a.reach);
+Real bend_of_still(const MovingPair& pair, const Vec3& normal, const TimeSpan& span) {
+  return pair.b.path.largest_acceleration_along(normal, span, pair.b.reach) +
+         pair.a.path.largest_acceleration_along(-normal, span, pair.a.reach);
 }
 
 // The same along a direction n that turns with the speed v. The gap of two points at x apart is n.x, and its second
 // derivative n.x'' + 2 n'.x' - v^2 n.x. The last term only counts where the gap is negative.
-Real bend_of_turning(const Search& search, const Separation& begin, Real gap, Real time, Real length) {
-  const Path &a = search.a.path, &b = search.b.path;
-  const Bounds& bounds = search.bounds;
+Real bend_of_turning(const MovingPair& pair, const Bounds& bounds, const Separation& begin, Real gap, Real time,
+                     Real length) {
+  const Path &a = pair.a.path, &b = pair.b.path;
   const Vec3 velocity = b.velocity_at(time) - a.velocity_at(time);
   const Vec3& n = begin.direction.normal;
   const Real turning = norm(begin.direction.turning), turn = turning * length, speed = norm(velocity);
   const Real gained = length * bounds.change;
   const Real across = norm(velocity - dot(velocity, n) * n) + turn * speed + gained + bounds.turning;
-  const Real away = norm(b.centre_at(time) - a.centre_at(time)) + search.a.reach.radius + search.b.reach.radius +
-                    search.radii() + length * (speed + gained);
+  const Real away = norm(b.centre_at(time) - a.centre_at(time)) + pair.a.reach.radius + pair.b.reach.radius +
+                    radii_of(pair) + length * (speed + gained);
   const Real deepest = std::max(length * (speed + gained + bounds.turning + turning * away) - gap, Real{0});
   constexpr Real outward = 1 + 1e-13;
   return outward * (dot(n, bounds.acceleration) + bounds.change * turn + bounds.turning_change + 2 * turning * across +
@@ -174,20 +168,20 @@ struct Proposal {
   Vec3 turning;
 };
 
-Proposal propose(const Search& search, const Separation& begin, Real gap, const TimeSpan& rest) {
-  const Real aim = std::max(gap - 0.5 * search.settings.tolerance, 0.5 * gap);
+Proposal propose(const MovingPair& pair, const Bounds& bounds, const Separation& begin, Real gap,
+                 const TimeSpan& rest) {
+  const Real aim = std::max(gap - 0.5 * pair.settings.tolerance, 0.5 * gap);
   const Real wish = std::min(rest.length(), begin.approach > 0 ? aim / begin.approach : infinity);
   // A gap that is halved by its bend is left a half.
   const auto longest = [&](Real bend) { return bend > 0 ? std::sqrt(4 * gap / bend) : infinity; };
 
-  const Real still = bend_of_still(search, begin.direction.normal, rest);
-  const Real lost =
-      begin.following * (search.a.reach.radius + search.b.reach.radius) + std::max(begin.approach, Real{0});
+  const Real still = bend_of_still(pair, begin.direction.normal, rest);
+  const Real lost = begin.following * (pair.a.reach.radius + pair.b.reach.radius) + std::max(begin.approach, Real{0});
   const Real while_still = std::min(wish, longest(still));
   if (!(squared_norm(begin.direction.turning) > 0) || lost * while_still <= 0.5 * gap) {
     return {while_still, still, {0, 0, 0}};
   }
-  const auto bend_for = [&](Real length) { return bend_of_turning(search, begin, gap, rest.begin, length); };
+  const auto bend_for = [&](Real length) { return bend_of_turning(pair, bounds, begin, gap, rest.begin, length); };
   const Real first_guess = std::min(wish, longest(bend_for(wish)));
   const Real turning = bend_for(first_guess), while_turning = std::min(wish, longest(turning));
   if (while_turning < std::min(while_still, gap / lost)) {
@@ -203,19 +197,20 @@ struct Reached {
 };
 
 // From a time at which they are.
-Reached advance(const Search& search, const Placed& placed, const Separation& begin, Real time, Real end) {
-  const Real gap = search.gap_along(placed, begin.direction.normal);
+Reached advance(const MovingPair& pair, const Bounds& bounds, const Placed& placed, const Separation& begin, Real time,
+                Real end) {
+  const Real gap = gap_along(pair, placed, begin.direction.normal);
   if (!(gap > 0)) {
     return {time, placed};
   }
-  const Proposal ahead = propose(search, begin, gap, {time, end});
+  const Proposal ahead = propose(pair, bounds, begin, gap, {time, end});
   const Real next = ahead.length < end - time ? time + ahead.length : end;
-  const Placed placed_then = search.at(next);
+  const Placed placed_then = placed_at(pair, next);
   const Vec3 normal = Direction{begin.direction.normal, ahead.turning}.after(next - time);
-  const Real share = free_share(gap, search.gap_along(placed_then, normal), ahead.bend, next - time);
+  const Real share = free_share(gap, gap_along(pair, placed_then, normal), ahead.bend, next - time);
   if (share < 1) {
     const Real reached = time + share * (next - time);
-    return {reached, search.at(reached)};
+    return {reached, placed_at(pair, reached)};
   }
   return {next, placed_then};
 }
@@ -242,26 +237,28 @@ Real free_share(Real at_begin, Real at_end, Real bend, Real length) {
   return divisor > 0 && zero <= 1 ? inward * zero : 1;
 }
 
-Impact convex_impact(const MovingPart& a, const MovingPart& b, const TimeSpan& span, const ImpactSettings& settings) {
-  const Search search{a, b, settings, bounds_of(a, b, span)};
+Impact convex_impact(const MovingPair& pair, const TimeSpan& span) {
+  const ConvexPart &a = pair.a.part, &b = pair.b.part;
+  const ImpactSettings& settings = pair.settings;
+  const Bounds bounds = bounds_of(pair.a, pair.b, span);
   Impact out;
   Real time = span.begin;
-  Placed placed = search.at(time);
+  Placed placed = placed_at(pair, time);
   Vec3 toward{0, 0, 0};
   for (; out.rounds < settings.most_rounds; ++out.rounds) {
     const Pose ab = relative(placed.a, placed.b);
-    const Vec3 guess = out.rounds == 0 ? ab * b.part.centre() - a.part.centre() : placed.a.rotation.undo(toward);
-    const GjkResult found = gjk(a.part, b.part, ab, guess, settings.size, 0.25 * settings.tolerance, infinity);
+    const Vec3 guess = out.rounds == 0 ? ab * b.centre() - a.centre() : placed.a.rotation.undo(toward);
+    const GjkResult found = gjk(a, b, ab, guess, settings.size, 0.25 * settings.tolerance, infinity);
     out.lower = time;
-    if (found.overlap || !(found.lower - search.radii() - settings.margin > 0)) {
+    if (found.overlap || !(found.lower - radii_of(pair) - settings.margin > 0)) {
       out.state = out.rounds == 0 ? ImpactState::starts_together : ImpactState::touches;
       out.upper = time;
       if (!found.overlap) {
-        out.contact = separation_of(search, placed, found, time).distance;
+        out.contact = separation_of(pair, placed, found, time).distance;
       }
       return out;
     }
-    const Separation now = separation_of(search, placed, found, time);
+    const Separation now = separation_of(pair, placed, found, time);
     toward = now.direction.normal;
     if (now.distance.upper - settings.margin <= settings.tolerance) {
       out.state = out.rounds == 0 ? ImpactState::starts_together : ImpactState::touches;
@@ -269,7 +266,7 @@ Impact convex_impact(const MovingPart& a, const MovingPart& b, const TimeSpan& s
       out.contact = now.distance;
       return out;
     }
-    const Reached next = advance(search, placed, now, time, span.end);
+    const Reached next = advance(pair, bounds, placed, now, time, span.end);
     if (!(next.time < span.end)) {
       out.state = ImpactState::apart;
       out.lower = out.upper = span.end;

@@ -28,13 +28,16 @@ struct ImpactSettings {
   std::uint32_t most_rounds;
 };
 
-// Within a span of time, in the frame of the paths. Of parts that overlap at its begin the contact says nothing.
-[[nodiscard]] Impact convex_impact(const MovingPart& a, const MovingPart& b, const TimeSpan& span,
-                                   const ImpactSettings& settings);
+struct MovingPair {
+  MovingPart a, b;
+  ImpactSettings settings;
+};
 
-// A lower bound of a gap that is positive at both ends of a time, or at the begin of it: where the way of every point
-// is bent by at most `bend`, the gap lies above the straight line between its ends less bend / 2 * t * (length - t).
-// How much of the time is certainly free, from 0 to 1.
+// Within a span of time, in the frame of the paths. Of parts that overlap at its begin the contact says nothing.
+[[nodiscard]] Impact convex_impact(const MovingPair& pair, const TimeSpan& span);
+
+// How much of a time is certainly free, from 0 to 1, by a gap that is positive at its begin. The way of every point is
+// bent by at most `bend`. So the gap is above the straight line between its ends less bend / 2 * t * (length - t).
 [[nodiscard]] Real free_share(Real at_begin, Real at_end, Real bend, Real length);
 
 }  // namespace abut

@@ -157,9 +157,9 @@ Real Path::largest_turning(const TimeSpan& span) const {
   return turns_ ? outward * larger(at(span.begin), at(span.end)) : 0;
 }
 
-// Of a point at distance 1 from the axis. Around a fixed axis it is the one of a circle. Else the axis turns as well:
-// the derivative of the exponential map is the mean of the rotations on the way, and that of each is at most its share
-// of the square of the speed, half on average.
+// Of a point at distance 1 from the axis. Around a fixed axis it is the one of a circle. Else the axis turns as well.
+// The derivative of the exponential map is the mean of the rotations on the way. That of each is at most its share of
+// the square of the speed: half of it on average.
 Real Path::largest_turning_acceleration(const TimeSpan& span) const {
   const Real speed = largest_turning(span);
   return turns_ ? outward * (norm(motion_.angular_acceleration) + (has_fixed_axis_ ? 1 : 1.5) * speed * speed) : 0;

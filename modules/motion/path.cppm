@@ -39,8 +39,8 @@ class Path {
  public:
   // `centre` is a point of the body, in its frame. Faults name the members of Motion, or `duration`.
   [[nodiscard]] static Result<Path> along(const Pose& start, const Vec3& centre, const Motion& motion, Real duration);
-  // The centre moves on a straight line with constant speed while the body turns around a fixed axis, by the shorter
-  // way and with constant speed: a screw motion, seen from the centre. It ends at `end` within rounding.
+  // The centre moves on a straight line. The body turns around a fixed axis, by the shorter way. Both speeds are
+  // constant. It ends at `end` within rounding.
   [[nodiscard]] static Result<Path> between(const Pose& start, const Pose& end, const Vec3& centre, Real duration);
   [[nodiscard]] static Path at_rest(const Pose& pose, Real duration) { return {pose, {0, 0, 0}, {}, duration}; }
 
@@ -80,8 +80,9 @@ class Path {
   [[nodiscard]] Real largest_speed_along(const Vec3& direction, const TimeSpan& span, const Reach& reach) const;
   // The largest part of the acceleration of a point along a unit vector; negative where all points are slowed down.
   [[nodiscard]] Real largest_acceleration_along(const Vec3& direction, const TimeSpan& span, const Reach& reach) const;
-  // How far a point up to `radius` from the centre gets from the straight line between where it is at the begin of the
-  // span and at its end, at constant speed: an eighth of the acceleration times the square of the time.
+  // Think of a second point that moves straight, at constant speed, between the same ends of the span. A point up to
+  // `radius` from the centre is no further from it than this: an eighth of the acceleration times the square of the
+  // time.
   [[nodiscard]] Real largest_deviation(const TimeSpan& span, Real radius) const;
 
   // A box that contains the body at all times of a span. It needs the boxes of the body in the world at both ends of

@@ -37,7 +37,7 @@ bool is_asked_as_a_whole(const AnyShape& shape) { return shape.has_holes() || tr
 
 // A shape on a body, and which child it is of the whole.
 struct Subject {
-  const AnyShape& shape;
+  AnyShape shape;
   Carrier on;
   std::uint32_t child;
 };
@@ -78,9 +78,10 @@ bool lets_through(const ConvexPart& part, const Pose& pose, const Vec3& outward,
   return front && (is_start || dot(pose.rotation * *front, outward) <= 0);
 }
 
-void meet_parts(const MovingPart& a, const MovingPart& b, const TimeSpan& span, std::uint32_t child_a,
-                std::uint32_t child_b, Search& search) {
-  Impact impact = convex_impact(a, b, {span.begin, std::min(span.end, search.best.end())}, search.settings);
+void meet_parts(const MovingPair& pair, const TimeSpan& span, std::uint32_t child_a, std::uint32_t child_b,
+                Search& search) {
+  const MovingPart &a = pair.a, &b = pair.b;
+  Impact impact = convex_impact(pair, {span.begin, std::min(span.end, search.best.end())});
   if (impact.state == ImpactState::touches || impact.state == ImpactState::starts_together) {
     const bool overlaps = impact.contact.lower <= search.settings.margin && impact.state != ImpactState::touches;
     const bool is_start = overlaps || impact.upper == 0;
@@ -137,19 +138,21 @@ void meet_in_span(const Subject& a, const Subject& b, const TimeSpan& given, int
     return;
   }
   const auto whole_b = traits_of(b.shape).has_parts ? std::nullopt : ConvexPart::of(b.shape);
-  const auto moving_b = whole_b ? std::optional(moving_part(*whole_b, b.on.path, b.on.local)) : std::nullopt;
+  const ConvexPart none = ConvexPart::of(Ball(0));
+  MovingPair pair{moving_part(none, a.on.path, a.on.local), moving_part(whole_b.value_or(none), b.on.path, b.on.local),
+                  search.settings};
   visit_parts(a.shape, near_a, [&](const ConvexPart& part, const Pose& place, std::uint32_t child) {
     const Pose local = a.on.local * place;
-    const MovingPart moving_a = moving_part(part, a.on.path, local);
+    pair.a = moving_part(part, a.on.path, local);
     const std::uint32_t child_a = a.child + child;
-    if (moving_b) {
-      meet_parts(moving_a, *moving_b, span, child_a, b.child, search);
+    if (whole_b) {
+      meet_parts(pair, span, child_a, b.child, search);
       return;
     }
     const Aabb near_b = relative_box(b.on.path, b.on.local, a.on.path, part.aabb(local), span).box.inflated(slack);
     visit_parts(b.shape, near_b, [&](const ConvexPart& part_b, const Pose& place_b, std::uint32_t child_b) {
-      meet_parts(moving_a, moving_part(part_b, b.on.path, b.on.local * place_b), span, child_a, b.child + child_b,
-                 search);
+      pair.b = moving_part(part_b, b.on.path, b.on.local * place_b);
+      meet_parts(pair, span, child_a, b.child + child_b, search);
     });
   });
 }
@@ -205,8 +208,9 @@ void meet(const Subject& a, const Subject& b, Search& search) {
     meet_in_span(a, b, span, 0, search);
   } else {
     const auto part_a = ConvexPart::of(a.shape), part_b = ConvexPart::of(b.shape);
-    meet_parts(moving_part(*part_a, a.on.path, a.on.local), moving_part(*part_b, b.on.path, b.on.local), span, a.child,
-               b.child, search);
+    meet_parts(
+        {moving_part(*part_a, a.on.path, a.on.local), moving_part(*part_b, b.on.path, b.on.local), search.settings},
+        span, a.child, b.child, search);
   }
 }
 

@@ -2,7 +2,6 @@
 // Builds without the feature `motion`: nobody asks, since the C interface asks first.
 module abut.motion.time_of_impact;
 import abut.capability;
-import abut.core.standard;
 import abut.motion.path;
 import abut.pairs.registry;
 

@@ -25,8 +25,8 @@ struct WholeImpact {
   Impact impact;
 };
 
-// A half-space and anything. The gap is the least of those of the points, so that two values of it prove the time
-// between them free, as for convex parts.
+// A half-space and anything. The gap is the least of those of the points. So two values of it prove the time between
+// them free, as for convex parts.
 [[nodiscard]] WholeImpact half_space_impact(const AnyShape& half_space, const Carrier& a, const AnyShape& b,
                                             const Carrier& on_b, const TimeSpan& span, const ImpactSettings& settings);
 

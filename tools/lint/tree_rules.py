@@ -33,6 +33,7 @@ LAYERS = [
     ("pairs/rows",),
     ("pairs/registry",),
     ("pairs/any_shape",),
+    ("motion",),
     ("scene",),
     ("detect", "queries", "report"),
     ("universe",),

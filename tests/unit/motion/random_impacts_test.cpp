@@ -11,7 +11,6 @@
 #include <vector>
 
 import abut.capability;
-import abut.core;
 import abut.math;
 import abut.math.turn;
 import abut.motion.path;
