@@ -34,6 +34,7 @@ LAYERS = [
     ("pairs/rows",),
     ("pairs/registry",),
     ("pairs/any_shape",),
+    ("motion",),
     ("scene",),
     ("detect", "queries", "report"),
     ("universe",),

@@ -4,8 +4,8 @@
 from .queries import (
     Camera, CastHit, Closest, Pick, QueryFilter, QueryHit)
 from .shapes import (
-    Contact, Distance, DistanceFieldDesc, DistanceFieldOptions, FirstTouch, HeightFieldDesc, HullReport, MeshOptions,
-    MeshReport, PairMemory, QueryOptions, Ray, RayHit, ShapeDesc, UvGridOptions)
+    Contact, Distance, DistanceFieldDesc, DistanceFieldOptions, FirstTouch, HeightFieldDesc, HullReport, Impact,
+    ImpactOptions, MeshOptions, MeshReport, Movement, PairMemory, QueryOptions, Ray, RayHit, ShapeDesc, UvGridOptions)
 from .universe import (
     Collidable, ContactMaterial, Event, Finding, Focus, GeometryInfo, GeometryOptions, Island, LocalPoints,
     PartOptions, Policy, Revision, Sleep, SleepChange, StepStats, UniverseOptions, Velocity)
@@ -15,7 +15,8 @@ from .values import (
 __all__ = [
     "Aabb", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance",
     "DistanceFieldDesc", "DistanceFieldOptions", "Event", "Feature", "Finding", "FirstTouch", "Focus", "GeometryId",
-    "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport", "Island", "LayoutEntry", "LocalPoints",
-    "MeshOptions", "MeshReport", "PairMemory", "PartId", "PartOptions", "Pick", "Policy", "Pose", "Quat",
-    "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision", "ShapeDesc", "Sleep", "SleepChange", "StepStats",
+    "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport", "Impact", "ImpactOptions", "Island",
+    "LayoutEntry", "LocalPoints", "MeshOptions", "MeshReport", "Movement", "PairMemory", "PartId", "PartOptions",
+    "Pick", "Policy", "Pose", "Quat", "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision",
+    "ShapeDesc", "Sleep", "SleepChange", "StepStats",
     "UniverseOptions", "UvGridOptions", "Vec3", "Velocity"]

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first touch of two convex parts that move and turn.
+export module abut.motion.convex_impact;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.motion.convex_part;
+import abut.motion.path;
+import abut.motion.time_of_impact;
+
+export namespace abut {
+
+// A convex part of a body, where it is on the body, and how the body moves.
+struct MovingPart {
+  ConvexPart part;
+  Path path;
+  Pose local;
+  Reach reach;  // of the core
+
+  [[nodiscard]] Pose at(Real time) const { return path.at(time) * local; }
+};
+[[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local);
+
+// What holds for all parts of two bodies.
+struct ImpactSettings {
+  Real size;  // of the coordinates on the way
+  Real tolerance, margin;
+  std::uint32_t most_rounds;
+};
+
+struct MovingPair {
+  MovingPart a, b;
+  ImpactSettings settings;
+};
+
+// Within a span of time, in the frame of the paths. Of parts that overlap at its begin the contact says nothing.
+[[nodiscard]] Impact convex_impact(const MovingPair& pair, const TimeSpan& span);
+
+// How much of a time is certainly free, from 0 to 1, by a gap that is positive at its begin. The way of every point is
+// bent by at most `bend`. So the gap is above the straight line between its ends less bend / 2 * t * (length - t).
+[[nodiscard]] Real free_share(Real at_begin, Real at_end, Real bend, Real length);
+
+}  // namespace abut
