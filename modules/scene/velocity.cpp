@@ -3,6 +3,7 @@ module abut.scene.velocity;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.turn;
 import abut.scene.options;
 
 namespace abut {
@@ -15,36 +16,7 @@ Vec3 over(const Vec3& v, Real divisor) {
   return {quotient(v.x), quotient(v.y), quotient(v.z)};
 }
 
-// For |t| below 0.1, where what the series leaves out is below rounding.
-Real small_arc_tangent(Real t) {
-  const Real s = t * t;
-  return t * (1 - s * (1. / 3 - s * (1. / 5 - s * (1. / 7 - s * (1. / 9 - s * (1. / 11 - s * (1. / 13 - s / 15)))))));
-}
-
 }  // namespace
-
-// The quaternion of the turn is (cos h, sin h * axis) for half of its angle, h. The tangent of half an angle is
-// t / (1 + sqrt(1 + t^2)). Square roots are the same on every platform, unlike the functions of the library that would
-// answer at once.
-Vec3 turn_between(const Quat& before, const Quat& after) {
-  const Quat &a = after, &b = before;
-  Real w = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
-  Vec3 v{a.x * b.w - a.w * b.x + (a.z * b.y - a.y * b.z), a.y * b.w - a.w * b.y + (a.x * b.z - a.z * b.x),
-         a.z * b.w - a.w * b.z + (a.y * b.x - a.x * b.y)};
-  if (w < 0) {
-    w = -w;
-    v = -v;
-  }
-  const Real sine = norm(v);
-  if (sine == 0) {
-    return {0, 0, 0};
-  }
-  Real t = sine / (w + std::sqrt(w * w + sine * sine));  // of a quarter of the angle, at most 1
-  for (int i = 0; i < 3; ++i) {
-    t = t / (1 + std::sqrt(1 + t * t));
-  }
-  return (32 * small_arc_tangent(t) / sine) * v;
-}
 
 Velocity velocity_between(const Placement& before, const Placement& after, Real dt) {
   return {over(after.position - before.position, dt), over(turn_between(before.orientation, after.orientation), dt)};

@@ -19,10 +19,6 @@ struct Velocity {
 
 enum class VelocitySource : std::uint32_t { none, given, poses };
 
-// The turn from one orientation to another as its axis times its angle, which is at most half a turn. Exactly zero
-// for equal orientations; lengths of the quaternions do not matter.
-[[nodiscard]] Vec3 turn_between(const Quat& before, const Quat& after);
-
 // The constant velocity that leads from one placement to the other in a positive time, by the shorter turn. Numbers
 // beyond the largest coordinate are cut to it.
 [[nodiscard]] Velocity velocity_between(const Placement& before, const Placement& after, Real dt);

@@ -8,6 +8,7 @@
 #include <vector>
 
 import abut.math;
+import abut.math.turn;
 import abut.scene.options;
 import abut.scene.velocity;
 

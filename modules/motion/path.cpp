@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.motion.path;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.math.tolerance;
+import abut.math.turn;
+
+namespace abut {
+namespace {
+
+// More than all that rounding takes from a bound: relative, and of the sine of an angle.
+constexpr Real outward = 1 + 1e-14, rounding_of_sine = 1e-15;
+
+Fault check_vector(std::string_view name, const Vec3& vector) {
+  return check_all_finite(name, std::array{vector.x, vector.y, vector.z});
+}
+
+Fault check_motion(const Motion& motion) {
+  Fault fault = check_vector("velocity", motion.velocity);
+  fault = fault ? fault : check_vector("angular_velocity", motion.angular_velocity);
+  fault = fault ? fault : check_vector("acceleration", motion.acceleration);
+  return fault ? fault : check_vector("angular_acceleration", motion.angular_acceleration);
+}
+
+Fault check_revolutions(const Motion& motion, Real duration) {
+  const Real angle = duration * (norm(motion.angular_velocity) + 0.5 * duration * norm(motion.angular_acceleration));
+  const Real revolutions = angle / (2 * std::numbers::pi);
+  if (!(revolutions <= most_revolutions)) {
+    return error_about(Errc::out_of_range, "the number of revolutions", revolutions, "at most 16 within the duration");
+  }
+  return std::nullopt;
+}
+
+Fault check_way(const Motion& motion, Real duration) {
+  const Real way = duration * (norm(motion.velocity) + 0.5 * duration * norm(motion.acceleration));
+  if (!(way <= largest_coordinate)) {
+    return error_about(Errc::out_of_range, "the way of the centre", way, "at most 1e70 within the duration");
+  }
+  return std::nullopt;
+}
+
+Real larger(Real a, Real b) { return a > b ? a : b; }
+Real smaller(Real a, Real b) { return a < b ? a : b; }
+
+// Without NaN for the infinite reach of what does not turn.
+Real times(Real factor, Real reach) { return factor > 0 ? factor * reach : 0; }
+
+// One axis of a swept box. All is relative to the centre at the begin of the span.
+struct SweptSide {
+  Real begin, end;    // of the side of the box
+  Real centre_end;    // of the way of the centre
+  Real centre_least;  // the least of its way
+  Real drop;          // how far a straight way may be above the way of the centre
+  Real turned;        // how far turning may lead from the straight way
+  Real radius;
+};
+
+// The largest of three lower bounds: by straight ways, by the turned body at the centre, and by the ball around it.
+Real lower_bound_of(const SweptSide& side) {
+  const Real by_lines = smaller(side.begin, side.end) - side.drop - side.turned;
+  const Real by_centre = side.centre_least + smaller(side.begin, side.end - side.centre_end) - side.turned;
+  return larger(larger(by_lines, by_centre), side.centre_least - side.radius);
+}
+
+// The least of speed * t + acceleration * t^2 / 2 for t from 0 to `length`.
+Real least_of_parabola(Real speed, Real acceleration, Real length) {
+  const Real end = length * (speed + 0.5 * length * acceleration);
+  const Real apex = -speed / acceleration;
+  const bool has_apex = acceleration > 0 && apex > 0 && apex < length;
+  return smaller(smaller(0, end), has_apex ? 0.5 * speed * apex : 0);
+}
+
+Real finite_or_zero(Real value) { return std::isfinite(value) ? std::fabs(value) : 0; }
+Real magnitude_of(const Vec3& v) {
+  return larger(larger(finite_or_zero(v.x), finite_or_zero(v.y)), finite_or_zero(v.z));
+}
+
+}  // namespace
+
+Path::Path(const Pose& start, const Vec3& centre, const Motion& motion, Real duration)
+    : start_(start),
+      centre_(centre),
+      arm_at_start_(start.rotation * centre),
+      centre_at_start_(start.position + arm_at_start_),
+      motion_(motion),
+      duration_(duration) {
+  const auto axis = UnitVec3::make(motion.angular_velocity), change = UnitVec3::make(motion.angular_acceleration);
+  turns_ = axis || change;
+  has_fixed_axis_ = !axis || !change || norm(cross(axis->vec(), change->vec())) <= 4 * epsilon;
+  if (turns_ && has_fixed_axis_) {
+    axis_ = axis ? axis->vec() : change->vec();
+  }
+}
+
+Result<Path> Path::along(const Pose& start, const Vec3& centre, const Motion& motion, Real duration) {
+  Fault fault = check_motion(motion);
+  fault = fault ? fault : check_vector("centre", centre);
+  fault = fault ? fault : check_positive("duration", duration);
+  fault = fault ? fault : check_way(motion, duration);
+  fault = fault ? fault : check_revolutions(motion, duration);
+  if (fault) {
+    return *std::move(fault);
+  }
+  return Path(start, centre, motion, duration);
+}
+
+Result<Path> Path::between(const Pose& start, const Pose& end, const Vec3& centre, Real duration) {
+  if (Fault fault = check_positive("duration", duration)) {
+    return *std::move(fault);
+  }
+  const Real rate = 1 / duration;
+  const Vec3 turn = turn_between(quaternion_of(start.rotation), quaternion_of(end.rotation));
+  return along(start, centre, {rate * (end * centre - start * centre), rate * turn}, duration);
+}
+
+Pose Path::at(Real time) const {
+  if (!turns_) {
+    return {start_.rotation, start_.position + shift_at(time)};
+  }
+  const Vec3 turn = time * (motion_.angular_velocity + (0.5 * time) * motion_.angular_acceleration);
+  const Rotation rotation = rotation_by(turn) * start_.rotation;
+  return {rotation, start_.position + (shift_at(time) + (arm_at_start_ - rotation * centre_))};
+}
+
+Reach Path::reach_of(const Aabb& local) const {
+  if (!local.is_bounded()) {
+    return {infinity, infinity};
+  }
+  const Vec3 far = maximum(absolute(local.low - centre_), absolute(local.high - centre_));
+  const Real radius = outward * norm(far);
+  if (!turns_ || !has_fixed_axis_) {
+    return {radius, radius};
+  }
+  const Vec3 axis = start_.rotation.undo(axis_);
+  Real from_axis = 0;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec3 at{(corner & 1) != 0 ? local.high.x : local.low.x, (corner & 2) != 0 ? local.high.y : local.low.y,
+                  (corner & 4) != 0 ? local.high.z : local.low.z};
+    from_axis = larger(from_axis, squared_norm(cross(axis, at - centre_)));
+  }
+  return {radius, smaller(radius, outward * (std::sqrt(from_axis) + rounding_of(radius)))};
+}
+
+// The turn vector moves by |angular_velocity + t angular_acceleration|, which is convex in t. The body turns no faster,
+// since the derivative of the exponential map has a norm of at most 1.
+Real Path::largest_turning(const TimeSpan& span) const {
+  const auto at = [&](Real time) { return norm(motion_.angular_velocity + time * motion_.angular_acceleration); };
+  return turns_ ? outward * larger(at(span.begin), at(span.end)) : 0;
+}
+
+// Of a point at distance 1 from the axis. Around a fixed axis it is the one of a circle. Else the axis turns as well:
+// the derivative of the exponential map is the mean of the rotations on the way, and that of each is at most its share
+// of the square of the speed, half on average.
+Real Path::largest_turning_acceleration(const TimeSpan& span) const {
+  const Real speed = largest_turning(span);
+  return outward * (norm(motion_.angular_acceleration) + (has_fixed_axis_ ? 1 : 1.5) * speed * speed);
+}
+
+Real Path::share_across(const Vec3& direction) const {
+  return has_fixed_axis_ ? smaller(1, norm(cross(direction, axis_)) + rounding_of_sine) : 1;
+}
+
+Real Path::largest_speed(const TimeSpan& span, Real radius) const {
+  const Real centre = larger(norm(velocity_at(span.begin)), norm(velocity_at(span.end)));
+  return outward * (centre + times(largest_turning(span), radius));
+}
+
+Real Path::largest_speed_along(const Vec3& direction, const TimeSpan& span, const Reach& reach) const {
+  const Real begin = dot(direction, velocity_at(span.begin)), end = dot(direction, velocity_at(span.end));
+  const Real rounding = rounding_of(larger(norm(velocity_at(span.begin)), norm(velocity_at(span.end))));
+  return larger(begin, end) + rounding +
+         outward * times(largest_turning(span) * share_across(direction), reach.from_axis);
+}
+
+Real Path::largest_acceleration_along(const Vec3& direction, const TimeSpan& span, const Reach& reach) const {
+  const Real of_centre = dot(direction, motion_.acceleration) + rounding_of(norm(motion_.acceleration));
+  const Real of_turn = turns_ ? largest_turning_acceleration(span) * share_across(direction) : 0;
+  return of_centre + outward * times(of_turn, reach.from_axis);
+}
+
+Real Path::largest_deviation(const TimeSpan& span, Real radius) const {
+  const Real of_turn = turns_ ? times(largest_turning_acceleration(span), radius) : 0;
+  return outward * 0.125 * span.length() * span.length() * (norm(motion_.acceleration) + of_turn);
+}
+
+Aabb Path::swept_box(const Aabb& at_begin, const Aabb& at_end, const TimeSpan& span, Real radius) const {
+  const Vec3 centre = centre_at(span.begin), speed = velocity_at(span.begin), way = centre_at(span.end) - centre;
+  const Real length = span.length(), eighth = 0.125 * length * length;
+  const Real of_turn = turns_ ? outward * eighth * times(largest_turning_acceleration(span), radius) : 0;
+  const Real size = larger(larger(magnitude_of(at_begin.low), magnitude_of(at_begin.high)),
+                           larger(magnitude_of(at_end.low), magnitude_of(at_end.high))) +
+                    magnitude_of(centre) + magnitude_of(way) + length * magnitude_of(speed) +
+                    eighth * magnitude_of(motion_.acceleration);
+  const auto lower = [&](int axis, Real sign, Real begin, Real end) {
+    const Real acceleration = sign * motion_.acceleration[axis];
+    return lower_bound_of({sign * (begin - centre[axis]), sign * (end - centre[axis]), sign * way[axis],
+                           least_of_parabola(sign * speed[axis], acceleration, length),
+                           eighth * larger(acceleration, 0),
+                           of_turn * share_across(axis == 0   ? Vec3{1, 0, 0}
+                                                  : axis == 1 ? Vec3{0, 1, 0}
+                                                              : Vec3{0, 0, 1}),
+                           radius});
+  };
+  const Vec3 low{lower(0, 1, at_begin.low.x, at_end.low.x), lower(1, 1, at_begin.low.y, at_end.low.y),
+                 lower(2, 1, at_begin.low.z, at_end.low.z)};
+  const Vec3 high{lower(0, -1, at_begin.high.x, at_end.high.x), lower(1, -1, at_begin.high.y, at_end.high.y),
+                  lower(2, -1, at_begin.high.z, at_end.high.z)};
+  return Aabb{centre + low, centre - high}.inflated(noise_of(size));
+}
+
+}  // namespace abut

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// When two shapes that move and turn first touch, with proof.
+export module abut.motion.time_of_impact;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+export import abut.motion.path;
+import abut.pairs.any_shape;
+
+export namespace abut {
+
+enum class ImpactState : std::uint32_t {
+  apart,            // they do not touch within the time
+  touches,          // they touch, or come as near as the tolerance
+  starts_together,  // they touch at the start
+  undecided,        // the rounds were not enough: apart before `lower`, nothing is known after it
+};
+
+// Times run from 0 to the duration of the paths. Before `lower` the shapes are proven to be apart, further than the
+// margin. At `upper` they are no further apart than the margin and the tolerance; of what is undecided `upper` is the
+// duration.
+struct Impact {
+  ImpactState state = ImpactState::apart;
+  Real lower = 0, upper = 0;
+  std::uint32_t rounds = 0;
+  // In the world, at `upper`, of shapes that touch. A depth at the start is one of the whole shapes.
+  Distance contact{};
+  std::uint32_t child_a = 0, child_b = 0;  // of a composite; else 0
+};
+
+struct ImpactOptions {
+  Real tolerance = 0;              // 0: 1e-12 of the size of the shapes
+  Real margin = 0;                 // they touch when they come as near as this
+  std::uint32_t most_rounds = 64;  // of each two parts
+};
+
+// Both paths have one duration. Not ok where the two kinds do not meet.
+[[nodiscard]] Outcome time_of_impact(const AnyShape& a, const Path& path_a, const AnyShape& b, const Path& path_b,
+                                     const ImpactOptions& options, Impact& out);
+
+}  // namespace abut
