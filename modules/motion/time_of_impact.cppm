@@ -6,6 +6,7 @@ import abut.core.standard;
 import abut.math;
 export import abut.motion.path;
 import abut.pairs.any_shape;
+import abut.pairs.registry;
 
 export namespace abut {
 
