@@ -124,6 +124,13 @@ Pose Path::at(Real time) const {
   return {rotation, start_.position + (shift_at(time) + (arm_at_start_ - rotation * centre_))};
 }
 
+Path Path::seen_from(const Vec3& origin, const Vec3& velocity, const Vec3& acceleration) const {
+  Motion seen = motion_;
+  seen.velocity = motion_.velocity - velocity;
+  seen.acceleration = motion_.acceleration - acceleration;
+  return {{start_.rotation, start_.position - origin}, centre_, seen, duration_};
+}
+
 Reach Path::reach_of(const Aabb& local) const {
   if (!local.is_bounded()) {
     return {infinity, infinity};
@@ -155,7 +162,7 @@ Real Path::largest_turning(const TimeSpan& span) const {
 // of the square of the speed, half on average.
 Real Path::largest_turning_acceleration(const TimeSpan& span) const {
   const Real speed = largest_turning(span);
-  return outward * (norm(motion_.angular_acceleration) + (has_fixed_axis_ ? 1 : 1.5) * speed * speed);
+  return turns_ ? outward * (norm(motion_.angular_acceleration) + (has_fixed_axis_ ? 1 : 1.5) * speed * speed) : 0;
 }
 
 Real Path::share_across(const Vec3& direction) const {
@@ -176,19 +183,19 @@ Real Path::largest_speed_along(const Vec3& direction, const TimeSpan& span, cons
 
 Real Path::largest_acceleration_along(const Vec3& direction, const TimeSpan& span, const Reach& reach) const {
   const Real of_centre = dot(direction, motion_.acceleration) + rounding_of(norm(motion_.acceleration));
-  const Real of_turn = turns_ ? largest_turning_acceleration(span) * share_across(direction) : 0;
+  const Real of_turn = largest_turning_acceleration(span) * share_across(direction);
   return of_centre + outward * times(of_turn, reach.from_axis);
 }
 
 Real Path::largest_deviation(const TimeSpan& span, Real radius) const {
-  const Real of_turn = turns_ ? times(largest_turning_acceleration(span), radius) : 0;
+  const Real of_turn = times(largest_turning_acceleration(span), radius);
   return outward * 0.125 * span.length() * span.length() * (norm(motion_.acceleration) + of_turn);
 }
 
 Aabb Path::swept_box(const Aabb& at_begin, const Aabb& at_end, const TimeSpan& span, Real radius) const {
   const Vec3 centre = centre_at(span.begin), speed = velocity_at(span.begin), way = centre_at(span.end) - centre;
   const Real length = span.length(), eighth = 0.125 * length * length;
-  const Real of_turn = turns_ ? outward * eighth * times(largest_turning_acceleration(span), radius) : 0;
+  const Real of_turn = outward * eighth * times(largest_turning_acceleration(span), radius);
   const Real size = larger(larger(magnitude_of(at_begin.low), magnitude_of(at_begin.high)),
                            larger(magnitude_of(at_end.low), magnitude_of(at_end.high))) +
                     magnitude_of(centre) + magnitude_of(way) + length * magnitude_of(speed) +

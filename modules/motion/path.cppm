@@ -52,9 +52,24 @@ class Path {
 
   // Exactly the start at time 0.
   [[nodiscard]] Pose at(Real time) const;
+  // How far the centre has moved.
+  [[nodiscard]] Vec3 shift_at(Real time) const {
+    return time * (motion_.velocity + (0.5 * time) * motion_.acceleration);
+  }
   [[nodiscard]] Vec3 centre_at(Real time) const { return centre_at_start_ + shift_at(time); }
   // The velocity of the centre.
   [[nodiscard]] Vec3 velocity_at(Real time) const { return motion_.velocity + time * motion_.acceleration; }
+
+  // The same seen from an origin that moves, and does not turn.
+  [[nodiscard]] Path seen_from(const Vec3& origin, const Vec3& velocity, const Vec3& acceleration) const;
+
+  // How fast the body turns at time, as an axis times radians; an estimate where the axis turns as well.
+  [[nodiscard]] Vec3 turning_at(Real time) const {
+    return motion_.angular_velocity + time * motion_.angular_acceleration;
+  }
+  // The largest speed of a point at distance 1 from the axis, and the largest acceleration.
+  [[nodiscard]] Real largest_turning(const TimeSpan& span) const;
+  [[nodiscard]] Real largest_turning_acceleration(const TimeSpan& span) const;
 
   // Of a body within a box in its own frame. Infinite for a box that is.
   [[nodiscard]] Reach reach_of(const Aabb& local) const;
@@ -76,11 +91,6 @@ class Path {
  private:
   Path(const Pose& start, const Vec3& centre, const Motion& motion, Real duration);
 
-  [[nodiscard]] Vec3 shift_at(Real time) const {
-    return time * (motion_.velocity + (0.5 * time) * motion_.acceleration);
-  }
-  [[nodiscard]] Real largest_turning(const TimeSpan& span) const;
-  [[nodiscard]] Real largest_turning_acceleration(const TimeSpan& span) const;
   // How much of a turn can be seen along a unit vector.
   [[nodiscard]] Real share_across(const Vec3& direction) const;
 

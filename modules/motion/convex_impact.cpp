@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// Conservative advancement that is as quick as Newton's method near the touch.
+//
+// A round finds the distance at a time, and with it a separating direction. Then a later time is proposed: where the
+// gap along the direction is closed by the present speed. The gap along a direction is the least of many smooth
+// functions, one for each two points. The second derivative of each is bounded, so two values of the gap prove the time
+// between them free, up to where the bound is used up. The bound shrinks with the square of the time.
+//
+// Far away the direction stays as it is. Near the touch it turns as the features turn that span it: as a face of one
+// part does, or across two edges. Otherwise each corner of a face that turns would count as an approach.
+module abut.motion.convex_impact;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.math.tolerance;
+import abut.math.turn;
+import abut.motion.convex_part;
+import abut.motion.path;
+import abut.motion.time_of_impact;
+import abut.narrow.apart.gjk;
+import abut.narrow.cores.simplex;
+
+namespace abut {
+namespace {
+
+// How two parts lie at a time.
+struct Placed {
+  Pose a, b;
+};
+
+// A direction from a to b that turns around an axis across it.
+struct Direction {
+  Vec3 normal;
+  Vec3 turning;  // an axis times a speed
+
+  [[nodiscard]] Vec3 after(Real time) const { return rotation_by(time * turning) * normal; }
+};
+
+// What is known at the begin of a round.
+struct Separation {
+  Distance distance;  // in the world
+  Direction direction;
+  Real approach;  // how fast the distance shrinks
+};
+
+struct Search {
+  const MovingPart& a;
+  const MovingPart& b;
+  const ImpactSettings& settings;
+
+  [[nodiscard]] Real radii() const { return a.part.radius() + b.part.radius(); }
+  [[nodiscard]] Placed at(Real time) const { return {a.at(time), b.at(time)}; }
+  // How far b is from a along a unit vector, less the margin and what rounding may add.
+  [[nodiscard]] Real gap_along(const Placed& placed, const Vec3& normal) const {
+    const Vec3 on_a = placed.a * a.part.support(placed.a.rotation.undo(normal)).point;
+    const Vec3 on_b = placed.b * b.part.support(placed.b.rotation.undo(-normal)).point;
+    return dot(normal, on_b - on_a) - radii() - settings.margin - rounding_of(settings.size);
+  }
+};
+
+// The velocity of a point of a body in the world.
+Vec3 velocity_of(const Path& path, const Vec3& point, Real time) {
+  return path.velocity_at(time) + cross(path.turning_at(time), point - path.centre_at(time));
+}
+
+// How the direction turns that a simplex spans: it stays across the edges of the simplex. Where it may still turn
+// around them, it follows the nearest points.
+Vec3 change_of_normal(const Vec3& n, std::span<const Vec3> points, std::span<const Vec3> velocities,
+                      const Vec3& velocity, Real distance) {
+  if (points.size() == 3) {
+    const Vec3 first = points[0] - points[2], second = points[1] - points[2];
+    const Real along_first = -dot(n, velocities[0] - velocities[2]);
+    const Real along_second = -dot(n, velocities[1] - velocities[2]);
+    const Vec3 change = along_first * cross(second, n) + along_second * cross(n, first);
+    const Real determinant = dot(n, cross(first, second));
+    return (1 / determinant) * change;
+  }
+  const Vec3 away = (-1 / distance) * (velocity - dot(velocity, n) * n);
+  if (points.size() == 1) {
+    return away;
+  }
+  const auto edge = UnitVec3::make(points[0] - points[1]);
+  if (!edge) {
+    return away;
+  }
+  const Real along = -dot(n, velocities[0] - velocities[1]) / norm(points[0] - points[1]);
+  return along * edge->vec() + (away - dot(away, *edge) * edge->vec());
+}
+
+// In the world, from a search in the frame of a. `time`: of the velocities.
+Separation separation_of(const Search& search, const Placed& placed, const GjkResult& found, Real time) {
+  Separation out{};
+  const Rotation& turned = placed.a.rotation;
+  const Vec3 n = turned * found.normal;
+  const std::array<Real, 3> weights = weights_of(found.simplex, found.closest);
+  std::array<Vec3, 3> points{}, velocities{};  // of the difference a - b
+  Vec3 velocity{0, 0, 0}, on_a{0, 0, 0};
+  const std::size_t size = std::min<std::size_t>(found.simplex.size, 3);
+  for (std::size_t i = 0; i < size; ++i) {
+    const DifferenceVertex& vertex = found.simplex.vertices[i];
+    const Vec3 of_a = placed.a * vertex.a, difference = turned * vertex.w;
+    points[i] = difference;
+    velocities[i] = velocity_of(search.a.path, of_a, time) - velocity_of(search.b.path, of_a - difference, time);
+    velocity += weights[i] * velocities[i];
+    on_a += weights[i] * of_a;
+  }
+  const Vec3 change =
+      change_of_normal(n, std::span(points).first(size), std::span(velocities).first(size), velocity, found.upper);
+  const Vec3 on_b = on_a + found.upper * n;
+  out.distance = {found.upper - search.radii(),
+                  found.lower - search.radii(),
+                  found.upper - search.radii(),
+                  on_a + search.a.part.radius() * n,
+                  on_b - search.b.part.radius() * n,
+                  n,
+                  Algorithm::gjk_epa,
+                  found.iterations};
+  out.direction = {n, is_finite(change) ? cross(n, change) : Vec3{0, 0, 0}};
+  out.approach = dot(n, velocity);
+  return out;
+}
+
+// How much the ways of any two points along a direction that stays are bent at most.
+Real bend_of_still(const Search& search, const Vec3& normal, const TimeSpan& span) {
+  return search.b.path.largest_acceleration_along(normal, span, search.b.reach) +
+         search.a.path.largest_acceleration_along(-normal, span, search.a.reach);
+}
+
+// The same along a direction n that turns with the speed v. The gap of two points at x apart is n.x, and its second
+// derivative n.x'' + 2 n'.x' - v^2 n.x. The last term only counts where the gap is negative.
+Real bend_of_turning(const Search& search, const Separation& begin, Real gap, const TimeSpan& span) {
+  const Path &a = search.a.path, &b = search.b.path;
+  const Real turning = norm(begin.direction.turning), length = span.length();
+  const Real speeds = a.largest_turning(span) * search.a.reach.radius + b.largest_turning(span) * search.b.reach.radius;
+  const Real bends = a.largest_turning_acceleration(span) * search.a.reach.radius +
+                     b.largest_turning_acceleration(span) * search.b.reach.radius;
+  const Vec3 acceleration = b.motion().acceleration - a.motion().acceleration;
+  const Vec3 velocity = b.velocity_at(span.begin) - a.velocity_at(span.begin);
+  const Vec3& n = begin.direction.normal;
+  const Real turn = turning * length, change = norm(acceleration);
+  const Real across = norm(velocity - dot(velocity, n) * n) + turn * norm(velocity) + length * change + speeds;
+  const Real away = norm(b.centre_at(span.begin) - a.centre_at(span.begin));
+  const Real approach = norm(velocity) + length * change + speeds +
+                        turning * (away + search.a.reach.radius + search.b.reach.radius + search.radii() +
+                                   length * (norm(velocity) + length * change));
+  const Real deepest = std::max(length * approach - gap, Real{0});
+  constexpr Real outward = 1 + 1e-13;
+  return outward * (dot(n, acceleration) + change * turn + bends + 2 * turning * across + turning * turning * deepest) +
+         rounding_of(change);
+}
+
+// The time up to which the parts are certainly apart, from a time at which they are.
+Real advance(const Search& search, const Placed& placed, const Separation& begin, Real time, Real end) {
+  const Real gap = search.gap_along(placed, begin.direction.normal);
+  if (!(gap > 0)) {
+    return time;
+  }
+  const Real left = end - time;
+  const Real aim = gap - 0.5 * search.settings.tolerance;
+  const Real to_touch = begin.approach > 0 ? std::max(aim, 0.5 * gap) / begin.approach : infinity;
+  const Real wish = std::min(left, to_touch);
+  // A gap that is halved by its bend is left a half.
+  const auto longest = [&](Real bend) { return bend > 0 ? std::sqrt(4 * gap / bend) : infinity; };
+
+  const Real bend = bend_of_turning(search, begin, gap, {time, time + wish});
+  const bool turns = longest(bend) >= wish && squared_norm(begin.direction.turning) > 0;
+  const Real still = turns ? 0 : bend_of_still(search, begin.direction.normal, {time, end});
+  const Real length = turns ? wish : std::min(wish, longest(still));
+  const Real next = length < left ? time + length : end;
+  const Vec3 normal = turns ? begin.direction.after(next - time) : begin.direction.normal;
+  const Real share = free_share(gap, search.gap_along(search.at(next), normal), turns ? bend : still, next - time);
+  return share < 1 ? time + share * (next - time) : next;
+}
+
+}  // namespace
+
+MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local) {
+  return {part, path, local, path.reach_of(part.aabb(local).inflated(-part.radius()))};
+}
+
+Real free_share(Real at_begin, Real at_end, Real bend, Real length) {
+  const Real half = 0.5 * bend * length * length;
+  if (half <= 0 && at_end > 0) {
+    return 1;
+  }
+  // The first zero of begin + (end - begin - half) s + half s^2.
+  const Real slope = at_end - at_begin - half, discriminant = slope * slope - 4 * half * at_begin;
+  if (discriminant < 0) {
+    return 1;
+  }
+  const Real divisor = std::sqrt(discriminant) - slope;
+  constexpr Real inward = 1 - 1e-12;
+  const Real zero = 2 * at_begin / divisor;
+  return divisor > 0 && zero <= 1 ? inward * zero : 1;
+}
+
+Impact convex_impact(const MovingPart& a, const MovingPart& b, const TimeSpan& span, const ImpactSettings& settings) {
+  const Search search{a, b, settings};
+  Impact out;
+  Real time = span.begin;
+  Vec3 toward{0, 0, 0};
+  for (; out.rounds < settings.most_rounds; ++out.rounds) {
+    const Placed placed = search.at(time);
+    const Pose ab = relative(placed.a, placed.b);
+    const Vec3 guess = out.rounds == 0 ? ab * b.part.centre() - a.part.centre() : placed.a.rotation.undo(toward);
+    const GjkResult found = gjk(a.part, b.part, ab, guess, settings.size, 0.25 * settings.tolerance, infinity);
+    out.lower = time;
+    if (found.overlap || !(found.lower - search.radii() - settings.margin > 0)) {
+      out.state = out.rounds == 0 ? ImpactState::starts_together : ImpactState::touches;
+      out.upper = time;
+      if (!found.overlap) {
+        out.contact = separation_of(search, placed, found, time).distance;
+      }
+      return out;
+    }
+    const Separation now = separation_of(search, placed, found, time);
+    toward = now.direction.normal;
+    if (now.distance.upper - settings.margin <= settings.tolerance) {
+      out.state = out.rounds == 0 ? ImpactState::starts_together : ImpactState::touches;
+      out.upper = time;
+      out.contact = now.distance;
+      return out;
+    }
+    const Real next = advance(search, placed, now, time, span.end);
+    if (!(next < span.end)) {
+      out.state = ImpactState::apart;
+      out.lower = out.upper = span.end;
+      return out;
+    }
+    if (!(next > time)) {
+      break;
+    }
+    time = next;
+  }
+  out.state = ImpactState::undecided;
+  out.lower = time;
+  out.upper = span.end;
+  return out;
+}
+
+}  // namespace abut

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes are taken apart: composites into children, surfaces into triangles, many balls into balls. Each two convex
+// parts whose boxes may meet are asked by themselves, up to the first touch found so far.
+module abut.motion.time_of_impact;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.math.tolerance;
+import abut.motion.best_impact;
+import abut.motion.convex_impact;
+import abut.motion.convex_part;
+import abut.motion.path;
+import abut.motion.relative_motion;
+import abut.motion.whole_impact;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
+
+namespace abut {
+namespace {
+
+const AnyShape::Variant& variant_of(const AnyShape& shape) { return shape; }
+
+// What a kind is, by its place in the registry.
+struct KindTraits {
+  bool is_half_space, is_assembly, has_only_distances, has_parts;
+};
+constexpr auto kind_traits = []<std::size_t... Places>(std::index_sequence<Places...>) {
+  return std::array{KindTraits{HalfSpace<Shapes::At<Places>>, Assembly<Shapes::At<Places>>,
+                               Hole<Shapes::At<Places>> || SampledSolid<Shapes::At<Places>>,
+                               Surface<Shapes::At<Places>> || Scattered<Shapes::At<Places>>}...};
+}(std::make_index_sequence<Shapes::count>{});
+
+const KindTraits& traits_of(const AnyShape& shape) { return kind_traits[shape.index()]; }
+
+bool is_asked_as_a_whole(const AnyShape& shape) { return shape.has_holes() || traits_of(shape).has_only_distances; }
+
+// A shape on a body, and which child it is of the whole.
+struct Subject {
+  const AnyShape& shape;
+  Carrier on;
+  std::uint32_t child;
+};
+
+void turn_over(Impact& impact) {
+  std::swap(impact.contact.point_a, impact.contact.point_b);
+  impact.contact.normal = -impact.contact.normal;
+  std::swap(impact.child_a, impact.child_b);
+}
+
+struct Search {
+  ImpactSettings settings;
+  BestImpact best;
+  Outcome outcome = Outcome::ok;  // of all two parts; ok where any could be asked
+  bool has_answer = false;
+  bool is_turned_over = false;  // whether what is a now was b in the question
+
+  void add(Outcome asked, Impact impact, std::uint32_t child_a, std::uint32_t child_b) {
+    outcome = has_answer ? Outcome::ok : asked;
+    if (asked != Outcome::ok) {
+      return;
+    }
+    has_answer = true;
+    impact.child_a = child_a;
+    impact.child_b = child_b;
+    if (is_turned_over) {
+      turn_over(impact);
+    }
+    best.add(impact);
+  }
+  [[nodiscard]] Real slack() const { return settings.margin + settings.tolerance + noise_of(settings.size); }
+};
+
+// A triangle with one side that is met from behind is not met at all. At the start the contacts have told so already.
+bool lets_through(const ConvexPart& part, const Pose& pose, const Vec3& outward, bool is_start) {
+  const auto front = part.only_front();
+  return front && (is_start || dot(pose.rotation * *front, outward) <= 0);
+}
+
+void meet_parts(const MovingPart& a, const MovingPart& b, const TimeSpan& span, std::uint32_t child_a,
+                std::uint32_t child_b, Search& search) {
+  Impact impact = convex_impact(a, b, {span.begin, std::min(span.end, search.best.end())}, search.settings);
+  const bool is_start = impact.state == ImpactState::starts_together && span.begin == 0;
+  if (impact.state == ImpactState::touches || impact.state == ImpactState::starts_together) {
+    if (lets_through(a.part, a.at(impact.upper), impact.contact.normal, is_start) ||
+        lets_through(b.part, b.at(impact.upper), -impact.contact.normal, is_start)) {
+      impact.state = ImpactState::apart;
+    } else if (!is_start) {
+      impact.state = ImpactState::touches;
+    }
+  }
+  search.add(Outcome::ok, impact, child_a, child_b);
+}
+
+// Calls visit(part, place of the part in the shape, child) for the convex parts near a box in the frame of the shape.
+template <class Visitor>
+void visit_parts(const AnyShape& shape, const Aabb& near, Visitor&& visit) {
+  Aabb box = near;
+  std::visit(
+      [&]<class S>(const S& s) {
+        if constexpr (Surface<S>) {
+          s.visit_parts(box, [&](const Triangle& part, std::uint32_t) {
+            visit(ConvexPart::of(part), Pose::identity(), std::uint32_t{0});
+          });
+        } else if constexpr (Scattered<S>) {
+          s.visit_places(box, [&](const Vec3& place, std::uint32_t index) {
+            visit(ConvexPart::of(s.part(index)), Pose{Rotation::identity(), place}, index);
+          });
+        } else if (const auto part = ConvexPart::of(shape)) {
+          visit(*part, Pose::identity(), std::uint32_t{0});
+        }
+      },
+      variant_of(shape));
+}
+
+// a is made of parts; b may be. Time is halved until the box around the way of b is not much larger than b.
+void meet_in_span(const Subject& a, const Subject& b, const TimeSpan& given, int depth, Search& search) {
+  constexpr int most_halvings = 12;
+  const TimeSpan span{given.begin, std::min(given.end, search.best.end())};
+  if (!(span.begin < span.end)) {
+    return;
+  }
+  const Real slack = search.slack();
+  const Aabb own_b = aabb_of(b.shape, b.on.local);
+  const RelativeBox way = relative_box(a.on.path, a.on.local, b.on.path, own_b, span);
+  const Aabb near_a = way.box.inflated(slack);
+  if (!aabb_of(a.shape, Pose::identity()).overlaps(near_a)) {
+    return;
+  }
+  const Real extent = largest_magnitude(own_b.high - own_b.low);
+  if (depth < most_halvings && (way.slack > 0.125 * extent || way.drift > extent)) {
+    const Real middle = 0.5 * (span.begin + span.end);
+    meet_in_span(a, b, {span.begin, middle}, depth + 1, search);
+    meet_in_span(a, b, {middle, given.end}, depth + 1, search);
+    return;
+  }
+  const auto whole_b = traits_of(b.shape).has_parts ? std::nullopt : ConvexPart::of(b.shape);
+  const auto moving_b = whole_b ? std::optional(moving_part(*whole_b, b.on.path, b.on.local)) : std::nullopt;
+  visit_parts(a.shape, near_a, [&](const ConvexPart& part, const Pose& place, std::uint32_t child) {
+    const Pose local = a.on.local * place;
+    const MovingPart moving_a = moving_part(part, a.on.path, local);
+    const std::uint32_t child_a = a.child + child;
+    if (moving_b) {
+      meet_parts(moving_a, *moving_b, span, child_a, b.child, search);
+      return;
+    }
+    const Aabb near_b = relative_box(b.on.path, b.on.local, a.on.path, part.aabb(local), span).box.inflated(slack);
+    visit_parts(b.shape, near_b, [&](const ConvexPart& part_b, const Pose& place_b, std::uint32_t child_b) {
+      meet_parts(moving_a, moving_part(part_b, b.on.path, b.on.local * place_b), span, child_a, b.child + child_b,
+                 search);
+    });
+  });
+}
+
+void meet(const Subject& a, const Subject& b, Search& search);
+
+// The same with the sides exchanged.
+void meet_turned_over(const Subject& a, const Subject& b, Search& search) {
+  search.is_turned_over = !search.is_turned_over;
+  meet(b, a, search);
+  search.is_turned_over = !search.is_turned_over;
+}
+
+// Of solids that no hole cuts.
+void meet_children(const Subject& a, const Subject& b, Search& search) {
+  const TimeSpan span{0, search.best.end()};
+  const Aabb own_b = aabb_of(b.shape, b.on.local);
+  const Aabb way = relative_box(a.on.path, a.on.local, b.on.path, own_b, span).box.inflated(search.slack());
+  std::visit(
+      [&]<class S>(const S& s) {
+        if constexpr (Assembly<S>) {
+          s.visit_children(way, [&](std::uint32_t child) {
+            const auto& its = s.children()[child];
+            meet({*its.shape, {a.on.path, a.on.local * its.pose}, child}, b, search);
+          });
+        }
+      },
+      variant_of(a.shape));
+}
+
+// Which of two shapes is taken apart first, or asked as what it is: the higher one.
+int rank_of(const AnyShape& shape) {
+  const KindTraits& traits = traits_of(shape);
+  return traits.is_assembly ? 3 : traits.is_half_space ? 2 : traits.has_parts ? 1 : 0;
+}
+
+void meet(const Subject& a, const Subject& b, Search& search) {
+  const TimeSpan span{0, search.best.end()};
+  const auto add = [&](const WholeImpact& found) { search.add(found.outcome, found.impact, a.child, b.child); };
+  if (!is_supported(a.shape.index(), b.shape.index())) {
+    add({Outcome::unsupported, {}});
+  } else if (is_asked_as_a_whole(a.shape) || is_asked_as_a_whole(b.shape)) {
+    add(distance_impact(a.shape, a.on, b.shape, b.on, span, search.settings));
+  } else if (rank_of(a.shape) < rank_of(b.shape)) {
+    meet_turned_over(a, b, search);
+  } else if (traits_of(a.shape).is_assembly) {
+    search.has_answer = true;
+    meet_children(a, b, search);
+  } else if (traits_of(a.shape).is_half_space) {
+    add(half_space_impact(a.shape, a.on, b.shape, b.on, span, search.settings));
+  } else if (traits_of(a.shape).has_parts) {
+    search.has_answer = true;
+    meet_in_span(a, b, span, 0, search);
+  } else {
+    const auto part_a = ConvexPart::of(a.shape), part_b = ConvexPart::of(b.shape);
+    meet_parts(moving_part(*part_a, a.on.path, a.on.local), moving_part(*part_b, b.on.path, b.on.local), span, a.child,
+               b.child, search);
+  }
+}
+
+// Shapes whose contacts at the start say more than a distance: which of their parts overlap, and on which side.
+bool is_made_of_parts(const AnyShape& shape) { return traits_of(shape).has_parts || traits_of(shape).is_assembly; }
+
+// The deepest contact before the motion.
+Outcome meet_at_start(const Subject& a, const Subject& b, Search& search) {
+  Manifold contacts;
+  const QuerySettings settings{.margin = search.settings.margin};
+  const Outcome outcome = pair_contacts(a.shape, b.shape, a.on.at(0), b.on.at(0), settings, contacts);
+  if (outcome == Outcome::ok && !contacts.empty()) {
+    const ContactPoint& deepest = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
+    const Distance contact{deepest.distance, deepest.distance, deepest.distance,   deepest.point_a,
+                           deepest.point_b,  deepest.normal,   settings.algorithm, 0};
+    search.add(outcome, {ImpactState::starts_together, 0, 0, 0, contact, 0, 0}, deepest.child_a, deepest.child_b);
+  }
+  return outcome;
+}
+
+// Without the motion of a, and around where it starts: so that no digits are lost to what both have in common.
+struct OwnFrame {
+  Path a, b;
+  Vec3 origin;
+};
+OwnFrame own_frame(const Path& a, const Path& b) {
+  const Vec3 origin = a.start().position;
+  const Motion& motion = a.motion();
+  return {a.seen_from(origin, motion.velocity, motion.acceleration),
+          b.seen_from(origin, motion.velocity, motion.acceleration), origin};
+}
+
+Real finite_or_zero(Real reach) { return reach < infinity ? reach : 0; }
+
+ImpactSettings settings_of(const Subject& a, const Subject& b, const ImpactOptions& options) {
+  const auto radius_of = [](const Subject& its) {
+    return finite_or_zero(its.on.path.reach_of(aabb_of(its.shape, its.on.local)).radius);
+  };
+  const Path &path_a = a.on.path, &path_b = b.on.path;
+  const Real sizes = radius_of(a) + radius_of(b), duration = path_b.duration();
+  const Real way = duration * path_b.largest_speed(path_b.whole(), 0);
+  const Real arms =
+      norm(path_a.centre_at(0) - path_a.start().position) + norm(path_b.centre_at(0) - path_b.start().position);
+  const Real size = sizes + arms + norm(path_b.centre_at(0) - path_a.centre_at(0)) + way;
+  constexpr Real usual = 1e-12, least = 8;
+  const Real wanted = options.tolerance > 0 ? options.tolerance : usual * sizes;
+  return {size, std::max(wanted, least * rounding_of(size)), options.margin, options.most_rounds};
+}
+
+// The order of the two is that of the work.
+Outcome impact_in_order(const AnyShape& shape_a, const Path& path_a, const AnyShape& shape_b, const Path& path_b,
+                        const ImpactOptions& options, Impact& out) {
+  const OwnFrame frame = own_frame(path_a, path_b);
+  const Subject a{shape_a, {frame.a, Pose::identity()}, 0}, b{shape_b, {frame.b, Pose::identity()}, 0};
+  Search search{settings_of(a, b, options), BestImpact(path_a.duration())};
+  const bool is_whole = is_asked_as_a_whole(shape_a) || is_asked_as_a_whole(shape_b);
+  if (!is_whole && (is_made_of_parts(shape_a) || is_made_of_parts(shape_b))) {
+    const Aabb near_a = aabb_of(shape_a, a.on.at(0)).inflated(search.slack());
+    if (near_a.overlaps(aabb_of(shape_b, b.on.at(0)))) {
+      search.outcome = meet_at_start(a, b, search);
+    }
+  }
+  if (search.outcome == Outcome::ok && !search.best.is_at_start()) {
+    meet(a, b, search);
+  }
+  if (search.outcome != Outcome::ok && !search.has_answer) {
+    return search.outcome;
+  }
+  out = search.best.result();
+  move_by(out.contact, frame.origin + path_a.shift_at(out.upper));
+  return Outcome::ok;
+}
+
+}  // namespace
+
+Outcome time_of_impact(const AnyShape& a, const Path& path_a, const AnyShape& b, const Path& path_b,
+                       const ImpactOptions& options, Impact& out) {
+  if (starts_from_b(a, b, path_a.start(), path_b.start())) {
+    const Outcome outcome = impact_in_order(b, path_b, a, path_a, options, out);
+    if (outcome == Outcome::ok) {
+      turn_over(out);
+    }
+    return outcome;
+  }
+  return impact_in_order(a, path_a, b, path_b, options, out);
+}
+
+}  // namespace abut
