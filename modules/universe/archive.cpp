@@ -21,7 +21,7 @@ namespace {
 // "abut-uni", lowest byte first.
 constexpr std::uint64_t mark = 0x696e752d74756261;
 // Grows whenever something is written that was not, or no more.
-constexpr std::uint32_t present_version = 1;
+constexpr std::uint32_t present_version = 2;
 constexpr std::size_t head_size = 24;
 
 struct Head {
@@ -37,6 +37,7 @@ struct SavedContact {
   std::uint32_t flags, age;
   std::uint64_t user_data;
   std::uint32_t material_a, material_b;
+  Real toi;
 };
 
 Error refused(std::string_view what) { return {Errc::invalid_argument, "bytes " + std::string(what)}; }
@@ -78,7 +79,8 @@ bool are_right(const UniverseOptions& its) {
 bool is_right(const SavedContact& its) {
   constexpr Real slack = 1e-6;
   return is_finite(its.point.point_a) && is_finite(its.point.point_b) && std::isfinite(its.point.distance) &&
-         std::fabs(squared_norm(its.point.normal) - 1) <= slack && its.flags <= contact_of_sensor &&
+         std::fabs(squared_norm(its.point.normal) - 1) <= slack && its.flags <= (contact_of_sensor | contact_speculative) &&
+         its.toi >= 0 && its.toi <= 1 &&
          its.point.feature_a.kind <= FeatureKind::particle && its.point.feature_b.kind <= FeatureKind::particle;
 }
 
@@ -97,7 +99,8 @@ std::vector<std::uint8_t> Universe::save() const {
   std::vector<SavedContact> contacts;
   contacts.reserve(contacts_.all().size());
   for (const Contact& its : contacts_.all()) {
-    contacts.push_back({its.point, its.flags, its.age, its.user_data, its.material_a, its.material_b});
+    contacts.push_back({its.point, its.flags, its.age, its.user_data, its.material_a, its.material_b,
+                        its.toi});
   }
   const auto pairs = pairs_.all();
   const auto locals = contacts_.locals();
@@ -190,7 +193,8 @@ void Universe::load_contacts(ByteReader& in, std::uint64_t count) {
                           .age = its.age,
                           .user_data = its.user_data,
                           .material_a = its.material_a,
-                          .material_b = its.material_b});
+                          .material_b = its.material_b,
+                          .toi = its.toi});
     }
   }
   contacts_.restore(std::move(contacts), std::move(locals));
