@@ -8,6 +8,7 @@ import abut.core.standard;
 import abut.core;
 import abut.detect.contacts;
 import abut.detect.events;
+import abut.detect.impacts;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.math;
@@ -84,6 +85,11 @@ bool is_right(const SavedContact& its) {
          its.point.feature_a.kind <= FeatureKind::particle && its.point.feature_b.kind <= FeatureKind::particle;
 }
 
+bool is_right(const StepImpact& its, std::size_t contacts) {
+  return its.lower >= 0 && its.lower <= its.upper && its.upper <= 1 && its.first_contact <= contacts &&
+         its.contact_count <= contacts - its.first_contact;
+}
+
 bool is_right(const Event& its, std::size_t contacts) {
   constexpr std::uint32_t all_flags = event_of_sensor | event_of_contact | event_asleep;
   return its.kind <= EventKind::end && its.flags <= all_flags && its.first_contact <= contacts &&
@@ -105,9 +111,10 @@ std::vector<std::uint8_t> Universe::save() const {
   const auto pairs = pairs_.all();
   const auto locals = contacts_.locals();
   const auto events = events_.all();
+  const auto impacts = impacts_.all();
   body(step_, follows_islands_, islands_);
   body(std::vector<Pair>(pairs.begin(), pairs.end()), contacts, std::vector<LocalPoints>(locals.begin(), locals.end()),
-       std::vector<Event>(events.begin(), events.end()));
+       std::vector<Event>(events.begin(), events.end()), std::vector<StepImpact>(impacts.begin(), impacts.end()));
   ByteWriter head;
   head(Head{mark, present_version, checksum_of(body.bytes()), body.bytes().size()});
   std::vector<std::uint8_t> all(head.bytes().begin(), head.bytes().end());
@@ -172,13 +179,16 @@ void Universe::load_contacts(ByteReader& in, std::uint64_t count) {
   std::vector<SavedContact> saved;
   std::vector<LocalPoints> locals;
   std::vector<Event> events;
-  in(saved, locals, events);
+  std::vector<StepImpact> impacts;
+  in(saved, locals, events, impacts);
   in.require(saved.size() == count, "the contacts are not as many as those of the pairs");
   in.require(locals.size() == (options_.keeps_local_points ? count : 0), "the local points are not those of contacts");
   in.require(std::ranges::all_of(saved, [](const SavedContact& its) { return is_right(its); }),
              "a contact has numbers that none has");
   in.require(std::ranges::all_of(events, [&](const Event& its) { return is_right(its, saved.size()); }),
              "an event is none");
+  in.require(std::ranges::all_of(impacts, [&](const StepImpact& its) { return is_right(its, saved.size()); }),
+             "an impact is none");
   if (in.has_failed()) {
     return;
   }
@@ -199,6 +209,8 @@ void Universe::load_contacts(ByteReader& in, std::uint64_t count) {
   }
   contacts_.restore(std::move(contacts), std::move(locals));
   events_.restore(std::move(events));
+  impacts_.restore(std::move(impacts));
+  had_ways_ = !swept_places_.empty();
 }
 
 }  // namespace abut
