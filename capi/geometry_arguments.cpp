@@ -29,11 +29,7 @@ abut_status check_flags(const Where& where, abut_geometry_flags flags) {
     return refuse(error_about(Errc::invalid_argument, where.with(".flags"), std::uint64_t{flags},
                               "fast or speculative, not both"));
   }
-  if (abut_has_feature("motion") == 0) {
-    return refuse(ABUT_UNSUPPORTED, where.with(".flags is ") + std::to_string(flags) +
-                                        "; this build of abut is without the feature \"motion\"");
-  }
-  return ABUT_OK;
+  return check_has_motion();
 }
 
 Sweeping sweeping_of(abut_geometry_flags flags) {

@@ -1081,7 +1081,7 @@ typedef uint32_t abut_geometry_flags;
 enum abut_geometry_flags_value ABUT_ENUM(uint32_t) {
   ABUT_GEOMETRY_SENSOR = 1,    /**< its contacts carry ABUT_CONTACT_SENSOR */
   ABUT_GEOMETRY_SELF_PAIRS = 2, /**< it meets itself; see the section on self pairs */
-  ABUT_GEOMETRY_FAST = 4,       /**< steps with time look at its way, so that it passes through nothing; see the
+  ABUT_GEOMETRY_FAST = 4,       /**< steps with time follow its path, so that it passes through nothing; see the
                                      section on fast geometries. ABUT_UNSUPPORTED in a build without the feature
                                      motion */
   ABUT_GEOMETRY_SPECULATIVE = 8 /**< steps with time report contacts as far away as its motion may close; not
@@ -1857,7 +1857,7 @@ ABUT_API abut_status abut_parts_accelerations(const abut_universe *universe, con
 /* ------------------------------------------------------------------------------------------------
  * Fast geometries
  *
- * A step with dt above 0 looks at the ways of geometries with ABUT_GEOMETRY_FAST through the step: the first touch on
+ * A step with dt above 0 follows the paths of geometries with ABUT_GEOMETRY_FAST through the step: the first touch on
  * them is proven, whatever the speed. Everything that such a geometry may meet takes part: also other fast ones, what
  * is static or asleep, and sensors. Each part moves like this, fast or not:
  *
@@ -1880,12 +1880,12 @@ ABUT_API abut_status abut_parts_accelerations(const abut_universe *universe, con
  * also has those that are further apart, as far as the motion may close the distance along the normal within the step.
  * They are found faster, but may stop a body at a corner that it passes by.
  *
- * Detections, and steps without time, know no ways: contacts are those of the present poses. A universe without such
+ * Detections, and steps without time, know no paths: contacts are those of the present poses. A universe without such
  * geometries pays nothing.
  * --------------------------------------------------------------------------------------------- */
 
-/** Two geometries that first touch on their way through a step. */
-typedef struct abut_impact {
+/** Two geometries that first touch on their paths through a step. */
+typedef struct abut_step_impact {
   abut_geometry_id geometry_a;
   abut_geometry_id geometry_b;
   double lower;           /**< fraction of the step; proven to be apart before it */
@@ -1894,16 +1894,16 @@ typedef struct abut_impact {
   uint32_t contact_count;
   uint32_t is_undecided;  /**< 1: the search has ended early, and nothing is known after `lower` */
   uint32_t reserved;      /**< zero */
-} abut_impact;
+} abut_step_impact;
 
 /**
  * Impacts of the last step in order of time, then of slots: one for each pair with a fast geometry that touches on its
- * way, and does not at the start of the step. Borrowed until the next [exclusive] call. [const]
+ * path, and does not at the start of the step. Borrowed until the next [exclusive] call. [const]
  */
-ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const abut_impact **impacts, size_t *count);
+ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const abut_step_impact **impacts, size_t *count);
 
 /**
- * Moves all parts along their ways through dt, until the first of the fast geometries would touch: for those who stop
+ * Moves all parts along their paths through dt, until the first of the fast geometries would touch: for those who stop
  * the world there. Up to `lower` of the impact, which is where the parts are then, no fast geometry touches anything,
  * which is proven. Pairs that touch at the start hold nothing up, nor do sensors, nor pairs that a policy treats as
  * boxes. Velocities stay as they are. It brings boxes up to date as abut_universe_refresh does, finds velocities that
@@ -1912,7 +1912,7 @@ ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const 
  * @param out  the impact, without contacts. Where there is none, the geometries are null, and `lower` and `upper` 1
  * Complexity as a step for the fast geometries. [exclusive]
  */
-ABUT_API abut_status abut_universe_advance_to_first_impact(abut_universe *universe, double dt, abut_impact *out);
+ABUT_API abut_status abut_universe_advance_to_first_impact(abut_universe *universe, double dt, abut_step_impact *out);
 
 /* ------------------------------------------------------------------------------------------------
  * Self pairs

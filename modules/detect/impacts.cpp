@@ -8,7 +8,7 @@ import abut.detect.best_points;
 import abut.detect.contacts;
 import abut.detect.jobs;
 import abut.detect.pairs;
-import abut.detect.ways;
+import abut.detect.paths;
 import abut.math;
 import abut.motion.time_of_impact;
 import abut.narrow.manifold;
@@ -27,7 +27,7 @@ constexpr std::size_t pairs_of_block = 4;
 // Points as far apart as this, by the size of the pair, belong to a first touch.
 constexpr Real depth_of_touch = 1e-6;
 
-// The two sides of a job, on their ways.
+// The two sides of a job, on their paths.
 struct Sides {
   const PairJob& job;
   Path a, b;
@@ -183,10 +183,10 @@ void ImpactStage::examine(const Scene& scene, const Pair& pair, std::size_t numb
   const auto has = [&](Sweeping sweeping) {
     return places.infos[job.a].sweeping == sweeping || places.infos[job.b].sweeping == sweeping;
   };
-  if (!scene.ways.moves(job.a) && !scene.ways.moves(job.b)) {
+  if (!scene.paths.moves(job.a) && !scene.paths.moves(job.b)) {
     return;
   }
-  const Sides sides{job, scene.ways.of(job.a), scene.ways.of(job.b)};
+  const Sides sides{job, scene.paths.of(job.a), scene.paths.of(job.b)};
   JobResult& result = jobs.result(its.job);
   its.touching = std::max<Real>(job.margin, 0);
   if (!has(Sweeping::impacts)) {
@@ -194,7 +194,7 @@ void ImpactStage::examine(const Scene& scene, const Pair& pair, std::size_t numb
     report_speculative(scene, sides, pair, number, its.touching, jobs, result);
     return;
   }
-  const bool begins_here = scene.ways.begins_at_pose(job.a) && scene.ways.begins_at_pose(job.b);
+  const bool begins_here = scene.paths.begins_at_pose(job.a) && scene.paths.begins_at_pose(job.b);
   if (begins_here && result.count > 0) {
     return;
   }

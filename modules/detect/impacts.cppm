@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The narrow phase of those that look at their way through a step: when they first touch on it, and where.
+// The narrow phase of those that look at their path through a step: when they first touch on it, and where.
 export module abut.detect.impacts;
 import abut.broadphase;
 import abut.capability;
@@ -8,7 +8,7 @@ import abut.core.workers;
 import abut.detect.contacts;
 import abut.detect.jobs;
 import abut.detect.pairs;
-import abut.detect.ways;
+import abut.detect.paths;
 import abut.math;
 import abut.motion.time_of_impact;
 import abut.scene.options;
@@ -23,11 +23,11 @@ class ImpactStage {
     const UniverseOptions& options;
     const PolicyTable& policies;
     const Places& places;
-    const Ways& ways;
+    const Paths& paths;
     std::span<const ContactHistory> histories;  // of the detection before
   };
 
-  // Pairs that have a job get the contacts of their way instead of those of their present poses:
+  // Pairs that have a job get the contacts of their path instead of those of their present poses:
   // - those that touch at the start of the step: the contacts there;
   // - those that touch later: the contacts there, each point being where its body has it at the start;
   // - those that ask for speculative contacts: the contacts at the start, up to what the motion may close.
@@ -43,12 +43,12 @@ class ImpactStage {
   // Of the last step, in order of time.
   [[nodiscard]] std::span<const StepImpact> all() const [[clang::lifetimebound]] { return impacts_; }
   void restore(std::vector<StepImpact> impacts) { impacts_ = std::move(impacts); }
-  // Pairs whose ways were looked at.
+  // Pairs whose paths were looked at.
   [[nodiscard]] std::uint64_t examined() const { return ahead_.size(); }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  // A pair and what its way led to.
+  // A pair and what its path led to.
   struct Ahead {
     std::uint32_t pair, job;
     bool is_impact = false, is_undecided = false;

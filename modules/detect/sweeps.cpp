@@ -6,7 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core.workers;
 import abut.detect.refresh;
-import abut.detect.ways;
+import abut.detect.paths;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
@@ -20,7 +20,7 @@ namespace {
 
 // Below this many movers a task costs more than it saves.
 constexpr std::size_t least_of_task = 8;
-// Ways are asked about in pieces of some sizes of the shape, which are halved until they are nearly as short as it.
+// Paths are asked about in pieces of some sizes of the shape, which are halved until they are nearly as short as it.
 constexpr Real sizes_of_piece = 4, most_pieces = 16, sizes_of_last = 2;
 constexpr int most_halvings = 12;
 
@@ -49,10 +49,10 @@ Aabb box_within(const Mover& its, const TimeSpan& span, const Places& places) {
 
 }  // namespace
 
-void Sweeps::add_mover(const Ways& ways, const BoxFrame& frame, std::uint32_t place, const Places& places) {
+void Sweeps::add_mover(const Paths& paths, const BoxFrame& frame, std::uint32_t place, const Places& places) {
   const AnyShape& shape = *places.shapes[place];
   const PlaceInfo& info = places.infos[place];
-  const Path path = ways.of(place);
+  const Path path = paths.of(place);
   Mover mover{.place = place,
               .has_sweeping = info.sweeping != Sweeping::none,
               .path = path,
@@ -67,29 +67,29 @@ void Sweeps::add_mover(const Ways& ways, const BoxFrame& frame, std::uint32_t pl
 
 // First those with a sweeping, then the quick ones: those that get further than the mean size of the former. So no
 // quick one makes the others ask far around.
-void Sweeps::find_movers(const Ways& ways, const BoxFrame& frame, const Space& space,
+void Sweeps::find_movers(const Paths& paths, const BoxFrame& frame, const Space& space,
                          std::span<const std::uint32_t> swept_places, Places& places) {
   movers_.clear();
   is_mover_.assign(places.infos.size(), false);
   Real size = 0;
   for (const std::uint32_t at : swept_places) {
     if (space.is_shown(at)) {
-      places.note(at, happened_on_way);
-      add_mover(ways, frame, at, places);
+      places.note(at, happened_on_path);
+      add_mover(paths, frame, at, places);
       size += movers_.back().size;
     }
   }
   slow_way_ = 0;
   const Real most = movers_.empty() ? 0 : size / static_cast<Real>(movers_.size());
   for (std::uint32_t at = 0; !movers_.empty() && at < places.infos.size(); ++at) {
-    if (!space.is_shown(at) || is_mover_[at] || !ways.moves(at)) {
+    if (!space.is_shown(at) || is_mover_[at] || !paths.moves(at)) {
       continue;
     }
-    const Real way = ways.farthest(at, widened(places.boxes[at], frame.origin));
+    const Real way = paths.farthest(at, widened(places.boxes[at], frame.origin));
     if (way <= most) {
       slow_way_ = std::max(slow_way_, way);
     } else {
-      add_mover(ways, frame, at, places);
+      add_mover(paths, frame, at, places);
     }
   }
 }
@@ -122,7 +122,7 @@ void Sweeps::halve(std::uint32_t number, const TimeSpan& span, std::size_t first
 }
 
 // Those that are no movers.
-void Sweeps::meet_slow(std::uint32_t number, const Ways& ways, const BoxFrame& frame, const Space& space,
+void Sweeps::meet_slow(std::uint32_t number, const Paths& paths, const BoxFrame& frame, const Space& space,
                        const Places& places, Task& task) const {
   const Mover& its = movers_[number];
   const PlaceInfo& info = places.infos[its.place];
@@ -139,7 +139,7 @@ void Sweeps::meet_slow(std::uint32_t number, const Ways& ways, const BoxFrame& f
         return;
       }
       const CompactAabb& there = places.boxes[met];
-      const Real slow = ways.moves(met) ? ways.farthest(met, widened(there, frame.origin)) : 0;
+      const Real slow = paths.moves(met) ? paths.farthest(met, widened(there, frame.origin)) : 0;
       const Near near{met, inflated(there, slow)};
       if (box.overlaps(near.box)) {
         task.near.push_back(near);
@@ -185,10 +185,10 @@ void Sweeps::meet_movers(const Places& places) {
   }
 }
 
-void Sweeps::run(const Workers& workers, const Ways& ways, const BoxFrame& frame, const Space& space,
+void Sweeps::run(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
                  std::span<const std::uint32_t> swept_places, Places& places) {
   pairs_.clear();
-  find_movers(ways, frame, space, swept_places, places);
+  find_movers(paths, frame, space, swept_places, places);
   const auto is_swept = [](const Mover& its) { return its.has_sweeping; };
   const auto swept = static_cast<std::size_t>(std::ranges::count_if(movers_, is_swept));
   const Cuts cuts = workers.cut(swept, least_of_task);
@@ -198,7 +198,7 @@ void Sweeps::run(const Workers& workers, const Ways& ways, const BoxFrame& frame
     task.pairs.clear();
     task.seen_by.assign(places.infos.size(), no_index);
     for (std::size_t i = cuts.begin(number); i < cuts.end(number); ++i) {
-      meet_slow(static_cast<std::uint32_t>(i), ways, frame, space, places, task);
+      meet_slow(static_cast<std::uint32_t>(i), paths, frame, space, places, task);
     }
   });
   for (const Task& task : std::span(tasks_).first(cuts.tasks())) {

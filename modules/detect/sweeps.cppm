@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The broad phase of those that look at their way through a step: whom they may meet on it.
+// The broad phase of those that look at their path through a step: whom they may meet on it.
 export module abut.detect.sweeps;
 import abut.broadphase;
 import abut.core.standard;
 import abut.core.workers;
 import abut.detect.refresh;
-import abut.detect.ways;
+import abut.detect.paths;
 import abut.math;
 import abut.scene.options;
 import abut.scene.places;
@@ -13,7 +13,7 @@ import abut.scene.space;
 
 export namespace abut {
 
-// Boxes of the broad phase stay those of the present poses, so that other pairs and queries do not hear of ways. A
+// Boxes of the broad phase stay those of the present poses, so that other pairs and queries do not hear of paths. A
 // geometry with a sweeping asks the broad phase for whom its swept box meets, grown by how far slow ones get. Whoever is
 // quicker is in a list of movers, which are tried with each other.
 //
@@ -21,8 +21,8 @@ export namespace abut {
 // all that is in its box.
 class Sweeps {
  public:
-  // Notes happened_on_way of the geometries with a sweeping that show.
-  void run(const Workers& workers, const Ways& ways, const BoxFrame& frame, const Space& space,
+  // Notes happened_on_path of the geometries with a sweeping that show.
+  void run(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
            std::span<const std::uint32_t> swept_places, Places& places);
   void clear() { pairs_.clear(); }
 
@@ -44,7 +44,7 @@ class Sweeps {
   };
   struct Near {
     std::uint32_t place;
-    CompactAabb box;  // of all its way
+    CompactAabb box;  // of all its path
   };
   // What one task finds, and what it remembers of the mover that it looks at.
   struct Task {
@@ -53,10 +53,10 @@ class Sweeps {
     std::vector<std::uint32_t> seen_by;  // the last mover that has met a place, by place
   };
 
-  void add_mover(const Ways& ways, const BoxFrame& frame, std::uint32_t place, const Places& places);
-  void find_movers(const Ways& ways, const BoxFrame& frame, const Space& space,
+  void add_mover(const Paths& paths, const BoxFrame& frame, std::uint32_t place, const Places& places);
+  void find_movers(const Paths& paths, const BoxFrame& frame, const Space& space,
                    std::span<const std::uint32_t> swept_places, Places& places);
-  void meet_slow(std::uint32_t number, const Ways& ways, const BoxFrame& frame, const Space& space,
+  void meet_slow(std::uint32_t number, const Paths& paths, const BoxFrame& frame, const Space& space,
                  const Places& places, Task& task) const;
   void halve(std::uint32_t number, const TimeSpan& span, std::size_t first, int depth, const BoxFrame& frame,
              const Places& places, Task& task) const;

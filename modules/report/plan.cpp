@@ -43,9 +43,9 @@ std::string line_of(const Plan::VelocityCounts& counts) {
          " from poses\n";
 }
 
-std::string line_of(const Plan::WayCounts& counts) {
-  return "ways: " + count_of(counts.fast, "fast geometry") + ", " + to_text(counts.speculative) + " speculative, " +
-         count_of(counts.pairs, "pair") + " examined on their way, " + count_of(counts.impacts, "impact") + "\n";
+std::string line_of(const Plan::PathCounts& counts) {
+  return "paths: " + count_of(counts.fast, "fast geometry") + ", " + to_text(counts.speculative) + " speculative, " +
+         count_of(counts.pairs, "pair") + " examined on their path, " + count_of(counts.impacts, "impact") + "\n";
 }
 
 std::string line_of(std::span<const Plan::Extension> extensions) {
@@ -59,7 +59,7 @@ std::string line_of(std::span<const Plan::Extension> extensions) {
 // What is only there when the scene uses it.
 std::string lines_of_extras(const Plan& plan) {
   return (plan.focus ? line_of(*plan.focus) : "") + (plan.islands ? line_of(*plan.islands) : "") +
-         (plan.velocities ? line_of(*plan.velocities) : "") + (plan.ways ? line_of(*plan.ways) : "") +
+         (plan.velocities ? line_of(*plan.velocities) : "") + (plan.paths ? line_of(*plan.paths) : "") +
          line_of(plan.extensions);
 }
 

@@ -38,8 +38,8 @@ struct Plan {
   struct VelocityCounts {
     std::uint64_t given, measured;
   };
-  // Geometries whose way through a step is looked at, pairs that were examined on it, and impacts.
-  struct WayCounts {
+  // Geometries whose path through a step is looked at, pairs that were examined on it, and impacts.
+  struct PathCounts {
     std::uint64_t fast, speculative, pairs, impacts;
   };
 
@@ -54,7 +54,7 @@ struct Plan {
   std::optional<FocusCounts> focus = std::nullopt;
   std::optional<IslandCounts> islands = std::nullopt;
   std::optional<VelocityCounts> velocities = std::nullopt;
-  std::optional<WayCounts> ways = std::nullopt;
+  std::optional<PathCounts> paths = std::nullopt;
   std::vector<Extension> extensions = {};
 };
 

@@ -65,8 +65,8 @@ void write_velocities(Json& json, const Plan::VelocityCounts& counts) {
   json.close('}');
 }
 
-void write_ways(Json& json, const Plan::WayCounts& counts) {
-  json.name("ways");
+void write_paths(Json& json, const Plan::PathCounts& counts) {
+  json.name("paths");
   json.open('{');
   json.member("fast", counts.fast);
   json.member("speculative", counts.speculative);
@@ -143,8 +143,8 @@ std::string to_json(const Plan& plan) {
   if (plan.velocities) {
     write_velocities(json, *plan.velocities);
   }
-  if (plan.ways) {
-    write_ways(json, *plan.ways);
+  if (plan.paths) {
+    write_paths(json, *plan.paths);
   }
   write_list(json, "extensions", plan.extensions);
   write_list(json, "pairs_of_kinds", plan.kinds);

@@ -114,7 +114,7 @@ struct Contact {
   Real toi = 0;  // part of the step before the first touch
 };
 
-// Two geometries that first touch on their way through a step. Times are parts of the step.
+// Two geometries that first touch on their path through a step. Times are parts of the step.
 struct StepImpact {
   GeometryId geometry_a, geometry_b;
   Real lower = 0, upper = 0;        // apart before `lower`, which is proven; touching at `upper`

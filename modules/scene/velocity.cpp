@@ -88,8 +88,12 @@ Motion VelocityTable::motion_within(Real dt, std::uint32_t slot) const {
     return {};
   }
   const auto& [velocity, acceleration, source, place] = entries_[slot - 1];
-  const Real square = source == VelocitySource::poses ? 0 : dt * dt;
-  return {dt * velocity.linear, dt * velocity.angular, square * acceleration.linear, square * acceleration.angular};
+  const Motion constant{dt * velocity.linear, dt * velocity.angular};
+  if (source == VelocitySource::poses) {
+    return constant;
+  }
+  return {constant.velocity, constant.angular_velocity, dt * (dt * acceleration.linear),
+          dt * (dt * acceleration.angular)};
 }
 
 Fault VelocityTable::check_motions(Real dt) const {

@@ -7,7 +7,7 @@ import abut.core.standard;
 import abut.core;
 import abut.detect.impacts;
 import abut.detect.sweeps;
-import abut.detect.ways;
+import abut.detect.paths;
 import abut.math;
 import abut.math.turn;
 import abut.motion.time_of_impact;
@@ -24,7 +24,7 @@ constexpr StepImpact no_impact{.geometry_a = {}, .geometry_b = {}, .lower = 1, .
 
 // The filter is asked, as in a detection.
 StepImpact Universe::first_impact(Real dt) {
-  const Ways its_ways = ways(dt);
+  const Paths its_paths = paths(dt);
   StepImpact first = no_impact;
   for (const auto& [low, high] : sweeps_.pairs()) {
     const PlaceInfo &a = places_.infos[low], &b = places_.infos[high];
@@ -34,9 +34,9 @@ StepImpact Universe::first_impact(Real dt) {
       continue;
     }
     Impact impact;
-    const Outcome outcome = find_impact(places_, low, its_ways.of(low), high, its_ways.of(high), 0, impact);
-    const bool is_on_way = impact.state == ImpactState::touches || impact.state == ImpactState::undecided;
-    if (outcome == Outcome::ok && is_on_way && impact.lower < first.lower) {
+    const Outcome outcome = find_impact(places_, low, its_paths.of(low), high, its_paths.of(high), 0, impact);
+    const bool is_on_path = impact.state == ImpactState::touches || impact.state == ImpactState::undecided;
+    if (outcome == Outcome::ok && is_on_path && impact.lower < first.lower) {
       first = {.geometry_a = places_.id_at(low),
                .geometry_b = places_.id_at(high),
                .lower = impact.lower,
@@ -67,7 +67,9 @@ void Universe::move_along(Real dt, Real time) {
 }
 
 Result<StepImpact> Universe::advance_to_first_impact(Real dt) {
-  if (Fault fault = check_time(dt)) {
+  Fault fault = check_time(dt);
+  fault = fault ? fault : velocities_.check_motions(dt);
+  if (fault) {
     return *fault;
   }
   refresh();
@@ -75,7 +77,7 @@ Result<StepImpact> Universe::advance_to_first_impact(Real dt) {
     return no_impact;
   }
   velocities_.update(dt, [&](PartId part) { return parts_.at(part).placement; });
-  sweeps_.run(workers_, ways(dt), box_frame(), space_, swept_places_, places_);
+  sweeps_.run(workers_, paths(dt), box_frame(), space_, swept_places_, places_);
   begin_detection();
   StepImpact first;
   try {

@@ -210,7 +210,7 @@ void Universe::load_contacts(ByteReader& in, std::uint64_t count) {
   contacts_.restore(std::move(contacts), std::move(locals));
   events_.restore(std::move(events));
   impacts_.restore(std::move(impacts));
-  had_ways_ = !swept_places_.empty();
+  had_paths_ = !swept_places_.empty();
 }
 
 }  // namespace abut

@@ -117,10 +117,10 @@ Plan Universe::plan(std::span<const Plan::Extension> extensions) const {
     plan.velocities = {velocities_.count(VelocitySource::given), velocities_.count(VelocitySource::poses)};
   }
   if (!swept_places_.empty()) {
-    plan.ways = Plan::WayCounts{0, 0, impacts_.examined(), impacts_.all().size()};
+    plan.paths = Plan::PathCounts{0, 0, impacts_.examined(), impacts_.all().size()};
     for (const std::uint32_t at : swept_places_) {
       const bool is_fast = places_.infos[at].sweeping == Sweeping::impacts;
-      (is_fast ? plan.ways->fast : plan.ways->speculative) += 1;
+      (is_fast ? plan.paths->fast : plan.paths->speculative) += 1;
     }
   }
   std::uint64_t never_met = 0;

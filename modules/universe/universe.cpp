@@ -19,7 +19,7 @@ import abut.detect.selection;
 import abut.detect.sleep;
 import abut.detect.stopwatch;
 import abut.detect.sweeps;
-import abut.detect.ways;
+import abut.detect.paths;
 import abut.math;
 import abut.scene.changes;
 import abut.scene.checks;
@@ -69,16 +69,16 @@ void Universe::find_pairs() {
 }
 
 // Whom geometries with a sweeping may meet within dt; nobody without time.
-void Universe::find_ways(Real dt) {
+void Universe::find_paths(Real dt) {
   if (dt > 0 && !swept_places_.empty()) {
-    sweeps_.run(workers_, ways(dt), box_frame(), space_, swept_places_, places_);
+    sweeps_.run(workers_, paths(dt), box_frame(), space_, swept_places_, places_);
     space_.set_changed(true);
-    had_ways_ = true;
-  } else if (std::exchange(had_ways_, false)) {
+    had_paths_ = true;
+  } else if (std::exchange(had_paths_, false)) {
     sweeps_.clear();
     space_.set_changed(true);
     for (const std::uint32_t at : swept_places_) {
-      places_.note(at, happened_on_way);
+      places_.note(at, happened_on_path);
     }
   }
 }
@@ -133,7 +133,7 @@ void Universe::finish_detection() {
   }
   changes_.patches.clear();
   for (const std::uint32_t at : swept_places_) {
-    places_.happened[at] &= ~unsigned{happened_on_way};
+    places_.happened[at] &= ~unsigned{happened_on_path};
   }
   stats_.moved = changes_.fresh.size();
   changes_.fresh.clear();
@@ -182,7 +182,7 @@ void Universe::run_stages(const Scope& scope) {
   stats_.refresh_microseconds = watch.lap();
   update_space();
   find_pairs();
-  find_ways(scope.dt);
+  find_paths(scope.dt);
   stats_.broadphase_microseconds = watch.lap();
   if (space_.has_changed()) {
     pairs_.merge(workers_, sweeps_.with(near_), places_.infos, changes_.are_slots_reused);
@@ -196,8 +196,8 @@ void Universe::run_stages(const Scope& scope) {
   stats_.pair_microseconds = watch.lap();
   find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, jobs_);
   seams_.run(places_, jobs_);
-  const Ways its_ways = ways(scope.dt);
-  impacts_.run(workers_, {options_, meetings_.policies, places_, its_ways, contacts_.histories()}, sweeps_.pairs(),
+  const Paths its_paths = paths(scope.dt);
+  impacts_.run(workers_, {options_, meetings_.policies, places_, its_paths, contacts_.histories()}, sweeps_.pairs(),
                pairs_.all(), jobs_);
   stats_.narrowphase_microseconds = watch.lap();
   const ContactCounts counts = contacts_.collect(workers_, places_, is_timed, jobs_, pairs_.all());

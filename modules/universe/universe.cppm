@@ -17,7 +17,7 @@ import abut.detect.refresh;
 import abut.detect.seams;
 import abut.detect.selection;
 import abut.detect.sweeps;
-import abut.detect.ways;
+import abut.detect.paths;
 import abut.math;
 export import abut.report.plan;
 export import abut.scene;
@@ -64,10 +64,10 @@ class Universe : public Scene {
   // Of the last step: by the slots of the geometries; of one pair what ends comes before what begins, and the pair
   // before its contacts.
   [[nodiscard]] std::span<const Event> events() const [[clang::lifetimebound]] { return events_.all(); }
-  // Of the last step, in order of time: two geometries, of which one at least asked for impacts, that touch on their way
+  // Of the last step, in order of time: two geometries, of which one at least asked for impacts, that touch on their path
   // and did not at its start.
   [[nodiscard]] std::span<const StepImpact> impacts() const [[clang::lifetimebound]] { return impacts_.all(); }
-  // Moves all parts that have a velocity as far on their way through dt as nothing touches of what asks for impacts.
+  // Moves all parts that have a velocity as far on their path through dt as nothing touches of what asks for impacts.
   // Those that touch at the start, sensors and pairs that are seen as boxes hold nothing up. Answers with the impact that
   // comes first, or with none and the whole way.
   [[nodiscard]] Result<StepImpact> advance_to_first_impact(Real dt);
@@ -101,8 +101,8 @@ class Universe : public Scene {
   void run_stages(const Scope& scope);
   [[nodiscard]] Fault check_time(Real dt) const;
   void refresh_places();
-  void find_ways(Real dt);
-  [[nodiscard]] Ways ways(Real dt) const { return {geometries_, velocities_, places_, dt}; }
+  void find_paths(Real dt);
+  [[nodiscard]] Paths paths(Real dt) const { return {geometries_, velocities_, places_, dt}; }
   [[nodiscard]] StepImpact first_impact(Real dt);
   void move_along(Real dt, Real time);
   [[nodiscard]] BoxFrame box_frame() const;
@@ -131,7 +131,7 @@ class Universe : public Scene {
   JobList jobs_;
   SeamStage seams_;
   Sweeps sweeps_;
-  bool had_ways_ = false;  // the last detection looked at ways
+  bool had_paths_ = false;  // the last detection looked at paths
   ImpactStage impacts_;
   ContactList contacts_;
   EventList events_;

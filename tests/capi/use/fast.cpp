@@ -19,7 +19,7 @@ abut_geometry_options with_flags(abut_geometry_flags flags) {
   return options;
 }
 
-std::vector<abut_impact> impacts_of(const abut_universe* universe) { return copy_of(abut_universe_impacts, universe); }
+std::vector<abut_step_impact> impacts_of(const abut_universe* universe) { return copy_of(abut_universe_impacts, universe); }
 
 abut_vec3 sum(const abut_vec3& a, const abut_vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 abut_vec3 times(double s, const abut_vec3& v) { return {s * v.x, s * v.y, s * v.z}; }
@@ -393,7 +393,7 @@ TEST(Fast, IsTheSameForAllThreadsAndBroadPhases) {
       for (int step = 0; step < 3; ++step) {
         require(abut_universe_step(universe, 0.5));
         sum = sum * 31 + universe.hash();
-        for (const abut_impact& impact : impacts_of(universe)) {
+        for (const abut_step_impact& impact : impacts_of(universe)) {
           sum = sum * 31 + std::bit_cast<std::uint64_t>(impact.lower) + impact.first_contact;
         }
       }
@@ -462,7 +462,7 @@ TEST(Fast, AdvancesUntilSomethingTouches) {
     std::vector<abut_part_id> parts(crowd.movings.size());
     std::size_t count = 0;
     require(abut_universe_parts(universe, parts.data(), parts.size(), &count));
-    abut_impact first{};
+    abut_step_impact first{};
     require(abut_universe_advance_to_first_impact(universe, dt, &first));
     stopped += first.geometry_a.slot != 0 ? 1 : 0;
     EXPECT_EQ(first.lower == 1, first.geometry_a.slot == 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fast geometries touch on their ways.
+// What fast geometries touch on their paths.
+#include "options.hpp"
 #include "universe_handle.hpp"
 
 import abut.core;
@@ -9,7 +10,7 @@ using namespace abut::capi;
 
 namespace {
 
-abut_impact from_impact(const abut::StepImpact& impact) {
+abut_step_impact from_impact(const abut::StepImpact& impact) {
   return {from_geometry(impact.geometry_a),
           from_geometry(impact.geometry_b),
           impact.lower,
@@ -22,11 +23,12 @@ abut_impact from_impact(const abut::StepImpact& impact) {
 
 }  // namespace
 
-abut_status abut_universe_impacts(const abut_universe* universe, const abut_impact** impacts, size_t* count) {
+abut_status abut_universe_impacts(const abut_universe* universe, const abut_step_impact** impacts, size_t* count) {
   return guard(universe, [&](const abut_universe& its) {
-    const abut_status status = check_none_null<2>({{{"impacts", impacts}, {"count", count}}});
+    abut_status status = check_none_null<2>({{{"impacts", impacts}, {"count", count}}});
+    status = status != ABUT_OK ? status : check_has_motion();
     if (status == ABUT_OK) {
-      const std::span<const abut_impact> lent = its.impacts.get(its.universe.impacts(), from_impact);
+      const std::span<const abut_step_impact> lent = its.impacts.get(its.universe.impacts(), from_impact);
       *impacts = lent.data();
       *count = lent.size();
     }
@@ -34,9 +36,11 @@ abut_status abut_universe_impacts(const abut_universe* universe, const abut_impa
   });
 }
 
-abut_status abut_universe_advance_to_first_impact(abut_universe* universe, double dt, abut_impact* out) {
+abut_status abut_universe_advance_to_first_impact(abut_universe* universe, double dt, abut_step_impact* out) {
   return guard(universe, [&](abut_universe& its) {
-    if (const abut_status status = check_not_null("out", out); status != ABUT_OK) {
+    abut_status status = check_not_null("out", out);
+    status = status != ABUT_OK ? status : check_has_motion();
+    if (status != ABUT_OK) {
       return status;
     }
     const auto first = its.universe.advance_to_first_impact(dt);

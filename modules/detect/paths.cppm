@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How geometries move through a step. The step is the unit of time.
-export module abut.detect.ways;
+export module abut.detect.paths;
 import abut.core.standard;
 import abut.math;
 export import abut.motion.path;
@@ -11,7 +11,7 @@ export namespace abut {
 
 // A part with a measured velocity begins where it was at the end of the step before, and ends at its pose. All others
 // begin at their pose.
-struct Ways {
+struct Paths {
   const Scene::Geometries& geometries;
   const VelocityTable& velocities;
   const Places& places;
