@@ -39,6 +39,9 @@ static_assert(is_plain<abut_distance>(104));
 static_assert(is_plain<abut_contact>(192));
 static_assert(is_plain<abut_pair_memory>(64));
 static_assert(is_plain<abut_first_touch>(24));
+static_assert(is_plain<abut_movement>(120));
+static_assert(is_plain<abut_impact_options>(32));
+static_assert(is_plain<abut_impact>(136));
 static_assert(is_plain<abut_local_points>(48));
 static_assert(is_plain<abut_universe_options>(56));
 static_assert(is_plain<abut_part_options>(72));
@@ -199,6 +202,27 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_first_touch, reserved),
     ABUT_FIELD(abut_first_touch, lower),
     ABUT_FIELD(abut_first_touch, upper),
+    ABUT_STRUCT(abut_movement),
+    ABUT_FIELD(abut_movement, velocity),
+    ABUT_FIELD(abut_movement, angular_velocity),
+    ABUT_FIELD(abut_movement, acceleration),
+    ABUT_FIELD(abut_movement, angular_acceleration),
+    ABUT_FIELD(abut_movement, centre),
+    ABUT_STRUCT(abut_impact_options),
+    ABUT_FIELD(abut_impact_options, struct_size),
+    ABUT_FIELD(abut_impact_options, most_rounds),
+    ABUT_FIELD(abut_impact_options, tolerance),
+    ABUT_FIELD(abut_impact_options, margin),
+    ABUT_FIELD(abut_impact_options, threads),
+    ABUT_FIELD(abut_impact_options, reserved),
+    ABUT_STRUCT(abut_impact),
+    ABUT_FIELD(abut_impact, state),
+    ABUT_FIELD(abut_impact, rounds),
+    ABUT_FIELD(abut_impact, lower),
+    ABUT_FIELD(abut_impact, upper),
+    ABUT_FIELD(abut_impact, contact),
+    ABUT_FIELD(abut_impact, child_a),
+    ABUT_FIELD(abut_impact, child_b),
     ABUT_STRUCT(abut_local_points),
     ABUT_FIELD(abut_local_points, a),
     ABUT_FIELD(abut_local_points, b),

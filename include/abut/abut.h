@@ -857,6 +857,95 @@ ABUT_API abut_status abut_edges_touch_edges(const double *start, const double *e
                                             double tolerance, abut_first_touch *out);
 
 /* ------------------------------------------------------------------------------------------------
+ * Bodies that move and turn: when two of them first touch
+ * --------------------------------------------------------------------------------------------- */
+
+/**
+ * How a body moves, in the world, by the unit of time. After a time t its centre has moved by
+ * velocity * t + acceleration * t^2 / 2. It has turned by the rotation whose axis times angle is
+ * angular_velocity * t + angular_acceleration * t^2 / 2.
+ */
+typedef struct abut_movement {
+  abut_vec3 velocity;
+  abut_vec3 angular_velocity; /**< radians */
+  abut_vec3 acceleration;
+  abut_vec3 angular_acceleration;
+  abut_vec3 centre; /**< the point around which it turns, in the frame of the shape */
+} abut_movement;
+
+/**
+ * The motion that leads from one pose to another: the centre on a straight line with constant speed, and a turn around
+ * a fixed axis with constant speed, by the shorter way.
+ * @param centre    in the frame of the shape
+ * @param duration  above 0
+ * [any]
+ */
+ABUT_API abut_status abut_movement_between(const abut_pose *start, const abut_pose *end, const abut_vec3 *centre,
+                                           double duration, abut_movement *out);
+
+typedef uint32_t abut_impact_state;
+enum abut_impact_state_value ABUT_ENUM(uint32_t) {
+  ABUT_IMPACT_APART = 0,           /**< they do not touch within the time */
+  ABUT_IMPACT_TOUCHES = 1,         /**< they come to touch */
+  ABUT_IMPACT_STARTS_TOGETHER = 2, /**< they touch at the start */
+  ABUT_IMPACT_UNDECIDED = 3        /**< apart before `lower`; what comes then is not known */
+};
+
+/** Options of times of impact. Fill with abut_impact_options_init, then change fields. */
+typedef struct abut_impact_options {
+  uint32_t struct_size;
+  uint32_t most_rounds; /**< of the search, for each two convex parts; default 1024 */
+  double tolerance;     /**< of the distance at `upper`; default 0: 1e-12 of the size of the shapes */
+  double margin;        /**< they touch when they come as near as this; not negative, default 0 */
+  uint32_t threads;     /**< of a batch, as in abut_query_options */
+  uint32_t reserved;    /**< zero */
+} abut_impact_options;
+
+ABUT_API void abut_impact_options_init(abut_impact_options *options, uint32_t struct_size);
+
+/**
+ * When two shapes first touch. Before `lower` they are further apart than the margin, proven with rounding. At `upper`
+ * they are no further apart than margin + tolerance. `upper` is the duration where it is undecided. Where shapes stay
+ * apart, both are the duration.
+ */
+typedef struct abut_impact {
+  abut_impact_state state;
+  uint32_t rounds;       /**< how many the search took */
+  double lower;
+  double upper;
+  abut_distance contact; /**< at `upper`, in the world; zeros unless they touch */
+  uint32_t child_a;      /**< of a composite, or the particle; 0 for all other shapes */
+  uint32_t child_b;
+} abut_impact;
+
+/**
+ * When two shapes that move and turn first touch, from time 0 to `duration`. Shapes that are less apart than the
+ * tolerance at the start start together. Meshes with ABUT_SIDES_FRONT and height fields let through what comes from
+ * behind.
+ *
+ * ABUT_OUT_OF_RANGE for a motion of more than 16 revolutions within the duration. ABUT_UNSUPPORTED for pairs that have
+ * no distance, and in a build without the feature motion.
+ * @param duration  above 0
+ * @param options   may be null
+ * Complexity: some ten distances of two convex shapes; of meshes those of all triangles that are near each other.
+ * Source: docs/continuous.md. [any]
+ */
+ABUT_API abut_status abut_pair_time_of_impact(const abut_shape *a, const abut_pose *pose_a,
+                                              const abut_movement *movement_a, const abut_shape *b,
+                                              const abut_pose *pose_b, const abut_movement *movement_b,
+                                              double duration, const abut_impact_options *options, abut_impact *out);
+
+/**
+ * The same for `count` pairs of poses and motions of the same two shapes. The first failure ends it, nothing is written
+ * then. [any]
+ */
+ABUT_API abut_status abut_pairs_time_of_impact(const abut_shape *a, const abut_pose *poses_a,
+                                               const abut_movement *movements_a, const abut_shape *b,
+                                               const abut_pose *poses_b, const abut_movement *movements_b,
+                                               size_t count, double duration,
+                                               const abut_impact_options *options, abut_impact *out);
+
+/* ------------------------------------------------------------------------------------------------
  * Universe
  * --------------------------------------------------------------------------------------------- */
 

@@ -40,7 +40,8 @@ struct Direction {
 struct Separation {
   Distance distance;  // in the world
   Direction direction;
-  Real approach;  // how fast the distance shrinks
+  Real approach;   // how fast the distance shrinks
+  Real following;  // how fast the direction turns with edges and faces; what is left follows the nearest points
 };
 
 struct Search {
@@ -63,28 +64,28 @@ Vec3 velocity_of(const Path& path, const Vec3& point, Real time) {
   return path.velocity_at(time) + cross(path.turning_at(time), point - path.centre_at(time));
 }
 
-// How the direction turns that a simplex spans: it stays across the edges of the simplex. Where it may still turn
+// How the direction n turns that a simplex spans: it stays across the edges of the simplex. Where it may still turn
 // around them, it follows the nearest points.
-Vec3 change_of_normal(const Vec3& n, std::span<const Vec3> points, std::span<const Vec3> velocities,
-                      const Vec3& velocity, Real distance) {
+struct Change {
+  Vec3 with_edges, with_points;
+};
+Change change_of_normal(const Vec3& n, std::span<const Vec3> points, std::span<const Vec3> velocities,
+                        const Vec3& velocity, Real distance) {
+  const Vec3 none{0, 0, 0};
   if (points.size() == 3) {
     const Vec3 first = points[0] - points[2], second = points[1] - points[2];
     const Real along_first = -dot(n, velocities[0] - velocities[2]);
     const Real along_second = -dot(n, velocities[1] - velocities[2]);
     const Vec3 change = along_first * cross(second, n) + along_second * cross(n, first);
-    const Real determinant = dot(n, cross(first, second));
-    return (1 / determinant) * change;
+    return {(1 / dot(n, cross(first, second))) * change, none};
   }
   const Vec3 away = (-1 / distance) * (velocity - dot(velocity, n) * n);
-  if (points.size() == 1) {
-    return away;
-  }
-  const auto edge = UnitVec3::make(points[0] - points[1]);
+  const auto edge = points.size() == 2 ? UnitVec3::make(points[0] - points[1]) : std::nullopt;
   if (!edge) {
-    return away;
+    return {none, away};
   }
   const Real along = -dot(n, velocities[0] - velocities[1]) / norm(points[0] - points[1]);
-  return along * edge->vec() + (away - dot(away, *edge) * edge->vec());
+  return {along * edge->vec(), away - dot(away, *edge) * edge->vec()};
 }
 
 // In the world, from a search in the frame of a. `time`: of the velocities.
@@ -104,8 +105,9 @@ Separation separation_of(const Search& search, const Placed& placed, const GjkRe
     velocity += weights[i] * velocities[i];
     on_a += weights[i] * of_a;
   }
-  const Vec3 change =
+  const Change change =
       change_of_normal(n, std::span(points).first(size), std::span(velocities).first(size), velocity, found.upper);
+  const Vec3 turning = cross(n, change.with_edges + change.with_points);
   const Vec3 on_b = on_a + found.upper * n;
   out.distance = {found.upper - search.radii(),
                   found.lower - search.radii(),
@@ -115,8 +117,10 @@ Separation separation_of(const Search& search, const Placed& placed, const GjkRe
                   n,
                   Algorithm::gjk_epa,
                   found.iterations};
-  out.direction = {n, is_finite(change) ? cross(n, change) : Vec3{0, 0, 0}};
+  const bool is_known = is_finite(turning);
+  out.direction = {n, is_known ? turning : Vec3{0, 0, 0}};
   out.approach = dot(n, velocity);
+  out.following = is_known ? norm(change.with_edges) : 0;
   return out;
 }
 
@@ -149,26 +153,46 @@ Real bend_of_turning(const Search& search, const Separation& begin, Real gap, co
          rounding_of(change);
 }
 
+// How far ahead to look, and along which direction.
+struct Proposal {
+  Real length, bend;
+  Vec3 turning;
+};
+
+Proposal propose(const Search& search, const Separation& begin, Real gap, const TimeSpan& rest) {
+  const Real aim = std::max(gap - 0.5 * search.settings.tolerance, 0.5 * gap);
+  const Real wish = std::min(rest.length(), begin.approach > 0 ? aim / begin.approach : infinity);
+  // A gap that is halved by its bend is left a half.
+  const auto longest = [&](Real bend) { return bend > 0 ? std::sqrt(4 * gap / bend) : infinity; };
+
+  const Real still = bend_of_still(search, begin.direction.normal, rest);
+  const Real lost =
+      begin.following * (search.a.reach.radius + search.b.reach.radius) + std::max(begin.approach, Real{0});
+  const Real while_still = std::min(wish, longest(still));
+  if (!(squared_norm(begin.direction.turning) > 0) || lost * while_still <= 0.5 * gap) {
+    return {while_still, still, {0, 0, 0}};
+  }
+  const auto bend_for = [&](Real length) {
+    return bend_of_turning(search, begin, gap, {rest.begin, std::min(rest.begin + length, rest.end)});
+  };
+  const Real first_guess = std::min(wish, longest(bend_for(wish)));
+  const Real turning = bend_for(first_guess), while_turning = std::min(wish, longest(turning));
+  if (while_turning < std::min(while_still, gap / lost)) {
+    return {while_still, still, {0, 0, 0}};
+  }
+  return {first_guess, turning, begin.direction.turning};
+}
+
 // The time up to which the parts are certainly apart, from a time at which they are.
 Real advance(const Search& search, const Placed& placed, const Separation& begin, Real time, Real end) {
   const Real gap = search.gap_along(placed, begin.direction.normal);
   if (!(gap > 0)) {
     return time;
   }
-  const Real left = end - time;
-  const Real aim = gap - 0.5 * search.settings.tolerance;
-  const Real to_touch = begin.approach > 0 ? std::max(aim, 0.5 * gap) / begin.approach : infinity;
-  const Real wish = std::min(left, to_touch);
-  // A gap that is halved by its bend is left a half.
-  const auto longest = [&](Real bend) { return bend > 0 ? std::sqrt(4 * gap / bend) : infinity; };
-
-  const Real bend = bend_of_turning(search, begin, gap, {time, time + wish});
-  const bool turns = longest(bend) >= wish && squared_norm(begin.direction.turning) > 0;
-  const Real still = turns ? 0 : bend_of_still(search, begin.direction.normal, {time, end});
-  const Real length = turns ? wish : std::min(wish, longest(still));
-  const Real next = length < left ? time + length : end;
-  const Vec3 normal = turns ? begin.direction.after(next - time) : begin.direction.normal;
-  const Real share = free_share(gap, search.gap_along(search.at(next), normal), turns ? bend : still, next - time);
+  const Proposal ahead = propose(search, begin, gap, {time, end});
+  const Real next = ahead.length < end - time ? time + ahead.length : end;
+  const Vec3 normal = Direction{begin.direction.normal, ahead.turning}.after(next - time);
+  const Real share = free_share(gap, search.gap_along(search.at(next), normal), ahead.bend, next - time);
   return share < 1 ? time + share * (next - time) : next;
 }
 

@@ -28,7 +28,7 @@ Fault check_revolutions(const Motion& motion, Real duration) {
   const Real angle = duration * (norm(motion.angular_velocity) + 0.5 * duration * norm(motion.angular_acceleration));
   const Real revolutions = angle / (2 * std::numbers::pi);
   if (!(revolutions <= most_revolutions)) {
-    return error_about(Errc::out_of_range, "the number of revolutions", revolutions, "at most 16 within the duration");
+    return error_about(Errc::out_of_range, "revolutions", revolutions, "at most 16 within the duration");
   }
   return std::nullopt;
 }
@@ -36,7 +36,7 @@ Fault check_revolutions(const Motion& motion, Real duration) {
 Fault check_way(const Motion& motion, Real duration) {
   const Real way = duration * (norm(motion.velocity) + 0.5 * duration * norm(motion.acceleration));
   if (!(way <= largest_coordinate)) {
-    return error_about(Errc::out_of_range, "the way of the centre", way, "at most 1e70 within the duration");
+    return error_about(Errc::out_of_range, "way", way, "at most 1e70 within the duration");
   }
   return std::nullopt;
 }

@@ -71,7 +71,8 @@ struct Search {
   [[nodiscard]] Real slack() const { return settings.margin + settings.tolerance + noise_of(settings.size); }
 };
 
-// A triangle with one side that is met from behind is not met at all. At the start the contacts have told so already.
+// A triangle with one side that is met from behind is not met at all. Nor is one that overlaps at the begin of a span:
+// before that it was met from behind, and at the start the contacts have told so already.
 bool lets_through(const ConvexPart& part, const Pose& pose, const Vec3& outward, bool is_start) {
   const auto front = part.only_front();
   return front && (is_start || dot(pose.rotation * *front, outward) <= 0);
@@ -80,12 +81,13 @@ bool lets_through(const ConvexPart& part, const Pose& pose, const Vec3& outward,
 void meet_parts(const MovingPart& a, const MovingPart& b, const TimeSpan& span, std::uint32_t child_a,
                 std::uint32_t child_b, Search& search) {
   Impact impact = convex_impact(a, b, {span.begin, std::min(span.end, search.best.end())}, search.settings);
-  const bool is_start = impact.state == ImpactState::starts_together && span.begin == 0;
   if (impact.state == ImpactState::touches || impact.state == ImpactState::starts_together) {
+    const bool overlaps = impact.contact.lower <= search.settings.margin && impact.state != ImpactState::touches;
+    const bool is_start = overlaps || impact.upper == 0;
     if (lets_through(a.part, a.at(impact.upper), impact.contact.normal, is_start) ||
         lets_through(b.part, b.at(impact.upper), -impact.contact.normal, is_start)) {
       impact.state = ImpactState::apart;
-    } else if (!is_start) {
+    } else if (impact.upper > 0) {
       impact.state = ImpactState::touches;
     }
   }
@@ -274,11 +276,21 @@ Outcome impact_in_order(const AnyShape& shape_a, const Path& path_a, const AnySh
     return search.outcome;
   }
   out = search.best.result();
+  // A search for a touch knows no depth.
+  const bool is_met = out.state == ImpactState::touches || out.state == ImpactState::starts_together;
+  if (is_met && squared_norm(out.contact.normal) == 0) {
+    const Outcome outcome = pair_distance(shape_a, shape_b, a.on.at(out.upper), b.on.at(out.upper), {}, out.contact);
+    if (outcome != Outcome::ok) {
+      return outcome;
+    }
+  }
   move_by(out.contact, frame.origin + path_a.shift_at(out.upper));
   return Outcome::ok;
 }
 
 }  // namespace
+
+bool has_motion() { return true; }
 
 Outcome time_of_impact(const AnyShape& a, const Path& path_a, const AnyShape& b, const Path& path_b,
                        const ImpactOptions& options, Impact& out) {

@@ -10,6 +10,9 @@ import abut.pairs.registry;
 
 export namespace abut {
 
+// Whether this build answers. Only then may time_of_impact be called.
+[[nodiscard]] bool has_motion();
+
 enum class ImpactState : std::uint32_t {
   apart,            // they do not touch within the time
   touches,          // they touch, or come as near as the tolerance
@@ -30,9 +33,9 @@ struct Impact {
 };
 
 struct ImpactOptions {
-  Real tolerance = 0;              // 0: 1e-12 of the size of the shapes
-  Real margin = 0;                 // they touch when they come as near as this
-  std::uint32_t most_rounds = 64;  // of each two parts
+  Real tolerance = 0;                // 0: 1e-12 of the size of the shapes
+  Real margin = 0;                   // they touch when they come as near as this
+  std::uint32_t most_rounds = 1024;  // of each two parts
 };
 
 // Both paths have one duration. Not ok where the two kinds do not meet.

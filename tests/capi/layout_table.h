@@ -137,6 +137,27 @@
   FIELD(abut_first_touch, reserved, 4, 4)                    \
   FIELD(abut_first_touch, lower, 8, 8)                       \
   FIELD(abut_first_touch, upper, 16, 8)                      \
+  TYPE(abut_movement, 120)                                   \
+  FIELD(abut_movement, velocity, 0, 24)                      \
+  FIELD(abut_movement, angular_velocity, 24, 24)             \
+  FIELD(abut_movement, acceleration, 48, 24)                 \
+  FIELD(abut_movement, angular_acceleration, 72, 24)         \
+  FIELD(abut_movement, centre, 96, 24)                       \
+  TYPE(abut_impact_options, 32)                              \
+  FIELD(abut_impact_options, struct_size, 0, 4)              \
+  FIELD(abut_impact_options, most_rounds, 4, 4)              \
+  FIELD(abut_impact_options, tolerance, 8, 8)                \
+  FIELD(abut_impact_options, margin, 16, 8)                  \
+  FIELD(abut_impact_options, threads, 24, 4)                 \
+  FIELD(abut_impact_options, reserved, 28, 4)                \
+  TYPE(abut_impact, 136)                                     \
+  FIELD(abut_impact, state, 0, 4)                            \
+  FIELD(abut_impact, rounds, 4, 4)                           \
+  FIELD(abut_impact, lower, 8, 8)                            \
+  FIELD(abut_impact, upper, 16, 8)                           \
+  FIELD(abut_impact, contact, 24, 104)                       \
+  FIELD(abut_impact, child_a, 128, 4)                        \
+  FIELD(abut_impact, child_b, 132, 4)                        \
   TYPE(abut_local_points, 48)                                \
   FIELD(abut_local_points, a, 0, 24)                         \
   FIELD(abut_local_points, b, 24, 24)                        \

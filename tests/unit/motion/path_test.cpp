@@ -241,9 +241,9 @@ TEST(Path, RefusesWhatIsNoMotion) {
             std::string::npos);
   EXPECT_EQ(message({}, -1), "duration is -1; it must be positive");
   EXPECT_EQ(message({.angular_velocity = {0, 0, 40 * std::numbers::pi}}, 1),
-            "the number of revolutions is 20; it must be at most 16 within the duration");
+            "revolutions is 20; it must be at most 16 within the duration");
   EXPECT_EQ(message({.angular_velocity = {0, 0, 31 * std::numbers::pi}}, 1), "none");
-  EXPECT_NE(message({.velocity = {1e70, 0, 0}}, 10).find("the way of the centre"), std::string::npos);
+  EXPECT_NE(message({.velocity = {1e70, 0, 0}}, 10).find("way is "), std::string::npos);
 }
 
 }  // namespace

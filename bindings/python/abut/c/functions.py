@@ -113,6 +113,14 @@ FUNCTIONS = {
         POINTER(c_double), POINTER(c_double), c_size_t, c_double, c_double, POINTER(FirstTouch)]),
     "abut_edges_touch_edges": (Status, [
         POINTER(c_double), POINTER(c_double), c_size_t, c_double, c_double, POINTER(FirstTouch)]),
+    "abut_movement_between": (Status, [POINTER(Pose), POINTER(Pose), POINTER(Vec3), c_double, POINTER(Movement)]),
+    "abut_impact_options_init": (None, [POINTER(ImpactOptions), c_uint32]),
+    "abut_pair_time_of_impact": (Status, [
+        c_void_p, POINTER(Pose), POINTER(Movement), c_void_p, POINTER(Pose), POINTER(Movement), c_double,
+        POINTER(ImpactOptions), POINTER(Impact)]),
+    "abut_pairs_time_of_impact": (Status, [
+        c_void_p, POINTER(Pose), POINTER(Movement), c_void_p, POINTER(Pose), POINTER(Movement), c_size_t, c_double,
+        POINTER(ImpactOptions), POINTER(Impact)]),
     "abut_universe_options_init": (None, [POINTER(UniverseOptions), c_uint32]),
     "abut_universe_save": (Status, [c_void_p, c_void_p, c_size_t, POINTER(c_size_t)]),
     "abut_universe_load": (Status, [c_void_p, c_size_t, POINTER(c_void_p)]),

@@ -4,8 +4,8 @@
 from .queries import (
     Camera, CastHit, Closest, Pick, QueryFilter, QueryHit)
 from .shapes import (
-    Contact, Distance, DistanceFieldDesc, DistanceFieldOptions, FirstTouch, HeightFieldDesc, HullReport, MeshOptions,
-    PairMemory, QueryOptions, Ray, RayHit, ShapeDesc, UvGridOptions)
+    Contact, Distance, DistanceFieldDesc, DistanceFieldOptions, FirstTouch, HeightFieldDesc, HullReport, Impact,
+    ImpactOptions, MeshOptions, Movement, PairMemory, QueryOptions, Ray, RayHit, ShapeDesc, UvGridOptions)
 from .universe import (
     Acceleration, Collidable, ContactMaterial, Event, Finding, Focus, GeometryInfo, GeometryOptions, Island, LocalPoints,
     PartOptions, Policy, Revision, Sleep, SleepChange, StepImpact, StepStats, UniverseOptions, Velocity)
@@ -15,7 +15,7 @@ from .values import (
 __all__ = [
     "Aabb", "Acceleration", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance",
     "DistanceFieldDesc", "DistanceFieldOptions", "Event", "Feature", "Finding", "FirstTouch", "Focus", "GeometryId",
-    "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport", "Island", "LayoutEntry", "LocalPoints",
-    "MeshOptions", "PairMemory", "PartId", "PartOptions", "Pick", "Policy", "Pose", "Quat", "QueryFilter",
+    "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport", "Impact", "ImpactOptions", "Island",
+    "LayoutEntry", "LocalPoints", "MeshOptions", "Movement", "PairMemory", "PartId", "PartOptions", "Pick", "Policy", "Pose", "Quat", "QueryFilter",
     "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision", "ShapeDesc", "Sleep", "SleepChange", "StepImpact",
     "StepStats", "UniverseOptions", "UvGridOptions", "Vec3", "Velocity"]

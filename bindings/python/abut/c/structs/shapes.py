@@ -153,5 +153,35 @@ class FirstTouch(Struct):
 
 
 @struct
+class Movement(Struct):
+    velocity: Vec3
+    angular_velocity: Vec3
+    acceleration: Vec3
+    angular_acceleration: Vec3
+    centre: Vec3
+
+
+@struct
+class ImpactOptions(Struct):
+    struct_size: UInt32
+    most_rounds: UInt32
+    tolerance: Double
+    margin: Double
+    threads: UInt32
+    reserved: UInt32
+
+
+@struct
+class Impact(Struct):
+    state: UInt32
+    rounds: UInt32
+    lower: Double
+    upper: Double
+    contact: Distance
+    child_a: UInt32
+    child_b: UInt32
+
+
+@struct
 class PairMemory(Struct):
     opaque: EightWords
