@@ -352,6 +352,49 @@ abut_status abut_vertices_touch_faces(const double *start, const double *end, si
                                                double tolerance, abut_first_touch *out);
 abut_status abut_edges_touch_edges(const double *start, const double *end, size_t count, double separation,
                                             double tolerance, abut_first_touch *out);
+typedef struct abut_movement {
+  abut_vec3 velocity;
+  abut_vec3 angular_velocity;
+  abut_vec3 acceleration;
+  abut_vec3 angular_acceleration;
+  abut_vec3 centre;
+} abut_movement;
+abut_status abut_movement_between(const abut_pose *start, const abut_pose *end, const abut_vec3 *centre,
+                                           double duration, abut_movement *out);
+typedef uint32_t abut_impact_state;
+enum abut_impact_state_value {
+  ABUT_IMPACT_APART = 0,
+  ABUT_IMPACT_TOUCHES = 1,
+  ABUT_IMPACT_STARTS_TOGETHER = 2,
+  ABUT_IMPACT_UNDECIDED = 3
+};
+typedef struct abut_impact_options {
+  uint32_t struct_size;
+  uint32_t most_rounds;
+  double tolerance;
+  double margin;
+  uint32_t threads;
+  uint32_t reserved;
+} abut_impact_options;
+void abut_impact_options_init(abut_impact_options *options, uint32_t struct_size);
+typedef struct abut_impact {
+  abut_impact_state state;
+  uint32_t rounds;
+  double lower;
+  double upper;
+  abut_distance contact;
+  uint32_t child_a;
+  uint32_t child_b;
+} abut_impact;
+abut_status abut_pair_time_of_impact(const abut_shape *a, const abut_pose *pose_a,
+                                              const abut_movement *movement_a, const abut_shape *b,
+                                              const abut_pose *pose_b, const abut_movement *movement_b,
+                                              double duration, const abut_impact_options *options, abut_impact *out);
+abut_status abut_pairs_time_of_impact(const abut_shape *a, const abut_pose *poses_a,
+                                               const abut_movement *movements_a, const abut_shape *b,
+                                               const abut_pose *poses_b, const abut_movement *movements_b,
+                                               size_t count, double duration,
+                                               const abut_impact_options *options, abut_impact *out);
 typedef struct abut_universe abut_universe;
 typedef uint32_t abut_broadphase;
 enum abut_broadphase_value {

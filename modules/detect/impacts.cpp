@@ -116,9 +116,8 @@ void finish(const ImpactStage::Scene& scene, const Sides& sides, const Moment& m
             std::size_t number, std::size_t first, IsWanted&& is_wanted, ChunkScratch& scratch, JobResult& result) {
   const std::span<ContactPoint> found = std::span(scratch.points).subspan(first);
   const Policy& policy = scene.policies.at(pair.policy);
-  const std::size_t left = keep_best(found, scene.options, policy.detail, scratch, is_wanted, [&] {
-    return scene.histories.subspan(pair.first_before, pair.count_before);
-  });
+  const std::size_t left = keep_best(found, scene.options, policy.detail, scratch, is_wanted,
+                                     [&] { return scene.histories.subspan(pair.first_before, pair.count_before); });
   scratch.points.resize(first + left);
   scratch.locals.resize(scratch.points.size());
   for (std::size_t i = first; i < scratch.points.size(); ++i) {

@@ -52,9 +52,9 @@ class ImpactStage {
   struct Ahead {
     std::uint32_t pair, job;
     bool is_impact = false, is_undecided = false;
-    bool is_ahead = false;         // its contacts may lie ahead of a touch
-    Real lower = 0, upper = 0;     // of an impact
-    Real touching = 0;             // up to this distance its contacts touch
+    bool is_ahead = false;      // its contacts may lie ahead of a touch
+    Real lower = 0, upper = 0;  // of an impact
+    Real touching = 0;          // up to this distance its contacts touch
   };
   static void examine(const Scene& scene, const Pair& pair, std::size_t number, JobList& jobs, Ahead& its);
 
@@ -62,7 +62,8 @@ class ImpactStage {
   std::vector<StepImpact> impacts_;
 };
 
-// Of two places, of which one has a sweeping; the margin is what counts as touching. Not ok where the kinds do not meet.
+// Of two places, of which one has a sweeping; the margin is what counts as touching. Not ok where the kinds do not
+// meet.
 [[nodiscard]] Outcome find_impact(const Places& places, std::uint32_t a, const Path& path_a, std::uint32_t b,
                                   const Path& path_b, Real margin, Impact& out);
 

@@ -30,8 +30,8 @@ struct Paths {
     const Pose& local = geometries.at(places.id_at(place)).local_pose;
     return path(before != nullptr ? before->pose() * local : places.worlds[place], local.undo({0, 0, 0}), place);
   }
-  // How far any point of a geometry gets at most from where it is at its pose; `box` holds it there. A chord of a circle
-  // is at most twice its radius.
+  // How far any point of a geometry gets at most from where it is at its pose; `box` holds it there. A chord of a
+  // circle is at most twice its radius.
   [[nodiscard]] Real farthest(std::uint32_t place, const Aabb& box) const {
     const Motion motion = motion_of(place);
     const Real angle = norm(motion.angular_velocity) + 0.5 * norm(motion.angular_acceleration);

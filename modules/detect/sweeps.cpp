@@ -161,7 +161,8 @@ bool Sweeps::may_meet(const Mover& a, const Mover& b, const TimeSpan& span, int 
     return true;
   }
   const Real middle = 0.5 * (span.begin + span.end);
-  return may_meet(a, b, {span.begin, middle}, depth - 1, places) || may_meet(a, b, {middle, span.end}, depth - 1, places);
+  return may_meet(a, b, {span.begin, middle}, depth - 1, places) ||
+         may_meet(a, b, {middle, span.end}, depth - 1, places);
 }
 
 void Sweeps::meet_movers(const Places& places) {

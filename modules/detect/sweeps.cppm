@@ -14,11 +14,11 @@ import abut.scene.space;
 export namespace abut {
 
 // Boxes of the broad phase stay those of the present poses, so that other pairs and queries do not hear of paths. A
-// geometry with a sweeping asks the broad phase for whom its swept box meets, grown by how far slow ones get. Whoever is
-// quicker is in a list of movers, which are tried with each other.
+// geometry with a sweeping asks the broad phase for whom its swept box meets, grown by how far slow ones get. Whoever
+// is quicker is in a list of movers, which are tried with each other.
 //
-// A long way is halved again and again, and those met are asked again by each half: a long diagonal motion does not meet
-// all that is in its box.
+// A long way is halved again and again, and those met are asked again by each half: a long diagonal motion does not
+// meet all that is in its box.
 class Sweeps {
  public:
   // Notes happened_on_path of the geometries with a sweeping that show.

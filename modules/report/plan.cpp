@@ -39,8 +39,7 @@ std::string line_of(const Plan::IslandCounts& counts) {
 }
 
 std::string line_of(const Plan::VelocityCounts& counts) {
-  return "velocities: " + to_text(counts.given) + " given, " + to_text(counts.measured) +
-         " from poses\n";
+  return "velocities: " + to_text(counts.given) + " given, " + to_text(counts.measured) + " from poses\n";
 }
 
 std::string line_of(const Plan::PathCounts& counts) {

@@ -55,8 +55,8 @@ struct PartOptions {
 
 inline constexpr std::uint32_t tag_count = 64;
 
-// What a step with time looks at beside the present poses, for pairs that one geometry of asks for it. Impacts go before
-// speculative contacts.
+// What a step with time looks at beside the present poses, for pairs that one geometry of asks for it. Impacts go
+// before speculative contacts.
 enum class Sweeping : std::uint8_t {
   none,
   impacts,      // the way within the step, and the contacts of the first touch on it

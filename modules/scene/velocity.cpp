@@ -108,9 +108,8 @@ Fault VelocityTable::check_motions(Real dt) const {
     }
     const auto path = Path::along(Pose::identity(), {0, 0, 0}, its, 1);
     if (!path) {
-      return Error{path.error().code,
-                   "dt is " + to_text(dt) + ", in which, of the part in slot " + std::to_string(slot) + ", " +
-                       path.error().message};
+      return Error{path.error().code, "dt is " + to_text(dt) + ", in which, of the part in slot " +
+                                          std::to_string(slot) + ", " + path.error().message};
     }
   }
   return std::nullopt;

@@ -12,6 +12,7 @@ import abut.detect.impacts;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.math;
+import abut.motion.time_of_impact;
 import abut.scene.meetings;
 import abut.scene.places;
 import abut.scene.policies;
@@ -80,8 +81,8 @@ bool are_right(const UniverseOptions& its) {
 bool is_right(const SavedContact& its) {
   constexpr Real slack = 1e-6;
   return is_finite(its.point.point_a) && is_finite(its.point.point_b) && std::isfinite(its.point.distance) &&
-         std::fabs(squared_norm(its.point.normal) - 1) <= slack && its.flags <= (contact_of_sensor | contact_speculative) &&
-         its.toi >= 0 && its.toi <= 1 &&
+         std::fabs(squared_norm(its.point.normal) - 1) <= slack &&
+         its.flags <= (contact_of_sensor | contact_speculative) && its.toi >= 0 && its.toi <= 1 &&
          its.point.feature_a.kind <= FeatureKind::particle && its.point.feature_b.kind <= FeatureKind::particle;
 }
 
@@ -105,8 +106,7 @@ std::vector<std::uint8_t> Universe::save() const {
   std::vector<SavedContact> contacts;
   contacts.reserve(contacts_.all().size());
   for (const Contact& its : contacts_.all()) {
-    contacts.push_back({its.point, its.flags, its.age, its.user_data, its.material_a, its.material_b,
-                        its.toi});
+    contacts.push_back({its.point, its.flags, its.age, its.user_data, its.material_a, its.material_b, its.toi});
   }
   const auto pairs = pairs_.all();
   const auto locals = contacts_.locals();
@@ -144,6 +144,9 @@ Result<void> Universe::load(std::span<const std::uint8_t> bytes) {
   in(options);
   Scene::load(in, workers_);
   in(step_, follows_islands_, islands_);
+  if (!swept_places_.empty() && !has_motion()) {
+    in.fail({Errc::unsupported, "a geometry is fast or speculative, and this build is without the feature \"motion\""});
+  }
   if (!in.has_failed()) {
     load_pairs(in);
   }

@@ -44,9 +44,7 @@ BoxFrame Universe::box_frame() const {
   return {options_.tolerance_mode, meetings_.policies.largest_tolerance(), options_.origin};
 }
 
-void Universe::refresh_places() {
-  refresh_.run(workers_, box_frame(), space_, parts_, geometries_, changes_, places_);
-}
+void Universe::refresh_places() { refresh_.run(workers_, box_frame(), space_, parts_, geometries_, changes_, places_); }
 
 void Universe::update_space() {
   space_.update(workers_, places_, options_.broadphase, changes_.rejoining, refresh_.queue());
@@ -216,8 +214,8 @@ std::uint64_t Universe::hash() const { return hash_of(contacts(), local_points()
 
 std::size_t Universe::bytes() const {
   return sizeof(Universe) + Scene::bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() +
-         selection_.bytes() + jobs_.bytes() + seams_.bytes() + sweeps_.bytes() + impacts_.bytes() + contacts_.bytes() + events_.bytes() +
-         island_links_.bytes() + islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
+         selection_.bytes() + jobs_.bytes() + seams_.bytes() + sweeps_.bytes() + impacts_.bytes() + contacts_.bytes() +
+         events_.bytes() + island_links_.bytes() + islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
 }
 
 Fault Universe::check_time(Real dt) const {

@@ -64,12 +64,12 @@ class Universe : public Scene {
   // Of the last step: by the slots of the geometries; of one pair what ends comes before what begins, and the pair
   // before its contacts.
   [[nodiscard]] std::span<const Event> events() const [[clang::lifetimebound]] { return events_.all(); }
-  // Of the last step, in order of time: two geometries, of which one at least asked for impacts, that touch on their path
-  // and did not at its start.
+  // Of the last step, in order of time: two geometries, of which one at least asked for impacts, that touch on their
+  // path and did not at its start.
   [[nodiscard]] std::span<const StepImpact> impacts() const [[clang::lifetimebound]] { return impacts_.all(); }
   // Moves all parts that have a velocity as far on their path through dt as nothing touches of what asks for impacts.
-  // Those that touch at the start, sensors and pairs that are seen as boxes hold nothing up. Answers with the impact that
-  // comes first, or with none and the whole way.
+  // Those that touch at the start, sensors and pairs that are seen as boxes hold nothing up. Answers with the impact
+  // that comes first, or with none and the whole way.
   [[nodiscard]] Result<StepImpact> advance_to_first_impact(Real dt);
   // Of the contacts, the events and the parts that fell asleep or woke in the last step: every bit of them counts, in
   // their order, but for generations.

@@ -714,6 +714,81 @@ extern "C" {
     ) -> abut_status;
 }
 #[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_movement {
+    pub velocity: abut_vec3,
+    pub angular_velocity: abut_vec3,
+    pub acceleration: abut_vec3,
+    pub angular_acceleration: abut_vec3,
+    pub centre: abut_vec3,
+}
+extern "C" {
+    pub fn abut_movement_between(
+        start: *const abut_pose,
+        end: *const abut_pose,
+        centre: *const abut_vec3,
+        duration: f64,
+        out: *mut abut_movement,
+    ) -> abut_status;
+}
+pub type abut_impact_state = u32;
+pub const ABUT_IMPACT_APART: abut_impact_state_value = 0;
+pub const ABUT_IMPACT_TOUCHES: abut_impact_state_value = 1;
+pub const ABUT_IMPACT_STARTS_TOGETHER: abut_impact_state_value = 2;
+pub const ABUT_IMPACT_UNDECIDED: abut_impact_state_value = 3;
+pub type abut_impact_state_value = ::std::os::raw::c_uint;
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_impact_options {
+    pub struct_size: u32,
+    pub most_rounds: u32,
+    pub tolerance: f64,
+    pub margin: f64,
+    pub threads: u32,
+    pub reserved: u32,
+}
+extern "C" {
+    pub fn abut_impact_options_init(options: *mut abut_impact_options, struct_size: u32);
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_impact {
+    pub state: abut_impact_state,
+    pub rounds: u32,
+    pub lower: f64,
+    pub upper: f64,
+    pub contact: abut_distance,
+    pub child_a: u32,
+    pub child_b: u32,
+}
+extern "C" {
+    pub fn abut_pair_time_of_impact(
+        a: *const abut_shape,
+        pose_a: *const abut_pose,
+        movement_a: *const abut_movement,
+        b: *const abut_shape,
+        pose_b: *const abut_pose,
+        movement_b: *const abut_movement,
+        duration: f64,
+        options: *const abut_impact_options,
+        out: *mut abut_impact,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_pairs_time_of_impact(
+        a: *const abut_shape,
+        poses_a: *const abut_pose,
+        movements_a: *const abut_movement,
+        b: *const abut_shape,
+        poses_b: *const abut_pose,
+        movements_b: *const abut_movement,
+        count: usize,
+        duration: f64,
+        options: *const abut_impact_options,
+        out: *mut abut_impact,
+    ) -> abut_status;
+}
+#[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct abut_universe {
     _unused: [u8; 0],

@@ -19,7 +19,9 @@ abut_geometry_options with_flags(abut_geometry_flags flags) {
   return options;
 }
 
-std::vector<abut_step_impact> impacts_of(const abut_universe* universe) { return copy_of(abut_universe_impacts, universe); }
+std::vector<abut_step_impact> impacts_of(const abut_universe* universe) {
+  return copy_of(abut_universe_impacts, universe);
+}
 
 abut_vec3 sum(const abut_vec3& a, const abut_vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 abut_vec3 times(double s, const abut_vec3& v) { return {s * v.x, s * v.y, s * v.z}; }
@@ -52,9 +54,7 @@ struct Numbers {
   std::mt19937_64 engine;
 
   explicit Numbers(std::uint64_t seed) : engine(seed) {}
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
-  }
+  double between(double low, double high) { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; }
   abut_vec3 vector(double size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
 };
 
@@ -159,9 +159,10 @@ TEST(Fast, MeetsWhateverIsOnItsWay) {
                                  : what == "animated" ? ABUT_MOTION_ANIMATED
                                                       : ABUT_MOTION_DYNAMIC;
       const abut_part_id part = universe.add_part(identity, motion);
-      const abut_geometry_id plate_id = universe.add_geometry(
-          part, what == "mesh" ? sheet : plate,
-          with_flags(what == "sensor" ? ABUT_GEOMETRY_SENSOR : what == "fast" ? ABUT_GEOMETRY_FAST : 0));
+      const abut_geometry_id plate_id = universe.add_geometry(part, what == "mesh" ? sheet : plate,
+                                                              with_flags(what == "sensor" ? ABUT_GEOMETRY_SENSOR
+                                                                         : what == "fast" ? ABUT_GEOMETRY_FAST
+                                                                                          : 0));
       if (what == "coming") {
         const abut_velocity up{{0, 0, 1000}, {0, 0, 0}};
         require(abut_part_set_velocity(universe, part, &up));
@@ -200,8 +201,7 @@ TEST(Fast, FallsOnAPlaneWhenTheClosedFormSays) {
     Universe universe;
     universe.add(plane, identity, ABUT_MOTION_STATIC);
     const double height = 4, gravity = 9.81, dt = 2;
-    add_moving(universe, ball,
-               {at(0, 0, height + 0.5), {{1, 2, speed}, {0, 3, 0}}, {{0, 0, -gravity}, {0, 0, 0}}},
+    add_moving(universe, ball, {at(0, 0, height + 0.5), {{1, 2, speed}, {0, 3, 0}}, {{0, 0, -gravity}, {0, 0, 0}}},
                ABUT_GEOMETRY_FAST);
     require(abut_universe_step(universe, dt));
     const auto impacts = impacts_of(universe);
@@ -285,7 +285,8 @@ TEST(Fast, KeepsContactsEventsAndValuesOfYours) {
   ASSERT_EQ(lying.size(), 4U);
   for (const abut_contact& contact : lying) {
     EXPECT_EQ(contact.age, 1U);
-    const auto before = std::find_if(flying.begin(), flying.end(), [&](const auto& its) { return its.id == contact.id; });
+    const auto before =
+        std::find_if(flying.begin(), flying.end(), [&](const auto& its) { return its.id == contact.id; });
     ASSERT_NE(before, flying.end()) << "the same features touch";
     EXPECT_EQ(contact.user_data, before->user_data);
     EXPECT_EQ(contact.toi, 0);
@@ -300,7 +301,8 @@ TEST(Fast, TouchesInOrderOfTime) {
   Universe universe;
   const Shape ball = make_sphere(0.1), sheet = make_box(0.01, 4, 4);
   std::vector<abut_geometry_id> sheets;
-  for (const double x : {5.0, 1.0, 4.0, 2.0, 3.0}) sheets.push_back(universe.add(sheet, at(x, 0, 0), ABUT_MOTION_STATIC));
+  for (const double x : {5.0, 1.0, 4.0, 2.0, 3.0})
+    sheets.push_back(universe.add(sheet, at(x, 0, 0), ABUT_MOTION_STATIC));
   add_moving(universe, ball, {identity, {{100, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}, ABUT_GEOMETRY_FAST);
   require(abut_universe_step(universe, 0.1));
   const auto impacts = impacts_of(universe);
@@ -361,16 +363,18 @@ TEST(Fast, MissesNothingOfWhatSampledWaysMeet) {
         double first = 3;
         for (int sample = 0; sample <= 64 && first > 2; ++sample) {
           const double t = sample / 64.0;
-          const bool overlaps = distance_of(crowd.shapes[a], crowd.movings[a].at(t), crowd.shapes[b],
-                                            crowd.movings[b].at(t)) < -1e-9;
+          const bool overlaps =
+              distance_of(crowd.shapes[a], crowd.movings[a].at(t), crowd.shapes[b], crowd.movings[b].at(t)) < -1e-9;
           first = overlaps ? t : first;
         }
         met += first <= 1 ? 1 : 0;
         EXPECT_TRUE(first > 1 || found[a][b] <= first) << a << " meets " << b << " at " << first;
         if (found[a][b] > 0 && found[a][b] < 2) {
           const double t = found[a][b];
-          EXPECT_LT(std::fabs(distance_of(crowd.shapes[a], crowd.movings[a].at(t), crowd.shapes[b],
-                                          crowd.movings[b].at(t))), 1e-6) << a << " meets " << b << " at " << t;
+          EXPECT_LT(
+              std::fabs(distance_of(crowd.shapes[a], crowd.movings[a].at(t), crowd.shapes[b], crowd.movings[b].at(t))),
+              1e-6)
+              << a << " meets " << b << " at " << t;
         }
       }
     }
