@@ -1989,7 +1989,8 @@ typedef struct abut_step_impact {
  * Impacts of the last step in order of time, then of slots: one for each pair with a fast geometry that touches on its
  * path, and does not at the start of the step. Borrowed until the next [exclusive] call. [const]
  */
-ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const abut_step_impact **impacts, size_t *count);
+ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const abut_step_impact **impacts,
+                                           size_t *count);
 
 /**
  * Moves all parts along their paths through dt, until the first of the fast geometries would touch: for those who stop

@@ -3,7 +3,6 @@
 export module abut.detect.best_points;
 import abut.core.standard;
 import abut.detect.jobs;
-import abut.math;
 import abut.narrow.manifold;
 import abut.scene.options;
 import abut.capability;

@@ -8,7 +8,6 @@ import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.detect.stopwatch;
 import abut.math;
-import abut.narrow.manifold;
 import abut.pairs.any_shape;
 import abut.pairs.registry.self_contacts;
 import abut.pairs.registry;
