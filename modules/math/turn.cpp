@@ -13,18 +13,27 @@ Real small_arc_tangent(Real t) {
   return t * (1 - s * (1. / 3 - s * (1. / 5 - s * (1. / 7 - s * (1. / 9 - s * (1. / 11 - s * (1. / 13 - s / 15)))))));
 }
 
+// 1 / factorial, with the sign of its place in a series of Taylor.
+constexpr Real coefficient(int factorial) {
+  Real product = 1;
+  for (int i = 2; i <= factorial; ++i) {
+    product *= i;
+  }
+  return (factorial / 2 % 2 == 0 ? 1 : -1) / product;
+}
+
 // The cosine of an angle, and its sine over the angle, by the square of the angle. For angles up to a quarter of pi,
 // where what the series leave out is below rounding.
-Real series_of_cosine(Real s) {
-  return 1 -
-         s / 2 *
-             (1 - s / 12 * (1 - s / 30 * (1 - s / 56 * (1 - s / 90 * (1 - s / 132 * (1 - s / 182 * (1 - s / 240)))))));
+template <int first>
+Real series(Real s) {
+  Real sum = coefficient(16 + first);
+  [&]<std::size_t... Terms>(std::index_sequence<Terms...>) {
+    ((sum = sum * s + coefficient(14 + first - 2 * static_cast<int>(Terms))), ...);
+  }(std::make_index_sequence<8>{});
+  return sum;
 }
-Real series_of_sine(Real s) {
-  return 1 -
-         s / 6 *
-             (1 - s / 20 * (1 - s / 42 * (1 - s / 72 * (1 - s / 110 * (1 - s / 156 * (1 - s / 210 * (1 - s / 272)))))));
-}
+Real series_of_cosine(Real s) { return series<0>(s); }
+Real series_of_sine(Real s) { return series<1>(s); }
 
 struct SineAndCosine {
   Real sine, cosine;

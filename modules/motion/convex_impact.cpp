@@ -33,7 +33,9 @@ struct Direction {
   Vec3 normal;
   Vec3 turning;  // an axis times a speed
 
-  [[nodiscard]] Vec3 after(Real time) const { return rotation_by(time * turning) * normal; }
+  [[nodiscard]] Vec3 after(Real time) const {
+    return squared_norm(turning) > 0 ? rotation_by(time * turning) * normal : normal;
+  }
 };
 
 // What is known at the begin of a round.
@@ -183,17 +185,28 @@ Proposal propose(const Search& search, const Separation& begin, Real gap, const 
   return {first_guess, turning, begin.direction.turning};
 }
 
-// The time up to which the parts are certainly apart, from a time at which they are.
-Real advance(const Search& search, const Placed& placed, const Separation& begin, Real time, Real end) {
+// A time up to which the parts are certainly apart, and how they lie then.
+struct Reached {
+  Real time;
+  Placed placed;
+};
+
+// From a time at which they are.
+Reached advance(const Search& search, const Placed& placed, const Separation& begin, Real time, Real end) {
   const Real gap = search.gap_along(placed, begin.direction.normal);
   if (!(gap > 0)) {
-    return time;
+    return {time, placed};
   }
   const Proposal ahead = propose(search, begin, gap, {time, end});
   const Real next = ahead.length < end - time ? time + ahead.length : end;
+  const Placed placed_then = search.at(next);
   const Vec3 normal = Direction{begin.direction.normal, ahead.turning}.after(next - time);
-  const Real share = free_share(gap, search.gap_along(search.at(next), normal), ahead.bend, next - time);
-  return share < 1 ? time + share * (next - time) : next;
+  const Real share = free_share(gap, search.gap_along(placed_then, normal), ahead.bend, next - time);
+  if (share < 1) {
+    const Real reached = time + share * (next - time);
+    return {reached, search.at(reached)};
+  }
+  return {next, placed_then};
 }
 
 }  // namespace
@@ -222,9 +235,9 @@ Impact convex_impact(const MovingPart& a, const MovingPart& b, const TimeSpan& s
   const Search search{a, b, settings};
   Impact out;
   Real time = span.begin;
+  Placed placed = search.at(time);
   Vec3 toward{0, 0, 0};
   for (; out.rounds < settings.most_rounds; ++out.rounds) {
-    const Placed placed = search.at(time);
     const Pose ab = relative(placed.a, placed.b);
     const Vec3 guess = out.rounds == 0 ? ab * b.part.centre() - a.part.centre() : placed.a.rotation.undo(toward);
     const GjkResult found = gjk(a.part, b.part, ab, guess, settings.size, 0.25 * settings.tolerance, infinity);
@@ -245,16 +258,17 @@ Impact convex_impact(const MovingPart& a, const MovingPart& b, const TimeSpan& s
       out.contact = now.distance;
       return out;
     }
-    const Real next = advance(search, placed, now, time, span.end);
-    if (!(next < span.end)) {
+    const Reached next = advance(search, placed, now, time, span.end);
+    if (!(next.time < span.end)) {
       out.state = ImpactState::apart;
       out.lower = out.upper = span.end;
       return out;
     }
-    if (!(next > time)) {
+    if (!(next.time > time)) {
       break;
     }
-    time = next;
+    time = next.time;
+    placed = next.placed;
   }
   out.state = ImpactState::undecided;
   out.lower = time;
