@@ -905,8 +905,8 @@ ABUT_API void abut_impact_options_init(abut_impact_options *options, uint32_t st
 
 /**
  * When two shapes first touch. Before `lower` they are further apart than the margin, proven with rounding. At `upper`
- * they are no further apart than margin + tolerance. `upper` is the duration where it is undecided. Where shapes stay
- * apart, both are the duration.
+ * they are no further apart than margin + tolerance; of a distance field, than contact.upper. `upper` is the duration
+ * where it is undecided. Where shapes stay apart, both are the duration.
  */
 typedef struct abut_impact {
   abut_impact_state state;

@@ -21,11 +21,13 @@ Reach reach_of(const AnyShape& shape, const Carrier& on) {
   return on.path.reach_of(aabb_of(shape, on.local).inflated(part ? -part->radius() : 0));
 }
 
-// Writes the answer that a distance at a time gives by itself. Whether it gives one.
+// Writes the answer that a distance at a time gives by itself. Whether it gives one. The interval of a distance may be
+// wider than the tolerance, as with a distance field. What may be a touch then is one.
 bool ends(const Distance& found, Real time, const TimeSpan& span, const ImpactSettings& settings, Impact& out) {
   out.lower = out.upper = time;
   out.contact = found;
-  const bool touches = found.lower <= settings.margin || found.upper <= settings.margin + settings.tolerance;
+  const bool touches =
+      found.lower <= settings.margin + 0.5 * settings.tolerance || found.upper <= settings.margin + settings.tolerance;
   if (touches) {
     out.state = time > span.begin ? ImpactState::touches : ImpactState::starts_together;
   }

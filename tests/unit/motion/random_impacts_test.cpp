@@ -254,7 +254,7 @@ TEST(RandomImpacts, HoldForAllKinds) {
     }
     const Flight flight = random_flight(random, 1.1 * size, 2);
     Impact found;
-    const Outcome outcome = time_of_impact(a, flight.a, b, flight.b, {.tolerance = 1e-6 * size}, found);
+    const Outcome outcome = time_of_impact(a, flight.a, b, flight.b, {.tolerance = 1e-4 * size}, found);
     if (outcome == Outcome::unsupported) {
       return;
     }
@@ -267,18 +267,18 @@ TEST(RandomImpacts, HoldForAllKinds) {
       return distance;
     };
     if (found.state == ImpactState::starts_together) {
-      EXPECT_LE(gap(0).lower, 2e-6 * size) << kind_name(a.index()) << ' ' << kind_name(b.index());
+      EXPECT_LE(gap(0).lower, 2e-4 * size) << kind_name(a.index()) << ' ' << kind_name(b.index());
       return;
     }
     if (has_one_side(a) || has_one_side(b)) {
       return;  // lets through what comes from behind
     }
-    constexpr int samples = 16;
+    constexpr int samples = 8;
     for (int k = 0; k < samples; ++k) {
       EXPECT_GT(gap(found.lower * k / samples).upper, -1e-8 * size) << kind_name(a.index()) << kind_name(b.index());
     }
     if (found.state == ImpactState::touches) {
-      EXPECT_LE(gap(found.upper).lower, 2e-6 * size) << kind_name(a.index()) << ' ' << kind_name(b.index());
+      EXPECT_LE(gap(found.upper).lower, 2e-4 * size) << kind_name(a.index()) << ' ' << kind_name(b.index());
     }
   };
   std::vector<AnyShape> kinds;
@@ -291,14 +291,14 @@ TEST(RandomImpacts, HoldForAllKinds) {
         }(),
         ...);
   }(std::make_index_sequence<Shapes::count>{});
-  for (const AnyShape& a : kinds) {
-    for (const AnyShape& b : kinds) {
-      meet(a, b);
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    for (std::size_t k = i; k < kinds.size(); ++k) {
+      meet(kinds[i], kinds[k]);
     }
   }
   EXPECT_GT(asked, 500);
   EXPECT_GT(counts.touches, asked / 3);
-  EXPECT_LT(counts.undecided, asked / 20);
+  EXPECT_EQ(counts.undecided, 0);
 }
 
 }  // namespace
