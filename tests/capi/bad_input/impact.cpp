@@ -148,6 +148,13 @@ TEST(PairTimeOfImpact, RefusesWrongStructSize) {
                             [&](const abut_impact_options* later) { return call.ask(later); });
 }
 
+TEST(PairsTimeOfImpact, RefusesWrongStructSize) {
+  ImpactCall call;
+  expect_struct_size_checked(default_impact_options(),
+                             [&](const abut_impact_options* wrong) { return call.ask_all(wrong); });
+  EXPECT_TRUE(call.is_untouched());
+}
+
 TEST(PairsTimeOfImpact, RefusesOverflow) {
   ImpactCall call;
   expect_overflow_refused(sizeof(abut_impact), "count",
