@@ -46,10 +46,27 @@ struct Separation {
   Real following;  // how fast the direction turns with edges and faces; what is left follows the nearest points
 };
 
+// What bounds the motion of both parts within the whole span: the sum of the speeds of turning, each times the reach of
+// its part, the same of the accelerations, and those of the centres.
+struct Bounds {
+  Real turning, turning_change;
+  Vec3 acceleration;
+  Real change;
+};
+Bounds bounds_of(const MovingPart& a, const MovingPart& b, const TimeSpan& span) {
+  const auto times = [](Real factor, Real reach) { return factor > 0 ? factor * reach : 0; };
+  const Vec3 acceleration = b.path.motion().acceleration - a.path.motion().acceleration;
+  return {times(a.path.largest_turning(span), a.reach.radius) + times(b.path.largest_turning(span), b.reach.radius),
+          times(a.path.largest_turning_acceleration(span), a.reach.radius) +
+              times(b.path.largest_turning_acceleration(span), b.reach.radius),
+          acceleration, norm(acceleration)};
+}
+
 struct Search {
   const MovingPart& a;
   const MovingPart& b;
   const ImpactSettings& settings;
+  const Bounds bounds;
 
   [[nodiscard]] Real radii() const { return a.part.radius() + b.part.radius(); }
   [[nodiscard]] Placed at(Real time) const { return {a.at(time), b.at(time)}; }
@@ -134,25 +151,21 @@ Real bend_of_still(const Search& search, const Vec3& normal, const TimeSpan& spa
 
 // The same along a direction n that turns with the speed v. The gap of two points at x apart is n.x, and its second
 // derivative n.x'' + 2 n'.x' - v^2 n.x. The last term only counts where the gap is negative.
-Real bend_of_turning(const Search& search, const Separation& begin, Real gap, const TimeSpan& span) {
+Real bend_of_turning(const Search& search, const Separation& begin, Real gap, Real time, Real length) {
   const Path &a = search.a.path, &b = search.b.path;
-  const Real turning = norm(begin.direction.turning), length = span.length();
-  const Real speeds = a.largest_turning(span) * search.a.reach.radius + b.largest_turning(span) * search.b.reach.radius;
-  const Real bends = a.largest_turning_acceleration(span) * search.a.reach.radius +
-                     b.largest_turning_acceleration(span) * search.b.reach.radius;
-  const Vec3 acceleration = b.motion().acceleration - a.motion().acceleration;
-  const Vec3 velocity = b.velocity_at(span.begin) - a.velocity_at(span.begin);
+  const Bounds& bounds = search.bounds;
+  const Vec3 velocity = b.velocity_at(time) - a.velocity_at(time);
   const Vec3& n = begin.direction.normal;
-  const Real turn = turning * length, change = norm(acceleration);
-  const Real across = norm(velocity - dot(velocity, n) * n) + turn * norm(velocity) + length * change + speeds;
-  const Real away = norm(b.centre_at(span.begin) - a.centre_at(span.begin));
-  const Real approach = norm(velocity) + length * change + speeds +
-                        turning * (away + search.a.reach.radius + search.b.reach.radius + search.radii() +
-                                   length * (norm(velocity) + length * change));
-  const Real deepest = std::max(length * approach - gap, Real{0});
+  const Real turning = norm(begin.direction.turning), turn = turning * length, speed = norm(velocity);
+  const Real gained = length * bounds.change;
+  const Real across = norm(velocity - dot(velocity, n) * n) + turn * speed + gained + bounds.turning;
+  const Real away = norm(b.centre_at(time) - a.centre_at(time)) + search.a.reach.radius + search.b.reach.radius +
+                    search.radii() + length * (speed + gained);
+  const Real deepest = std::max(length * (speed + gained + bounds.turning + turning * away) - gap, Real{0});
   constexpr Real outward = 1 + 1e-13;
-  return outward * (dot(n, acceleration) + change * turn + bends + 2 * turning * across + turning * turning * deepest) +
-         rounding_of(change);
+  return outward * (dot(n, bounds.acceleration) + bounds.change * turn + bounds.turning_change + 2 * turning * across +
+                    turning * turning * deepest) +
+         rounding_of(bounds.change);
 }
 
 // How far ahead to look, and along which direction.
@@ -174,9 +187,7 @@ Proposal propose(const Search& search, const Separation& begin, Real gap, const 
   if (!(squared_norm(begin.direction.turning) > 0) || lost * while_still <= 0.5 * gap) {
     return {while_still, still, {0, 0, 0}};
   }
-  const auto bend_for = [&](Real length) {
-    return bend_of_turning(search, begin, gap, {rest.begin, std::min(rest.begin + length, rest.end)});
-  };
+  const auto bend_for = [&](Real length) { return bend_of_turning(search, begin, gap, rest.begin, length); };
   const Real first_guess = std::min(wish, longest(bend_for(wish)));
   const Real turning = bend_for(first_guess), while_turning = std::min(wish, longest(turning));
   if (while_turning < std::min(while_still, gap / lost)) {
@@ -232,7 +243,7 @@ Real free_share(Real at_begin, Real at_end, Real bend, Real length) {
 }
 
 Impact convex_impact(const MovingPart& a, const MovingPart& b, const TimeSpan& span, const ImpactSettings& settings) {
-  const Search search{a, b, settings};
+  const Search search{a, b, settings, bounds_of(a, b, span)};
   Impact out;
   Real time = span.begin;
   Placed placed = search.at(time);

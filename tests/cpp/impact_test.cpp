@@ -7,8 +7,8 @@
 
 namespace {
 
-const abut::Movement unmoved{};
-const abut::Pose here = abut::pose({0, 0, 0}), far_away = abut::pose({5, 0, 0});
+const abut::Movement no_movement{};
+const abut::Pose unturned = abut::pose({0, 0, 0}), five_away = abut::pose({5, 0, 0});
 
 abut::Movement towards() {
   abut::Movement movement{};
@@ -18,19 +18,19 @@ abut::Movement towards() {
 
 TEST(Impact, TellsWhenTwoShapesTouch) {
   const abut::Shape box = abut::Shape::box(1, 1, 1);
-  const abut::Impact impact = abut::pair_time_of_impact(box, here, unmoved, box, far_away, towards(), 1);
+  const abut::Impact impact = abut::pair_time_of_impact(box, unturned, no_movement, box, five_away, towards(), 1);
   EXPECT_EQ(impact.state, ABUT_IMPACT_TOUCHES);
   EXPECT_NEAR(impact.upper, 0.5, 1e-12);
   EXPECT_NEAR(impact.contact.normal.x, 1, 1e-12);
-  const abut::Impact near = abut::pair_time_of_impact(box, here, unmoved, box, far_away, towards(), 1,
+  const abut::Impact near = abut::pair_time_of_impact(box, unturned, no_movement, box, five_away, towards(), 1,
                                                       abut::ImpactOptions().with_margin(0.6));
   EXPECT_NEAR(near.upper, 0.4, 1e-12);
 }
 
 TEST(Impact, TellsThemOfMany) {
   const abut::Shape box = abut::Shape::box(1, 1, 1);
-  const std::vector<abut::Pose> poses_a{here, here}, poses_b{far_away, here};
-  const std::vector<abut::Movement> movements_a{unmoved, unmoved}, movements_b{towards(), towards()};
+  const std::vector<abut::Pose> poses_a{unturned, unturned}, poses_b{five_away, unturned};
+  const std::vector<abut::Movement> movements_a{no_movement, no_movement}, movements_b{towards(), towards()};
   std::vector<abut::Impact> impacts(2);
   abut::pairs_time_of_impact(box, poses_a, movements_a, box, poses_b, movements_b, 1, impacts);
   EXPECT_NEAR(impacts[0].upper, 0.5, 1e-12);
@@ -39,10 +39,10 @@ TEST(Impact, TellsThemOfMany) {
 }
 
 TEST(Impact, MakesAMovementOfTwoPoses) {
-  const abut::Movement made = abut::movement_between(here, far_away, {0, 0, 0}, 0.5);
+  const abut::Movement made = abut::movement_between(unturned, five_away, {0, 0, 0}, 0.5);
   EXPECT_EQ(made.velocity.x, 10);
   EXPECT_EQ(made.angular_velocity.z, 0);
-  EXPECT_THROW(static_cast<void>(abut::movement_between(here, far_away, {0, 0, 0}, 0)), abut::Error);
+  EXPECT_THROW(static_cast<void>(abut::movement_between(unturned, five_away, {0, 0, 0}, 0)), abut::Error);
 }
 
 }  // namespace
