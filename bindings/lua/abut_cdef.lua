@@ -832,7 +832,8 @@ typedef struct abut_step_impact {
   uint32_t is_undecided;
   uint32_t reserved;
 } abut_step_impact;
-abut_status abut_universe_impacts(const abut_universe *universe, const abut_step_impact **impacts, size_t *count);
+abut_status abut_universe_impacts(const abut_universe *universe, const abut_step_impact **impacts,
+                                           size_t *count);
 abut_status abut_universe_advance_to_first_impact(abut_universe *universe, double dt, abut_step_impact *out);
 abut_status abut_universe_attach(const abut_universe *universe, const char *name);
 abut_status abut_universe_detach(const abut_universe *universe, const char *name);

@@ -44,7 +44,7 @@ std::string line_of(const Plan::VelocityCounts& counts) {
 
 std::string line_of(const Plan::PathCounts& counts) {
   return "paths: " + count_of(counts.fast, "fast geometry") + ", " + to_text(counts.speculative) + " speculative, " +
-         count_of(counts.pairs, "pair") + " examined on their path, " + count_of(counts.impacts, "impact") + "\n";
+         count_of(counts.pairs, "pair") + " examined, " + count_of(counts.impacts, "impact") + "\n";
 }
 
 std::string line_of(std::span<const Plan::Extension> extensions) {

@@ -512,4 +512,35 @@ TEST(Fast, SpeculativeContactsReachAsFarAsTheMotion) {
   }
 }
 
+std::string words_of(const abut_universe* universe) {
+  std::array<char, 16384> text{};
+  std::size_t needed = 0;
+  require(abut_universe_explain(universe, text.data(), text.size(), &needed));
+  return text.data();
+}
+
+TEST(Fast, IsExplained) {
+  ABUT_NEEDS_MOTION();
+  Universe universe;
+  const Shape ball = make_sphere(0.1);
+  const abut_geometry_id wall = universe.add(make_box(0.01, 4, 4), at(5, 0, 0), ABUT_MOTION_STATIC);
+  require(abut_universe_step(universe, 0.1));
+  EXPECT_NE(words_of(universe).find("continuous pass: no geometry is fast or speculative"), std::string::npos);
+  const abut_part_id part = universe.add_part(identity);
+  const abut_geometry_id fast = universe.add_geometry(part, ball, with_flags(ABUT_GEOMETRY_FAST));
+  const abut_velocity velocity{{100, 0, 0}, {0, 0, 0}};
+  abut_apart_reasons reasons = 0;
+  require(abut_universe_step(universe, 0.1));
+  require(abut_universe_why_apart(universe, wall, fast, &reasons));
+  EXPECT_EQ(reasons, std::uint32_t{ABUT_APART_BOXES});
+  require(abut_part_set_velocity(universe, part, &velocity));
+  require(abut_universe_step(universe, 0.1));
+  require(abut_universe_why_apart(universe, wall, fast, &reasons));
+  EXPECT_EQ(reasons, 0U) << "it was examined on its path";
+  EXPECT_EQ(universe.describe(fast).flags, std::uint32_t{ABUT_GEOMETRY_FAST});
+  EXPECT_NE(words_of(universe).find("paths: 1 fast geometry, 0 speculative, 1 pair examined, 1 impact"),
+            std::string::npos)
+      << words_of(universe);
+}
+
 }  // namespace
