@@ -9,6 +9,7 @@ import abut.universe;
 using namespace abut::capi;
 
 static_assert(static_cast<abut_contact_flags>(abut::contact_of_sensor) == ABUT_CONTACT_SENSOR);
+static_assert(static_cast<abut_contact_flags>(abut::contact_speculative) == ABUT_CONTACT_SPECULATIVE);
 static_assert(static_cast<abut_event_kind>(abut::EventKind::begin) == ABUT_EVENT_BEGIN);
 static_assert(static_cast<abut_event_kind>(abut::EventKind::persist) == ABUT_EVENT_PERSIST);
 static_assert(static_cast<abut_event_kind>(abut::EventKind::end) == ABUT_EVENT_END);
@@ -26,6 +27,7 @@ abut_contact from_found(const abut::Contact& contact) {
   out.user_data = contact.user_data;
   out.material_a = contact.material_a;
   out.material_b = contact.material_b;
+  out.toi = contact.toi;
   return out;
 }
 

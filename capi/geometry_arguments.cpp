@@ -15,8 +15,33 @@ static_assert(static_cast<abut_parking>(Parking::none) == ABUT_PARKING_NONE);
 static_assert(static_cast<abut_parking>(Parking::short_term) == ABUT_PARKING_SHORT_TERM);
 static_assert(static_cast<abut_parking>(Parking::long_term) == ABUT_PARKING_LONG_TERM);
 
+namespace {
+
+constexpr abut_geometry_flags on_way = ABUT_GEOMETRY_FAST | ABUT_GEOMETRY_SPECULATIVE;
+
+abut_status check_flags(const Where& where, abut_geometry_flags flags) {
+  const abut_status status =
+      check_bits(where, ".flags", flags, ABUT_GEOMETRY_SENSOR | ABUT_GEOMETRY_SELF_PAIRS | on_way);
+  if (status != ABUT_OK || (flags & on_way) == 0) {
+    return status;
+  }
+  if ((flags & on_way) == on_way) {
+    return refuse(error_about(Errc::invalid_argument, where.with(".flags"), std::uint64_t{flags},
+                              "fast or speculative, not both"));
+  }
+  return check_has_motion();
+}
+
+Sweeping sweeping_of(abut_geometry_flags flags) {
+  return (flags & ABUT_GEOMETRY_FAST) != 0          ? Sweeping::impacts
+         : (flags & ABUT_GEOMETRY_SPECULATIVE) != 0 ? Sweeping::speculative
+                                                    : Sweeping::none;
+}
+
+}  // namespace
+
 abut_status check_options(const Where& where, const abut_geometry_options& options) {
-  abut_status status = check_bits(where, ".flags", options.flags, ABUT_GEOMETRY_SENSOR | ABUT_GEOMETRY_SELF_PAIRS);
+  abut_status status = check_flags(where, options.flags);
   status = status != ABUT_OK ? status : check_pose({where.name, where.index, ".pose"}, options.pose);
   if (status == ABUT_OK && !(options.tolerance >= 0 && options.tolerance <= largest_coordinate)) {
     return to_status(check_not_negative(where.with(".tolerance"), options.tolerance));
@@ -37,7 +62,8 @@ GeometryOptions to_options(const abut_geometry_options& options) {
           options.label,
           options.tag,
           options.material,
-          (options.flags & ABUT_GEOMETRY_SELF_PAIRS) != 0};
+          (options.flags & ABUT_GEOMETRY_SELF_PAIRS) != 0,
+          sweeping_of(options.flags)};
 }
 
 abut_status check_self_pairs(const GeometryOptions& options, const ShapeHandle& shape) {

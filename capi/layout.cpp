@@ -60,6 +60,8 @@ static_assert(is_plain<abut_step_stats>(160));
 static_assert(is_plain<abut_finding>(192));
 static_assert(is_plain<abut_island>(16));
 static_assert(is_plain<abut_velocity>(48));
+static_assert(is_plain<abut_acceleration>(48));
+static_assert(is_plain<abut_step_impact>(48));
 static_assert(is_plain<abut_layout_entry>(32));
 
 #define ABUT_STRUCT(type) \
@@ -376,6 +378,18 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_STRUCT(abut_velocity),
     ABUT_FIELD(abut_velocity, linear),
     ABUT_FIELD(abut_velocity, angular),
+    ABUT_STRUCT(abut_acceleration),
+    ABUT_FIELD(abut_acceleration, linear),
+    ABUT_FIELD(abut_acceleration, angular),
+    ABUT_STRUCT(abut_step_impact),
+    ABUT_FIELD(abut_step_impact, geometry_a),
+    ABUT_FIELD(abut_step_impact, geometry_b),
+    ABUT_FIELD(abut_step_impact, lower),
+    ABUT_FIELD(abut_step_impact, upper),
+    ABUT_FIELD(abut_step_impact, first_contact),
+    ABUT_FIELD(abut_step_impact, contact_count),
+    ABUT_FIELD(abut_step_impact, is_undecided),
+    ABUT_FIELD(abut_step_impact, reserved),
     ABUT_STRUCT(abut_finding),
     ABUT_FIELD(abut_finding, code),
     ABUT_FIELD(abut_finding, reserved),

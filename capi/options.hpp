@@ -69,6 +69,13 @@ template <class Struct>
   return ABUT_OK;
 }
 
+// What follows paths through a step.
+[[nodiscard]] inline abut_status check_has_motion() {
+  return abut_has_feature("motion") != 0
+             ? static_cast<abut_status>(ABUT_OK)
+             : refuse(ABUT_UNSUPPORTED, "this build of abut is without the feature \"motion\"");
+}
+
 // Tags of geometries, to which policies apply.
 [[nodiscard]] inline abut_status check_tag(const Where& where, std::string_view field, std::uint32_t tag) {
   constexpr std::uint32_t tag_count = 64;

@@ -33,6 +33,7 @@ abut_status forget_lent(abut_universe& its) {
   its.contacts.forget();
   its.local_points.forget();
   its.events.forget();
+  its.impacts.forget();
   its.sleep_changes.forget();
   its.islands.forget();
   its.island_parts.forget();

@@ -60,6 +60,7 @@ struct abut_universe {
   abut::capi::Lent<abut_contact> contacts;
   abut::capi::Lent<abut_local_points> local_points;
   abut::capi::Lent<abut_event> events;
+  abut::capi::Lent<abut_step_impact> impacts;
   abut::capi::Lent<abut_sleep_change> sleep_changes;
   abut::capi::Lent<abut_island> islands;
   abut::capi::Lent<abut_part_id> island_parts;

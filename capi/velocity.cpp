@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Velocities of parts.
+// Velocities and accelerations of parts.
 #include "universe_handle.hpp"
 
 import abut.core;
@@ -17,9 +17,11 @@ abut_velocity from_velocity(const abut::Velocity& velocity) {
   return {from_vec3(velocity.linear), from_vec3(velocity.angular)};
 }
 
-abut_status check_velocity(const Where& where, const abut_velocity& velocity) {
-  const abut_status status = check_position(where, ".linear", velocity.linear);
-  return status != ABUT_OK ? status : check_position(where, ".angular", velocity.angular);
+// Of velocities and accelerations.
+template <class Rates>
+abut_status check_rates(const Where& where, const Rates& rates) {
+  const abut_status status = check_position(where, ".linear", rates.linear);
+  return status != ABUT_OK ? status : check_position(where, ".angular", rates.angular);
 }
 
 // `given` is empty for none.
@@ -32,9 +34,20 @@ abut_status set_all(abut_universe& its, std::span<const abut_part_id> ids, std::
   return done ? static_cast<abut_status>(ABUT_OK) : refuse_batch(its.universe, "parts", ids, done.error());
 }
 
-abut_status check_all(std::span<const abut_velocity> velocities) {
-  for (std::size_t i = 0; i < velocities.size(); ++i) {
-    if (const abut_status status = check_velocity({"velocities", i}, velocities[i]); status != ABUT_OK) {
+abut_status accelerate_all(abut_universe& its, std::span<const abut_part_id> ids,
+                           std::span<const abut_acceleration> given) {
+  std::vector<abut::Acceleration> accelerations(ids.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    accelerations[i] = {to_vec3(given[i].linear), to_vec3(given[i].angular)};
+  }
+  const auto done = its.universe.set_accelerations(to_parts(ids), accelerations);
+  return done ? static_cast<abut_status>(ABUT_OK) : refuse_batch(its.universe, "parts", ids, done.error());
+}
+
+template <class Rates>
+abut_status check_all(std::string_view name, std::span<const Rates> rates) {
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    if (const abut_status status = check_rates({name, i}, rates[i]); status != ABUT_OK) {
       return status;
     }
   }
@@ -46,16 +59,30 @@ abut_status measure_all(abut_universe& its, std::span<const abut_part_id> ids) {
   return done ? static_cast<abut_status>(ABUT_OK) : refuse_batch(its.universe, "parts", ids, done.error());
 }
 
-abut_status velocities_of(const abut_universe& its, std::span<const abut_part_id> ids, std::span<abut_velocity> out) {
+// One number of each part after the other, by `value_of`.
+template <class Value, class ValueOf>
+abut_status write_of_each(const abut_universe& its, std::span<const abut_part_id> ids, std::span<Value> out,
+                          ValueOf&& value_of) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (!exists(its.universe, ids[i])) {
       return refuse_stale({"parts", i}, ids[i]);
     }
   }
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    out[i] = from_velocity(its.universe.velocity(to_part(ids[i])).value());
-  }
+  std::transform(ids.begin(), ids.end(), out.begin(), [&](const abut_part_id& id) { return value_of(to_part(id)); });
   return ABUT_OK;
+}
+
+template <class Value, class ValueOf>
+abut_status answer_of_each(const abut_universe* universe, const abut_part_id* parts, std::size_t count, Value* out,
+                           ValueOf&& value_of) {
+  return guard(universe, [&](const abut_universe& its) {
+    std::span<const abut_part_id> ids;
+    std::span<Value> values;
+    abut_status status = read_span("parts", parts, "count", count, ids);
+    status = status != ABUT_OK ? status : read_span("out", out, "count", count, values);
+    return status != ABUT_OK ? status
+                             : write_of_each(its, ids, values, [&](abut::PartId part) { return value_of(its, part); });
+  });
 }
 
 }  // namespace
@@ -68,7 +95,7 @@ abut_status abut_part_set_velocity(abut_universe* universe, abut_part_id part, c
     if (velocity == nullptr) {
       return set_all(its, std::array{part}, {});
     }
-    const abut_status status = check_velocity({"velocity"}, *velocity);
+    const abut_status status = check_rates({"velocity"}, *velocity);
     return status != ABUT_OK ? status : set_all(its, std::array{part}, std::array{*velocity});
   });
 }
@@ -82,7 +109,7 @@ abut_status abut_parts_set_velocities(abut_universe* universe, const abut_part_i
     if (status == ABUT_OK && velocities != nullptr) {
       status = read_span("velocities", velocities, "count", count, given);
     }
-    status = status != ABUT_OK ? status : check_all(given);
+    status = status != ABUT_OK ? status : check_all("velocities", given);
     return status != ABUT_OK ? status : set_all(its, ids, given);
   });
 }
@@ -121,11 +148,43 @@ abut_status abut_part_velocity(const abut_universe* universe, abut_part_id part,
 
 abut_status abut_parts_velocities(const abut_universe* universe, const abut_part_id* parts, size_t count,
                                   abut_velocity* out) {
-  return guard(universe, [&](const abut_universe& its) {
+  return answer_of_each(universe, parts, count, out, [](const abut_universe& its, abut::PartId part) {
+    return from_velocity(its.universe.velocity(part).value());
+  });
+}
+
+abut_status abut_part_set_acceleration(abut_universe* universe, abut_part_id part,
+                                       const abut_acceleration* acceleration) {
+  return guard(universe, [&](abut_universe& its) {
+    if (!exists(its.universe, part)) {
+      return refuse_stale({"part"}, part);
+    }
+    if (acceleration == nullptr) {
+      return accelerate_all(its, std::array{part}, {});
+    }
+    const abut_status status = check_rates({"acceleration"}, *acceleration);
+    return status != ABUT_OK ? status : accelerate_all(its, std::array{part}, std::array{*acceleration});
+  });
+}
+
+abut_status abut_parts_set_accelerations(abut_universe* universe, const abut_part_id* parts,
+                                         const abut_acceleration* accelerations, size_t count) {
+  return guard(universe, [&](abut_universe& its) {
     std::span<const abut_part_id> ids;
-    std::span<abut_velocity> velocities;
+    std::span<const abut_acceleration> given;
     abut_status status = read_span("parts", parts, "count", count, ids);
-    status = status != ABUT_OK ? status : read_span("out", out, "count", count, velocities);
-    return status != ABUT_OK ? status : velocities_of(its, ids, velocities);
+    if (status == ABUT_OK && accelerations != nullptr) {
+      status = read_span("accelerations", accelerations, "count", count, given);
+    }
+    status = status != ABUT_OK ? status : check_all("accelerations", given);
+    return status != ABUT_OK ? status : accelerate_all(its, ids, given);
+  });
+}
+
+abut_status abut_parts_accelerations(const abut_universe* universe, const abut_part_id* parts, size_t count,
+                                     abut_acceleration* out) {
+  return answer_of_each(universe, parts, count, out, [](const abut_universe& its, abut::PartId part) {
+    const abut::Acceleration its_acceleration = its.universe.acceleration(part).value();
+    return abut_acceleration{from_vec3(its_acceleration.linear), from_vec3(its_acceleration.angular)};
   });
 }

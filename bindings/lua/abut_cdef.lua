@@ -521,7 +521,9 @@ enum abut_parking_value {
 typedef uint32_t abut_geometry_flags;
 enum abut_geometry_flags_value {
   ABUT_GEOMETRY_SENSOR = 1,
-  ABUT_GEOMETRY_SELF_PAIRS = 2
+  ABUT_GEOMETRY_SELF_PAIRS = 2,
+  ABUT_GEOMETRY_FAST = 4,
+  ABUT_GEOMETRY_SPECULATIVE = 8
 };
 typedef struct abut_geometry_options {
   uint32_t struct_size;
@@ -838,6 +840,29 @@ abut_status abut_part_velocity(const abut_universe *universe, abut_part_id part,
                                         abut_velocity_source *source);
 abut_status abut_parts_velocities(const abut_universe *universe, const abut_part_id *parts, size_t count,
                                            abut_velocity *out);
+typedef struct abut_acceleration {
+  abut_vec3 linear;
+  abut_vec3 angular;
+} abut_acceleration;
+abut_status abut_part_set_acceleration(abut_universe *universe, abut_part_id part,
+                                                const abut_acceleration *acceleration);
+abut_status abut_parts_set_accelerations(abut_universe *universe, const abut_part_id *parts,
+                                                  const abut_acceleration *accelerations, size_t count);
+abut_status abut_parts_accelerations(const abut_universe *universe, const abut_part_id *parts, size_t count,
+                                              abut_acceleration *out);
+typedef struct abut_step_impact {
+  abut_geometry_id geometry_a;
+  abut_geometry_id geometry_b;
+  double lower;
+  double upper;
+  uint32_t first_contact;
+  uint32_t contact_count;
+  uint32_t is_undecided;
+  uint32_t reserved;
+} abut_step_impact;
+abut_status abut_universe_impacts(const abut_universe *universe, const abut_step_impact **impacts,
+                                           size_t *count);
+abut_status abut_universe_advance_to_first_impact(abut_universe *universe, double dt, abut_step_impact *out);
 abut_status abut_universe_attach(const abut_universe *universe, const char *name);
 abut_status abut_universe_detach(const abut_universe *universe, const char *name);
 typedef uint32_t abut_query_filter_flags;

@@ -728,7 +728,8 @@ typedef struct abut_distance {
 typedef uint32_t abut_contact_flags;
 enum abut_contact_flags_value ABUT_ENUM(uint32_t) {
   ABUT_CONTACT_SENSOR = 1,      /**< a geometry of the pair is a sensor: report it, do not respond to it */
-  ABUT_CONTACT_SPECULATIVE = 2, /**< ahead of a touch. Reserved: nothing sets it in this version */
+  ABUT_CONTACT_SPECULATIVE = 2, /**< ahead of a touch: `toi` is above 0, or it is a contact of
+                                     ABUT_GEOMETRY_SPECULATIVE that does not touch yet */
   ABUT_CONTACT_REDUCED_AWAY = 4 /**< a reduction left it out. Reserved: nothing sets it in this version */
 };
 
@@ -763,8 +764,8 @@ typedef struct abut_contact {
   abut_vec3 point_b;           /**< on the surface of b, world frame */
   abut_vec3 normal;            /**< unit, from a to b */
   double distance;             /**< dot(point_b - point_a, normal); negative: overlapping */
-  double toi;                  /**< fraction of the step at first touch, in [0, 1]; always 0 in this version, which
-                                    detects at the present poses only */
+  double toi;                  /**< fraction of the step before the first touch, in [0, 1]; above 0 only in pairs
+                                    with ABUT_GEOMETRY_FAST */
   abut_contact_flags flags;
   uint32_t age;                /**< steps in a row before this one that reported it; 0 when it is new, and in pair
                                     queries */
@@ -1218,7 +1219,12 @@ enum abut_parking_value ABUT_ENUM(uint32_t) {
 typedef uint32_t abut_geometry_flags;
 enum abut_geometry_flags_value ABUT_ENUM(uint32_t) {
   ABUT_GEOMETRY_SENSOR = 1,    /**< its contacts carry ABUT_CONTACT_SENSOR */
-  ABUT_GEOMETRY_SELF_PAIRS = 2 /**< it meets itself; see the section on self pairs */
+  ABUT_GEOMETRY_SELF_PAIRS = 2, /**< it meets itself; see the section on self pairs */
+  ABUT_GEOMETRY_FAST = 4,       /**< steps with time follow its path, so that it passes through nothing; see the
+                                     section on fast geometries. ABUT_UNSUPPORTED in a build without the feature
+                                     motion */
+  ABUT_GEOMETRY_SPECULATIVE = 8 /**< steps with time report contacts as far away as its motion may close; not
+                                     together with ABUT_GEOMETRY_FAST. ABUT_UNSUPPORTED as that */
 };
 
 /**
@@ -1641,9 +1647,10 @@ ABUT_API abut_status abut_material_pair_get(const abut_universe *universe, uint3
                                             abut_contact_material *out);
 
 /**
- * Detects over [t, t + dt]; moves nothing. Discrete: contacts are those of the present poses. Pairs of which nothing
- * has changed keep their contacts.
- * @param dt  not negative
+ * Detects over [t, t + dt]; moves nothing. Contacts are those of the present poses, but in pairs with
+ * ABUT_GEOMETRY_FAST or ABUT_GEOMETRY_SPECULATIVE. Pairs of which nothing has changed keep their contacts.
+ * @param dt  not negative. ABUT_OUT_OF_RANGE where the universe has such geometries, and in that time a part would turn
+ *            more than 16 times, or get further than 1e70
  * Complexity O(n log n + pairs) for n moved geometries. [exclusive]
  */
 ABUT_API abut_status abut_universe_step(abut_universe *universe, double dt);
@@ -1919,8 +1926,8 @@ ABUT_API abut_status abut_part_island(const abut_universe *universe, abut_part_i
 /* ------------------------------------------------------------------------------------------------
  * Velocities of parts
  *
- * Today they are stored, handed out and counted by abut_universe_explain. No contact, event or box depends on
- * them, nothing is swept between two poses, and sleep goes by poses. They move nothing and wake nobody.
+ * They are stored, handed out and counted by abut_universe_explain. Pairs with fast or speculative geometries go by
+ * them; all others do not, and sleep goes by poses. They move nothing and wake nobody.
  * --------------------------------------------------------------------------------------------- */
 
 /** In the world frame. A point p of the part moves by linear + angular x (p - position of the part). */
@@ -1965,6 +1972,89 @@ ABUT_API abut_status abut_part_velocity(const abut_universe *universe, abut_part
 /** Velocities of `count` parts. O(count). [const] */
 ABUT_API abut_status abut_parts_velocities(const abut_universe *universe, const abut_part_id *parts, size_t count,
                                            abut_velocity *out);
+
+/** How the velocity of a part changes within a step, in the world frame. */
+typedef struct abut_acceleration {
+  abut_vec3 linear;  /**< of the origin of the part, per second squared */
+  abut_vec3 angular; /**< radians per second squared */
+} abut_acceleration;
+
+/**
+ * Gives a part an acceleration; null takes it away. It stays until it is set again, and changes no velocity. A part
+ * without a velocity starts from rest. Of a part that is measured it counts for nothing. Numbers are finite and at most
+ * 1e70. O(1). [exclusive]
+ */
+ABUT_API abut_status abut_part_set_acceleration(abut_universe *universe, abut_part_id part,
+                                                const abut_acceleration *acceleration);
+
+/** The same for `count` parts, all or none; `accelerations` is an array of `count`, or null. O(count). [exclusive] */
+ABUT_API abut_status abut_parts_set_accelerations(abut_universe *universe, const abut_part_id *parts,
+                                                  const abut_acceleration *accelerations, size_t count);
+
+/** Accelerations of `count` parts; zeros for those that have none. O(count). [const] */
+ABUT_API abut_status abut_parts_accelerations(const abut_universe *universe, const abut_part_id *parts, size_t count,
+                                              abut_acceleration *out);
+
+/* ------------------------------------------------------------------------------------------------
+ * Fast geometries
+ *
+ * A step with dt above 0 follows the paths of geometries with ABUT_GEOMETRY_FAST through the step: the first touch on
+ * them is proven, whatever the speed. Everything that such a geometry may meet takes part: also other fast ones, what
+ * is static or asleep, and sensors. Each part moves like this, fast or not:
+ *
+ *  - With a given velocity or an acceleration it starts at its pose. Its origin follows linear * t + acceleration *
+ *    t^2 / 2, and it turns about its origin by angular * t + acceleration * t^2 / 2.
+ *  - With a measured velocity (abut_part_measure_velocity) it starts at its pose at the end of the last step with time,
+ *    and ends at its present pose, with constant velocities.
+ *  - All others stay where they are.
+ *
+ * A pair with a fast geometry has contacts of one of these:
+ *  - It touches at the start of the step: the contacts there; `toi` is 0.
+ *  - It touches later: the contacts of the first touch. Each of the two points is where its body has it at the start
+ *    of the step; `normal` is that of the touch; `distance` is along it. `toi` tells when, and
+ *    ABUT_CONTACT_SPECULATIVE is set. abut_universe_local_points tells the points on their bodies.
+ *  - It does not touch: none.
+ * It touches where the distance is 0, or the tolerance in ABUT_TOLERANCE_MARGIN; a dead band does not count. Such pairs
+ * are looked at in every step with time, whatever the period of their policy.
+ *
+ * A pair with ABUT_GEOMETRY_SPECULATIVE, and without ABUT_GEOMETRY_FAST, has the contacts of the start of the step. It
+ * also has those that are further apart, as far as the motion may close the distance along the normal within the step.
+ * They are found faster, but may stop a body at a corner that it passes by.
+ *
+ * Detections, and steps without time, know no paths: contacts are those of the present poses. A universe without such
+ * geometries pays nothing.
+ * --------------------------------------------------------------------------------------------- */
+
+/** Two geometries that first touch on their paths through a step. */
+typedef struct abut_step_impact {
+  abut_geometry_id geometry_a;
+  abut_geometry_id geometry_b;
+  double lower;           /**< fraction of the step; proven to be apart before it */
+  double upper;           /**< fraction of the step; they touch there, unless it is undecided */
+  uint32_t first_contact; /**< index of its first contact in abut_universe_contacts */
+  uint32_t contact_count;
+  uint32_t is_undecided;  /**< 1: the search has ended early, and nothing is known after `lower` */
+  uint32_t reserved;      /**< zero */
+} abut_step_impact;
+
+/**
+ * Impacts of the last step in order of time, then of slots: one for each pair with a fast geometry that touches on its
+ * path, and does not at the start of the step. Borrowed until the next [exclusive] call. [const]
+ */
+ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const abut_step_impact **impacts,
+                                           size_t *count);
+
+/**
+ * Moves all parts along their paths through dt, until the first of the fast geometries would touch: for those who stop
+ * the world there. Up to `lower` of the impact, which is where the parts are then, no fast geometry touches anything,
+ * which is proven. Pairs that touch at the start hold nothing up, nor do sensors, nor pairs that a policy treats as
+ * boxes. Velocities stay as they are. It brings boxes up to date as abut_universe_refresh does, finds velocities that
+ * are measured, and may ask the filter. It detects no contacts.
+ * @param dt   as in abut_universe_step
+ * @param out  the impact, without contacts. Where there is none, the geometries are null, and `lower` and `upper` 1
+ * Complexity as a step for the fast geometries. [exclusive]
+ */
+ABUT_API abut_status abut_universe_advance_to_first_impact(abut_universe *universe, double dt, abut_step_impact *out);
 
 /* ------------------------------------------------------------------------------------------------
  * Self pairs

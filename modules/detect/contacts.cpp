@@ -4,6 +4,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
+import abut.math;
 import abut.detect.contact_index;
 import abut.detect.jobs;
 import abut.detect.pairs;
@@ -205,6 +206,13 @@ ContactCounts ContactList::collect(const Workers& workers, const Places& places,
     write(cuts.begin(task), cuts.end(task), tasks[task].first_contact, jobs, places, pairs, std::span(indices_)[task]);
   });
   return sum;
+}
+
+void ContactList::mark_ahead(const Pair& pair, Real toi, Real touching) {
+  for (Contact& contact : std::span(contacts_).subspan(pair.first_contact, pair.contact_count)) {
+    contact.toi = toi;
+    contact.flags |= toi > 0 || contact.point.distance > touching ? std::uint32_t{contact_speculative} : 0;
+  }
 }
 
 void ContactList::restore(std::vector<Contact> contacts, std::vector<LocalPoints> locals) {

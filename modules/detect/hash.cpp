@@ -48,6 +48,9 @@ std::uint64_t hash_of(std::span<const Contact> contacts, std::span<const LocalPo
     hash.add(contact.flags, contact.age);
     hash.add(contact.user_data);
     hash.add(contact.material_a, contact.material_b);
+    if (contact.toi != 0) {
+      hash.add(contact.toi);
+    }
   }
   for (const LocalPoints& points : locals) {
     hash.add(points.a);

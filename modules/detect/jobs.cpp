@@ -72,6 +72,11 @@ void JobList::arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> 
   });
 }
 
+std::size_t JobList::add_scratch(std::size_t count) {
+  scratch_.resize(std::max(scratch_.size(), chunks_.size() + count));
+  return chunks_.size();
+}
+
 // What a detection of all pairs needed and those of a few do not.
 void JobList::release_excess() {
   constexpr std::size_t least = 256, most_excess = 8;

@@ -97,6 +97,8 @@ class JobList {
   [[nodiscard]] inline const ChunkScratch& scratch(std::size_t chunk) const [[clang::lifetimebound]] {
     return scratch_[chunk];
   }
+  // Memory behind that of the chunks, for results that do not come from one: the number of the first.
+  [[nodiscard]] std::size_t add_scratch(std::size_t count);
   // Results are written in the order of the jobs, so that threads write far from each other. They are read in that of
   // the pairs, which asks for them ahead.
   [[nodiscard]] inline JobResult& result(std::size_t job) [[clang::lifetimebound]] { return results_[job]; }

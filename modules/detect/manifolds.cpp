@@ -3,11 +3,11 @@ module abut.detect.manifolds;
 import abut.capability;
 import abut.core.standard;
 import abut.core.workers;
+import abut.detect.best_points;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.detect.stopwatch;
 import abut.math;
-import abut.narrow.manifold;
 import abut.pairs.any_shape;
 import abut.pairs.registry.self_contacts;
 import abut.pairs.registry;
@@ -42,17 +42,10 @@ void finish_job(const FoundPoints& points, const UniverseOptions& options, Detai
   const PairJob& its = jobs.jobs()[points.job];
   const std::span<ContactPoint> found = std::span(scratch.points).subspan(points.first, points.count);
   const auto reported = [&](const ContactPoint& contact) { return is_reported(contact.distance, its.margin); };
-  const auto kept = static_cast<std::size_t>(std::partition(found.begin(), found.end(), reported) - found.begin());
-  scratch.ids.clear();
-  if (options.max_contacts != 0 && kept > options.max_contacts) {
+  const std::size_t left = keep_best(found, options, detail, scratch, reported, [&] {
     const Pair& pair = pairs[jobs.pair_of(points.job)];
-    for (const ContactHistory& history : histories.subspan(pair.first_before, pair.count_before)) {
-      scratch.ids.push_back(history.id);
-    }
-  }
-  std::size_t left = reduce_children(found.first(kept), options.max_contacts, scratch.ids, scratch.reduction);
-  left = options.max_pair_contacts == 0 ? left : cap(found.first(left), options.max_pair_contacts);
-  left = detail == Detail::point ? std::min<std::size_t>(left, 1) : left;
+    return histories.subspan(pair.first_before, pair.count_before);
+  });
   const bool is_swapped = its.a > its.b;
   for (ContactPoint& contact : found.first(left)) {
     move_by(contact, worlds[its.a], is_swapped);

@@ -56,13 +56,13 @@ void renew_pair(Pair& pair, bool is_reshaped, const Places& places, const Meetin
 }
 
 // An admitted pair that is stale and covered: what its policy makes of it.
-void choose_detail(Pair& pair, const Scope& scope, const Policy& policy) {
+void choose_detail(Pair& pair, bool is_on_path, const Scope& scope, const Policy& policy) {
   const bool is_seen_as_boxes = policy.detail == Detail::box;
   if (is_seen_as_boxes || !pair.is_supported) {
     pair.is_touching = is_seen_as_boxes;
     pair.contact_count = 0;
     pair.is_stale = pair.is_new = false;
-  } else if (pair.is_new || policy.period == 1 || scope.step % policy.period == 0 ||
+  } else if (pair.is_new || is_on_path || policy.period == 1 || scope.step % policy.period == 0 ||
              scope.coverage == Coverage::everything) {
     pair.job = 0;
     pair.is_stale = pair.is_new = false;
@@ -95,10 +95,11 @@ void update_pair(Pair& pair, const Scope& scope, const Places& places, std::span
     return;
   }
   pair.is_covered = is_covered(pair, scope, places);
-  pair.is_stale = pair.is_stale || has_changed_for(pair.low, pair.high, places, patches) ||
+  const bool is_on_path = (happened & happened_on_path) != 0 && !is_self_pair(pair);
+  pair.is_stale = pair.is_stale || is_on_path || has_changed_for(pair.low, pair.high, places, patches) ||
                   has_changed_for(pair.high, pair.low, places, patches) || scope.coverage == Coverage::everything;
   if (pair.is_stale && pair.is_covered) {
-    choose_detail(pair, scope, meetings.policies.at(pair.policy));
+    choose_detail(pair, is_on_path, scope, meetings.policies.at(pair.policy));
   }
 }
 

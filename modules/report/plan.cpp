@@ -39,8 +39,12 @@ std::string line_of(const Plan::IslandCounts& counts) {
 }
 
 std::string line_of(const Plan::VelocityCounts& counts) {
-  return "velocities: " + to_text(counts.given) + " given, " + to_text(counts.measured) +
-         " from poses; nothing is swept\n";
+  return "velocities: " + to_text(counts.given) + " given, " + to_text(counts.measured) + " from poses\n";
+}
+
+std::string line_of(const Plan::PathCounts& counts) {
+  return "paths: " + count_of(counts.fast, "fast geometry") + ", " + to_text(counts.speculative) + " speculative, " +
+         count_of(counts.pairs, "pair") + " examined, " + count_of(counts.impacts, "impact") + "\n";
 }
 
 std::string line_of(std::span<const Plan::Extension> extensions) {
@@ -54,7 +58,8 @@ std::string line_of(std::span<const Plan::Extension> extensions) {
 // What is only there when the scene uses it.
 std::string lines_of_extras(const Plan& plan) {
   return (plan.focus ? line_of(*plan.focus) : "") + (plan.islands ? line_of(*plan.islands) : "") +
-         (plan.velocities ? line_of(*plan.velocities) : "") + line_of(plan.extensions);
+         (plan.velocities ? line_of(*plan.velocities) : "") + (plan.paths ? line_of(*plan.paths) : "") +
+         line_of(plan.extensions);
 }
 
 }  // namespace

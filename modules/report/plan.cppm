@@ -38,6 +38,10 @@ struct Plan {
   struct VelocityCounts {
     std::uint64_t given, measured;
   };
+  // Geometries whose path through a step is looked at, pairs that were examined on it, and impacts.
+  struct PathCounts {
+    std::uint64_t fast, speculative, pairs, impacts;
+  };
 
   StepStats stats;
   std::string_view broadphase, broadphase_reason;
@@ -50,6 +54,7 @@ struct Plan {
   std::optional<FocusCounts> focus = std::nullopt;
   std::optional<IslandCounts> islands = std::nullopt;
   std::optional<VelocityCounts> velocities = std::nullopt;
+  std::optional<PathCounts> paths = std::nullopt;
   std::vector<Extension> extensions = {};
 };
 

@@ -65,6 +65,16 @@ void write_velocities(Json& json, const Plan::VelocityCounts& counts) {
   json.close('}');
 }
 
+void write_paths(Json& json, const Plan::PathCounts& counts) {
+  json.name("paths");
+  json.open('{');
+  json.member("fast", counts.fast);
+  json.member("speculative", counts.speculative);
+  json.member("pairs", counts.pairs);
+  json.member("impacts", counts.impacts);
+  json.close('}');
+}
+
 void write(Json& json, const Plan::Stage& stage) {
   json.member("name", stage.name);
   json.member("microseconds", stage.microseconds);
@@ -132,6 +142,9 @@ std::string to_json(const Plan& plan) {
   }
   if (plan.velocities) {
     write_velocities(json, *plan.velocities);
+  }
+  if (plan.paths) {
+    write_paths(json, *plan.paths);
   }
   write_list(json, "extensions", plan.extensions);
   write_list(json, "pairs_of_kinds", plan.kinds);

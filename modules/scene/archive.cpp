@@ -179,8 +179,9 @@ void Scene::check_parts(ByteReader& in) const {
     if (fault || far) {
       in.fail(fault ? *fault : *far);
     }
-    in.require(parts_.contains(geometry.part) && geometry.options.parking <= Parking::long_term,
-               "the part or the parking of a geometry is none");
+    in.require(parts_.contains(geometry.part) && geometry.options.parking <= Parking::long_term &&
+                   geometry.options.sweeping <= Sweeping::speculative,
+               "the part, the parking or a flag of a geometry is none");
   });
 }
 

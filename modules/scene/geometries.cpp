@@ -74,6 +74,19 @@ void Scene::set_self_pairs(std::uint32_t place, bool has_them) {
   space_.set_changed(true);
 }
 
+void Scene::set_sweeping(std::uint32_t place, Sweeping sweeping) {
+  if (std::exchange(places_.infos[place].sweeping, sweeping) == sweeping) {
+    return;
+  }
+  const auto at = std::lower_bound(swept_places_.begin(), swept_places_.end(), place);
+  const bool is_listed = at != swept_places_.end() && *at == place;
+  if (sweeping == Sweeping::none) {
+    swept_places_.erase(at);
+  } else if (!is_listed) {
+    swept_places_.insert(at, place);
+  }
+}
+
 // What pairs ask about a geometry, after its options have changed.
 void Scene::apply_options(GeometryId geometry) {
   Geometry& its = geometries_.at(geometry);
@@ -92,6 +105,7 @@ void Scene::apply_options(GeometryId geometry) {
   info.is_dynamic = parts_.at(its.part).motion == MotionKind::dynamic;
   info.is_sensor = options.is_sensor;
   set_self_pairs(geometry.slot - 1, options.has_self_pairs);
+  set_sweeping(geometry.slot - 1, options.sweeping);
   info.is_at_part = is_identity(options.local);
   info.is_box_stale = true;
   places_.note(geometry.slot - 1, happened_to_filters);
@@ -154,6 +168,7 @@ void Scene::forget_geometry(GeometryId geometry) {
   space_.leave(place);
   if (place < places_.infos.size()) {
     set_self_pairs(place, false);
+    set_sweeping(place, Sweeping::none);
     places_.shapes[place] = places_.vacant;
   }
   if (!meetings_.rules.is_empty()) {
@@ -214,6 +229,8 @@ Result<void> Scene::set_options(std::span<const GeometryId> geometries, std::spa
   make_room(changes_.changed_geometries, geometries.size());
   self_places_.reserve(self_places_.size() +
                        static_cast<std::size_t>(std::ranges::count_if(options, &GeometryOptions::has_self_pairs)));
+  const auto is_swept = [](const GeometryOptions& its) { return its.sweeping != Sweeping::none; };
+  swept_places_.reserve(swept_places_.size() + static_cast<std::size_t>(std::ranges::count_if(options, is_swept)));
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     settle_parking(geometries[i], options[i].parking);
     geometries_.at(geometries[i]).options = options[i];

@@ -55,6 +55,14 @@ struct PartOptions {
 
 inline constexpr std::uint32_t tag_count = 64;
 
+// What a step with time looks at beside the present poses, for pairs that one geometry of asks for it. Impacts go
+// before speculative contacts.
+enum class Sweeping : std::uint8_t {
+  none,
+  impacts,      // the way within the step, and the contacts of the first touch on it
+  speculative,  // the start of the step, and contacts as far away as the motion may close
+};
+
 struct GeometryOptions {
   Placement local;     // in the frame of the part
   Real tolerance = 0;  // not negative; the tolerance of a pair is the sum
@@ -68,6 +76,7 @@ struct GeometryOptions {
   std::uint32_t tag = 0;                   // for policies, below tag_count
   std::uint32_t material = 0;
   bool has_self_pairs = false;  // it meets itself
+  Sweeping sweeping = Sweeping::none;
 };
 
 struct Revision {
@@ -93,7 +102,7 @@ struct SleepChange {
   bool is_asleep;
 };
 
-enum ContactFlags : std::uint32_t { contact_of_sensor = 1 };
+enum ContactFlags : std::uint32_t { contact_of_sensor = 1, contact_speculative = 2 };
 
 struct Contact {
   GeometryId geometry_a, geometry_b;
@@ -102,6 +111,16 @@ struct Contact {
   std::uint32_t age = 0;        // steps in a row before this one that reported it
   std::uint64_t user_data = 0;  // stays while the contact does
   std::uint32_t material_a = 0, material_b = 0;
+  Real toi = 0;  // part of the step before the first touch
+};
+
+// Two geometries that first touch on their path through a step. Times are parts of the step.
+struct StepImpact {
+  GeometryId geometry_a, geometry_b;
+  Real lower = 0, upper = 0;        // apart before `lower`, which is proven; touching at `upper`
+  bool is_undecided = false;        // nothing is known after `lower`
+  std::uint32_t first_contact = 0;  // in the list of the step
+  std::uint32_t contact_count = 0;
 };
 
 // The points of a contact in the frames of its two geometries, as these lay when it was found.

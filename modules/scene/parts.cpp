@@ -58,6 +58,7 @@ Result<void> Scene::destroy_parts(std::span<const PartId> parts) {
     }
     sleep_.forget(part.slot);
     velocities_.forget(part.slot);
+    velocities_.accelerate(part.slot, {});
     list_bytes_ -= parts_.at(part).geometries.capacity() * sizeof(GeometryId);
     parts_.erase(part);
   }

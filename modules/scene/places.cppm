@@ -19,12 +19,14 @@ inline constexpr std::uint32_t no_patch = 0xffffffff;
 // - happened_to_shape: set by set_shapes; the selection ends contacts and empties the memory.
 // - happened_to_surface: set by edit_shapes; the selection empties the memory.
 // - happened_to_tag: set by the focus and cleared at the end of that stage; pairs get another policy.
+// - happened_on_path: set by the sweeps, of what they look at, and cleared at the end of the detection.
 enum Happened : std::uint8_t {
   happened_to_box = 1,
   happened_to_filters = 2,
   happened_to_shape = 4,
   happened_to_surface = 8,
   happened_to_tag = 16,
+  happened_on_path = 32,
 };
 
 // What pairs, rules and queries ask about a geometry: one cache line.
@@ -37,9 +39,10 @@ struct PlaceInfo {
   std::uint32_t patch = no_patch;  // where alone it has changed since the last detection, if that is known
   std::uint8_t tag = 0;
   std::uint8_t kind = 0;  // place in the registry
-  bool is_sensor = false;
+  bool is_sensor : 1 = false;
+  bool has_self_pairs : 1 = false;
   bool is_dynamic = false;  // its part is
-  bool has_self_pairs = false;
+  Sweeping sweeping = Sweeping::none;
   bool is_at_part = false;    // its pose is that of its part
   bool is_box_stale = false;  // set by what moves or changes it, cleared by the refresh that computes its box
   bool is_queued = false;     // only while a refresh makes its queue

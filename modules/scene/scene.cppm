@@ -49,8 +49,7 @@ class Scene {
                                            std::span<const std::uint64_t> user_data);
   [[nodiscard]] Result<std::vector<GeometryId>> geometries_of(PartId part) const;
 
-  // How fast parts move: stored and handed out. Nothing is swept yet, and sleep goes by poses. None takes a velocity
-  // away.
+  // How fast parts move, which only geometries with a sweeping ask; sleep goes by poses. None takes a velocity away.
   [[nodiscard]] Result<void> set_velocities(std::span<const PartId> parts,
                                             std::span<const std::optional<Velocity>> velocities);
   // From now on by the poses: a step with time finds what leads from those of the step with time before to the
@@ -59,6 +58,10 @@ class Scene {
   // Zero for a part that has none.
   [[nodiscard]] Result<Velocity> velocity(PartId part) const;
   [[nodiscard]] Result<VelocitySource> velocity_source(PartId part) const;
+  // How the velocities of parts change within a step, by the second, but for those that are measured. Zero for none.
+  [[nodiscard]] Result<void> set_accelerations(std::span<const PartId> parts,
+                                               std::span<const Acceleration> accelerations);
+  [[nodiscard]] Result<Acceleration> acceleration(PartId part) const;
 
   // Geometries. No options means the default ones for each.
   [[nodiscard]] Result<std::vector<GeometryId>> create_geometries(std::span<const PartId> parts,
@@ -210,7 +213,8 @@ class Scene {
   MaterialTable materials_;
   SleepTable sleep_;
   VelocityTable velocities_;
-  std::vector<std::uint32_t> self_places_;  // of geometries that meet themselves, in order
+  std::vector<std::uint32_t> self_places_;   // of geometries that meet themselves, in order
+  std::vector<std::uint32_t> swept_places_;  // of geometries whose way through a step is looked at, in order
   std::size_t parked_count_ = 0;
 
  private:
@@ -225,6 +229,7 @@ class Scene {
   void apply_options(GeometryId geometry);
   void settle_parking(GeometryId geometry, Parking parking);
   void set_self_pairs(std::uint32_t place, bool has_them);
+  void set_sweeping(std::uint32_t place, Sweeping sweeping);
   void disturb(PartId part);
   [[nodiscard]] Placement world_of(const Geometry& geometry) const;
 

@@ -12,13 +12,15 @@ import abut.scene.velocity;
 namespace abut {
 namespace {
 
-Fault check_velocity(const Velocity& velocity, std::size_t index) {
-  const auto& [linear, angular] = velocity;
+// Of a Velocity or an Acceleration.
+template <class Rates>
+Fault check_rates(const Rates& rates, std::string_view array, std::size_t index) {
+  const auto& [linear, angular] = rates;
   for (const auto& [name, value] :
        {std::pair{".linear.x", linear.x}, std::pair{".linear.y", linear.y}, std::pair{".linear.z", linear.z},
         std::pair{".angular.x", angular.x}, std::pair{".angular.y", angular.y}, std::pair{".angular.z", angular.z}}) {
     if (Fault fault = check_finite(name, value)) {
-      return Error{fault->code, name_at("velocities", index) + fault->message};
+      return Error{fault->code, name_at(array, index) + fault->message};
     }
   }
   return std::nullopt;
@@ -41,7 +43,7 @@ Result<void> Scene::set_velocities(std::span<const PartId> parts, std::span<cons
   }
   bool is_any_given = false;
   for (std::size_t i = 0; i < velocities.size(); ++i) {
-    if (Fault fault = velocities[i] ? check_velocity(*velocities[i], i) : std::nullopt) {
+    if (Fault fault = velocities[i] ? check_rates(*velocities[i], "velocities", i) : std::nullopt) {
       return *fault;
     }
     is_any_given = is_any_given || velocities[i];
@@ -57,6 +59,30 @@ Result<void> Scene::set_velocities(std::span<const PartId> parts, std::span<cons
     }
   }
   return {};
+}
+
+Result<void> Scene::set_accelerations(std::span<const PartId> parts, std::span<const Acceleration> accelerations) {
+  ABUT_CHECK(parts.size() == accelerations.size());
+  if (std::optional<Error> error = check_ids(parts_, parts, "parts")) {
+    return *error;
+  }
+  for (std::size_t i = 0; i < accelerations.size(); ++i) {
+    if (Fault fault = check_rates(accelerations[i], "accelerations", i)) {
+      return *fault;
+    }
+  }
+  velocities_.make_room(highest_slot(parts), 0);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    velocities_.accelerate(parts[i].slot, accelerations[i]);
+  }
+  return {};
+}
+
+Result<Acceleration> Scene::acceleration(PartId part) const {
+  if (!parts_.contains(part)) {
+    return stale("part");
+  }
+  return velocities_.acceleration_of(part.slot);
 }
 
 Result<void> Scene::measure_velocities(std::span<const PartId> parts) {

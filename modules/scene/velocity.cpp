@@ -2,6 +2,7 @@
 module abut.scene.velocity;
 import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
 import abut.math.turn;
 import abut.scene.options;
@@ -49,11 +50,14 @@ void VelocityTable::turn_to(Entry& entry, VelocitySource source) {
 // False where an entry is no velocity, or what is measured and the entries do not fit each other.
 bool VelocityTable::count_all() {
   counts_ = {};
+  accelerated_ = 0;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Entry& its = entries_[i];
-    if (its.source > VelocitySource::poses || !is_finite(its.velocity.linear) || !is_finite(its.velocity.angular)) {
+    if (its.source > VelocitySource::poses || !is_finite(its.velocity.linear) || !is_finite(its.velocity.angular) ||
+        !is_finite(its.acceleration.linear) || !is_finite(its.acceleration.angular)) {
       return false;
     }
+    accelerated_ += its.acceleration == Acceleration{} ? 0 : 1;
     counts_[static_cast<std::size_t>(its.source)] += its.source == VelocitySource::none ? 0 : 1;
     const bool is_measured = its.source == VelocitySource::poses;
     if (is_measured && (its.place >= measured_.size() || measured_[its.place].part.slot != i + 1)) {
@@ -67,6 +71,48 @@ void VelocityTable::give(std::uint32_t slot, const Velocity& velocity) {
   make_room(slot, 0);
   turn_to(entries_[slot - 1], VelocitySource::given);
   entries_[slot - 1].velocity = velocity;
+}
+
+void VelocityTable::accelerate(std::uint32_t slot, const Acceleration& acceleration) {
+  if (acceleration == acceleration_of(slot)) {
+    return;
+  }
+  make_room(slot, 0);
+  accelerated_ -= entries_[slot - 1].acceleration == Acceleration{} ? 0 : 1;
+  accelerated_ += acceleration == Acceleration{} ? 0 : 1;
+  entries_[slot - 1].acceleration = acceleration;
+}
+
+Motion VelocityTable::motion_within(Real dt, std::uint32_t slot) const {
+  if (slot > entries_.size()) {
+    return {};
+  }
+  const auto& [velocity, acceleration, source, place] = entries_[slot - 1];
+  const Motion constant{dt * velocity.linear, dt * velocity.angular};
+  if (source == VelocitySource::poses) {
+    return constant;
+  }
+  return {constant.velocity, constant.angular_velocity, dt * (dt * acceleration.linear),
+          dt * (dt * acceleration.angular)};
+}
+
+Fault VelocityTable::check_motions(Real dt) const {
+  // Bounds that need no square root spare most parts the rest.
+  constexpr Real short_way = 1e69, small_angle = 32;
+  for (std::uint32_t slot = 1; slot <= entries_.size(); ++slot) {
+    const Motion its = motion_within(dt, slot);
+    const Real way = largest_magnitude(its.velocity) + largest_magnitude(its.acceleration);
+    const Real angle = largest_magnitude(its.angular_velocity) + largest_magnitude(its.angular_acceleration);
+    if (way <= short_way && angle <= small_angle) {
+      continue;
+    }
+    const auto path = Path::along(Pose::identity(), {0, 0, 0}, its, 1);
+    if (!path) {
+      return Error{path.error().code, "dt is " + to_text(dt) + ", in which, of the part in slot " +
+                                          std::to_string(slot) + ", " + path.error().message};
+    }
+  }
+  return std::nullopt;
 }
 
 void VelocityTable::measure(PartId part, const Placement& now) {

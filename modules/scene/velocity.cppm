@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+export import abut.motion.path;
 import abut.scene.options;
 
 export namespace abut {
@@ -17,6 +18,13 @@ struct Velocity {
   friend constexpr bool operator==(const Velocity&, const Velocity&) = default;
 };
 
+// As a Velocity, by the second.
+struct Acceleration {
+  Vec3 linear{0, 0, 0}, angular{0, 0, 0};
+
+  friend constexpr bool operator==(const Acceleration&, const Acceleration&) = default;
+};
+
 enum class VelocitySource : std::uint32_t { none, given, poses };
 
 // The constant velocity that leads from one placement to the other in a positive time, by the shorter turn. Numbers
@@ -27,7 +35,7 @@ enum class VelocitySource : std::uint32_t { none, given, poses };
 class VelocityTable {
  public:
   [[nodiscard]] inline bool is_empty() const {
-    return count(VelocitySource::given) + count(VelocitySource::poses) == 0;
+    return count(VelocitySource::given) + count(VelocitySource::poses) + accelerated_ == 0;
   }
   [[nodiscard]] inline std::uint64_t count(VelocitySource source) const {
     return counts_[static_cast<std::size_t>(source)];
@@ -40,19 +48,42 @@ class VelocityTable {
     return slot <= entries_.size() ? entries_[slot - 1].source : VelocitySource::none;
   }
 
+  // Zero for a part that has none.
+  [[nodiscard]] inline Acceleration acceleration_of(std::uint32_t slot) const {
+    return slot <= entries_.size() ? entries_[slot - 1].acceleration : Acceleration{};
+  }
+  // How many have one.
+  [[nodiscard]] inline std::uint64_t accelerated() const { return accelerated_; }
+  // Where a part that is measured is when a step begins, until the step is settled; null for all others.
+  [[nodiscard]] inline const Placement* start_of(std::uint32_t slot) const [[clang::lifetimebound]] {
+    return source_of(slot) == VelocitySource::poses ? &measured_[entries_[slot - 1].place].before : nullptr;
+  }
+  // The motion of a part within dt, with dt as the unit of time. What is measured has no acceleration.
+  [[nodiscard]] Motion motion_within(Real dt, std::uint32_t slot) const;
+  // The first part that moves too far or turns too often within dt.
+  [[nodiscard]] Fault check_motions(Real dt) const;
+
   // So that calls for slots up to `highest` cannot fail, of which so many measure.
   void make_room(std::uint32_t highest, std::size_t measuring);
   void give(std::uint32_t slot, const Velocity& velocity);
+  // Only of what is not measured it counts.
+  void accelerate(std::uint32_t slot, const Acceleration& acceleration);
   // From where the part is now. One that is measured already goes on.
   void measure(PartId part, const Placement& now);
   void forget(std::uint32_t slot);
 
-  // What is measured follows from where parts were when the last step with time was over, and where they are.
+  // What is measured follows from where parts were when the last step with time was settled, and where they are.
   template <class PlacementOf>
   void update(Real dt, PlacementOf&& placement_of) {
+    for (const Measured& its : measured_) {
+      entries_[its.part.slot - 1].velocity = velocity_between(its.before, placement_of(its.part), dt);
+    }
+  }
+  // The end of a step with time.
+  template <class PlacementOf>
+  void settle(PlacementOf&& placement_of) {
     for (Measured& its : measured_) {
-      const Placement now = placement_of(its.part);
-      entries_[its.part.slot - 1].velocity = velocity_between(std::exchange(its.before, now), now, dt);
+      its.before = placement_of(its.part);
     }
   }
 
@@ -73,6 +104,7 @@ class VelocityTable {
  private:
   struct Entry {
     Velocity velocity;
+    Acceleration acceleration;
     VelocitySource source = VelocitySource::none;
     std::uint32_t place = 0;  // in measured_, of one that is
   };
@@ -86,6 +118,7 @@ class VelocityTable {
   std::vector<Entry> entries_;  // by slot less one
   std::vector<Measured> measured_;
   std::array<std::uint64_t, 3> counts_{};  // by source
+  std::uint64_t accelerated_ = 0;
 };
 
 }  // namespace abut

@@ -8,9 +8,11 @@ import abut.core.standard;
 import abut.core;
 import abut.detect.contacts;
 import abut.detect.events;
+import abut.detect.impacts;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.math;
+import abut.motion.time_of_impact;
 import abut.scene.meetings;
 import abut.scene.places;
 import abut.scene.policies;
@@ -21,7 +23,7 @@ namespace {
 // "abut-uni", lowest byte first.
 constexpr std::uint64_t mark = 0x696e752d74756261;
 // Grows whenever something is written that was not, or no more.
-constexpr std::uint32_t present_version = 1;
+constexpr std::uint32_t present_version = 2;
 constexpr std::size_t head_size = 24;
 
 struct Head {
@@ -37,6 +39,7 @@ struct SavedContact {
   std::uint32_t flags, age;
   std::uint64_t user_data;
   std::uint32_t material_a, material_b;
+  Real toi;
 };
 
 Error refused(std::string_view what) { return {Errc::invalid_argument, "bytes " + std::string(what)}; }
@@ -78,8 +81,14 @@ bool are_right(const UniverseOptions& its) {
 bool is_right(const SavedContact& its) {
   constexpr Real slack = 1e-6;
   return is_finite(its.point.point_a) && is_finite(its.point.point_b) && std::isfinite(its.point.distance) &&
-         std::fabs(squared_norm(its.point.normal) - 1) <= slack && its.flags <= contact_of_sensor &&
+         std::fabs(squared_norm(its.point.normal) - 1) <= slack &&
+         its.flags <= (contact_of_sensor | contact_speculative) && its.toi >= 0 && its.toi <= 1 &&
          its.point.feature_a.kind <= FeatureKind::particle && its.point.feature_b.kind <= FeatureKind::particle;
+}
+
+bool is_right(const StepImpact& its, std::size_t contacts) {
+  return its.lower >= 0 && its.lower <= its.upper && its.upper <= 1 && its.first_contact <= contacts &&
+         its.contact_count <= contacts - its.first_contact;
 }
 
 bool is_right(const Event& its, std::size_t contacts) {
@@ -97,14 +106,15 @@ std::vector<std::uint8_t> Universe::save() const {
   std::vector<SavedContact> contacts;
   contacts.reserve(contacts_.all().size());
   for (const Contact& its : contacts_.all()) {
-    contacts.push_back({its.point, its.flags, its.age, its.user_data, its.material_a, its.material_b});
+    contacts.push_back({its.point, its.flags, its.age, its.user_data, its.material_a, its.material_b, its.toi});
   }
   const auto pairs = pairs_.all();
   const auto locals = contacts_.locals();
   const auto events = events_.all();
+  const auto impacts = impacts_.all();
   body(step_, follows_islands_, islands_);
   body(std::vector<Pair>(pairs.begin(), pairs.end()), contacts, std::vector<LocalPoints>(locals.begin(), locals.end()),
-       std::vector<Event>(events.begin(), events.end()));
+       std::vector<Event>(events.begin(), events.end()), std::vector<StepImpact>(impacts.begin(), impacts.end()));
   ByteWriter head;
   head(Head{mark, present_version, checksum_of(body.bytes()), body.bytes().size()});
   std::vector<std::uint8_t> all(head.bytes().begin(), head.bytes().end());
@@ -134,6 +144,9 @@ Result<void> Universe::load(std::span<const std::uint8_t> bytes) {
   in(options);
   Scene::load(in, workers_);
   in(step_, follows_islands_, islands_);
+  if (!swept_places_.empty() && !has_motion()) {
+    in.fail({Errc::unsupported, "a geometry is fast or speculative, and this build is without the feature \"motion\""});
+  }
   if (!in.has_failed()) {
     load_pairs(in);
   }
@@ -169,13 +182,16 @@ void Universe::load_contacts(ByteReader& in, std::uint64_t count) {
   std::vector<SavedContact> saved;
   std::vector<LocalPoints> locals;
   std::vector<Event> events;
-  in(saved, locals, events);
+  std::vector<StepImpact> impacts;
+  in(saved, locals, events, impacts);
   in.require(saved.size() == count, "the contacts are not as many as those of the pairs");
   in.require(locals.size() == (options_.keeps_local_points ? count : 0), "the local points are not those of contacts");
   in.require(std::ranges::all_of(saved, [](const SavedContact& its) { return is_right(its); }),
              "a contact has numbers that none has");
   in.require(std::ranges::all_of(events, [&](const Event& its) { return is_right(its, saved.size()); }),
              "an event is none");
+  in.require(std::ranges::all_of(impacts, [&](const StepImpact& its) { return is_right(its, saved.size()); }),
+             "an impact is none");
   if (in.has_failed()) {
     return;
   }
@@ -190,11 +206,14 @@ void Universe::load_contacts(ByteReader& in, std::uint64_t count) {
                           .age = its.age,
                           .user_data = its.user_data,
                           .material_a = its.material_a,
-                          .material_b = its.material_b});
+                          .material_b = its.material_b,
+                          .toi = its.toi});
     }
   }
   contacts_.restore(std::move(contacts), std::move(locals));
   events_.restore(std::move(events));
+  impacts_.restore(std::move(impacts));
+  had_paths_ = !swept_places_.empty();
 }
 
 }  // namespace abut

@@ -89,7 +89,7 @@ std::vector<Plan::LeftOut> Universe::left_out(std::uint64_t never_met, bool has_
   leave_out(velocities_.is_empty(), "velocities", "set for no part");
   leave_out(self_places_.empty(), "self pairs", "switched on for no geometry");
   leave_out(workers_.threads() == 1, "threads", "one does it all");
-  leave_out(true, "continuous pass", "none");
+  leave_out(swept_places_.empty(), "continuous pass", "no geometry is fast or speculative");
   leave_out(!has_extensions, "extensions", "none attached");
   return list;
 }
@@ -115,6 +115,13 @@ Plan Universe::plan(std::span<const Plan::Extension> extensions) const {
   }
   if (!velocities_.is_empty()) {
     plan.velocities = {velocities_.count(VelocitySource::given), velocities_.count(VelocitySource::poses)};
+  }
+  if (!swept_places_.empty()) {
+    plan.paths = Plan::PathCounts{0, 0, impacts_.examined(), impacts_.all().size()};
+    for (const std::uint32_t at : swept_places_) {
+      const bool is_fast = places_.infos[at].sweeping == Sweeping::impacts;
+      (is_fast ? plan.paths->fast : plan.paths->speculative) += 1;
+    }
   }
   std::uint64_t never_met = 0;
   for (std::size_t row = 0; row < shape_kind_count; ++row) {

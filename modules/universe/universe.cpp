@@ -9,6 +9,7 @@ import abut.core;
 import abut.detect.contacts;
 import abut.detect.events;
 import abut.detect.hash;
+import abut.detect.impacts;
 import abut.detect.jobs;
 import abut.detect.manifolds;
 import abut.detect.pairs;
@@ -17,6 +18,8 @@ import abut.detect.seams;
 import abut.detect.selection;
 import abut.detect.sleep;
 import abut.detect.stopwatch;
+import abut.detect.sweeps;
+import abut.detect.paths;
 import abut.math;
 import abut.scene.changes;
 import abut.scene.checks;
@@ -37,10 +40,11 @@ void Universe::follow_islands(bool are_followed) {
   }
 }
 
-void Universe::refresh_places() {
-  const BoxFrame frame{options_.tolerance_mode, meetings_.policies.largest_tolerance(), options_.origin};
-  refresh_.run(workers_, frame, space_, parts_, geometries_, changes_, places_);
+BoxFrame Universe::box_frame() const {
+  return {options_.tolerance_mode, meetings_.policies.largest_tolerance(), options_.origin};
 }
+
+void Universe::refresh_places() { refresh_.run(workers_, box_frame(), space_, parts_, geometries_, changes_, places_); }
 
 void Universe::update_space() {
   space_.update(workers_, places_, options_.broadphase, changes_.rejoining, refresh_.queue());
@@ -59,6 +63,21 @@ void Universe::find_pairs() {
   if (space_.has_changed()) {
     space_.find_pairs(workers_, near_);
     add_self_pairs(self_places_, space_, near_);
+  }
+}
+
+// Whom geometries with a sweeping may meet within dt; nobody without time.
+void Universe::find_paths(Real dt) {
+  if (dt > 0 && !swept_places_.empty()) {
+    sweeps_.run(workers_, paths(dt), box_frame(), space_, swept_places_, places_);
+    space_.set_changed(true);
+    had_paths_ = true;
+  } else if (std::exchange(had_paths_, false)) {
+    sweeps_.clear();
+    space_.set_changed(true);
+    for (const std::uint32_t at : swept_places_) {
+      places_.note(at, happened_on_path);
+    }
   }
 }
 
@@ -111,6 +130,9 @@ void Universe::finish_detection() {
     places_.infos[patch.place].patch = no_patch;
   }
   changes_.patches.clear();
+  for (const std::uint32_t at : swept_places_) {
+    places_.happened[at] &= ~unsigned{happened_on_path};
+  }
   stats_.moved = changes_.fresh.size();
   changes_.fresh.clear();
   meetings_.must_ask_again = false;
@@ -158,9 +180,10 @@ void Universe::run_stages(const Scope& scope) {
   stats_.refresh_microseconds = watch.lap();
   update_space();
   find_pairs();
+  find_paths(scope.dt);
   stats_.broadphase_microseconds = watch.lap();
   if (space_.has_changed()) {
-    pairs_.merge(workers_, near_, places_.infos, changes_.are_slots_reused);
+    pairs_.merge(workers_, sweeps_.with(near_), places_.infos, changes_.are_slots_reused);
     changes_.are_slots_reused = false;
     space_.set_changed(false);
   }
@@ -171,11 +194,18 @@ void Universe::run_stages(const Scope& scope) {
   stats_.pair_microseconds = watch.lap();
   find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, jobs_);
   seams_.run(places_, jobs_);
+  const Paths its_paths = paths(scope.dt);
+  impacts_.run(workers_, {options_, meetings_.policies, places_, its_paths, contacts_.histories()}, sweeps_.pairs(),
+               pairs_.all(), jobs_);
   stats_.narrowphase_microseconds = watch.lap();
   const ContactCounts counts = contacts_.collect(workers_, places_, is_timed, jobs_, pairs_.all());
+  impacts_.mark(pairs_.all(), contacts_);
   update_islands(scope.dt);
   events_.collect(workers_, options_.events, pairs_, places_.infos, contacts_, sleep_);
   finish_detection();
+  if (scope.dt > 0) {
+    velocities_.settle([&](PartId part) { return parts_.at(part).placement; });
+  }
   stats_.contact_microseconds = watch.lap();
   count_everything(counts);
 }
@@ -184,16 +214,23 @@ std::uint64_t Universe::hash() const { return hash_of(contacts(), local_points()
 
 std::size_t Universe::bytes() const {
   return sizeof(Universe) + Scene::bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() +
-         selection_.bytes() + jobs_.bytes() + seams_.bytes() + contacts_.bytes() + events_.bytes() +
-         island_links_.bytes() + islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
+         selection_.bytes() + jobs_.bytes() + seams_.bytes() + sweeps_.bytes() + impacts_.bytes() + contacts_.bytes() +
+         events_.bytes() + island_links_.bytes() + islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
 }
 
-Result<void> Universe::step(Real dt) {
+Fault Universe::check_time(Real dt) const {
   if (!std::isfinite(dt)) {
     return error_about(Errc::not_finite, "dt", dt, "finite");
   }
   if (dt < 0) {
     return error_about(Errc::out_of_range, "dt", dt, "zero or positive");
+  }
+  return swept_places_.empty() ? std::nullopt : velocities_.check_motions(dt);
+}
+
+Result<void> Universe::step(Real dt) {
+  if (Fault fault = check_time(dt)) {
+    return *fault;
   }
   detect({.dt = dt});
   return {};

@@ -9,12 +9,15 @@ import abut.core.workers;
 import abut.core;
 import abut.detect.contacts;
 import abut.detect.events;
+import abut.detect.impacts;
 export import abut.detect.islands;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.detect.refresh;
 import abut.detect.seams;
 import abut.detect.selection;
+import abut.detect.sweeps;
+import abut.detect.paths;
 import abut.math;
 export import abut.report.plan;
 export import abut.scene;
@@ -61,6 +64,13 @@ class Universe : public Scene {
   // Of the last step: by the slots of the geometries; of one pair what ends comes before what begins, and the pair
   // before its contacts.
   [[nodiscard]] std::span<const Event> events() const [[clang::lifetimebound]] { return events_.all(); }
+  // Of the last step, in order of time: two geometries, of which one at least asked for impacts, that touch on their
+  // path and did not at its start.
+  [[nodiscard]] std::span<const StepImpact> impacts() const [[clang::lifetimebound]] { return impacts_.all(); }
+  // Moves all parts that have a velocity as far on their path through dt as nothing touches of what asks for impacts.
+  // Those that touch at the start, sensors and pairs that are seen as boxes hold nothing up. Answers with the impact
+  // that comes first, or with none and the whole way.
+  [[nodiscard]] Result<StepImpact> advance_to_first_impact(Real dt);
   // Of the contacts, the events and the parts that fell asleep or woke in the last step: every bit of them counts, in
   // their order, but for generations.
   [[nodiscard]] std::uint64_t hash() const;
@@ -89,7 +99,13 @@ class Universe : public Scene {
   void load_contacts(ByteReader& in, std::uint64_t count);
   void detect(Scope scope);
   void run_stages(const Scope& scope);
+  [[nodiscard]] Fault check_time(Real dt) const;
   void refresh_places();
+  void find_paths(Real dt);
+  [[nodiscard]] Paths paths(Real dt) const { return {geometries_, velocities_, places_, dt}; }
+  [[nodiscard]] StepImpact first_impact(Real dt);
+  void move_along(Real dt, Real time);
+  [[nodiscard]] BoxFrame box_frame() const;
   void update_space();
   void find_pairs();
   void follow_focus();
@@ -114,6 +130,9 @@ class Universe : public Scene {
   Selection selection_;
   JobList jobs_;
   SeamStage seams_;
+  Sweeps sweeps_;
+  bool had_paths_ = false;  // the last detection looked at paths
+  ImpactStage impacts_;
   ContactList contacts_;
   EventList events_;
   IslandLinks island_links_;

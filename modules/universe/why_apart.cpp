@@ -54,7 +54,9 @@ std::uint32_t Universe::why_apart_at(std::uint32_t low, std::uint32_t high) cons
   if (is_parked(low) || is_parked(high)) {
     return reasons | apart_by_parking;
   }
-  const bool have_boxes = space_.is_shown(low) && space_.is_shown(high);
+  // Boxes of paths may overlap where those of poses do not: then there is a pair.
+  const bool has_path = pair != nullptr && (a.sweeping != Sweeping::none || b.sweeping != Sweeping::none);
+  const bool have_boxes = space_.is_shown(low) && space_.is_shown(high) && !has_path;
   reasons |= bit_if(have_boxes && !places_.boxes[low].overlaps(places_.boxes[high]), apart_by_boxes);
   const bool is_overdue = pair == nullptr ? reasons == 0 : pair->is_admitted && pair->is_stale;
   return reasons |

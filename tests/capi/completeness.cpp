@@ -65,7 +65,8 @@ bool takes_numbers(const std::string& parameters) {
   return rest.starts_with("double ") ||
          has(rest, {", double ", "const double *", "const abut_pose *", "const abut_vec3 *", "const abut_aabb *",
                     "const abut_ray *", "const abut_geometry_options *", "const abut_policy *", "const abut_focus *",
-                    "const abut_sleep *", "const abut_velocity *", "const abut_movement *", "_desc *"});
+                    "const abut_sleep *", "const abut_velocity *", "const abut_acceleration *", "const abut_movement *",
+                    "_desc *"});
 }
 
 // The words that the tests of a function must name.

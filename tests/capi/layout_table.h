@@ -312,6 +312,18 @@
   TYPE(abut_velocity, 48)                                    \
   FIELD(abut_velocity, linear, 0, 24)                        \
   FIELD(abut_velocity, angular, 24, 24)                      \
+  TYPE(abut_acceleration, 48)                                \
+  FIELD(abut_acceleration, linear, 0, 24)                    \
+  FIELD(abut_acceleration, angular, 24, 24)                  \
+  TYPE(abut_step_impact, 48)                                 \
+  FIELD(abut_step_impact, geometry_a, 0, 8)                  \
+  FIELD(abut_step_impact, geometry_b, 8, 8)                  \
+  FIELD(abut_step_impact, lower, 16, 8)                      \
+  FIELD(abut_step_impact, upper, 24, 8)                      \
+  FIELD(abut_step_impact, first_contact, 32, 4)              \
+  FIELD(abut_step_impact, contact_count, 36, 4)              \
+  FIELD(abut_step_impact, is_undecided, 40, 4)               \
+  FIELD(abut_step_impact, reserved, 44, 4)                   \
   TYPE(abut_finding, 192)                                    \
   FIELD(abut_finding, code, 0, 4)                            \
   FIELD(abut_finding, reserved, 4, 4)                        \

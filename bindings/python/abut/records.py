@@ -13,7 +13,7 @@ from . import c
 __all__ = ["Groups", "Records"]
 
 # Structs that NumPy sees as plain rows of numbers.
-ROWS = {c.Vec3: 3, c.Quat: 4, c.Pose: 7, c.Velocity: 6, c.Movement: 15}
+ROWS = {c.Vec3: 3, c.Quat: 4, c.Pose: 7, c.Velocity: 6, c.Acceleration: 6, c.Movement: 15}
 _SCALARS = {ctypes.c_double: "f8", ctypes.c_uint32: "u4", ctypes.c_uint64: "u8"}
 
 

@@ -1031,6 +1031,8 @@ pub type abut_parking_value = ::std::os::raw::c_uint;
 pub type abut_geometry_flags = u32;
 pub const ABUT_GEOMETRY_SENSOR: abut_geometry_flags_value = 1;
 pub const ABUT_GEOMETRY_SELF_PAIRS: abut_geometry_flags_value = 2;
+pub const ABUT_GEOMETRY_FAST: abut_geometry_flags_value = 4;
+pub const ABUT_GEOMETRY_SPECULATIVE: abut_geometry_flags_value = 8;
 pub type abut_geometry_flags_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
@@ -1756,6 +1758,61 @@ extern "C" {
         parts: *const abut_part_id,
         count: usize,
         out: *mut abut_velocity,
+    ) -> abut_status;
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_acceleration {
+    pub linear: abut_vec3,
+    pub angular: abut_vec3,
+}
+extern "C" {
+    pub fn abut_part_set_acceleration(
+        universe: *mut abut_universe,
+        part: abut_part_id,
+        acceleration: *const abut_acceleration,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_parts_set_accelerations(
+        universe: *mut abut_universe,
+        parts: *const abut_part_id,
+        accelerations: *const abut_acceleration,
+        count: usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_parts_accelerations(
+        universe: *const abut_universe,
+        parts: *const abut_part_id,
+        count: usize,
+        out: *mut abut_acceleration,
+    ) -> abut_status;
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_step_impact {
+    pub geometry_a: abut_geometry_id,
+    pub geometry_b: abut_geometry_id,
+    pub lower: f64,
+    pub upper: f64,
+    pub first_contact: u32,
+    pub contact_count: u32,
+    pub is_undecided: u32,
+    pub reserved: u32,
+}
+extern "C" {
+    pub fn abut_universe_impacts(
+        universe: *const abut_universe,
+        impacts: *mut *const abut_step_impact,
+        count: *mut usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_universe_advance_to_first_impact(
+        universe: *mut abut_universe,
+        dt: f64,
+        out: *mut abut_step_impact,
     ) -> abut_status;
 }
 extern "C" {

@@ -156,6 +156,23 @@ class UniverseParts : public UniverseHandle {
     return detail::answer(abut_parts_velocities(get(), parts.data(), parts.size(), out.data()), out);
   }
 
+  // Without an Acceleration the part has none.
+  Answer<void> set_acceleration(PartId part, OptionalRef<Acceleration> acceleration) {
+    return detail::answer(abut_part_set_acceleration(get(), part, acceleration.get()));
+  }
+  // One for each part, or none at all.
+  Answer<void> set_accelerations(Span<const PartId> parts, Span<const Acceleration> accelerations) {
+    const std::size_t given = accelerations.empty() ? parts.size() : accelerations.size();
+    const abut_status sizes = detail::expect_as_many("accelerations", given, "parts", parts.size());
+    const Acceleration* const first = accelerations.empty() ? nullptr : accelerations.data();
+    return detail::answer(
+        sizes != ABUT_OK ? sizes : abut_parts_set_accelerations(get(), parts.data(), first, parts.size()));
+  }
+  [[nodiscard]] Answer<std::vector<Acceleration>> accelerations(Span<const PartId> parts) const {
+    std::vector<Acceleration> out(parts.size());
+    return detail::answer(abut_parts_accelerations(get(), parts.data(), parts.size(), out.data()), out);
+  }
+
  protected:
   using UniverseHandle::UniverseHandle;
 };

@@ -77,7 +77,7 @@ class UniverseRules : public UniverseGeometries {
   using UniverseGeometries::UniverseGeometries;
 
   // The answer of a call that asks the filter.
-  Answer<void> detected(abut_status status) {
+  abut_status heard(abut_status status) {
 #ifndef ABUT_NO_EXCEPTIONS
     if (filter_ && filter_->failure) {
       const std::exception_ptr failure = std::exchange(filter_->failure, nullptr);
@@ -85,8 +85,9 @@ class UniverseRules : public UniverseGeometries {
       if (status == ABUT_OK) std::rethrow_exception(failure);
     }
 #endif
-    return detail::answer(status);
+    return status;
   }
+  Answer<void> detected(abut_status status) { return detail::answer(heard(status)); }
 
  private:
   struct KeptFilter {

@@ -26,6 +26,12 @@ class UniverseSteps : public UniverseRules {
     return detected(sizes != ABUT_OK ? sizes : abut_universe_detect_pairs(get(), a.data(), b.data(), a.size()));
   }
   Answer<void> detect_region(const Aabb& region) { return detected(abut_universe_detect_region(get(), &region)); }
+  // Moves all parts along their paths, until the first of the fast geometries would touch.
+  Answer<StepImpact> advance_to_first_impact(double dt) {
+    StepImpact out{};
+    const abut_status status = heard(abut_universe_advance_to_first_impact(get(), dt, &out));
+    return detail::answer(status, out);
+  }
   // Queries see poses as of the last step or refresh.
   Answer<void> refresh() { return detail::answer(abut_universe_refresh(get())); }
 
@@ -35,6 +41,8 @@ class UniverseSteps : public UniverseRules {
   Answer<Span<const LocalPoints>> local_points() const&& = delete;
   [[nodiscard]] Answer<Span<const Event>> events() const& { return borrow(abut_universe_events); }
   Answer<Span<const Event>> events() const&& = delete;
+  [[nodiscard]] Answer<Span<const StepImpact>> impacts() const& { return borrow(abut_universe_impacts); }
+  Answer<Span<const StepImpact>> impacts() const&& = delete;
   [[nodiscard]] Answer<Span<const SleepChange>> sleep_changes() const& { return borrow(abut_universe_sleep_changes); }
   Answer<Span<const SleepChange>> sleep_changes() const&& = delete;
 

@@ -19,6 +19,7 @@ using Pose = abut_pose;
 using Aabb = abut_aabb;
 using Ray = abut_ray;
 using Velocity = abut_velocity;
+using Acceleration = abut_acceleration;
 
 using PartId = abut_part_id;
 using GeometryId = abut_geometry_id;
@@ -60,6 +61,7 @@ using QueryHit = abut_query_hit;
 using RayHit = abut_ray_hit;
 using Revision = abut_revision;
 using SleepChange = abut_sleep_change;
+using StepImpact = abut_step_impact;
 using Collidable = abut_collidable;
 
 // A pose by its parts; pose() is the identity, pose({0, 0, 2}) a place two up.

@@ -70,7 +70,7 @@ TEST(Plan, AsTextHasALineForEverything) {
        {"universe: 3 parts, 1 geometry, 12345 bytes\n", "  refresh             1.3 us  one\n",
         "broad phase: tree, because of", "threads: 2\n", "tolerance: margin",
         "  box - sphere: 10 candidates, 9 examined, 8 touching, 7 contacts; 0.25 us a pair; closed form (it has one)\n",
-        "islands: 2 of 3 parts, the largest of 2\n", "velocities: 1 given, 4 from poses; nothing is swept\n",
+        "islands: 2 of 3 parts, the largest of 2\n", "velocities: 1 given, 4 from poses\n",
         "extensions: 2 picking, 1 response\n", "  sleep: set for no part\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
   }

@@ -50,6 +50,12 @@ class Detection(Filters):
         """Brings the boxes up to date with the poses, for queries."""
         self._run(library.abut_universe_refresh)
 
+    def advance_to_first_impact(self, dt: float) -> c.StepImpact:
+        """Moves all parts along their paths through dt, until the first of the fast geometries would touch."""
+        out = c.StepImpact()
+        self._run(library.abut_universe_advance_to_first_impact, dt, byref(out))
+        return out
+
     def _copy(self, kind, lend):
         out = []
 
@@ -90,6 +96,10 @@ class Detection(Filters):
     def borrow_events(self) -> Borrowed:
         """The same without a copy."""
         return self._borrow(c.Event, library.abut_universe_events)
+
+    def impacts(self) -> Records:
+        """What fast geometries touched on their paths through the last step, in order of time."""
+        return self._copy(c.StepImpact, library.abut_universe_impacts)
 
     def sleep_changes(self) -> Records:
         """Which parts fell asleep or woke in the last step."""

@@ -117,6 +117,19 @@ class Parts(Lender):
         """Velocities of parts; their array has the shape (N, 6)."""
         return self._of_each_part(c.Velocity, library.abut_parts_velocities, parts)
 
+    def set_accelerations(self, parts: Any, accelerations: Any) -> None:
+        """Gives parts (N, 6) accelerations, linear and then angular, or one to all; None takes them away."""
+        if accelerations is None:
+            ids = given.structs(c.PartId, "parts", parts)
+            self._change(library.abut_parts_set_accelerations, ids.memory, None, len(ids))
+            return
+        self._change_parts(library.abut_parts_set_accelerations, parts,
+                           given.structs(c.Acceleration, "accelerations", accelerations))
+
+    def accelerations(self, parts: Any) -> Records:
+        """Accelerations of parts; their array has the shape (N, 6)."""
+        return self._of_each_part(c.Acceleration, library.abut_parts_accelerations, parts)
+
     def velocity_source(self, part: c.PartId) -> int:
         """Where the velocity of a part comes from: VELOCITY_NONE, VELOCITY_GIVEN or VELOCITY_FROM_POSES."""
         velocity, source = c.Velocity(), c_uint32()

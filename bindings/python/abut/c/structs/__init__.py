@@ -7,16 +7,16 @@ from .shapes import (
     Contact, Distance, DistanceFieldDesc, DistanceFieldOptions, FirstTouch, HeightFieldDesc, HullReport, Impact,
     ImpactOptions, MeshOptions, MeshReport, Movement, PairMemory, QueryOptions, Ray, RayHit, ShapeDesc, UvGridOptions)
 from .universe import (
-    Collidable, ContactMaterial, Event, Finding, Focus, GeometryInfo, GeometryOptions, Island, LocalPoints,
-    PartOptions, Policy, Revision, Sleep, SleepChange, StepStats, UniverseOptions, Velocity)
+    Acceleration, Collidable, ContactMaterial, Event, Finding, Focus, GeometryInfo, GeometryOptions, Island, LocalPoints,
+    PartOptions, Policy, Revision, Sleep, SleepChange, StepImpact, StepStats, UniverseOptions, Velocity)
 from .values import (
     Aabb, Feature, GeometryId, LayoutEntry, PartId, Pose, Quat, Vec3)
 
 __all__ = [
-    "Aabb", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance",
+    "Aabb", "Acceleration", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance",
     "DistanceFieldDesc", "DistanceFieldOptions", "Event", "Feature", "Finding", "FirstTouch", "Focus", "GeometryId",
     "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport", "Impact", "ImpactOptions", "Island",
     "LayoutEntry", "LocalPoints", "MeshOptions", "MeshReport", "Movement", "PairMemory", "PartId", "PartOptions",
     "Pick", "Policy", "Pose", "Quat", "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision",
-    "ShapeDesc", "Sleep", "SleepChange", "StepStats",
-    "UniverseOptions", "UvGridOptions", "Vec3", "Velocity"]
+    "ShapeDesc", "Sleep", "SleepChange", "StepImpact", "StepStats", "UniverseOptions", "UvGridOptions", "Vec3",
+    "Velocity"]

@@ -161,6 +161,24 @@ class Velocity(Struct):
 
 
 @struct
+class Acceleration(Struct):
+    linear: Vec3
+    angular: Vec3
+
+
+@struct
+class StepImpact(Struct):
+    geometry_a: GeometryId
+    geometry_b: GeometryId
+    lower: Double
+    upper: Double
+    first_contact: UInt32
+    contact_count: UInt32
+    is_undecided: UInt32
+    reserved: UInt32
+
+
+@struct
 class Event(Struct):
     kind: UInt32
     flags: UInt32

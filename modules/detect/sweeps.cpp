@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.detect.sweeps;
+import abut.broadphase.pair_order;
+import abut.broadphase;
+import abut.capability;
+import abut.core.standard;
+import abut.core.workers;
+import abut.detect.refresh;
+import abut.detect.paths;
+import abut.math;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
+import abut.scene;
+import abut.scene.options;
+import abut.scene.places;
+import abut.scene.space;
+
+namespace abut {
+namespace {
+
+// Below this many movers a task costs more than it saves.
+constexpr std::size_t least_of_task = 8;
+// Paths are asked about in pieces of some sizes of the shape, which are halved until they are nearly as short as it.
+constexpr Real sizes_of_piece = 4, most_pieces = 16, sizes_of_last = 2;
+constexpr int most_halvings = 12;
+
+Real largest_side(const Aabb& box) { return largest_magnitude(box.high - box.low); }
+
+bool may_pair(const PlaceInfo& a, const PlaceInfo& b) { return a.part != b.part && (a.is_dynamic || b.is_dynamic); }
+
+Aabb widened(const CompactAabb& box, const Vec3& origin) {
+  const auto widen = [&](const std::array<float, 3>& side) {
+    return origin + Vec3{static_cast<Real>(side[0]), static_cast<Real>(side[1]), static_cast<Real>(side[2])};
+  };
+  return {widen(box.low), widen(box.high)};
+}
+
+CompactAabb inflated(const CompactAabb& box, Real by) {
+  return by == 0 ? box : compact(widened(box, {0, 0, 0}).inflated(by), {0, 0, 0});
+}
+
+// Of what a mover meets in a span of time.
+template <class Mover>
+Aabb box_within(const Mover& its, const TimeSpan& span, const Places& places) {
+  const AnyShape& shape = *places.shapes[its.place];
+  const Aabb begin = aabb_of(shape, its.path.at(span.begin)), end = aabb_of(shape, its.path.at(span.end));
+  return its.path.swept_box(begin, end, span, its.radius).inflated(its.margin);
+}
+
+}  // namespace
+
+void Sweeps::add_mover(const Paths& paths, const BoxFrame& frame, std::uint32_t place, const Places& places) {
+  const AnyShape& shape = *places.shapes[place];
+  const PlaceInfo& info = places.infos[place];
+  const Path path = paths.of(place);
+  Mover mover{.place = place,
+              .has_sweeping = info.sweeping != Sweeping::none,
+              .path = path,
+              .margin = reach_of(info, frame.mode, frame.largest_tolerance),
+              .radius = path.reach_of(aabb_of(shape, Pose::identity())).radius,
+              .size = largest_side(aabb_of(shape, path.start())),
+              .box = {}};
+  mover.box = box_within(mover, path.whole(), places);
+  movers_.push_back(mover);
+  is_mover_[place] = true;
+}
+
+// First those with a sweeping, then the quick ones: those that get further than the mean size of the former. So no
+// quick one makes the others ask far around.
+void Sweeps::find_movers(const Paths& paths, const BoxFrame& frame, const Space& space,
+                         std::span<const std::uint32_t> swept_places, Places& places) {
+  movers_.clear();
+  is_mover_.assign(places.infos.size(), false);
+  Real size = 0;
+  for (const std::uint32_t at : swept_places) {
+    if (space.is_shown(at)) {
+      places.note(at, happened_on_path);
+      add_mover(paths, frame, at, places);
+      size += movers_.back().size;
+    }
+  }
+  slow_way_ = 0;
+  const Real most = movers_.empty() ? 0 : size / static_cast<Real>(movers_.size());
+  for (std::uint32_t at = 0; !movers_.empty() && at < places.infos.size(); ++at) {
+    if (!space.is_shown(at) || is_mover_[at] || !paths.moves(at)) {
+      continue;
+    }
+    const Real way = paths.farthest(at, widened(places.boxes[at], frame.origin));
+    if (way <= most) {
+      slow_way_ = std::max(slow_way_, way);
+    } else {
+      add_mover(paths, frame, at, places);
+    }
+  }
+}
+
+void Sweeps::halve(std::uint32_t number, const TimeSpan& span, std::size_t first, int depth, const BoxFrame& frame,
+                   const Places& places, Task& task) const {
+  const Mover& its = movers_[number];
+  const std::size_t end = task.near.size();
+  for (int half = 0; half < 2 && depth > 0 && end > first; ++half) {
+    const Real middle = 0.5 * (span.begin + span.end);
+    const TimeSpan part = half == 0 ? TimeSpan{span.begin, middle} : TimeSpan{middle, span.end};
+    const Aabb box = box_within(its, part, places);
+    const CompactAabb compact_box = compact(box, frame.origin);
+    for (std::size_t i = first; i < end; ++i) {
+      const Near met = task.near[i];
+      if (task.seen_by[met.place] != number && compact_box.overlaps(met.box)) {
+        task.near.push_back(met);
+      }
+    }
+    const bool is_last = largest_side(box) <= sizes_of_last * its.size;
+    halve(number, part, end, is_last ? 0 : depth - 1, frame, places, task);
+    task.near.resize(end);
+  }
+  for (std::size_t i = first; i < end && depth == 0; ++i) {
+    const std::uint32_t met = task.near[i].place;
+    if (std::exchange(task.seen_by[met], number) != number) {
+      task.pairs.push_back({std::min(its.place, met), std::max(its.place, met)});
+    }
+  }
+}
+
+// Those that are no movers.
+void Sweeps::meet_slow(std::uint32_t number, const Paths& paths, const BoxFrame& frame, const Space& space,
+                       const Places& places, Task& task) const {
+  const Mover& its = movers_[number];
+  const PlaceInfo& info = places.infos[its.place];
+  const Real way = its.path.largest_speed(its.path.whole(), 0);
+  const Real wanted = its.size > 0 && its.size < infinity ? std::ceil(way / (sizes_of_piece * its.size)) : 1;
+  const Real pieces = std::clamp(wanted, 1., most_pieces);
+  for (Real piece = 0; piece < pieces; ++piece) {
+    const TimeSpan span{piece / pieces, (piece + 1) / pieces};
+    const Aabb exact = pieces == 1 ? its.box : box_within(its, span, places);
+    const CompactAabb box = compact(exact, frame.origin);
+    task.near.clear();
+    space.visit(inflated(box, slow_way_), [&](std::uint32_t met) {
+      if (is_mover_[met] || task.seen_by[met] == number || !may_pair(info, places.infos[met])) {
+        return;
+      }
+      const CompactAabb& there = places.boxes[met];
+      const Real slow = paths.moves(met) ? paths.farthest(met, widened(there, frame.origin)) : 0;
+      const Near near{met, inflated(there, slow)};
+      if (box.overlaps(near.box)) {
+        task.near.push_back(near);
+      }
+    });
+    const bool is_last = largest_side(exact) <= sizes_of_last * its.size;
+    halve(number, span, 0, is_last ? 0 : most_halvings, frame, places, task);
+  }
+}
+
+// Whether two movers may come together in a span of time, in which their boxes overlap.
+bool Sweeps::may_meet(const Mover& a, const Mover& b, const TimeSpan& span, int depth, const Places& places) const {
+  const Aabb box_a = box_within(a, span, places), box_b = box_within(b, span, places);
+  if (!box_a.overlaps(box_b)) {
+    return false;
+  }
+  const bool are_short = largest_side(box_a) <= sizes_of_last * a.size && largest_side(box_b) <= sizes_of_last * b.size;
+  if (depth == 0 || are_short) {
+    return true;
+  }
+  const Real middle = 0.5 * (span.begin + span.end);
+  return may_meet(a, b, {span.begin, middle}, depth - 1, places) ||
+         may_meet(a, b, {middle, span.end}, depth - 1, places);
+}
+
+void Sweeps::meet_movers(const Places& places) {
+  by_side_.clear();
+  for (std::uint32_t number = 0; number < movers_.size(); ++number) {
+    by_side_.push_back(number);
+  }
+  std::ranges::sort(by_side_, [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(movers_[a].box.low.x, a) < std::pair(movers_[b].box.low.x, b);
+  });
+  for (std::size_t i = 0; i < by_side_.size(); ++i) {
+    const Mover& a = movers_[by_side_[i]];
+    for (std::size_t j = i + 1; j < by_side_.size() && movers_[by_side_[j]].box.low.x <= a.box.high.x; ++j) {
+      const Mover& b = movers_[by_side_[j]];
+      if ((a.has_sweeping || b.has_sweeping) && a.box.overlaps(b.box) &&
+          may_pair(places.infos[a.place], places.infos[b.place]) &&
+          may_meet(a, b, a.path.whole(), most_halvings, places)) {
+        pairs_.push_back({std::min(a.place, b.place), std::max(a.place, b.place)});
+      }
+    }
+  }
+}
+
+void Sweeps::run(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
+                 std::span<const std::uint32_t> swept_places, Places& places) {
+  pairs_.clear();
+  find_movers(paths, frame, space, swept_places, places);
+  const auto is_swept = [](const Mover& its) { return its.has_sweeping; };
+  const auto swept = static_cast<std::size_t>(std::ranges::count_if(movers_, is_swept));
+  const Cuts cuts = workers.cut(swept, least_of_task);
+  tasks_.resize(std::max(tasks_.size(), cuts.tasks()));
+  workers.for_each(cuts.tasks(), [&](std::size_t number) {
+    Task& task = tasks_[number];
+    task.pairs.clear();
+    task.seen_by.assign(places.infos.size(), no_index);
+    for (std::size_t i = cuts.begin(number); i < cuts.end(number); ++i) {
+      meet_slow(static_cast<std::uint32_t>(i), paths, frame, space, places, task);
+    }
+  });
+  for (const Task& task : std::span(tasks_).first(cuts.tasks())) {
+    pairs_.insert(pairs_.end(), task.pairs.begin(), task.pairs.end());
+  }
+  meet_movers(places);
+  put_in_order(pairs_, scratch_);
+}
+
+std::span<const ProxyPair> Sweeps::with(std::span<const ProxyPair> near) {
+  if (pairs_.empty()) {
+    return near;
+  }
+  joined_.clear();
+  joined_.reserve(near.size() + pairs_.size());
+  std::span<const ProxyPair> swept(pairs_);
+  for (const ProxyPair& pair : near) {
+    for (; !swept.empty() && is_before(swept.front(), pair); swept = swept.subspan(1)) {
+      joined_.push_back(swept.front());
+    }
+    if (!swept.empty() && swept.front() == pair) {
+      swept = swept.subspan(1);
+    }
+    joined_.push_back(pair);
+  }
+  joined_.insert(joined_.end(), swept.begin(), swept.end());
+  return joined_;
+}
+
+std::size_t Sweeps::bytes() const {
+  std::size_t sum = movers_.capacity() * sizeof(Mover) + by_side_.capacity() * sizeof(std::uint32_t) +
+                    is_mover_.capacity() / 8 + tasks_.capacity() * sizeof(Task) +
+                    (pairs_.capacity() + joined_.capacity() + scratch_.capacity()) * sizeof(ProxyPair);
+  for (const Task& task : tasks_) {
+    sum += task.pairs.capacity() * sizeof(ProxyPair) + task.near.capacity() * sizeof(Near) +
+           task.seen_by.capacity() * sizeof(std::uint32_t);
+  }
+  return sum;
+}
+
+}  // namespace abut

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The broad phase of those that look at their path through a step: whom they may meet on it.
+export module abut.detect.sweeps;
+import abut.broadphase;
+import abut.core.standard;
+import abut.core.workers;
+import abut.detect.refresh;
+import abut.detect.paths;
+import abut.math;
+import abut.scene.options;
+import abut.scene.places;
+import abut.scene.space;
+
+export namespace abut {
+
+// Boxes of the broad phase stay those of the present poses, so that other pairs and queries do not hear of paths. A
+// geometry with a sweeping asks the broad phase for whom its swept box meets, grown by how far slow ones get. Whoever
+// is quicker is in a list of movers, which are tried with each other.
+//
+// A long way is halved again and again, and those met are asked again by each half: a long diagonal motion does not
+// meet all that is in its box.
+class Sweeps {
+ public:
+  // Notes happened_on_path of the geometries with a sweeping that show.
+  void run(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
+           std::span<const std::uint32_t> swept_places, Places& places);
+  void clear() { pairs_.clear(); }
+
+  // Of which one geometry at least has a sweeping, and that may come together within the step; in order. Never of one
+  // part, never of two that are not dynamic.
+  [[nodiscard]] std::span<const ProxyPair> pairs() const [[clang::lifetimebound]] { return pairs_; }
+  // These and those of the broad phase, each once, in order.
+  [[nodiscard]] std::span<const ProxyPair> with(std::span<const ProxyPair> near) [[clang::lifetimebound]];
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct Mover {
+    std::uint32_t place;
+    bool has_sweeping;
+    Path path;
+    Real margin, radius;  // around its shape; of the shape around the centre of the path
+    Real size;            // the largest side of its box at the start
+    Aabb box;             // of its whole way
+  };
+  struct Near {
+    std::uint32_t place;
+    CompactAabb box;  // of all its path
+  };
+  // What one task finds, and what it remembers of the mover that it looks at.
+  struct Task {
+    std::vector<ProxyPair> pairs;
+    std::vector<Near> near;
+    std::vector<std::uint32_t> seen_by;  // the last mover that has met a place, by place
+  };
+
+  void add_mover(const Paths& paths, const BoxFrame& frame, std::uint32_t place, const Places& places);
+  void find_movers(const Paths& paths, const BoxFrame& frame, const Space& space,
+                   std::span<const std::uint32_t> swept_places, Places& places);
+  void meet_slow(std::uint32_t number, const Paths& paths, const BoxFrame& frame, const Space& space,
+                 const Places& places, Task& task) const;
+  void halve(std::uint32_t number, const TimeSpan& span, std::size_t first, int depth, const BoxFrame& frame,
+             const Places& places, Task& task) const;
+  void meet_movers(const Places& places);
+  [[nodiscard]] bool may_meet(const Mover& a, const Mover& b, const TimeSpan& span, int depth,
+                              const Places& places) const;
+
+  std::vector<Mover> movers_;
+  std::vector<std::uint32_t> by_side_;  // numbers of movers, by the low side of their boxes
+  std::vector<bool> is_mover_;          // by place
+  Real slow_way_ = 0;                   // of those that are no movers
+  std::vector<Task> tasks_;
+  std::vector<ProxyPair> pairs_, joined_, scratch_;
+};
+
+}  // namespace abut

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// As far as nothing touches on the way.
+module abut.universe;
+import abut.broadphase;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.detect.impacts;
+import abut.detect.sweeps;
+import abut.detect.paths;
+import abut.math;
+import abut.math.turn;
+import abut.motion.time_of_impact;
+import abut.scene.meetings;
+import abut.scene.places;
+import abut.scene.policies;
+
+namespace abut {
+namespace {
+
+constexpr StepImpact no_impact{.geometry_a = {}, .geometry_b = {}, .lower = 1, .upper = 1};
+
+}  // namespace
+
+// The filter is asked, as in a detection.
+StepImpact Universe::first_impact(Real dt) {
+  const Paths its_paths = paths(dt);
+  StepImpact first = no_impact;
+  for (const auto& [low, high] : sweeps_.pairs()) {
+    const PlaceInfo &a = places_.infos[low], &b = places_.infos[high];
+    const bool holds_up = (a.sweeping == Sweeping::impacts || b.sweeping == Sweeping::impacts) && !a.is_sensor &&
+                          !b.is_sensor && meetings_.policies.of(a.tag, b.tag).detail != Detail::box;
+    if (!holds_up || !meetings_.admits(places_, low, high)) {
+      continue;
+    }
+    Impact impact;
+    const Outcome outcome = find_impact(places_, low, its_paths.of(low), high, its_paths.of(high), 0, impact);
+    const bool is_on_path = impact.state == ImpactState::touches || impact.state == ImpactState::undecided;
+    if (outcome == Outcome::ok && is_on_path && impact.lower < first.lower) {
+      first = {.geometry_a = places_.id_at(low),
+               .geometry_b = places_.id_at(high),
+               .lower = impact.lower,
+               .upper = impact.upper,
+               .is_undecided = impact.state == ImpactState::undecided};
+    }
+  }
+  return first;
+}
+
+void Universe::move_along(Real dt, Real time) {
+  std::vector<PartId> moving;
+  std::vector<Placement> placements;
+  parts_.for_each([&](PartId id, const Part& part) {
+    const Motion motion = velocities_.motion_within(dt, id.slot);
+    if (motion == Motion{}) {
+      return;
+    }
+    const Placement* const before = velocities_.start_of(id.slot);
+    const Pose start = (before != nullptr ? *before : part.placement).pose();
+    if (const auto path = Path::along(start, {0, 0, 0}, motion, 1)) {
+      const Pose pose = path.value().at(time);
+      moving.push_back(id);
+      placements.push_back({pose.position, quaternion_of(pose.rotation)});
+    }
+  });
+  static_cast<void>(set_poses(moving, placements));
+}
+
+Result<StepImpact> Universe::advance_to_first_impact(Real dt) {
+  Fault fault = check_time(dt);
+  fault = fault ? fault : velocities_.check_motions(dt);
+  if (fault) {
+    return *fault;
+  }
+  refresh();
+  if (dt == 0) {
+    return no_impact;
+  }
+  velocities_.update(dt, [&](PartId part) { return parts_.at(part).placement; });
+  sweeps_.run(workers_, paths(dt), box_frame(), space_, swept_places_, places_);
+  begin_detection();
+  StepImpact first;
+  try {
+    first = first_impact(dt);
+  } catch (...) {
+    end_detection();
+    throw;
+  }
+  end_detection();
+  apply_deferred_parking();
+  move_along(dt, first.lower);
+  return first;
+}
+
+}  // namespace abut
