@@ -140,12 +140,20 @@ class Mesh {
 
   // For shapes that find the triangles of a mesh of their own by other means: changes that no tree follows. Each is an
   // edit or a part of one that was checked, of a mesh that is owned; neighbours have been found before.
+  void make_room_for_change();
   void find_neighbours() { static_cast<void>(neighbours()); }
   [[nodiscard]] const Vec3& vertex(std::uint32_t number) const [[clang::lifetimebound]] {
     return data_->vertices[number];
   }
   void place(const VertexEdit& edit);
   void take_out(std::uint32_t triangle);
+  // The tree, where two surfaces have needed one, follows a triangle that has moved or gone; settle_tree comes last.
+  void follow_in_tree(std::uint32_t triangle) {
+    if (std::optional<Bvh>& tree = data_.own().tree.made()) {
+      tree->move(triangle, present_box(triangle));
+    }
+  }
+  void settle_tree();
   void set_box(const Aabb& box) { data_.own().box = box; }
   // Calls visit(triangle) for all around the vertices of an edit: once each where these are a range.
   template <class Visitor>
@@ -200,7 +208,6 @@ class Mesh {
     return data_->inside.get([this] { return make_inside(*data_); });
   }
   [[nodiscard]] static Inside make_inside(const Data& data);
-  void make_room_for_change();
   [[nodiscard]] Aabb follow(std::uint32_t touched, const Aabb& moved);
   static void fill(Data& data, std::span<const Real> reals, std::span<const std::uint32_t> indices);
   [[nodiscard]] static Aabb box_of(const Data& data);

@@ -175,6 +175,16 @@ void Mesh::take_out(std::uint32_t triangle) {
   }
 }
 
+void Mesh::settle_tree() {
+  Data& data = data_.own();
+  if (std::optional<Bvh>& tree = data.tree.made()) {
+    static_cast<void>(tree->settle());
+    if (tree->is_worn()) {
+      data.tree.forget();
+    }
+  }
+}
+
 Aabb Mesh::box_beside(std::uint32_t triangle) const {
   Aabb box = Aabb::empty();
   for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -36,6 +36,7 @@ Fault UvGrid::check(const VertexEdit& edit) const {
 void UvGrid::make_room_for_change() {
   Data& grid = data_.own();
   grid.mesh.find_neighbours();
+  grid.mesh.make_room_for_change();
   static_cast<void>(cells());
   grid.cells.made()->make_room();
 }
@@ -53,6 +54,7 @@ Aabb UvGrid::apply(const VertexEdit& edit) {
   include_around();
   mesh.visit_moved(edit, [&](std::uint32_t triangle) {
     grid.cells.made()->fit(triangle, [&](std::uint32_t of) { return box_around(mesh.corners(of)); });
+    mesh.follow_in_tree(triangle);
   });
   return follow(changed);
 }
@@ -66,6 +68,7 @@ Aabb UvGrid::apply(const RemovalEdit& edit) {
       changed.include(mesh.box_beside(triangle));
       grid.cells.made()->remove(triangle, [&](std::uint32_t of) { return box_around(mesh.corners(of)); });
       mesh.take_out(triangle);
+      mesh.follow_in_tree(triangle);
     }
   }
   return follow(changed);
@@ -86,6 +89,7 @@ Aabb UvGrid::follow(const Aabb& changed) {
   }
   const Aabb before = grid.mesh.aabb(Pose::identity()), box = grid.cells.made()->bounds();
   grid.mesh.set_box(box);
+  grid.mesh.settle_tree();
   if (grid.cells.made()->is_worn()) {
     grid.cells.forget();
   }
