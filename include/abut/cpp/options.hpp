@@ -97,14 +97,6 @@ struct ImpactOptions : Defaulted<ImpactOptions, abut_impact_options, abut_impact
   [[nodiscard]] ImpactOptions with_threads(std::uint32_t value) const { return with(&C::threads, value); }
 };
 
-struct ImpactOptions : Defaulted<ImpactOptions, abut_impact_options, abut_impact_options_init> {
-  using C = abut_impact_options;
-  [[nodiscard]] ImpactOptions with_most_rounds(std::uint32_t value) const { return with(&C::most_rounds, value); }
-  [[nodiscard]] ImpactOptions with_tolerance(double value) const { return with(&C::tolerance, value); }
-  [[nodiscard]] ImpactOptions with_margin(double value) const { return with(&C::margin, value); }
-  [[nodiscard]] ImpactOptions with_threads(std::uint32_t value) const { return with(&C::threads, value); }
-};
-
 struct QueryOptions : Defaulted<QueryOptions, abut_query_options, abut_query_options_init> {
   using C = abut_query_options;
   [[nodiscard]] QueryOptions with_algorithm(Algorithm value) const { return with(&C::algorithm, value); }

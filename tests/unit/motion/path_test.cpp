@@ -40,7 +40,11 @@ Long turned(const Long& turn, const Long& v) {
   return out;
 }
 
-Long long_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+using LongReal = long double;
+
+Long long_of(const Vec3& v) {
+  return {static_cast<LongReal>(v.x), static_cast<LongReal>(v.y), static_cast<LongReal>(v.z)};
+}
 
 // Where a point of the body is, after a time.
 Long point_at(const Pose& start, const Vec3& centre, const Motion& motion, const Vec3& point, long double time) {
@@ -54,20 +58,19 @@ Long point_at(const Pose& start, const Vec3& centre, const Motion& motion, const
   };
   const auto in_world = [&](const Vec3& v) {
     const Rotation& r = start.rotation;
+    const Long of = long_of(v), x = long_of(r.x), y = long_of(r.y), z = long_of(r.z);
     Long out{};
-    for (int i = 0; i < 3; ++i) {
-      out[static_cast<std::size_t>(i)] = static_cast<long double>(r.x[i]) * v.x +
-                                         static_cast<long double>(r.y[i]) * v.y +
-                                         static_cast<long double>(r.z[i]) * v.z;
+    for (std::size_t i = 0; i < 3; ++i) {
+      out[i] = x[i] * of[0] + y[i] * of[1] + z[i] * of[2];
     }
     return out;
   };
   const Long shift = passed(motion.velocity, motion.acceleration);
   const Long arm = turned(passed(motion.angular_velocity, motion.angular_acceleration), in_world(point - centre));
-  const Long middle = in_world(centre);
+  const Long middle = in_world(centre), origin = long_of(start.position);
   Long out{};
   for (std::size_t i = 0; i < 3; ++i) {
-    out[i] = start.position[static_cast<int>(i)] + middle[i] + shift[i] + arm[i];
+    out[i] = origin[i] + middle[i] + shift[i] + arm[i];
   }
   return out;
 }
@@ -114,7 +117,7 @@ TEST(Path, LeadsPointsWhereTheFormulaDoes) {
     const Path path = path_of(start, centre, motion, 2);
     const Real time = random.number(0, 2);
     const Vec3 found = path.at(time) * point;
-    const Long expected = point_at(start, centre, motion, point, time);
+    const Long expected = point_at(start, centre, motion, point, static_cast<LongReal>(time));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       EXPECT_NEAR(found[static_cast<int>(axis)], static_cast<double>(expected[axis]), 3e-14) << i;
     }

@@ -52,7 +52,7 @@ Pairs visited(const Bvh& a, const Bvh& b, const Order& order, double most) {
 }
 
 // A tree of very few, of one node and of several.
-constexpr std::size_t counts[][2] = {{1, 1}, {1, 700}, {5, 9}, {300, 60}, {400, 250}};
+constexpr std::array<std::array<std::size_t, 2>, 5> counts{{{1, 1}, {1, 700}, {5, 9}, {300, 60}, {400, 250}}};
 
 TEST(TwoTrees, VisitThePointsWithinAReach) {
   test::Random random(3);
