@@ -3,6 +3,7 @@
 // that are near are near.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
