@@ -46,7 +46,9 @@ export const structs = {
     structSize: 'uint32_t', kind: 'uint32_t', parameters: 'double *', parameterCount: 'uint64_t', reals: 'double *',
     realCount: 'uint64_t', indices: 'uint32_t *', indexCount: 'uint64_t',
   }),
-  meshOptions: koffi.struct('abut_mesh_options', { structSize: 'uint32_t', sides: 'uint32_t' }),
+  meshOptions: koffi.struct('abut_mesh_options', {
+    structSize: 'uint32_t', sides: 'uint32_t', corners: 'uint32_t', mergesVertices: 'uint32_t', mergeDistance: 'double',
+  }),
   queryOptions: koffi.struct('abut_query_options', {
     structSize: 'uint32_t', algorithm: 'uint32_t', errorBound: 'double', margin: 'double', maxContacts: 'uint32_t',
     maxPairContacts: 'uint32_t', threads: 'uint32_t', reserved: 'uint32_t',

@@ -60,7 +60,7 @@ class Inputs(unittest.TestCase):
         for expected, call in {
             r"xyz has shape \(4, 2\); it must be \(N, 3\)": lambda: abut.Shape.hull(numpy.zeros((4, 2))),
             r"xyz has shape \(4,\); it must be \(N, 3\)": lambda: abut.Shape.particles(numpy.zeros(4), 1),
-            r"triangles has shape \(1, 4\)": lambda: abut.Shape.mesh(three, numpy.zeros((1, 4), int)),
+            r"triangles has shape \(1, 5\)": lambda: abut.Shape.mesh(three, numpy.zeros((1, 5), int)),
             r"triangles has the number -1; it must be in \[0, 4294967295\]":
                 lambda: abut.Shape.mesh(three, numpy.array([[0, 1, -1]])),
             r"poses_b has shape \(2, 3\); it must be \(N, 7\)":

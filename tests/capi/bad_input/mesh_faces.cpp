@@ -90,11 +90,21 @@ TEST(MeshDescribe, RefusesWhatIsNoMesh) {
                       {"vertex_count is 0"}));
   EXPECT_TRUE(refused(abut_mesh_describe(square.data(), 4, halves.data(), 0, nullptr, out.address()), ABUT_EMPTY,
                       {"triangle_count is 0"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(MeshDescribe, RefusesNonFiniteVertices) {
+  Out<abut_mesh_report> out(empty_report());
   expect_non_finite_refused("xyz[4]", [&](double bad) {
     auto points = square;
     points[4] = bad;
     return abut_mesh_describe(points.data(), 4, halves.data(), 2, nullptr, out.address());
   });
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(MeshDescribe, RefusesOverflowingCounts) {
+  Out<abut_mesh_report> out(empty_report());
   expect_overflow_refused(3 * sizeof(double), "vertex_count", [&](std::size_t count) {
     return abut_mesh_describe(square.data(), count, halves.data(), 2, nullptr, out.address());
   });

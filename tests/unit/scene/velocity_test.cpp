@@ -98,6 +98,7 @@ TEST(VelocityTable, MeasuresFromUpdateToUpdate) {
   EXPECT_EQ(table.of(3), Velocity{});
   table.update(0.5, [](PartId) { return ahead; });
   EXPECT_EQ(table.of(3), (Velocity{{2, 0, 0}, {0, 0, 0}}));
+  table.settle([](PartId) { return ahead; });
   table.measure({3, 1}, origin);
   EXPECT_EQ(table.of(3), (Velocity{{2, 0, 0}, {0, 0, 0}})) << "it goes on";
   table.update(0.5, [](PartId) { return ahead; });
