@@ -51,7 +51,7 @@ Refused spoiled(const Call& call) {
       break;
     case 4:
       bad = {ABUT_UNKNOWN_VALUE, bad.options};
-      bad.options.flags = 4;
+      bad.options.flags = 0x80;
       break;
     case 5:
       bad = {ABUT_NOT_FINITE, bad.options};

@@ -32,6 +32,11 @@ string(REPLACE ";" "\\;" shapes "${chosen}")
 string(REPLACE ";" "\\;" features "${features}")
 # A build type without optimisation and without debug information compiles fastest; the corpus is small. Libraries are
 # found beside the programs, as those that are gathered need it.
+# Targets of kinds that were chosen before would be gathered with the new ones.
+file(GLOB former LIST_DIRECTORIES false ${work}/build/fuzz/fuzz_*)
+if(former)
+  file(REMOVE ${former})
+endif()
 run(${CMAKE_COMMAND} -G ${generator} -S ${root} -B ${work}/build -D CMAKE_C_COMPILER=${c} -D CMAKE_CXX_COMPILER=${cxx}
     -D CMAKE_BUILD_TYPE=None -D ABUT_SANITIZE=fuzzer "-D ABUT_SHAPES=${shapes}" "-D ABUT_FEATURES=${features}"
     -D ABUT_WARNINGS=OFF -D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF -D ABUT_FUZZ=ON
