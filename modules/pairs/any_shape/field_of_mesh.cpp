@@ -15,12 +15,6 @@ namespace {
 
 constexpr Real border_cells = 3;  // around the box of the triangles
 
-// Known while compiling, so that a build without the kind carries none of what follows.
-template <std::size_t... places>
-constexpr bool has_kind(std::string_view name, std::index_sequence<places...>) {
-  return ((std::variant_alternative_t<places, AnyShape::Variant>::name == name) || ...);
-}
-
 Fault check_options(const FieldOptions& options) {
   if (Fault fault = check_not_negative("options.spacing", options.spacing)) {
     return fault;
@@ -33,9 +27,6 @@ Fault check_options(const FieldOptions& options) {
 Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const std::uint32_t> triangles,
                                     const FieldOptions& options) {
   constexpr std::string_view name = "distance_field";
-  if constexpr (!has_kind(name, std::make_index_sequence<Shapes::count>())) {
-    return Error{Errc::unsupported, "this build of abut has no shape named distance_field"};
-  }
   const std::optional<std::size_t> kind = find_kind(name);
   if (Fault fault = check_triangles("a distance field of a mesh", xyz, triangles)) {
     return *fault;
