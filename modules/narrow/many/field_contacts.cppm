@@ -73,15 +73,21 @@ template <SampledSolid F, Convex B>
   return best;
 }
 
+// The point of the core of b that decides the distance, and how it was found.
+template <SampledSolid F, Convex B>
+[[nodiscard]] auto deepest_touch(const CoreInField<F, B>& core, const F& field, const B& b, const Pose& ab) {
+  const LeastValue least = least_value(field, b, ab);
+  return std::pair(settled_touch(core, field, ab, least.point.point), least);
+}
+
 template <SampledSolid F, Convex B>
 [[nodiscard]] Outcome field_distance(const F& field, const B& b, const Pose& ab, const QuerySettings& settings,
                                      Distance& out) {
   if (!fields_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
-  const LeastValue least = least_value(field, b, ab);
   const CoreInField<F, B> core(field, b, ab);
-  const auto touch = settled_touch(core, field, ab, least.point.point);
+  const auto [touch, least] = deepest_touch(core, field, b, ab);
   const auto lowest_of = [&](const Vec3& direction) {
     return dot(ab * b.support(ab.rotation.undo(-direction)).point, direction) - b.radius();
   };
@@ -91,10 +97,8 @@ template <SampledSolid F, Convex B>
 }
 
 // One point of the core of b that touches.
-template <SampledSolid F, Convex B>
-[[nodiscard]] ContactPoint contact_in_field(const CoreInField<F, B>& core, Real radius, const Vec3& point,
-                                            const Feature& feature) {
-  const auto touch = core.touch(point);
+template <class Touch>
+[[nodiscard]] ContactPoint contact_of_touch(const Touch& touch, Real radius, const Feature& feature) {
   const Feature of_field{FeatureKind::whole, 0};
   return {touch.point - touch.distance * touch.normal,
           touch.point - radius * touch.normal,
@@ -103,6 +107,39 @@ template <SampledSolid F, Convex B>
           of_field,
           feature,
           contact_id(of_field, feature)};
+}
+
+// Near the middle of a solid the way to the surface may be longer than the value tells. No contact is deeper than the
+// one that decides the distance.
+inline void bound_depths(Real deepest, std::size_t first, Manifold& out) {
+  for (ContactPoint& contact : std::span(out).subspan(first)) {
+    if (contact.distance < deepest && deepest < 0) {
+      contact.point_a += (contact.distance - deepest) * contact.normal;
+      contact.distance = deepest;
+    }
+  }
+}
+
+// The point that decides the distance is among the contacts, but where others are as deep within `tie`. `near`:
+// contacts whose points of the core are so near to each other are the same. `radius`: of b around it.
+inline void settle_deepest(const ContactPoint& deepest, Real radius, Real tie, Real near, std::size_t first,
+                           Manifold& out) {
+  bound_depths(deepest.distance, first, out);
+  const auto of_core = [&](const ContactPoint& contact) { return contact.point_b + radius * contact.normal; };
+  for (ContactPoint& contact : std::span(out).subspan(first)) {
+    if (contact.distance <= deepest.distance + tie) {
+      return;
+    }
+    if (squared_norm(of_core(contact) - of_core(deepest)) <= near * near) {
+      const Feature feature = contact.feature_b;
+      const std::uint64_t id = contact.id;
+      contact = deepest;
+      contact.feature_b = feature;
+      contact.id = id;
+      return;
+    }
+  }
+  out.push_back(deepest);
 }
 
 // At each deepest point, and at the corners of the face of b that looks into the solid there.
@@ -117,27 +154,35 @@ template <SampledSolid F, Convex B>
   if (!field.is_inside_out() && !b.aabb(ab).overlaps(reach)) {
     return Outcome::ok;
   }
+  const CoreInField<F, B> core(field, b, ab);
+  const auto [touch, least] = deepest_touch(core, field, b, ab);
+  if (touch.distance > limit) {
+    return Outcome::ok;
+  }
   std::vector<FieldPoint> deepest;
   find_deepest(field, b, ab, limit, deepest);
-  const CoreInField<F, B> core(field, b, ab);
   const std::size_t first = out.size();
+  constexpr Real same_share = 1e-3;  // of a cell
   const Real tie = 1e-6 * field.finest() + 64 * epsilon * (b.extent() + largest_magnitude(ab.position));
   for (const FieldPoint& at : deepest) {
     const Face face = b.supporting_face(-at.field.gradient);
-    Real least = infinity;
+    Real least_of_face = infinity;
     for (const FaceVertex& vertex : face.vertices.span()) {
       const FieldPoint corner = core.at(vertex.point);
-      least = std::min(least, corner.field.value);
+      least_of_face = std::min(least_of_face, corner.field.value);
       const Feature feature{FeatureKind::vertex, vertex.vertex};
       const auto is_there = [&](const ContactPoint& other) { return other.feature_b == feature; };
       if (corner.field.value <= limit && std::ranges::none_of(std::span(out).subspan(first), is_there)) {
-        out.push_back(contact_in_field(core, b.radius(), vertex.point, feature));
+        out.push_back(contact_of_touch(core.touch(vertex.point), b.radius(), feature));
       }
     }
-    if (at.field.value < least - tie) {
-      out.push_back(contact_in_field(core, b.radius(), at.point, feature_of(face)));
+    if (at.field.value < least_of_face - tie) {
+      out.push_back(contact_of_touch(core.touch(at.point), b.radius(), feature_of(face)));
     }
   }
+  const Face face = b.supporting_face(-least.point.field.gradient);
+  settle_deepest(contact_of_touch(touch, b.radius(), feature_of(face)), b.radius(), tie, same_share * field.finest(),
+                 first, out);
   const auto is_beyond = [&](const ContactPoint& contact) { return !(contact.distance <= settings.margin); };
   out.resize(first + static_cast<std::size_t>(
                          std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), is_beyond) -

@@ -125,13 +125,13 @@ template <SampledSolid F, Convex B>
     open.resize(open.size() - 1, next);
     next.box.visit_pieces([&](const SpaceBox& piece) {
       const Real radius = piece.radius();
-      const std::optional<Vec3> nearest = core.nearest_within(piece.centre, radius);
       ++out.boxes;
-      if (!nearest) {
-        return;
-      }
       const Real lower = std::max(next.lower, least_nearby(field, core.at(piece.centre).field.value, radius));
       if (lower >= least_there()) {
+        return;
+      }
+      const std::optional<Vec3> nearest = core.nearest_within(piece.centre, radius);
+      if (!nearest) {
         return;
       }
       if (out.boxes <= boxes_of_descents || core.at(*nearest).field.value < out.point.field.value) {

@@ -262,19 +262,24 @@ template <SampledSolid F, SampledSolid G>
   return Outcome::ok;
 }
 
+// The distance of the point of least value, as of distance_to_surface_of.
 template <SampledSolid F, SampledSolid G>
-void contacts_with_surface_of(const F& field, const G& other, const Pose& placed, Real margin, bool is_of_a,
+Real contacts_with_surface_of(const F& field, const G& other, const Pose& placed, Real margin, bool is_of_a,
                               Manifold& out) {
   const SurfacePoints& surface = other.surface();
   const PointCore point(0);
   // The deepest point of each run.
   const SurfacePoints::Run* last = nullptr;
   std::uint32_t deepest = 0;
-  Real least = infinity;
+  Real least = infinity, least_of_all = infinity, distance = infinity;
   const auto append = [&] {
     const Pose at{Rotation::identity(), placed * surface.points[deepest]};
     const Feature feature{FeatureKind::cell, surface.cells[deepest]};
-    ContactPoint found = contact_in_field(CoreInField<F, PointCore>(field, point, at), 0, {0, 0, 0}, feature);
+    ContactPoint found = contact_of_touch(CoreInField<F, PointCore>(field, point, at).touch({0, 0, 0}), 0, feature);
+    if (least < least_of_all) {
+      least_of_all = least;
+      distance = found.distance;
+    }
     if (found.distance <= margin) {
       // Cells of both sides have the same numbers.
       found.id = contact_id_of_part(found.id, is_of_a ? 1 : 0);
@@ -298,6 +303,7 @@ void contacts_with_surface_of(const F& field, const G& other, const Pose& placed
   if (last != nullptr) {
     append();
   }
+  return distance;
 }
 
 template <SampledSolid F, SampledSolid G>
@@ -306,12 +312,14 @@ template <SampledSolid F, SampledSolid G>
   if (!fields_support(settings.algorithm) || (a.is_inside_out() && b.is_inside_out())) {
     return Outcome::unsupported;
   }
-  contacts_with_surface_of(a, b, ab, settings.margin, false, out);
   const std::size_t first = out.size();
-  contacts_with_surface_of(b, a, ab.inverse(), settings.margin, true, out);
-  for (ContactPoint& contact : std::span(out).subspan(first)) {
+  const Real of_b = contacts_with_surface_of(a, b, ab, settings.margin, false, out);
+  const std::size_t second = out.size();
+  const Real of_a = contacts_with_surface_of(b, a, ab.inverse(), settings.margin, true, out);
+  for (ContactPoint& contact : std::span(out).subspan(second)) {
     move_by(contact, ab, true);
   }
+  bound_depths(std::min(of_a, of_b), first, out);
   return Outcome::ok;
 }
 
