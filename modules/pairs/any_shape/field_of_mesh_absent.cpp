@@ -4,7 +4,6 @@ module abut.pairs.any_shape.field_of_mesh;
 import abut.capability;
 import abut.core.standard;
 import abut.core;
-import abut.pairs.any_shape;
 
 namespace abut {
 
