@@ -20,8 +20,10 @@ inline constexpr bool follows_paths = false;
 
 class Sweeps {
  public:
-  void run(const Workers& /*workers*/, const Paths& /*paths*/, const BoxFrame& /*frame*/, const Space& /*space*/,
-           std::span<const std::uint32_t> /*swept_places*/, Places& /*places*/) {}
+  [[nodiscard]] bool run(const Workers& /*workers*/, const Paths& /*paths*/, const BoxFrame& /*frame*/,
+                         const Space& /*space*/, std::span<const std::uint32_t> /*swept_places*/, Places& /*places*/) {
+    return false;
+  }
   void clear() {}
   [[nodiscard]] std::span<const ProxyPair> pairs() const { return {}; }
   [[nodiscard]] std::span<const ProxyPair> with(std::span<const ProxyPair> near) { return near; }

@@ -85,7 +85,7 @@ Result<StepImpact> Universe::advance_to_first_impact(Real dt) {
     return no_impact;
   }
   velocities_.update(dt, [&](PartId part) { return parts_.at(part).placement; });
-  sweeps_.run(workers_, paths(dt), box_frame(), space_, swept_places_, places_);
+  sweep(dt);
   begin_detection();
   StepImpact first;
   try {

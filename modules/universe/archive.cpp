@@ -9,7 +9,6 @@ import abut.core;
 import abut.detect.contacts;
 import abut.detect.continuous;
 import abut.detect.events;
-import abut.detect.impacts;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.math;

@@ -65,11 +65,17 @@ void Universe::find_pairs() {
   }
 }
 
+// Pairs are merged anew where others are on the way.
+void Universe::sweep(Real dt) {
+  if (sweeps_.run(workers_, paths(dt), box_frame(), space_, swept_places_, places_)) {
+    space_.set_changed(true);
+  }
+}
+
 // Whom geometries with a sweeping may meet within dt; nobody without time.
 void Universe::find_paths(Real dt) {
   if (dt > 0 && !swept_places_.empty()) {
-    sweeps_.run(workers_, paths(dt), box_frame(), space_, swept_places_, places_);
-    space_.set_changed(true);
+    sweep(dt);
     had_paths_ = true;
   } else if (std::exchange(had_paths_, false)) {
     sweeps_.clear();

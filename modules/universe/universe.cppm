@@ -101,6 +101,7 @@ class Universe : public Scene {
   [[nodiscard]] Fault check_time(Real dt) const;
   void refresh_places();
   void find_paths(Real dt);
+  void sweep(Real dt);
   [[nodiscard]] Paths paths(Real dt) const { return {geometries_, velocities_, places_, dt}; }
   [[nodiscard]] StepImpact first_impact(Real dt);
   void move_along(Real dt, Real time);
