@@ -25,8 +25,7 @@ abut_step_impact from_impact(const abut::StepImpact& impact) {
 
 abut_status abut_universe_impacts(const abut_universe* universe, const abut_step_impact** impacts, size_t* count) {
   return guard(universe, [&](const abut_universe& its) {
-    abut_status status = check_none_null<2>({{{"impacts", impacts}, {"count", count}}});
-    status = status != ABUT_OK ? status : check_has_motion();
+    const abut_status status = check_none_null<2>({{{"impacts", impacts}, {"count", count}}});
     if (status == ABUT_OK) {
       const std::span<const abut_step_impact> lent = its.impacts.get(its.universe.impacts(), from_impact);
       *impacts = lent.data();
@@ -38,9 +37,7 @@ abut_status abut_universe_impacts(const abut_universe* universe, const abut_step
 
 abut_status abut_universe_advance_to_first_impact(abut_universe* universe, double dt, abut_step_impact* out) {
   return guard(universe, [&](abut_universe& its) {
-    abut_status status = check_not_null("out", out);
-    status = status != ABUT_OK ? status : check_has_motion();
-    if (status != ABUT_OK) {
+    if (const abut_status status = check_not_null("out", out); status != ABUT_OK) {
       return status;
     }
     const auto first = its.universe.advance_to_first_impact(dt);

@@ -29,7 +29,7 @@ abut_status check_flags(const Where& where, abut_geometry_flags flags) {
     return refuse(error_about(Errc::invalid_argument, where.with(".flags"), std::uint64_t{flags},
                               "fast or speculative, not both"));
   }
-  return check_has_motion();
+  return abut_has_feature("motion") != 0 ? static_cast<abut_status>(ABUT_OK) : refuse_motion();
 }
 
 Sweeping sweeping_of(abut_geometry_flags flags) {

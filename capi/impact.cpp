@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two shapes that move and turn.
 #include "guard.hpp"
+#include "impact_options.hpp"
 #include "pair_batch.hpp"
 #include "query_arguments.hpp"
 
@@ -16,16 +17,9 @@ static_assert(static_cast<abut_impact_state>(abut::ImpactState::apart) == ABUT_I
 static_assert(static_cast<abut_impact_state>(abut::ImpactState::touches) == ABUT_IMPACT_TOUCHES);
 static_assert(static_cast<abut_impact_state>(abut::ImpactState::starts_together) == ABUT_IMPACT_STARTS_TOGETHER);
 static_assert(static_cast<abut_impact_state>(abut::ImpactState::undecided) == ABUT_IMPACT_UNDECIDED);
+static_assert(abut::ImpactOptions{}.most_rounds == default_impact_options.most_rounds);
 
 namespace {
-
-constexpr abut_impact_options default_impact_options{
-    sizeof(abut_impact_options), abut::ImpactOptions{}.most_rounds, 0, 0, 0, 0};
-
-abut_status check_feature() {
-  return abut::has_motion() ? static_cast<abut_status>(ABUT_OK)
-                            : refuse(ABUT_UNSUPPORTED, "this build of abut is without the feature \"motion\"");
-}
 
 struct ImpactQuery {
   abut::ImpactOptions options;
@@ -101,8 +95,7 @@ abut_status impact_of_one(const PlacedPair& pair, const abut_movement& movement_
                           double duration, const abut_impact_options* options, abut_impact& out) {
   ImpactQuery query;
   Paths paths;
-  abut_status status = check_feature();
-  status = status != ABUT_OK ? status : to_status(abut::check_positive("duration", duration));
+  abut_status status = to_status(abut::check_positive("duration", duration));
   status = status != ABUT_OK ? status : read_impact_options(options, query);
   status =
       status != ABUT_OK ? status : read_path({"pose_a"}, pair.pose_a, {"movement_a"}, movement_a, duration, paths.a);
@@ -118,8 +111,7 @@ abut_status impact_of_each(const PairBatch& pairs, std::span<const abut_movement
                            std::span<const abut_movement> movements_b, double duration,
                            const abut_impact_options* options, std::span<abut_impact> out) {
   ImpactQuery query;
-  abut_status status = check_feature();
-  status = status != ABUT_OK ? status : to_status(abut::check_positive("duration", duration));
+  abut_status status = to_status(abut::check_positive("duration", duration));
   status = status != ABUT_OK ? status : read_impact_options(options, query);
   std::vector<Paths> paths(pairs.size());
   for (std::size_t i = 0; status == ABUT_OK && i < paths.size(); ++i) {

@@ -69,11 +69,9 @@ template <class Struct>
   return ABUT_OK;
 }
 
-// What follows paths through a step.
-[[nodiscard]] inline abut_status check_has_motion() {
-  return abut_has_feature("motion") != 0
-             ? static_cast<abut_status>(ABUT_OK)
-             : refuse(ABUT_UNSUPPORTED, "this build of abut is without the feature \"motion\"");
+// What follows paths, in builds that do not.
+[[nodiscard]] inline abut_status refuse_motion() {
+  return refuse(ABUT_UNSUPPORTED, "this build of abut is without the feature \"motion\"");
 }
 
 // Tags of geometries, to which policies apply.

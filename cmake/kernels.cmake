@@ -26,8 +26,8 @@ macro(abut_read_imports file)
   endforeach()
 endmacro()
 
-# Of the sources of modules/, by names relative to it, those that something imports. Only narrow and trees hold sources that may
-# be left out. `more` are sources by their full names. Empty modules are written to the folder gen and listed in `out_absent`.
+# Of the sources of modules/, by names relative to it, those that something imports. Only narrow, trees and the checks of grids may be
+# left out. `more` are sources by their full names. Empty modules are written to the folder gen and listed in `out_absent`.
 function(abut_leave_out_kernels interfaces implementations more out_absent)
   set(source ${CMAKE_CURRENT_SOURCE_DIR})
   set(absent "")
@@ -45,7 +45,7 @@ function(abut_leave_out_kernels interfaces implementations more out_absent)
   foreach(file IN LISTS ${interfaces} ${implementations})
     abut_read_imports(${source}/${file})
     set(module_of_${file} ${abut_module})
-    if(NOT file MATCHES "^(narrow|trees)/")
+    if(NOT file MATCHES "^(narrow|trees)/|^capability/grid_checks")
       list(APPEND waiting ${abut_module})
     endif()
   endforeach()

@@ -1998,8 +1998,8 @@ ABUT_API abut_status abut_parts_accelerations(const abut_universe *universe, con
 /* ------------------------------------------------------------------------------------------------
  * Fast geometries
  *
- * A step with dt above 0 follows the paths of geometries with ABUT_GEOMETRY_FAST through the step: the first touch on
- * them is proven, whatever the speed. Everything that such a geometry may meet takes part: also other fast ones, what
+ * A step with dt above 0 follows the paths of geometries with ABUT_GEOMETRY_FAST through the step: touches on them are
+ * proven, whatever the speed. Everything that such a geometry may meet takes part: also other fast ones, what
  * is static or asleep, and sensors. Each part moves like this, fast or not:
  *
  *  - With a given velocity or an acceleration it starts at its pose. Its origin follows linear * t + acceleration *
@@ -2010,9 +2010,12 @@ ABUT_API abut_status abut_parts_accelerations(const abut_universe *universe, con
  *
  * A pair with a fast geometry has contacts of one of these:
  *  - It touches at the start of the step: the contacts there; `toi` is 0.
- *  - It touches later: the contacts of the first touch. Each of the two points is where its body has it at the start
+ *  - It touches later: the contacts of that touch. Each of the two points is where its body has it at the start
  *    of the step; `normal` is that of the touch; `distance` is along it. `toi` tells when, and
  *    ABUT_CONTACT_SPECULATIVE is set. abut_universe_local_points tells the points on their bodies.
+ *  - It touches again, as if nothing had stopped it, once the two have been apart by a 64th of the smaller one: the
+ *    contacts of each such touch, in order of time, with ids of their own. Who is apart for less than a 64th of the
+ *    step may be passed over. A pair has at most eight touches after the start.
  *  - It does not touch: none.
  * It touches where the distance is 0, or the tolerance in ABUT_TOLERANCE_MARGIN; a dead band does not count. Such pairs
  * are looked at in every step with time, whatever the period of their policy.
@@ -2025,7 +2028,7 @@ ABUT_API abut_status abut_parts_accelerations(const abut_universe *universe, con
  * geometries pays nothing.
  * --------------------------------------------------------------------------------------------- */
 
-/** Two geometries that first touch on their paths through a step. */
+/** A touch of two geometries on their paths through a step. */
 typedef struct abut_step_impact {
   abut_geometry_id geometry_a;
   abut_geometry_id geometry_b;
@@ -2038,8 +2041,8 @@ typedef struct abut_step_impact {
 } abut_step_impact;
 
 /**
- * Impacts of the last step in order of time, then of slots: one for each pair with a fast geometry that touches on its
- * path, and does not at the start of the step. Borrowed until the next [exclusive] call. [const]
+ * Impacts of the last step in order of time, then of slots: touches of pairs with a fast geometry on their paths, after
+ * the start of the step. Borrowed until the next [exclusive] call. [const]
  */
 ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const abut_step_impact **impacts,
                                            size_t *count);
@@ -2047,9 +2050,9 @@ ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const 
 /**
  * Moves all parts along their paths through dt, until the first of the fast geometries would touch: for those who stop
  * the world there. Up to `lower` of the impact, which is where the parts are then, no fast geometry touches anything,
- * which is proven. Pairs that touch at the start hold nothing up, nor do sensors, nor pairs that a policy treats as
- * boxes. Velocities stay as they are. It brings boxes up to date as abut_universe_refresh does, finds velocities that
- * are measured, and may ask the filter. It detects no contacts.
+ * which is proven. Pairs that touch at the start hold nothing up until they have parted, as above. Sensors hold nothing
+ * up, nor do pairs that a policy treats as boxes. Velocities stay as they are. It brings boxes up to date as
+ * abut_universe_refresh does, finds velocities that are measured, and may ask the filter. It detects no contacts.
  * @param dt   as in abut_universe_step
  * @param out  the impact, without contacts. Where there is none, the geometries are null, and `lower` and `upper` 1
  * Complexity as a step for the fast geometries. [exclusive]

@@ -208,8 +208,8 @@ ContactCounts ContactList::collect(const Workers& workers, const Places& places,
   return sum;
 }
 
-void ContactList::mark_ahead(const Pair& pair, Real toi, Real touching) {
-  for (Contact& contact : std::span(contacts_).subspan(pair.first_contact, pair.contact_count)) {
+void ContactList::mark_ahead(std::uint32_t first, std::uint32_t count, Real toi, Real touching) {
+  for (Contact& contact : std::span(contacts_).subspan(first, count)) {
     contact.toi = toi;
     contact.flags |= toi > 0 || contact.point.distance > touching ? std::uint32_t{contact_speculative} : 0;
   }

@@ -41,9 +41,8 @@ class ContactList {
   }
   // By run.
   [[nodiscard]] const KindTally& tally(std::size_t run) const [[clang::lifetimebound]] { return tallies_[run]; }
-  // The contacts of a pair are ahead of a touch: those that are on the way of the step, or further apart than what
-  // touches.
-  void mark_ahead(const Pair& pair, Real toi, Real touching);
+  // Some contacts are ahead of a touch: those that are on the way of the step, or further apart than what touches.
+  void mark_ahead(std::uint32_t first, std::uint32_t count, Real toi, Real touching);
   // Into a list that is new, with a local point for each where they are kept.
   void restore(std::vector<Contact> contacts, std::vector<LocalPoints> locals);
   [[nodiscard]] Result<void> set_user_data(std::span<const std::uint64_t> user_data);

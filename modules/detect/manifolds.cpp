@@ -3,7 +3,6 @@ module abut.detect.manifolds;
 import abut.capability;
 import abut.core.standard;
 import abut.core.workers;
-import abut.detect.best_points;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.detect.stopwatch;

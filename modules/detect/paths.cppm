@@ -34,8 +34,8 @@ struct Paths {
   // circle is at most twice its radius.
   [[nodiscard]] Real farthest(std::uint32_t place, const Aabb& box) const {
     const Motion motion = motion_of(place);
-    const Real angle = norm(motion.angular_velocity) + 0.5 * norm(motion.angular_acceleration);
-    const Real way = norm(motion.velocity) + 0.5 * norm(motion.acceleration);
+    const Real angle = way_of(motion.angular_velocity, motion.angular_acceleration);
+    const Real way = way_of(motion.velocity, motion.acceleration);
     if (angle == 0) {
       return outward * way;
     }
@@ -50,6 +50,10 @@ struct Paths {
  private:
   static constexpr Real outward = 1 + 1e-12;
 
+  // At most, within the step. Most have no acceleration, and roots take long.
+  [[nodiscard]] static Real way_of(const Vec3& velocity, const Vec3& acceleration) {
+    return norm(velocity) + (acceleration == Vec3{0, 0, 0} ? 0 : 0.5 * norm(acceleration));
+  }
   [[nodiscard]] Motion motion_of(std::uint32_t place) const {
     return velocities.motion_within(dt, places.infos[place].part.slot);
   }

@@ -82,7 +82,7 @@ void Sweeps::find_movers(const Paths& paths, const BoxFrame& frame, const Space&
   slow_way_ = 0;
   const Real most = movers_.empty() ? 0 : size / static_cast<Real>(movers_.size());
   for (std::uint32_t at = 0; !movers_.empty() && at < places.infos.size(); ++at) {
-    if (!space.is_shown(at) || is_mover_[at] || !paths.moves(at)) {
+    if (!space.is_shown(at) || is_mover_[at]) {
       continue;
     }
     const Real way = paths.farthest(at, widened(places.boxes[at], frame.origin));
@@ -139,8 +139,7 @@ void Sweeps::meet_slow(std::uint32_t number, const Paths& paths, const BoxFrame&
         return;
       }
       const CompactAabb& there = places.boxes[met];
-      const Real slow = paths.moves(met) ? paths.farthest(met, widened(there, frame.origin)) : 0;
-      const Near near{met, inflated(there, slow)};
+      const Near near{met, inflated(there, paths.farthest(met, widened(there, frame.origin)))};
       if (box.overlaps(near.box)) {
         task.near.push_back(near);
       }
@@ -186,8 +185,9 @@ void Sweeps::meet_movers(const Places& places) {
   }
 }
 
-void Sweeps::run(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
+bool Sweeps::run(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
                  std::span<const std::uint32_t> swept_places, Places& places) {
+  pairs_before_.swap(pairs_);
   pairs_.clear();
   find_movers(paths, frame, space, swept_places, places);
   const auto is_swept = [](const Mover& its) { return its.has_sweeping; };
@@ -207,6 +207,7 @@ void Sweeps::run(const Workers& workers, const Paths& paths, const BoxFrame& fra
   }
   meet_movers(places);
   put_in_order(pairs_, scratch_);
+  return pairs_ != pairs_before_;
 }
 
 std::span<const ProxyPair> Sweeps::with(std::span<const ProxyPair> near) {
@@ -230,9 +231,10 @@ std::span<const ProxyPair> Sweeps::with(std::span<const ProxyPair> near) {
 }
 
 std::size_t Sweeps::bytes() const {
-  std::size_t sum = movers_.capacity() * sizeof(Mover) + by_side_.capacity() * sizeof(std::uint32_t) +
-                    is_mover_.capacity() / 8 + tasks_.capacity() * sizeof(Task) +
-                    (pairs_.capacity() + joined_.capacity() + scratch_.capacity()) * sizeof(ProxyPair);
+  std::size_t sum =
+      movers_.capacity() * sizeof(Mover) + by_side_.capacity() * sizeof(std::uint32_t) + is_mover_.capacity() / 8 +
+      tasks_.capacity() * sizeof(Task) +
+      (pairs_.capacity() + pairs_before_.capacity() + joined_.capacity() + scratch_.capacity()) * sizeof(ProxyPair);
   for (const Task& task : tasks_) {
     sum += task.pairs.capacity() * sizeof(ProxyPair) + task.near.capacity() * sizeof(Near) +
            task.seen_by.capacity() * sizeof(std::uint32_t);

@@ -21,9 +21,9 @@ export namespace abut {
 // meet all that is in its box.
 class Sweeps {
  public:
-  // Notes happened_on_path of the geometries with a sweeping that show.
-  void run(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
-           std::span<const std::uint32_t> swept_places, Places& places);
+  // Notes happened_on_path of the geometries with a sweeping that show. Whether the pairs are others than before.
+  [[nodiscard]] bool run(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
+                         std::span<const std::uint32_t> swept_places, Places& places);
   void clear() { pairs_.clear(); }
 
   // Of which one geometry at least has a sweeping, and that may come together within the step; in order. Never of one
@@ -69,7 +69,7 @@ class Sweeps {
   std::vector<bool> is_mover_;          // by place
   Real slow_way_ = 0;                   // of those that are no movers
   std::vector<Task> tasks_;
-  std::vector<ProxyPair> pairs_, joined_, scratch_;
+  std::vector<ProxyPair> pairs_, pairs_before_, joined_, scratch_;
 };
 
 }  // namespace abut

@@ -50,6 +50,7 @@ void turn_over(Impact& impact) {
 
 struct Search {
   ImpactSettings settings;
+  Real begin;
   BestImpact best;
   Outcome outcome = Outcome::ok;  // of all two parts; ok where any could be asked
   bool has_answer = false;
@@ -68,6 +69,7 @@ struct Search {
     }
     best.add(impact);
   }
+  [[nodiscard]] TimeSpan span() const { return {begin, best.end()}; }
   [[nodiscard]] Real slack() const { return settings.margin + settings.tolerance + noise_of(settings.size); }
 };
 
@@ -84,11 +86,11 @@ void meet_parts(const MovingPair& pair, const TimeSpan& span, std::uint32_t chil
   Impact impact = convex_impact(pair, {span.begin, std::min(span.end, search.best.end())});
   if (impact.state == ImpactState::touches || impact.state == ImpactState::starts_together) {
     const bool overlaps = impact.contact.lower <= search.settings.margin && impact.state != ImpactState::touches;
-    const bool is_start = overlaps || impact.upper == 0;
+    const bool is_start = overlaps || impact.upper == search.begin;
     if (lets_through(a.part, a.at(impact.upper), impact.contact.normal, is_start) ||
         lets_through(b.part, b.at(impact.upper), -impact.contact.normal, is_start)) {
       impact.state = ImpactState::apart;
-    } else if (impact.upper > 0) {
+    } else if (impact.upper > search.begin) {
       impact.state = ImpactState::touches;
     }
   }
@@ -168,7 +170,7 @@ void meet_turned_over(const Subject& a, const Subject& b, Search& search) {
 
 // Of solids that no hole cuts.
 void meet_children(const Subject& a, const Subject& b, Search& search) {
-  const TimeSpan span{0, search.best.end()};
+  const TimeSpan span = search.span();
   const Aabb own_b = aabb_of(b.shape, b.on.local);
   const Aabb way = relative_box(a.on.path, a.on.local, b.on.path, own_b, span).box.inflated(search.slack());
   std::visit(
@@ -190,7 +192,7 @@ int rank_of(const AnyShape& shape) {
 }
 
 void meet(const Subject& a, const Subject& b, Search& search) {
-  const TimeSpan span{0, search.best.end()};
+  const TimeSpan span = search.span();
   const auto add = [&](const WholeImpact& found) { search.add(found.outcome, found.impact, a.child, b.child); };
   if (!is_supported(a.shape.index(), b.shape.index())) {
     add({Outcome::unsupported, {}});
@@ -217,16 +219,18 @@ void meet(const Subject& a, const Subject& b, Search& search) {
 // Shapes whose contacts at the start say more than a distance: which of their parts overlap, and on which side.
 bool is_made_of_parts(const AnyShape& shape) { return traits_of(shape).has_parts || traits_of(shape).is_assembly; }
 
-// The deepest contact before the motion.
+// The deepest contact where the search begins.
 Outcome meet_at_start(const Subject& a, const Subject& b, Search& search) {
+  const Real begin = search.begin;
   Manifold contacts;
   const QuerySettings settings{.margin = search.settings.margin};
-  const Outcome outcome = pair_contacts(a.shape, b.shape, a.on.at(0), b.on.at(0), settings, contacts);
+  const Outcome outcome = pair_contacts(a.shape, b.shape, a.on.at(begin), b.on.at(begin), settings, contacts);
   if (outcome == Outcome::ok && !contacts.empty()) {
     const ContactPoint& deepest = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
     const Distance contact{deepest.distance, deepest.distance, deepest.distance,   deepest.point_a,
                            deepest.point_b,  deepest.normal,   settings.algorithm, 0};
-    search.add(outcome, {ImpactState::starts_together, 0, 0, 0, contact, 0, 0}, deepest.child_a, deepest.child_b);
+    search.add(outcome, {ImpactState::starts_together, begin, begin, 0, contact, 0, 0}, deepest.child_a,
+               deepest.child_b);
   }
   return outcome;
 }
@@ -265,11 +269,11 @@ Outcome impact_in_order(const AnyShape& shape_a, const Path& path_a, const AnySh
                         const ImpactOptions& options, Impact& out) {
   const OwnFrame frame = own_frame(path_a, path_b);
   const Subject a{shape_a, {frame.a, Pose::identity()}, 0}, b{shape_b, {frame.b, Pose::identity()}, 0};
-  Search search{settings_of(a, b, options), BestImpact(path_a.duration())};
+  Search search{settings_of(a, b, options), options.begin, BestImpact(path_a.duration())};
   const bool is_whole = is_asked_as_a_whole(shape_a) || is_asked_as_a_whole(shape_b);
   if (!is_whole && (is_made_of_parts(shape_a) || is_made_of_parts(shape_b))) {
-    const Aabb near_a = aabb_of(shape_a, a.on.at(0)).inflated(search.slack());
-    if (near_a.overlaps(aabb_of(shape_b, b.on.at(0)))) {
+    const Aabb near_a = aabb_of(shape_a, a.on.at(options.begin)).inflated(search.slack());
+    if (near_a.overlaps(aabb_of(shape_b, b.on.at(options.begin)))) {
       search.outcome = meet_at_start(a, b, search);
     }
   }
@@ -293,8 +297,6 @@ Outcome impact_in_order(const AnyShape& shape_a, const Path& path_a, const AnySh
 }
 
 }  // namespace
-
-bool has_motion() { return true; }
 
 Outcome time_of_impact(const AnyShape& a, const Path& path_a, const AnyShape& b, const Path& path_b,
                        const ImpactOptions& options, Impact& out) {

@@ -9,19 +9,16 @@ import abut.pairs.registry;
 
 export namespace abut {
 
-// Whether this build answers. Only then may time_of_impact be called.
-[[nodiscard]] bool has_motion();
-
 enum class ImpactState : std::uint32_t {
   apart,            // they do not touch within the time
   touches,          // they touch, or come as near as the tolerance
-  starts_together,  // they touch at the start
+  starts_together,  // they touch where the search starts
   undecided,        // the rounds were not enough: apart before `lower`, nothing is known after it
 };
 
-// Times run from 0 to the duration of the paths. Before `lower` the shapes are proven to be apart, further than the
-// margin. At `upper` they are no further apart than the margin and the tolerance; of what is undecided `upper` is the
-// duration.
+// Times run from the begin of the search to the duration of the paths. Before `lower` the shapes are proven to be
+// apart, further than the margin. At `upper` they are no further apart than the margin and the tolerance; of what is
+// undecided `upper` is the duration.
 struct Impact {
   ImpactState state = ImpactState::apart;
   Real lower = 0, upper = 0;
@@ -35,9 +32,10 @@ struct ImpactOptions {
   Real tolerance = 0;                // 0: 1e-12 of the size of the shapes
   Real margin = 0;                   // they touch when they come as near as this
   std::uint32_t most_rounds = 1024;  // of each two parts
+  Real begin = 0;                    // the search starts at this time
 };
 
-// Both paths have one duration. Not ok where the two kinds do not meet.
+// Both paths have one duration, and the search begins before its end. Not ok where the two kinds do not meet.
 [[nodiscard]] Outcome time_of_impact(const AnyShape& a, const Path& path_a, const AnyShape& b, const Path& path_b,
                                      const ImpactOptions& options, Impact& out);
 

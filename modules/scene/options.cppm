@@ -59,7 +59,7 @@ inline constexpr std::uint32_t tag_count = 64;
 // before speculative contacts.
 enum class Sweeping : std::uint8_t {
   none,
-  impacts,      // the way within the step, and the contacts of the first touch on it
+  impacts,      // the way within the step, and the contacts of the touches on it
   speculative,  // the start of the step, and contacts as far away as the motion may close
 };
 
@@ -111,10 +111,10 @@ struct Contact {
   std::uint32_t age = 0;        // steps in a row before this one that reported it
   std::uint64_t user_data = 0;  // stays while the contact does
   std::uint32_t material_a = 0, material_b = 0;
-  Real toi = 0;  // part of the step before the first touch
+  Real toi = 0;  // part of the step before the touch
 };
 
-// Two geometries that first touch on their path through a step. Times are parts of the step.
+// A touch of two geometries on their paths through a step. Times are parts of the step.
 struct StepImpact {
   GeometryId geometry_a, geometry_b;
   Real lower = 0, upper = 0;        // apart before `lower`, which is proven; touching at `upper`

@@ -5,9 +5,9 @@ import abut.broadphase;
 import abut.capability;
 import abut.core.standard;
 import abut.core;
-import abut.detect.impacts;
-import abut.detect.sweeps;
+import abut.detect.continuous;
 import abut.detect.paths;
+import abut.detect.touches;
 import abut.math;
 import abut.math.turn;
 import abut.motion.time_of_impact;
@@ -19,6 +19,15 @@ namespace abut {
 namespace {
 
 constexpr StepImpact no_impact{.geometry_a = {}, .geometry_b = {}, .lower = 1, .upper = 1};
+
+// What touches at the start does so on its way once it has parted.
+std::optional<Impact> first_touch_on_way(const PathPair& pair) {
+  Impact impact;
+  if (find_touch(pair, 0, impact) != Outcome::ok || impact.state == ImpactState::apart) {
+    return std::nullopt;
+  }
+  return impact.state == ImpactState::starts_together ? find_touch_after(pair, 0) : impact;
+}
 
 }  // namespace
 
@@ -33,15 +42,14 @@ StepImpact Universe::first_impact(Real dt) {
     if (!holds_up || !meetings_.admits(places_, low, high)) {
       continue;
     }
-    Impact impact;
-    const Outcome outcome = find_impact(places_, low, its_paths.of(low), high, its_paths.of(high), 0, impact);
-    const bool is_on_path = impact.state == ImpactState::touches || impact.state == ImpactState::undecided;
-    if (outcome == Outcome::ok && is_on_path && impact.lower < first.lower) {
+    const Path path_low = its_paths.of(low), path_high = its_paths.of(high);
+    const auto impact = first_touch_on_way({*places_.shapes[low], *places_.shapes[high], path_low, path_high, 0});
+    if (impact && impact->lower < first.lower) {
       first = {.geometry_a = places_.id_at(low),
                .geometry_b = places_.id_at(high),
-               .lower = impact.lower,
-               .upper = impact.upper,
-               .is_undecided = impact.state == ImpactState::undecided};
+               .lower = impact->lower,
+               .upper = impact->upper,
+               .is_undecided = impact->state == ImpactState::undecided};
     }
   }
   return first;
@@ -77,7 +85,7 @@ Result<StepImpact> Universe::advance_to_first_impact(Real dt) {
     return no_impact;
   }
   velocities_.update(dt, [&](PartId part) { return parts_.at(part).placement; });
-  sweeps_.run(workers_, paths(dt), box_frame(), space_, swept_places_, places_);
+  sweep(dt);
   begin_detection();
   StepImpact first;
   try {

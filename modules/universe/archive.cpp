@@ -7,12 +7,11 @@ import abut.core.archive;
 import abut.core.standard;
 import abut.core;
 import abut.detect.contacts;
+import abut.detect.continuous;
 import abut.detect.events;
-import abut.detect.impacts;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.math;
-import abut.motion.time_of_impact;
 import abut.scene.meetings;
 import abut.scene.places;
 import abut.scene.policies;
@@ -144,7 +143,7 @@ Result<void> Universe::load(std::span<const std::uint8_t> bytes) {
   in(options);
   Scene::load(in, workers_);
   in(step_, follows_islands_, islands_);
-  if (!swept_places_.empty() && !has_motion()) {
+  if (!swept_places_.empty() && !follows_paths) {
     in.fail({Errc::unsupported, "a geometry is fast or speculative, and this build is without the feature \"motion\""});
   }
   if (!in.has_failed()) {

@@ -7,9 +7,9 @@ import abut.core.standard;
 import abut.core.workers;
 import abut.core;
 import abut.detect.contacts;
+import abut.detect.continuous;
 import abut.detect.events;
 import abut.detect.hash;
-import abut.detect.impacts;
 import abut.detect.jobs;
 import abut.detect.manifolds;
 import abut.detect.pairs;
@@ -18,7 +18,6 @@ import abut.detect.seams;
 import abut.detect.selection;
 import abut.detect.sleep;
 import abut.detect.stopwatch;
-import abut.detect.sweeps;
 import abut.detect.paths;
 import abut.math;
 import abut.scene.changes;
@@ -66,11 +65,17 @@ void Universe::find_pairs() {
   }
 }
 
+// Pairs are merged anew where others are on the way.
+void Universe::sweep(Real dt) {
+  if (sweeps_.run(workers_, paths(dt), box_frame(), space_, swept_places_, places_)) {
+    space_.set_changed(true);
+  }
+}
+
 // Whom geometries with a sweeping may meet within dt; nobody without time.
 void Universe::find_paths(Real dt) {
   if (dt > 0 && !swept_places_.empty()) {
-    sweeps_.run(workers_, paths(dt), box_frame(), space_, swept_places_, places_);
-    space_.set_changed(true);
+    sweep(dt);
     had_paths_ = true;
   } else if (std::exchange(had_paths_, false)) {
     sweeps_.clear();

@@ -8,15 +8,14 @@ import abut.core.standard;
 import abut.core.workers;
 import abut.core;
 import abut.detect.contacts;
+import abut.detect.continuous;
 import abut.detect.events;
-import abut.detect.impacts;
 export import abut.detect.islands;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.detect.refresh;
 import abut.detect.seams;
 import abut.detect.selection;
-import abut.detect.sweeps;
 import abut.detect.paths;
 import abut.math;
 export import abut.report.plan;
@@ -102,6 +101,7 @@ class Universe : public Scene {
   [[nodiscard]] Fault check_time(Real dt) const;
   void refresh_places();
   void find_paths(Real dt);
+  void sweep(Real dt);
   [[nodiscard]] Paths paths(Real dt) const { return {geometries_, velocities_, places_, dt}; }
   [[nodiscard]] StepImpact first_impact(Real dt);
   void move_along(Real dt, Real time);

@@ -61,6 +61,7 @@ SNIPPETS = {
         (MODULE, "export module abut.narrow.polytope.epa;", "export module abut.narrow.apart.gjk;"),
         ("modules/core/core.cppm", "export module abut.math;", "export module abut.core;"),
         ("modules/shapes/a_b.cppm", "export module abut.shape.a_b;", "export module abut.shapes.a_b;"),
+        ("modules/shapes/a_absent.cppm", "export module abut.shapes.a_absent;", "export module abut.shapes.a;"),
     ],
     "interface_linkage": [
         (MODULE, "export module abut.narrow.apart.gjk;\nnamespace { int x; }", "export module abut.narrow.apart.gjk;\nnamespace abut { int x; }"),

@@ -4,51 +4,11 @@
 #include <numbers>
 #include <random>
 
-#include "support.hpp"
+#include "moving.hpp"
 
 namespace {
 
 using namespace abut_test;
-
-#define ABUT_NEEDS_MOTION() \
-  if (abut_has_feature("motion") == 0) GTEST_SKIP() << "this build is without the feature motion"
-
-abut_geometry_options with_flags(abut_geometry_flags flags) {
-  abut_geometry_options options = default_geometry_options();
-  options.flags = flags;
-  return options;
-}
-
-std::vector<abut_step_impact> impacts_of(const abut_universe* universe) {
-  return copy_of(abut_universe_impacts, universe);
-}
-
-abut_vec3 sum(const abut_vec3& a, const abut_vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-abut_vec3 times(double s, const abut_vec3& v) { return {s * v.x, s * v.y, s * v.z}; }
-double length(const abut_vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
-abut_quat product(const abut_quat& a, const abut_quat& b) {
-  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
-          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
-}
-
-abut_quat turned_by(const abut_vec3& turn) {
-  const double angle = length(turn), share = angle > 0 ? std::sin(angle / 2) / angle : 0.5;
-  return {std::cos(angle / 2), share * turn.x, share * turn.y, share * turn.z};
-}
-
-// Where a part is after a time, by the definition of its way alone.
-struct Moving {
-  abut_pose start = identity;
-  abut_velocity velocity{{0, 0, 0}, {0, 0, 0}};
-  abut_acceleration acceleration{{0, 0, 0}, {0, 0, 0}};
-
-  abut_pose at(double t) const {
-    const abut_vec3 way = sum(times(t, velocity.linear), times(t * t / 2, acceleration.linear));
-    const abut_vec3 turn = sum(times(t, velocity.angular), times(t * t / 2, acceleration.angular));
-    return {sum(start.position, way), product(turned_by(turn), start.orientation)};
-  }
-};
 
 struct Numbers {
   std::mt19937_64 engine;
@@ -57,15 +17,6 @@ struct Numbers {
   double between(double low, double high) { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; }
   abut_vec3 vector(double size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
 };
-
-abut_part_id add_moving(Universe& universe, const abut_shape* shape, const Moving& moving, abut_geometry_flags flags,
-                        abut_motion motion = ABUT_MOTION_DYNAMIC) {
-  const abut_part_id part = universe.add_part(moving.start, motion);
-  universe.add_geometry(part, shape, with_flags(flags));
-  require(abut_part_set_velocity(universe, part, &moving.velocity));
-  require(abut_part_set_acceleration(universe, part, &moving.acceleration));
-  return part;
-}
 
 // A box flies at a wall whose face lies at x = 0, and on to the other side.
 struct Shot {
@@ -104,7 +55,8 @@ TEST(Fast, PassesThroughNoWall) {
     add_moving(universe, bullet, shot.moving(), ABUT_GEOMETRY_FAST);
     require(abut_universe_step(universe, 1));
     const auto impacts = impacts_of(universe);
-    ASSERT_EQ(impacts.size(), 1U);
+    ASSERT_GE(impacts.size(), 1U);
+    EXPECT_TRUE(impacts.size() == 1 || shot.spin > 0) << "only what spins touches again";
     // The ball around the box touches first, the ball within it last.
     const double earliest = shot.gap() / shot.along();
     const double latest = (shot.gap() + shot.outer() - shot.half()) / shot.along();
@@ -112,11 +64,14 @@ TEST(Fast, PassesThroughNoWall) {
     EXPECT_LE(impacts[0].lower, latest + 1e-9);
     EXPECT_EQ(impacts[0].is_undecided, 0U);
     const auto contacts = universe.contacts();
-    ASSERT_FALSE(contacts.empty());
-    for (const abut_contact& contact : contacts) {
+    ASSERT_EQ(impacts[0].first_contact, 0U);
+    ASSERT_GE(impacts[0].contact_count, 1U);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const abut_contact& contact = contacts[i];
       EXPECT_TRUE(succeeded(abut_contact_validate(&contact)));
-      EXPECT_EQ(contact.toi, impacts[0].lower);
       EXPECT_EQ(contact.flags, std::uint32_t{ABUT_CONTACT_SPECULATIVE});
+      if (i >= impacts[0].contact_count) continue;
+      EXPECT_EQ(contact.toi, impacts[0].lower);
       EXPECT_NEAR(contact.normal.x, -1, 1e-6) << "from the wall to the bullet";
       EXPECT_NEAR(contact.point_a.x, 0, 1e-4 * shot.thickness);
     }

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds without the feature `motion`: no geometry asks for a path, since the C interface asks first.
+export module abut.detect.continuous;
+import abut.broadphase;
+import abut.core.standard;
+import abut.core.workers;
+import abut.detect.contacts;
+import abut.detect.jobs;
+import abut.detect.pairs;
+import abut.detect.paths;
+import abut.detect.refresh;
+import abut.scene.options;
+import abut.scene.places;
+import abut.scene.policies;
+import abut.scene.space;
+
+export namespace abut {
+
+inline constexpr bool follows_paths = false;
+
+class Sweeps {
+ public:
+  [[nodiscard]] bool run(const Workers& /*workers*/, const Paths& /*paths*/, const BoxFrame& /*frame*/,
+                         const Space& /*space*/, std::span<const std::uint32_t> /*swept_places*/, Places& /*places*/) {
+    return false;
+  }
+  void clear() {}
+  [[nodiscard]] std::span<const ProxyPair> pairs() const { return {}; }
+  [[nodiscard]] std::span<const ProxyPair> with(std::span<const ProxyPair> near) { return near; }
+  [[nodiscard]] std::size_t bytes() const { return 0; }
+};
+
+struct PathScene {
+  const UniverseOptions& options;
+  const PolicyTable& policies;
+  const Places& places;
+  const Paths& paths;
+  std::span<const ContactHistory> histories;
+};
+
+class ImpactStage {
+ public:
+  void run(const Workers& /*workers*/, const PathScene& /*scene*/, std::span<const ProxyPair> /*wanted*/,
+           std::span<const Pair> /*pairs*/, JobList& /*jobs*/) {}
+  void mark(std::span<const Pair> /*pairs*/, ContactList& /*contacts*/) {}
+  [[nodiscard]] std::span<const StepImpact> all() const { return {}; }
+  void restore(const std::vector<StepImpact>& /*impacts*/) {}
+  [[nodiscard]] std::uint64_t examined() const { return 0; }
+  [[nodiscard]] std::size_t bytes() const { return 0; }
+};
+
+}  // namespace abut

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.detect.path_contacts;
+import abut.capability;
+import abut.core.standard;
+import abut.detect.jobs;
+import abut.detect.manifolds;
+import abut.detect.pairs;
+import abut.detect.paths;
+import abut.math;
+import abut.motion.time_of_impact;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
+import abut.scene.options;
+import abut.scene.places;
+import abut.scene.policies;
+
+namespace abut {
+namespace {
+
+// Points as far apart as this, by the size of the pair, belong to a touch.
+constexpr Real depth_of_touch = 1e-6;
+
+// Where the bodies are when the contacts are found, and where they are at the start.
+struct Moment {
+  Pose a, b;
+  Real time;
+};
+
+Moment moment_at(const Sides& sides, Real time) { return {sides.a.at(time), sides.b.at(time), time}; }
+
+Real size_of(const AnyShape& a, const AnyShape& b) {
+  const auto size = [](const Aabb& box) { return box.is_bounded() ? largest_magnitude(box.high - box.low) : 0; };
+  return size(aabb_of(a, Pose::identity())) + size(aabb_of(b, Pose::identity()));
+}
+
+// Appends the contacts of a moment, in the frame of the first side. The algorithm of a policy may not have the pair.
+void find_points(const Places& places, const Sides& sides, const Moment& moment, const Policy& policy, Real margin,
+                 Manifold& points) {
+  const AnyShape &a = *places.shapes[sides.job.a], &b = *places.shapes[sides.job.b];
+  const auto& kernels = pair_kernels(a.index(), b.index());
+  const std::size_t before = points.size();
+  const QuerySettings wanted{.algorithm = policy.algorithm, .error_bound = policy.error_bound, .margin = margin};
+  if (kernels.contacts_in_frame(a, b, relative(moment.a, moment.b), wanted, nullptr, points) != Outcome::ok) {
+    points.resize(before);
+    const QuerySettings any{.margin = margin};
+    static_cast<void>(kernels.contacts_in_frame(a, b, relative(moment.a, moment.b), any, nullptr, points));
+  }
+}
+
+// A contact of two bodies as wholes, in the frame of the first side.
+void add_point(Distance found, const Moment& moment, Manifold& points) {
+  points.push_back({.point_a = moment.a.undo(found.point_a),
+                    .point_b = moment.a.undo(found.point_b),
+                    .normal = moment.a.rotation.undo(found.normal),
+                    .distance = found.distance,
+                    .feature_a = {},
+                    .feature_b = {},
+                    .id = contact_id({}, {})});
+}
+
+// From the frame of the first side to the world, each point where its body has it at the start.
+void carry_back(ContactPoint& contact, LocalPoints& local, const Sides& sides, const Moment& moment, bool is_swapped) {
+  move_by(contact, moment.a, is_swapped);
+  const Pose &low = is_swapped ? moment.b : moment.a, &high = is_swapped ? moment.a : moment.b;
+  local = {low.undo(contact.point_a), high.undo(contact.point_b)};
+  if (moment.time > 0) {
+    contact.point_a = (is_swapped ? sides.b : sides.a).start() * local.a;
+    contact.point_b = (is_swapped ? sides.a : sides.b).start() * local.b;
+    contact.distance = dot(contact.point_b - contact.point_a, contact.normal);
+  }
+}
+
+// How much of a distance along a normal, which leads from a to b, the motion may close.
+Real closing_along(const Vec3& normal, const Sides& sides, const Places& places) {
+  const auto speed = [&](const Path& path, std::uint32_t place, const Vec3& direction) {
+    const Reach reach = path.reach_of(aabb_of(*places.shapes[place], Pose::identity()));
+    return path.largest_speed_along(direction, path.whole(), reach);
+  };
+  return speed(sides.a, sides.job.a, normal) + speed(sides.b, sides.job.b, -normal);
+}
+
+// What the motion may close at most, whatever the direction.
+Real closing(const Sides& sides, const Places& places) {
+  const auto speed = [&](const Path& path, std::uint32_t place) {
+    const Real radius = path.reach_of(aabb_of(*places.shapes[place], Pose::identity())).radius;
+    return path.largest_speed(path.whole(), radius);
+  };
+  return speed(sides.a, sides.job.a) + speed(sides.b, sides.job.b);
+}
+
+// What of the contacts behind those of a result is reported; it goes on with them. What a pair may have at most it has
+// in all.
+template <class IsWanted>
+void finish(const PathScene& scene, const Sides& sides, const Moment& moment, const Pair& pair, IsWanted&& is_wanted,
+            ChunkScratch& scratch, JobResult& result) {
+  const std::size_t first = result.first + result.count;
+  const std::span<ContactPoint> found = std::span(scratch.points).subspan(first);
+  const Detail detail = scene.policies.at(pair.policy).detail;
+  std::size_t left = keep_best(found, scene.options, detail, scratch, is_wanted,
+                               [&] { return scene.histories.subspan(pair.first_before, pair.count_before); });
+  const std::size_t most = detail == Detail::point ? 1 : scene.options.max_pair_contacts;
+  left = most == 0 ? left : std::min<std::size_t>(left, most - std::min<std::size_t>(most, result.count));
+  scratch.points.resize(first + left);
+  scratch.locals.resize(scratch.points.size());
+  for (std::size_t i = first; i < scratch.points.size(); ++i) {
+    carry_back(scratch.points[i], scratch.locals[i], sides, moment, sides.job.a > sides.job.b);
+  }
+  result.count += static_cast<std::uint32_t>(left);
+}
+
+// Contacts of one touch are none of another, though the same features meet.
+void tell_apart(std::span<ContactPoint> contacts, std::uint32_t touch) {
+  for (ContactPoint& contact : contacts) {
+    contact.id = touch == 0 ? contact.id : contact_id_of_part(contact.id, touch);
+  }
+}
+
+}  // namespace
+
+JobResult empty_result(std::size_t number, const ChunkScratch& scratch) {
+  return {static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(scratch.points.size()), 0};
+}
+
+void take_over(std::size_t number, JobList& jobs, JobResult& result) {
+  ChunkScratch& scratch = jobs.scratch(number);
+  const JobResult before = result;
+  result = empty_result(number, scratch);
+  for (const ContactPoint& contact : jobs.found(before)) {
+    scratch.points.push_back(contact);
+  }
+  const std::span<const LocalPoints> locals = jobs.locals(before);
+  scratch.locals.insert(scratch.locals.end(), locals.begin(), locals.end());
+  scratch.locals.resize(scratch.points.size());
+  result.count = before.count;
+}
+
+void report_touch(const PathScene& scene, const Sides& sides, const Impact& impact, const Pair& pair,
+                  std::uint32_t touch, Real touching, ChunkScratch& scratch, JobResult& result) {
+  const AnyShape &a = *scene.places.shapes[sides.job.a], &b = *scene.places.shapes[sides.job.b];
+  const std::size_t first = scratch.points.size();
+  const bool is_undecided = impact.state == ImpactState::undecided;
+  const bool is_ahead = impact.state == ImpactState::touches;
+  const Moment moment = moment_at(sides, is_undecided ? impact.lower : is_ahead ? impact.upper : 0);
+  if (is_undecided) {
+    Distance distance{};
+    if (pair_distance(a, b, moment.a, moment.b, {}, distance) == Outcome::ok) {
+      add_point(distance, moment, scratch.points);
+    }
+  } else {
+    const Real margin = touching + (is_ahead ? depth_of_touch * size_of(a, b) : 0);
+    find_points(scene.places, sides, moment, scene.policies.at(pair.policy), margin, scratch.points);
+    if (scratch.points.size() == first) {
+      add_point(impact.contact, moment, scratch.points);
+    }
+  }
+  tell_apart(std::span(scratch.points).subspan(first), touch);
+  finish(scene, sides, moment, pair, [](const ContactPoint&) { return true; }, scratch, result);
+}
+
+void report_speculative(const PathScene& scene, const Sides& sides, const Pair& pair, std::size_t number, Real touching,
+                        JobList& jobs, JobResult& result) {
+  const Real most = closing(sides, scene.places);
+  if (!std::isfinite(most)) {
+    return;
+  }
+  ChunkScratch& scratch = jobs.scratch(number);
+  result = empty_result(number, scratch);
+  const Moment moment = moment_at(sides, 0);
+  find_points(scene.places, sides, moment, scene.policies.at(pair.policy), touching + most, scratch.points);
+  const auto is_within = [&](const ContactPoint& contact) {
+    const Vec3 normal = moment.a.rotation * contact.normal;
+    return contact.distance - touching <= std::max<Real>(closing_along(normal, sides, scene.places), 0);
+  };
+  finish(scene, sides, moment, pair, is_within, scratch, result);
+}
+
+}  // namespace abut
