@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two shapes that move and turn.
 #include "guard.hpp"
+#include "impact_arguments.hpp"
 #include "pair_batch.hpp"
 #include "query_arguments.hpp"
 
@@ -12,75 +13,7 @@ import abut.motion.time_of_impact;
 
 using namespace abut::capi;
 
-static_assert(static_cast<abut_impact_state>(abut::ImpactState::apart) == ABUT_IMPACT_APART);
-static_assert(static_cast<abut_impact_state>(abut::ImpactState::touches) == ABUT_IMPACT_TOUCHES);
-static_assert(static_cast<abut_impact_state>(abut::ImpactState::starts_together) == ABUT_IMPACT_STARTS_TOGETHER);
-static_assert(static_cast<abut_impact_state>(abut::ImpactState::undecided) == ABUT_IMPACT_UNDECIDED);
-
 namespace {
-
-constexpr abut_impact_options default_impact_options{
-    sizeof(abut_impact_options), abut::ImpactOptions{}.most_rounds, 0, 0, 0, 0};
-
-abut_status check_feature() {
-  return abut::has_motion() ? static_cast<abut_status>(ABUT_OK)
-                            : refuse(ABUT_UNSUPPORTED, "this build of abut is without the feature \"motion\"");
-}
-
-struct ImpactQuery {
-  abut::ImpactOptions options;
-  std::uint32_t threads = default_impact_options.threads;
-};
-
-abut_status read_impact_options(const abut_impact_options* given, ImpactQuery& out) {
-  if (given == nullptr) {
-    return ABUT_OK;
-  }
-  abut_status status = check_struct_size({"options"}, *given);
-  status = status != ABUT_OK ? status : to_status(abut::check_not_negative("options.tolerance", given->tolerance));
-  status = status != ABUT_OK ? status : to_status(abut::check_not_negative("options.margin", given->margin));
-  status = status != ABUT_OK ? status : check_threads(given->threads);
-  status = status != ABUT_OK ? status : check_reserved({"options"}, given->reserved);
-  if (status == ABUT_OK && given->most_rounds == 0) {
-    return refuse(ABUT_OUT_OF_RANGE, "options.most_rounds is 0; it must be positive");
-  }
-  out = {{given->tolerance, given->margin, given->most_rounds}, given->threads};
-  return status;
-}
-
-abut::Motion to_motion(const abut_movement& movement) {
-  return {to_vec3(movement.velocity), to_vec3(movement.angular_velocity), to_vec3(movement.acceleration),
-          to_vec3(movement.angular_acceleration)};
-}
-
-abut_status read_path(const Where& where_pose, const abut_pose& pose, const Where& where, const abut_movement& movement,
-                      double duration, std::optional<abut::Path>& out) {
-  abut_status status = check_pose(where_pose, pose);
-  status = status != ABUT_OK ? status : check_position(where, ".velocity", movement.velocity);
-  status = status != ABUT_OK ? status : check_position(where, ".angular_velocity", movement.angular_velocity);
-  status = status != ABUT_OK ? status : check_position(where, ".acceleration", movement.acceleration);
-  status = status != ABUT_OK ? status : check_position(where, ".angular_acceleration", movement.angular_acceleration);
-  status = status != ABUT_OK ? status : check_position(where, ".centre", movement.centre);
-  if (status != ABUT_OK) {
-    return status;
-  }
-  const auto path = abut::Path::along(to_pose(pose), to_vec3(movement.centre), to_motion(movement), duration);
-  if (!path) {
-    return refuse_field(where, path.error());
-  }
-  out = path.value();
-  return ABUT_OK;
-}
-
-abut_impact from_impact(const abut::Impact& found) {
-  return {static_cast<abut_impact_state>(found.state),
-          found.rounds,
-          found.lower,
-          found.upper,
-          from_distance(found.contact),
-          found.child_a,
-          found.child_b};
-}
 
 struct Paths {
   std::optional<abut::Path> a, b;
@@ -101,7 +34,7 @@ abut_status impact_of_one(const PlacedPair& pair, const abut_movement& movement_
                           double duration, const abut_impact_options* options, abut_impact& out) {
   ImpactQuery query;
   Paths paths;
-  abut_status status = check_feature();
+  abut_status status = check_motion_feature();
   status = status != ABUT_OK ? status : to_status(abut::check_positive("duration", duration));
   status = status != ABUT_OK ? status : read_impact_options(options, query);
   status =
@@ -118,7 +51,7 @@ abut_status impact_of_each(const PairBatch& pairs, std::span<const abut_movement
                            std::span<const abut_movement> movements_b, double duration,
                            const abut_impact_options* options, std::span<abut_impact> out) {
   ImpactQuery query;
-  abut_status status = check_feature();
+  abut_status status = check_motion_feature();
   status = status != ABUT_OK ? status : to_status(abut::check_positive("duration", duration));
   status = status != ABUT_OK ? status : read_impact_options(options, query);
   std::vector<Paths> paths(pairs.size());
