@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two shapes that move and turn.
 #include "guard.hpp"
-#include "impact_options.hpp"
+#include "impact_arguments.hpp"
 #include "pair_batch.hpp"
 #include "query_arguments.hpp"
 
@@ -13,68 +13,7 @@ import abut.motion.time_of_impact;
 
 using namespace abut::capi;
 
-static_assert(static_cast<abut_impact_state>(abut::ImpactState::apart) == ABUT_IMPACT_APART);
-static_assert(static_cast<abut_impact_state>(abut::ImpactState::touches) == ABUT_IMPACT_TOUCHES);
-static_assert(static_cast<abut_impact_state>(abut::ImpactState::starts_together) == ABUT_IMPACT_STARTS_TOGETHER);
-static_assert(static_cast<abut_impact_state>(abut::ImpactState::undecided) == ABUT_IMPACT_UNDECIDED);
-static_assert(abut::ImpactOptions{}.most_rounds == default_impact_options.most_rounds);
-
 namespace {
-
-struct ImpactQuery {
-  abut::ImpactOptions options;
-  std::uint32_t threads = default_impact_options.threads;
-};
-
-abut_status read_impact_options(const abut_impact_options* given, ImpactQuery& out) {
-  if (given == nullptr) {
-    return ABUT_OK;
-  }
-  abut_status status = check_struct_size({"options"}, *given);
-  status = status != ABUT_OK ? status : to_status(abut::check_not_negative("options.tolerance", given->tolerance));
-  status = status != ABUT_OK ? status : to_status(abut::check_not_negative("options.margin", given->margin));
-  status = status != ABUT_OK ? status : check_threads(given->threads);
-  status = status != ABUT_OK ? status : check_reserved({"options"}, given->reserved);
-  if (status == ABUT_OK && given->most_rounds == 0) {
-    return refuse(ABUT_OUT_OF_RANGE, "options.most_rounds is 0; it must be positive");
-  }
-  out = {{given->tolerance, given->margin, given->most_rounds}, given->threads};
-  return status;
-}
-
-abut::Motion to_motion(const abut_movement& movement) {
-  return {to_vec3(movement.velocity), to_vec3(movement.angular_velocity), to_vec3(movement.acceleration),
-          to_vec3(movement.angular_acceleration)};
-}
-
-abut_status read_path(const Where& where_pose, const abut_pose& pose, const Where& where, const abut_movement& movement,
-                      double duration, std::optional<abut::Path>& out) {
-  abut_status status = check_pose(where_pose, pose);
-  status = status != ABUT_OK ? status : check_position(where, ".velocity", movement.velocity);
-  status = status != ABUT_OK ? status : check_position(where, ".angular_velocity", movement.angular_velocity);
-  status = status != ABUT_OK ? status : check_position(where, ".acceleration", movement.acceleration);
-  status = status != ABUT_OK ? status : check_position(where, ".angular_acceleration", movement.angular_acceleration);
-  status = status != ABUT_OK ? status : check_position(where, ".centre", movement.centre);
-  if (status != ABUT_OK) {
-    return status;
-  }
-  const auto path = abut::Path::along(to_pose(pose), to_vec3(movement.centre), to_motion(movement), duration);
-  if (!path) {
-    return refuse_field(where, path.error());
-  }
-  out = path.value();
-  return ABUT_OK;
-}
-
-abut_impact from_impact(const abut::Impact& found) {
-  return {static_cast<abut_impact_state>(found.state),
-          found.rounds,
-          found.lower,
-          found.upper,
-          from_distance(found.contact),
-          found.child_a,
-          found.child_b};
-}
 
 struct Paths {
   std::optional<abut::Path> a, b;

@@ -43,6 +43,7 @@ static_assert(is_plain<abut_first_touch>(24));
 static_assert(is_plain<abut_movement>(120));
 static_assert(is_plain<abut_impact_options>(32));
 static_assert(is_plain<abut_impact>(136));
+static_assert(is_plain<abut_impact_hit>(144));
 static_assert(is_plain<abut_local_points>(48));
 static_assert(is_plain<abut_universe_options>(56));
 static_assert(is_plain<abut_part_options>(72));
@@ -421,6 +422,9 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_cast_hit, feature_b),
     ABUT_FIELD(abut_cast_hit, child_a),
     ABUT_FIELD(abut_cast_hit, child_b),
+    ABUT_STRUCT(abut_impact_hit),
+    ABUT_FIELD(abut_impact_hit, geometry),
+    ABUT_FIELD(abut_impact_hit, impact),
     ABUT_STRUCT(abut_closest),
     ABUT_FIELD(abut_closest, geometry),
     ABUT_FIELD(abut_closest, distance),

@@ -39,3 +39,18 @@ abut_status abut_universe_advance_to_first_impact(abut_universe* /*universe*/, d
                                                   abut_step_impact* /*out*/) {
   return guard(refuse_motion);
 }
+
+abut_status abut_universe_cast_movement(const abut_universe* /*universe*/, const abut_shape* /*shape*/,
+                                        const abut_pose* /*pose*/, const abut_movement* /*movement*/,
+                                        double /*duration*/, const abut_impact_options* /*options*/,
+                                        const abut_query_filter* /*filter*/, abut_hit_mode /*mode*/,
+                                        abut_impact_hit* /*hits*/, size_t /*capacity*/, size_t* /*count*/) {
+  return guard(refuse_motion);
+}
+
+abut_status abut_universe_cast_movements(const abut_universe* /*universe*/, const abut_shape* const* /*shapes*/,
+                                         const abut_pose* /*poses*/, const abut_movement* /*movements*/,
+                                         size_t /*count*/, double /*duration*/, const abut_impact_options* /*options*/,
+                                         const abut_query_filter* /*filter*/, abut_impact_hit* /*hits*/) {
+  return guard(refuse_motion);
+}

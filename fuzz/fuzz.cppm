@@ -13,6 +13,8 @@ export module abut.fuzz;
 import abut.capability;
 import abut.core;
 import abut.math;
+import abut.motion.path;
+import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
 
@@ -108,10 +110,44 @@ using Verdict = std::optional<std::string>;
 // Asks the library everything about the scene of a record and judges the answers.
 [[nodiscard]] Verdict judge(std::size_t place_a, std::size_t place_b, const Record& record);
 
+// ---- two shapes that move ----
+
+// How each body moves: velocity, angular velocity, acceleration, angular acceleration and centre, three numbers each.
+inline constexpr std::size_t motion_number_count = 2 * 5 * 3;
+inline constexpr std::size_t moving_record_size = record_size + 1 + 8 * motion_number_count;
+
+// Bits of MovingRecord::aim. Without any, the numbers alone say how the bodies move.
+inline constexpr std::uint8_t meets = 1, rests = 2, turns_not = 4, moves_alike = 8, grazes = 16, speeds_not_up = 32,
+                              starts_touching = 64;
+
+// After the bytes of the record of the scene come the aim and the numbers.
+struct MovingRecord {
+  Record scene;
+  std::uint8_t aim = 0;
+  std::array<Real, motion_number_count> motion{};
+};
+
+[[nodiscard]] MovingRecord read_moving_record(std::span<const std::uint8_t> bytes);
+[[nodiscard]] std::array<std::uint8_t, moving_record_size> bytes_of(const MovingRecord& record);
+[[nodiscard]] MovingRecord random_moving_record(std::uint64_t seed);
+
+struct MovingScene {
+  Scene scene;
+  Path path_a, path_b;
+};
+[[nodiscard]] Result<MovingScene> make_moving_scene(std::size_t place_a, std::size_t place_b,
+                                                    const MovingRecord& record);
+
+// Whether an answer about a motion holds at many times.
+[[nodiscard]] Verdict judge_impact(const MovingScene& moving, const Impact& found);
+// The same for all that is asked: swapped shapes, another frame, and the motion in two halves as well.
+[[nodiscard]] Verdict judge_motion(std::size_t place_a, std::size_t place_b, const MovingRecord& record);
+
 // ---- changes that random bits rarely make ----
 
 void mutate(std::size_t place_a, std::size_t place_b, Record& record, std::uint64_t seed);
 // Moves b along the normal until the shapes touch.
 void snap_to_touching(std::size_t place_a, std::size_t place_b, Record& record);
+void mutate(std::size_t place_a, std::size_t place_b, MovingRecord& record, std::uint64_t seed);
 
 }  // namespace abut::fuzz

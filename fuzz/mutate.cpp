@@ -40,4 +40,19 @@ void mutate(std::size_t place_a, std::size_t place_b, Record& record, std::uint6
   }
 }
 
+void mutate(std::size_t place_a, std::size_t place_b, MovingRecord& record, std::uint64_t seed) {
+  Random random(seed);
+  const std::size_t field = random.below(motion_number_count);
+  Real& value = record.motion[field];
+  switch (random.below(8)) {
+    case 0: value = -value; break;
+    case 1: value = random.below(2) == 0 ? 0 : random.between(-4, 4); break;
+    case 2: value = std::copysign(std::exp2(static_cast<Real>(random.below(26)) - 20), value); break;
+    // The same number of the other body.
+    case 3: value = record.motion[(field + motion_number_count / 2) % motion_number_count]; break;
+    case 4: record.aim = static_cast<std::uint8_t>(record.aim ^ (1u << random.below(7))); break;
+    default: mutate(place_a, place_b, record.scene, random.bits()); break;
+  }
+}
+
 }  // namespace abut::fuzz

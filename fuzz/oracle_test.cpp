@@ -13,6 +13,7 @@ import abut.capability;
 import abut.core;
 import abut.fuzz;
 import abut.math;
+import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
 
@@ -234,6 +235,43 @@ TEST(FuzzMutation, SnappedShapesTouch) {
   record.position = {4, 1, 2};
   snap_to_touching(box(), box(), record);
   EXPECT_NEAR(answer(make_scene(box(), box(), record).value()).distance, 0, 1e-12);
+}
+
+// Two boxes of which one flies at the other, turns, and meets it.
+MovingScene flying_boxes() {
+  MovingRecord record;
+  record.scene.a = {1, 1, 1};
+  record.scene.b = {1, 0.5, 0.5};
+  record.scene.position = {2.5, 0.25, 0};
+  record.motion[15] = -0.5;
+  record.motion[19] = 2;
+  return make_moving_scene(box(), box(), record).value();
+}
+
+TEST(FuzzOracle, RefusesWrongTimesOfImpact) {
+  if (!has_motion()) {
+    GTEST_SKIP() << "a build without the feature motion";
+  }
+  const MovingScene moving = flying_boxes();
+  Impact found;
+  ASSERT_EQ(time_of_impact(moving.scene.a, moving.path_a, moving.scene.b, moving.path_b, {}, found), Outcome::ok);
+  ASSERT_EQ(found.state, ImpactState::touches);
+  ASSERT_EQ(judge_impact(moving, found), std::nullopt);
+  const auto expect_impact_refused = [&](auto change) {
+    Impact wrong = found;
+    change(wrong);
+    EXPECT_NE(judge_impact(moving, wrong), std::nullopt);
+  };
+  expect_impact_refused([](Impact& wrong) { wrong.lower = wrong.upper *= 0.9; });
+  expect_impact_refused([](Impact& wrong) { wrong.lower = wrong.upper *= 1.2; });
+  expect_impact_refused([](Impact& wrong) { wrong.upper = 0.9 * wrong.lower; });
+  expect_impact_refused([](Impact& wrong) { wrong.upper = 2; });
+  expect_impact_refused([](Impact& wrong) { wrong.state = ImpactState::apart; });
+  expect_impact_refused([](Impact& wrong) {
+    wrong.state = ImpactState::apart;
+    wrong.lower = wrong.upper = 1;
+  });
+  expect_impact_refused([](Impact& wrong) { wrong.contact.point_a.x = std::numeric_limits<Real>::quiet_NaN(); });
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The live target of all pairs, as a shared library. The name of the program that loads it says which: fuzz_<a>_<b>.
+// The live target of all pairs, as a shared library. The name of the program that loads it says which: fuzz_<a>_<b>,
+// or fuzz_motion_<a>_<b> for their times of impact.
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <span>
 #include <string_view>
 import abut.fuzz;
 import abut.pairs.any_shape;
@@ -25,6 +26,7 @@ namespace {
 // Places of the kinds among the registered ones.
 struct Pair {
   std::size_t a = 0, b = 0;
+  bool moves = false;
 };
 
 Pair& pair() {
@@ -34,25 +36,35 @@ Pair& pair() {
 
 // Names of kinds have underscores of their own.
 std::optional<Pair> pair_named(std::string_view program) {
-  constexpr std::string_view prefix = "fuzz_";
+  constexpr std::string_view prefix = "fuzz_", motion = "motion_";
   program.remove_prefix(program.rfind('/') + 1);
   if (!program.starts_with(prefix)) {
     return std::nullopt;
   }
-  const std::string_view kinds = program.substr(prefix.size());
+  std::string_view kinds = program.substr(prefix.size());
+  const bool moves = kinds.starts_with(motion);
+  kinds.remove_prefix(moves ? motion.size() : 0);
   for (std::size_t end = kinds.find('_'); end != std::string_view::npos; end = kinds.find('_', end + 1)) {
     const auto a = abut::find_kind(kinds.substr(0, end)), b = abut::find_kind(kinds.substr(end + 1));
     if (a && b) {
-      return Pair{*a, *b};
+      return Pair{*a, *b, moves};
     }
   }
   return std::nullopt;
 }
 
-abut::fuzz::Record record_at(const std::uint8_t* data, std::size_t size) {
-  std::array<std::uint8_t, abut::fuzz::record_size> bytes{};
-  std::copy_n(data, std::min(size, bytes.size()), bytes.begin());
-  return abut::fuzz::read_record(bytes);
+abut::fuzz::Verdict judge(std::span<const std::uint8_t> bytes) {
+  using namespace abut::fuzz;
+  return pair().moves ? judge_motion(pair().a, pair().b, read_moving_record(bytes))
+                      : judge(pair().a, pair().b, read_record(bytes));
+}
+
+template <class Record>
+std::size_t mutate(Record record, std::uint8_t* data, unsigned int seed) {
+  abut::fuzz::mutate(pair().a, pair().b, record, seed);
+  const auto bytes = abut::fuzz::bytes_of(record);
+  std::ranges::copy(bytes, data);
+  return bytes.size();
 }
 
 }  // namespace
@@ -60,7 +72,9 @@ abut::fuzz::Record record_at(const std::uint8_t* data, std::size_t size) {
 int LLVMFuzzerInitialize(int*, char*** arguments) {
   const std::optional<Pair> named = pair_named((*arguments)[0]);
   if (!named) {
-    std::fprintf(stderr, "%s: run this program under the name fuzz_<a>_<b> of two kinds of shapes\n", (*arguments)[0]);
+    std::fprintf(stderr,
+                 "%s: run this program under the name fuzz_<a>_<b> or fuzz_motion_<a>_<b> of two kinds of shapes\n",
+                 (*arguments)[0]);
     std::exit(2);
   }
   pair() = *named;
@@ -68,7 +82,7 @@ int LLVMFuzzerInitialize(int*, char*** arguments) {
 }
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (const abut::fuzz::Verdict verdict = abut::fuzz::judge(pair().a, pair().b, record_at(data, size))) {
+  if (const abut::fuzz::Verdict verdict = judge({data, size})) {
     std::fprintf(stderr, "finding: %s\n", verdict->c_str());
     std::abort();
   }
@@ -76,11 +90,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
 }
 
 std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned int seed) {
-  if (seed % 4 == 0 || max_size < abut::fuzz::record_size) {
+  const bool moves = pair().moves;
+  if (seed % 4 == 0 || max_size < (moves ? abut::fuzz::moving_record_size : abut::fuzz::record_size)) {
     return LLVMFuzzerMutate(data, size, max_size);
   }
-  abut::fuzz::Record record = record_at(data, size);
-  abut::fuzz::mutate(pair().a, pair().b, record, seed);
-  std::ranges::copy(abut::fuzz::bytes_of(record), data);
-  return abut::fuzz::record_size;
+  const std::span<const std::uint8_t> bytes{data, size};
+  return moves ? mutate(abut::fuzz::read_moving_record(bytes), data, seed)
+               : mutate(abut::fuzz::read_record(bytes), data, seed);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the committed corpus: six records for each pair of kinds of cmake/registry.cmake.
+"""Writes the committed corpus: six records for each pair of kinds of cmake/registry.cmake, and motions of some pairs.
 
 usage: fuzz/seeds.py
 """
@@ -32,6 +32,40 @@ def seeds():
     }
 
 
+# How two shapes move: bits of MovingRecord::aim.
+MEETS, RESTS, MOVES_ALIKE, GRAZES, STARTS_TOUCHING = 1, 2, 8, 16, 64
+MOVING_PAIRS = ("box_box", "capsule_capsule", "hull_hull", "box_mesh", "mesh_mesh", "box_plane", "distance_field_sphere")
+
+
+def motion(velocity=(0, 0, 0), spin=(0, 0, 0), push=(0, 0, 0), turning=(0, 0, 0), centre=(0, 0, 0)):
+    return (*velocity, *spin, *push, *turning, *centre)
+
+
+def moving_record(scene, aim=MEETS, a=motion(), b=motion()):
+    return scene + struct.pack("<B30d", aim, *a, *b)
+
+
+def motions():
+    giant, speck = tuple(2.0**10 * x for x in A), tuple(2.0**-10 * x for x in B)
+    sheet, needle = (1, 1, 2**-20) + A[3:], (2**-18, 2**-18, 1) + A[3:]
+    blade = (2, 0.01, 0.1) + A[3:]
+    away, far = (4, -3, 2), (3000, 2000, -1000)
+    turns, turns_back = motion(spin=(1, -2, 0.5)), motion(spin=(-3, 0.25, 1), push=(0.1, 0, -0.2))
+    propeller = motion(spin=(0, 0, 20))
+    return {
+        "giant_and_speck": moving_record(record(a=giant, b=speck, position=far), a=turns, b=turns_back),
+        "sheets": moving_record(record(a=sheet, b=sheet, position=away), a=turns, b=turns_back),
+        "needles": moving_record(record(a=needle, b=needle, position=away), a=turns, b=turns_back),
+        "propellers": moving_record(record(PARALLEL, a=blade, b=blade, position=(3, 0, 0)), a=propeller, b=propeller),
+        "both_turn": moving_record(record(position=away), a=turns, b=turns_back),
+        "grazing": moving_record(record(PARALLEL, position=away), GRAZES, b=motion(velocity=(-1, 0.5, 0.25))),
+        "along_a_face": moving_record(
+            record(PARALLEL, position=away), STARTS_TOUCHING | GRAZES | RESTS, b=motion(velocity=(1, 1, 1))
+        ),
+        "one_and_the_same": moving_record(record(position=away), MOVES_ALIKE, a=motion((1, 2, 3), (0.5, -1, 2))),
+    }
+
+
 def main():
     registry = (HERE.parent / "cmake" / "registry.cmake").read_text(encoding="utf-8")
     kinds = sorted(re.findall(r"^abut_shape\((\w+)", registry, re.MULTILINE))
@@ -41,6 +75,11 @@ def main():
             folder.mkdir(parents=True, exist_ok=True)
             for name, data in seeds().items():
                 (folder / name).write_bytes(data)
+    for pair in MOVING_PAIRS:
+        folder = HERE / "corpus" / f"motion_{pair}"
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, data in motions().items():
+            (folder / name).write_bytes(data)
 
 
 if __name__ == "__main__":

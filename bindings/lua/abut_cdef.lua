@@ -922,6 +922,19 @@ abut_status abut_universe_cast_shape(const abut_universe *universe, const abut_s
 abut_status abut_universe_cast_shapes(const abut_universe *universe, const abut_shape *const *shapes,
                                                const abut_pose *poses, const abut_vec3 *displacements, size_t count,
                                                const abut_query_filter *filter, abut_cast_hit *hits);
+typedef struct abut_impact_hit {
+  abut_geometry_id geometry;
+  abut_impact impact;
+} abut_impact_hit;
+abut_status abut_universe_cast_movement(const abut_universe *universe, const abut_shape *shape,
+                                                 const abut_pose *pose, const abut_movement *movement,
+                                                 double duration, const abut_impact_options *options,
+                                                 const abut_query_filter *filter, abut_hit_mode mode,
+                                                 abut_impact_hit *hits, size_t capacity, size_t *count);
+abut_status abut_universe_cast_movements(const abut_universe *universe, const abut_shape *const *shapes,
+                                                  const abut_pose *poses, const abut_movement *movements,
+                                                  size_t count, double duration, const abut_impact_options *options,
+                                                  const abut_query_filter *filter, abut_impact_hit *hits);
 abut_status abut_universe_overlaps(const abut_universe *universe, const abut_shape *shape,
                                             const abut_pose *pose, const abut_query_filter *filter, double margin,
                                             abut_geometry_id *geometries, size_t capacity, size_t *count);

@@ -2196,6 +2196,36 @@ ABUT_API abut_status abut_universe_cast_shapes(const abut_universe *universe, co
                                                const abut_pose *poses, const abut_vec3 *displacements, size_t count,
                                                const abut_query_filter *filter, abut_cast_hit *hits);
 
+/** What a shape meets that moves and turns (a): a geometry (b), and when. */
+typedef struct abut_impact_hit {
+  abut_geometry_id geometry; /**< null in a batch: nothing is met */
+  abut_impact impact;        /**< never apart; undecided where it may be met, from `lower` on */
+} abut_impact_hit;
+
+/**
+ * Geometries that a shape meets while it moves, turns and speeds up, by count-then-fill. They are ordered by
+ * impact.lower: nothing is met before that of the first one. The geometries stay where they are. A cast by
+ * abut_universe_cast_shape is the case without a turn.
+ *
+ * ABUT_OUT_OF_RANGE and ABUT_UNSUPPORTED as for abut_pair_time_of_impact.
+ * @param movement  abut_movement_between makes one of two poses
+ * @param duration  above 0
+ * @param options   may be null; `threads` has no effect
+ * @param filter    may be null
+ * Complexity O(log n) for each geometry near its way, and a time of impact each. Source: docs/continuous.md. [const]
+ */
+ABUT_API abut_status abut_universe_cast_movement(const abut_universe *universe, const abut_shape *shape,
+                                                 const abut_pose *pose, const abut_movement *movement,
+                                                 double duration, const abut_impact_options *options,
+                                                 const abut_query_filter *filter, abut_hit_mode mode,
+                                                 abut_impact_hit *hits, size_t capacity, size_t *count);
+
+/** The first hit of each of `count` shapes, each with a pose and a movement of its own. [const] */
+ABUT_API abut_status abut_universe_cast_movements(const abut_universe *universe, const abut_shape *const *shapes,
+                                                  const abut_pose *poses, const abut_movement *movements,
+                                                  size_t count, double duration, const abut_impact_options *options,
+                                                  const abut_query_filter *filter, abut_impact_hit *hits);
+
 /**
  * Geometries with which a shape has contacts up to a distance, by count-then-fill, ordered by slot.
  * @param filter  may be null

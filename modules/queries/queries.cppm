@@ -9,6 +9,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+export import abut.motion.time_of_impact;
 import abut.pairs.registry;
 import abut.scene;
 
@@ -50,6 +51,11 @@ struct CastContact {
   ShapeCastHit hit;  // the moving shape is a, the geometry b
 };
 
+struct ImpactContact {
+  GeometryId geometry;
+  Impact impact;  // the moving shape is a, the geometry b
+};
+
 struct NearGeometry {
   GeometryId geometry;
   Distance distance;  // from the shape to the geometry
@@ -63,6 +69,11 @@ struct NearGeometry {
                                                  RayStart start);
 [[nodiscard]] std::vector<CastContact> cast_shape(const Scene& scene, const AnyShape& shape, const Pose& pose,
                                                   const Vec3& displacement, const QueryFilter& filter, HitMode mode);
+// Ordered by the time up to which they are apart, then by slot. What is undecided counts: it may be a touch. Only in a
+// build with the feature `motion`.
+[[nodiscard]] std::vector<ImpactContact> cast_movement(const Scene& scene, const AnyShape& shape, const Path& path,
+                                                       const ImpactOptions& options, const QueryFilter& filter,
+                                                       HitMode mode);
 
 // Ordered by slot. Overlaps: what a shape has contacts with up to a distance. At a point: solids that hold it, and
 // surfaces that it lies on.

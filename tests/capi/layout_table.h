@@ -355,6 +355,9 @@
   FIELD(abut_cast_hit, feature_b, 128, 8)                    \
   FIELD(abut_cast_hit, child_a, 136, 4)                      \
   FIELD(abut_cast_hit, child_b, 140, 4)                      \
+  TYPE(abut_impact_hit, 144)                                 \
+  FIELD(abut_impact_hit, geometry, 0, 8)                     \
+  FIELD(abut_impact_hit, impact, 8, 136)                     \
   TYPE(abut_closest, 112)                                    \
   FIELD(abut_closest, geometry, 0, 8)                        \
   FIELD(abut_closest, distance, 8, 104)                      \

@@ -12,11 +12,12 @@ struct QueryCall {
   abut_universe* universe = scene.universe;
   abut_ray ray{{-5, 0, 0}, {1, 0, 0}, 20};
   abut_pose pose = at(0.5, 0, 0);
-  abut_vec3 vector{1, 0, 0};  // a displacement, or a point
-  double number = 0.5;        // a margin, or the largest distance
+  abut_vec3 vector{1, 0, 0};  // a displacement, a velocity, or a point
+  double number = 0.5;        // a margin, the largest distance, or a duration
   const abut_shape* shape = scene.ball;
   Out<abut_query_hit> hit;
   Out<abut_cast_hit> cast;
+  Out<abut_impact_hit> impact;
   Out<abut_closest> near;
   Out<std::size_t> count;
   Out<std::uint32_t> found;
@@ -24,8 +25,9 @@ struct QueryCall {
   OutArray<abut_geometry_id> geometries{4};
 
   bool is_untouched() const {
-    return hit.is_untouched() && cast.is_untouched() && near.is_untouched() && count.is_untouched() &&
-           found.is_untouched() && offsets.is_untouched() && geometries.is_untouched() && scene.is_unchanged();
+    return hit.is_untouched() && cast.is_untouched() && impact.is_untouched() && near.is_untouched() &&
+           count.is_untouched() && found.is_untouched() && offsets.is_untouched() && geometries.is_untouched() &&
+           scene.is_unchanged();
   }
 
   abut_status cast_ray(const abut_query_filter* filter) {
@@ -40,6 +42,20 @@ struct QueryCall {
   }
   abut_status cast_shapes(const abut_query_filter* filter) {
     return abut_universe_cast_shapes(universe, &shape, &pose, &vector, 1, filter, cast.address());
+  }
+  abut_movement movement() const {
+    abut_movement its{};
+    its.velocity = vector;
+    return its;
+  }
+  abut_status cast_movement(const abut_query_filter* filter) {
+    const abut_movement its = movement();
+    return abut_universe_cast_movement(universe, shape, &pose, &its, number, nullptr, filter, ABUT_HIT_NEAREST,
+                                       impact.address(), 1, count.address());
+  }
+  abut_status cast_movements(const abut_query_filter* filter) {
+    const abut_movement its = movement();
+    return abut_universe_cast_movements(universe, &shape, &pose, &its, 1, number, nullptr, filter, impact.address());
   }
   abut_status overlaps(const abut_query_filter* filter) {
     return abut_universe_overlaps(universe, shape, &pose, filter, number, geometries.data(), geometries.size(),
@@ -158,6 +174,17 @@ inline void refuse_bad_margins(Ask ask) {
     call.number = bad;
     return (call.*ask)(nullptr);
   });
+  EXPECT_TRUE(call.is_untouched());
+}
+
+inline void refuse_bad_durations(Ask ask) {
+  QueryCall call;
+  for (const BadNumber& bad : non_finite_numbers) {
+    call.number = bad.value;
+    EXPECT_TRUE(refused((call.*ask)(nullptr), ABUT_NOT_FINITE, {"duration", bad.word}));
+  }
+  call.number = -2.5;
+  EXPECT_TRUE(refused((call.*ask)(nullptr), ABUT_OUT_OF_RANGE, {"duration", "-2.5"}));
   EXPECT_TRUE(call.is_untouched());
 }
 

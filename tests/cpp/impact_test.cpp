@@ -45,4 +45,25 @@ TEST(Impact, MakesAMovementOfTwoPoses) {
   EXPECT_THROW(static_cast<void>(abut::movement_between(unturned, five_away, {0, 0, 0}, 0)), abut::Error);
 }
 
+TEST(Impact, IsCastThroughAUniverse) {
+  abut::Universe universe;
+  const abut::Shape box = abut::Shape::box(1, 1, 1), ball = abut::Shape::sphere(1);
+  const abut::PartId part = universe.create_part(abut::PartOptions().with_pose(five_away));
+  const abut::GeometryId wall = universe.create_geometry(part, box);
+  universe.refresh();
+  abut::Movement roll{};
+  roll.velocity = {6, 0, 0};
+  roll.angular_velocity = {0, 3, 0};
+  const auto hit = universe.cast_movement(ball, unturned, roll, 1);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->geometry, wall);
+  EXPECT_NEAR(hit->impact.upper, 0.5, 1e-12);
+  EXPECT_EQ(universe.cast_movement_all(ball, unturned, roll, 1).size(), 1U);
+  EXPECT_FALSE(universe.cast_movement(ball, unturned, roll, 0.25));
+  const auto hits = universe.cast_movements({ball, ball}, {unturned, abut::pose({0, 9, 0})}, {roll, roll}, 1);
+  EXPECT_EQ(hits[0].geometry, wall);
+  EXPECT_TRUE(abut::is_null(hits[1].geometry));
+  EXPECT_THROW(static_cast<void>(universe.cast_movements({ball}, {unturned}, {}, 1)), abut::Error);
+}
+
 }  // namespace

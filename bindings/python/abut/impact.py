@@ -6,8 +6,9 @@ from __future__ import annotations
 from ctypes import byref
 from typing import Any
 
-from . import c, given, options
+from . import c, given
 from .c import library
+from .options import impact_options_of
 from .progress import Progress, chunks
 from .records import Records, empty, part_of
 from .shapes import Shape
@@ -33,10 +34,6 @@ def movement_between(start: Any, end: Any, duration: float = 1.0, centre: Any = 
     return out
 
 
-def _options(fields):
-    return byref(options.filled(c.ImpactOptions, library.abut_impact_options_init, fields)) if fields else None
-
-
 def pair_time_of_impact(a: Shape, pose_a: Any, movement_a: Any, b: Shape, pose_b: Any, movement_b: Any,
                         duration: float = 1.0, **fields: Any) -> c.Impact:
     """When two shapes that move and turn first touch; the fields are those of ImpactOptions.
@@ -48,7 +45,7 @@ def pair_time_of_impact(a: Shape, pose_a: Any, movement_a: Any, b: Shape, pose_b
         given.shape_pointer("a", a), byref(given.pose("pose_a", pose_a)),
         byref(given.one(c.Movement, "movement_a", movement_a)), given.shape_pointer("b", b),
         byref(given.pose("pose_b", pose_b)), byref(given.one(c.Movement, "movement_b", movement_b)),
-        *given.reals(duration=duration), _options(fields), byref(out))
+        *given.reals(duration=duration), impact_options_of(fields), byref(out))
     return out
 
 
@@ -58,7 +55,7 @@ def pairs_time_of_impact(a: Shape, poses_a: Any, movements_a: Any, b: Shape, pos
     belonging = (given.structs(c.Pose, "poses_a", poses_a), given.structs(c.Movement, "movements_a", movements_a),
                  given.structs(c.Pose, "poses_b", poses_b), given.structs(c.Movement, "movements_b", movements_b))
     count = given.together(*belonging)
-    pointers, settings = (given.shape_pointer("a", a), given.shape_pointer("b", b)), _options(fields)
+    pointers, settings = (given.shape_pointer("a", a), given.shape_pointer("b", b)), impact_options_of(fields)
     time, = given.reals(duration=duration)
     found = empty(c.Impact, count)
     for start, length in chunks(count, progress):

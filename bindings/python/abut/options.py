@@ -84,3 +84,8 @@ def query(fields: dict) -> Any:
 def filter_of(fields: dict) -> Any:
     """A QueryFilter; the library knows the default without it."""
     return byref(filled(c.QueryFilter, c.library.abut_query_filter_init, fields)) if fields else None
+
+
+def impact_options_of(fields: dict) -> Any:
+    """A pointer to options of times of impact; none for the defaults."""
+    return byref(filled(c.ImpactOptions, c.library.abut_impact_options_init, fields)) if fields else None

@@ -31,6 +31,21 @@ class Impact(unittest.TestCase):
         made = abut.movement_between(abut.pose(), abut.pose(5), 0.5)
         self.assertEqual((made.velocity.x, made.angular_velocity.x), (10, 0))
 
+    def test_tells_what_a_shape_meets_in_a_universe(self):
+        universe = abut.Universe()
+        posts = [universe.add_geometry(universe.add_part(pose=abut.pose(x)), self.box) for x in (5, 9)]
+        universe.refresh()
+        away = abut.movement(velocity=(10, 0, 0), angular_velocity=(3, 0, 0))
+        ball = abut.Shape.sphere(1)
+        hits = universe.cast_movement(ball, abut.pose(), away, mode=abut.c.HIT_ALL)
+        self.assertEqual([each.geometry for each in hits], posts)
+        self.assertAlmostEqual(hits[0].impact.upper, 0.3)
+        near = universe.cast_movement(ball, abut.pose(), away, options={"margin": 1})
+        self.assertAlmostEqual(near[0].impact.upper, 0.2)
+        each = universe.cast_movements(ball, [abut.pose(), abut.pose(0, 9)], away)
+        self.assertAlmostEqual(each[0].impact.upper, 0.3)
+        self.assertEqual(each[1].geometry.slot, 0)
+
     def test_refuses_what_is_no_movement(self):
         with self.assertRaisesRegex(abut.Error, "movement_b.revolutions is"):
             abut.pair_time_of_impact(self.box, abut.pose(), abut.movement(), self.box, abut.pose(5),

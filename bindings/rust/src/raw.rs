@@ -1915,6 +1915,40 @@ extern "C" {
         hits: *mut abut_cast_hit,
     ) -> abut_status;
 }
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_impact_hit {
+    pub geometry: abut_geometry_id,
+    pub impact: abut_impact,
+}
+extern "C" {
+    pub fn abut_universe_cast_movement(
+        universe: *const abut_universe,
+        shape: *const abut_shape,
+        pose: *const abut_pose,
+        movement: *const abut_movement,
+        duration: f64,
+        options: *const abut_impact_options,
+        filter: *const abut_query_filter,
+        mode: abut_hit_mode,
+        hits: *mut abut_impact_hit,
+        capacity: usize,
+        count: *mut usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_universe_cast_movements(
+        universe: *const abut_universe,
+        shapes: *const *const abut_shape,
+        poses: *const abut_pose,
+        movements: *const abut_movement,
+        count: usize,
+        duration: f64,
+        options: *const abut_impact_options,
+        filter: *const abut_query_filter,
+        hits: *mut abut_impact_hit,
+    ) -> abut_status;
+}
 extern "C" {
     pub fn abut_universe_overlaps(
         universe: *const abut_universe,

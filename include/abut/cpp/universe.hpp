@@ -101,6 +101,44 @@ class Universe : public UniverseSteps {
                           out);
   }
 
+  // The first geometry that a shape meets while it moves and turns.
+  [[nodiscard]] Answer<std::optional<ImpactHit>> cast_movement(const Shape& shape, const Pose& pose,
+                                                               const Movement& movement, double duration,
+                                                               OptionalRef<abut_query_filter> filter = {},
+                                                               OptionalRef<abut_impact_options> options = {},
+                                                               HitMode mode = ABUT_HIT_NEAREST) const {
+    ImpactHit hit{};
+    std::size_t count = 0;
+    const abut_status status = abut_universe_cast_movement(get(), shape.get(), &pose, &movement, duration,
+                                                           options.get(), filter.get(), mode, &hit, 1, &count);
+    return detail::answer_if_found(status, count, hit);
+  }
+  [[nodiscard]] Answer<std::vector<ImpactHit>> cast_movement_all(const Shape& shape, const Pose& pose,
+                                                                 const Movement& movement, double duration,
+                                                                 OptionalRef<abut_query_filter> filter = {},
+                                                                 OptionalRef<abut_impact_options> options = {}) const {
+    return detail::collect<ImpactHit>([&](ImpactHit* data, std::size_t capacity, std::size_t* count) {
+      return abut_universe_cast_movement(get(), shape.get(), &pose, &movement, duration, options.get(), filter.get(),
+                                         ABUT_HIT_ALL, data, capacity, count);
+    });
+  }
+  // The first hit of each shape; its geometry is null where there is none.
+  [[nodiscard]] Answer<std::vector<ImpactHit>> cast_movements(Span<const Shape> shapes, Span<const Pose> poses,
+                                                              Span<const Movement> movements, double duration,
+                                                              OptionalRef<abut_query_filter> filter = {},
+                                                              OptionalRef<abut_impact_options> options = {}) const {
+    const std::vector<const abut_shape*> pointers = Shape::pointers_of(shapes);
+    std::vector<ImpactHit> out(shapes.size());
+    const abut_status sizes =
+        detail::first_failure(detail::expect_as_many("poses", poses.size(), "shapes", shapes.size()),
+                              detail::expect_as_many("movements", movements.size(), "shapes", shapes.size()));
+    return detail::answer(sizes != ABUT_OK ? sizes
+                                           : abut_universe_cast_movements(get(), pointers.data(), poses.data(),
+                                                                          movements.data(), shapes.size(), duration,
+                                                                          options.get(), filter.get(), out.data()),
+                          out);
+  }
+
   // Geometries with which a shape has contacts up to a distance; with `out` as many as fit, and how many there are.
   [[nodiscard]] Answer<std::size_t> overlaps(const Shape& shape, const Pose& pose, double margin, Span<GeometryId> out,
                                              OptionalRef<abut_query_filter> filter = {}) const {

@@ -52,6 +52,7 @@ using Feature = abut_feature;
 using Finding = abut_finding;
 using FirstTouch = abut_first_touch;
 using Impact = abut_impact;
+using ImpactHit = abut_impact_hit;
 using ImpactState = abut_impact_state_value;
 using Island = abut_island;
 using LayoutEntry = abut_layout_entry;

@@ -63,6 +63,105 @@ TEST(UniverseCastShapes, RefusesOverflowingCounts) {
   EXPECT_TRUE(call.is_untouched());
 }
 
+TEST(UniverseCastMovement, RefusesNull) {
+  refuse_null_universe(&QueryCall::cast_movement);
+  refuse_null_shape(&QueryCall::cast_movement);
+  QueryCall call;
+  const abut_movement movement = call.movement();
+  const auto ask = [&](const abut_pose* pose, const abut_movement* its, abut_impact_hit* hits, std::size_t* count) {
+    return abut_universe_cast_movement(call.universe, call.shape, pose, its, 1, nullptr, nullptr, 0, hits, 1, count);
+  };
+  abut_impact_hit* hits = call.impact.address();
+  std::size_t* count = call.count.address();
+  EXPECT_TRUE(refused(ask(nullptr, &movement, hits, count), ABUT_NULL_ARGUMENT, {"pose", "null"}));
+  EXPECT_TRUE(refused(ask(&call.pose, nullptr, hits, count), ABUT_NULL_ARGUMENT, {"movement", "null"}));
+  EXPECT_TRUE(refused(ask(&call.pose, &movement, nullptr, count), ABUT_NULL_ARGUMENT, {"hits", "null"}));
+  EXPECT_TRUE(refused(ask(&call.pose, &movement, hits, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(call.is_untouched());
+}
+TEST(UniverseCastMovement, RefusesNonFiniteMovements) { refuse_bad_vectors(&QueryCall::cast_movement, "movement"); }
+TEST(UniverseCastMovement, RefusesBadDurations) { refuse_bad_durations(&QueryCall::cast_movement); }
+TEST(UniverseCastMovement, RefusesBadPoses) { refuse_bad_poses(&QueryCall::cast_movement); }
+TEST(UniverseCastMovement, RefusesBadFilters) { refuse_bad_filters(&QueryCall::cast_movement); }
+abut_impact_options default_impact_options() {
+  abut_impact_options options;
+  abut_impact_options_init(&options, sizeof options);
+  return options;
+}
+
+TEST(UniverseCastMovement, RefusesWrongStructSize) {
+  QueryCall call;
+  const abut_movement movement = call.movement();
+  expect_struct_size_checked(default_impact_options(), [&](const abut_impact_options* wrong) {
+    return abut_universe_cast_movement(call.universe, call.shape, &call.pose, &movement, 1, wrong, nullptr, 0,
+                                       call.impact.address(), 1, call.count.address());
+  });
+  EXPECT_TRUE(call.is_untouched());
+}
+TEST(UniverseCastMovements, RefusesWrongStructSize) {
+  QueryCall call;
+  const abut_movement movement = call.movement();
+  expect_struct_size_checked(default_impact_options(), [&](const abut_impact_options* wrong) {
+    return abut_universe_cast_movements(call.universe, &call.shape, &call.pose, &movement, 1, 1, wrong, nullptr,
+                                        call.impact.address());
+  });
+  EXPECT_TRUE(call.is_untouched());
+}
+TEST(UniverseCastMovement, RefusesBadOptionsAndModes) {
+  QueryCall call;
+  const abut_movement movement = call.movement();
+  const auto ask = [&](const abut_impact_options* options, abut_hit_mode mode) {
+    return abut_universe_cast_movement(call.universe, call.shape, &call.pose, &movement, 1, options, nullptr, mode,
+                                       call.impact.address(), 1, call.count.address());
+  };
+  abut_impact_options options = default_impact_options();
+  options.margin = -0.5;
+  EXPECT_TRUE(refused(ask(&options, ABUT_HIT_ANY), ABUT_OUT_OF_RANGE, {"options.margin", "-0.5"}));
+  EXPECT_TRUE(refused(ask(nullptr, 77), ABUT_UNKNOWN_VALUE, {"mode", "77"}));
+  EXPECT_TRUE(call.is_untouched());
+}
+TEST(UniverseCastMovement, RefusesTooManyRevolutions) {
+  QueryCall call;
+  abut_movement movement = call.movement();
+  movement.angular_velocity = {0, 0, 201};
+  EXPECT_TRUE(refused(abut_universe_cast_movement(call.universe, call.shape, &call.pose, &movement, 1, nullptr, nullptr,
+                                                  0, call.impact.address(), 1, call.count.address()),
+                      ABUT_OUT_OF_RANGE, {"movement.revolutions is 31.9", "16"}));
+  EXPECT_TRUE(call.is_untouched());
+}
+
+TEST(UniverseCastMovements, RefusesNull) {
+  refuse_null_universe(&QueryCall::cast_movements);
+  refuse_null_shape(&QueryCall::cast_movements);
+  QueryCall call;
+  const abut_movement movement = call.movement();
+  const auto ask = [&](const abut_shape* const* shapes, const abut_pose* poses, const abut_movement* movements,
+                       abut_impact_hit* hits) {
+    return abut_universe_cast_movements(call.universe, shapes, poses, movements, 1, 1, nullptr, nullptr, hits);
+  };
+  abut_impact_hit* hits = call.impact.address();
+  EXPECT_TRUE(refused(ask(nullptr, &call.pose, &movement, hits), ABUT_NULL_ARGUMENT, {"shapes", "null"}));
+  EXPECT_TRUE(refused(ask(&call.shape, nullptr, &movement, hits), ABUT_NULL_ARGUMENT, {"poses", "null"}));
+  EXPECT_TRUE(refused(ask(&call.shape, &call.pose, nullptr, hits), ABUT_NULL_ARGUMENT, {"movements", "null"}));
+  EXPECT_TRUE(refused(ask(&call.shape, &call.pose, &movement, nullptr), ABUT_NULL_ARGUMENT, {"hits", "null"}));
+  EXPECT_TRUE(call.is_untouched());
+}
+TEST(UniverseCastMovements, RefusesNonFiniteMovements) {
+  refuse_bad_vectors(&QueryCall::cast_movements, "movements[0]");
+}
+TEST(UniverseCastMovements, RefusesBadDurations) { refuse_bad_durations(&QueryCall::cast_movements); }
+TEST(UniverseCastMovements, RefusesBadPoses) { refuse_bad_poses(&QueryCall::cast_movements); }
+TEST(UniverseCastMovements, RefusesBadFilters) { refuse_bad_filters(&QueryCall::cast_movements); }
+TEST(UniverseCastMovements, RefusesOverflowingCounts) {
+  QueryCall call;
+  const abut_movement movement = call.movement();
+  expect_overflow_refused(sizeof(abut_impact_hit), "count", [&](std::size_t count) {
+    return abut_universe_cast_movements(call.universe, &call.shape, &call.pose, &movement, count, 1, nullptr, nullptr,
+                                        call.impact.address());
+  });
+  EXPECT_TRUE(call.is_untouched());
+}
+
 TEST(UniverseOverlaps, RefusesNull) {
   refuse_null_universe(&QueryCall::overlaps);
   refuse_null_shape(&QueryCall::overlaps);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that move and turn, as a program in C asks for them.
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "support.hpp"
 
@@ -93,6 +96,105 @@ TEST(PairsTimeOfImpact, AnswerAsSingleOnesOnAnyNumberOfThreads) {
       EXPECT_EQ(out[i].upper, one.upper);
       EXPECT_EQ(out[i].contact.point_a.x, one.contact.point_a.x);
     }
+  }
+}
+
+// Sixty solids around the origin. What a cast through them finds is what each of them answers alone.
+struct Crowd {
+  Universe universe;
+  Shape box = make_box(0.3, 0.5, 0.4), ball = make_sphere(0.4);
+  std::vector<abut_pose> poses;
+  std::vector<abut_geometry_id> ids;
+  std::mt19937 engine{17};
+
+  Crowd() {
+    for (int i = 0; i < 60; ++i) {
+      poses.push_back(at(number(3), number(3), number(3)));
+      ids.push_back(universe.add(shape(poses.size() - 1), poses.back()));
+    }
+    require(abut_universe_refresh(universe));
+  }
+  double number(double most) { return std::uniform_real_distribution<double>(-most, most)(engine); }
+  abut_vec3 vector(double most) { return {number(most), number(most), number(most)}; }
+  const Shape& shape(std::size_t i) const { return i % 2 == 0 ? box : ball; }
+
+  abut_pose start() { return at(number(3), number(3), number(3)); }
+  abut_movement movement() { return {vector(12), vector(3), vector(3), vector(1), vector(1)}; }
+};
+
+std::vector<abut_impact_hit> cast_movement(const Crowd& crowd, const Shape& shape, const abut_pose& start,
+                                           const abut_movement& movement, abut_hit_mode mode,
+                                           const abut_query_filter* filter = nullptr) {
+  std::vector<abut_impact_hit> hits(crowd.ids.size());
+  std::size_t count = 0;
+  require(abut_universe_cast_movement(crowd.universe, shape, &start, &movement, 1, nullptr, filter, mode, hits.data(),
+                                      hits.size(), &count));
+  hits.resize(count);
+  return hits;
+}
+
+TEST(UniverseCastMovement, FindsWhatEachGeometryAnswersAlone) {
+  Crowd crowd;
+  const Shape rod = make_box(1.5, 0.1, 0.1);
+  std::size_t found = 0;
+  for (int cast = 0; cast < 60; ++cast) {
+    const abut_pose start = crowd.start();
+    abut_movement movement = crowd.movement();
+    if (cast % 3 == 0) {
+      movement.angular_velocity = movement.angular_acceleration = {0, 0, 0};
+    } else if (cast % 3 == 1) {
+      movement.velocity = movement.acceleration = {0, 0, 0};
+    }
+    const auto all = cast_movement(crowd, rod, start, movement, ABUT_HIT_ALL);
+    std::size_t expected = 0;
+    for (std::size_t i = 0; i < crowd.ids.size(); ++i) {
+      const abut_impact alone = impact_of(rod, start, movement, crowd.shape(i), crowd.poses[i], abut_movement{});
+      const auto hit =
+          std::ranges::find_if(all, [&](const abut_impact_hit& its) { return its.geometry == crowd.ids[i]; });
+      if (alone.state == static_cast<abut_impact_state>(ABUT_IMPACT_APART)) {
+        EXPECT_TRUE(hit == all.end()) << cast;
+        continue;
+      }
+      ++expected;
+      ASSERT_TRUE(hit != all.end()) << cast;
+      EXPECT_EQ(hit->impact.state, alone.state);
+      EXPECT_NEAR(hit->impact.upper, alone.upper, 1e-11);
+    }
+    EXPECT_EQ(all.size(), expected);
+    EXPECT_TRUE(std::ranges::is_sorted(all, {}, [](const abut_impact_hit& its) { return its.impact.lower; }));
+    found += expected;
+
+    const auto nearest = cast_movement(crowd, rod, start, movement, ABUT_HIT_NEAREST);
+    EXPECT_EQ(cast_movement(crowd, rod, start, movement, ABUT_HIT_ANY).size(), all.empty() ? 0U : 1U);
+    ASSERT_EQ(nearest.size(), all.empty() ? 0U : 1U);
+    if (!all.empty()) {
+      EXPECT_TRUE(nearest[0].geometry == all[0].geometry);
+      abut_query_filter filter;
+      abut_query_filter_init(&filter, sizeof filter);
+      filter.ignore_geometry = all[0].geometry;
+      EXPECT_EQ(cast_movement(crowd, rod, start, movement, ABUT_HIT_ALL, &filter).size(), all.size() - 1);
+    }
+  }
+  EXPECT_GT(found, 100U);
+}
+
+TEST(UniverseCastMovements, AreTheNearestOfEach) {
+  Crowd crowd;
+  const Shape rod = make_box(1.5, 0.1, 0.1);
+  std::vector<const abut_shape*> shapes(20, rod);
+  std::vector<abut_pose> starts;
+  std::vector<abut_movement> movements;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    starts.push_back(crowd.start());
+    movements.push_back(crowd.movement());
+  }
+  std::vector<abut_impact_hit> hits(shapes.size());
+  require(abut_universe_cast_movements(crowd.universe, shapes.data(), starts.data(), movements.data(), shapes.size(), 1,
+                                       nullptr, nullptr, hits.data()));
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const auto one = cast_movement(crowd, rod, starts[i], movements[i], ABUT_HIT_NEAREST);
+    EXPECT_TRUE(hits[i].geometry == (one.empty() ? abut_geometry_id{} : one[0].geometry));
+    EXPECT_EQ(hits[i].impact.upper, one.empty() ? 0 : one[0].impact.upper);
   }
 }
 

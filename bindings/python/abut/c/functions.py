@@ -252,6 +252,12 @@ FUNCTIONS = {
         POINTER(c_size_t)]),
     "abut_universe_cast_shapes": (Status, [
         c_void_p, POINTER(c_void_p), POINTER(Pose), POINTER(Vec3), c_size_t, POINTER(QueryFilter), POINTER(CastHit)]),
+    "abut_universe_cast_movement": (Status, [
+        c_void_p, c_void_p, POINTER(Pose), POINTER(Movement), c_double, POINTER(ImpactOptions), POINTER(QueryFilter),
+        c_uint32, POINTER(ImpactHit), c_size_t, POINTER(c_size_t)]),
+    "abut_universe_cast_movements": (Status, [
+        c_void_p, POINTER(c_void_p), POINTER(Pose), POINTER(Movement), c_size_t, c_double, POINTER(ImpactOptions),
+        POINTER(QueryFilter), POINTER(ImpactHit)]),
     "abut_universe_overlaps": (Status, [
         c_void_p, c_void_p, POINTER(Pose), POINTER(QueryFilter), c_double, POINTER(GeometryId), c_size_t,
         POINTER(c_size_t)]),

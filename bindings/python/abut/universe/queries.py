@@ -9,7 +9,7 @@ from typing import Any
 from .. import answers, c, given
 from ..c import library
 from ..lending import Lender
-from ..options import filter_of
+from ..options import filter_of, impact_options_of
 from ..progress import Progress, chunks
 from ..records import Groups, Records, empty, part_of
 from ..shapes import Shape
@@ -53,6 +53,25 @@ class Queries(Lender):
         belonging = [*_placed(shapes, poses), given.structs(c.Vec3, "displacements", displacements)]
         return self._in_chunks(c.CastHit, belonging, progress, lambda pointers, places, ways, count, out: (
             self._read(library.abut_universe_cast_shapes, pointers, places, ways, count, filter_of(filter), out)))
+
+    def cast_movement(self, shape: Shape, at: Any, movement: Any, duration: float = 1.0, mode: int = c.HIT_NEAREST,
+                      options: dict | None = None, **filter: Any) -> Records:
+        """Hits of a shape that moves and turns, in order; the options are fields of ImpactOptions."""
+        place, way = given.pose("at", at), given.one(c.Movement, "movement", movement)
+        pointer, (time,) = given.shape_pointer("shape", shape), given.reals(duration=duration)
+        settings = impact_options_of(options or {})
+        return answers.records(c.ImpactHit, lambda *rest: self._read(
+            library.abut_universe_cast_movement, pointer, byref(place), byref(way), time, settings, filter_of(filter),
+            mode, *rest))
+
+    def cast_movements(self, shapes: Any, poses: Any, movements: Any, duration: float = 1.0, progress: Progress = None,
+                       options: dict | None = None, **filter: Any) -> Records:
+        """The first hit of each shape; its geometry is null where there is none."""
+        belonging = [*_placed(shapes, poses), given.structs(c.Movement, "movements", movements)]
+        (time,), settings = given.reals(duration=duration), impact_options_of(options or {})
+        return self._in_chunks(c.ImpactHit, belonging, progress, lambda pointers, places, ways, count, out: (
+            self._read(library.abut_universe_cast_movements, pointers, places, ways, count, time, settings,
+                       filter_of(filter), out)))
 
     def overlaps(self, shape: Shape, at: Any, margin: float = 0.0, **filter: Any) -> Records:
         """Geometries with which a shape has contacts up to a distance."""

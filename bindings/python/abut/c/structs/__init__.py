@@ -2,7 +2,7 @@
 """Structs of abut.h and picking.h, field by field."""
 
 from .queries import (
-    Camera, CastHit, Closest, Pick, QueryFilter, QueryHit)
+    Camera, CastHit, Closest, ImpactHit, Pick, QueryFilter, QueryHit)
 from .shapes import (
     Contact, Distance, DistanceFieldDesc, DistanceFieldOptions, FirstTouch, HeightFieldDesc, HullReport, Impact,
     ImpactOptions, MeshOptions, MeshReport, Movement, PairMemory, QueryOptions, Ray, RayHit, ShapeDesc, UvGridOptions)
@@ -15,8 +15,8 @@ from .values import (
 __all__ = [
     "Aabb", "Acceleration", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance",
     "DistanceFieldDesc", "DistanceFieldOptions", "Event", "Feature", "Finding", "FirstTouch", "Focus", "GeometryId",
-    "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport", "Impact", "ImpactOptions", "Island",
-    "LayoutEntry", "LocalPoints", "MeshOptions", "MeshReport", "Movement", "PairMemory", "PartId", "PartOptions",
-    "Pick", "Policy", "Pose", "Quat", "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision",
+    "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport", "Impact", "ImpactHit", "ImpactOptions",
+    "Island", "LayoutEntry", "LocalPoints", "MeshOptions", "MeshReport", "Movement", "PairMemory", "PartId",
+    "PartOptions", "Pick", "Policy", "Pose", "Quat", "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision",
     "ShapeDesc", "Sleep", "SleepChange", "StepImpact", "StepStats", "UniverseOptions", "UvGridOptions", "Vec3",
     "Velocity"]

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from .base import Double, Struct, UInt32, UInt64, struct
-from .shapes import Distance
+from .shapes import Distance, Impact
 from .values import Feature, GeometryId, PartId, Pose, Vec3
 
 
@@ -40,6 +40,12 @@ class CastHit(Struct):
     feature_b: Feature
     child_a: UInt32
     child_b: UInt32
+
+
+@struct
+class ImpactHit(Struct):
+    geometry: GeometryId
+    impact: Impact
 
 
 @struct
