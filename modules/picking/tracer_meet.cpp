@@ -98,10 +98,14 @@ void Tracer::meet(FirstHit& query, const RTCIntersectFunctionNArguments& argumen
   const ShapeRecord& shape = shapes_[entry.shape];
   float& far = RTCRayN_tfar(RTCRayHitN_RayN(arguments.rayhit, 1), 1, 0);
   RTCHitN* const met = RTCRayHitN_HitN(arguments.rayhit, 1);
+  const std::uint32_t present = RTCHitN_geomID(met, 1, 0);
   const double limit = query.advance + static_cast<double>(far);
   if (entry.role == Role::instance) {
-    const auto hit = cast_into(*shape.instanced, entry.frame, query.ray, limit);
-    if (!hit || !(hit->distance < limit)) return;
+    // What was hit in double may be nearer than single precision tells.
+    const bool is_exact = present != RTC_INVALID_GEOMETRY_ID && entries_[present & ~entry_flag].role == Role::exact;
+    const double nearest = is_exact ? std::min(limit, query.exact.distance) : limit;
+    const auto hit = cast_into(*shape.instanced, entry.frame, query.ray, nearest);
+    if (!hit || !(hit->distance < nearest)) return;
     far = static_cast<float>(hit->distance - query.advance);
     RTCHitN_primID(met, 1, 0) = hit->triangle;
   } else {
@@ -109,7 +113,7 @@ void Tracer::meet(FirstHit& query, const RTCIntersectFunctionNArguments& argumen
     const double blurred = limit + 0x1p-20 * (limit + moving_space_.extent);
     const abut_ray ray{query.ray.origin, query.ray.direction, std::min(query.ray.max_distance, blurred)};
     const auto hit = shape.access->cast(entry.pose, ray);
-    if (!hit || !is_nearer(*hit, entry, query, RTCHitN_geomID(met, 1, 0), limit)) return;
+    if (!hit || !is_nearer(*hit, entry, query, present, limit)) return;
     query.exact = *hit;
     // Not below what single precision tells apart here: 0 would hide boxes that begin where the ray does.
     far = std::min(far, static_cast<float>(std::max(hit->distance - query.advance, 0x1p-24 * moving_space_.extent)));
