@@ -10,11 +10,13 @@ import abut.math.tolerance;
 import abut.motion.best_impact;
 import abut.motion.convex_impact;
 import abut.motion.convex_part;
+import abut.motion.motion_order;
 import abut.motion.path;
 import abut.motion.relative_motion;
 import abut.motion.whole_impact;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
+import abut.trees.two_trees;
 
 namespace abut {
 namespace {
@@ -23,12 +25,13 @@ const AnyShape::Variant& variant_of(const AnyShape& shape) { return shape; }
 
 // What a kind is, by its place in the registry.
 struct KindTraits {
-  bool is_half_space, is_assembly, has_only_distances, has_parts;
+  bool is_half_space, is_assembly, has_only_distances, has_parts, is_surface;
 };
 constexpr auto kind_traits = []<std::size_t... Places>(std::index_sequence<Places...>) {
   return std::array{KindTraits{HalfSpace<Shapes::At<Places>>, Assembly<Shapes::At<Places>>,
                                Hole<Shapes::At<Places>> || SampledSolid<Shapes::At<Places>>,
-                               Surface<Shapes::At<Places>> || Scattered<Shapes::At<Places>>}...};
+                               Surface<Shapes::At<Places>> || Scattered<Shapes::At<Places>>,
+                               Surface<Shapes::At<Places>>}...};
 }(std::make_index_sequence<Shapes::count>{});
 
 const KindTraits& traits_of(const AnyShape& shape) { return kind_traits[shape.index()]; }
@@ -159,6 +162,62 @@ void meet_in_span(const Subject& a, const Subject& b, const TimeSpan& given, int
   });
 }
 
+// Two surfaces within a span in which they turn little: triangles whose boxes may meet, mostly in the order of time.
+template <Surface A, Surface B>
+void meet_triangles(const A& a, const Subject& on_a, const B& b, const Subject& on_b, const TimeSpan& span,
+                    Search& search) {
+  const Carrier &way_a = on_a.on, &way_b = on_b.on;
+  const auto bend_of = [&](const Carrier& frame, const Carrier& moving, const AnyShape& shape) {
+    const Reach reach = moving.path.reach_of(aabb_of(shape, moving.local));
+    return relative_bounds(frame.path, moving.path, reach.radius, span).bend;
+  };
+  const MotionOrder order(a.origin(), b.origin(), relative(way_a.at(span.begin), way_b.at(span.begin)),
+                          relative(way_a.at(span.end), way_b.at(span.end)), span, bend_of(way_a, way_b, on_b.shape),
+                          bend_of(way_b, way_a, on_a.shape), search.slack());
+  const ConvexPart none = ConvexPart::of(Ball(0));
+  MovingPair pair{moving_part(none, way_a.path, way_a.local), moving_part(none, way_b.path, way_b.local),
+                  search.settings};
+  std::optional<std::uint32_t> held;  // often several triangles of a meet one of b, one after the other
+  visit_two(a, b, order, std::min(span.end, search.best.end()), [&](std::uint32_t of_a, std::uint32_t of_b) {
+    const Real way = order.way_of(a.corners(of_a), b.corners(of_b));
+    if (way >= search.best.end()) {
+      return search.best.end();
+    }
+    if (held != of_b) {
+      pair.b = moving_part(ConvexPart::of(b.part(of_b)), way_b.path, way_b.local);
+      held = of_b;
+    }
+    pair.a = moving_part(ConvexPart::of(a.part(of_a)), way_a.path, way_a.local);
+    meet_parts(pair, {way, span.end}, on_a.child, on_b.child, search);
+    return search.best.end();
+  });
+}
+
+// Spans are so short that ways of points are bent by little beside the smaller surface.
+void meet_surfaces(const Subject& a, const Subject& b, const TimeSpan& span, Search& search) {
+  constexpr Real bent_share = 1.0 / 64, most_spans = 4096;
+  const Aabb box_a = aabb_of(a.shape, Pose::identity()), box_b = aabb_of(b.shape, Pose::identity());
+  const Real size = std::min(largest_magnitude(box_a.high - box_a.low), largest_magnitude(box_b.high - box_b.low));
+  const Real bend = std::max(
+      relative_bounds(a.on.path, b.on.path, b.on.path.reach_of(aabb_of(b.shape, b.on.local)).radius, span).bend,
+      relative_bounds(b.on.path, a.on.path, a.on.path.reach_of(aabb_of(a.shape, a.on.local)).radius, span).bend);
+  const Real longest = std::sqrt(8 * bent_share * size / bend), wanted = std::ceil(span.length() / longest);
+  const auto count = static_cast<std::uint32_t>(std::clamp(wanted, Real{1}, most_spans));
+  const Real step = span.length() / count;
+  Real begin = span.begin;
+  for (std::uint32_t i = 1; i <= count && begin < search.best.end(); ++i) {
+    const Real end = i < count ? span.begin + i * step : span.end;
+    std::visit(
+        [&]<class A, class B>(const A& its, const B& other) {
+          if constexpr (Surface<A> && Surface<B>) {
+            meet_triangles(its, a, other, b, {begin, end}, search);
+          }
+        },
+        variant_of(a.shape), variant_of(b.shape));
+    begin = end;
+  }
+}
+
 void meet(const Subject& a, const Subject& b, Search& search);
 
 // The same with the sides exchanged.
@@ -205,6 +264,9 @@ void meet(const Subject& a, const Subject& b, Search& search) {
     meet_children(a, b, search);
   } else if (traits_of(a.shape).is_half_space) {
     add(half_space_impact(a.shape, a.on, b.shape, b.on, span, search.settings));
+  } else if (traits_of(a.shape).is_surface && traits_of(b.shape).is_surface) {
+    search.has_answer = true;
+    meet_surfaces(a, b, span, search);
   } else if (traits_of(a.shape).has_parts) {
     search.has_answer = true;
     meet_in_span(a, b, span, 0, search);
