@@ -18,15 +18,16 @@
 
 import abut.capability;
 import abut.math;
-import abut.narrow.cast.cast_parts;
-import abut.narrow.cast.cast_search;
-import abut.narrow.many.two_surfaces;
+import abut.pairs.any_shape;
+import abut.pairs.any_shape.shape_cast;
+import abut.pairs.registry;
 import abut.shapes.height_field;
 import abut.shapes.mesh;
 import abut.shapes.uv_grid;
 
 namespace {
 
+using abut::AnyShape;
 using abut::HeightField;
 using abut::Mesh;
 using abut::Pose;
@@ -126,13 +127,14 @@ template <class A, class B>
 void expect_answers_of_all_pairs(const A& a, const B& b, std::uint64_t seed) {
   test::Random random(seed);
   const Triangles of_a = a.triangles(), of_b = b.triangles();
+  const AnyShape any_a{a}, any_b{b};
   int judged = 0, hits = 0;
   for (int turn = 0; turn < 12; ++turn) {
     const Vec3 away = (turn % 3 == 0 ? 40.0 : 5.0) / norm(random.point(1)) * random.point(1);
     const Pose ab{random.rotation(), away + Vec3{0, 0, turn % 2 == 0 ? 6.0 : -6.0}};
     const double least = least_distance(of_a, of_b, ab);
     abut::Distance found{};
-    ASSERT_EQ(abut::surfaces_distance(a, b, ab, {}, found), abut::Outcome::ok);
+    ASSERT_EQ(abut::pair_distance(any_a, any_b, ab, {}, found), abut::Outcome::ok);
     if (found.distance <= 0) {
       continue;  // they may cross, which the oracle does not see
     }
@@ -143,7 +145,7 @@ void expect_answers_of_all_pairs(const A& a, const B& b, std::uint64_t seed) {
     EXPECT_GE(found.upper, least - rounding);
     for (const double share : {0.999, 1.001}) {
       abut::Manifold contacts;
-      ASSERT_EQ(abut::surfaces_contacts(a, b, ab, {.margin = share * least}, contacts), abut::Outcome::ok);
+      ASSERT_EQ(abut::pair_contacts(any_a, any_b, ab, {.margin = share * least}, contacts), abut::Outcome::ok);
       // A height field stops from its front only.
       if (share < 1 || (!abut::Terrain<A> && !abut::Terrain<B>)) {
         EXPECT_EQ(contacts.empty(), share < 1);
@@ -152,12 +154,13 @@ void expect_answers_of_all_pairs(const A& a, const B& b, std::uint64_t seed) {
     // b moves toward a; where it stops, they touch.
     const auto direction = abut::UnitVec3::make(-ab.position + random.point(1)).value();
     const double length = 2 * norm(ab.position);
-    abut::CastSearch search({}, {direction, length}, 10 + length);
-    abut::cast_surfaces(search, a, b, ab, {direction, length}, Pose::identity(), false, {});
-    if (search.best()) {
+    std::optional<abut::ShapeCastHit> hit;
+    ASSERT_EQ(abut::cast_shapes(any_a, Pose::identity(), {0, 0, 0}, any_b, ab, length * direction.vec(), {}, 1, hit),
+              abut::Outcome::ok);
+    if (hit) {
       ++hits;
       const auto moved = [&](double way) { return Pose{ab.rotation, ab.position + way * direction.vec()}; };
-      const double way = search.best()->travelled;
+      const double way = hit->fraction * length;
       EXPECT_NEAR(least_distance(of_a, of_b, moved(way)), 0, 1e-9);
       EXPECT_GT(least_distance(of_a, of_b, moved(0.98 * way)), 1e-6);
     }
@@ -186,7 +189,8 @@ TEST(TwoSurfaces, ThatAreParallelAreAsFarApartAsTheirPlanes) {
   const std::vector<double> flat(100, 0.7);
   const HeightField field = test::made<HeightField>({10, 10, 0.1, 0.1, 0, 0}, flat);
   abut::Distance found{};
-  ASSERT_EQ(abut::surfaces_distance(field, field, {abut::Rotation::identity(), {0.03, 0.02, 30}}, {}, found),
+  const AnyShape any{field};
+  ASSERT_EQ(abut::pair_distance(any, any, {abut::Rotation::identity(), {0.03, 0.02, 30}}, {}, found),
             abut::Outcome::ok);
   EXPECT_NEAR(found.distance, 30, 1e-12);
 }
