@@ -6,6 +6,8 @@ module;
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -88,6 +90,18 @@ bool takes_lengths_alone(std::size_t place) {
     }
   }
   return kind_name(place) != "particles";
+}
+
+// The kind of a child: the first one from a place on that is made of lengths, and of the first child no hole.
+std::size_t kind_of_child(std::size_t from, bool is_first) {
+  for (std::size_t step = 0; step < shape_kind_count; ++step) {
+    const std::size_t kind = (from + step) % shape_kind_count;
+    if (takes_lengths_alone(kind) && !(is_first && kind_name(kind).ends_with("hole"))) {
+      return kind;
+    }
+  }
+  std::fputs("finding: no kind of this build can be a child of a composite; add \"sphere\" to ABUT_SHAPES.\n", stderr);
+  std::abort();
 }
 
 // As the generic door takes the children of a composite.
@@ -187,10 +201,7 @@ ShapeInput composite_input(std::size_t place, const Numbers& numbers, bool nests
   ShapeInput input;
   const std::size_t count = 1 + random.below(12);
   for (std::size_t i = 0; i < count; ++i) {
-    std::size_t kind = random.below(std::min(shape_kind_count, kinds_of_children));
-    while (!takes_lengths_alone(kind) || (i == 0 && kind_name(kind).ends_with("hole"))) {
-      kind = (kind + 1) % shape_kind_count;
-    }
+    const std::size_t kind = kind_of_child(random.below(std::min(shape_kind_count, kinds_of_children)), i == 0);
     ShapeInput child;
     for (std::size_t k = 0; k < kind_parameter_count(kind); ++k) {
       child.parameters.push_back(size_or_one(numbers[k % 3]) * random.between(0.1, 1));
