@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A step of a universe with 5,000 moving bodies: abut on one thread and on two, beside Bullet, FCL and ODE on one; and
-// one of 100,000 bodies, for the two threads.
+// one of 100,000 bodies, for the two threads; and what it costs that one body in a hundred is fast.
 #include "universe.hpp"
 
 #include <benchmark/benchmark.h>
@@ -27,6 +27,7 @@ constexpr std::size_t solid_count = 64;
 constexpr std::size_t frame_count = 24;
 constexpr double sway = 0.004;   // of a body of about unit size, from its middle position
 constexpr double swing = 0.008;  // radians
+constexpr double fast_sway = 5;  // a fast body gets about as far as it is large in a step
 
 // A block of bodies over the ground with this distance from one to the next.
 World make_block(std::size_t body_count, double spacing, double jitter, std::uint64_t seed) {
@@ -88,11 +89,12 @@ void animate(World& world, std::uint64_t seed) {
   for (std::size_t i = 0; i < middle.size(); ++i) {
     const Point way = random.direction(), axis = random.direction();
     const double start = random.uniform(0, 2 * std::numbers::pi);
+    const double reach = world.fast_share > 0 && i % world.fast_share == 0 ? fast_sway : sway;
     for (std::size_t frame = 0; frame < frame_count; ++frame) {
       const double phase = start + 2 * std::numbers::pi * static_cast<double>(frame) / static_cast<double>(frame_count);
       Placement& placement = world.frames[frame][i];
       for (std::size_t k = 0; k < 3; ++k) {
-        placement.position[k] += sway * std::sin(phase) * way[k];
+        placement.position[k] += reach * std::sin(phase) * way[k];
       }
       const double half = 0.5 * swing * std::cos(phase), s = std::sin(half), c = std::cos(half);
       const auto& [w, x, y, z] = middle[i].orientation;
@@ -163,9 +165,16 @@ int run() {
   };
   compare("pile", pile);
   compare("sparse", sparse);
+  // What the paths of one body in a hundred cost: the same motion with and without them.
+  World fast = make_block(5000, 1.15, 0.1, 1);
+  settle(fast, 60);
+  fast.fast_share = 100;
+  animate(fast, 2);
+  add("fast", "abut", *detectors.emplace_back(make_abut_world_of_fast(fast, true)));
+  add("fast", "unfollowed", *detectors.emplace_back(make_abut_world_of_fast(fast, false)));
   add("crowd", "abut", *detectors.emplace_back(make_abut_world(crowd, 1)));
   add("crowd", "abut-2", *detectors.emplace_back(make_abut_world(crowd, 2)));
-  return run_and_compare({"abut", {"bullet", "bullet-0", "fcl", "ode"}, {"abut-2"}, 1, "us", 1e-6});
+  return run_and_compare({"abut", {"bullet", "bullet-0", "fcl", "ode"}, {"abut-2", "unfollowed"}, 1, "us", 1e-6});
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct World {
   std::vector<std::vector<Placement>> frames;  // a placement of each body
   Solid ground;
   Placement ground_at;
+  std::size_t fast_share = 0;  // one in so many bodies is fast; none where this is 0
 };
 
 struct Touch {
@@ -53,6 +54,8 @@ void give_surface(Solid& solid);
 // Null where ODE is not installed.
 [[gnu::visibility("default")]] std::unique_ptr<Detector> make_ode_world(const World& world);
 std::unique_ptr<Detector> make_abut_world(const World& world, unsigned threads);
+// On one thread. Steps have a time, and `follows` tells whether they follow the paths of what is fast.
+std::unique_ptr<Detector> make_abut_world_of_fast(const World& world, bool follows);
 
 // All overlaps of bodies at placements, by abut.
 std::vector<Touch> touches(const World& world, std::span<const Placement> placements);

@@ -17,7 +17,8 @@ namespace {
 
 class AbutWorld final : public Detector {
  public:
-  AbutWorld(const World& world, std::span<const std::vector<Placement>> frames, unsigned threads) {
+  AbutWorld(const World& world, std::span<const std::vector<Placement>> frames, unsigned threads, double time = 0)
+      : time_(time) {
     abut_universe_options options;
     abut_universe_options_init(&options, sizeof options);
     options.threads = threads;
@@ -33,8 +34,10 @@ class AbutWorld final : public Detector {
     }
     shapes_.push_back(abut_c_shape(world.ground));
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-      parts_.push_back(
-          add_abut_c_body(universe_, shapes_[world.bodies[i]], frames_.front()[i], ABUT_MOTION_DYNAMIC).part);
+      const AbutCBody body =
+          add_abut_c_body(universe_, shapes_[world.bodies[i]], frames_.front()[i], ABUT_MOTION_DYNAMIC);
+      parts_.push_back(body.part);
+      geometries_.push_back(body.geometry);
     }
     add_abut_c_body(universe_, shapes_.back(), abut_c_pose(world.ground_at), ABUT_MOTION_STATIC);
   }
@@ -43,7 +46,17 @@ class AbutWorld final : public Detector {
     const std::vector<abut_pose>& poses = frames_[frame];
     expect_ok(abut_parts_set_poses(universe_.get(), parts_.data(), poses.data(), parts_.size()));
   }
-  void detect() override { expect_ok(abut_universe_step(universe_.get(), 0)); }
+  void detect() override { expect_ok(abut_universe_step(universe_.get(), time_)); }
+
+  void follow(std::size_t share) {
+    for (std::size_t i = 0; i < parts_.size(); i += share) {
+      expect_ok(abut_part_measure_velocity(universe_.get(), parts_[i]));
+      abut_geometry_options options;
+      abut_geometry_options_init(&options, sizeof options);
+      options.flags = ABUT_GEOMETRY_FAST;
+      expect_ok(abut_geometry_set_options(universe_.get(), geometries_[i], &options));
+    }
+  }
 
   [[nodiscard]] Counts counts() const override {
     abut_step_stats stats;
@@ -77,7 +90,9 @@ class AbutWorld final : public Detector {
   AbutCUniverse universe_;
   std::vector<AbutCShape> shapes_;
   std::vector<abut_part_id> parts_;
+  std::vector<abut_geometry_id> geometries_;
   std::vector<std::vector<abut_pose>> frames_;
+  double time_;  // of a step
 };
 
 }  // namespace
@@ -106,6 +121,14 @@ void give_surface(Solid& solid) {
 
 std::unique_ptr<Detector> make_abut_world(const World& world, unsigned threads) {
   return std::make_unique<AbutWorld>(world, world.frames, threads);
+}
+
+std::unique_ptr<Detector> make_abut_world_of_fast(const World& world, bool follows) {
+  auto detector = std::make_unique<AbutWorld>(world, world.frames, 1, 1.0 / 60);
+  if (follows) {
+    detector->follow(world.fast_share);
+  }
+  return detector;
 }
 
 std::vector<Touch> touches(const World& world, std::span<const Placement> placements) {
