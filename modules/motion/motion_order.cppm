@@ -20,14 +20,24 @@ class MotionOrder {
   // other one. Boxes meet that come as near as `slack`.
   MotionOrder(const Vec3& origin_a, const Vec3& origin_b, const Pose& begin, const Pose& end, const TimeSpan& span,
               Real bend_in_a, Real bend_in_b, Real slack)
-      : begin_(origin_a, origin_b, begin),
+      : origin_a_(origin_a),
+        origin_b_(origin_b),
+        begin_(origin_a, origin_b, begin),
+        bend_in_a_(bend_in_a),
+        bend_in_b_(bend_in_b),
+        slack_(slack),
         end_(origin_a, origin_b, end),
         b_in_a_{begin, end},
         a_in_b_{begin.inverse(), end.inverse()},
-        span_(span),
-        half_bend_in_a_(half_bend(bend_in_a)),
-        half_bend_in_b_(half_bend(bend_in_b)),
-        slack_(slack) {}
+        span_(span) {}
+
+  // Lets the span end earlier, with b at `end` then. What meets later is of no interest.
+  void end_at(Real time, const Pose& end) {
+    span_.end = time;
+    end_ = BoxAxes(origin_a_, origin_b_, end);
+    b_in_a_[1] = end;
+    a_in_b_[1] = end.inverse();
+  }
 
   // Times before which boxes are apart; infinity where they are for the whole span. A box beyond all numbers meets at
   // the begin.
@@ -40,10 +50,11 @@ class MotionOrder {
     begin_.for_each(eight, four, other, are_of_b, [&](int axis, Lanes between, Lanes reach) {
       at_begin[static_cast<std::size_t>(axis)] = {between, reach};
     });
+    const Real half_in_a = half_bend(bend_in_a_), half_in_b = half_bend(bend_in_b_);
     Lanes share = all_lanes(0);
     end_.for_each(eight, four, other, are_of_b, [&](int axis, Lanes between, Lanes reach) {
       const Apart& first = at_begin[static_cast<std::size_t>(axis)];
-      const Real half = (axis < 3) == are_of_b ? half_bend_in_b_ : half_bend_in_a_;
+      const Real half = (axis < 3) == are_of_b ? half_in_b : half_in_a;
       // The side on which the other box is; on the whole, where it changes sides.
       const LaneNumbers is_below = first.between + between < all_lanes(0);
       const Lanes b = (is_below ? -first.between : first.between) - first.reach - slack_;
@@ -60,8 +71,8 @@ class MotionOrder {
 
   // The same for two triangles, along the normals of both.
   [[nodiscard]] Real way_of(const TriangleCorners& a, const TriangleCorners& b) const {
-    const Real share =
-        std::max(share_across(a, b, b_in_a_, half_bend_in_a_), share_across(b, a, a_in_b_, half_bend_in_b_));
+    const Real share = std::max(share_across(a, b, b_in_a_, half_bend(bend_in_a_)),
+                                share_across(b, a, a_in_b_, half_bend(bend_in_b_)));
     return share < 1 ? span_.begin + (inward * span_.length()) * share : infinity;
   }
 
@@ -98,10 +109,12 @@ class MotionOrder {
 
   [[nodiscard]] inline Real half_bend(Real bend) const { return 0.5 * bend * span_.length() * span_.length(); }
 
-  BoxAxes begin_, end_;
+  Vec3 origin_a_, origin_b_;
+  BoxAxes begin_;
+  Real bend_in_a_, bend_in_b_, slack_;
+  BoxAxes end_;
   std::array<Pose, 2> b_in_a_, a_in_b_;  // at the begin and at the end
   TimeSpan span_;
-  Real half_bend_in_a_, half_bend_in_b_, slack_;
 };
 
 }  // namespace abut

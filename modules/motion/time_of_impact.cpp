@@ -171,9 +171,9 @@ void meet_triangles(const A& a, const Subject& on_a, const B& b, const Subject& 
     const Reach reach = moving.path.reach_of(aabb_of(shape, moving.local));
     return relative_bounds(frame.path, moving.path, reach.radius, span).bend;
   };
-  const MotionOrder order(a.origin(), b.origin(), relative(way_a.at(span.begin), way_b.at(span.begin)),
-                          relative(way_a.at(span.end), way_b.at(span.end)), span, bend_of(way_a, way_b, on_b.shape),
-                          bend_of(way_b, way_a, on_a.shape), search.slack());
+  MotionOrder order(a.origin(), b.origin(), relative(way_a.at(span.begin), way_b.at(span.begin)),
+                    relative(way_a.at(span.end), way_b.at(span.end)), span, bend_of(way_a, way_b, on_b.shape),
+                    bend_of(way_b, way_a, on_a.shape), search.slack());
   const ConvexPart none = ConvexPart::of(Ball(0));
   MovingPair pair{moving_part(none, way_a.path, way_a.local), moving_part(none, way_b.path, way_b.local),
                   search.settings};
@@ -188,7 +188,12 @@ void meet_triangles(const A& a, const Subject& on_a, const B& b, const Subject& 
       held = of_b;
     }
     pair.a = moving_part(ConvexPart::of(a.part(of_a)), way_a.path, way_a.local);
+    const Real end = search.best.end();
     meet_parts(pair, {way, span.end}, on_a.child, on_b.child, search);
+    if (search.best.end() < std::min(end, span.end)) {
+      const Real touch = search.best.end();
+      order.end_at(touch, relative(way_a.at(touch), way_b.at(touch)));
+    }
     return search.best.end();
   });
 }
