@@ -73,6 +73,14 @@ class HeightField {
   void visit_parts(Aabb& box, Visitor&& visit) const {
     visit_parts(box, AcceptsAnyCorners{}, visit);
   }
+  // No fewer than the parts that visit_parts looks at.
+  [[nodiscard]] inline std::size_t most_parts_under(const Aabb& box) const {
+    if (!box.overlaps(data_->box)) {
+      return 0;
+    }
+    const RangePyramid::Rectangle cells = cells_under(box);
+    return 2 * std::size_t{cells.columns} * cells.rows;
+  }
   template <class Visitor>
   void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
     const Data& field = *data_;
