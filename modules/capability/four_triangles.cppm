@@ -18,12 +18,19 @@ struct FourTriangles {
   [[nodiscard]] [[gnu::always_inline]] inline TriangleCorners operator[](std::size_t lane) const {
     return {a[lane], b[lane], c[lane]};
   }
-  [[nodiscard]] static inline FourTriangles of(const std::array<TriangleCorners, 4>& t,
-                                               const std::array<std::uint32_t, 4>& numbers) {
+  [[nodiscard]] [[gnu::always_inline]] static inline FourTriangles of(const TriangleCorners& first,
+                                                                      const TriangleCorners& second,
+                                                                      const TriangleCorners& third,
+                                                                      const TriangleCorners& fourth,
+                                                                      const std::array<std::uint32_t, 4>& numbers) {
     const auto corner = [&](std::size_t i) {
-      return Columns::of(lanes_of(t[0][i]), lanes_of(t[1][i]), lanes_of(t[2][i]), lanes_of(t[3][i]));
+      return Columns::of(lanes_of(first[i]), lanes_of(second[i]), lanes_of(third[i]), lanes_of(fourth[i]));
     };
     return {corner(0), corner(1), corner(2), numbers};
+  }
+  [[nodiscard]] static inline FourTriangles of(const std::array<TriangleCorners, 4>& t,
+                                               const std::array<std::uint32_t, 4>& numbers) {
+    return of(t[0], t[1], t[2], t[3], numbers);
   }
   [[nodiscard]] static inline FourTriangles all(const TriangleCorners& corners) {
     return {Columns::all(corners[0]), Columns::all(corners[1]), Columns::all(corners[2]), {}};
@@ -92,7 +99,7 @@ class WaitingTriangles {
     for (std::size_t first = 0; first < numbers.size(); first += 4) {
       // The last one stands in for those that lack.
       const auto at = [&](std::size_t lane) { return std::min(first + lane, numbers.size() - 1); };
-      const FourTriangles four = FourTriangles::of({corners[at(0)], corners[at(1)], corners[at(2)], corners[at(3)]},
+      const FourTriangles four = FourTriangles::of(corners[at(0)], corners[at(1)], corners[at(2)], corners[at(3)],
                                                    {numbers[at(0)], numbers[at(1)], numbers[at(2)], numbers[at(3)]});
       const std::size_t count = std::min<std::size_t>(4, numbers.size() - first);
       const std::uint64_t present = (std::uint64_t{1} << count) - 1;

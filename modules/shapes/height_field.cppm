@@ -248,7 +248,31 @@ class HeightField {
     const Data& field = *data_;
     const std::span<const Real> row = std::span(field.heights).subspan(std::size_t{j} * field.columns + i),
                                 next_row = row.subspan(field.columns);
-    FourCells cells{};
+    [[clang::uninitialized]] FourCells cells;
+    cells.y = j * field.spacing_y;
+    cells.next_y = (j + 1) * field.spacing_y;
+    cells.present = (std::uint64_t{1} << count) - 1;
+    if (field.columns - i > 4) [[likely]] {
+      // As many heights as that lie side by side: cells that were not asked for are not present.
+      const auto four_from = [](std::span<const Real> heights) {
+        const auto four = heights.first<4>();
+        return Lanes{four[0], four[1], four[2], four[3]};
+      };
+      const Lanes place = static_cast<Real>(i) + Lanes{0, 1, 2, 3};
+      cells.x = place * field.spacing_x;
+      cells.next_x = (place + 1) * field.spacing_x;
+      cells.a = four_from(row);
+      cells.b = four_from(row.subspan(1));
+      cells.c = four_from(next_row);
+      cells.d = four_from(next_row.subspan(1));
+      const LaneNumbers odd = (i + j) % 2 == 0 ? LaneNumbers{0, -1, 0, -1} : LaneNumbers{-1, 0, -1, 0};
+      cells.are_falling = field.diagonal == Diagonal::alternating ? odd
+                          : field.diagonal == Diagonal::falling   ? LaneNumbers(-1)
+                                                                  : LaneNumbers(0);
+      const std::uint32_t number = number_of(i, j, false);
+      cells.numbers = {number, number + 2, number + 4, number + 6};
+      return cells;
+    }
     for (std::uint32_t lane = 0; lane < 4; ++lane) {
       const std::uint32_t at = std::min(lane, count - 1);
       cells.x[lane] = (i + at) * field.spacing_x;
@@ -260,9 +284,6 @@ class HeightField {
       cells.are_falling[lane] = is_falling(field.diagonal, i + at, j) ? -1 : 0;
       cells.numbers[lane] = number_of(i + at, j, false);
     }
-    cells.y = j * field.spacing_y;
-    cells.next_y = (j + 1) * field.spacing_y;
-    cells.present = (std::uint64_t{1} << count) - 1;
     return cells;
   }
   [[nodiscard]] inline std::uint32_t number_of(std::uint32_t i, std::uint32_t j, bool is_upper) const {

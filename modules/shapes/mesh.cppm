@@ -44,7 +44,7 @@ class Mesh {
   [[nodiscard]] inline bool is_one_sided(std::uint32_t index) const {
     return data_->sides == Sides::front || (data_->sides == Sides::solid && !inside().turns(index));
   }
-  [[nodiscard]] inline TriangleCorners corners(std::uint32_t index) const {
+  [[nodiscard]] [[gnu::always_inline]] inline TriangleCorners corners(std::uint32_t index) const {
     const Data& mesh = *data_;
     const std::size_t first = 3 * std::size_t{index};
     return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]],

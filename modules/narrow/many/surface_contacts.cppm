@@ -8,6 +8,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
 import abut.narrow.convex;
 import abut.narrow.many.claims;
 import abut.narrow.many.parts_met;
@@ -311,7 +312,7 @@ class SurfaceContacts {
       const Vec3 normal = out_[group.first].normal;
       const Real claimed = claims_.allowed_depth(
           normal, group.depth, group.noise,
-          [&](const Vec3& direction, Real lowest) { return met_.overlap_along(group.part, direction, lowest); });
+          [&](const Columns& directions, Lanes lowest) { return met_.overlaps_along(group.part, directions, lowest); });
       const Real allowed = std::min(claimed, (1 + claim_blur) * whole + group.noise);
       if (allowed < group.depth) {
         keep(group.first, infinity);

@@ -6,6 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
 import abut.narrow.apart.box_cores;
 import abut.narrow.convex;
 import abut.narrow.many.triangle_point;
@@ -152,6 +153,11 @@ class Fronts {
   // For normals that are those of the sides, within rounding.
   [[nodiscard]] bool nearly_allows(const Vec3& normal) const {
     return dot(normal, a_) >= -1e-12 && dot(normal, b_) >= -1e-12;
+  }
+  // The same for four at once.
+  [[nodiscard]] LaneNumbers nearly_allow(const Columns& normals) const {
+    const Lanes least = all_lanes(-1e-12);
+    return (dot(normals, Columns::all(a_)) >= least) & (dot(normals, Columns::all(b_)) >= least);
   }
 
  private:
