@@ -299,6 +299,7 @@ class HeightField {
     const Sample a{i, j}, b{i + 1, j}, c{i, j + 1}, d{i + 1, j + 1};
     return is_upper ? std::array{falls ? b : a, d, c} : std::array{a, b, falls ? c : d};
   }
+  [[nodiscard]] std::array<std::optional<Sample>, 2> samples_across(const Sample& first, const Sample& second) const;
   // How many triangles there are in a rectangle of cells. `height_at(i, j)`: of samples.
   template <class HeightAt>
   [[nodiscard]] static std::uint64_t count_triangles(const RangePyramid::Rectangle& cells, Diagonal diagonal,
