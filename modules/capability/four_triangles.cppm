@@ -75,13 +75,14 @@ template <class Wanted>
 }
 
 // Triangles on their way to a visitor. Corners of triangles that are near each other lie far apart in memory: those of
-// some triangles are read at once, so that the memory is waited for once. visit(corners, number) gets those whose boxes
-// overlap `box`, which it may shrink, and which meet the condition.
-template <class CornersOf, class Wanted, class Visitor>
+// some triangles are read at once, so that the memory is waited for once: read_corners(number, corners) writes them where
+// they stay. visit(corners, number) gets those whose boxes overlap `box`, which it may shrink, and which meet the
+// condition.
+template <class ReadCorners, class Wanted, class Visitor>
 class WaitingTriangles {
  public:
-  WaitingTriangles(const Aabb& box, const CornersOf& corners_of, const Wanted& is_wanted, const Visitor& visit)
-      : box_(box), corners_of_(corners_of), is_wanted_(is_wanted), visit_(visit) {}
+  WaitingTriangles(const Aabb& box, const ReadCorners& read_corners, const Wanted& is_wanted, const Visitor& visit)
+      : box_(box), read_corners_(read_corners), is_wanted_(is_wanted), visit_(visit) {}
 
   inline void add(std::uint32_t number) {
     numbers_.push_back(number);
@@ -94,7 +95,7 @@ class WaitingTriangles {
     [[clang::uninitialized]] std::array<TriangleCorners, most_at_once> corners;
     const std::span<const std::uint32_t> numbers = numbers_.span();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      corners[i] = corners_of_(numbers[i]);
+      read_corners_(numbers[i], corners[i]);
     }
     for (std::size_t first = 0; first < numbers.size(); first += 4) {
       // The last one stands in for those that lack.
@@ -116,7 +117,7 @@ class WaitingTriangles {
   static constexpr std::size_t most_at_once = 32;
 
   const Aabb& box_;
-  const CornersOf& corners_of_;
+  const ReadCorners& read_corners_;
   const Wanted& is_wanted_;
   const Visitor& visit_;
   SmallVector<std::uint32_t, most_at_once> numbers_;
