@@ -18,12 +18,19 @@ struct FourTriangles {
   [[nodiscard]] [[gnu::always_inline]] inline TriangleCorners operator[](std::size_t lane) const {
     return {a[lane], b[lane], c[lane]};
   }
-  [[nodiscard]] static inline FourTriangles of(const std::array<TriangleCorners, 4>& t,
-                                               const std::array<std::uint32_t, 4>& numbers) {
+  [[nodiscard]] [[gnu::always_inline]] static inline FourTriangles of(const TriangleCorners& first,
+                                                                      const TriangleCorners& second,
+                                                                      const TriangleCorners& third,
+                                                                      const TriangleCorners& fourth,
+                                                                      const std::array<std::uint32_t, 4>& numbers) {
     const auto corner = [&](std::size_t i) {
-      return Columns::of(lanes_of(t[0][i]), lanes_of(t[1][i]), lanes_of(t[2][i]), lanes_of(t[3][i]));
+      return Columns::of(lanes_of(first[i]), lanes_of(second[i]), lanes_of(third[i]), lanes_of(fourth[i]));
     };
     return {corner(0), corner(1), corner(2), numbers};
+  }
+  [[nodiscard]] static inline FourTriangles of(const std::array<TriangleCorners, 4>& t,
+                                               const std::array<std::uint32_t, 4>& numbers) {
+    return of(t[0], t[1], t[2], t[3], numbers);
   }
   [[nodiscard]] static inline FourTriangles all(const TriangleCorners& corners) {
     return {Columns::all(corners[0]), Columns::all(corners[1]), Columns::all(corners[2]), {}};
@@ -68,13 +75,14 @@ template <class Wanted>
 }
 
 // Triangles on their way to a visitor. Corners of triangles that are near each other lie far apart in memory: those of
-// some triangles are read at once, so that the memory is waited for once. visit(corners, number) gets those whose boxes
-// overlap `box`, which it may shrink, and which meet the condition.
-template <class CornersOf, class Wanted, class Visitor>
+// some triangles are read at once, so that the memory is waited for once: read_corners(number, corners) writes them where
+// they stay. visit(corners, number) gets those whose boxes overlap `box`, which it may shrink, and which meet the
+// condition.
+template <class ReadCorners, class Wanted, class Visitor>
 class WaitingTriangles {
  public:
-  WaitingTriangles(const Aabb& box, const CornersOf& corners_of, const Wanted& is_wanted, const Visitor& visit)
-      : box_(box), corners_of_(corners_of), is_wanted_(is_wanted), visit_(visit) {}
+  WaitingTriangles(const Aabb& box, const ReadCorners& read_corners, const Wanted& is_wanted, const Visitor& visit)
+      : box_(box), read_corners_(read_corners), is_wanted_(is_wanted), visit_(visit) {}
 
   inline void add(std::uint32_t number) {
     numbers_.push_back(number);
@@ -87,12 +95,12 @@ class WaitingTriangles {
     [[clang::uninitialized]] std::array<TriangleCorners, most_at_once> corners;
     const std::span<const std::uint32_t> numbers = numbers_.span();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      corners[i] = corners_of_(numbers[i]);
+      read_corners_(numbers[i], corners[i]);
     }
     for (std::size_t first = 0; first < numbers.size(); first += 4) {
       // The last one stands in for those that lack.
       const auto at = [&](std::size_t lane) { return std::min(first + lane, numbers.size() - 1); };
-      const FourTriangles four = FourTriangles::of({corners[at(0)], corners[at(1)], corners[at(2)], corners[at(3)]},
+      const FourTriangles four = FourTriangles::of(corners[at(0)], corners[at(1)], corners[at(2)], corners[at(3)],
                                                    {numbers[at(0)], numbers[at(1)], numbers[at(2)], numbers[at(3)]});
       const std::size_t count = std::min<std::size_t>(4, numbers.size() - first);
       const std::uint64_t present = (std::uint64_t{1} << count) - 1;
@@ -109,7 +117,7 @@ class WaitingTriangles {
   static constexpr std::size_t most_at_once = 32;
 
   const Aabb& box_;
-  const CornersOf& corners_of_;
+  const ReadCorners& read_corners_;
   const Wanted& is_wanted_;
   const Visitor& visit_;
   SmallVector<std::uint32_t, most_at_once> numbers_;

@@ -81,14 +81,18 @@ class Box {
   // of the two other axes: 4 * axis + bits.
   [[nodiscard]] Face supporting_face(const Vec3& d) const {
     const int axis = longest_axis(d);
-    [[clang::uninitialized]] const Face side = side_of(axis, d[axis] >= 0);
+    const bool is_positive = d[axis] >= 0;
+    if (half_.x > 0 && half_.y > 0 && half_.z > 0) [[likely]] {
+      return side_of(axis, is_positive);  // a face is large: no copy is made of it
+    }
     const bool flat_first = half_[axis == 0   ? 1
                                   : axis == 1 ? 2
                                               : 0] == 0,
                flat_second = half_[axis == 0   ? 2
                                    : axis == 1 ? 0
                                                : 1] == 0;
-    return flat_first || flat_second ? without_area(side, flat_first, flat_second) : side;
+    return flat_first || flat_second ? without_area(side_of(axis, is_positive), flat_first, flat_second)
+                                     : side_of(axis, is_positive);
   }
   [[nodiscard]] inline Feature supporting_feature(const Vec3& d) const {
     if (half_.x > 0 && half_.y > 0 && half_.z > 0) [[likely]] {

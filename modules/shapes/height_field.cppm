@@ -73,6 +73,14 @@ class HeightField {
   void visit_parts(Aabb& box, Visitor&& visit) const {
     visit_parts(box, AcceptsAnyCorners{}, visit);
   }
+  // No fewer than the parts that visit_parts looks at.
+  [[nodiscard]] inline std::size_t most_parts_under(const Aabb& box) const {
+    if (!box.overlaps(data_->box)) {
+      return 0;
+    }
+    const RangePyramid::Rectangle cells = cells_under(box);
+    return 2 * std::size_t{cells.columns} * cells.rows;
+  }
   template <class Visitor>
   void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
     const Data& field = *data_;
@@ -240,7 +248,31 @@ class HeightField {
     const Data& field = *data_;
     const std::span<const Real> row = std::span(field.heights).subspan(std::size_t{j} * field.columns + i),
                                 next_row = row.subspan(field.columns);
-    FourCells cells{};
+    [[clang::uninitialized]] FourCells cells;
+    cells.y = j * field.spacing_y;
+    cells.next_y = (j + 1) * field.spacing_y;
+    cells.present = (std::uint64_t{1} << count) - 1;
+    if (field.columns - i > 4) [[likely]] {
+      // As many heights as that lie side by side: cells that were not asked for are not present.
+      const auto four_from = [](std::span<const Real> heights) {
+        const auto four = heights.first<4>();
+        return Lanes{four[0], four[1], four[2], four[3]};
+      };
+      const Lanes place = static_cast<Real>(i) + Lanes{0, 1, 2, 3};
+      cells.x = place * field.spacing_x;
+      cells.next_x = (place + 1) * field.spacing_x;
+      cells.a = four_from(row);
+      cells.b = four_from(row.subspan(1));
+      cells.c = four_from(next_row);
+      cells.d = four_from(next_row.subspan(1));
+      const LaneNumbers odd = (i + j) % 2 == 0 ? LaneNumbers{0, -1, 0, -1} : LaneNumbers{-1, 0, -1, 0};
+      cells.are_falling = field.diagonal == Diagonal::alternating ? odd
+                          : field.diagonal == Diagonal::falling   ? LaneNumbers(-1)
+                                                                  : LaneNumbers(0);
+      const std::uint32_t number = number_of(i, j, false);
+      cells.numbers = {number, number + 2, number + 4, number + 6};
+      return cells;
+    }
     for (std::uint32_t lane = 0; lane < 4; ++lane) {
       const std::uint32_t at = std::min(lane, count - 1);
       cells.x[lane] = (i + at) * field.spacing_x;
@@ -252,9 +284,6 @@ class HeightField {
       cells.are_falling[lane] = is_falling(field.diagonal, i + at, j) ? -1 : 0;
       cells.numbers[lane] = number_of(i + at, j, false);
     }
-    cells.y = j * field.spacing_y;
-    cells.next_y = (j + 1) * field.spacing_y;
-    cells.present = (std::uint64_t{1} << count) - 1;
     return cells;
   }
   [[nodiscard]] inline std::uint32_t number_of(std::uint32_t i, std::uint32_t j, bool is_upper) const {
@@ -270,6 +299,7 @@ class HeightField {
     const Sample a{i, j}, b{i + 1, j}, c{i, j + 1}, d{i + 1, j + 1};
     return is_upper ? std::array{falls ? b : a, d, c} : std::array{a, b, falls ? c : d};
   }
+  [[nodiscard]] std::array<std::optional<Sample>, 2> samples_across(const Sample& first, const Sample& second) const;
   // How many triangles there are in a rectangle of cells. `height_at(i, j)`: of samples.
   template <class HeightAt>
   [[nodiscard]] static std::uint64_t count_triangles(const RangePyramid::Rectangle& cells, Diagonal diagonal,

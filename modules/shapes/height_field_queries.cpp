@@ -7,30 +7,70 @@ import abut.trees.ray_slabs;
 
 namespace abut {
 
-// Of the triangles around a sample, or at the edge between two, those that are there.
+// Of the triangles around a sample, or at the edge between two, those that are there: no comparison with NaN holds.
 bool HeightField::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
   const Data& field = *data_;
   const std::uint32_t cell = index / 2;
   const auto own = samples_of(cell % (field.columns - 1), cell / (field.columns - 1), index % 2 != 0);
   const unsigned others = corners & (corners - 1);
   const Sample& first = own[static_cast<unsigned>(std::countr_zero(corners))];
-  const Sample& second = others != 0 ? own[static_cast<unsigned>(std::countr_zero(others))] : first;
   const Real highest = dot(direction, point(first.i, first.j)) + height;
+  const auto height_of = [&](const Sample& sample) { return dot(direction, point(sample.i, sample.j)); };
+  if (others != 0) {
+    const Sample& second = own[static_cast<unsigned>(std::countr_zero(others))];
+    const auto [one, other] = samples_across(first, second);
+    return !(height_of(second) > highest) && !(one && height_of(*one) > highest) &&
+           !(other && height_of(*other) > highest);
+  }
   for (std::uint32_t j = first.j > 0 ? first.j - 1 : 0; j <= first.j && j < field.rows - 1; ++j) {
     for (std::uint32_t i = first.i > 0 ? first.i - 1 : 0; i <= first.i && i < field.columns - 1; ++i) {
-      for (const bool is_upper : {false, true}) {
-        const auto samples = samples_of(i, j, is_upper);
-        if (std::ranges::find(samples, first) == samples.end() || std::ranges::find(samples, second) == samples.end()) {
-          continue;
-        }
-        const TriangleCorners around = cell_of(i, j).triangle(is_upper);
-        if (is_there(around) && -least_along(around, -direction) > highest) {
+      // The other corners of the cell, from the one across on.
+      const Sample across{2 * i + 1 - first.i, 2 * j + 1 - first.j};
+      const Real beside = height_of({across.i, first.j}), above = height_of({first.i, across.j});
+      const bool is_on_diagonal = is_falling(field.diagonal, i, j) != ((first.i == i) == (first.j == j));
+      if (!is_on_diagonal) {
+        if ((beside > highest || above > highest) && !std::isnan(beside + above)) {
           return false;
         }
+        continue;
+      }
+      const Real far = height_of(across);
+      const bool is_far_above = far > highest;
+      if (((beside > highest || is_far_above) && !std::isnan(beside + far)) ||
+          ((above > highest || is_far_above) && !std::isnan(above + far))) {
+        return false;
       }
     }
   }
   return true;
+}
+
+// The third corners of the two triangles at an edge, where there are cells.
+std::array<std::optional<HeightField::Sample>, 2> HeightField::samples_across(const Sample& first,
+                                                                              const Sample& second) const {
+  const Data& field = *data_;
+  const std::uint32_t i = std::min(first.i, second.i), j = std::min(first.j, second.j);
+  if (first.i != second.i && first.j != second.j) {
+    // A diagonal: the other two corners of its cell.
+    return {Sample{first.i, second.j}, Sample{second.i, first.j}};
+  }
+  std::array<std::optional<Sample>, 2> across;
+  if (first.j == second.j) {
+    if (j < field.rows - 1) {
+      across[0] = Sample{is_falling(field.diagonal, i, j) ? i : i + 1, j + 1};
+    }
+    if (j > 0) {
+      across[1] = Sample{is_falling(field.diagonal, i, j - 1) ? i + 1 : i, j - 1};
+    }
+  } else {
+    if (i < field.columns - 1) {
+      across[0] = Sample{i + 1, is_falling(field.diagonal, i, j) ? j : j + 1};
+    }
+    if (i > 0) {
+      across[1] = Sample{i - 1, is_falling(field.diagonal, i - 1, j) ? j + 1 : j};
+    }
+  }
+  return across;
 }
 
 // The one of the cell below or above the point, or the nearest one that is there.

@@ -44,7 +44,7 @@ class Mesh {
   [[nodiscard]] inline bool is_one_sided(std::uint32_t index) const {
     return data_->sides == Sides::front || (data_->sides == Sides::solid && !inside().turns(index));
   }
-  [[nodiscard]] inline TriangleCorners corners(std::uint32_t index) const {
+  [[nodiscard]] [[gnu::always_inline]] inline TriangleCorners corners(std::uint32_t index) const {
     const Data& mesh = *data_;
     const std::size_t first = 3 * std::size_t{index};
     return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]],
@@ -71,11 +71,16 @@ class Mesh {
   template <class Wanted, class Visitor, class Find>
   void visit_found(const Aabb& box, const Wanted& is_wanted, Visitor&& visit, const Find& find) const {
     const Data& mesh = *data_;
-    const auto corners_of = [&](std::uint32_t index) { return corners(index); };
+    const auto read_corners = [&](std::uint32_t index, TriangleCorners& out) {
+      const auto its = std::span(mesh.indices).subspan(3 * std::size_t{index}).template first<3>();
+      out[0] = mesh.vertices[its[0]];
+      out[1] = mesh.vertices[its[1]];
+      out[2] = mesh.vertices[its[2]];
+    };
     const auto visit_part = [&](const TriangleCorners& of_part, std::uint32_t index) {
       visit(Triangle(of_part, index, is_one_sided(index)), index);
     };
-    [[clang::uninitialized]] WaitingTriangles waiting(box, corners_of, is_wanted, visit_part);
+    [[clang::uninitialized]] WaitingTriangles waiting(box, read_corners, is_wanted, visit_part);
     find([&](std::uint32_t index) {
       __builtin_prefetch(&mesh.indices[3 * std::size_t{index}]);
       waiting.add(index);

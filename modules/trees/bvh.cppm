@@ -38,7 +38,8 @@ class Bvh {
     [[clang::uninitialized]] std::array<std::uint32_t, most_waiting> waiting;
     std::size_t count = 0;
     std::uint32_t at = 0;
-    BoxSides limits = limits_of(compact(query, origin_));
+    Aabb box = query;
+    EightBoxes::WideLimits limits = EightBoxes::widened(limits_of(compact(box, origin_)));
     for (;;) {
       const EightBoxes& node = nodes_[at];
       bool is_visited = false;
@@ -55,7 +56,10 @@ class Bvh {
       if (count == 0) {
         return;
       }
-      limits = is_visited ? limits_of(compact(query, origin_)) : limits;
+      if (is_visited && !are_equal(box, query)) [[unlikely]] {
+        box = query;
+        limits = EightBoxes::widened(limits_of(compact(box, origin_)));
+      }
       at = waiting[--count];
     }
   }
@@ -154,6 +158,7 @@ class Bvh {
   static constexpr std::size_t most_levels = 72, most_waiting = most_levels * (EightBoxes::width - 1) + 1;
 
   static constexpr std::uint32_t nobody = EightBoxes::nobody;
+  [[nodiscard]] static inline bool are_equal(const Aabb& a, const Aabb& b) { return a.low == b.low && a.high == b.high; }
   static inline void fetch(const EightBoxes& node) {
     __builtin_prefetch(&node.sides[0]);
     __builtin_prefetch(&node.sides[2]);

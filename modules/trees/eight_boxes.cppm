@@ -83,6 +83,17 @@ struct alignas(32) EightBoxes {
     }
     return ~mask_of(beyond) & 0xffu;
   }
+  // The same with limits that are the same in all lanes, for one box that is compared with many.
+  using WideLimits = std::array<Floats, 6>;
+  [[nodiscard]] static inline WideLimits widened(const BoxSides& limits) {
+    return {Floats(limits[0]), Floats(limits[1]), Floats(limits[2]),
+            Floats(limits[3]), Floats(limits[4]), Floats(limits[5])};
+  }
+  [[nodiscard]] [[gnu::always_inline]] inline std::uint32_t overlapping(const WideLimits& limits) const {
+    const Numbers beyond = (side(0) > limits[0]) | (side(1) > limits[1]) | (side(2) > limits[2]) |
+                           (side(3) > limits[3]) | (side(4) > limits[4]) | (side(5) > limits[5]);
+    return ~mask_of(beyond) & 0xffu;
+  }
   // The way at which each is met, as a CompactSweep or BoxHeights says it.
   template <class Order>
   [[nodiscard]] [[gnu::always_inline]] inline auto entries(const Order& order, typename Order::Way most) const {

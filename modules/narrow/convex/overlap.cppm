@@ -45,16 +45,35 @@ template <Convex A, Convex B>
   }
   return core;
 }
+// The same of the best axis, still without points and with edges of any direction.
+[[nodiscard]] inline CoreSeparation separation_of(const SatResult& found, Real size) {
+  CoreSeparation core{};
+  core.rounding = rounding_of(size);
+  core.overlap = true;
+  core.algorithm = Algorithm::sat;
+  core.normal = found.normal;
+  core.features = found.features;
+  core.distance = core.lower = core.upper = found.separation;
+  core.points_open = true;
+  core.iterations = found.axes;
+  return core;
+}
+// Adds what it lacks.
+template <Convex A, Convex B>
+void complete(const A& a, const B& b, const Pose& ab, Real size, CoreSeparation& core) {
+  if constexpr (are_numbered<A, B>) {
+    direct_edges(a, b, ab, core.normal, core.features);
+  }
+  const CoreSeparation along = separation_along(a, b, ab, core.normal, core.features, size);
+  core.point_a = along.point_a;
+  core.point_b = along.point_b;
+  core.points_open = along.points_open;
+}
 template <Convex A, Convex B>
 [[nodiscard]] CoreSeparation separation_along(const A& a, const B& b, const Pose& ab, const SatResult& found,
                                               Real size) {
-  CoreFeatures features = found.features;
-  if constexpr (are_numbered<A, B>) {
-    direct_edges(a, b, ab, found.normal, features);
-  }
-  CoreSeparation core = separation_along(a, b, ab, found.normal, features, size);
-  core.iterations = found.axes;
-  core.distance = core.lower = core.upper = found.separation;
+  CoreSeparation core = separation_of(found, size);
+  complete(a, b, ab, size, core);
   return core;
 }
 

@@ -114,10 +114,10 @@ template <class B>
 }
 
 // The axes across edges of both, where they beat the faces by more than `noise`. False where edges are so nearly
-// parallel that the axis across them is rounding.
+// parallel that the axis across them is rounding. `enough`: as triangle_sat has it.
 template <class B>
 [[nodiscard]] [[gnu::always_inline]] inline bool take_edges(const Triangle& triangle, const PlacedBeside<B>& b,
-                                                            Real noise, SatResult& best) {
+                                                            Real noise, Real enough, SatResult& best) {
   constexpr Real least_square = 1e-280;
   const Columns edges_b = b.edges();
   const Lanes squares_b = dot(edges_b, edges_b);
@@ -125,7 +125,7 @@ template <class B>
   Real most = best.separation + noise;
   std::size_t edge_a = 0, edge_b = 0;
   bool is_found = false, is_opposite = false;
-  for (std::size_t i = 0; i < edges_a.size(); ++i) {
+  for (std::size_t i = 0; i < edges_a.size() && !(is_found && most > enough); ++i) {
     const Columns axes = cross(Columns::all(edges_a[i]), edges_b);
     const Lanes square = dot(axes, axes), whole = squared_norm(edges_a[i]) * squares_b;
     const LaneNumbers is_across = (square > slender_square * whole) & (square > all_lanes(least_square));
@@ -154,14 +154,19 @@ template <class B>
   return true;
 }
 
-// As sat does for any cores with few faces. Nothing where rounding leaves the axes in doubt.
+// As sat does for any cores with few faces. Nothing where rounding leaves the axes in doubt. `enough`: an axis that
+// parts both by more ends the search.
 template <class A, class B>
   requires has_triangle_sat<A, B>
-[[nodiscard]] inline std::optional<SatResult> triangle_sat(const A& a, const B& b, const Pose& ab, Real noise) {
+[[nodiscard]] inline std::optional<SatResult> triangle_sat(const A& a, const B& b, const Pose& ab, Real noise,
+                                                           Real enough = infinity) {
   const PlacedBeside<B> placed(b, ab);
   SatResult best{-infinity, {0, 0, 0}, 0, {}};
   take_faces(a, placed, best);
-  return take_edges(a, placed, noise, best) && best.separation > -infinity ? std::optional(best) : std::nullopt;
+  if (best.separation > enough) {
+    return best;
+  }
+  return take_edges(a, placed, noise, enough, best) && best.separation > -infinity ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace abut

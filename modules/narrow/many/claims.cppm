@@ -6,6 +6,7 @@ export module abut.narrow.many.claims;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
 
 export namespace abut {
 
@@ -39,6 +40,18 @@ class Claims {
         ++count_;
       }
     }
+    for (std::size_t i = 0; i < (count_ + 3) / 4 * 4; ++i) {
+      Four& four = fours_[i / 4];
+      const bool counts = i < count_;
+      const Claim none{{0, 0, 0}, infinity, 0, true};  // claims more than any other
+      const Claim& claim = counts ? claims[i] : none;
+      four.x[i % 4] = claim.normal.x;
+      four.y[i % 4] = claim.normal.y;
+      four.z[i % 4] = claim.normal.z;
+      four.depth[i % 4] = claim.depth;
+      four.lowest[i % 4] = claim.lowest;
+      four.judged_above[i % 4] = claim.is_turned ? claim.depth : -infinity;
+    }
   }
 
   // Of the claims that count.
@@ -51,23 +64,26 @@ class Claims {
   }
 
   // The depth along a normal that a triangle may claim. Its contacts there are as deep as `depth`.
-  // `overlap_along` tells how far b has to move along a direction to be parted from the triangle, from where b begins
-  // along it.
-  template <class OverlapAlong>
+  // `overlaps_along` tells how far b has to move along four directions to be parted from the triangle, from where b
+  // begins along each.
+  template <class OverlapsAlong>
   [[nodiscard]] Real allowed_depth(const Vec3& normal, Real depth, Real noise,
-                                   const OverlapAlong& overlap_along) const {
+                                   const OverlapsAlong& overlaps_along) const {
     const Real blur = claim_blur * depth + noise;
-    Real allowed = infinity;
-    for (const Claim& claim : claims_.span().first(count_)) {
-      const Real share = claim.depth * dot(claim.normal, normal) + blur;
+    Lanes allowed = all_lanes(infinity);
+    for (std::size_t first = 0; first < count_; first += 4) {
+      const Four& four = fours_[first / 4];
+      const Columns normals{four.x, four.y, four.z};
+      const Lanes shares = four.depth * dot(normals, Columns::all(normal)) + blur;
       // Where both are turned, the less deep one is right.
-      const bool may_judge = !claim.is_turned || claim.depth < depth - blur;
-      if (may_judge && share < std::min(depth, allowed) &&
-          overlap_along(claim.normal, claim.lowest) <= claim.depth + noise) {
-        allowed = share;
+      const LaneNumbers may_judge =
+          (four.judged_above < all_lanes(depth - blur)) & (shares < minimum(all_lanes(depth), allowed));
+      if (bits_of(may_judge) != 0) {
+        const LaneNumbers do_part = overlaps_along(normals, four.lowest) <= four.depth + noise;
+        allowed = may_judge & do_part ? shares : allowed;
       }
     }
-    return allowed;
+    return -largest(-allowed);
   }
 
  private:
@@ -78,8 +94,14 @@ class Claims {
     bool is_turned;
   };
   static constexpr std::size_t most_claims = 16;
+  // Claims that count, one per lane.
+  struct Four {
+    Lanes x, y, z, depth, lowest;
+    Lanes judged_above;  // the depth that contacts exceed which the claim may judge
+  };
 
-  SmallVector<Claim, 32> claims_;
+  SmallVector<Claim, 64> claims_;
+  std::array<Four, most_claims / 4> fours_;
   std::size_t count_ = 0;  // of those that count, which come first
 };
 

@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
 import abut.narrow.many.triangle_contacts;
 
 export namespace abut {
@@ -41,6 +42,18 @@ class PartMet {
     }
     return -least_along(corners_, -direction) - lowest;
   }
+  // The same for four directions at once. `lowest`: where b begins, or a point of b that tells no more than that.
+  [[nodiscard]] Lanes overlaps_along(const Columns& directions, Lanes lowest) const {
+    const auto along = [&](const TriangleCorners& corners, const auto& better) {
+      const auto at = [&](std::size_t i) { return dot(directions, Columns::all(corners[i])); };
+      return better(better(at(0), at(1)), at(2));
+    };
+    if constexpr (std::same_as<B, Triangle>) {
+      lowest = along(placed_.of, [](Lanes p, Lanes q) { return minimum(p, q); });
+    }
+    const Lanes highest = along(corners_, [](Lanes p, Lanes q) { return maximum(p, q); });
+    return fronts_.nearly_allow(directions) ? highest - lowest : all_lanes(infinity);
+  }
 
  private:
   TriangleCorners corners_;
@@ -71,8 +84,8 @@ class PartsMet {
     }
   }
 
-  [[nodiscard]] Real overlap_along(std::size_t part, const Vec3& direction, Real lowest) const {
-    return parts_[part].overlap_along(direction, lowest);
+  [[nodiscard]] Lanes overlaps_along(std::size_t part, const Columns& directions, Lanes lowest) const {
+    return parts_[part].overlaps_along(directions, lowest);
   }
 
   // How far b has to move, along the best of the ways and of the mean of `normals`; not more than `most`, by which the
@@ -85,20 +98,25 @@ class PartsMet {
     std::array<std::size_t, 4> blocking;
     blocking.fill(deepest);
     const auto consider = [&](const Vec3& direction) {
-      if constexpr (!std::same_as<B, Triangle>) {
-        const PartMet<B>& first = parts_[blocking[0]];
-        if (first.gap() <= 0 && first.overlap_along(direction, dot(direction, inner)) >= least) {
-          return;
-        }
-      }
       least = std::min(least, overlap_of_all(direction, lowest_along(direction), least, blocking));
     };
     // Over a crest the way between the faces is shorter than out of any one of them.
     if (const auto between = UnitVec3::make(normals)) {
       consider(*between);
     }
-    for (const Vec3& way : ways_.span()) {
-      consider(way);
+    const std::span<const Vec3> ways = ways_.span();
+    for (std::size_t first = 0; first < ways.size(); first += 4) {
+      const auto way = [&](std::size_t lane) { return lanes_of(ways[std::min(first + lane, ways.size() - 1)]); };
+      const PartMet<B>& part = parts_[blocking[0]];
+      const std::size_t count = std::min<std::size_t>(ways.size() - first, 4);
+      std::uint64_t open = (std::uint64_t{1} << count) - 1;
+      if (part.gap() <= 0) {
+        const Columns four = Columns::of(way(0), way(1), way(2), way(3));
+        open &= bits_of(part.overlaps_along(four, dot(four, Columns::all(inner))) < all_lanes(least));
+      }
+      for (; open != 0; open &= open - 1) {
+        consider(ways[first + static_cast<std::size_t>(std::countr_zero(open))]);
+      }
     }
     return least;
   }
@@ -145,8 +163,8 @@ class PartsMet {
     return depth;
   }
 
-  SmallVector<PartMet<B>, 32> parts_;
-  SmallVector<Vec3, 128> ways_;
+  SmallVector<PartMet<B>, 64> parts_;
+  SmallVector<Vec3, 192> ways_;
 };
 
 }  // namespace abut

@@ -23,11 +23,17 @@ class PointGhosts {
   [[nodiscard]] std::uint64_t without(const FourTriangles& triangles, const FourNearest& nearest, std::uint64_t some) {
     // No less than the size of the cores that a contact asks with: what is a ghost here is one there.
     const Lanes size = 8 * maximum(triangles.size(), all_lanes(size_)), noise = noise_of(size);
-    for (std::uint64_t left = some & beside(triangles, nearest, size); left != 0; left &= left - 1) {
+    std::uint64_t left = some & beside(triangles, nearest, size);
+    if (left == 0) {
+      return some;
+    }
+    const Columns directions = (1 / __builtin_elementwise_sqrt(nearest.square)) * nearest.between;
+    const std::array<std::uint64_t, 3> outermost = outermost_corners(triangles, directions, noise);
+    for (; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      const Vec3 direction = (1 / std::sqrt(nearest.square[lane])) * nearest.between[lane];
-      const unsigned corners = outermost_corners(triangles[lane], direction, noise[lane]);
-      if (corners != 7 && !a_.is_crest(triangles.numbers[lane], corners, direction, noise[lane])) {
+      const auto has = [&](std::size_t corner) { return static_cast<unsigned>(outermost[corner] >> lane & 1u) << corner; };
+      const unsigned corners = has(0) | has(1) | has(2);
+      if (corners != 7 && !a_.is_crest(triangles.numbers[lane], corners, directions[lane], noise[lane])) {
         passed_over_.push_back(triangles.numbers[lane]);
         some &= ~(std::uint64_t{1} << lane);
       }

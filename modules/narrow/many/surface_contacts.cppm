@@ -8,6 +8,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
 import abut.narrow.convex;
 import abut.narrow.many.claims;
 import abut.narrow.many.parts_met;
@@ -38,7 +39,8 @@ class SurfaceContacts {
   // `part_of_b`: the number of b where it is a part itself.
   void add(const Triangle& triangle, const B& b, std::uint32_t part_of_b) {
     const Real radii = b.radius();
-    const CoreSeparation core = separate_from_triangle(triangle, b, ab_, settings_, settings_.margin + radii);
+    const TriangleSeparation found = begin_separation(triangle, b, ab_, settings_, settings_.margin + radii);
+    const CoreSeparation& core = found.core;
     if (core.beyond || core.distance - radii > settings_.margin) {
       return;
     }
@@ -57,13 +59,13 @@ class SurfaceContacts {
     }
     if constexpr (PointCored<B>) {
       if (!core.overlap) {
-        add_point(triangle, b, part_of_b, core, is_allowed, turns_a);
+        add_point(triangle, b, part_of_b, found, is_allowed, turns_a);
         return;
       }
     }
     const std::size_t first = out_.size(), part = met_.add(triangle, b, ab_, fronts, core.distance - radii);
     if (!turns_a && !turns_b) {
-      append(triangle, b, part_of_b, core, true);
+      append(triangle, b, part_of_b, completed(triangle, b, ab_, found), true);
       turns_a = !leads_out_of_a(triangle, first, noise);
       if constexpr (Surface<Other>) {
         turns_b = !turns_a && !leads_out_of_b(b, first, noise);
@@ -75,7 +77,7 @@ class SurfaceContacts {
       out_.resize(first);
     }
     if (is_allowed) {
-      leave(triangle, part_of_b, core);
+      leave(triangle, part_of_b, found);
     }
     if (const auto turned = turn(triangle, b, core, fronts, turns_a, turns_b)) {
       // The closest points may lie beside the face: the foot of the lowest point of the other side.
@@ -116,7 +118,7 @@ class SurfaceContacts {
   struct Left {
     std::uint32_t part_of_a, part_of_b;
     Vec3 normal;  // of part a
-    CoreSeparation core;
+    TriangleSeparation found;
   };
 
   [[nodiscard]] decltype(auto) part_of_other(std::uint32_t index) const {
@@ -151,8 +153,9 @@ class SurfaceContacts {
 
   // A point beside a face is nearer to a neighbour, which tells its contact. Over the face the nearest point has the
   // normal of the face, but for rounding.
-  void add_point(const Triangle& triangle, const B& b, std::uint32_t part_of_b, const CoreSeparation& core,
+  void add_point(const Triangle& triangle, const B& b, std::uint32_t part_of_b, const TriangleSeparation& found,
                  bool is_allowed, bool turns) {
+    const CoreSeparation& core = found.core;
     if (!turns) {
       const std::size_t first = out_.size();
       append(triangle, b, part_of_b, core, true);
@@ -162,7 +165,7 @@ class SurfaceContacts {
       out_.resize(first);
     }
     if (is_allowed) {
-      leave(triangle, part_of_b, core);
+      leave(triangle, part_of_b, found);
     }
     const Vec3& normal = triangle.normal();
     const bool is_in_front = triangle.is_one_sided() || dot(normal, core.normal) >= 0;
@@ -173,13 +176,13 @@ class SurfaceContacts {
   }
 
   // Where two are equally deep, the order in which they came has no say.
-  void leave(const Triangle& triangle, std::uint32_t part_of_b, const CoreSeparation& core) {
+  void leave(const Triangle& triangle, std::uint32_t part_of_b, const TriangleSeparation& found) {
     const auto key = [](Real distance, const Vec3& n, std::uint32_t part) {
       return std::tuple(distance, n.x, n.y, n.z, part);
     };
-    if (!left_ ||
-        key(core.distance, triangle.normal(), part_of_b) < key(left_->core.distance, left_->normal, left_->part_of_b)) {
-      left_ = Left{triangle.index(), part_of_b, triangle.normal(), core};
+    if (!left_ || key(found.core.distance, triangle.normal(), part_of_b) <
+                      key(left_->found.core.distance, left_->normal, left_->part_of_b)) {
+      left_ = Left{triangle.index(), part_of_b, triangle.normal(), found};
     }
   }
 
@@ -309,7 +312,7 @@ class SurfaceContacts {
       const Vec3 normal = out_[group.first].normal;
       const Real claimed = claims_.allowed_depth(
           normal, group.depth, group.noise,
-          [&](const Vec3& direction, Real lowest) { return met_.overlap_along(group.part, direction, lowest); });
+          [&](const Columns& directions, Lanes lowest) { return met_.overlaps_along(group.part, directions, lowest); });
       const Real allowed = std::min(claimed, (1 + claim_blur) * whole + group.noise);
       if (allowed < group.depth) {
         keep(group.first, infinity);
@@ -366,7 +369,7 @@ class SurfaceContacts {
     const Triangle triangle = a_.part(left_->part_of_a);
     const auto& b = part_of_other(left_->part_of_b);
     const std::size_t first = out_.size();
-    append(triangle, b, left_->part_of_b, left_->core, true);
+    append(triangle, b, left_->part_of_b, completed(triangle, b, ab_, left_->found), true);
     const auto found = std::span(out_).subspan(first);
     if (!found.empty()) {
       ContactPoint deepest = *std::ranges::min_element(found, {}, &ContactPoint::distance);

@@ -6,6 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
 import abut.narrow.apart.box_cores;
 import abut.narrow.convex;
 import abut.narrow.many.triangle_point;
@@ -53,14 +54,21 @@ template <Convex B>
   return true;
 }
 
+// A separation that may lack its points so far: contacts under the normal of a face have points of their own.
+struct TriangleSeparation {
+  CoreSeparation core;
+  bool lacks_points;
+};
+
 // The separation without a search for closest points, where that is quick: of points, and of polytopes where only an
 // overlap counts.
 template <Convex B>
 [[nodiscard]] bool separate_at_once(const Triangle& triangle, const B& b, const Pose& ab, const QuerySettings& settings,
-                                    Real limit, CoreSeparation& core) {
+                                    Real limit, TriangleSeparation& found) {
   if (!takes_closed_forms(settings.algorithm)) {
     return false;
   }
+  CoreSeparation& core = found.core;
   const Real size = core_size(triangle, b, ab);
   if constexpr (PointCored<B>) {
     if (separate_from_point(triangle, b, ab, size, error_of(triangle, b, size, settings), core)) {
@@ -72,6 +80,13 @@ template <Convex B>
     const auto is_separated = [&] {
       if constexpr (Faceted<B>) {
         return separate_by_hull_sat(triangle, b, ab, size, core, noise);
+      } else if constexpr (has_triangle_sat<Triangle, B>) {
+        if (const auto best = triangle_sat(triangle, b, ab, noise, noise)) {
+          core = separation_of(*best, size);
+          found.lacks_points = true;
+          return true;
+        }
+        return separate_by_axes(triangle, b, ab, size, core);
       } else {
         return separate_by_axes(triangle, b, ab, size, core);
       }
@@ -85,24 +100,42 @@ template <Convex B>
   return false;
 }
 
+template <Convex B>
+[[nodiscard]] TriangleSeparation begin_separation(const Triangle& triangle, const B& b, const Pose& ab,
+                                                  const QuerySettings& settings, Real limit) {
+  TriangleSeparation found{};
+  if (!separate_at_once(triangle, b, ab, settings, limit, found)) {
+    found = {separate_cores(triangle, b, ab, settings, limit), false};
+  }
+  return found;
+}
+
 // The separation of a triangle and a core. Axes that nearly agree may leave points that are not on the
 // triangle, or not across each other. Such points stay open: the outermost features under the normal tell better ones.
 template <Convex B>
-[[nodiscard]] CoreSeparation separate_from_triangle(const Triangle& triangle, const B& b, const Pose& ab,
-                                                    const QuerySettings& settings, Real limit) {
-  CoreSeparation core{};
-  if (!separate_at_once(triangle, b, ab, settings, limit, core)) {
-    core = separate_cores(triangle, b, ab, settings, limit);
-  }
+[[nodiscard]] CoreSeparation completed(const Triangle& triangle, const B& b, const Pose& ab,
+                                       const TriangleSeparation& found) {
+  CoreSeparation core = found.core;
   // Curved surfaces have no features that would tell better ones than the search did.
-  if (core.overlap && !core.points_open && !Curved<B>) {
-    const Real noise = noise_of(core_size(triangle, b, ab));
+  if (!core.overlap || Curved<B>) {
+    return core;
+  }
+  const Real size = core_size(triangle, b, ab), noise = noise_of(size);
+  if (found.lacks_points) {
+    complete(triangle, b, ab, size, core);
+  }
+  if (!core.points_open) {
     const Vec3 aside = core.point_b - core.point_a - core.distance * core.normal;
     core.points_open = largest_magnitude(aside) > noise ||
                        !triangle.box().inflated(noise).overlaps({core.point_a, core.point_a}) ||
                        (triangle.has_area() && !is_over(triangle, core.point_a));
   }
   return core;
+}
+template <Convex B>
+[[nodiscard]] CoreSeparation separate_from_triangle(const Triangle& triangle, const B& b, const Pose& ab,
+                                                    const QuerySettings& settings, Real limit) {
+  return completed(triangle, b, ab, begin_separation(triangle, b, ab, settings, limit));
 }
 
 // Which ways a pair may be parted: the front of either side, where that side is a one-sided triangle.
@@ -120,6 +153,11 @@ class Fronts {
   // For normals that are those of the sides, within rounding.
   [[nodiscard]] bool nearly_allows(const Vec3& normal) const {
     return dot(normal, a_) >= -1e-12 && dot(normal, b_) >= -1e-12;
+  }
+  // The same for four at once.
+  [[nodiscard]] LaneNumbers nearly_allow(const Columns& normals) const {
+    const Lanes least = all_lanes(-1e-12);
+    return (dot(normals, Columns::all(a_)) >= least) & (dot(normals, Columns::all(b_)) >= least);
   }
 
  private:

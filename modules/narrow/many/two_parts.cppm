@@ -55,4 +55,23 @@ void visit_two_parts(const A& a, const B& b, const Pose& ab, Real reach, Visitor
   visit_two(a, b, GapOrder(a.origin(), b.origin(), ab), reach + noise, visit_items, wants);
 }
 
+// The same where b has few parts under a: each of these asks the tree of a, which answers for four parts at once. False,
+// with nothing visited, where b has many. In no order.
+template <Surface A, Terrain B, class Visitor>
+[[nodiscard]] bool visit_parts_on(const A& a, const B& b, const Pose& ab, Real reach, Visitor&& visit) {
+  constexpr std::size_t few = 2048;
+  const Real noise = noise_of_two(a, b, ab), around = reach + noise;
+  Aabb under_a = a.aabb(ab.inverse()).inflated(around);
+  if (b.most_parts_under(under_a) > few) {
+    return false;
+  }
+  b.visit_parts(under_a, [&](const Triangle& other, std::uint32_t) {
+    const QuickAxes<Triangle> axes(other, ab);
+    Aabb near_other = other.aabb(ab).inflated(around);
+    a.visit_parts(near_other, InFours{[&](const FourTriangles& triangles) { return axes.near(triangles, reach); }},
+                  [&](const Triangle& part, std::uint32_t) { visit(part, other); });
+  });
+  return true;
+}
+
 }  // namespace abut

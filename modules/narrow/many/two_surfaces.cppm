@@ -38,10 +38,18 @@ template <Surface A, Surface B>
   }
   const std::size_t first = out.size();
   SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
-  visit_two_parts(a, b, ab, std::max(settings.margin, Real{0}), [&](const Triangle& part, const Triangle& other) {
+  const Real reach = std::max(settings.margin, Real{0});
+  const auto add = [&](const Triangle& part, const Triangle& other) {
     contacts.add(part, other, other.index());
-    return std::max(settings.margin, Real{0});
-  });
+    return reach;
+  };
+  bool are_visited = false;
+  if constexpr (Terrain<B> && !Terrain<A>) {
+    are_visited = visit_parts_on(a, b, ab, reach, add);
+  }
+  if (!are_visited) {
+    visit_two_parts(a, b, ab, reach, add);
+  }
   contacts.finish();
   settle_depth(depth_of_solids(a, b, ab, settings), first, settings.margin, out);
   return Outcome::ok;

@@ -5,6 +5,7 @@ export module abut.narrow.many.way_out;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.four_vec3;
 import abut.narrow.many.continuation;
 
 export namespace abut {
@@ -15,6 +16,14 @@ export namespace abut {
   const Real b = dot(direction, corners[1] - corners[0]), c = dot(direction, corners[2] - corners[0]);
   const Real outermost = std::max(std::max(b, c), Real{0}) - noise;
   return (0 >= outermost ? 1u : 0u) | (b >= outermost ? 2u : 0u) | (c >= outermost ? 4u : 0u);
+}
+
+// The same of four triangles, along a direction each: a bit for each of them, corner by corner.
+[[nodiscard]] [[gnu::always_inline]] inline std::array<std::uint64_t, 3> outermost_corners(
+    const FourTriangles& triangles, const Columns& directions, Lanes noise) {
+  const Lanes b = dot(directions, triangles.b - triangles.a), c = dot(directions, triangles.c - triangles.a),
+              outermost = maximum(maximum(b, c), all_lanes(0)) - noise;
+  return {bits_of(all_lanes(0) >= outermost), bits_of(b >= outermost), bits_of(c >= outermost)};
 }
 
 // Whether a direction is the normal of a face or its opposite, within rounding.
