@@ -20,8 +20,8 @@ namespace {
 constexpr abut_geometry_flags on_way = ABUT_GEOMETRY_FAST | ABUT_GEOMETRY_SPECULATIVE;
 
 abut_status check_flags(const Where& where, abut_geometry_flags flags) {
-  const abut_status status =
-      check_bits(where, ".flags", flags, ABUT_GEOMETRY_SENSOR | ABUT_GEOMETRY_SELF_PAIRS | on_way);
+  const abut_status status = check_bits(
+      where, ".flags", flags, ABUT_GEOMETRY_SENSOR | ABUT_GEOMETRY_SELF_PAIRS | on_way | ABUT_GEOMETRY_KEEPS_SIDE);
   if (status != ABUT_OK || (flags & on_way) == 0) {
     return status;
   }
@@ -63,7 +63,8 @@ GeometryOptions to_options(const abut_geometry_options& options) {
           options.tag,
           options.material,
           (options.flags & ABUT_GEOMETRY_SELF_PAIRS) != 0,
-          sweeping_of(options.flags)};
+          sweeping_of(options.flags),
+          (options.flags & ABUT_GEOMETRY_KEEPS_SIDE) != 0};
 }
 
 abut_status check_self_pairs(const GeometryOptions& options, const ShapeHandle& shape) {

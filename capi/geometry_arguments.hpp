@@ -25,7 +25,8 @@ namespace abut::capi {
   return (options.is_sensor ? std::uint32_t{ABUT_GEOMETRY_SENSOR} : 0) |
          (options.has_self_pairs ? std::uint32_t{ABUT_GEOMETRY_SELF_PAIRS} : 0) |
          (options.sweeping == Sweeping::impacts ? std::uint32_t{ABUT_GEOMETRY_FAST} : 0) |
-         (options.sweeping == Sweeping::speculative ? std::uint32_t{ABUT_GEOMETRY_SPECULATIVE} : 0);
+         (options.sweeping == Sweeping::speculative ? std::uint32_t{ABUT_GEOMETRY_SPECULATIVE} : 0) |
+         (options.keeps_side ? std::uint32_t{ABUT_GEOMETRY_KEEPS_SIDE} : 0);
 }
 
 [[nodiscard]] abut_status check_shapes(std::span<const abut_shape* const> shapes);

@@ -523,7 +523,8 @@ enum abut_geometry_flags_value {
   ABUT_GEOMETRY_SENSOR = 1,
   ABUT_GEOMETRY_SELF_PAIRS = 2,
   ABUT_GEOMETRY_FAST = 4,
-  ABUT_GEOMETRY_SPECULATIVE = 8
+  ABUT_GEOMETRY_SPECULATIVE = 8,
+  ABUT_GEOMETRY_KEEPS_SIDE = 16
 };
 typedef struct abut_geometry_options {
   uint32_t struct_size;

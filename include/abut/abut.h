@@ -699,7 +699,9 @@ typedef struct abut_query_options {
   double margin;            /**< contacts are reported up to this distance; default 0; may be negative */
   /** How many contacts a patch keeps: exactly the deepest, and those that span the largest area with it. Contacts whose
    * normals agree (cosine at least 0.98) form a patch, of each pair of children by itself. Two convex shapes mostly
-   * have one patch. A surface has one for every way that it faces. 0 keeps all; default 4. */
+   * have one patch. A surface has one for every way that it faces, and for every region of it: the feet of a table that
+   * is a mesh are four. A gap wider than a quarter of what the contacts of a normal span is between two regions.
+   * 0 keeps all; default 4. */
   uint32_t max_contacts;
   uint32_t max_pair_contacts; /**< how many all patches of the pair keep together: the deepest, then the deepest of
                                    patches that face furthest from each other; 0, the default, keeps all */
@@ -1223,8 +1225,12 @@ enum abut_geometry_flags_value ABUT_ENUM(uint32_t) {
   ABUT_GEOMETRY_FAST = 4,       /**< steps with time follow its path, so that it passes through nothing; see the
                                      section on fast geometries. ABUT_UNSUPPORTED in a build without the feature
                                      motion */
-  ABUT_GEOMETRY_SPECULATIVE = 8 /**< steps with time report contacts as far away as its motion may close; not
-                                     together with ABUT_GEOMETRY_FAST. ABUT_UNSUPPORTED as that */
+  ABUT_GEOMETRY_SPECULATIVE = 8, /**< steps with time report contacts as far away as its motion may close; not
+                                      together with ABUT_GEOMETRY_FAST. ABUT_UNSUPPORTED as that */
+  ABUT_GEOMETRY_KEEPS_SIDE = 16  /**< pairs of a convex shape and a surface that is no solid, of which either has this
+                                      flag, remember from which side of the surface the shape came. While the two
+                                      touch, depth and normal lead back to that side, also after the centre of the
+                                      shape has passed the surface. Takes O(triangles that are touched) per pair */
 };
 
 /**

@@ -5,8 +5,10 @@ import abut.core.standard;
 import abut.core.workers;
 import abut.detect.jobs;
 import abut.detect.pairs;
+import abut.detect.sides;
 import abut.detect.stopwatch;
 import abut.math;
+import abut.narrow.manifold;
 import abut.pairs.any_shape;
 import abut.pairs.registry.self_contacts;
 import abut.pairs.registry;
@@ -41,7 +43,8 @@ void finish_job(const FoundPoints& points, const UniverseOptions& options, Detai
   const PairJob& its = jobs.jobs()[points.job];
   const std::span<ContactPoint> found = std::span(scratch.points).subspan(points.first, points.count);
   const auto reported = [&](const ContactPoint& contact) { return is_reported(contact.distance, its.margin); };
-  const std::size_t left = keep_best(found, options, detail, scratch, reported, [&] {
+  const SurfaceSides surfaces = surfaces_of_run(jobs.chunks()[points.chunk].run);
+  const std::size_t left = keep_best(found, options, detail, surfaces, scratch, reported, [&] {
     const Pair& pair = pairs[jobs.pair_of(points.job)];
     return histories.subspan(pair.first_before, pair.count_before);
   });
@@ -60,7 +63,8 @@ void finish_job(const FoundPoints& points, const UniverseOptions& options, Detai
 }
 
 void find_in_chunk(std::size_t number, const UniverseOptions& options, const PolicyTable& policies,
-                   const Places& places, std::span<const ContactHistory> histories, PairStore& pairs, JobList& jobs) {
+                   const Places& places, std::span<const ContactHistory> histories, PairStore& pairs, SideStage& sides,
+                   JobList& jobs) {
   const Chunk& chunk = jobs.chunks()[number];
   ChunkScratch& scratch = jobs.scratch(number);
   const std::span<const PairJob> its_jobs = jobs.jobs().subspan(chunk.begin, chunk.end - chunk.begin);
@@ -88,6 +92,15 @@ void find_in_chunk(std::size_t number, const UniverseOptions& options, const Pol
       run(its_jobs.subspan(i, 1), QuerySettings{}, std::span(scratch.results).subspan(i, 1));
       end = scratch.points.size();
     }
+    if (const std::size_t job = chunk.begin + i; sides.has(job)) [[unlikely]] {
+      QuerySettings of_job = settings;
+      of_job.margin = its_jobs[i].margin;
+      const std::size_t first = scratch.points.size();
+      if (sides.find(job, its_jobs[i], places, of_job, scratch.points)) {
+        begin = first;
+        end = scratch.points.size();
+      }
+    }
     finish_job({chunk.begin + i, static_cast<std::uint32_t>(number), begin, end - begin}, options, policy.detail,
                places.worlds, histories, pairs.all(), jobs);
     begin = next;
@@ -98,10 +111,10 @@ void find_in_chunk(std::size_t number, const UniverseOptions& options, const Pol
 
 void find_manifolds(const Workers& workers, const UniverseOptions& options, const PolicyTable& policies,
                     const Places& places, std::span<const ContactHistory> histories, bool is_timed, PairStore& pairs,
-                    JobList& jobs) {
+                    SideStage& sides, JobList& jobs) {
   workers.for_each(jobs.chunks().size(), [&](std::size_t chunk) {
     Stopwatch watch(is_timed);
-    find_in_chunk(chunk, options, policies, places, histories, pairs, jobs);
+    find_in_chunk(chunk, options, policies, places, histories, pairs, sides, jobs);
     jobs.scratch(chunk).microseconds = watch.lap();
   });
 }

@@ -6,6 +6,7 @@ import abut.core.standard;
 import abut.core.workers;
 import abut.detect.jobs;
 import abut.detect.pairs;
+import abut.detect.sides;
 import abut.narrow.manifold;
 import abut.scene.options;
 import abut.scene.places;
@@ -14,17 +15,18 @@ import abut.scene.policies;
 export namespace abut {
 
 // Jobs run in runs of equal kinds, each pair in the frame of its first shape. What they find stays with them. Reduction
-// prefers what the pair had before: `histories` are those of the contacts of the detection before.
+// prefers what the pair had before: `histories` are those of the contacts of the detection before. `sides` has started.
 void find_manifolds(const Workers& workers, const UniverseOptions& options, const PolicyTable& policies,
                     const Places& places, std::span<const ContactHistory> histories, bool is_timed, PairStore& pairs,
-                    JobList& jobs);
+                    SideStage& sides, JobList& jobs);
 
 // Brings to the front those with a distance that is wanted, reduced as the options say, and counts them. A reduction
 // prefers what the pair had before: `history` hands over the contacts of the detection before, and is asked for a
-// reduction alone.
+// reduction alone. `surfaces`: which sides of the contacts are surfaces.
 template <class IsWanted, class History>
 [[nodiscard]] std::size_t keep_best(std::span<ContactPoint> found, const UniverseOptions& options, Detail detail,
-                                    ChunkScratch& scratch, IsWanted&& is_wanted, History&& history) {
+                                    SurfaceSides surfaces, ChunkScratch& scratch, IsWanted&& is_wanted,
+                                    History&& history) {
   const auto kept = static_cast<std::size_t>(std::partition(found.begin(), found.end(), is_wanted) - found.begin());
   scratch.ids.clear();
   if (options.max_contacts != 0 && kept > options.max_contacts) {
@@ -32,7 +34,7 @@ template <class IsWanted, class History>
       scratch.ids.push_back(its.id);
     }
   }
-  std::size_t left = reduce_children(found.first(kept), options.max_contacts, scratch.ids, scratch.reduction);
+  std::size_t left = reduce_children(found.first(kept), options.max_contacts, scratch.ids, scratch.reduction, surfaces);
   left = options.max_pair_contacts == 0 ? left : cap(found.first(left), options.max_pair_contacts);
   return detail == Detail::point ? std::min<std::size_t>(left, 1) : left;
 }

@@ -96,7 +96,7 @@ void finish(const PathScene& scene, const Sides& sides, const Moment& moment, co
   const std::size_t first = result.first + result.count;
   const std::span<ContactPoint> found = std::span(scratch.points).subspan(first);
   const Detail detail = scene.policies.at(pair.policy).detail;
-  std::size_t left = keep_best(found, scene.options, detail, scratch, is_wanted,
+  std::size_t left = keep_best(found, scene.options, detail, surfaces_of_run(pair.run), scratch, is_wanted,
                                [&] { return scene.histories.subspan(pair.first_before, pair.count_before); });
   const std::size_t most = detail == Detail::point ? 1 : scene.options.max_pair_contacts;
   left = most == 0 ? left : std::min<std::size_t>(left, most - std::min<std::size_t>(most, result.count));

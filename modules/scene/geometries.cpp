@@ -87,6 +87,13 @@ void Scene::set_sweeping(std::uint32_t place, Sweeping sweeping) {
   }
 }
 
+void Scene::set_keeps_side(std::uint32_t place, bool keeps_it) {
+  PlaceInfo& info = places_.infos[place];
+  side_keeper_count_ += keeps_it ? 1 : 0;
+  side_keeper_count_ -= info.keeps_side ? 1 : 0;
+  info.keeps_side = keeps_it;
+}
+
 // What pairs ask about a geometry, after its options have changed.
 void Scene::apply_options(GeometryId geometry) {
   Geometry& its = geometries_.at(geometry);
@@ -106,6 +113,7 @@ void Scene::apply_options(GeometryId geometry) {
   info.is_sensor = options.is_sensor;
   set_self_pairs(geometry.slot - 1, options.has_self_pairs);
   set_sweeping(geometry.slot - 1, options.sweeping);
+  set_keeps_side(geometry.slot - 1, options.keeps_side);
   info.is_at_part = is_identity(options.local);
   info.is_box_stale = true;
   places_.note(geometry.slot - 1, happened_to_filters);
@@ -169,6 +177,7 @@ void Scene::forget_geometry(GeometryId geometry) {
   if (place < places_.infos.size()) {
     set_self_pairs(place, false);
     set_sweeping(place, Sweeping::none);
+    set_keeps_side(place, false);
     places_.shapes[place] = places_.vacant;
   }
   if (!meetings_.rules.is_empty()) {

@@ -77,6 +77,7 @@ struct GeometryOptions {
   std::uint32_t material = 0;
   bool has_self_pairs = false;  // it meets itself
   Sweeping sweeping = Sweeping::none;
+  bool keeps_side = false;  // its pairs remember from which side of a surface a body came
 };
 
 struct Revision {

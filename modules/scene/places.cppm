@@ -41,6 +41,7 @@ struct PlaceInfo {
   std::uint8_t kind = 0;  // place in the registry
   bool is_sensor : 1 = false;
   bool has_self_pairs : 1 = false;
+  bool keeps_side : 1 = false;
   bool is_dynamic = false;  // its part is
   Sweeping sweeping = Sweeping::none;
   bool is_at_part = false;    // its pose is that of its part

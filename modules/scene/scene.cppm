@@ -216,6 +216,7 @@ class Scene {
   std::vector<std::uint32_t> self_places_;   // of geometries that meet themselves, in order
   std::vector<std::uint32_t> swept_places_;  // of geometries whose way through a step is looked at, in order
   std::size_t parked_count_ = 0;
+  std::size_t side_keeper_count_ = 0;  // geometries whose pairs remember sides
 
  private:
   void check_parts(ByteReader& in) const;
@@ -230,6 +231,7 @@ class Scene {
   void settle_parking(GeometryId geometry, Parking parking);
   void set_self_pairs(std::uint32_t place, bool has_them);
   void set_sweeping(std::uint32_t place, Sweeping sweeping);
+  void set_keeps_side(std::uint32_t place, bool keeps_it);
   void disturb(PartId part);
   [[nodiscard]] Placement world_of(const Geometry& geometry) const;
 

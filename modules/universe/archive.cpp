@@ -11,6 +11,7 @@ import abut.detect.continuous;
 import abut.detect.events;
 import abut.detect.jobs;
 import abut.detect.pairs;
+import abut.detect.sides;
 import abut.math;
 import abut.scene.meetings;
 import abut.scene.places;
@@ -22,7 +23,7 @@ namespace {
 // "abut-uni", lowest byte first.
 constexpr std::uint64_t mark = 0x696e752d74756261;
 // Grows whenever something is written that was not, or no more.
-constexpr std::uint32_t present_version = 2;
+constexpr std::uint32_t present_version = 3;
 constexpr std::size_t head_size = 24;
 
 struct Head {
@@ -111,7 +112,7 @@ std::vector<std::uint8_t> Universe::save() const {
   const auto locals = contacts_.locals();
   const auto events = events_.all();
   const auto impacts = impacts_.all();
-  body(step_, follows_islands_, islands_);
+  body(step_, follows_islands_, islands_, sides_);
   body(std::vector<Pair>(pairs.begin(), pairs.end()), contacts, std::vector<LocalPoints>(locals.begin(), locals.end()),
        std::vector<Event>(events.begin(), events.end()), std::vector<StepImpact>(impacts.begin(), impacts.end()));
   ByteWriter head;
@@ -142,10 +143,11 @@ Result<void> Universe::load(std::span<const std::uint8_t> bytes) {
   UniverseOptions options;
   in(options);
   Scene::load(in, workers_);
-  in(step_, follows_islands_, islands_);
+  in(step_, follows_islands_, islands_, sides_);
   if (!swept_places_.empty() && !follows_paths) {
     in.fail({Errc::unsupported, "a geometry is fast or speculative, and this build is without the feature \"motion\""});
   }
+  in.require(in.has_failed() || sides_.is_right(places_), "a side is kept of no pair or triangle");
   if (!in.has_failed()) {
     load_pairs(in);
   }

@@ -16,6 +16,7 @@ import abut.detect.pairs;
 import abut.detect.refresh;
 import abut.detect.seams;
 import abut.detect.selection;
+import abut.detect.sides;
 import abut.detect.sleep;
 import abut.detect.stopwatch;
 import abut.detect.paths;
@@ -197,7 +198,10 @@ void Universe::run_stages(const Scope& scope) {
   }
   selection_.run(workers_, scope, options_.tolerance_mode, places_, changes_.patches, meetings_, pairs_, jobs_);
   stats_.pair_microseconds = watch.lap();
-  find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, jobs_);
+  sides_.start(side_keeper_count_ > 0, places_, jobs_);
+  find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, sides_,
+                 jobs_);
+  sides_.settle(places_, pairs_.all());
   seams_.run(places_, jobs_);
   const Paths its_paths = paths(scope.dt);
   impacts_.run(workers_, {options_, meetings_.policies, places_, its_paths, contacts_.histories()}, sweeps_.pairs(),
@@ -219,7 +223,7 @@ std::uint64_t Universe::hash() const { return hash_of(contacts(), local_points()
 
 std::size_t Universe::bytes() const {
   return sizeof(Universe) + Scene::bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() +
-         selection_.bytes() + jobs_.bytes() + seams_.bytes() + sweeps_.bytes() + impacts_.bytes() + contacts_.bytes() +
+         selection_.bytes() + jobs_.bytes() + sides_.bytes() + seams_.bytes() + sweeps_.bytes() + impacts_.bytes() + contacts_.bytes() +
          events_.bytes() + island_links_.bytes() + islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
 }
 

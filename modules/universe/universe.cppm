@@ -15,6 +15,7 @@ import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.detect.refresh;
 import abut.detect.seams;
+import abut.detect.sides;
 import abut.detect.selection;
 import abut.detect.paths;
 import abut.math;
@@ -129,6 +130,7 @@ class Universe : public Scene {
   PairStore pairs_;
   Selection selection_;
   JobList jobs_;
+  SideStage sides_;
   SeamStage seams_;
   Sweeps sweeps_;
   bool had_paths_ = false;  // the last detection looked at paths

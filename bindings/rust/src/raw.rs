@@ -1033,6 +1033,7 @@ pub const ABUT_GEOMETRY_SENSOR: abut_geometry_flags_value = 1;
 pub const ABUT_GEOMETRY_SELF_PAIRS: abut_geometry_flags_value = 2;
 pub const ABUT_GEOMETRY_FAST: abut_geometry_flags_value = 4;
 pub const ABUT_GEOMETRY_SPECULATIVE: abut_geometry_flags_value = 8;
+pub const ABUT_GEOMETRY_KEEPS_SIDE: abut_geometry_flags_value = 16;
 pub type abut_geometry_flags_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]

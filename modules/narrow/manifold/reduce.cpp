@@ -186,7 +186,36 @@ std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, const 
   return kept;
 }
 
-std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, const Ids& before, const Ties& ties) {
+// Brings those that hang together with the first contact to the front, and returns how many these are. All have normals
+// that agree.
+std::size_t bring_region(std::span<ContactPoint> contacts, SurfaceSides surfaces, Real gap) {
+  const auto hang_together = [&](const ContactPoint& a, const ContactPoint& b) {
+    const bool are_of_one_part = (!surfaces.a || a.feature_a.index == b.feature_a.index) &&
+                                 (!surfaces.b || a.feature_b.index == b.feature_b.index);
+    return are_of_one_part || squared_norm(middle(a) - middle(b)) <= gap * gap;
+  };
+  std::size_t end = 1;
+  for (std::size_t next = 0; next < end; ++next) {
+    for (std::size_t i = end; i < contacts.size(); ++i) {
+      if (hang_together(contacts[next], contacts[i])) {
+        exchange(contacts[end++], contacts[i]);
+      }
+    }
+  }
+  return end;
+}
+
+// Of the diagonal of a box, which jitter of the contacts hardly changes.
+[[nodiscard]] Real gap_between_regions(std::span<const ContactPoint> contacts) {
+  Aabb box = Aabb::empty();
+  for (const ContactPoint& contact : contacts) {
+    box.include(middle(contact));
+  }
+  return gap_share * norm(box.high - box.low);
+}
+
+std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, const Ids& before, const Ties& ties,
+                           SurfaceSides surfaces) {
   if (most == 0 || contacts.size() <= most) {
     sort_by_depth(contacts);
     return contacts.size();
@@ -200,9 +229,18 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, c
       return dot(contact.normal, normal) >= same_patch_cosine;
     });
     const auto count = static_cast<std::size_t>(end - rest.begin());
-    const std::size_t kept_of_patch = reduce_patch(rest.first(count), most, before, ties);
-    for (std::size_t i = 0; i < kept_of_patch; ++i) {
-      exchange(contacts[kept++], rest[i]);
+    const bool has_regions = (surfaces.a || surfaces.b) && count > most;
+    const Real gap = has_regions ? gap_between_regions(rest.first(count)) : 0;
+    for (std::span<ContactPoint> left = rest.first(count); !left.empty();) {
+      if (left.size() < count) {
+        exchange(left[0], left[deepest_of(left, before.empty() ? 0 : ties.depth * extent_of(left), before)]);
+      }
+      const std::size_t its = has_regions ? bring_region(left, surfaces, gap) : count;
+      const std::size_t kept_of_patch = reduce_patch(left.first(its), most, before, ties);
+      for (std::size_t i = 0; i < kept_of_patch; ++i) {
+        exchange(contacts[kept++], left[i]);
+      }
+      left = left.subspan(its);
     }
     rest = rest.subspan(count);
   }
@@ -212,12 +250,13 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, c
 
 }  // namespace
 
-std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most) {
-  return reduce_patches(contacts, most, Ids({}), {0, 0});
+std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, SurfaceSides surfaces) {
+  return reduce_patches(contacts, most, Ids({}), {0, 0}, surfaces);
 }
-std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, std::span<const std::uint64_t> before) {
+std::size_t reduce(std::span<ContactPoint> contacts, std::size_t most, std::span<const std::uint64_t> before,
+                   SurfaceSides surfaces) {
   return reduce_patches(contacts, most, Ids(most == 1 ? std::span<const std::uint64_t>{} : before),
-                        most == 1 ? Ties{0, 0} : Ties{tied_depth, running_depth});
+                        most == 1 ? Ties{0, 0} : Ties{tied_depth, running_depth}, surfaces);
 }
 
 }  // namespace abut

@@ -84,14 +84,15 @@ std::size_t reduce_each_pair(std::span<ContactPoint> contacts, std::size_t most,
 
 }  // namespace
 
-std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most) {
+std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most, SurfaceSides surfaces) {
   ReduceScratch scratch;
-  return reduce_each_pair(contacts, most, scratch, [&](std::span<ContactPoint> pair) { return reduce(pair, most); });
+  return reduce_each_pair(contacts, most, scratch,
+                          [&](std::span<ContactPoint> pair) { return reduce(pair, most, surfaces); });
 }
 std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most, std::span<const std::uint64_t> before,
-                            ReduceScratch& scratch) {
+                            ReduceScratch& scratch, SurfaceSides surfaces) {
   return reduce_each_pair(contacts, most, scratch,
-                          [&](std::span<ContactPoint> pair) { return reduce(pair, most, before); });
+                          [&](std::span<ContactPoint> pair) { return reduce(pair, most, before, surfaces); });
 }
 
 }  // namespace abut

@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 import abut.narrow.manifold.places_in_order;
+import abut.narrow.manifold.reduce;
 
 export namespace abut {
 
@@ -15,9 +16,11 @@ struct ReduceScratch {
 };
 
 // Reduces each pair of children by itself, without or with the ids that were kept before. What is kept comes first, the
-// deepest first.
-[[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most);
+// deepest first. `surfaces`: of a pair that is no composite; surfaces that are children have one region.
 [[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most,
-                                          std::span<const std::uint64_t> before, ReduceScratch& scratch);
+                                          SurfaceSides surfaces = {});
+[[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most,
+                                          std::span<const std::uint64_t> before, ReduceScratch& scratch,
+                                          SurfaceSides surfaces = {});
 
 }  // namespace abut

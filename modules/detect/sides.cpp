@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.detect.sides;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.detect.jobs;
+import abut.detect.pairs;
+import abut.math;
+import abut.pairs.any_shape;
+import abut.pairs.registry.kept_sides;
+import abut.pairs.table;
+import abut.scene.options;
+import abut.scene.places;
+
+namespace abut {
+namespace {
+
+template <class T>
+std::pair<std::uint32_t, std::uint32_t> places_of(const T& its) {
+  return {its.low, its.high};
+}
+
+template <class T>
+const T* find_of(std::span<const T> all, std::uint32_t low, std::uint32_t high) {
+  const std::pair wanted(low, high);
+  const auto at = std::lower_bound(all.begin(), all.end(), wanted,
+                                   [](const T& its, const auto& other) { return places_of(its) < other; });
+  return at != all.end() && places_of(*at) == wanted ? &*at : nullptr;
+}
+
+bool keeps_side(std::uint32_t low, std::uint32_t high, const Places& places) {
+  return places.infos[low].keeps_side || places.infos[high].keeps_side;
+}
+
+}  // namespace
+
+// Whether both geometries and their shapes are those that it was of.
+bool SideStage::is_same(const Kept& kept, const Places& places) {
+  return kept.generation_low == places.infos[kept.low].generation &&
+         kept.generation_high == places.infos[kept.high].generation &&
+         !places.has_happened(kept.low, happened_to_shape) && !places.has_happened(kept.high, happened_to_shape);
+}
+
+void SideStage::add_case(const PairJob& its, std::size_t job, bool is_surface_a, const Places& places) {
+  const std::uint32_t low = std::min(its.a, its.b), high = std::max(its.a, its.b);
+  if (!keeps_side(low, high, places)) {
+    return;
+  }
+  const Kept* const kept = find_of<Kept>(kept_, low, high);
+  const bool is_known = kept != nullptr && is_same(*kept, places);
+  case_of_job_[job] = static_cast<std::uint32_t>(cases_.size());
+  cases_.push_back({low, high, (is_surface_a ? its.a : its.b) == low, {is_known ? kept->memory : SideMemory{}, {}}});
+}
+
+void SideStage::start(bool is_used, const Places& places, const JobList& jobs) {
+  cases_.clear();
+  case_of_job_.clear();
+  if (!is_used) {
+    return;
+  }
+  case_of_job_.resize(jobs.jobs().size(), no_index);
+  for (const Chunk& chunk : jobs.chunks()) {
+    if (is_self_run(chunk.run)) {
+      continue;
+    }
+    const std::size_t row = chunk.run / shape_kind_count, column = chunk.run % shape_kind_count;
+    const bool is_surface_a = may_keep_side(row, column);
+    if (!is_surface_a && !may_keep_side(column, row)) {
+      continue;
+    }
+    for (std::uint32_t job = chunk.begin; job < chunk.end; ++job) {
+      add_case(jobs.jobs()[job], job, is_surface_a, places);
+    }
+  }
+}
+
+bool SideStage::find(std::size_t job, const PairJob& its, const Places& places, const QuerySettings& settings,
+                     Manifold& out) {
+  Case& found = cases_[case_of_job_[job]];
+  const std::uint32_t surface = found.is_surface_low ? found.low : found.high;
+  const std::uint32_t body = found.is_surface_low ? found.high : found.low;
+  const Pose ab = relative(places.worlds[surface], places.worlds[body]);
+  const std::size_t first = out.size();
+  if (!contacts_on_side(*places.shapes[surface], *places.shapes[body], ab, settings, found.side, out)) {
+    return false;
+  }
+  if (its.a != surface) {
+    for (ContactPoint& contact : std::span(out).subspan(first)) {
+      move_by(contact, ab.inverse(), true);
+    }
+  }
+  return true;
+}
+
+void SideStage::settle(const Places& places, std::span<const Pair> pairs) {
+  if (kept_.empty() && cases_.empty()) {
+    return;
+  }
+  const auto key = [](const auto& its) { return places_of(its); };
+  std::ranges::sort(cases_, {}, key);
+  // Whoever was examined is there anew, or has parted.
+  std::erase_if(kept_, [&](const Kept& its) {
+    const Pair* const pair = find_of<Pair>(pairs, its.low, its.high);
+    return pair == nullptr || !pair->is_admitted || !keeps_side(its.low, its.high, places) || !is_same(its, places) ||
+           find_of<Case>(cases_, its.low, its.high) != nullptr;
+  });
+  for (Case& its : cases_) {
+    if (!its.side.after.is_empty()) {
+      kept_.push_back({its.low, its.high, places.infos[its.low].generation, places.infos[its.high].generation,
+                       std::move(its.side.after)});
+    }
+  }
+  std::ranges::sort(kept_, {}, key);
+  cases_.clear();
+  case_of_job_.clear();
+}
+
+bool SideStage::is_right(const Places& places) const {
+  const auto is_of_pair = [&](const Kept& its) {
+    if (its.low >= its.high || its.high >= places.infos.size()) {
+      return false;
+    }
+    const bool is_low = may_keep_side(places.infos[its.low].kind, places.infos[its.high].kind);
+    return (is_low || may_keep_side(places.infos[its.high].kind, places.infos[its.low].kind)) &&
+           may_be_of(its.memory, *places.shapes[is_low ? its.low : its.high]);
+  };
+  bool are_right = std::ranges::all_of(kept_, is_of_pair);
+  for (std::size_t i = 1; i < kept_.size(); ++i) {
+    are_right = are_right && places_of(kept_[i - 1]) < places_of(kept_[i]);
+  }
+  return are_right;
+}
+
+std::size_t SideStage::bytes() const {
+  std::size_t parts = 0;
+  for (const Kept& its : kept_) {
+    parts += its.memory.parts.capacity();
+  }
+  return kept_.capacity() * sizeof(Kept) + parts * sizeof(SideOfPart) + cases_.capacity() * sizeof(Case) +
+         case_of_job_.capacity() * sizeof(std::uint32_t);
+}
+
+}  // namespace abut

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.pairs.registry.kept_sides;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.math.tolerance;
+import abut.narrow.convex;
+import abut.narrow.many.kept_side;
+import abut.narrow.many.triangle_contacts;
+import abut.pairs.registry;
+
+namespace abut {
+namespace {
+
+// Other builds instantiate no kernel here.
+constexpr bool has_surfaces = []<class... S>(const std::variant<S...>*) {
+  return (Surface<S> || ...);
+}(static_cast<const AnyShape::Variant*>(nullptr));
+
+template <class Ask>
+void ask_surface(const AnyShape& shape, Ask&& ask) {
+  std::visit(
+      [&]<class S>(const S& surface) {
+        if constexpr (Surface<S>) {
+          ask(surface);
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
+}
+
+template <class Ask>
+void ask_convex(const AnyShape& shape, Ask&& ask) {
+  std::visit(
+      [&]<class S>(const S& body) {
+        if constexpr (has_surfaces && Convex<S>) {
+          ask(core_of(body));
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
+}
+
+bool is_solid(const AnyShape& surface) {
+  bool is = false;
+  ask_surface(surface, [&]<class S>(const S& its) {
+    if constexpr (Enclosing<S>) {
+      is = its.is_solid();
+    }
+  });
+  return is;
+}
+
+// With those that have gone or are missing.
+template <Surface S>
+std::size_t triangle_count_of(const S& surface) {
+  if constexpr (requires { surface.triangle_count(); }) {
+    return surface.triangle_count();
+  } else {
+    const std::vector<Real> numbers = surface.parameters();  // the first are columns and rows
+    return 2 * static_cast<std::size_t>((numbers[0] - 1) * (numbers[1] - 1));
+  }
+}
+
+// In order of their numbers.
+std::vector<Triangle> triangles_in(const AnyShape& surface, const Aabb& box) {
+  std::vector<Triangle> found;
+  ask_surface(surface, [&]<class S>(const S& its) {
+    Aabb query = box;
+    its.visit_parts(query, [&](const typename S::Part& part, std::uint32_t) { found.push_back(part); });
+  });
+  std::ranges::sort(found, {}, &Triangle::index);
+  return found;
+}
+
+std::vector<TouchedPart> touched_parts(const AnyShape& surface, const AnyShape& body, const Pose& ab,
+                                       const QuerySettings& settings) {
+  std::vector<TouchedPart> touched;
+  ask_convex(body, [&](const auto& core) {
+    for (const Triangle& triangle : triangles_in(surface, core.aabb(ab).inflated(settings.margin))) {
+      const Real limit = settings.margin + core.radius();
+      const CoreSeparation found = separate_from_triangle(triangle, core, ab, settings, limit);
+      if (!found.beyond && found.distance <= limit) {
+        const Real height = dot(triangle.normal(), placed_centre(core, ab) - triangle.corners()[0]);
+        touched.push_back({triangle, found.normal, height >= 0});
+      }
+    }
+  });
+  return touched;
+}
+
+// Where a convex shape begins along a direction.
+Real lowest_along(const AnyShape& body, const Pose& pose, const Vec3& direction) {
+  Real lowest = 0;
+  ask_convex(body, [&](const auto& core) {
+    lowest = dot(direction, placed_support(core, place(core, pose), -direction).point) - core.radius();
+  });
+  return lowest;
+}
+
+Real noise_of_body(const AnyShape& body, const Pose& pose) {
+  Real size = 0;
+  ask_convex(body, [&](const auto& core) {
+    size = largest_magnitude(placed_centre(core, pose)) + core.extent() + core.radius();
+  });
+  return noise_of(size);
+}
+
+// In the frame of the surface, which is side a.
+Manifold contacts_of(const AnyShape& surface, const AnyShape& body, const Pose& ab, const QuerySettings& settings) {
+  Manifold found;
+  const bool is_swapped = body.index() < surface.index();
+  const auto ask = [&](const QuerySettings& its) {
+    found.clear();
+    return is_swapped
+               ? pair_kernels(body.index(), surface.index())
+                     .contacts_in_frame(body, surface, ab.inverse(), its, nullptr, found)
+               : pair_kernels(surface.index(), body.index()).contacts_in_frame(surface, body, ab, its, nullptr, found);
+  };
+  if (ask(settings) != Outcome::ok) {
+    static_cast<void>(ask({.margin = settings.margin}));
+  }
+  for (ContactPoint& contact : found) {
+    if (is_swapped) {
+      move_by(contact, ab, true);
+    }
+  }
+  return found;
+}
+
+// The contacts where the body has just come back, carried to where it is.
+void add_way_back(const AnyShape& surface, const AnyShape& body, const Pose& ab, const QuerySettings& settings,
+                  const WayBack& way, const Triangle& triangle, Manifold& out) {
+  // Leaning further, contacts are those of another way.
+  constexpr Real same_way = 0.9;
+  const std::size_t first = out.size();
+  const Vec3 shift = way.depth * way.normal;
+  QuerySettings further = settings;
+  further.margin += std::max(way.depth, Real{0});
+  for (ContactPoint contact : contacts_of(surface, body, {ab.rotation, ab.position + shift}, further)) {
+    contact.point_b += -shift;
+    contact.distance = dot(contact.point_b - contact.point_a, contact.normal);
+    contact.point_a = contact.point_b - contact.distance * contact.normal;
+    const bool is_new = std::ranges::none_of(out, [&](const ContactPoint& other) { return other.id == contact.id; });
+    if (is_new && dot(contact.normal, way.normal) > same_way && contact.distance <= settings.margin) {
+      out.push_back(contact);
+    }
+  }
+  if (out.size() > first) {
+    return;
+  }
+  ask_convex(body, [&](const auto& core) {
+    const Vec3 point = placed_support(core, place(core, ab), -way.normal).point - core.radius() * way.normal;
+    const Feature face{FeatureKind::face, triangle.index()}, other{FeatureKind::face, 0};
+    out.push_back({point + way.depth * way.normal, point, way.normal, -way.depth, face, other,
+                   contact_id_of_part(contact_id(face, other), triangle.index())});
+  });
+}
+
+}  // namespace
+
+bool may_keep_side(std::size_t surface, std::size_t body) {
+  static constexpr auto are = []<class... S>(const std::variant<S...>*) {
+    return std::pair(std::array<bool, sizeof...(S)>{Surface<S>...}, std::array<bool, sizeof...(S)>{Convex<S>...});
+  }(static_cast<const AnyShape::Variant*>(nullptr));
+  const PairKernels<AnyShape>& kernels = pair_kernels(std::min(surface, body), std::max(surface, body));
+  return are.first[surface] && are.second[body] && kernels.route == Route::parts;
+}
+
+bool may_be_of(const SideMemory& memory, const AnyShape& surface) {
+  std::size_t count = 0;
+  ask_surface(surface, [&](const auto& its) { count = triangle_count_of(its); });
+  const auto is_right = [&](const SideOfPart& its) { return its.part < count; };
+  return std::ranges::all_of(memory.parts, is_right) && is_finite(memory.normal);
+}
+
+bool contacts_on_side(const AnyShape& surface, const AnyShape& body, const Pose& ab, const QuerySettings& given,
+                      KeptSide& side, Manifold& out) {
+  side.after = {};
+  if (is_solid(surface)) {
+    return false;
+  }
+  QuerySettings settings = given;
+  settings.margin = std::max(settings.margin, Real{0});
+  const std::vector<TouchedPart> touched = touched_parts(surface, body, ab, settings);
+  if (touched.empty()) {
+    return false;
+  }
+  const Manifold plain = contacts_of(surface, body, ab, settings);
+  const SideMemory& before = side.before;
+  const SidesOfParts sides = sides_of(touched, plain, before, [&](std::uint32_t part) {
+    std::optional<TriangleCorners> corners;
+    ask_surface(surface, [&](const auto& its) {
+      if (part < triangle_count_of(its)) {
+        corners = its.corners(part);
+      }
+    });
+    return corners;
+  });
+
+  std::vector<ContactPoint> staying;
+  std::vector<std::size_t> passed;
+  for (const ContactPoint& contact : plain) {
+    const auto at = find_part(touched, contact.feature_a.index);
+    const Vec3 face = at ? touched[*at].triangle.normal() : Vec3{0, 0, 0};
+    const Real along = dot(contact.normal, face) * (at && sides.is_front(*at) ? 1 : -1);
+    if (!at || touched[*at].triangle.is_one_sided() || is_on_side(contact, along, before)) {
+      staying.push_back(contact);
+    } else {
+      passed.push_back(*at);
+    }
+  }
+  // A triangle that stops from its front only has no contact with what has passed it.
+  for (std::size_t at = 0; at < touched.size() && !before.is_empty(); ++at) {
+    const Triangle& triangle = touched[at].triangle;
+    const Real along = dot(touched[at].normal, triangle.normal());
+    if (triangle.is_one_sided() && sides.is_front(at) && along < 0 && is_of_face(along)) {
+      passed.push_back(at);
+    }
+  }
+  std::ranges::sort(passed);
+  passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
+
+  const auto ways = ways_back(touched, sides, passed, staying, noise_of_body(body, ab),
+                              [&](const Vec3& direction) { return lowest_along(body, ab, direction); });
+  Manifold found(staying.begin(), staying.end());
+  for (const WayBack& way : ways) {
+    add_way_back(surface, body, ab, settings, way, touched[way.part].triangle, found);
+  }
+  if (found.empty() && before.is_empty()) {
+    return false;
+  }
+  side.after.normal =
+      found.empty() ? before.normal : std::ranges::min_element(found, {}, &ContactPoint::distance)->normal;
+  for (std::size_t at = 0; at < touched.size(); ++at) {
+    side.after.parts.push_back({touched[at].triangle.index(), sides.is_front(at)});
+  }
+  if (!passed.empty()) {
+    out.insert(out.end(), found.begin(), found.end());
+  }
+  return !passed.empty();
+}
+
+}  // namespace abut
