@@ -6,18 +6,15 @@
 #include <limits>
 #include <random>
 
+#include "../../../fuzz/touch/box_search.hpp"
 #include "support.hpp"
 
 namespace {
 
 using namespace abut_test;
-
-// Four vertices, three numbers each.
-using Vertices = std::array<double, 12>;
-struct Query {
-  Vertices start, end;
-};
-enum class Features { vertex_and_face, edges };
+using touch_fuzzing::BoxSearch;
+using touch_fuzzing::Features;
+using touch_fuzzing::Query;
 
 abut_first_touch ask(Features features, const Query& query, double separation = 0, double tolerance = 1e-9) {
   abut_first_touch out{};
@@ -26,72 +23,10 @@ abut_first_touch ask(Features features, const Query& query, double separation = 
   return out;
 }
 
-// The search: the difference of the points (u, v) of both features at a time t is linear in each of t, u and v. So over
-// a box of these it lies in the box around its values at the corners. Boxes that miss the origin are left out, others
-// are halved. Coordinates are small whole numbers, and t, u and v are multiples of 2^-26: whole numbers of 64 bits hold
-// every value exactly. Then no touch is nearly missed, and a smallest box that still meets the origin has a touch in or
-// beside it.
-class Search {
- public:
-  static constexpr int digits = 26;
-  static constexpr std::int64_t one = std::int64_t{1} << digits;
-
-  Search(Features features, const Query& query) : features_(features), query_(query) {}
-
-  // Whether they touch at times from `low` to `high`, in multiples of 2^-26.
-  bool touches(std::int64_t low = 0, std::int64_t high = one) const {
-    return low < high && search({{{low, high}, {0, one}, {0, one}}});
-  }
-
- private:
-  struct Range {
-    std::int64_t low, high;
-  };
-  using Box = std::array<Range, 3>;
-
-  std::int64_t difference(int axis, std::int64_t t, std::int64_t u, std::int64_t v) const {
-    const auto at = [&](int vertex) {
-      const std::size_t place = static_cast<std::size_t>(3 * vertex + axis);
-      return (one - t) * std::int64_t(query_.start.at(place)) + t * std::int64_t(query_.end.at(place));
-    };
-    if (features_ == Features::edges) return (one - u) * at(0) + u * at(1) - (one - v) * at(2) - v * at(3);
-    return one * at(0) - (one - u - v) * at(1) - u * at(2) - v * at(3);
-  }
-  bool may_touch(const Box& box) const {
-    // Of the square of (u, v) a face is the half with u + v <= 1.
-    if (features_ == Features::vertex_and_face && box[1].low + box[2].low > one) return false;
-    for (int axis = 0; axis < 3; ++axis) {
-      std::int64_t least = std::numeric_limits<std::int64_t>::max(), most = std::numeric_limits<std::int64_t>::min();
-      for (const std::int64_t t : {box[0].low, box[0].high}) {
-        for (const std::int64_t u : {box[1].low, box[1].high}) {
-          for (const std::int64_t v : {box[2].low, box[2].high}) {
-            const std::int64_t value = difference(axis, t, u, v);
-            least = std::min(least, value);
-            most = std::max(most, value);
-          }
-        }
-      }
-      if (least > 0 || most < 0) return false;
-    }
-    return true;
-  }
-  // Depth first. The longest side is halved.
-  bool search(const Box& box) const {
-    if (!may_touch(box)) return false;
-    const auto longest = std::max_element(
-        box.begin(), box.end(), [](const Range& a, const Range& b) { return a.high - a.low < b.high - b.low; });
-    if (longest->high - longest->low <= 1) return true;
-    const auto side = static_cast<std::size_t>(longest - box.begin());
-    const std::int64_t middle = (longest->low + longest->high) / 2;
-    Box first = box, second = box;
-    first.at(side).high = middle;
-    second.at(side).low = middle;
-    return search(first) || search(second);
-  }
-
-  Features features_;
-  const Query& query_;
-};
+// Whether they touch within a span of time; no search takes as many boxes.
+bool touches(const BoxSearch& search, std::int64_t low = 0, std::int64_t high = BoxSearch::one) {
+  return search.touches(low, high, std::numeric_limits<std::uint64_t>::max()).value();
+}
 
 // Whole numbers in [-most, most], from few of which all kinds of degenerate motion arise by chance.
 Query random_query(std::mt19937& random, int most) {
@@ -117,8 +52,8 @@ void expect_as_search(Features features, int most, int count, unsigned seed) {
   int touches = 0, grazing = 0;
   for (int i = 0; i < count; ++i) {
     const Query query = random_query(random, most);
-    const Search search(features, query);
-    const bool is_expected = search.touches();
+    const BoxSearch search(features, query);
+    const bool is_expected = touches(search);
     const abut_first_touch found = ask(features, query);
     ASSERT_EQ(found.touches != 0, is_expected) << "query " << i << " of seed " << seed << ", up to " << most;
     if (!is_expected) continue;
@@ -126,11 +61,11 @@ void expect_as_search(Features features, int most, int count, unsigned seed) {
     EXPECT_LE(found.lower, found.upper);
     EXPECT_LE(found.upper - found.lower, 1e-9);
     // A smallest box may have its touch beside it: far beside where features graze each other, which few do.
-    constexpr std::int64_t margin = 64, wide_margin = Search::one / 1024;
-    const auto low = std::int64_t(found.lower * Search::one), high = std::int64_t(found.upper * Search::one) + 1;
-    EXPECT_FALSE(search.touches(0, low - wide_margin)) << "query " << i << " of seed " << seed << ", up to " << most;
-    grazing += search.touches(0, low - margin) ? 1 : 0;
-    EXPECT_TRUE(search.touches(std::max<std::int64_t>(low - 1, 0), std::min(high, Search::one))) << "query " << i;
+    constexpr std::int64_t margin = 64, wide_margin = BoxSearch::one / 1024;
+    const auto low = std::int64_t(found.lower * BoxSearch::one), high = std::int64_t(found.upper * BoxSearch::one) + 1;
+    EXPECT_FALSE(touches(search, 0, low - wide_margin)) << "query " << i << " of seed " << seed << ", up to " << most;
+    grazing += touches(search, 0, low - margin) ? 1 : 0;
+    EXPECT_TRUE(touches(search, std::max<std::int64_t>(low - 1, 0), std::min(high, BoxSearch::one))) << "query " << i;
   }
   EXPECT_LE(grazing, count / 50);
   EXPECT_GT(touches, count / 20);
