@@ -11,9 +11,12 @@ import abut.trees.two_trees;
 export namespace abut {
 
 // Along an axis of one body, the gap between a box of it and one of the other is the least of those of corners. The way
-// of each corner is straight but for a bend. So the gaps at both ends of a span tell until when the boxes are apart:
-// with begin b, end e and h = bend * length^2 / 2, the gap after a share s is at least b - s (b - e + h), and never
-// below min(b, e) - h / 4. The axis that tells most counts.
+// of each corner is straight but for a bend. So the gaps at both ends of a span tell until when the boxes are apart.
+// After a share s of the span the gap is at least
+//
+//   begin - s (begin - end + half),   half = bend * length^2 / 2,
+//
+// and it is never below min(begin, end) - half / 4. The axis that tells most counts.
 class MotionOrder {
  public:
   // `begin`, `end`: b in the frame of a. `bend_in_a`: of the ways of points of b in the frame of a, at most; so the
