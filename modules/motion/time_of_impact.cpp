@@ -7,21 +7,18 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.tolerance;
-import abut.motion.best_impact;
 import abut.motion.convex_impact;
 import abut.motion.convex_part;
-import abut.motion.motion_order;
+import abut.motion.impact_search;
+import abut.motion.moving_surfaces;
 import abut.motion.path;
 import abut.motion.relative_motion;
 import abut.motion.whole_impact;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
-import abut.trees.two_trees;
 
 namespace abut {
 namespace {
-
-const AnyShape::Variant& variant_of(const AnyShape& shape) { return shape; }
 
 // What a kind is, by its place in the registry.
 struct KindTraits {
@@ -37,68 +34,6 @@ constexpr auto kind_traits = []<std::size_t... Places>(std::index_sequence<Place
 const KindTraits& traits_of(const AnyShape& shape) { return kind_traits[shape.index()]; }
 
 bool is_asked_as_a_whole(const AnyShape& shape) { return shape.has_holes() || traits_of(shape).has_only_distances; }
-
-// A shape on a body, and which child it is of the whole.
-struct Subject {
-  AnyShape shape;
-  Carrier on;
-  std::uint32_t child;
-};
-
-void turn_over(Impact& impact) {
-  std::swap(impact.contact.point_a, impact.contact.point_b);
-  impact.contact.normal = -impact.contact.normal;
-  std::swap(impact.child_a, impact.child_b);
-}
-
-struct Search {
-  ImpactSettings settings;
-  Real begin;
-  BestImpact best;
-  Outcome outcome = Outcome::ok;  // of all two parts; ok where any could be asked
-  bool has_answer = false;
-  bool is_turned_over = false;  // whether what is a now was b in the question
-
-  void add(Outcome asked, Impact impact, std::uint32_t child_a, std::uint32_t child_b) {
-    outcome = has_answer ? Outcome::ok : asked;
-    if (asked != Outcome::ok) {
-      return;
-    }
-    has_answer = true;
-    impact.child_a = child_a;
-    impact.child_b = child_b;
-    if (is_turned_over) {
-      turn_over(impact);
-    }
-    best.add(impact);
-  }
-  [[nodiscard]] TimeSpan span() const { return {begin, best.end()}; }
-  [[nodiscard]] Real slack() const { return settings.margin + settings.tolerance + noise_of(settings.size); }
-};
-
-// A triangle with one side that is met from behind is not met at all. Nor is one that overlaps at the begin of a span:
-// before that it was met from behind, and at the start the contacts have told so already.
-bool lets_through(const ConvexPart& part, const Pose& pose, const Vec3& outward, bool is_start) {
-  const auto front = part.only_front();
-  return front && (is_start || dot(pose.rotation * *front, outward) <= 0);
-}
-
-void meet_parts(const MovingPair& pair, const TimeSpan& span, std::uint32_t child_a, std::uint32_t child_b,
-                Search& search) {
-  const MovingPart &a = pair.a, &b = pair.b;
-  Impact impact = convex_impact(pair, {span.begin, std::min(span.end, search.best.end())});
-  if (impact.state == ImpactState::touches || impact.state == ImpactState::starts_together) {
-    const bool overlaps = impact.contact.lower <= search.settings.margin && impact.state != ImpactState::touches;
-    const bool is_start = overlaps || impact.upper == search.begin;
-    if (lets_through(a.part, a.at(impact.upper), impact.contact.normal, is_start) ||
-        lets_through(b.part, b.at(impact.upper), -impact.contact.normal, is_start)) {
-      impact.state = ImpactState::apart;
-    } else if (impact.upper > search.begin) {
-      impact.state = ImpactState::touches;
-    }
-  }
-  search.add(Outcome::ok, impact, child_a, child_b);
-}
 
 // Calls visit(part, place of the part in the shape, child) for the convex parts near a box in the frame of the shape.
 template <class Visitor>
@@ -160,67 +95,6 @@ void meet_in_span(const Subject& a, const Subject& b, const TimeSpan& given, int
       meet_parts(pair, span, child_a, b.child + child_b, search);
     });
   });
-}
-
-// Two surfaces within a span in which they turn little: triangles whose boxes may meet, mostly in the order of time.
-template <Surface A, Surface B>
-void meet_triangles(const A& a, const Subject& on_a, const B& b, const Subject& on_b, const TimeSpan& span,
-                    Search& search) {
-  const Carrier &way_a = on_a.on, &way_b = on_b.on;
-  const auto bend_of = [&](const Carrier& frame, const Carrier& moving, const AnyShape& shape) {
-    const Reach reach = moving.path.reach_of(aabb_of(shape, moving.local));
-    return relative_bounds(frame.path, moving.path, reach.radius, span).bend;
-  };
-  MotionOrder order(a.origin(), b.origin(), relative(way_a.at(span.begin), way_b.at(span.begin)),
-                    relative(way_a.at(span.end), way_b.at(span.end)), span, bend_of(way_a, way_b, on_b.shape),
-                    bend_of(way_b, way_a, on_a.shape), search.slack());
-  const ConvexPart none = ConvexPart::of(Ball(0));
-  MovingPair pair{moving_part(none, way_a.path, way_a.local), moving_part(none, way_b.path, way_b.local),
-                  search.settings};
-  std::optional<std::uint32_t> held;  // often several triangles of a meet one of b, one after the other
-  visit_two(a, b, order, std::min(span.end, search.best.end()), [&](std::uint32_t of_a, std::uint32_t of_b) {
-    const Real way = order.way_of(a.corners(of_a), b.corners(of_b));
-    if (way >= search.best.end()) {
-      return search.best.end();
-    }
-    if (held != of_b) {
-      pair.b = moving_part(ConvexPart::of(b.part(of_b)), way_b.path, way_b.local);
-      held = of_b;
-    }
-    pair.a = moving_part(ConvexPart::of(a.part(of_a)), way_a.path, way_a.local);
-    const Real end = search.best.end();
-    meet_parts(pair, {way, span.end}, on_a.child, on_b.child, search);
-    if (search.best.end() < std::min(end, span.end)) {
-      const Real touch = search.best.end();
-      order.end_at(touch, relative(way_a.at(touch), way_b.at(touch)));
-    }
-    return search.best.end();
-  });
-}
-
-// Spans are so short that ways of points are bent by little beside the smaller surface.
-void meet_surfaces(const Subject& a, const Subject& b, const TimeSpan& span, Search& search) {
-  constexpr Real bent_share = 1.0 / 64, most_spans = 4096;
-  const Aabb box_a = aabb_of(a.shape, Pose::identity()), box_b = aabb_of(b.shape, Pose::identity());
-  const Real size = std::min(largest_magnitude(box_a.high - box_a.low), largest_magnitude(box_b.high - box_b.low));
-  const Real bend = std::max(
-      relative_bounds(a.on.path, b.on.path, b.on.path.reach_of(aabb_of(b.shape, b.on.local)).radius, span).bend,
-      relative_bounds(b.on.path, a.on.path, a.on.path.reach_of(aabb_of(a.shape, a.on.local)).radius, span).bend);
-  const Real longest = std::sqrt(8 * bent_share * size / bend), wanted = std::ceil(span.length() / longest);
-  const auto count = static_cast<std::uint32_t>(std::clamp(wanted, Real{1}, most_spans));
-  const Real step = span.length() / count;
-  Real begin = span.begin;
-  for (std::uint32_t i = 1; i <= count && begin < search.best.end(); ++i) {
-    const Real end = i < count ? span.begin + i * step : span.end;
-    std::visit(
-        [&]<class A, class B>(const A& its, const B& other) {
-          if constexpr (Surface<A> && Surface<B>) {
-            meet_triangles(its, a, other, b, {begin, end}, search);
-          }
-        },
-        variant_of(a.shape), variant_of(b.shape));
-    begin = end;
-  }
 }
 
 void meet(const Subject& a, const Subject& b, Search& search);

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.motion.moving_surfaces;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.motion.convex_impact;
+import abut.motion.convex_part;
+import abut.motion.impact_search;
+import abut.motion.motion_order;
+import abut.motion.path;
+import abut.motion.relative_motion;
+import abut.motion.whole_impact;
+import abut.pairs.any_shape;
+import abut.pairs.registry;
+import abut.trees.two_trees;
+
+namespace abut {
+namespace {
+
+// Two surfaces within a span in which they turn little: triangles whose boxes may meet, mostly in the order of time.
+template <Surface A, Surface B>
+void meet_triangles(const A& a, const Subject& on_a, const B& b, const Subject& on_b, const TimeSpan& span,
+                    Search& search) {
+  const Carrier &way_a = on_a.on, &way_b = on_b.on;
+  const auto bend_of = [&](const Carrier& frame, const Carrier& moving, const AnyShape& shape) {
+    const Reach reach = moving.path.reach_of(aabb_of(shape, moving.local));
+    return relative_bounds(frame.path, moving.path, reach.radius, span).bend;
+  };
+  MotionOrder order(a.origin(), b.origin(), relative(way_a.at(span.begin), way_b.at(span.begin)),
+                    relative(way_a.at(span.end), way_b.at(span.end)), span, bend_of(way_a, way_b, on_b.shape),
+                    bend_of(way_b, way_a, on_a.shape), search.slack());
+  const ConvexPart none = ConvexPart::of(Ball(0));
+  MovingPair pair{moving_part(none, way_a.path, way_a.local), moving_part(none, way_b.path, way_b.local),
+                  search.settings};
+  std::optional<std::uint32_t> held;  // often several triangles of a meet one of b, one after the other
+  visit_two(a, b, order, std::min(span.end, search.best.end()), [&](std::uint32_t of_a, std::uint32_t of_b) {
+    const Real way = order.way_of(a.corners(of_a), b.corners(of_b));
+    if (way >= search.best.end()) {
+      return search.best.end();
+    }
+    if (held != of_b) {
+      pair.b = moving_part(ConvexPart::of(b.part(of_b)), way_b.path, way_b.local);
+      held = of_b;
+    }
+    pair.a = moving_part(ConvexPart::of(a.part(of_a)), way_a.path, way_a.local);
+    const Real end = search.best.end();
+    meet_parts(pair, {way, span.end}, on_a.child, on_b.child, search);
+    if (search.best.end() < std::min(end, span.end)) {
+      const Real touch = search.best.end();
+      order.end_at(touch, relative(way_a.at(touch), way_b.at(touch)));
+    }
+    return search.best.end();
+  });
+}
+
+}  // namespace
+
+// Spans are so short that ways of points are bent by little beside the smaller surface.
+void meet_surfaces(const Subject& a, const Subject& b, const TimeSpan& span, Search& search) {
+  constexpr Real bent_share = 1.0 / 64, most_spans = 4096;
+  const Aabb box_a = aabb_of(a.shape, Pose::identity()), box_b = aabb_of(b.shape, Pose::identity());
+  const Real size = std::min(largest_magnitude(box_a.high - box_a.low), largest_magnitude(box_b.high - box_b.low));
+  const Real bend = std::max(
+      relative_bounds(a.on.path, b.on.path, b.on.path.reach_of(aabb_of(b.shape, b.on.local)).radius, span).bend,
+      relative_bounds(b.on.path, a.on.path, a.on.path.reach_of(aabb_of(a.shape, a.on.local)).radius, span).bend);
+  const Real longest = std::sqrt(8 * bent_share * size / bend), wanted = std::ceil(span.length() / longest);
+  const auto count = static_cast<std::uint32_t>(std::clamp(wanted, Real{1}, most_spans));
+  const Real step = span.length() / count;
+  Real begin = span.begin;
+  for (std::uint32_t i = 1; i <= count && begin < search.best.end(); ++i) {
+    const Real end = i < count ? span.begin + i * step : span.end;
+    std::visit(
+        [&]<class A, class B>(const A& its, const B& other) {
+          if constexpr (Surface<A> && Surface<B>) {
+            meet_triangles(its, a, other, b, {begin, end}, search);
+          }
+        },
+        variant_of(a.shape), variant_of(b.shape));
+    begin = end;
+  }
+}
+
+}  // namespace abut
