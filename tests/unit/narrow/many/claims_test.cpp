@@ -7,6 +7,7 @@
 #include <vector>
 
 import abut.math;
+import abut.math.four_vec3;
 import abut.narrow.many.claims;
 
 namespace {
@@ -19,7 +20,8 @@ constexpr Vec3 x{1, 0, 0}, z{0, 0, 1};
 // What the claims leave of a depth of 0.9 along z, to a triangle that is parted by `overlap` along any direction.
 double left_of(Claims claims, double overlap) {
   claims.settle([](const Vec3&) { return 0.0; });
-  return claims.allowed_depth(z, 0.9, 1e-15, [&](const Vec3&, double) { return overlap; });
+  return claims.allowed_depth(z, 0.9, 1e-15,
+                              [&](const abut::Columns&, abut::Lanes) { return abut::all_lanes(overlap); });
 }
 
 TEST(Claims, LeaveAllWhereThereIsNone) { EXPECT_EQ(left_of({}, 0), abut::infinity); }
@@ -66,13 +68,34 @@ TEST(Claims, DoNotDependOnTheirOrder) {
     }
     claims.settle([](const Vec3& direction) { return direction.x; });
     const Vec3 sum = claims.sum_of_normals();
-    return std::vector<double>{claims.allowed_depth(z, 0.9, 1e-15, [](const Vec3&, double lowest) { return lowest; }),
-                               sum.x, sum.z};
+    const auto overlaps = [](const abut::Columns&, abut::Lanes lowest) { return lowest; };
+    return std::vector<double>{claims.allowed_depth(z, 0.9, 1e-15, overlaps), sum.x, sum.z};
   };
   const std::vector<double> first = left();
   for (int i = 0; i < 20; ++i) {
     std::shuffle(all.begin(), all.end(), random);
     EXPECT_EQ(left(), first);
+  }
+}
+
+// Whichever lane it has, and whatever stands in the lanes beside it.
+TEST(Claims, TakeTheLeastThatAnyOfManyLeaves) {
+  for (int count = 1; count <= 12; ++count) {
+    for (int best = 0; best < count; ++best) {
+      Claims claims;
+      for (int i = 0; i < count; ++i) {
+        const double angle = 0.1 * i;
+        claims.add({std::cos(angle), std::sin(angle), 0}, i == best ? 0.2 : 0.6, false);
+      }
+      // Only the best way parts the triangle.
+      claims.settle([](const Vec3&) { return 0.0; });
+      const double angle = 0.1 * best;
+      const auto overlaps = [&](const abut::Columns& directions, abut::Lanes) {
+        const abut::Lanes cosine = std::cos(angle) * directions.x + std::sin(angle) * directions.y;
+        return cosine > 1 - 1e-9 ? abut::all_lanes(0.2) : abut::all_lanes(0.7);
+      };
+      EXPECT_NEAR(claims.allowed_depth(z, 0.9, 1e-15, overlaps), 0, 1e-5) << best << " of " << count;
+    }
   }
 }
 
