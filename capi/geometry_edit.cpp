@@ -147,6 +147,17 @@ abut_status abut_geometry_set_field_values(abut_universe* universe, abut_geometr
   });
 }
 
+abut_status abut_geometry_set_field_lattice(abut_universe* universe, abut_geometry_id geometry, uint32_t columns,
+                                            uint32_t rows, uint32_t layers, const double* xyz) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const double> numbers;
+    const std::string product = "columns * rows * layers = " + std::to_string(columns) + " * " + std::to_string(rows) +
+                                " * " + std::to_string(layers);
+    const abut_status status = read_span<3>("xyz", xyz, product, samples_of_grid(columns, rows, layers), numbers);
+    return status != ABUT_OK ? status : edit_one(its, geometry, abut::LatticeEdit{columns, rows, layers, numbers});
+  });
+}
+
 abut_status abut_geometry_set_particles(abut_universe* universe, abut_geometry_id geometry, size_t first,
                                         const double* xyz, const double* radii, size_t count) {
   return guard(universe, [&](abut_universe& its) { return set_particles(its, geometry, first, xyz, radii, count); });

@@ -30,7 +30,8 @@ static_assert(is_plain<abut_mesh_options>(24));
 static_assert(is_plain<abut_mesh_report>(112));
 static_assert(is_plain<abut_uv_grid_options>(40));
 static_assert(is_plain<abut_distance_field_desc>(80));
-static_assert(is_plain<abut_distance_field_options>(24));
+static_assert(is_plain<abut_distance_field_options>(32));
+static_assert(is_plain<abut_distance_field_report>(56));
 static_assert(is_plain<abut_height_field_desc>(48));
 static_assert(is_plain<abut_shape_desc>(56));
 static_assert(is_plain<abut_ray>(56));
@@ -151,7 +152,7 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_distance_field_desc, columns),
     ABUT_FIELD(abut_distance_field_desc, rows),
     ABUT_FIELD(abut_distance_field_desc, layers),
-    ABUT_FIELD(abut_distance_field_desc, reserved),
+    ABUT_FIELD(abut_distance_field_desc, interpolation),
     ABUT_FIELD(abut_distance_field_desc, spacing),
     ABUT_FIELD(abut_distance_field_desc, origin),
     ABUT_FIELD(abut_distance_field_desc, values),
@@ -160,6 +161,17 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_distance_field_options, is_inside_out),
     ABUT_FIELD(abut_distance_field_options, spacing),
     ABUT_FIELD(abut_distance_field_options, band),
+    ABUT_FIELD(abut_distance_field_options, interpolation),
+    ABUT_FIELD(abut_distance_field_options, reserved),
+    ABUT_STRUCT(abut_distance_field_report),
+    ABUT_FIELD(abut_distance_field_report, struct_size),
+    ABUT_FIELD(abut_distance_field_report, interpolation),
+    ABUT_FIELD(abut_distance_field_report, block_count),
+    ABUT_FIELD(abut_distance_field_report, held_block_count),
+    ABUT_FIELD(abut_distance_field_report, error),
+    ABUT_FIELD(abut_distance_field_report, far_error),
+    ABUT_FIELD(abut_distance_field_report, least_stretch),
+    ABUT_FIELD(abut_distance_field_report, most_stretch),
     ABUT_STRUCT(abut_shape_desc),
     ABUT_FIELD(abut_shape_desc, struct_size),
     ABUT_FIELD(abut_shape_desc, kind),

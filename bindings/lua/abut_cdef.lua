@@ -196,13 +196,18 @@ typedef struct abut_height_field_desc {
 } abut_height_field_desc;
 void abut_height_field_desc_init(abut_height_field_desc *desc, uint32_t struct_size);
 abut_status abut_height_field_create(const abut_height_field_desc *desc, abut_shape **out);
+typedef uint32_t abut_interpolation;
+enum abut_interpolation_value {
+  ABUT_INTERPOLATION_LINEAR = 0,
+  ABUT_INTERPOLATION_QUADRATIC = 1
+};
 typedef struct abut_distance_field_desc {
   uint32_t struct_size;
   uint32_t is_inside_out;
   uint32_t columns;
   uint32_t rows;
   uint32_t layers;
-  uint32_t reserved;
+  abut_interpolation interpolation;
   abut_vec3 spacing;
   abut_vec3 origin;
   const double *values;
@@ -214,11 +219,25 @@ typedef struct abut_distance_field_options {
   uint32_t is_inside_out;
   double spacing;
   double band;
+  abut_interpolation interpolation;
+  uint32_t reserved;
 } abut_distance_field_options;
 void abut_distance_field_options_init(abut_distance_field_options *options, uint32_t struct_size);
 abut_status abut_distance_field_from_mesh(const double *xyz, size_t vertex_count, const uint32_t *triangles,
                                                    size_t triangle_count, const abut_distance_field_options *options,
                                                    abut_shape **out);
+typedef struct abut_distance_field_report {
+  uint32_t struct_size;
+  abut_interpolation interpolation;
+  uint64_t block_count;
+  uint64_t held_block_count;
+  double error;
+  double far_error;
+  double least_stretch;
+  double most_stretch;
+} abut_distance_field_report;
+void abut_distance_field_report_init(abut_distance_field_report *report, uint32_t struct_size);
+abut_status abut_distance_field_describe(const abut_shape *shape, abut_distance_field_report *out);
 abut_status abut_particles_create(const double *xyz, size_t count, double radius, abut_shape **out);
 abut_status abut_particles_create_with_radii(const double *xyz, const double *radii, size_t count,
                                                       abut_shape **out);
@@ -569,6 +588,9 @@ abut_status abut_geometry_set_heights(abut_universe *universe, abut_geometry_id 
 abut_status abut_geometry_set_field_values(abut_universe *universe, abut_geometry_id geometry, uint32_t column,
                                                     uint32_t row, uint32_t layer, uint32_t columns, uint32_t rows,
                                                     uint32_t layers, const double *values);
+abut_status abut_geometry_set_field_lattice(abut_universe *universe, abut_geometry_id geometry,
+                                                     uint32_t columns, uint32_t rows, uint32_t layers,
+                                                     const double *xyz);
 abut_status abut_geometry_set_particles(abut_universe *universe, abut_geometry_id geometry, size_t first,
                                                  const double *xyz, const double *radii, size_t count);
 abut_status abut_geometry_set_vertices(abut_universe *universe, abut_geometry_id geometry, size_t first,

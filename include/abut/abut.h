@@ -467,11 +467,20 @@ ABUT_API void abut_height_field_desc_init(abut_height_field_desc *desc, uint32_t
 /** Terrain. Complexity O(samples). Source: grid cells found by division. [any] */
 ABUT_API abut_status abut_height_field_create(const abut_height_field_desc *desc, abut_shape **out);
 
+/** How values of a distance field follow from its samples. */
+typedef uint32_t abut_interpolation;
+enum abut_interpolation_value ABUT_ENUM(uint32_t) {
+  ABUT_INTERPOLATION_LINEAR = 0,   /**< tri-linear: through all samples; gradients jump from cell to cell */
+  ABUT_INTERPOLATION_QUADRATIC = 1 /**< tri-quadratic B-splines: gradients are continuous, edges become round */
+};
+
 /**
  * A solid given by its signed distance on a regular grid, negative inside. Sample (i, j, k) lies at
  * origin + (i * spacing.x, j * spacing.y, k * spacing.z) and has values[(k * rows + j) * columns + i]. Values between
- * samples are tri-linear, and the solid is where they are not positive. A solid that reaches the border of the grid
- * ends there: no sample is deeper than its distance from the border.
+ * samples are interpolated, and the solid is where they are not positive. A solid that reaches the border of the grid
+ * ends there: no sample is deeper than its distance from the border. With ABUT_INTERPOLATION_QUADRATIC a field that is
+ * linear stays as it is. Of a distance, a value differs from its sample by at most a quarter of the sides of a cell,
+ * added up. Samples take 1.8 times the memory.
  */
 typedef struct abut_distance_field_desc {
   uint32_t struct_size;
@@ -479,7 +488,7 @@ typedef struct abut_distance_field_desc {
   uint32_t columns;       /**< samples along X, from 2 to 65535 */
   uint32_t rows;          /**< samples along Y, from 2 to 65535 */
   uint32_t layers;        /**< samples along Z, from 2 to 65535 */
-  uint32_t reserved;      /**< zero */
+  abut_interpolation interpolation; /**< default ABUT_INTERPOLATION_LINEAR */
   abut_vec3 spacing;      /**< positive; default 1 */
   abut_vec3 origin;       /**< where the first sample lies */
   const double *values;   /**< columns * rows * layers numbers, X fastest, then Y, copied as single numbers */
@@ -495,6 +504,8 @@ typedef struct abut_distance_field_options {
   uint32_t is_inside_out; /**< 1: a container, all that is not in the solid; default 0 */
   double spacing;         /**< of samples; default 0: a sixty-fourth of the longest side of the triangles' box */
   double band;            /**< how many cells around the surface hold samples of their own; default 3 */
+  abut_interpolation interpolation; /**< default ABUT_INTERPOLATION_LINEAR */
+  uint32_t reserved;      /**< zero */
 } abut_distance_field_options;
 
 ABUT_API void abut_distance_field_options_init(abut_distance_field_options *options, uint32_t struct_size);
@@ -512,6 +523,28 @@ ABUT_API void abut_distance_field_options_init(abut_distance_field_options *opti
 ABUT_API abut_status abut_distance_field_from_mesh(const double *xyz, size_t vertex_count, const uint32_t *triangles,
                                                    size_t triangle_count, const abut_distance_field_options *options,
                                                    abut_shape **out);
+
+/** What is known of a distance field as a whole. Set struct_size, or use the _init function, before asking. */
+typedef struct abut_distance_field_report {
+  uint32_t struct_size;
+  abut_interpolation interpolation;
+  uint64_t block_count;      /**< of 8 x 8 x 8 cells */
+  uint64_t held_block_count; /**< of these, those that hold samples; others are interpolated between their corners */
+  double error;              /**< where samples are held, true distances lie from value - error to value + error */
+  double far_error;          /**< the same in other blocks; 0 where there are none */
+  double least_stretch;      /**< by which a lattice makes ways longer, at least; 1 without a lattice */
+  double most_stretch;       /**< the same, at most */
+} abut_distance_field_report;
+
+ABUT_API void abut_distance_field_report_init(abut_distance_field_report *report, uint32_t struct_size);
+
+/**
+ * How far values of a distance field may be from the true distance. Samples have to be distances, in the frame of the
+ * field: those of abut_distance_field_from_mesh are, of closed meshes with their sign. Without a lattice that frame is
+ * the one of the shape. With one, a way there becomes longer by a factor from least_stretch to most_stretch.
+ * ABUT_UNSUPPORTED for other kinds. Complexity O(samples / 512). [any]
+ */
+ABUT_API abut_status abut_distance_field_describe(const abut_shape *shape, abut_distance_field_report *out);
 
 /**
  * Many small balls in one shape; a hash grid of its own finds those near another shape.
@@ -1355,6 +1388,25 @@ ABUT_API abut_status abut_geometry_set_heights(abut_universe *universe, abut_geo
 ABUT_API abut_status abut_geometry_set_field_values(abut_universe *universe, abut_geometry_id geometry, uint32_t column,
                                                     uint32_t row, uint32_t layer, uint32_t columns, uint32_t rows,
                                                     uint32_t layers, const double *values);
+
+/**
+ * Bends the distance field of a geometry by a lattice, as abut_geometry_set_parameters changes parameters. Its points
+ * are spread evenly over the grid of the field at rest, from the first sample to the last one along each axis. Between
+ * eight points space goes where they go, tri-linearly; beyond the grid it goes on straight. All queries meet the bent
+ * solid. Bounds of distances allow for the least stretch of ways. Points at rest give the answers of the field as it
+ * was made. A lattice is part of the shape, so it is saved along with a universe.
+ * @param columns  points along X, from 2 to 64, or 0 as rows and layers: without a lattice
+ * @param rows     points along Y
+ * @param layers   points along Z
+ * @param xyz      columns * rows * layers * 3 numbers in the frame of the shape, X fastest, then Y, copied
+ * ABUT_OUT_OF_RANGE where the points bend space too much: where an edge turns from the average of all edges by 90
+ * degrees or more, or space shrinks to a fiftieth. ABUT_UNSUPPORTED for other kinds.
+ * Complexity O(points + samples / 512), and O(samples) once where the shape has other holders. Source: Sederberg and
+ * Parry (1986). [exclusive]
+ */
+ABUT_API abut_status abut_geometry_set_field_lattice(abut_universe *universe, abut_geometry_id geometry,
+                                                     uint32_t columns, uint32_t rows, uint32_t layers,
+                                                     const double *xyz);
 
 /**
  * Moves particles of a geometry, as abut_geometry_set_parameters changes parameters.

@@ -45,6 +45,14 @@ struct FieldEdit {
   std::span<const Real> values;         // columns * rows * layers
 };
 
+// Places of the points of a lattice that bends a distance field, three numbers each, along X first, then Y. Without
+// points the field is as it was made.
+struct LatticeEdit {
+  static constexpr std::string_view subject = "a lattice";
+  std::uint32_t columns, rows, layers;
+  std::span<const Real> xyz;  // columns * rows * layers points
+};
+
 // Places of vertices, three numbers each: of those that `vertices` lists or, where it lists none, of those from `first`
 // on.
 struct VertexEdit {
@@ -67,7 +75,8 @@ struct RecreationEdit {
   std::span<const std::uint32_t> indices;
 };
 
-using Edit = std::variant<ParameterEdit, HeightEdit, ParticleEdit, FieldEdit, VertexEdit, RemovalEdit, RecreationEdit>;
+using Edit = std::variant<ParameterEdit, HeightEdit, ParticleEdit, FieldEdit, VertexEdit, RemovalEdit, RecreationEdit,
+                          LatticeEdit>;
 
 // Takes edits of a type. `check` says what is wrong with one. `own` makes the data of the shape its own, so that
 // holders of the same data do not see the change. `make_room`, where the shape has it, gets the memory that the change

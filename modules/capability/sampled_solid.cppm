@@ -23,12 +23,14 @@ struct SurfacePoints {
   std::vector<Vec3> points;
   std::vector<std::uint32_t> cells;  // of the grid, in which they lie
   std::vector<Run> runs;
+  std::vector<Vec3> doubtful;  // about them there may be a surface that no point tells of
 };
 
 // Is where its field is not positive. `value_at` answers everywhere.
 // - `least_within`: a lower bound of the values within a radius of a point, from the value there.
 // - `least_way`: a lower bound of the way from a point to the surface, from the value there.
-// - `surface`: points of the surface, such that every point of it is within `surface_error` of one.
+// - `surface`: points of the surface, such that every point of it is within `surface_error` of one or of a doubtful
+// one.
 template <class S>
 concept SampledSolid = Bounded<S> && requires(const S& shape, const Vec3& point, Real number) {
   { shape.value_at(point) } -> std::same_as<FieldValue>;

@@ -5,6 +5,7 @@ import abut.capability.grid_checks;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.shapes.distance_field_lattice;
 import abut.trees.sparse_blocks;
 
 namespace abut {
@@ -26,8 +27,11 @@ Fault check_spacing(std::string_view name, Real value, Real samples) {
 }
 
 Fault check_parameters(std::span<const std::string_view> names, std::span<const Real> parameters) {
-  if (Fault fault = check_count("parameter_count", parameters.size(), names.size())) {
-    return fault;
+  // Some came later: the interpolation, and then a lattice.
+  if (parameters.size() != names.size() - 4 && parameters.size() != names.size() - 3) {
+    if (Fault fault = check_count("parameter_count", parameters.size(), names.size())) {
+      return fault;
+    }
   }
   for (std::size_t i = 0; i < 3; ++i) {
     if (Fault fault = check_samples(names[i], parameters[i])) {
@@ -42,6 +46,17 @@ Fault check_parameters(std::span<const std::string_view> names, std::span<const 
   }
   if (parameters[9] != 0 && parameters[9] != 1) {
     return error_about(Errc::unknown_value, names[9], parameters[9], "0 (a solid) or 1 (a container)");
+  }
+  if (parameters.size() > 10 && parameters[10] != 0 && parameters[10] != 1) {
+    return error_about(Errc::unknown_value, names[10], parameters[10], "0 (linear) or 1 (quadratic)");
+  }
+  if (parameters.size() > 11) {
+    for (std::size_t i = 11; i < 14; ++i) {
+      if (!(parameters[i] >= 0 && parameters[i] <= FieldLattice::most_along) ||
+          parameters[i] != std::floor(parameters[i])) {
+        return error_about(Errc::out_of_range, names[i], parameters[i], "0, or a whole number from 2 to 64");
+      }
+    }
   }
   if (parameters[0] * parameters[1] * parameters[2] >= no_index) {
     return Error{Errc::size_overflow, "a distance field has at most 2^32 - 2 samples"};
@@ -64,6 +79,12 @@ Fault check_held(std::span<const std::uint32_t> indices, std::size_t blocks) {
   return std::nullopt;
 }
 
+// In cells.
+Aabb box_of(const GridPlace& first, const GridPlace& count) {
+  const Vec3 low{static_cast<Real>(first.x), static_cast<Real>(first.y), static_cast<Real>(first.z)};
+  return {low, low + Vec3{static_cast<Real>(count.x), static_cast<Real>(count.y), static_cast<Real>(count.z)}};
+}
+
 std::size_t block_count(std::span<const Real> parameters, std::uint32_t more) {
   std::size_t count = 1;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -77,6 +98,9 @@ std::size_t block_count(std::span<const Real> parameters, std::uint32_t more) {
 std::vector<Real> DistanceField::parameters() const {
   const Data& field = *data_;
   const GridPlace& samples = field.blocks.samples();
+  const auto along = [&](std::uint32_t GridPlace::* axis) {
+    return field.lattice ? static_cast<Real>(field.lattice->counts().*axis) : 0;
+  };
   return {static_cast<Real>(samples.x),
           static_cast<Real>(samples.y),
           static_cast<Real>(samples.z),
@@ -86,7 +110,11 @@ std::vector<Real> DistanceField::parameters() const {
           field.origin.x,
           field.origin.y,
           field.origin.z,
-          field.is_inside_out ? 1.0 : 0.0};
+          field.is_inside_out ? 1.0 : 0.0,
+          field.is_smooth ? 1.0 : 0.0,
+          along(&GridPlace::x),
+          along(&GridPlace::y),
+          along(&GridPlace::z)};
 }
 
 Buffers DistanceField::buffers() const {
@@ -101,13 +129,18 @@ Buffers DistanceField::buffers() const {
         }
       }
     }
-    return out;
+  } else {
+    out.reals.insert(out.reals.end(), blocks.corners().begin(), blocks.corners().end());
+    out.reals.insert(out.reals.end(), blocks.values().begin(), blocks.values().end());
+    for (std::size_t i = 0; i < blocks.blocks().size(); ++i) {
+      if (blocks.blocks()[i].place != SparseBlocks::no_samples) {
+        out.indices.push_back(static_cast<std::uint32_t>(i));
+      }
+    }
   }
-  out.reals.insert(out.reals.end(), blocks.corners().begin(), blocks.corners().end());
-  out.reals.insert(out.reals.end(), blocks.values().begin(), blocks.values().end());
-  for (std::size_t i = 0; i < blocks.blocks().size(); ++i) {
-    if (blocks.blocks()[i].place != SparseBlocks::no_samples) {
-      out.indices.push_back(static_cast<std::uint32_t>(i));
+  if (data_->lattice) {
+    for (const Vec3& point : data_->lattice->points()) {
+      out.reals.insert(out.reals.end(), {point.x, point.y, point.z});
     }
   }
   return out;
@@ -135,12 +168,18 @@ Result<DistanceField> DistanceField::make(std::span<const Real> parameters, std:
     return Error{Errc::empty, "values is empty; a distance field needs columns * rows * layers of them"};
   }
   const std::size_t blocks = block_count(parameters, 0);
-  const std::size_t expected = indices.empty()
-                                   ? std::size_t{samples.x} * samples.y * samples.z
-                                   : block_count(parameters, 1) + indices.size() * SparseBlocks::samples_of_block;
-  if (Fault fault = check_count("real_count", reals.size(), expected)) {
+  const bool is_smooth = parameters.size() > 10 && parameters[10] == 1;
+  const std::uint32_t fringe = is_smooth ? 1 : 0;
+  const GridPlace points = parameters.size() > 11 ? GridPlace{count(11), count(12), count(13)} : GridPlace{0, 0, 0};
+  const std::size_t lattice_reals = std::size_t{3} * points.x * points.y * points.z;
+  const std::size_t expected =
+      indices.empty() ? std::size_t{samples.x} * samples.y * samples.z
+                      : block_count(parameters, 1) + indices.size() * SparseBlocks::samples_of_block(fringe);
+  if (Fault fault = check_count("real_count", reals.size(), expected + lattice_reals)) {
     return *fault;
   }
+  const std::span<const Real> xyz = reals.subspan(expected);
+  reals = reals.first(expected);
   if (Fault fault = check_held(indices, blocks)) {
     return *fault;
   }
@@ -153,12 +192,13 @@ Result<DistanceField> DistanceField::make(std::span<const Real> parameters, std:
     std::iota(held.begin(), held.end(), 0u);
   }
   const Vec3 spacing{parameters[3], parameters[4], parameters[5]};
-  Data data{SparseBlocks(samples, spacing, held),
+  Data data{SparseBlocks(samples, spacing, held, fringe),
             spacing,
             {1 / spacing.x, 1 / spacing.y, 1 / spacing.z},
             {parameters[6], parameters[7], parameters[8]},
             {static_cast<Real>(samples.x - 1), static_cast<Real>(samples.y - 1), static_cast<Real>(samples.z - 1)},
-            parameters[9] == 1};
+            parameters[9] == 1,
+            is_smooth};
   const GridBox whole{{0, 0, 0}, samples};
   if (indices.empty()) {
     data.blocks.set(whole, [&](const GridPlace& at) {
@@ -170,6 +210,11 @@ Result<DistanceField> DistanceField::make(std::span<const Real> parameters, std:
     std::transform(reals.begin(), reals.begin() + std::ssize(corners), corners.begin(), as_single);
     std::transform(reals.begin() + std::ssize(corners), reals.end(), values.begin(), as_single);
   }
+  Result<std::optional<FieldLattice>> lattice = lattice_over(data, points, xyz);
+  if (!lattice) {
+    return lattice.error();
+  }
+  bend(data, std::move(lattice).value());
   measure(data, whole);
   const auto is_crossed = [](const SparseBlocks::Block& block) {
     return block.place == SparseBlocks::no_samples && block.low <= 0 && block.high >= 0;
@@ -191,7 +236,10 @@ void DistanceField::measure(Data& data, const GridBox& changed) {
   // it is half the diagonal of the block.
   const Real diagonal = norm(data.spacing);
   data.slack = data.blocks.is_sparse() ? 0.5 * (SparseBlocks::side + 1) * diagonal : 0;
+  // Where space shrinks, values change faster.
+  data.steepest /= data.least_stretch;
   data.ways = DistanceFieldWays(blocks);
+  data.rim = data.lattice && data.blocks.is_sparse() ? data.blocks.least_beside_empty() : infinity;
   measure_solid(data);
   data.surface.forget();
 }
@@ -199,10 +247,6 @@ void DistanceField::measure(Data& data, const GridBox& changed) {
 // Around all cells with a value that is not positive; blocks that lie within what is known are left out.
 void DistanceField::measure_solid(Data& data) {
   Aabb in_cells = Aabb::empty();
-  const auto box_of = [](const GridPlace& first, const GridPlace& count) {
-    const Vec3 low{static_cast<Real>(first.x), static_cast<Real>(first.y), static_cast<Real>(first.z)};
-    return Aabb{low, low + Vec3{static_cast<Real>(count.x), static_cast<Real>(count.y), static_cast<Real>(count.z)}};
-  };
   const std::span<const SparseBlocks::Block> blocks = data.blocks.blocks();
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const GridBox cells = data.blocks.cells_of(number);
@@ -213,17 +257,8 @@ void DistanceField::measure_solid(Data& data) {
     }
     if (blocks[number].place == SparseBlocks::no_samples) {
       in_cells.include(around);
-      continue;
-    }
-    for (std::uint32_t k = 0; k < cells.count.z; ++k) {
-      for (std::uint32_t j = 0; j < cells.count.y; ++j) {
-        for (std::uint32_t i = 0; i < cells.count.x; ++i) {
-          const CellCorners corners = data.blocks.corners_of_cell(blocks[number], {i, j, k});
-          if (std::ranges::any_of(corners, [](float value) { return value <= 0; })) {
-            in_cells.include(box_of({cells.first.x + i, cells.first.y + j, cells.first.z + k}, {1, 1, 1}));
-          }
-        }
-      }
+    } else {
+      in_cells.include(data.is_smooth ? smooth_solid_in_cells(data, number) : solid_in_cells(data, number));
     }
   }
   // A field without a solid has the box of its grid.
@@ -234,6 +269,27 @@ void DistanceField::measure_solid(Data& data) {
     return data.origin + Vec3{at.x * data.spacing.x, at.y * data.spacing.y, at.z * data.spacing.z};
   };
   data.solid = {placed(in_cells.low), placed(in_cells.high)};
+  if (data.lattice) {
+    data.solid = data.lattice->bent_box(data.solid);
+  }
+}
+
+// Of a block that holds samples.
+Aabb DistanceField::solid_in_cells(const Data& data, std::uint32_t number) {
+  const SparseBlocks::Block& block = data.blocks.blocks()[number];
+  const GridBox cells = data.blocks.cells_of(number);
+  Aabb out = Aabb::empty();
+  for (std::uint32_t k = 0; k < cells.count.z; ++k) {
+    for (std::uint32_t j = 0; j < cells.count.y; ++j) {
+      for (std::uint32_t i = 0; i < cells.count.x; ++i) {
+        const CellCorners corners = data.blocks.corners_of_cell(block, {i, j, k});
+        if (std::ranges::any_of(corners, [](float value) { return value <= 0; })) {
+          out.include(box_of({cells.first.x + i, cells.first.y + j, cells.first.z + k}, {1, 1, 1}));
+        }
+      }
+    }
+  }
+  return out;
 }
 
 // A solid s in the grid and the point c of the grid nearest to a point p: |p - s|^2 >= |p - c|^2 + |c - s|^2.
@@ -255,9 +311,10 @@ FieldValue DistanceField::beyond(const Vec3& p, const Vec3& in_grid, const Field
 }
 
 std::vector<DistanceField> DistanceField::samples() {
-  // A ball of radius 0.8, a container around it, and a box with unlike cells.
+  // A ball of radius 0.8, a container around it, a box with unlike cells, and one of continuous gradient.
   const auto ball = std::to_array<Real>({12, 12, 12, 0.2, 0.2, 0.2, -1.1, -1.1, -1.1, 0});
   const auto slab = std::to_array<Real>({10, 7, 5, 0.2, 0.3, 0.25, -0.9, -0.9, -0.5, 0});
+  const auto smooth = std::to_array<Real>({11, 12, 13, 0.2, 0.15, 0.12, -1, -0.825, -0.72, 0, 1});
   std::array<Real, 10> container = ball;
   container[9] = 1;
   const auto filled = [](std::span<const Real> parameters, auto&& value_of) {
@@ -279,7 +336,7 @@ std::vector<DistanceField> DistanceField::samples() {
   };
   const std::vector<Real> round = filled(ball, of_ball);
   return {make(ball, round, {}).value(), make(container, round, {}).value(),
-          make(slab, filled(slab, of_slab), {}).value()};
+          make(slab, filled(slab, of_slab), {}).value(), make(smooth, filled(smooth, of_slab), {}).value()};
 }
 
 }  // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays against a sampled field, cell by cell: along a ray the value in a cell is a polynomial of third degree (Parker
-// et al., "Interactive ray tracing for isosurface rendering", 1998). Blocks of one sign are passed at once.
+// et al., "Interactive ray tracing for isosurface rendering", 1998). Where values are tri-quadratic, it is of sixth
+// degree in each eighth of a cell. Blocks of one sign are passed at once.
 module abut.shapes.distance_field;
 import abut.capability;
 import abut.core.standard;
@@ -74,9 +75,91 @@ std::optional<Real> first_zero(const Cubic& cubic, Real& sign_before) {
   return std::nullopt;
 }
 
+// In Bernstein form, for s from 0 to 1.
+struct Sextic {
+  std::array<Real, 7> c;
+
+  // Its halves, by de Casteljau.
+  [[nodiscard]] std::pair<Sextic, Sextic> halves() const {
+    Sextic low{}, high = *this;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      low.c[i] = high.c[0];
+      for (std::size_t k = 0; k + 1 + i < c.size(); ++k) {
+        high.c[k] = 0.5 * (high.c[k] + high.c[k + 1]);
+      }
+    }
+    return {low, high};
+  }
+  // The first place where the sign is not that of a value before. Nothing where all coefficients have that sign.
+  [[nodiscard]] std::optional<Real> first_change(bool is_inside, int halvings = 0) const {
+    const auto is_other = [&](Real value) { return is_inside ? value >= 0 : value <= 0; };
+    if (std::ranges::none_of(c, is_other)) {
+      return std::nullopt;
+    }
+    constexpr int most_halvings = 52;
+    if (is_other(c[0]) || halvings == most_halvings) {
+      return 0;
+    }
+    const auto [low, high] = halves();
+    if (const std::optional<Real> found = low.first_change(is_inside, halvings + 1)) {
+      return 0.5 * *found;
+    }
+    const std::optional<Real> found = high.first_change(is_inside, halvings + 1);
+    return found ? std::optional(0.5 + 0.5 * *found) : std::nullopt;
+  }
+};
+
+// The parts of a stretch within a cell: it is cut in the middle between samples. `from` and `to` are seen from the
+// first corner of the cell.
+std::array<Real, 5> eighths_along(const Vec3& from, const Vec3& to) {
+  std::array<Real, 5> ends{0, 1, 1, 1, 1};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real a = from[axis] - 0.5, b = to[axis] - 0.5;
+    ends[static_cast<std::size_t>(axis) + 1] = (a < 0) != (b < 0) ? std::clamp(a / (a - b), Real{0}, Real{1}) : 1;
+  }
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
 }  // namespace
 
+// The first zero along a stretch within a cell, as a share of it. `sign_before` as in first_zero.
+std::optional<Real> DistanceField::smooth_zero(const SparseBlocks::Block& block, const GridPlace& in_block,
+                                               const GridPlace& cell, const Vec3& from, const Vec3& to,
+                                               Real& sign_before) const {
+  const SparseBlocks& blocks = data_->blocks;
+  const std::array<Real, 5> ends = eighths_along(from, to);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const Real begin = ends[i], end = ends[i + 1];
+    if (!(end > begin) && i > 0) {
+      continue;
+    }
+    const Vec3 a = from + begin * (to - from), b = from + end * (to - from), middle = 0.5 * (a + b);
+    const auto upper = [](Real at) { return at < 0.5 ? 0u : 1u; };
+    const GridPlace nearest{upper(middle.x), upper(middle.y), upper(middle.z)};
+    const Vec3 first{static_cast<Real>(nearest.x), static_cast<Real>(nearest.y), static_cast<Real>(nearest.z)};
+    const SamplesAround around =
+        blocks.samples_around(block, {in_block.x + nearest.x, in_block.y + nearest.y, in_block.z + nearest.z});
+    const auto middle_samples = blocks.ends_at({cell.x + nearest.x, cell.y + nearest.y, cell.z + nearest.z});
+    const Sextic along{SplinePatch::make(around, middle_samples, a - first, b - first).diagonal()};
+    const Real start = along.c.front();
+    if (sign_before == 0) {
+      sign_before = start < 0 ? -1 : 1;
+      if (start == 0) {
+        return begin;
+      }
+    }
+    if (const std::optional<Real> found = along.first_change(sign_before < 0)) {
+      return begin + *found * (end - begin);
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<RayHit> DistanceField::cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const {
+  if (data_->lattice) {
+    return cast_bent_ray(origin, direction, max_distance);
+  }
   const Data& field = *data_;
   const SparseBlocks& blocks = field.blocks;
   const Vec3 o = origin - field.origin, d = direction;
@@ -125,14 +208,18 @@ std::optional<RayHit> DistanceField::cast_ray(const Vec3& origin, const UnitVec3
     const Real end = std::min(leave, over.leave);
     if (!is_passed) {
       const GridPlace in_block{cell.x % SparseBlocks::side, cell.y % SparseBlocks::side, cell.z % SparseBlocks::side};
-      const CellCorners corners = blocks.corners_of_cell(block, in_block);
       const Vec3 first{static_cast<Real>(cell.x), static_cast<Real>(cell.y), static_cast<Real>(cell.z)};
-      const auto value_at_way = [&](Real at) {
-        return interpolate(corners, scaled(o + at * d, field.inverse) - first).value;
+      const auto place_in_cell = [&](Real at) { return scaled(o + at * d, field.inverse) - first; };
+      const auto zero_of_cubic = [&] {
+        const CellCorners corners = blocks.corners_of_cell(block, in_block);
+        const auto value_at_way = [&](Real at) { return interpolate(corners, place_in_cell(at)).value; };
+        return first_zero(Cubic::through({value_at_way(way), value_at_way(way + (end - way) / 3),
+                                          value_at_way(way + 2 * (end - way) / 3), value_at_way(end)}),
+                          sign_before);
       };
-      const Cubic cubic = Cubic::through({value_at_way(way), value_at_way(way + (end - way) / 3),
-                                          value_at_way(way + 2 * (end - way) / 3), value_at_way(end)});
-      if (const std::optional<Real> zero = first_zero(cubic, sign_before)) {
+      if (const std::optional<Real> zero =
+              field.is_smooth ? smooth_zero(block, in_block, cell, place_in_cell(way), place_in_cell(end), sign_before)
+                              : zero_of_cubic()) {
         const Real distance = std::min(way + *zero * (end - way), max_distance);
         const Vec3 normal = value_at(origin + distance * d).gradient;
         return RayHit{distance, UnitVec3::make(normal).value_or(-direction), {FeatureKind::cell, cell_number(cell)}};

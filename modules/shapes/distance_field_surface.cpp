@@ -43,6 +43,9 @@ std::uint32_t DistanceField::cell_number(const GridPlace& place) const {
 // The middle of the crossings, moved onto the surface by Newton's method within the cell.
 Vec3 DistanceField::point_in(const SurfaceCell& cell) const {
   const Vec3& spacing = data_->spacing;
+  if (data_->is_smooth) {
+    return smooth_point_in(cell);
+  }
   Vec3 at = middle_of_crossings(cell.corners);
   constexpr int most_steps = 4;
   for (int step = 0; step < most_steps; ++step) {
@@ -56,9 +59,44 @@ Vec3 DistanceField::point_in(const SurfaceCell& cell) const {
     at = maximum(minimum(at + Vec3{way.x / spacing.x, way.y / spacing.y, way.z / spacing.z}, Vec3{1, 1, 1}),
                  Vec3{0, 0, 0});
   }
-  const Vec3 in_grid =
-      at + Vec3{static_cast<Real>(cell.place.x), static_cast<Real>(cell.place.y), static_cast<Real>(cell.place.z)};
-  return data_->origin + Vec3{in_grid.x * spacing.x, in_grid.y * spacing.y, in_grid.z * spacing.z};
+  return placed(
+      at + Vec3{static_cast<Real>(cell.place.x), static_cast<Real>(cell.place.y), static_cast<Real>(cell.place.z)});
+}
+
+Vec3 DistanceField::placed(const Vec3& at) const {
+  const Vec3& spacing = data_->spacing;
+  return data_->origin + Vec3{at.x * spacing.x, at.y * spacing.y, at.z * spacing.z};
+}
+
+// The same where values are tri-quadratic. Where that leads nowhere, there is a zero on an edge that is crossed.
+Vec3 DistanceField::smooth_point_in(const SurfaceCell& cell) const {
+  constexpr int most_steps = 8;
+  constexpr Real end_share = 1e-9;  // of a cell
+  const Vec3& spacing = data_->spacing;
+  const Vec3 low{static_cast<Real>(cell.place.x), static_cast<Real>(cell.place.y), static_cast<Real>(cell.place.z)},
+      high = low + Vec3{1, 1, 1};
+  Vec3 at = low + middle_of_crossings(cell.corners);
+  for (int step = 0; step < most_steps; ++step) {
+    const Interpolated found = interpolated(at);
+    if (std::fabs(found.value) <= end_share * finest()) {
+      return placed(at);
+    }
+    const Vec3 gradient{found.slope.x / spacing.x, found.slope.y / spacing.y, found.slope.z / spacing.z};
+    const Vec3 way = (-found.value / squared_norm(gradient)) * gradient;
+    const Vec3 next = at + Vec3{way.x / spacing.x, way.y / spacing.y, way.z / spacing.z};
+    if (!is_finite(next)) {
+      break;
+    }
+    at = maximum(minimum(next, high), low);
+  }
+  const auto corner = [&](std::size_t bits) {
+    return low + Vec3{bits & 1 ? 1.0 : 0.0, bits & 2 ? 1.0 : 0.0, bits & 4 ? 1.0 : 0.0};
+  };
+  std::size_t inside = 0, outside = 0;
+  for (std::size_t bits = 0; bits < 8; ++bits) {
+    (cell.corners[bits] < 0 ? inside : outside) = bits;
+  }
+  return placed(zero_between(corner(inside), corner(outside)));
 }
 
 SurfacePoints DistanceField::make_surface() const {
@@ -71,14 +109,29 @@ SurfacePoints DistanceField::make_surface() const {
     }
     const GridBox cells = blocks.cells_of(number);
     SurfacePoints::Run run{Aabb::empty(), static_cast<std::uint32_t>(out.points.size()), 0};
+    const std::vector<float> known = data_->is_smooth ? corner_values(cells) : std::vector<float>();
+    const auto corners_of = [&](const GridPlace& at) {
+      if (!data_->is_smooth) {
+        return blocks.corners_of_cell(block, at);
+      }
+      CellCorners corners{};
+      for (std::uint32_t bits = 0; bits < 8; ++bits) {
+        corners[bits] =
+            known[((at.z + (bits >> 2)) * (cells.count.y + 1) + at.y + (bits >> 1 & 1u)) * (cells.count.x + 1) + at.x +
+                  (bits & 1u)];
+      }
+      return corners;
+    };
     for (std::uint32_t k = 0; k < cells.count.z; ++k) {
       for (std::uint32_t j = 0; j < cells.count.y; ++j) {
         for (std::uint32_t i = 0; i < cells.count.x; ++i) {
-          const CellCorners corners = blocks.corners_of_cell(block, {i, j, k});
+          const CellCorners corners = corners_of({i, j, k});
+          const GridPlace place{cells.first.x + i, cells.first.y + j, cells.first.z + k};
           if (is_crossed(corners)) {
-            const GridPlace place{cells.first.x + i, cells.first.y + j, cells.first.z + k};
             out.points.push_back(point_in({place, corners}));
             out.cells.push_back(cell_number(place));
+            run.box.include(out.points.back());
+          } else if (data_->is_smooth && add_uncrossed(block, {i, j, k}, place, out)) {
             run.box.include(out.points.back());
           }
         }
@@ -88,6 +141,9 @@ SurfacePoints DistanceField::make_surface() const {
     if (run.count > 0) {
       out.runs.push_back(run);
     }
+  }
+  if (data_->lattice) {
+    bend_points(out);
   }
   return out;
 }
@@ -107,13 +163,16 @@ Triangles DistanceField::triangles() const {
     return std::lower_bound(by_cell.begin(), by_cell.end(), std::pair{cell_number(cell), 0u})->second;
   };
   const GridPlace& samples = blocks.samples();
+  const auto is_inside_at = [&](const GridPlace& at) {
+    return data_->is_smooth ? corner_value(at) < 0 : blocks.sample(at) < 0;
+  };
   for (const std::uint32_t cell : net.cells) {
     const GridPlace place{cell % (samples.x - 1), cell / (samples.x - 1) % (samples.y - 1),
                           cell / (samples.x - 1) / (samples.y - 1)};
-    const bool is_inside = blocks.sample(place) < 0;
+    const bool is_inside = is_inside_at(place);
     for (int axis = 0; axis < 3; ++axis) {
       const GridPlace along{axis == 0 ? 1u : 0u, axis == 1 ? 1u : 0u, axis == 2 ? 1u : 0u};
-      if ((blocks.sample({place.x + along.x, place.y + along.y, place.z + along.z}) < 0) == is_inside) {
+      if (is_inside_at({place.x + along.x, place.y + along.y, place.z + along.z}) == is_inside) {
         continue;
       }
       // The ends of such an edge do not both lie on the border, so there are cells all around it.

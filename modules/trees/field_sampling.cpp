@@ -11,7 +11,13 @@ namespace abut {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
-constexpr std::uint32_t along = SparseBlocks::samples_along;
+constexpr std::uint32_t along = SparseBlocks::samples_along(0);
+constexpr std::size_t samples_of_block = SparseBlocks::samples_of_block(0);
+
+template <class List>
+[[nodiscard]] auto of_block(List& list, std::size_t i) {
+  return std::span(list).subspan(i * samples_of_block, samples_of_block);
+}
 
 // Whether each edge leads as often one way as the other. Vertices at one place are one.
 bool is_closed(const SurfaceTriangles& surface) {
@@ -56,17 +62,21 @@ class MeshSampler {
  public:
   MeshSampler(const SurfaceTriangles& surface, const FieldGrid& grid)
       : grid_(grid),
-        blocks_(grid.samples, {grid.spacing, grid.spacing, grid.spacing}, {}),
+        blocks_(grid.samples, {grid.spacing, grid.spacing, grid.spacing}, {}, 0),
         tree_(triangles_of(surface)),
         winding_(surface.vertices, surface.indices),
         is_closed_(is_closed(surface)) {}
 
-  [[nodiscard]] SampledField sample(Real band) {
+  [[nodiscard]] SampledField sample(Real band, std::uint32_t fringe) {
     find_held(band);
     sample_held();
     spread_to_corners();
+    find_at_corners();
     sign_corners();
     hold_crossed();
+    if (fringe > 0) {
+      add_fringe();
+    }
     SampledField out{std::move(held_), std::move(corners_), false};
     out.values.insert(out.values.end(), values_.begin(), values_.end());
     out.has_inside = std::ranges::any_of(out.values, [](Real value) { return value < 0; });
@@ -209,13 +219,10 @@ class MeshSampler {
   void sample_held() {
     corners_.assign(corner_number(0, 0, blocks_.block_counts().z + 1), 0);
     corner_triangles_.assign(corners_.size(), none);
-    values_.resize(held_.size() * SparseBlocks::samples_of_block);
-    std::vector<std::uint32_t> triangles(values_.size());
-    const auto of_block = [](auto& list, std::size_t i) {
-      return std::span(list).subspan(i * SparseBlocks::samples_of_block, SparseBlocks::samples_of_block);
-    };
+    values_.resize(held_.size() * samples_of_block);
+    triangles_.resize(values_.size());
     Workers(0).for_each(held_.size(), [&](std::size_t i) {
-      sample_block(held_[i], closest_[held_[i]], of_block(values_, i), of_block(triangles, i));
+      sample_block(held_[i], closest_[held_[i]], of_block(values_, i), of_block(triangles_, i));
     });
     for (std::size_t i = 0; i < held_.size(); ++i) {
       const GridPlace at = blocks_.block_at(held_[i]);
@@ -225,7 +232,7 @@ class MeshSampler {
         const std::size_t from = (std::size_t{z * count.z} * along + y * count.y) * along + x * count.x;
         const std::size_t corner = corner_number(at.x + x, at.y + y, at.z + z);
         corners_[corner] = of_block(values_, i)[from];
-        corner_triangles_[corner] = of_block(triangles, i)[from];
+        corner_triangles_[corner] = of_block(triangles_, i)[from];
       }
     }
     is_known_.resize(corners_.size());
@@ -233,10 +240,10 @@ class MeshSampler {
                    [](std::uint32_t triangle) { return triangle != none ? 1 : 0; });
   }
 
-  // Hands triangles on from corner to corner, in eight directions, twice.
+  // Hands triangles on from corner to corner, in eight directions, so that each begins with one that is close.
   void spread_to_corners() {
     const GridPlace counts = blocks_.block_counts();
-    for (int pass = 0; pass < 16; ++pass) {
+    for (int pass = 0; pass < 8; ++pass) {
       const auto turned = [&](int bit, std::uint32_t at, std::uint32_t last) {
         return pass >> bit & 1 ? last - at : at;
       };
@@ -272,6 +279,27 @@ class MeshSampler {
       corners_[here] = distance;
       corner_triangles_[here] = triangle;
     }
+  }
+
+  // The nearest triangles, row by row.
+  void find_at_corners() {
+    const GridPlace counts = blocks_.block_counts();
+    Workers(0).for_each(std::size_t{counts.y + 1} * (counts.z + 1), [&](std::size_t row) {
+      const auto y = static_cast<std::uint32_t>(row % (counts.y + 1)),
+                 z = static_cast<std::uint32_t>(row / (counts.y + 1));
+      for (std::uint32_t x = 0; x <= counts.x; ++x) {
+        const std::size_t here = corner_number(x, y, z);
+        if (is_known_[here] != 0) {
+          continue;
+        }
+        const std::array<Vec3, 1> place{corner_place(x, y, z)};
+        const std::array<std::uint32_t, 1> close{corner_triangles_[here]};
+        std::array<NearestTriangle::Found, 1> found;
+        tree_.find(place, close, found);
+        corners_[here] = std::sqrt(found[0].squared);
+        corner_triangles_[here] = found[0].triangle;
+      }
+    });
   }
 
   // Beside a corner of no block that holds samples there are only blocks without triangles.
@@ -316,29 +344,131 @@ class MeshSampler {
     if (crossed.empty()) {
       return;
     }
-    std::vector<Real> more(crossed.size() * SparseBlocks::samples_of_block);
+    std::vector<Real> more(crossed.size() * samples_of_block);
+    std::vector<std::uint32_t> triangles(more.size());
     Workers(0).for_each(crossed.size(), [&](std::size_t i) {
-      std::vector<std::uint32_t> triangles(SparseBlocks::samples_of_block);
-      sample_block(crossed[i].first, crossed[i].second, std::span(more).subspan(i * triangles.size(), triangles.size()),
-                   triangles);
+      sample_block(crossed[i].first, crossed[i].second, of_block(more, i), of_block(triangles, i));
     });
-    merge(crossed, more);
+    merge(crossed, more, triangles);
   }
   // Blocks come in rising order.
-  void merge(std::span<const std::pair<std::uint32_t, std::uint32_t>> crossed, std::span<const Real> more) {
-    constexpr std::size_t each = SparseBlocks::samples_of_block;
-    std::vector<std::uint32_t> held;
+  void merge(std::span<const std::pair<std::uint32_t, std::uint32_t>> crossed, std::span<const Real> more,
+             std::span<const std::uint32_t> more_triangles) {
+    std::vector<std::uint32_t> held, triangles;
     std::vector<Real> values;
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     for (std::size_t i = 0, k = 0; i < held_.size() || k < crossed.size();) {
       const bool is_more = i == held_.size() || (k < crossed.size() && crossed[k].first < held_[i]);
       held.push_back(is_more ? crossed[k].first : held_[i]);
-      const std::span<const Real> from =
-          is_more ? more.subspan(k * each, each) : std::span<const Real>(values_).subspan(i * each, each);
-      values.insert(values.end(), from.begin(), from.end());
+      append(values, is_more ? of_block(more, k) : of_block(std::as_const(values_), i));
+      append(triangles, is_more ? of_block(more_triangles, k) : of_block(std::as_const(triangles_), i));
       ++(is_more ? k : i);
     }
     held_ = std::move(held);
     values_ = std::move(values);
+    triangles_ = std::move(triangles);
+  }
+
+  // Blocks with the samples next to them.
+  void add_fringe() {
+    constexpr std::size_t each = SparseBlocks::samples_of_block(1);
+    std::vector<std::uint32_t> number_held(blocks_.blocks().size(), none);
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+      number_held[held_[i]] = static_cast<std::uint32_t>(i);
+    }
+    std::vector<Real> all(held_.size() * each);
+    Workers(0).for_each(
+        held_.size(), [&](std::size_t i) { fill_with_fringe(i, number_held, std::span(all).subspan(i * each, each)); });
+    values_ = std::move(all);
+  }
+  // Samples of the fringe are those of a neighbour that holds them, or found from the nearest ones in the block.
+  void fill_with_fringe(std::size_t at, std::span<const std::uint32_t> number_held, std::span<Real> out) const {
+    constexpr std::uint32_t wide = SparseBlocks::samples_along(1);
+    const std::span<const Real> inner = of_block(values_, at);
+    const GridPlace first = blocks_.cells_of(held_[at]).first, &all = grid_.samples;
+    FringeBatch batch;
+    const auto find_batch = [&] {
+      find_fringe(batch, of_block(triangles_, at), inner, out);
+      batch = {};
+    };
+    for (std::uint32_t k = 0; k < wide; ++k) {
+      for (std::uint32_t j = 0; j < wide; ++j) {
+        for (std::uint32_t i = 0; i < wide; ++i) {
+          const std::size_t here = (std::size_t{k} * wide + j) * wide + i;
+          const auto inward = [](std::uint32_t in_fringe) { return std::clamp(in_fringe, 1u, along) - 1; };
+          const GridPlace in_block{inward(i), inward(j), inward(k)};
+          if (in_block.x + 1 == i && in_block.y + 1 == j && in_block.z + 1 == k) {
+            out[here] = inner[index_in_block(in_block)];
+            continue;
+          }
+          // One more than the number of the sample.
+          const GridPlace next{first.x + i, first.y + j, first.z + k};
+          const auto is_beyond = [](std::uint32_t sample, std::uint32_t samples) {
+            return sample == 0 || sample > samples;
+          };
+          if (is_beyond(next.x, all.x) || is_beyond(next.y, all.y) || is_beyond(next.z, all.z)) {
+            continue;
+          }
+          const GridPlace sample{next.x - 1, next.y - 1, next.z - 1};
+          if (const std::optional<Real> known = held_sample(sample, number_held)) {
+            out[here] = *known;
+            continue;
+          }
+          batch.places[batch.count] = place_of(sample.x, sample.y, sample.z);
+          batch.into[batch.count] = here;
+          batch.near[batch.count] = index_in_block(in_block);
+          if (++batch.count == batch.places.size()) {
+            find_batch();
+          }
+        }
+      }
+    }
+    find_batch();
+  }
+  [[nodiscard]] std::optional<Real> held_sample(const GridPlace& sample,
+                                                std::span<const std::uint32_t> number_held) const {
+    const GridPlace& counts = blocks_.block_counts();
+    std::optional<Real> found;
+    blocks_.visit_blocks({sample, {1, 1, 1}}, [&](std::uint32_t number) {
+      if (!found && number_held[number] != none) {
+        const GridPlace first{SparseBlocks::side * (number % counts.x),
+                              SparseBlocks::side * (number / counts.x % counts.y),
+                              SparseBlocks::side * (number / counts.x / counts.y)};
+        found = of_block(
+            values_, number_held[number])[index_in_block({sample.x - first.x, sample.y - first.y, sample.z - first.z})];
+      }
+    });
+    return found;
+  }
+  struct FringeBatch {
+    std::size_t count = 0;
+    std::array<Vec3, 16> places{};
+    std::array<std::size_t, 16> into{}, near{};  // near: a sample in the block
+  };
+  void find_fringe(const FringeBatch& batch, std::span<const std::uint32_t> triangles, std::span<const Real> inner,
+                   std::span<Real> out) const {
+    if (batch.count == 0) {
+      return;
+    }
+    std::array<std::uint32_t, 16> near{};
+    std::array<NearestTriangle::Found, 16> found{};
+    for (std::size_t i = 0; i < batch.count; ++i) {
+      near[i] = triangles[batch.near[i]];
+    }
+    const std::span<std::uint32_t> known = std::span(near).first(batch.count);
+    std::ranges::sort(known);
+    const auto end = std::unique(known.begin(), known.end());
+    tree_.find(std::span(batch.places).first(batch.count), known.first(static_cast<std::size_t>(end - known.begin())),
+               std::span(found).first(batch.count));
+    for (std::size_t i = 0; i < batch.count; ++i) {
+      const Real distance = std::sqrt(found[i].squared), neighbour = inner[batch.near[i]];
+      // A neighbour is one cell away along each axis at most.
+      const Real apart = std::sqrt(Real{3}) * (1 + on_surface) * grid_.spacing;
+      const bool is_like = is_closed_ && std::fabs(neighbour) + distance > apart;
+      const bool is_in =
+          distance > on_surface * grid_.spacing && (is_like ? neighbour < 0 : winding_.contains(batch.places[i]));
+      out[batch.into[i]] = is_in ? -distance : distance;
+    }
   }
 
   static constexpr Real on_surface = 1e-7;  // of a cell: such points count as on the surface
@@ -349,14 +479,15 @@ class MeshSampler {
   bool is_closed_;
   std::vector<std::uint32_t> closest_, held_;  // a triangle for each block, and the blocks with samples
   std::vector<Real> corners_, values_;
+  std::vector<std::uint32_t> triangles_;  // near each of the values
   std::vector<std::uint32_t> corner_triangles_;
   std::vector<std::uint8_t> is_known_;  // corners of blocks with samples
 };
 
 }  // namespace
 
-SampledField sample_distances(const SurfaceTriangles& surface, const FieldGrid& grid, Real band) {
-  return MeshSampler(surface, grid).sample(band);
+SampledField sample_distances(const SurfaceTriangles& surface, const FieldGrid& grid, Real band, std::uint32_t fringe) {
+  return MeshSampler(surface, grid).sample(band, fringe);
 }
 
 }  // namespace abut

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Samples of the signed distance from triangles, for a field in sparse blocks. Blocks near the surface get samples,
-// each with its exact distance. Of other blocks only the corners are known: their distance is that of a triangle that
-// is nearest to a corner nearby, and at most too large.
+// each with its exact distance. Of other blocks only the corners are known, exactly as well.
 //
 // Inside is where the triangles wind around a point by more than one half, so that gaps and flipped triangles do little
 // harm. Of closed surfaces the sign is handed on from sample to sample: where the balls of their distances overlap, no
@@ -32,8 +31,10 @@ struct SampledField {
   bool has_inside;
 };
 
-// `band`: samples are held in all blocks with a point that is not further from the surface. On as many threads as there
-// may be.
-[[nodiscard]] SampledField sample_distances(const SurfaceTriangles& surface, const FieldGrid& grid, Real band);
+// `band`: samples are held in all blocks with a point that is not further from the surface. `fringe`: how many samples
+// beyond their cells blocks have on each side, 0 or 1; what would lie beyond the grid is zero. On as many threads as
+// there may be.
+[[nodiscard]] SampledField sample_distances(const SurfaceTriangles& surface, const FieldGrid& grid, Real band,
+                                            std::uint32_t fringe);
 
 }  // namespace abut

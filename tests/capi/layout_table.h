@@ -85,15 +85,26 @@
   FIELD(abut_distance_field_desc, columns, 8, 4)             \
   FIELD(abut_distance_field_desc, rows, 12, 4)               \
   FIELD(abut_distance_field_desc, layers, 16, 4)             \
-  FIELD(abut_distance_field_desc, reserved, 20, 4)           \
+  FIELD(abut_distance_field_desc, interpolation, 20, 4)      \
   FIELD(abut_distance_field_desc, spacing, 24, 24)           \
   FIELD(abut_distance_field_desc, origin, 48, 24)            \
   FIELD(abut_distance_field_desc, values, 72, 8)             \
-  TYPE(abut_distance_field_options, 24)                      \
+  TYPE(abut_distance_field_options, 32)                      \
   FIELD(abut_distance_field_options, struct_size, 0, 4)      \
   FIELD(abut_distance_field_options, is_inside_out, 4, 4)    \
   FIELD(abut_distance_field_options, spacing, 8, 8)          \
   FIELD(abut_distance_field_options, band, 16, 8)            \
+  FIELD(abut_distance_field_options, interpolation, 24, 4)   \
+  FIELD(abut_distance_field_options, reserved, 28, 4)        \
+  TYPE(abut_distance_field_report, 56)                       \
+  FIELD(abut_distance_field_report, struct_size, 0, 4)       \
+  FIELD(abut_distance_field_report, interpolation, 4, 4)     \
+  FIELD(abut_distance_field_report, block_count, 8, 8)       \
+  FIELD(abut_distance_field_report, held_block_count, 16, 8) \
+  FIELD(abut_distance_field_report, error, 24, 8)            \
+  FIELD(abut_distance_field_report, far_error, 32, 8)        \
+  FIELD(abut_distance_field_report, least_stretch, 40, 8)    \
+  FIELD(abut_distance_field_report, most_stretch, 48, 8)     \
   TYPE(abut_shape_desc, 56)                                  \
   FIELD(abut_shape_desc, struct_size, 0, 4)                  \
   FIELD(abut_shape_desc, kind, 4, 4)                         \

@@ -15,7 +15,7 @@ import sys
 PROTOTYPE = re.compile(r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\(")
 STRUCT = re.compile(r"typedef struct (abut_\w+) \{\s*uint32_t struct_size;([^{}]*)\}")
 # What is no option: answers, and what the constructors of shapes fill in.
-NO_OPTIONS = {"abut_hull_report", "abut_mesh_report", "abut_geometry_info", "abut_step_stats",
+NO_OPTIONS = {"abut_hull_report", "abut_distance_field_report", "abut_mesh_report", "abut_geometry_info", "abut_step_stats",
               "abut_height_field_desc", "abut_distance_field_desc", "abut_distance_field_options", "abut_shape_desc"}
 # What languages call whose callbacks take no structs. C++ has the other form.
 OTHER_FORMS = {"abut_universe_set_pointer_filter"}

@@ -170,7 +170,7 @@ class Shape(Owner):
 
     @classmethod
     def distance_field(cls, values: Any, spacing: Any = 1.0, origin: Any = (0.0, 0.0, 0.0),
-                       is_inside_out: bool = False) -> Shape:
+                       is_inside_out: bool = False, interpolation: int = c.INTERPOLATION_LINEAR) -> Shape:
         """A solid from its signed distance, an array of (layers, rows, columns). One spacing, or one for each axis."""
         counts: Any = getattr(values, "shape", None)
         if counts is None:
@@ -186,7 +186,8 @@ class Shape(Owner):
             raise ValueError(f"values has {len(numbers)} numbers; it must have {' * '.join(map(str, counts))}")
         sides = spacing if hasattr(spacing, "__len__") else (spacing, spacing, spacing)
         desc = options.filled(c.DistanceFieldDesc, library.abut_distance_field_desc_init, {
-            "columns": counts[2], "rows": counts[1], "layers": counts[0], "is_inside_out": int(is_inside_out)})
+            "columns": counts[2], "rows": counts[1], "layers": counts[0], "is_inside_out": int(is_inside_out),
+            "interpolation": interpolation})
         desc.spacing, desc.origin = given.vec3("spacing", sides), given.vec3("origin", origin)
         desc.values = numbers
         return cls._made_by(library.abut_distance_field_create, byref(desc))
@@ -265,6 +266,12 @@ class Shape(Owner):
         kind = library.abut_shape_kind_of(self.pointer)
         values = answers.filled(c_double, lambda *rest: library.abut_shape_parameters(self.pointer, *rest))
         return {library.abut_shape_kind_parameter_name(kind, i).decode(): value for i, value in enumerate(values)}
+
+    def distance_field_report(self) -> c.DistanceFieldReport:
+        """How far values of a distance field may be off, and how much of it holds samples."""
+        out = options.filled(c.DistanceFieldReport, library.abut_distance_field_report_init, {})
+        library.abut_distance_field_describe(self.pointer, byref(out))
+        return out
 
     def hull_report(self) -> c.HullReport:
         """What a hull has left of its points, and the error of that."""

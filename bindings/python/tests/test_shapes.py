@@ -94,6 +94,7 @@ class Queries(unittest.TestCase):
         corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
         faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
         solid = abut.Shape.distance_field_from_mesh(corners, faces, spacing=0.05)
+        self.assertAlmostEqual(solid.distance_field_report().error, 0.025 * 3 ** 0.5, places=6)
         self.assertAlmostEqual(solid.cast_ray(abut.pose(), abut.ray((0.2, 0.2, -5), (0, 0, 1))).distance, 5, places=3)
         with self.assertRaisesRegex(ValueError, "values has shape"):
             abut.Shape.distance_field(memoryview(bytes(8)))

@@ -361,6 +361,10 @@ extern "C" {
 extern "C" {
     pub fn abut_height_field_create(desc: *const abut_height_field_desc, out: *mut *mut abut_shape) -> abut_status;
 }
+pub type abut_interpolation = u32;
+pub const ABUT_INTERPOLATION_LINEAR: abut_interpolation_value = 0;
+pub const ABUT_INTERPOLATION_QUADRATIC: abut_interpolation_value = 1;
+pub type abut_interpolation_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct abut_distance_field_desc {
@@ -369,7 +373,7 @@ pub struct abut_distance_field_desc {
     pub columns: u32,
     pub rows: u32,
     pub layers: u32,
-    pub reserved: u32,
+    pub interpolation: abut_interpolation,
     pub spacing: abut_vec3,
     pub origin: abut_vec3,
     pub values: *const f64,
@@ -396,6 +400,8 @@ pub struct abut_distance_field_options {
     pub is_inside_out: u32,
     pub spacing: f64,
     pub band: f64,
+    pub interpolation: abut_interpolation,
+    pub reserved: u32,
 }
 extern "C" {
     pub fn abut_distance_field_options_init(options: *mut abut_distance_field_options, struct_size: u32);
@@ -409,6 +415,24 @@ extern "C" {
         options: *const abut_distance_field_options,
         out: *mut *mut abut_shape,
     ) -> abut_status;
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_distance_field_report {
+    pub struct_size: u32,
+    pub interpolation: abut_interpolation,
+    pub block_count: u64,
+    pub held_block_count: u64,
+    pub error: f64,
+    pub far_error: f64,
+    pub least_stretch: f64,
+    pub most_stretch: f64,
+}
+extern "C" {
+    pub fn abut_distance_field_report_init(report: *mut abut_distance_field_report, struct_size: u32);
+}
+extern "C" {
+    pub fn abut_distance_field_describe(shape: *const abut_shape, out: *mut abut_distance_field_report) -> abut_status;
 }
 extern "C" {
     pub fn abut_particles_create(xyz: *const f64, count: usize, radius: f64, out: *mut *mut abut_shape) -> abut_status;
@@ -1167,6 +1191,16 @@ extern "C" {
         rows: u32,
         layers: u32,
         values: *const f64,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_geometry_set_field_lattice(
+        universe: *mut abut_universe,
+        geometry: abut_geometry_id,
+        columns: u32,
+        rows: u32,
+        layers: u32,
+        xyz: *const f64,
     ) -> abut_status;
 }
 extern "C" {

@@ -168,6 +168,8 @@ struct ContactMaterial : Defaulted<ContactMaterial, abut_contact_material, abut_
 
 // Answers that grow over time.
 struct HullReport : Defaulted<HullReport, abut_hull_report, abut_hull_report_init> {};
+struct DistanceFieldReport
+    : Defaulted<DistanceFieldReport, abut_distance_field_report, abut_distance_field_report_init> {};
 struct MeshReport : Defaulted<MeshReport, abut_mesh_report, abut_mesh_report_init> {};
 struct GeometryInfo : Defaulted<GeometryInfo, abut_geometry_info, abut_geometry_info_init> {};
 struct StepStats : Defaulted<StepStats, abut_step_stats, abut_step_stats_init> {};

@@ -156,7 +156,8 @@ class Shape {
   // Inside out it is a container.
   [[nodiscard]] static Answer<Shape> distance_field(std::uint32_t columns, std::uint32_t rows, std::uint32_t layers,
                                                     const Vec3& spacing, const Vec3& origin, Span<const double> values,
-                                                    bool is_inside_out = false) {
+                                                    bool is_inside_out = false,
+                                                    Interpolation interpolation = ABUT_INTERPOLATION_LINEAR) {
     abut_distance_field_desc desc;
     abut_distance_field_desc_init(&desc, sizeof desc);
     desc.columns = columns;
@@ -166,6 +167,7 @@ class Shape {
     desc.origin = origin;
     desc.values = values.data();
     desc.is_inside_out = is_inside_out ? 1 : 0;
+    desc.interpolation = interpolation;
     const abut_status sizes = detail::expect_as_many("values", values.size(), "columns * rows * layers",
                                                      detail::product_of(columns, rows, layers));
     return made([&](abut_shape** out) { return sizes != ABUT_OK ? sizes : abut_distance_field_create(&desc, out); });
@@ -173,12 +175,14 @@ class Shape {
   // The solid within a mesh; see abut_distance_field_options for spacing and band.
   [[nodiscard]] static Answer<Shape> distance_field_from_mesh(const Points& vertices, const Triangles& triangles,
                                                               double spacing = 0, double band = 3,
-                                                              bool is_inside_out = false) {
+                                                              bool is_inside_out = false,
+                                                              Interpolation interpolation = ABUT_INTERPOLATION_LINEAR) {
     abut_distance_field_options options;
     abut_distance_field_options_init(&options, sizeof options);
     options.spacing = spacing;
     options.band = band;
     options.is_inside_out = is_inside_out ? 1 : 0;
+    options.interpolation = interpolation;
     const abut_status whole = detail::first_failure(detail::expect_whole("vertices", vertices),
                                                     detail::expect_whole("triangles", triangles));
     return made([&](abut_shape** out) {
@@ -293,6 +297,11 @@ class Shape {
     return detail::answer_if_found(abut_shape_cast_ray(shape_, &pose, &ray, &hit, &found), found, hit);
   }
   // What a hull has left of its points.
+  // How far values of a distance field may be off, and how much of it holds samples.
+  [[nodiscard]] Answer<DistanceFieldReport> describe_distance_field() const {
+    DistanceFieldReport out;
+    return detail::answer(abut_distance_field_describe(shape_, &out), out);
+  }
   [[nodiscard]] Answer<HullReport> describe_hull() const {
     HullReport out;
     return detail::answer(abut_hull_describe(shape_, &out), out);

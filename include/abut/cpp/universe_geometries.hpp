@@ -124,6 +124,17 @@ class UniverseGeometries : public UniverseParts {
                                            : abut_geometry_set_field_values(get(), geometry, column, row, layer,
                                                                             columns, rows, layers, values.data()));
   }
+  // Points of a lattice over the grid of a distance field, X fastest, then Y; none take the lattice away.
+  Answer<void> set_field_lattice(GeometryId geometry, std::uint32_t columns, std::uint32_t rows, std::uint32_t layers,
+                                 const Points& points) {
+    const abut_status sizes = detail::first_failure(
+        detail::expect_whole("points", points),
+        detail::expect_as_many("points", points.size(), "columns * rows * layers",
+                               detail::product_of(columns, rows, layers)));
+    return detail::answer(sizes != ABUT_OK ? sizes
+                                           : abut_geometry_set_field_lattice(get(), geometry, columns, rows, layers,
+                                                                             points.data()));
+  }
   // Of the particles from `first` on; radii are as many as centres, or none.
   Answer<void> set_particles(GeometryId geometry, std::size_t first, const Points& centres,
                              Span<const double> radii = {}) {

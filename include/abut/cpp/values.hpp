@@ -39,6 +39,7 @@ using Rule = abut_rule_value;
 using Sides = abut_sides_value;
 using Axis = abut_axis_value;
 using Diagonal = abut_diagonal_value;
+using Interpolation = abut_interpolation_value;
 using ToleranceMode = abut_tolerance_mode_value;
 using VelocitySource = abut_velocity_source_value;
 

@@ -126,7 +126,8 @@ class CoreInField {
     if (way && std::fabs(*way) <= most_detour * std::fabs(start.value) + like * field_.finest()) {
       return {placed, normal, *way, true};
     }
-    if (const std::optional<Vec3> found = way ? placed - *way * normal : surface_around(placed, start.value)) {
+    if (const std::optional<Vec3> found =
+            surface_around(placed, start.value, way ? std::optional(placed - *way * normal) : std::nullopt)) {
       const Vec3 between = placed - nearest_on_surface(placed, *found);
       const Real length = norm(between), sign = start.value < 0 ? -1 : 1;
       if (length > 0) {
@@ -188,13 +189,16 @@ class CoreInField {
     const Real sign = field_.is_inside_out() ? -1 : 1;
     return UnitVec3::make(sign * (point - field_.solid_box().centre())).value_or(UnitVec3::axis_z());
   }
-  // Down the gradient, or straight along an axis, whichever is there.
-  [[nodiscard]] std::optional<Vec3> surface_around(const Vec3& point, Real value) const {
-    std::optional<Vec3> best = surface_below(point);
+  // A point that is known, or down the gradient; straight along an axis where that is nearer.
+  [[nodiscard]] std::optional<Vec3> surface_around(const Vec3& point, Real value,
+                                                   const std::optional<Vec3>& known) const {
+    std::optional<Vec3> best = known ? known : surface_below(point);
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
       for (const Vec3& direction : {axis, -axis}) {
-        const std::optional<Real> way = best ? std::nullopt : way_to_surface(point, direction, value);
-        best = way ? point - *way * direction : best;
+        const std::optional<Real> way = way_to_surface(point, direction, value);
+        if (way && (!best || squared(*way) < squared_norm(*best - point))) {
+          best = point - *way * direction;
+        }
       }
     }
     return best;

@@ -158,10 +158,15 @@ template <HalfSpace A, SampledSolid F>
       }
     }
   }
+  Real least_doubtful = least;
+  for (const Vec3& point : surface.doubtful) {
+    least_doubtful = std::min(least_doubtful, dot(normal, point));
+  }
   const Real distance = (least < infinity ? least : lowest_of(field.solid_box(), normal)) - offset;
   const Vec3 point_b = ab * lowest;
   out = {distance,
-         std::max(distance - field.surface_error(), lowest_of(field.solid_box(), normal) - offset),
+         std::max(std::min(distance, least_doubtful - offset) - field.surface_error(),
+                  lowest_of(field.solid_box(), normal) - offset),
          least < infinity ? distance : infinity,
          point_b - distance * a.normal(),
          point_b,
@@ -231,14 +236,20 @@ template <SampledSolid F, SampledSolid G>
                             deepest = i;
                           }
                         });
+  Real least_doubtful = least;
+  for (const Vec3& about : other.surface().doubtful) {
+    least_doubtful = std::min(least_doubtful, field.value_at(placed * about).value);
+  }
   if (deepest == no_index) {
-    return no_distance();
+    Distance none = no_distance();
+    none.lower = least_doubtful < infinity ? -infinity : infinity;
+    return none;
   }
   const PointCore point(0);
   const Pose at{Rotation::identity(), placed * other.surface().points[deepest]};
   const auto touch = CoreInField<F, PointCore>(field, point, at).touch({0, 0, 0});
   return distance_of_touch(
-      field, touch, 0, least_nearby(field, least, other.surface_error()), [&](const Vec3& direction) {
+      field, touch, 0, least_nearby(field, least_doubtful, other.surface_error()), [&](const Vec3& direction) {
         return other.is_inside_out() ? -infinity : lowest_of(transformed(other.solid_box(), placed), direction);
       });
 }

@@ -59,13 +59,13 @@ Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const s
                           static_cast<std::uint32_t>(samples_along(size.z))};
   const Real border = border_cells * spacing;
   const Vec3 origin = box.low - Vec3{border, border, border};
-  const SampledField field =
-      sample_distances({vertices, triangles}, {samples, origin, spacing}, options.band * spacing);
+  const SampledField field = sample_distances({vertices, triangles}, {samples, origin, spacing}, options.band * spacing,
+                                              options.is_smooth ? 1 : 0);
   if (!field.has_inside) {
     return Error{Errc::invalid_argument,
                  "triangles enclose no sample; they must be counter-clockwise seen from outside, and spacing small"};
   }
-  const std::array<Real, 10> parameters{static_cast<Real>(samples.x),
+  const std::array<Real, 11> parameters{static_cast<Real>(samples.x),
                                         static_cast<Real>(samples.y),
                                         static_cast<Real>(samples.z),
                                         spacing,
@@ -74,8 +74,22 @@ Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const s
                                         origin.x,
                                         origin.y,
                                         origin.z,
-                                        options.is_inside_out ? 1.0 : 0.0};
+                                        options.is_inside_out ? 1.0 : 0.0,
+                                        options.is_smooth ? 1.0 : 0.0};
   return make_shape(*kind, parameters, field.values, field.held);
+}
+
+std::optional<FieldReport> field_report_of(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& its) -> std::optional<FieldReport> {
+        if constexpr (requires { its.far_error(); }) {
+          return FieldReport{its.is_smooth(), its.all_blocks(),    its.held_blocks(), its.near_error(),
+                             its.far_error(), its.least_stretch(), its.most_stretch()};
+        } else {
+          return std::nullopt;
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
 }
 
 }  // namespace abut

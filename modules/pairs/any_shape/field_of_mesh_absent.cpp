@@ -4,6 +4,7 @@ module abut.pairs.any_shape.field_of_mesh;
 import abut.capability;
 import abut.core.standard;
 import abut.core;
+import abut.pairs.registry;
 
 namespace abut {
 
@@ -11,5 +12,7 @@ Result<AnyShape> make_field_of_mesh(std::span<const Real> /*xyz*/, std::span<con
                                     const FieldOptions& /*options*/) {
   return Error{Errc::unsupported, "this build of abut has no shape named distance_field"};
 }
+
+std::optional<FieldReport> field_report_of(const AnyShape& /*shape*/) { return std::nullopt; }
 
 }  // namespace abut

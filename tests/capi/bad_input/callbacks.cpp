@@ -71,6 +71,8 @@ ABUT_BUSY_TEST(GeometriesSetParameters, abut_geometries_set_parameters(scene.uni
 ABUT_BUSY_TEST(GeometrySetHeights, abut_geometry_set_heights(scene.universe, scene.geometry, 0, 0, 0, 0, nullptr))
 ABUT_BUSY_TEST(GeometrySetFieldValues,
                abut_geometry_set_field_values(scene.universe, scene.geometry, 0, 0, 0, 0, 0, 0, nullptr))
+ABUT_BUSY_TEST(GeometrySetFieldLattice,
+               abut_geometry_set_field_lattice(scene.universe, scene.geometry, 0, 0, 0, nullptr))
 ABUT_BUSY_TEST(GeometrySetParticles,
                abut_geometry_set_particles(scene.universe, scene.geometry, 0, nullptr, nullptr, 0))
 ABUT_BUSY_TEST(GeometrySetVertices, abut_geometry_set_vertices(scene.universe, scene.geometry, 0, nullptr, 0))

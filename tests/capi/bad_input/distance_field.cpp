@@ -25,6 +25,7 @@ TEST(DistanceFieldDescInit, FillsInSizeAndDefaults) {
   abut_distance_field_desc_init(desc.address(), sizeof(abut_distance_field_desc));
   EXPECT_EQ(desc.value().struct_size, sizeof(abut_distance_field_desc));
   EXPECT_EQ(desc.value().is_inside_out, 0U);
+  EXPECT_EQ(desc.value().interpolation, static_cast<std::uint32_t>(ABUT_INTERPOLATION_LINEAR));
   EXPECT_EQ(desc.value().spacing.y, 1);
   EXPECT_EQ(desc.value().origin.z, 0);
   EXPECT_EQ(desc.value().values, nullptr);
@@ -96,8 +97,8 @@ TEST(DistanceFieldCreate, RefusesFlagsThatAreNone) {
   desc.is_inside_out = 2;
   EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_UNKNOWN_VALUE, {"is_inside_out", "2"}));
   desc = good_desc();
-  desc.reserved = 31;
-  EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_INVALID_ARGUMENT, {"reserved", "31"}));
+  desc.interpolation = 31;
+  EXPECT_TRUE(refused(abut_distance_field_create(&desc, out.address()), ABUT_UNKNOWN_VALUE, {"interpolation", "31"}));
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -126,6 +127,7 @@ TEST(DistanceFieldOptionsInit, FillsInSizeAndDefaults) {
   EXPECT_EQ(options.value().is_inside_out, 0U);
   EXPECT_EQ(options.value().spacing, 0);
   EXPECT_EQ(options.value().band, 3);
+  EXPECT_EQ(options.value().interpolation, static_cast<std::uint32_t>(ABUT_INTERPOLATION_LINEAR));
 }
 
 constexpr std::array<double, 12> four_corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -176,6 +178,17 @@ TEST(DistanceFieldFromMesh, RefusesNonFiniteNumbers) {
     options.band = bad;
     return from_mesh(&options, out.address());
   });
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldFromMesh, RefusesFlagsThatAreNone) {
+  Out<abut_shape*> out;
+  abut_distance_field_options options = good_options();
+  options.interpolation = 2;
+  EXPECT_TRUE(refused(from_mesh(&options, out.address()), ABUT_UNKNOWN_VALUE, {"options.interpolation", "2"}));
+  options = good_options();
+  options.reserved = 7;
+  EXPECT_TRUE(refused(from_mesh(&options, out.address()), ABUT_INVALID_ARGUMENT, {"options.reserved", "7"}));
   EXPECT_TRUE(out.is_untouched());
 }
 
@@ -260,6 +273,126 @@ TEST(GeometrySetFieldValues, RefusesOtherKinds) {
       abut_geometry_set_field_values(scene.universe, scene.second_geometry, 0, 0, 0, 1, 1, 1, twelve_values.data()),
       ABUT_UNSUPPORTED, {"geometry", "box", "values"}));
   EXPECT_TRUE(scene.is_as_before());
+}
+
+// The corners of the grid, at rest.
+constexpr std::array<double, 24> eight_points{0, 0, 0, 2, 0, 0, 0, 1, 0, 2, 1, 0, 0, 0, 1, 2, 0, 1, 0, 1, 1, 2, 1, 1};
+
+TEST(GeometrySetFieldLattice, AcceptsWhatTheOthersSpoil) {
+  const Edited scene;
+  std::array<double, 24> points = eight_points;
+  points[23] = 1.25;
+  EXPECT_TRUE(succeeded(abut_geometry_set_field_lattice(scene.universe, scene.field, 2, 2, 2, points.data())));
+  scene.universe.step();
+  EXPECT_TRUE(succeeded(abut_geometry_set_field_lattice(scene.universe, scene.field, 0, 0, 0, nullptr)));
+}
+
+TEST(GeometrySetFieldLattice, RefusesNullPointers) {
+  const Edited scene;
+  EXPECT_TRUE(refused(abut_geometry_set_field_lattice(nullptr, scene.field, 2, 2, 2, eight_points.data()),
+                      ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(refused(abut_geometry_set_field_lattice(scene.universe, scene.field, 2, 2, 2, nullptr),
+                      ABUT_NULL_ARGUMENT, {"xyz", "null"}));
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+TEST(GeometrySetFieldLattice, RefusesStaleIds) {
+  const Edited scene;
+  for (const abut_geometry_id stale : scene.stale_geometries) {
+    EXPECT_TRUE(refused(abut_geometry_set_field_lattice(scene.universe, stale, 2, 2, 2, eight_points.data()),
+                        ABUT_STALE_ID, {"geometry", std::to_string(stale.slot)}));
+  }
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+TEST(GeometrySetFieldLattice, RefusesNonFiniteNumbers) {
+  const Edited scene;
+  expect_non_finite_refused("xyz[22]", [&](double bad) {
+    std::array<double, 24> points = eight_points;
+    points[22] = bad;
+    return abut_geometry_set_field_lattice(scene.universe, scene.field, 2, 2, 2, points.data());
+  });
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+TEST(GeometrySetFieldLattice, RefusesCountsAndPointsThatMakeNoSpace) {
+  const Edited scene;
+  const auto set = [&](std::uint32_t columns, std::uint32_t rows, std::uint32_t layers,
+                       const std::array<double, 24>& points) {
+    return abut_geometry_set_field_lattice(scene.universe, scene.field, columns, rows, layers, points.data());
+  };
+  EXPECT_TRUE(refused(set(2, 1, 2, eight_points), ABUT_OUT_OF_RANGE, {"rows is 1", "2 to 64"}));
+  EXPECT_TRUE(refused(set(0, 2, 2, eight_points), ABUT_OUT_OF_RANGE, {"columns is 0", "2 to 64"}));
+  EXPECT_TRUE(refused(set(0xFFFFFFFF, 0xFFFFFFFF, 0xFFFFFFFF, eight_points), ABUT_SIZE_OVERFLOW,
+                      {"columns * rows * layers", "4294967295"}));
+  std::array<double, 24> folded = eight_points;
+  folded[3] = folded[9] = folded[15] = folded[21] = -2;
+  EXPECT_TRUE(refused(set(2, 2, 2, folded), ABUT_OUT_OF_RANGE, {"xyz bends space too much"}));
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+TEST(GeometrySetFieldLattice, RefusesOtherKinds) {
+  const Edited scene;
+  EXPECT_TRUE(
+      refused(abut_geometry_set_field_lattice(scene.universe, scene.second_geometry, 2, 2, 2, eight_points.data()),
+              ABUT_UNSUPPORTED, {"geometry", "box", "lattice"}));
+  EXPECT_TRUE(scene.is_as_before());
+}
+
+TEST(DistanceFieldReportInit, FillsInSizeAndZeroes) {
+  abut_distance_field_report_init(nullptr, 0);
+  Out<abut_distance_field_report> report;
+  abut_distance_field_report_init(report.address(), sizeof(abut_distance_field_report));
+  EXPECT_EQ(report.value().struct_size, sizeof(abut_distance_field_report));
+  EXPECT_EQ(report.value().held_block_count, 0U);
+  EXPECT_EQ(report.value().error, 0);
+}
+
+abut_distance_field_report empty_field_report() {
+  abut_distance_field_report report;
+  abut_distance_field_report_init(&report, sizeof report);
+  return report;
+}
+Shape small_field() {
+  const std::vector<double> parameters{3, 2, 2, 1, 1, 1, 0, 0, 0, 0, 1};
+  return make_of_kind("distance_field", parameters, {twelve_values.begin(), twelve_values.end()});
+}
+
+TEST(DistanceFieldDescribe, TellsWhatIsKnown) {
+  const Shape field = small_field();
+  abut_distance_field_report report = empty_field_report();
+  ASSERT_TRUE(succeeded(abut_distance_field_describe(field, &report)));
+  EXPECT_EQ(report.interpolation, static_cast<std::uint32_t>(ABUT_INTERPOLATION_QUADRATIC));
+  EXPECT_EQ(report.block_count, 1U);
+  EXPECT_EQ(report.held_block_count, 1U);
+  EXPECT_NEAR(report.error, 0.5 * std::sqrt(3.0), 1e-6);
+  EXPECT_EQ(report.far_error, 0);
+  EXPECT_EQ(report.least_stretch, 1);
+  EXPECT_EQ(report.most_stretch, 1);
+}
+
+TEST(DistanceFieldDescribe, RefusesNullPointers) {
+  const Shape field = small_field();
+  Out<abut_distance_field_report> out(empty_field_report());
+  EXPECT_TRUE(refused(abut_distance_field_describe(nullptr, out.address()), ABUT_NULL_ARGUMENT, {"shape", "null"}));
+  EXPECT_TRUE(refused(abut_distance_field_describe(field, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
+  EXPECT_TRUE(out.is_untouched());
+}
+
+TEST(DistanceFieldDescribe, RefusesWrongStructSize) {
+  const Shape field = small_field();
+  expect_size_of_out_struct_checked(
+      empty_field_report(), [&](abut_distance_field_report* out) { return abut_distance_field_describe(field, out); });
+}
+
+TEST(DistanceFieldDescribe, RefusesOtherKindsByName) {
+  for (const Shape& shape : make_one_of_each_kind()) {
+    const std::string kind = abut_shape_kind_name(abut_shape_kind_of(shape));
+    if (kind == "distance_field") continue;
+    Out<abut_distance_field_report> out(empty_field_report());
+    EXPECT_TRUE(refused(abut_distance_field_describe(shape, out.address()), ABUT_UNSUPPORTED, {kind}));
+    EXPECT_TRUE(out.is_untouched());
+  }
 }
 
 }  // namespace

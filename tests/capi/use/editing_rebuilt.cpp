@@ -47,14 +47,14 @@ std::vector<Model> make_models(Numbers& random) {
   const abut_pose tilted{{-3, -2, 0}, random.turn()};
   models.push_back({"height_field", {columns, rows, 0.5, 0.5}, heights, at(-3, -2, 0), ABUT_MOTION_STATIC});
   models.push_back({"height_field", {columns, rows, 0.7, 0.3}, heights, tilted, ABUT_MOTION_STATIC});
-  // A wavy slab, and one that is a container from below.
+  // A wavy slab, and one that is a container from below and smooth.
   for (const double is_inside_out : {0.0, 1.0}) {
     std::vector<double> values;
     for (std::uint32_t k = 0; k < layers; ++k) {
       for (std::uint32_t i = 0; i < columns * rows; ++i) values.push_back(0.4 * (k - 3.0) + random.between(-0.2, 0.2));
     }
     const std::vector<double> parameters{
-        columns, rows, layers, 0.5, 0.5, 0.4, -3, -2, is_inside_out > 0 ? -0.6 : -1.4, is_inside_out};
+        columns, rows, layers, 0.5, 0.5, 0.4, -3, -2, is_inside_out > 0 ? -0.6 : -1.4, is_inside_out, is_inside_out};
     models.push_back({"distance_field", parameters, values, at(0, 0, 0), ABUT_MOTION_STATIC});
   }
   const auto place = [&] {
@@ -146,6 +146,24 @@ void change_values(World& world, std::size_t at, Model& model, Numbers& random) 
                                          count[1], count[2], values.data()));
 }
 
+// Corners of the grid move a little, or the lattice is taken away.
+void bend(World& world, std::size_t at, Model& model, Numbers& random) {
+  const std::array<std::uint32_t, 3> all{columns, rows, layers};
+  const std::uint32_t along = random.below(3) == 0 ? 0 : 2;
+  std::vector<double> xyz;
+  for (std::uint32_t corner = 0; corner < along * 4; ++corner) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double size = (corner >> axis & 1U) != 0 ? (all.at(axis) - 1) * model.parameters.at(3 + axis) : 0;
+      xyz.push_back(model.parameters.at(6 + axis) + size + random.between(-0.1, 0.1));
+    }
+  }
+  require(abut_geometry_set_field_lattice(world.universe, world.geometries[at], along, along, along, xyz.data()));
+  model.parameters.resize(11);
+  model.parameters.resize(14, along);
+  model.reals.resize(std::size_t{columns} * rows * layers);
+  model.reals.insert(model.reals.end(), xyz.begin(), xyz.end());
+}
+
 void move_particles(World& world, std::size_t at, Model& model, Numbers& random) {
   const bool has_radii = model.parameters[0] == 0;
   const bool changes_radii = has_radii && random.below(2) == 0;
@@ -175,6 +193,8 @@ void edit(World& world, std::vector<Model>& models, Numbers& random) {
     world.universe.move(world.parts[at], model.pose);
   } else if (model.kind == "height_field") {
     change_heights(world, at, model, random);
+  } else if (model.kind == "distance_field" && random.below(4) == 0) {
+    bend(world, at, model, random);
   } else if (model.kind == "distance_field") {
     change_values(world, at, model, random);
   } else if (model.kind == "particles") {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "field_grid.hpp"
 #include "surface_checks.hpp"
 
 import abut.capability;
@@ -26,50 +27,13 @@ using abut::DistanceField;
 using abut::Errc;
 using abut::Vec3;
 
-// Solids in closed form: how far a point is from the surface, negative inside.
-double from_ball(const Vec3& p) { return std::hypot(p.x, p.y, p.z) - 0.8; }
-double from_box(const Vec3& p) {
-  const Vec3 out{std::fabs(p.x) - 0.7, std::fabs(p.y) - 0.5, std::fabs(p.z) - 0.6};
-  return std::hypot(std::fmax(out.x, 0.0), std::fmax(out.y, 0.0), std::fmax(out.z, 0.0)) +
-         std::fmin(std::fmax(out.x, std::fmax(out.y, out.z)), 0.0);
-}
-double from_torus(const Vec3& p) { return std::hypot(std::hypot(p.x, p.y) - 0.7, p.z) - 0.3; }
-
-// A grid around the origin.
-struct Grid {
-  std::array<double, 3> counts, spacing;
-
-  [[nodiscard]] std::vector<double> parameters(bool is_inside_out = false) const {
-    std::vector<double> all(counts.begin(), counts.end());
-    all.insert(all.end(), spacing.begin(), spacing.end());
-    for (std::size_t i = 0; i < 3; ++i) {
-      all.push_back(-0.5 * (counts[i] - 1) * spacing[i]);
-    }
-    all.push_back(is_inside_out ? 1 : 0);
-    return all;
-  }
-  template <class ValueOf>
-  [[nodiscard]] std::vector<double> values(ValueOf&& value_of) const {
-    const std::vector<double> all = parameters();
-    std::vector<double> out;
-    for (double k = 0; k < counts[2]; ++k) {
-      for (double j = 0; j < counts[1]; ++j) {
-        for (double i = 0; i < counts[0]; ++i) {
-          out.push_back(value_of(Vec3{all[6] + i * spacing[0], all[7] + j * spacing[1], all[8] + k * spacing[2]}));
-        }
-      }
-    }
-    return out;
-  }
-  template <class ValueOf>
-  [[nodiscard]] DistanceField field(ValueOf&& value_of, bool is_inside_out = false) const {
-    return test::made<DistanceField>(parameters(is_inside_out), values(value_of));
-  }
-  [[nodiscard]] double finest() const { return *std::ranges::min_element(spacing); }
-  [[nodiscard]] double coarsest() const { return *std::ranges::max_element(spacing); }
-};
-const Grid even{{41, 43, 45}, {0.06, 0.06, 0.06}}, uneven{{51, 36, 66}, {0.05, 0.07, 0.04}},
-    fine{{97, 97, 41}, {0.022, 0.022, 0.022}};
+using test::even;
+using test::fine;
+using test::from_ball;
+using test::from_box;
+using test::from_torus;
+using test::Grid;
+using test::uneven;
 
 TEST(DistanceField, BadInputIsRefusedByName) {
   const std::vector<double> eight(8, 1.0);
@@ -88,6 +52,8 @@ TEST(DistanceField, BadInputIsRefusedByName) {
   refuse(5, 1e70, Errc::out_of_range, "spacing_z is 1e+70;");
   refuse(6, std::numeric_limits<double>::quiet_NaN(), Errc::not_finite, "origin_x is nan;");
   refuse(9, 2, Errc::unknown_value, "is_inside_out is 2;");
+  test::expect_refused<DistanceField>({2, 2, 2, 1, 1, 1, 0, 0, 0, 0, 2}, eight, {}, Errc::unknown_value,
+                                      "interpolation is 2;");
   const std::vector<double> good{2, 2, 2, 1, 1, 1, 0, 0, 0, 0};
   test::expect_refused<DistanceField>({2, 2, 2}, eight, {}, Errc::invalid_argument, "parameter_count is 3;");
   test::expect_refused<DistanceField>(good, {}, {}, Errc::empty, "values is empty;");

@@ -71,6 +71,8 @@ FUNCTIONS = {
     "abut_height_field_create": (Status, [POINTER(HeightFieldDesc), POINTER(c_void_p)]),
     "abut_distance_field_desc_init": (None, [POINTER(DistanceFieldDesc), c_uint32]),
     "abut_distance_field_create": (Status, [POINTER(DistanceFieldDesc), POINTER(c_void_p)]),
+    "abut_distance_field_report_init": (None, [POINTER(DistanceFieldReport), c_uint32]),
+    "abut_distance_field_describe": (Status, [c_void_p, POINTER(DistanceFieldReport)]),
     "abut_distance_field_options_init": (None, [POINTER(DistanceFieldOptions), c_uint32]),
     "abut_distance_field_from_mesh": (Status, [
         POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t, POINTER(DistanceFieldOptions), POINTER(c_void_p)]),
@@ -167,6 +169,8 @@ FUNCTIONS = {
         Status, [c_void_p, GeometryId, c_uint32, c_uint32, c_uint32, c_uint32, POINTER(c_double)]),
     "abut_geometry_set_field_values": (
         Status, [c_void_p, GeometryId, c_uint32, c_uint32, c_uint32, c_uint32, c_uint32, c_uint32, POINTER(c_double)]),
+    "abut_geometry_set_field_lattice": (
+        Status, [c_void_p, GeometryId, c_uint32, c_uint32, c_uint32, POINTER(c_double)]),
     "abut_geometry_set_particles": (
         Status, [c_void_p, GeometryId, c_size_t, POINTER(c_double), POINTER(c_double), c_size_t]),
     "abut_geometry_set_vertices": (Status, [c_void_p, GeometryId, c_size_t, POINTER(c_double), c_size_t]),

@@ -124,6 +124,13 @@ class Geometries(Lender):
             raise ValueError(f"values has {len(numbers)} numbers; it must have as many in each of {rows} rows")
         self._change(library.abut_geometry_set_field_values, geometry, column, row, layer, columns, rows, layers, numbers)
 
+    def set_field_lattice(self, geometry: c.GeometryId, columns: int, rows: int, layers: int, xyz: Any = ()) -> None:
+        """Bends a distance field by (N, 3) points of a lattice over its grid, X fastest. None take the lattice away."""
+        points, count = given.rows("xyz", xyz, 3)
+        if count != columns * rows * layers:
+            raise ValueError(f"xyz has {count} points; it must have {columns} * {rows} * {layers}")
+        self._change(library.abut_geometry_set_field_lattice, geometry, columns, rows, layers, points)
+
     def set_particles(self, geometry: c.GeometryId, first: int, xyz: Any, radii: Any = None) -> None:
         """Moves particles of a geometry to (N, 3) centres, from the number `first` on."""
         centres, count = given.rows("xyz", xyz, 3)

@@ -19,7 +19,6 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.any_shape.field_of_mesh;
 import abut.pairs.any_shape.shape_cast;
 import abut.pairs.registry;
 
@@ -40,7 +39,7 @@ constexpr std::uint32_t samples = 41;
 
 // Of a function of the distance, on a grid around the origin.
 template <class ValueOf>
-AnyShape field_of(ValueOf&& value_of, bool is_inside_out = false) {
+std::vector<double> values_of(ValueOf&& value_of) {
   const double low = -0.5 * (samples - 1) * cell;
   std::vector<double> values;
   for (std::uint32_t k = 0; k < samples; ++k) {
@@ -50,8 +49,15 @@ AnyShape field_of(ValueOf&& value_of, bool is_inside_out = false) {
       }
     }
   }
-  return made("distance_field", {samples, samples, samples, cell, cell, cell, low, low, low, is_inside_out ? 1.0 : 0.0},
-              values);
+  return values;
+}
+template <class ValueOf>
+AnyShape field_of(ValueOf&& value_of, bool is_inside_out = false, bool is_smooth = false) {
+  const double low = -0.5 * (samples - 1) * cell;
+  return made(
+      "distance_field",
+      {samples, samples, samples, cell, cell, cell, low, low, low, is_inside_out ? 1.0 : 0.0, is_smooth ? 1.0 : 0.0},
+      values_of(value_of));
 }
 double from_ball(const Vec3& p) { return norm(p) - 0.8; }
 double from_slab(const Vec3& p) {
@@ -120,8 +126,10 @@ double least_of_points(const Solid& solid, const Pose& pose, ValueOf&& value_of)
 }
 
 template <class ValueOf>
-void expect_deepest_point(ValueOf&& value_of, std::uint64_t seed) {
-  const AnyShape field = field_of(value_of);
+void expect_deepest_point(ValueOf&& value_of, std::uint64_t seed, bool is_smooth = false) {
+  const AnyShape field = field_of(value_of, false, is_smooth);
+  // Half the diagonal of a cell where edges become round.
+  const double off = (is_smooth ? 0.87 : 0.5) * cell;
   test::Random random(seed);
   int apart = 0, deep = 0;
   for (const Solid& solid : solids()) {
@@ -131,26 +139,26 @@ void expect_deepest_point(ValueOf&& value_of, std::uint64_t seed) {
       const double least = least_of_points(solid, pose, value_of), spread = 0.5 * solid.reach * 2 / 24 * 1.8;
       const std::string what = "seed " + std::to_string(seed) + " pose " + std::to_string(i);
       (found.distance > 0 ? apart : deep) += 1;
-      // Half a cell for the field; what lies between the points is found, too.
-      EXPECT_LE(found.distance, least + 0.5 * cell) << what;
+      // Half a cell for the field, or its diagonal; what lies between the points is found, too.
+      EXPECT_LE(found.distance, least + off) << what;
       // A radius has to come out after its core, also where the solid is thinner.
-      EXPECT_GE(found.distance, least - 0.5 * cell - spread - (least < 0 ? solid.radius : 0)) << what;
+      EXPECT_GE(found.distance, least - off - spread - (least < 0 ? solid.radius : 0)) << what;
       EXPECT_LE(found.lower, found.distance) << what;
       EXPECT_GE(found.upper, found.distance) << what;
       EXPECT_NEAR(dot(found.point_b - found.point_a, found.normal), found.distance, 1e-9) << what;
       if (least > 0) {
-        EXPECT_LE(found.lower, least + 0.5 * cell) << what;
+        EXPECT_LE(found.lower, least + off) << what;
       }
       const abut::Manifold manifold = contacts(field, solid.shape, pose, 0.01);
       double deepest = abut::infinity;
       for (const abut::ContactPoint& contact : manifold) {
         deepest = std::min(deepest, contact.distance);
         EXPECT_NEAR(norm(contact.point_b - contact.point_a - contact.distance * contact.normal), 0, 1e-9) << what;
-        EXPECT_NEAR(value_of(contact.point_a), 0, 0.5 * cell) << what;
+        EXPECT_NEAR(value_of(contact.point_a), 0, off) << what;
       }
       EXPECT_EQ(manifold.empty(), found.distance > 0.01) << what << " at " << found.distance;
       if (!manifold.empty()) {
-        EXPECT_NEAR(deepest, found.distance, 0.5 * cell) << what;
+        EXPECT_NEAR(deepest, found.distance, off) << what;
       }
     }
   }
@@ -164,91 +172,108 @@ TEST(FieldPairs, FindTheDeepestPointOfConvexShapes) {
   expect_deepest_point(from_torus, 3);
 }
 
+TEST(FieldPairs, SmoothFieldsFindTheDeepestPointOfConvexShapes) {
+  expect_deepest_point(from_ball, 1, true);
+  expect_deepest_point(from_slab, 2, true);
+  expect_deepest_point(from_torus, 3, true);
+}
+
 // Four corners of a box that lies flat, each as deep as the box.
 TEST(FieldPairs, ABoxRestsOnFourCorners) {
-  const AnyShape field = field_of(from_slab), box = made("box", {0.4, 0.3, 0.2});
-  const abut::Manifold manifold = contacts(field, box, {abut::Rotation::identity(), {0.1, 0.05, 0.44}});
-  ASSERT_EQ(manifold.size(), 4U);
-  for (const abut::ContactPoint& contact : manifold) {
-    EXPECT_NEAR(contact.distance, -0.01, 1e-6);
-    EXPECT_NEAR(contact.normal.z, 1, 1e-9);
-    EXPECT_NEAR(std::fabs(contact.point_b.x - 0.1), 0.4, 1e-12);
-    EXPECT_NEAR(std::fabs(contact.point_b.y - 0.05), 0.3, 1e-12);
+  for (const bool is_smooth : {false, true}) {
+    const AnyShape field = field_of(from_slab, false, is_smooth), box = made("box", {0.4, 0.3, 0.2});
+    const abut::Manifold manifold = contacts(field, box, {abut::Rotation::identity(), {0.1, 0.05, 0.44}});
+    ASSERT_EQ(manifold.size(), 4U);
+    for (const abut::ContactPoint& contact : manifold) {
+      EXPECT_NEAR(contact.distance, -0.01, 1e-6);
+      EXPECT_NEAR(contact.normal.z, 1, 1e-9);
+      EXPECT_NEAR(std::fabs(contact.point_b.x - 0.1), 0.4, 1e-12);
+      EXPECT_NEAR(std::fabs(contact.point_b.y - 0.05), 0.3, 1e-12);
+    }
   }
 }
 
 // A beam over a ring touches it on both sides.
 TEST(FieldPairs, EveryDeepestPointIsAContact) {
-  const AnyShape ring = field_of(from_torus), beam = made("capsule", {0.1, 1});
-  const Pose along_x{abut::Rotation::from({std::sqrt(0.5), 0, std::sqrt(0.5), 0}), {0, 0, 0.38}};
-  const abut::Manifold manifold = contacts(ring, beam, along_x);
-  int left = 0, right = 0;
-  for (const abut::ContactPoint& contact : manifold) {
-    left += contact.point_b.x < -0.5 ? 1 : 0;
-    right += contact.point_b.x > 0.5 ? 1 : 0;
-    EXPECT_NEAR(contact.distance, -0.02, 0.02);
+  for (const bool is_smooth : {false, true}) {
+    const AnyShape ring = field_of(from_torus, false, is_smooth), beam = made("capsule", {0.1, 1});
+    const Pose along_x{abut::Rotation::from({std::sqrt(0.5), 0, std::sqrt(0.5), 0}), {0, 0, 0.38}};
+    const abut::Manifold manifold = contacts(ring, beam, along_x);
+    int left = 0, right = 0;
+    for (const abut::ContactPoint& contact : manifold) {
+      left += contact.point_b.x < -0.5 ? 1 : 0;
+      right += contact.point_b.x > 0.5 ? 1 : 0;
+      EXPECT_NEAR(contact.distance, -0.02, 0.02);
+    }
+    EXPECT_GE(left, 1);
+    EXPECT_GE(right, 1);
   }
-  EXPECT_GE(left, 1);
-  EXPECT_GE(right, 1);
 }
 
 TEST(FieldPairs, TwoBallsAsFieldsAgreeWithTheClosedForm) {
-  const AnyShape ball = field_of(from_ball);
-  test::Random random(5);
-  for (int i = 0; i < 40; ++i) {
-    const Pose pose = placed(random, 1.5);
-    const double truth = norm(pose.position) - 1.6;
-    const abut::Distance found = distance(ball, ball, pose);
-    if (norm(pose.position) < 0.5) {
-      continue;  // deepest points all around
+  for (const bool is_smooth : {false, true}) {
+    const AnyShape ball = field_of(from_ball, false, is_smooth);
+    test::Random random(5);
+    for (int i = 0; i < 40; ++i) {
+      const Pose pose = placed(random, 1.5);
+      const double truth = norm(pose.position) - 1.6;
+      const abut::Distance found = distance(ball, ball, pose);
+      if (norm(pose.position) < 0.5) {
+        continue;  // deepest points all around
+      }
+      EXPECT_LE(found.lower, truth + cell) << i;
+      if (truth > 0) {
+        EXPECT_NEAR(found.distance, truth, cell) << i;
+        EXPECT_GE(found.upper, truth - 0.1 * cell) << i;
+      } else {
+        // The depth of the deepest point of the other ball.
+        EXPECT_NEAR(found.distance, std::max(truth, -0.8), cell) << i;
+      }
+      EXPECT_EQ(contacts(ball, ball, pose).empty(), found.distance > 0) << i;
     }
-    EXPECT_LE(found.lower, truth + cell) << i;
-    if (truth > 0) {
-      EXPECT_NEAR(found.distance, truth, cell) << i;
-      EXPECT_GE(found.upper, truth - 0.1 * cell) << i;
-    } else {
-      // The depth of the deepest point of the other ball.
-      EXPECT_NEAR(found.distance, std::max(truth, -0.8), cell) << i;
-    }
-    EXPECT_EQ(contacts(ball, ball, pose).empty(), found.distance > 0) << i;
   }
 }
 
 TEST(FieldPairs, PlanesMeetTheLowestPoints) {
-  const AnyShape slab = field_of(from_slab), plane = made("plane", {0, 0, 1, 0});
-  const Pose above{abut::Rotation::identity(), {0, 0, 0.24}};
-  EXPECT_NEAR(distance(plane, slab, above).distance, -0.01, 1e-6);
-  const abut::Manifold manifold = contacts(plane, slab, above);
-  Vec3 low{abut::infinity, abut::infinity, 0}, high = -low;
-  for (const abut::ContactPoint& contact : manifold) {
-    low = minimum(low, contact.point_b);
-    high = maximum(high, contact.point_b);
-    EXPECT_NEAR(contact.distance, -0.01, 1e-2);
+  for (const bool is_smooth : {false, true}) {
+    const AnyShape slab = field_of(from_slab, false, is_smooth), plane = made("plane", {0, 0, 1, 0});
+    const Pose above{abut::Rotation::identity(), {0, 0, 0.24}};
+    EXPECT_NEAR(distance(plane, slab, above).distance, -0.01, 1e-6);
+    const abut::Manifold manifold = contacts(plane, slab, above);
+    Vec3 low{abut::infinity, abut::infinity, 0}, high = -low;
+    for (const abut::ContactPoint& contact : manifold) {
+      low = minimum(low, contact.point_b);
+      high = maximum(high, contact.point_b);
+      EXPECT_NEAR(contact.distance, -0.01, 1e-2);
+    }
+    // They span the lower face but for a cell, and another one where edges are round.
+    const double border = (is_smooth ? 2 : 1) * cell;
+    EXPECT_LT(low.x, -1 + border);
+    EXPECT_GT(high.y, 0.9 - border);
+    EXPECT_NEAR(distance(plane, slab, {abut::Rotation::identity(), {0, 0, 1}}).distance, 0.75, 1e-6);
   }
-  // They span the lower face but for a cell.
-  EXPECT_LT(low.x, -1 + cell);
-  EXPECT_GT(high.y, 0.9 - cell);
-  EXPECT_NEAR(distance(plane, slab, {abut::Rotation::identity(), {0, 0, 1}}).distance, 0.75, 1e-6);
 }
 
 TEST(FieldPairs, SurfacesMeetFieldsTriangleByTriangle) {
-  const AnyShape ball = field_of(from_ball);
-  const AnyShape sheet = made("mesh", {0}, {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0}, {0, 1, 2, 0, 2, 3});
-  const AnyShape ground = made("height_field", {2, 2, 4, 4}, {0, 0, 0, 0});
-  const Pose above{abut::Rotation::identity(), {0.1, 0.2, -0.75}}, corner{above.rotation, {-1.9, -1.8, -0.75}};
-  EXPECT_NEAR(distance(ball, sheet, above).distance, -0.05, 0.3 * cell);
-  EXPECT_NEAR(distance(ball, ground, corner).distance, -0.05, 0.3 * cell);
-  for (const auto& [surface, pose] : {std::pair(&sheet, &above), std::pair(&ground, &corner)}) {
-    const abut::Manifold manifold = contacts(ball, *surface, *pose);
-    ASSERT_FALSE(manifold.empty());
-    for (const abut::ContactPoint& contact : manifold) {
-      EXPECT_LT(contact.normal.z, -0.98);
-      EXPECT_NEAR(contact.distance, -0.05, 0.5 * cell);
+  for (const bool is_smooth : {false, true}) {
+    const AnyShape ball = field_of(from_ball, false, is_smooth);
+    const AnyShape sheet = made("mesh", {0}, {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0}, {0, 1, 2, 0, 2, 3});
+    const AnyShape ground = made("height_field", {2, 2, 4, 4}, {0, 0, 0, 0});
+    const Pose above{abut::Rotation::identity(), {0.1, 0.2, -0.75}}, corner{above.rotation, {-1.9, -1.8, -0.75}};
+    EXPECT_NEAR(distance(ball, sheet, above).distance, -0.05, 0.3 * cell);
+    EXPECT_NEAR(distance(ball, ground, corner).distance, -0.05, 0.3 * cell);
+    for (const auto& [surface, pose] : {std::pair(&sheet, &above), std::pair(&ground, &corner)}) {
+      const abut::Manifold manifold = contacts(ball, *surface, *pose);
+      ASSERT_FALSE(manifold.empty());
+      for (const abut::ContactPoint& contact : manifold) {
+        EXPECT_LT(contact.normal.z, -0.98);
+        EXPECT_NEAR(contact.distance, -0.05, 0.5 * cell);
+      }
     }
+    // From behind terrain stops nothing.
+    EXPECT_TRUE(contacts(ball, ground, {above.rotation, {-1.9, -1.8, 0.75}}).empty());
+    EXPECT_NEAR(distance(ball, sheet, {above.rotation, {0, 0, -1.5}}).distance, 0.7, 0.3 * cell);
   }
-  // From behind terrain stops nothing.
-  EXPECT_TRUE(contacts(ball, ground, {above.rotation, {-1.9, -1.8, 0.75}}).empty());
-  EXPECT_NEAR(distance(ball, sheet, {above.rotation, {0, 0, -1.5}}).distance, 0.7, 0.3 * cell);
 }
 
 TEST(FieldPairs, ParticlesAndChildrenMeetFieldsOneByOne) {
@@ -264,108 +289,131 @@ TEST(FieldPairs, ParticlesAndChildrenMeetFieldsOneByOne) {
 
 // What lies in a container touches its wall where it comes near.
 TEST(FieldPairs, AContainerHoldsWhatIsInIt) {
-  const AnyShape container = field_of(from_ball, true), ball = made("sphere", {0.3});
-  const auto at = [](double x) { return Pose{abut::Rotation::identity(), {x, 0, 0}}; };
-  EXPECT_NEAR(distance(container, ball, at(0.4)).distance, 0.1, 0.3 * cell);
-  EXPECT_NEAR(distance(container, ball, at(0.55)).distance, -0.05, 0.3 * cell);
-  EXPECT_TRUE(contacts(container, ball, at(0.4)).empty());
-  const abut::Manifold manifold = contacts(container, ball, at(0.55));
-  ASSERT_EQ(manifold.size(), 1U);
-  EXPECT_LT(manifold[0].normal.x, -0.99);
-  EXPECT_LT(distance(container, ball, at(3)).distance, -2);
-  abut::Distance out{};
-  EXPECT_EQ(abut::pair_distance(container, container, at(0.1), {}, out), Outcome::unsupported);
-  EXPECT_EQ(abut::pair_distance(made("plane", {0, 0, 1, 0}), container, at(0), {}, out), Outcome::unsupported);
+  for (const bool is_smooth : {false, true}) {
+    const AnyShape container = field_of(from_ball, true, is_smooth), ball = made("sphere", {0.3});
+    const auto at = [](double x) { return Pose{abut::Rotation::identity(), {x, 0, 0}}; };
+    EXPECT_NEAR(distance(container, ball, at(0.4)).distance, 0.1, 0.3 * cell);
+    EXPECT_NEAR(distance(container, ball, at(0.55)).distance, -0.05, 0.3 * cell);
+    EXPECT_TRUE(contacts(container, ball, at(0.4)).empty());
+    const abut::Manifold manifold = contacts(container, ball, at(0.55));
+    ASSERT_EQ(manifold.size(), 1U);
+    EXPECT_LT(manifold[0].normal.x, -0.99);
+    EXPECT_LT(distance(container, ball, at(3)).distance, -2);
+    abut::Distance out{};
+    EXPECT_EQ(abut::pair_distance(container, container, at(0.1), {}, out), Outcome::unsupported);
+    EXPECT_EQ(abut::pair_distance(made("plane", {0, 0, 1, 0}), container, at(0), {}, out), Outcome::unsupported);
+  }
 }
 
 TEST(FieldPairs, ACastStopsAtTheSurface) {
-  const AnyShape slab = field_of(from_slab), ball = made("sphere", {0.2});
-  std::optional<abut::ShapeCastHit> hit;
-  ASSERT_EQ(abut::cast_shapes(slab, Pose::identity(), {0, 0, 0}, ball, {abut::Rotation::identity(), {0.1, 0.2, 2}},
-                              {0, 0, -4}, {}, 1, hit),
-            Outcome::ok);
-  ASSERT_TRUE(hit.has_value());
-  EXPECT_NEAR(hit->fraction, (2 - 0.45) / 4, 1e-6);
-  EXPECT_NEAR(hit->contact.normal.z, 1, 1e-6);
+  for (const bool is_smooth : {false, true}) {
+    const AnyShape slab = field_of(from_slab, false, is_smooth), ball = made("sphere", {0.2});
+    std::optional<abut::ShapeCastHit> hit;
+    ASSERT_EQ(abut::cast_shapes(slab, Pose::identity(), {0, 0, 0}, ball, {abut::Rotation::identity(), {0.1, 0.2, 2}},
+                                {0, 0, -4}, {}, 1, hit),
+              Outcome::ok);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->fraction, (2 - 0.45) / 4, 1e-6);
+    EXPECT_NEAR(hit->contact.normal.z, 1, 1e-6);
+  }
 }
 
-// A ball of triangles: rings between the poles.
-struct Triangles {
-  std::vector<double> xyz;
-  std::vector<std::uint32_t> indices;
-};
-Triangles ball_of_triangles(std::uint32_t rings) {
-  Triangles out;
-  const std::uint32_t around = 2 * rings;
-  const double pi = 3.14159265358979323846;
-  for (std::uint32_t j = 0; j <= rings; ++j) {
-    for (std::uint32_t i = 0; i < around; ++i) {
-      const double up = pi * j / rings, turn = 2 * pi * i / around;
-      const double across = j == 0 || j == rings ? 0 : 0.8 * std::sin(up);
-      out.xyz.insert(out.xyz.end(), {across * std::cos(turn), across * std::sin(turn), -0.8 * std::cos(up)});
-      if (j < rings) {
-        const std::uint32_t a = j * around + i, b = j * around + (i + 1) % around;
-        out.indices.insert(out.indices.end(), {a, b, b + around, a, b + around, a + around});
-      }
+// Stretched, sheared and turned by 140 degrees: all of a lattice.
+Vec3 bent(const Vec3& p) {
+  const double c = std::cos(2.4), s = std::sin(2.4);
+  return {1.3 * (c * p.x - s * p.y) + 0.2 * p.z, 1.3 * (s * p.x + c * p.y), 0.8 * p.z};
+}
+Vec3 unbent(const Vec3& p) {
+  const double c = std::cos(2.4), s = std::sin(2.4), z = p.z / 0.8, x = (p.x - 0.2 * z) / 1.3, y = p.y / 1.3;
+  return {c * x + s * y, -s * x + c * y, z};
+}
+AnyShape bent_field(const std::vector<double>& values, bool is_inside_out, bool is_smooth) {
+  constexpr int along = 3;
+  const double low = -0.5 * (samples - 1) * cell;
+  std::vector<double> reals = values;
+  for (int i = 0; i < along * along * along; ++i) {
+    const Vec3 p = bent(low * Vec3{1.0 - i % 3, 1.0 - i / 3 % 3, 1.0 - i / 9 % 3});
+    reals.insert(reals.end(), {p.x, p.y, p.z});
+  }
+  return made("distance_field",
+              {samples, samples, samples, cell, cell, cell, low, low, low, is_inside_out ? 1.0 : 0.0,
+               is_smooth ? 1.0 : 0.0, along, along, along},
+              reals);
+}
+// Points all over the bent torus.
+std::vector<Vec3> bent_torus() {
+  constexpr int around = 240, across = 120;
+  std::vector<Vec3> out;
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      const double a = 2 * 3.14159265358979323846 * i / around, b = 2 * 3.14159265358979323846 * j / across;
+      const double away = 0.7 + 0.3 * std::cos(b);
+      out.push_back(bent({away * std::cos(a), away * std::sin(a), 0.3 * std::sin(b)}));
     }
   }
   return out;
 }
 
-double value_of(const AnyShape& field, const Vec3& p) { return field.distance_to(p)->distance; }
-
-TEST(FieldOfMesh, IsTheBallWithinItsTriangles) {
-  const Triangles ball = ball_of_triangles(48);
-  const AnyShape field = abut::make_field_of_mesh(ball.xyz, ball.indices, {0.04, 3, false}).value();
-  test::Random random(7);
-  for (int i = 0; i < 4000; ++i) {
-    const Vec3 p = random.point(1.2);
-    const double truth = from_ball(p), near = std::fabs(truth) < 0.12 ? 0.2 * 0.04 : 8 * 0.04;
-    EXPECT_NEAR(value_of(field, p), truth, near) << p.x << " " << p.y << " " << p.z;
+// What is apart from a bent torus is as far as its nearest point, for all kinds that have an own test of points.
+TEST(FieldPairs, BentFieldsAreAsFarAsTheirPoints) {
+  const std::vector<Vec3> surface = bent_torus();
+  // Half a cell and the way between two points, both stretched.
+  const double off = 1.6 * (0.5 * cell + 0.02);
+  for (const bool is_smooth : {false, true}) {
+    const AnyShape field = bent_field(values_of(from_torus), false, is_smooth);
+    const AnyShape ball = made("sphere", {0.3}), box = made("box", {0.4, 0.3, 0.2});
+    const AnyShape sheet =
+        made("mesh", {0}, {-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0}, {0, 1, 2, 0, 2, 3});
+    const AnyShape plane = made("plane", {0, 0, 1, 0}), other = field_of(from_ball, false, is_smooth);
+    test::Random random(31);
+    // Points that are found are seldom not the nearest ones; then the bounds are apart.
+    int apart = 0, nearest = 0;
+    for (int i = 0; i < 60; ++i) {
+      const Pose pose = placed(random, 1.8);
+      const auto from_ball_at = [&](const Vec3& p) { return norm(p - pose.position) - 0.3; };
+      const auto from_box_at = [&](const Vec3& p, const Vec3& half) {
+        const Vec3 out = absolute(pose.undo(p)) - half;
+        return norm(maximum(out, Vec3{0, 0, 0}));
+      };
+      const auto expect = [&](const abut::Distance& found, auto&& from, const char* what) {
+        double truth = abut::infinity;
+        for (const Vec3& p : surface) {
+          truth = std::fmin(truth, from(p));
+        }
+        EXPECT_LE(found.lower, found.distance) << what << " " << i;
+        EXPECT_GE(found.upper, found.distance) << what << " " << i;
+        EXPECT_NEAR(norm(found.point_b - found.point_a - found.distance * found.normal), 0, 1e-9) << what << " " << i;
+        if (truth > off) {
+          ++apart;
+          EXPECT_LE(found.lower, truth + off) << what << " " << i;
+          EXPECT_GE(found.upper, truth - off) << what << " " << i;
+          EXPECT_GT(found.distance, truth - off) << what << " " << i;
+          nearest += found.distance < truth + off ? 1 : 0;
+        }
+      };
+      expect(distance(field, ball, pose), from_ball_at, "ball");
+      expect(distance(field, box, pose), [&](const Vec3& p) { return from_box_at(p, {0.4, 0.3, 0.2}); }, "box");
+      expect(distance(field, sheet, pose), [&](const Vec3& p) { return from_box_at(p, {0.5, 0.5, 0}); }, "sheet");
+      expect(distance(field, other, pose), [&](const Vec3& p) { return norm(p - pose.position) - 0.8; }, "field");
+      // Of the plane the field is the second one.
+      const Pose lifted{pose.rotation, {0, 0, 2.5}};
+      expect(distance(plane, field, lifted), [&](const Vec3& p) { return (lifted * p).z; }, "plane");
+      for (const abut::ContactPoint& contact : contacts(field, ball, pose)) {
+        EXPECT_NEAR(from_torus(unbent(contact.point_a)), 0, 0.6 * cell) << i;
+      }
+    }
+    EXPECT_GT(apart, 100);
+    EXPECT_GE(nearest, 0.99 * apart);
   }
 }
 
-// One triangle in eight is gone, one in eight is flipped: signs hold away from the surface.
-TEST(FieldOfMesh, DamageLeavesTheSignsWhereTheWindingIsClear) {
-  Triangles ball = ball_of_triangles(32);
-  std::vector<std::uint32_t> damaged;
-  test::Random random(11);
-  for (std::size_t i = 0; i < ball.indices.size(); i += 3) {
-    const double fate = random.uniform(0, 24);
-    if (fate < 1) {
-      continue;
-    }
-    damaged.insert(damaged.end(),
-                   {ball.indices[i], ball.indices[fate < 2 ? i + 2 : i + 1], ball.indices[fate < 2 ? i + 1 : i + 2]});
-  }
-  const AnyShape field = abut::make_field_of_mesh(ball.xyz, damaged, {0.05, 3, false}).value();
-  int judged = 0;
-  for (int i = 0; i < 3000; ++i) {
-    const Vec3 p = random.point(1);
-    if (std::fabs(from_ball(p)) > 0.2) {
-      ++judged;
-      EXPECT_EQ(value_of(field, p) < 0, from_ball(p) < 0) << p.x << " " << p.y << " " << p.z;
-    }
-  }
-  EXPECT_GT(judged, 1000);
-}
-
-TEST(FieldOfMesh, BadInputIsRefusedByName) {
-  const std::vector<double> xyz{0, 0, 0, 1, 0, 0, 0, 1, 0};
-  const auto message = [](const std::vector<double>& points, const std::vector<std::uint32_t>& indices,
-                          const abut::FieldOptions& options) {
-    const abut::Result<AnyShape> made = abut::make_field_of_mesh(points, indices, options);
-    return made ? std::string("none") : made.error().message;
-  };
-  EXPECT_EQ(message({}, {0, 1, 2}, {}), "vertex_count is 0; a distance field of a mesh needs vertices");
-  EXPECT_EQ(message(xyz, {}, {}), "triangle_count is 0; a distance field of a mesh needs at least one triangle");
-  EXPECT_EQ(message(xyz, {0, 1, 3}, {}), "triangles[2] is 3; it must be below vertex_count, which is 3");
-  EXPECT_EQ(message(xyz, {0, 1, 2}, {-1, 3, false}), "options.spacing is -1; it must be zero or positive");
-  EXPECT_EQ(message(xyz, {0, 1, 2}, {0, -2, false}), "options.band is -2; it must be zero or positive");
-  EXPECT_EQ(message(xyz, {0, 1, 2}, {1e-6, 3, false}).substr(0, 15), "options.spacing");
-  EXPECT_EQ(message(xyz, {0, 0, 0}, {}).substr(0, 40), "triangles names one vertex three times i");
-  EXPECT_EQ(message({1, 2, 3, 1, 2, 3, 1, 2, 3}, {0, 1, 2}, {}).substr(0, 31), "the triangles have no extent; a");
-  EXPECT_EQ(message(xyz, {0, 1, 2}, {0.05, 3, false}).substr(0, 28), "triangles enclose no sample;");
+TEST(FieldPairs, ABentContainerHoldsWhatIsInIt) {
+  const AnyShape container = bent_field(values_of(from_ball), true, true), ball = made("sphere", {0.2});
+  // The wall is 0.64 above the middle, and slopes by the shear.
+  const auto at = [](double z) { return Pose{abut::Rotation::identity(), {0.25 * z, 0, z}}; };
+  EXPECT_TRUE(contacts(container, ball, at(0.2)).empty());
+  EXPECT_FALSE(contacts(container, ball, at(0.55)).empty());
+  EXPECT_GT(distance(container, ball, at(0.2)).distance, 0.1);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 from .queries import (
     Camera, CastHit, Closest, ImpactHit, Pick, QueryFilter, QueryHit)
 from .shapes import (
-    Contact, Distance, DistanceFieldDesc, DistanceFieldOptions, FirstTouch, HeightFieldDesc, HullReport, Impact,
+    Contact, Distance, DistanceFieldDesc, DistanceFieldOptions, DistanceFieldReport, FirstTouch, HeightFieldDesc, HullReport, Impact,
     ImpactOptions, MeshOptions, MeshReport, Movement, PairMemory, QueryOptions, Ray, RayHit, ShapeDesc, UvGridOptions)
 from .universe import (
     Acceleration, Collidable, ContactMaterial, Event, Finding, Focus, GeometryInfo, GeometryOptions, Island, LocalPoints,
@@ -14,7 +14,7 @@ from .values import (
 
 __all__ = [
     "Aabb", "Acceleration", "Camera", "CastHit", "Closest", "Collidable", "Contact", "ContactMaterial", "Distance",
-    "DistanceFieldDesc", "DistanceFieldOptions", "Event", "Feature", "Finding", "FirstTouch", "Focus", "GeometryId",
+    "DistanceFieldDesc", "DistanceFieldOptions", "DistanceFieldReport", "Event", "Feature", "Finding", "FirstTouch", "Focus", "GeometryId",
     "GeometryInfo", "GeometryOptions", "HeightFieldDesc", "HullReport", "Impact", "ImpactHit", "ImpactOptions",
     "Island", "LayoutEntry", "LocalPoints", "MeshOptions", "MeshReport", "Movement", "PairMemory", "PartId",
     "PartOptions", "Pick", "Policy", "Pose", "Quat", "QueryFilter", "QueryHit", "QueryOptions", "Ray", "RayHit", "Revision",

@@ -79,7 +79,7 @@ class DistanceFieldDesc(Struct):
     columns: UInt32
     rows: UInt32
     layers: UInt32
-    reserved: UInt32
+    interpolation: UInt32
     spacing: Vec3
     origin: Vec3
     values: Doubles
@@ -91,6 +91,20 @@ class DistanceFieldOptions(Struct):
     is_inside_out: UInt32
     spacing: Double
     band: Double
+    interpolation: UInt32
+    reserved: UInt32
+
+
+@struct
+class DistanceFieldReport(Struct):
+    struct_size: UInt32
+    interpolation: UInt32
+    block_count: UInt64
+    held_block_count: UInt64
+    error: Double
+    far_error: Double
+    least_stretch: Double
+    most_stretch: Double
 
 
 @struct
