@@ -2,27 +2,13 @@
 // A binary tree over triangles, of one volume for each node: oriented boxes or balls. Triangles stay with their owner,
 // who tells their corners when the tree is made and when it is fitted.
 export module abut.trees.volume_tree;
+import abut.capability.item_tree;
 import abut.core.standard;
 import abut.math;
 export import abut.trees.bounding_ball;
-import abut.trees.item_tree;
 export import abut.trees.oriented_box;
 
 export namespace abut {
-
-// A volume around points, or around two others where another one was. Of none all answers are those of nothing.
-template <class V>
-concept BoundingVolume = std::default_initializable<V> &&
-                         requires(const V& volume, std::span<const Vec3> points, const Aabb& box, const Vec3& v) {
-                           { V::around(points) } -> std::same_as<V>;
-                           { V::around(volume, volume, volume) } -> std::same_as<V>;
-                           { volume.overlaps(box) } -> std::same_as<bool>;
-                           { volume.lowest_along(v) } -> std::same_as<Real>;
-                           { volume.entry_of(v, v) } -> std::same_as<Real>;
-                           { volume.distance_to(v) } -> std::same_as<Real>;
-                           { volume.surface() } -> std::same_as<Real>;
-                           { volume.is_empty() } -> std::same_as<bool>;
-                         };
 
 template <BoundingVolume Volume>
 class VolumeTree {
