@@ -26,7 +26,7 @@ static_assert(is_plain<abut_part_id>(8));
 static_assert(is_plain<abut_geometry_id>(8));
 static_assert(is_plain<abut_feature>(8));
 static_assert(is_plain<abut_hull_report>(48));
-static_assert(is_plain<abut_mesh_options>(24));
+static_assert(is_plain<abut_mesh_options>(32));
 static_assert(is_plain<abut_mesh_report>(112));
 static_assert(is_plain<abut_uv_grid_options>(40));
 static_assert(is_plain<abut_distance_field_desc>(80));
@@ -110,6 +110,8 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_mesh_options, corners),
     ABUT_FIELD(abut_mesh_options, merges_vertices),
     ABUT_FIELD(abut_mesh_options, merge_distance),
+    ABUT_FIELD(abut_mesh_options, tree),
+    ABUT_FIELD(abut_mesh_options, reserved),
     ABUT_STRUCT(abut_mesh_report),
     ABUT_FIELD(abut_mesh_report, struct_size),
     ABUT_FIELD(abut_mesh_report, reserved),

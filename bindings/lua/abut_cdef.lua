@@ -125,12 +125,21 @@ enum abut_sides_value {
   ABUT_SIDES_FRONT = 1,
   ABUT_SIDES_SOLID = 2
 };
+typedef uint32_t abut_mesh_tree;
+enum abut_mesh_tree_value {
+  ABUT_MESH_TREE_AUTO = 0,
+  ABUT_MESH_TREE_AABB = 1,
+  ABUT_MESH_TREE_OBB = 2,
+  ABUT_MESH_TREE_SPHERE = 3
+};
 typedef struct abut_mesh_options {
   uint32_t struct_size;
   abut_sides sides;
   uint32_t corners;
   uint32_t merges_vertices;
   double merge_distance;
+  abut_mesh_tree tree;
+  uint32_t reserved;
 } abut_mesh_options;
 void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct_size);
 abut_status abut_mesh_create(const double *xyz, size_t vertex_count, const uint32_t *triangles,

@@ -48,6 +48,7 @@ export const structs = {
   }),
   meshOptions: koffi.struct('abut_mesh_options', {
     structSize: 'uint32_t', sides: 'uint32_t', corners: 'uint32_t', mergesVertices: 'uint32_t', mergeDistance: 'double',
+    tree: 'uint32_t', reserved: 'uint32_t',
   }),
   queryOptions: koffi.struct('abut_query_options', {
     structSize: 'uint32_t', algorithm: 'uint32_t', errorBound: 'double', margin: 'double', maxContacts: 'uint32_t',

@@ -344,6 +344,15 @@ enum abut_sides_value ABUT_ENUM(uint32_t) {
   ABUT_SIDES_SOLID = 2  /**< a solid: what it encloses is inside, and is pushed out */
 };
 
+/** By what volumes the triangles of a mesh are found. Answers are the same but for rounding. */
+typedef uint32_t abut_mesh_tree;
+enum abut_mesh_tree_value ABUT_ENUM(uint32_t) {
+  ABUT_MESH_TREE_AUTO = 0,  /**< what is the fastest: boxes along the axes */
+  ABUT_MESH_TREE_AABB = 1,  /**< boxes along the axes of the shape, eight to a node */
+  ABUT_MESH_TREE_OBB = 2,   /**< boxes with axes of their own, two to a node */
+  ABUT_MESH_TREE_SPHERE = 3 /**< balls, two to a node */
+};
+
 typedef struct abut_mesh_options {
   uint32_t struct_size;
   abut_sides sides;         /**< default ABUT_SIDES_BOTH */
@@ -352,6 +361,8 @@ typedef struct abut_mesh_options {
                                  removed */
   uint32_t merges_vertices; /**< 1: triangles share vertices that are near each other; default 0 */
   double merge_distance;    /**< how near, not negative; default 0: in the same place */
+  abut_mesh_tree tree;      /**< default ABUT_MESH_TREE_AUTO. Two surfaces go down trees of boxes in any case */
+  uint32_t reserved;        /**< zero */
 } abut_mesh_options;
 
 ABUT_API void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct_size);

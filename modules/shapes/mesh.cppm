@@ -9,6 +9,7 @@ import abut.math;
 import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
 import abut.trees.eight_boxes;
+import abut.trees.volume_tree;
 import abut.trees.winding_number;
 
 export namespace abut {
@@ -26,7 +27,14 @@ class Mesh {
 
   [[nodiscard]] static Result<Mesh> make(std::span<const Real> parameters, std::span<const Real> reals,
                                          std::span<const std::uint32_t> indices);
-  [[nodiscard]] std::vector<Real> parameters() const { return {static_cast<Real>(data_->sides)}; }
+  // A tree that was chosen follows the sides.
+  [[nodiscard]] std::vector<Real> parameters() const {
+    std::vector<Real> numbers{static_cast<Real>(data_->sides)};
+    if (data_->chosen != ChosenTree::automatic) {
+      numbers.push_back(static_cast<Real>(data_->chosen));
+    }
+    return numbers;
+  }
   [[nodiscard]] Buffers buffers() const {
     Buffers out{{}, data_->indices};
     out.reals.reserve(3 * data_->vertices.size());
@@ -61,7 +69,13 @@ class Mesh {
 
   template <class Wanted, class Visitor>
   void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
-    visit_found(box, is_wanted, visit, [&](const auto& add) { tree().visit_overlaps(box, add); });
+    visit_found(box, is_wanted, visit, [&](const auto& add) {
+      if (has_other_tree()) [[unlikely]] {
+        visit_in_other(box, add);
+      } else {
+        tree().visit_overlaps(box, add);
+      }
+    });
   }
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {
@@ -89,16 +103,23 @@ class Mesh {
   }
   template <class Visitor>
   void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
-    tree().visit_below(direction, limit, [&](std::uint32_t index) {
+    const auto visit_part = [&](std::uint32_t index) {
       const TriangleCorners of_part = corners(index);
       if (least_along(of_part, direction) <= limit) {
         visit(Triangle(of_part, index, is_one_sided(index)), index);
       }
-    });
+    };
+    if (has_other_tree()) [[unlikely]] {
+      visit_below_in_other(direction, limit, visit_part);
+    } else {
+      tree().visit_below(direction, limit, visit_part);
+    }
   }
-  [[nodiscard]] Triangle part_near(const Vec3& point) const { return part(tree().item_near(point)); }
+  [[nodiscard]] Triangle part_near(const Vec3& point) const {
+    return part(has_other_tree() ? item_near_in_other(point) : tree().item_near(point));
+  }
 
-  // See Hierarchy.
+  // See Hierarchy. Two surfaces go down trees of boxes, whatever was chosen.
   [[nodiscard]] const Vec3& origin() const [[clang::lifetimebound]] { return tree().origin(); }
   template <class Visitor>
   void visit_children(std::uint32_t node, Visitor&& visit) const {
@@ -109,13 +130,18 @@ class Mesh {
     const TriangleRay ray(origin, direction);
     Real nearest = max_distance;
     std::uint32_t hit = no_index;
-    tree().visit_ray(origin, direction, nearest, [&](std::uint32_t index) {
+    const auto cast = [&](std::uint32_t index) {
       const auto distance = ray.distance_to(corners(index), nearest);
       if (distance && (*distance < nearest || index < hit)) {
         nearest = *distance;
         hit = index;
       }
-    });
+    };
+    if (has_other_tree()) [[unlikely]] {
+      visit_ray_in_other(origin, direction, nearest, cast);
+    } else {
+      tree().visit_ray(origin, direction, nearest, cast);
+    }
     return hit == no_index ? std::nullopt
                            : std::optional(RayHit{nearest, part(hit).normal(), {FeatureKind::face, hit}});
   }
@@ -182,6 +208,10 @@ class Mesh {
  private:
   // What stops other shapes: both sides of triangles, their fronts, or all that is inside.
   enum class Sides : std::uint8_t { both, front, solid };
+  // What triangles are found by. Boxes along the axes are the fastest.
+  enum class ChosenTree : std::uint8_t { automatic, boxes, oriented_boxes, balls };
+  using OtherTree = std::variant<OrientedBoxTree, SphereTree>;
+  using VisitItem = std::function<void(std::uint32_t)>;
 
   struct Inside {
     WindingNumber winding;
@@ -194,12 +224,14 @@ class Mesh {
     std::vector<Vec3> vertices;
     std::vector<std::uint32_t> indices;
     Sides sides;
+    ChosenTree chosen;
     Aabb box;
     std::size_t present;  // triangles that have not gone
     Vec3 widest;          // at least the extents of the box of each triangle
     Lazy<Bvh> tree;
     Lazy<MeshNeighbours> neighbours;
     Lazy<Inside> inside;
+    Lazy<OtherTree> other;  // where one was chosen
   };
 
   explicit Mesh(Data data) : data_(std::move(data)) {}
@@ -213,6 +245,18 @@ class Mesh {
     return data_->inside.get([this] { return make_inside(*data_); });
   }
   [[nodiscard]] static Inside make_inside(const Data& data);
+  [[nodiscard]] inline bool has_other_tree() const { return data_->chosen > ChosenTree::boxes; }
+  [[nodiscard]] std::optional<TriangleCorners> present_corners(std::uint32_t index) const {
+    return has_gone(index) ? std::nullopt : std::optional(corners(index));
+  }
+  [[nodiscard]] const OtherTree& other() const [[clang::lifetimebound]];
+  void visit_in_other(const Aabb& box, const VisitItem& visit) const;
+  void visit_below_in_other(const Vec3& direction, Real& limit, const VisitItem& visit) const;
+  void visit_ray_in_other(const Vec3& origin, const Vec3& direction, Real& limit, const VisitItem& visit) const;
+  [[nodiscard]] std::uint32_t item_near_in_other(const Vec3& point) const;
+  void make_room_in_other();
+  void touch_in_other(std::uint32_t triangle);
+  void settle_other();
   [[nodiscard]] Aabb follow(std::uint32_t touched, const Aabb& moved);
   static void fill(Data& data, std::span<const Real> reals, std::span<const std::uint32_t> indices);
   [[nodiscard]] static Aabb box_of(const Data& data);

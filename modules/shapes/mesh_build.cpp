@@ -42,16 +42,23 @@ Aabb Mesh::box_of(const Data& data) {
 
 Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> reals,
                         std::span<const std::uint32_t> indices) {
-  if (Fault fault = check_count("parameter_count", parameters.size(), 1)) {
+  if (Fault fault = check_count("parameter_count", parameters.size(), parameters.size() == 2 ? 2 : 1)) {
     return *fault;
   }
   if (parameters[0] != 0 && parameters[0] != 1 && parameters[0] != 2) {
     return error_about(Errc::unknown_value, "sides", parameters[0], "0 (both), 1 (front) or 2 (solid)");
   }
+  const Real tree = parameters.size() == 2 ? parameters[1] : 0;
+  if (tree != 0 && tree != 1 && tree != 2 && tree != 3) {
+    return error_about(Errc::unknown_value, "tree", tree,
+                       "0 (automatic), 1 (boxes), 2 (oriented boxes) or 3 (spheres)");
+  }
   if (Fault fault = check_triangles("a mesh", reals, indices)) {
     return *fault;
   }
-  Data data{{}, {}, static_cast<Sides>(parameters[0]), Aabb::empty(), 0, {0, 0, 0}, {}, {}, {}};
+  Data data{
+      {}, {}, static_cast<Sides>(parameters[0]), static_cast<ChosenTree>(tree), Aabb::empty(), 0, {0, 0, 0}, {}, {},
+      {}, {}};
   fill(data, reals, indices);
   return Mesh(std::move(data));
 }
@@ -62,6 +69,9 @@ Bvh Mesh::make_tree(const Workers& workers) const {
 
 void Mesh::prepare(const Workers& workers) const {
   static_cast<void>(data_->tree.get([&] { return make_tree(workers); }));
+  if (has_other_tree()) {
+    static_cast<void>(other());
+  }
   static_cast<void>(neighbours());
   if (is_solid()) {
     static_cast<void>(inside());

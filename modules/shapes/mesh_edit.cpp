@@ -55,6 +55,7 @@ Fault Mesh::check(const RecreationEdit& edit) const { return check_triangles("a 
 
 // Where no query has needed the tree so far, there is nothing to follow the change.
 void Mesh::make_room_for_change() {
+  make_room_in_other();
   if (std::optional<Bvh>& tree = data_.own().tree.made()) {
     static_cast<void>(neighbours());
     tree->make_room();
@@ -123,9 +124,11 @@ Aabb Mesh::apply(const VertexEdit& edit) {
   visit_moved(edit, [&](std::uint32_t triangle) {
     const Aabb box = box_around(corners(triangle));
     tree.move(triangle, box);
+    touch_in_other(triangle);
     moved.include(box);
     data.widest = maximum(data.widest, box.high - box.low);
   });
+  settle_other();
   return follow(touched, moved);
 }
 
@@ -147,7 +150,9 @@ Aabb Mesh::apply(const RemovalEdit& edit) {
     if (tree) {
       tree->move(triangle, Aabb::empty());
     }
+    touch_in_other(triangle);
   }
+  settle_other();
   if (!tree) {
     data.box = box_of(data);
     return Aabb::everything();
@@ -199,6 +204,7 @@ Aabb Mesh::apply(const RecreationEdit& edit) {
   Data& data = data_.own();
   fill(data, edit.reals, edit.indices);
   data.tree.forget();
+  data.other.forget();
   data.neighbours.forget();
   data.inside.forget();
   return Aabb::everything();

@@ -30,7 +30,8 @@ class BoundingBall {
     }
     return best;
   }
-  [[nodiscard]] static inline BoundingBall around(const BoundingBall& a, const BoundingBall& b) {
+  // What was around both before says nothing.
+  [[nodiscard]] static inline BoundingBall around(const BoundingBall& a, const BoundingBall& b, const BoundingBall&) {
     if (a.is_empty() || b.is_empty()) {
       return a.is_empty() ? b : a;
     }
@@ -57,7 +58,7 @@ class BoundingBall {
   }
   // Of no volume it is without end.
   [[nodiscard]] inline Real lowest_along(const Vec3& direction) const {
-    return is_empty() ? infinity : dot(direction, centre_) - radius_;
+    return is_empty() ? infinity : dot(direction, centre_) - radius_ * norm(direction);
   }
   // Where a ray enters, zero inside; without end where it misses.
   [[nodiscard]] inline Real entry_of(const Vec3& origin, const Vec3& direction) const {

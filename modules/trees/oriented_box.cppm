@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A box with axes of its own around points, as the nodes of a tree of oriented boxes have one. Gottschalk, Lin and
-// Manocha, "OBBTree: a hierarchical structure for rapid interference detection", 1996.
+// Manocha, "OBBTree: a hierarchical structure for rapid interference detection", 1996. A box along the axes of the
+// frame goes with it.
 export module abut.trees.oriented_box;
 import abut.core.standard;
 import abut.math;
@@ -23,59 +24,57 @@ class OrientedBox {
       return span;
     };
     const OrientedBox turned = with({axes.first, axes.second, axes.third}, spans), straight = with(frame_axes, spans);
-    return turned.surface() < straight.surface() ? turned : straight;
+    OrientedBox least = turned.surface() < straight.surface() ? turned : straight;
+    least.straight_ = {straight.centre_ - straight.half_, straight.centre_ + straight.half_};
+    return least;
   }
-  // Along the axes of the larger of both.
-  [[nodiscard]] static inline OrientedBox around(const OrientedBox& a, const OrientedBox& b) {
+  // Along the axes of one of both or of the box that was around them before, or along those of the frame.
+  [[nodiscard]] static inline OrientedBox around(const OrientedBox& a, const OrientedBox& b,
+                                                 const OrientedBox& before) {
     if (a.is_empty() || b.is_empty()) {
       return a.is_empty() ? b : a;
     }
-    return with((a.surface() < b.surface() ? b : a).axes_, [&](const Vec3& direction) {
+    const auto spans = [&](const Vec3& direction) {
       Span span{infinity, -infinity};
       for (const OrientedBox* box : {&a, &b}) {
-        const Real middle = dot(direction, box->centre_), reach = box->reach_along(direction);
-        span.include(middle - reach);
-        span.include(middle + reach);
+        span.include(box->lowest_along(direction));
+        span.include(-box->lowest_along(-direction));
       }
       return span;
-    });
+    };
+    OrientedBox least = with(frame_axes, spans);
+    for (const OrientedBox* box : {&a, &b, &before}) {
+      const OrientedBox turned = with(box->axes_, spans);
+      least = turned.surface() < least.surface() ? turned : least;
+    }
+    least.straight_ = a.straight_;
+    least.straight_.include(b.straight_);
+    return least;
   }
 
   [[nodiscard]] bool is_empty() const { return half_.x < 0; }
-  // By the axes of both, and by those across two edges.
+  // By the axes of both. Those across two edges would add little (see two_trees).
   [[nodiscard]] inline bool overlaps(const Aabb& box) const {
-    if (is_empty()) {
-      return false;
-    }
-    if (!box.is_bounded()) {
-      return overlaps_unbounded(box);
+    if (!straight_.overlaps(box) || !box.is_bounded()) {
+      return straight_.overlaps(box);
     }
     const Vec3 middle = box.centre(), half = 0.5 * (box.high - box.low), between = centre_ - middle;
-    const auto is_apart_along = [&](const Vec3& direction) {
-      return std::fabs(dot(direction, between)) > reach_along(direction) + dot(absolute(direction), half);
-    };
-    for (const Vec3& axis : frame_axes) {
-      if (is_apart_along(axis)) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3& own = axes_[static_cast<std::size_t>(axis)];
+      if (std::fabs(dot(own, between)) > half_[axis] + dot(absolute(own), half)) {
         return false;
-      }
-    }
-    for (const Vec3& axis : axes_) {
-      if (is_apart_along(axis)) {
-        return false;
-      }
-    }
-    for (const Vec3& own : axes_) {
-      for (const Vec3& other : frame_axes) {
-        if (is_apart_along(cross(own, other))) {
-          return false;
-        }
       }
     }
     return true;
   }
   // Of no volume it is without end.
   [[nodiscard]] inline Real lowest_along(const Vec3& direction) const {
-    return is_empty() ? infinity : dot(direction, centre_) - reach_along(direction);
+    if (is_empty()) {
+      return infinity;
+    }
+    const Real straight =
+        dot(direction, straight_.centre()) - 0.5 * dot(absolute(direction), straight_.high - straight_.low);
+    return std::max(dot(direction, centre_) - reach_along(direction), straight);
   }
   // Where a ray enters, zero inside; without end where it misses.
   [[nodiscard]] inline Real entry_of(const Vec3& origin, const Vec3& direction) const {
@@ -149,13 +148,10 @@ class OrientedBox {
     return half_.x * std::fabs(dot(direction, axes_[0])) + half_.y * std::fabs(dot(direction, axes_[1])) +
            half_.z * std::fabs(dot(direction, axes_[2]));
   }
-  [[nodiscard]] inline bool overlaps_unbounded(const Aabb& box) const {
-    const Vec3 reach{reach_along(frame_axes[0]), reach_along(frame_axes[1]), reach_along(frame_axes[2])};
-    return box.overlaps({centre_ - reach, centre_ + reach});
-  }
 
   Axes axes_ = frame_axes;
   Vec3 centre_{0, 0, 0}, half_{-1, -1, -1};
+  Aabb straight_ = Aabb::empty();  // around the same, along the axes of the frame: unions of these stay tight
 };
 
 }  // namespace abut

@@ -2,27 +2,13 @@
 // A binary tree over triangles, of one volume for each node: oriented boxes or balls. Triangles stay with their owner,
 // who tells their corners when the tree is made and when it is fitted.
 export module abut.trees.volume_tree;
+import abut.capability.item_tree;
 import abut.core.standard;
 import abut.math;
 export import abut.trees.bounding_ball;
-import abut.trees.item_tree;
 export import abut.trees.oriented_box;
 
 export namespace abut {
-
-// A volume around points, or around two others. Of none all answers are those of nothing.
-template <class V>
-concept BoundingVolume = std::default_initializable<V> &&
-                         requires(const V& volume, std::span<const Vec3> points, const Aabb& box, const Vec3& v) {
-                           { V::around(points) } -> std::same_as<V>;
-                           { V::around(volume, volume) } -> std::same_as<V>;
-                           { volume.overlaps(box) } -> std::same_as<bool>;
-                           { volume.lowest_along(v) } -> std::same_as<Real>;
-                           { volume.entry_of(v, v) } -> std::same_as<Real>;
-                           { volume.distance_to(v) } -> std::same_as<Real>;
-                           { volume.surface() } -> std::same_as<Real>;
-                           { volume.is_empty() } -> std::same_as<bool>;
-                         };
 
 template <BoundingVolume Volume>
 class VolumeTree {
@@ -45,7 +31,9 @@ class VolumeTree {
     if (!items_.empty()) {
       split(0, static_cast<std::uint32_t>(items_.size()), nobody, middles, corners_of);
     }
-    surface_ = surface_of_all();
+    for (const Node& node : nodes_) {
+      count_surface(node, 1);
+    }
     first_surface_ = relative_surface();
   }
 
@@ -217,7 +205,7 @@ class VolumeTree {
   template <class CornersOf>
   void fit(std::uint32_t at, const CornersOf& corners_of) {
     Node& node = nodes_[at];
-    surface_ -= node.volume.surface();
+    count_surface(node, -1);
     if (node.is_leaf()) {
       for (std::uint32_t i = node.first; i < node.first + node.count;) {
         if (corners_of(items_[i])) {
@@ -229,20 +217,14 @@ class VolumeTree {
       }
       node.volume = around(node.first, node.first + node.count, corners_of);
     } else {
-      node.volume = Volume::around(nodes_[at + 1].volume, nodes_[node.second].volume);
+      node.volume = Volume::around(nodes_[at + 1].volume, nodes_[node.second].volume, node.volume);
     }
-    surface_ += node.volume.surface();
+    count_surface(node, 1);
     if (node.parent != nobody) {
       stale_[node.parent / 64] |= std::uint64_t{1} << node.parent % 64;
     }
   }
-  [[nodiscard]] Real surface_of_all() const {
-    Real sum = 0;
-    for (const Node& node : nodes_) {
-      sum += node.volume.surface();
-    }
-    return sum;
-  }
+  void count_surface(const Node& node, Real sign) { surface_ += sign * node.volume.surface(); }
   [[nodiscard]] Real relative_surface() const {
     const Real root = nodes_.empty() ? 0 : nodes_[0].volume.surface();
     return surface_ / std::max(root, std::numeric_limits<Real>::min());

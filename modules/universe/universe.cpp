@@ -223,8 +223,9 @@ std::uint64_t Universe::hash() const { return hash_of(contacts(), local_points()
 
 std::size_t Universe::bytes() const {
   return sizeof(Universe) + Scene::bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() +
-         selection_.bytes() + jobs_.bytes() + sides_.bytes() + seams_.bytes() + sweeps_.bytes() + impacts_.bytes() + contacts_.bytes() +
-         events_.bytes() + island_links_.bytes() + islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
+         selection_.bytes() + jobs_.bytes() + sides_.bytes() + seams_.bytes() + sweeps_.bytes() + impacts_.bytes() +
+         contacts_.bytes() + events_.bytes() + island_links_.bytes() + islands_.bytes() +
+         dynamic_parts_.capacity() * sizeof(PartId);
 }
 
 Fault Universe::check_time(Real dt) const {

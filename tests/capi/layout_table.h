@@ -37,12 +37,14 @@
   FIELD(abut_hull_report, edge_count, 24, 8)                 \
   FIELD(abut_hull_report, face_count, 32, 8)                 \
   FIELD(abut_hull_report, error, 40, 8)                      \
-  TYPE(abut_mesh_options, 24)                                \
+  TYPE(abut_mesh_options, 32)                                \
   FIELD(abut_mesh_options, struct_size, 0, 4)                \
   FIELD(abut_mesh_options, sides, 4, 4)                      \
   FIELD(abut_mesh_options, corners, 8, 4)                    \
   FIELD(abut_mesh_options, merges_vertices, 12, 4)           \
   FIELD(abut_mesh_options, merge_distance, 16, 8)            \
+  FIELD(abut_mesh_options, tree, 24, 4)                      \
+  FIELD(abut_mesh_options, reserved, 28, 4)                  \
   TYPE(abut_mesh_report, 112)                                \
   FIELD(abut_mesh_report, struct_size, 0, 4)                 \
   FIELD(abut_mesh_report, reserved, 4, 4)                    \

@@ -15,6 +15,7 @@ KERNELS = ("modules/narrow", "modules/pairs/rows")
 RECORDS = (
     "modules/narrow/apart/pair_hint.cppm",
     "modules/narrow/warm/pair_memory.cppm",
+    "modules/narrow/warm/side_memory.cppm",
     "modules/narrow/manifold",
     "modules/narrow/cast/cast_search.cppm",
     "modules/narrow/cast/linear_cast.cppm",

@@ -239,6 +239,12 @@ pub const ABUT_SIDES_BOTH: abut_sides_value = 0;
 pub const ABUT_SIDES_FRONT: abut_sides_value = 1;
 pub const ABUT_SIDES_SOLID: abut_sides_value = 2;
 pub type abut_sides_value = ::std::os::raw::c_uint;
+pub type abut_mesh_tree = u32;
+pub const ABUT_MESH_TREE_AUTO: abut_mesh_tree_value = 0;
+pub const ABUT_MESH_TREE_AABB: abut_mesh_tree_value = 1;
+pub const ABUT_MESH_TREE_OBB: abut_mesh_tree_value = 2;
+pub const ABUT_MESH_TREE_SPHERE: abut_mesh_tree_value = 3;
+pub type abut_mesh_tree_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_mesh_options {
@@ -247,6 +253,8 @@ pub struct abut_mesh_options {
     pub corners: u32,
     pub merges_vertices: u32,
     pub merge_distance: f64,
+    pub tree: abut_mesh_tree,
+    pub reserved: u32,
 }
 extern "C" {
     pub fn abut_mesh_options_init(options: *mut abut_mesh_options, struct_size: u32);

@@ -67,6 +67,7 @@ struct MeshOptions : Defaulted<MeshOptions, abut_mesh_options, abut_mesh_options
   using C = abut_mesh_options;
   [[nodiscard]] MeshOptions with_sides(Sides value) const { return with(&C::sides, value); }
   [[nodiscard]] MeshOptions with_corners(std::uint32_t value) const { return with(&C::corners, value); }
+  [[nodiscard]] MeshOptions with_tree(MeshTree value) const { return with(&C::tree, value); }
   // Of vertices within a distance.
   [[nodiscard]] MeshOptions with_merging(double distance) const {
     return with(&C::merges_vertices, 1u).with(&C::merge_distance, distance);

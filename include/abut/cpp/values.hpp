@@ -37,6 +37,7 @@ using Query = abut_query_value;
 using RayStart = abut_ray_start_value;
 using Rule = abut_rule_value;
 using Sides = abut_sides_value;
+using MeshTree = abut_mesh_tree_value;
 using Axis = abut_axis_value;
 using Diagonal = abut_diagonal_value;
 using Interpolation = abut_interpolation_value;

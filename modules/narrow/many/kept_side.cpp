@@ -2,7 +2,6 @@
 module abut.narrow.many.kept_side;
 import abut.capability;
 import abut.core.standard;
-import abut.core;
 import abut.math;
 
 namespace abut {

@@ -9,23 +9,9 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.narrow.warm.side_memory;
 
 export namespace abut {
-
-struct SideOfPart {
-  std::uint32_t part;
-  bool is_front;  // the body came from there
-
-  friend bool operator==(const SideOfPart&, const SideOfPart&) = default;
-};
-
-// Of one pair; empty while the two do not touch.
-struct SideMemory {
-  Vec3 normal{0, 0, 0};           // of the deepest contact, from the surface to the body, in the frame of the surface
-  std::vector<SideOfPart> parts;  // the triangles that were touched, in order
-
-  [[nodiscard]] bool is_empty() const { return parts.empty(); }
-};
 
 // A triangle and how the body lies to it.
 struct TouchedPart {
@@ -100,8 +86,8 @@ struct WayBack {
   Real depth;
 };
 
-// The ways out of triangles that the body has passed, but for those whom another way, or a contact that stays, parts
-// from the body as well. Least first. `lowest_along`: where the body begins along a direction.
+// The ways out of triangles that the body has passed, the least first. A triangle has none where another way, or a
+// contact that stays, parts it from the body as well. `lowest_along`: where the body begins along a direction.
 template <class LowestAlong>
 [[nodiscard]] std::vector<WayBack> ways_back(std::span<const TouchedPart> touched, const SidesOfParts& sides,
                                              std::span<const std::size_t> passed, std::span<const ContactPoint> staying,

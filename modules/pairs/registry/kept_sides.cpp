@@ -8,6 +8,7 @@ import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.many.kept_side;
 import abut.narrow.many.triangle_contacts;
+import abut.narrow.warm.side_memory;
 import abut.pairs.registry;
 
 namespace abut {

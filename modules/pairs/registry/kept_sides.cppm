@@ -6,7 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-export import abut.narrow.many.kept_side;
+export import abut.narrow.warm.side_memory;
 import abut.pairs.registry;
 
 export namespace abut {

@@ -13,7 +13,9 @@
 
 #include "../random_boxes.hpp"
 
+import abut.capability.item_tree;
 import abut.math;
+import abut.trees.bvh;
 import abut.trees.volume_tree;
 
 namespace {
@@ -120,6 +122,8 @@ void expect_right(const Tree& tree, const Soup& soup, test::Random& random) {
     if (present > 0) EXPECT_TRUE(soup.triangles[tree.item_near(origin)].has_value());
   }
 }
+
+static_assert(abut::ItemTree<abut::Bvh>);
 
 template <class Tree>
 class VolumeTrees : public testing::Test {};

@@ -25,6 +25,8 @@ class MeshOptions(Struct):
     corners: UInt32
     merges_vertices: UInt32
     merge_distance: Double
+    tree: UInt32
+    reserved: UInt32
 
 
 @struct

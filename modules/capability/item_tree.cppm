@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What trees over many items offer, whatever volumes they are made of: boxes along the axes, oriented boxes or balls.
-export module abut.trees.item_tree;
+// And what a volume offers to a tree.
+export module abut.capability.item_tree;
 import abut.core.standard;
 import abut.math;
 
@@ -28,5 +29,19 @@ concept ItemTree =
       { changing.is_worn() } -> std::same_as<bool>;
       changing.make_room();
     };
+
+// A volume around points, or around two others where another one was. Of none all answers are those of nothing.
+template <class V>
+concept BoundingVolume = std::default_initializable<V> &&
+                         requires(const V& volume, std::span<const Vec3> points, const Aabb& box, const Vec3& v) {
+                           { V::around(points) } -> std::same_as<V>;
+                           { V::around(volume, volume, volume) } -> std::same_as<V>;
+                           { volume.overlaps(box) } -> std::same_as<bool>;
+                           { volume.lowest_along(v) } -> std::same_as<Real>;
+                           { volume.entry_of(v, v) } -> std::same_as<Real>;
+                           { volume.distance_to(v) } -> std::same_as<Real>;
+                           { volume.surface() } -> std::same_as<Real>;
+                           { volume.is_empty() } -> std::same_as<bool>;
+                         };
 
 }  // namespace abut

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a pair of a surface and a body keeps of the side from which the body came.
+export module abut.narrow.warm.side_memory;
+import abut.core.standard;
+import abut.math;
+
+export namespace abut {
+
+struct SideOfPart {
+  std::uint32_t part;
+  bool is_front;  // the body came from there
+};
+
+// Of one pair; empty while the two do not touch.
+struct SideMemory {
+  Vec3 normal{0, 0, 0};           // of the deepest contact, from the surface to the body, in the frame of the surface
+  std::vector<SideOfPart> parts;  // the triangles that were touched, in order
+
+  [[nodiscard]] bool is_empty() const { return parts.empty(); }
+};
+
+}  // namespace abut
