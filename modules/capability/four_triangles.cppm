@@ -75,8 +75,8 @@ template <class Wanted>
 }
 
 // Triangles on their way to a visitor. Corners of triangles that are near each other lie far apart in memory: those of
-// some triangles are read at once, so that the memory is waited for once: read_corners(number, corners) writes them where
-// they stay. visit(corners, number) gets those whose boxes overlap `box`, which it may shrink, and which meet the
+// some triangles are read at once, so that the memory is waited for once. read_corners(number, corners) writes them
+// where they stay. visit(corners, number) gets those whose boxes overlap `box`, which it may shrink, and which meet the
 // condition.
 template <class ReadCorners, class Wanted, class Visitor>
 class WaitingTriangles {

@@ -158,7 +158,9 @@ class Bvh {
   static constexpr std::size_t most_levels = 72, most_waiting = most_levels * (EightBoxes::width - 1) + 1;
 
   static constexpr std::uint32_t nobody = EightBoxes::nobody;
-  [[nodiscard]] static inline bool are_equal(const Aabb& a, const Aabb& b) { return a.low == b.low && a.high == b.high; }
+  [[nodiscard]] static inline bool are_equal(const Aabb& a, const Aabb& b) {
+    return a.low == b.low && a.high == b.high;
+  }
   static inline void fetch(const EightBoxes& node) {
     __builtin_prefetch(&node.sides[0]);
     __builtin_prefetch(&node.sides[2]);

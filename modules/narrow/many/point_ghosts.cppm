@@ -31,7 +31,9 @@ class PointGhosts {
     const std::array<std::uint64_t, 3> outermost = outermost_corners(triangles, directions, noise);
     for (; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      const auto has = [&](std::size_t corner) { return static_cast<unsigned>(outermost[corner] >> lane & 1u) << corner; };
+      const auto has = [&](std::size_t corner) {
+        return static_cast<unsigned>(outermost[corner] >> lane & 1u) << corner;
+      };
       const unsigned corners = has(0) | has(1) | has(2);
       if (corners != 7 && !a_.is_crest(triangles.numbers[lane], corners, directions[lane], noise[lane])) {
         passed_over_.push_back(triangles.numbers[lane]);

@@ -55,8 +55,8 @@ void visit_two_parts(const A& a, const B& b, const Pose& ab, Real reach, Visitor
   visit_two(a, b, GapOrder(a.origin(), b.origin(), ab), reach + noise, visit_items, wants);
 }
 
-// The same where b has few parts under a: each of these asks the tree of a, which answers for four parts at once. False,
-// with nothing visited, where b has many. In no order.
+// The same where b has few parts under a. Each of these asks the tree of a, which answers for four parts at once.
+// False, with nothing visited, where b has many. In no order.
 template <Surface A, Terrain B, class Visitor>
 [[nodiscard]] bool visit_parts_on(const A& a, const B& b, const Pose& ab, Real reach, Visitor&& visit) {
   constexpr std::size_t few = 2048;
