@@ -16,7 +16,6 @@
 #include "../../random_boxes.hpp"
 
 import abut.capability;
-import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.shape_cast;
