@@ -7,6 +7,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.tolerance;
+import abut.motion.best_impact;
 import abut.motion.convex_impact;
 import abut.motion.convex_part;
 import abut.motion.impact_search;
