@@ -24,7 +24,7 @@ abut_first_touch ask(Features features, const Query& query, double separation = 
 }
 
 // Whether they touch within a span of time; no search takes as many boxes.
-bool touches(const BoxSearch& search, std::int64_t low = 0, std::int64_t high = BoxSearch::one) {
+bool do_touch(const BoxSearch& search, std::int64_t low = 0, std::int64_t high = BoxSearch::one) {
   return search.touches(low, high, std::numeric_limits<std::uint64_t>::max()).value();
 }
 
@@ -53,7 +53,7 @@ void expect_as_search(Features features, int most, int count, unsigned seed) {
   for (int i = 0; i < count; ++i) {
     const Query query = random_query(random, most);
     const BoxSearch search(features, query);
-    const bool is_expected = touches(search);
+    const bool is_expected = do_touch(search);
     const abut_first_touch found = ask(features, query);
     ASSERT_EQ(found.touches != 0, is_expected) << "query " << i << " of seed " << seed << ", up to " << most;
     if (!is_expected) continue;
@@ -63,9 +63,9 @@ void expect_as_search(Features features, int most, int count, unsigned seed) {
     // A smallest box may have its touch beside it: far beside where features graze each other, which few do.
     constexpr std::int64_t margin = 64, wide_margin = BoxSearch::one / 1024;
     const auto low = std::int64_t(found.lower * BoxSearch::one), high = std::int64_t(found.upper * BoxSearch::one) + 1;
-    EXPECT_FALSE(touches(search, 0, low - wide_margin)) << "query " << i << " of seed " << seed << ", up to " << most;
-    grazing += touches(search, 0, low - margin) ? 1 : 0;
-    EXPECT_TRUE(touches(search, std::max<std::int64_t>(low - 1, 0), std::min(high, BoxSearch::one))) << "query " << i;
+    EXPECT_FALSE(do_touch(search, 0, low - wide_margin)) << "query " << i << " of seed " << seed << ", up to " << most;
+    grazing += do_touch(search, 0, low - margin) ? 1 : 0;
+    EXPECT_TRUE(do_touch(search, std::max<std::int64_t>(low - 1, 0), std::min(high, BoxSearch::one))) << "query " << i;
   }
   EXPECT_LE(grazing, count / 50);
   EXPECT_GT(touches, count / 20);

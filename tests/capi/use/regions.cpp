@@ -27,8 +27,8 @@ Shape make_table(const std::vector<Foot>& feet, double jitter, std::mt19937& ran
                                    ((i & 2) != 0 ? high.y : low.y) + tremble(random),
                                    ((i & 4) != 0 ? high.z : low.z) + tremble(random)});
     }
-    for (const std::uint32_t corner :
-         {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5}) {
+    for (const std::uint32_t corner : {0u, 2u, 3u, 0u, 3u, 1u, 4u, 5u, 7u, 4u, 7u, 6u, 0u, 1u, 5u, 0u, 5u, 4u,
+                                       2u, 6u, 7u, 2u, 7u, 3u, 0u, 4u, 6u, 0u, 6u, 2u, 1u, 3u, 7u, 1u, 7u, 5u}) {
       triangles.push_back(first + corner);
     }
   };
