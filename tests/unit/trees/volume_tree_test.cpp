@@ -133,7 +133,7 @@ TYPED_TEST_SUITE(VolumeTrees, Kinds);
 TYPED_TEST(VolumeTrees, MeetWhatAllTrianglesTell) {
   test::Random random(20261124);
   for (const Form form : {Form::scattered, Form::sheet, Form::needles, Form::one_place}) {
-    for (const std::size_t count : {1, 2, 4, 5, 37, 300}) {
+    for (const std::size_t count : {1u, 2u, 4u, 5u, 37u, 300u}) {
       SCOPED_TRACE(count);
       Soup soup;
       for (std::size_t i = 0; i < count; ++i) {
