@@ -10,12 +10,10 @@
 
 namespace abut::capi {
 
-// Size of the first version of a struct, which callers with the oldest header have. A field that is added later is read
-// only if struct_size covers all of it.
+// Size of the first version of a struct, which callers with the oldest header have. All structs are
+// still in their first version; a field that is added later is read only if struct_size covers all of it.
 template <class Struct>
 inline constexpr std::uint32_t first_size = sizeof(Struct);
-template <>
-inline constexpr std::uint32_t first_size<abut_mesh_options> = 24;
 
 // What an unknown newer header has appended must be zero: those wishes cannot be met.
 [[nodiscard]] inline abut_status check_tail(const Where& where, std::uint32_t size,

@@ -79,7 +79,7 @@ void expect_overflow_refused(std::size_t element_size, std::string_view argument
 // abut_status.
 template <class Call>
 void expect_unknown_geometry_values_refused(Call call) {
-  for (const std::uint32_t value : {16U, 19U, 77U, 0x80000000U, 0xFFFFFFFFU}) {
+  for (const std::uint32_t value : {32U, 35U, 77U, 0x80000000U, 0xFFFFFFFFU}) {
     abut_geometry_options options = default_geometry_options();
     options.flags = value;
     EXPECT_TRUE(refused(call(options), ABUT_UNKNOWN_VALUE, {"options", "flags", std::to_string(value)}));
