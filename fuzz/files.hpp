@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -31,6 +32,14 @@ inline std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path) {
   std::ranges::transform(text, std::back_inserter(bytes),
                          [](char c) { return static_cast<std::uint8_t>(static_cast<unsigned char>(c)); });
   return bytes;
+}
+
+// Prints what is wrong with an input, if anything is. Whether it is.
+inline bool report(const std::string& name, const std::string& finding) {
+  if (!finding.empty()) {
+    std::printf("finding: %s: %s\n", name.c_str(), finding.c_str());
+  }
+  return !finding.empty();
 }
 
 }  // namespace fuzz_files

@@ -35,11 +35,7 @@ int main(int argc, char** argv) {
   Counts counts;
   std::size_t findings = 0;
   const auto play = [&](const std::string& name, const std::vector<std::uint8_t>& bytes) {
-    const std::string finding = finding_of(bytes, counts);
-    if (!finding.empty()) {
-      std::printf("finding: %s %s\n", name.c_str(), finding.c_str());
-      ++findings;
-    }
+    findings += fuzz_files::report(name, finding_of(bytes, counts)) ? 1 : 0;
   };
   for (const char* folder : {"corpus/edits", "regress/edits"}) {
     for (const std::filesystem::path& path : fuzz_files::files_in(std::filesystem::path(arguments[1]) / folder)) {

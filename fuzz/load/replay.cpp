@@ -42,13 +42,7 @@ Bytes varied(Bytes bytes, std::mt19937& random) {
   return bytes;
 }
 
-bool has_finding(const Bytes& bytes, const std::string& name) {
-  const std::string finding = finding_of(bytes);
-  if (!finding.empty()) {
-    std::printf("finding: %s: %s\n", name.c_str(), finding.c_str());
-  }
-  return !finding.empty();
-}
+bool has_finding(const Bytes& bytes, const std::string& name) { return fuzz_files::report(name, finding_of(bytes)); }
 
 }  // namespace
 

@@ -15,11 +15,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 bool has_finding(const Bytes& bytes, const std::string& name) {
-  const std::string finding = touch_fuzzing::finding_of(bytes);
-  if (!finding.empty()) {
-    std::printf("finding: %s: %s\n", name.c_str(), finding.c_str());
-  }
-  return !finding.empty();
+  return fuzz_files::report(name, touch_fuzzing::finding_of(bytes));
 }
 
 // Few different numbers, so that edges are parallel, faces have no area, and motions stay in a plane by chance.

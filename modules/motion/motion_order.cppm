@@ -10,7 +10,7 @@ import abut.trees.two_trees;
 
 export namespace abut {
 
-// Along an axis of one body, the gap between a box of it and one of the other is the least of those of corners. The way
+// Take an axis of one body. The gap between a box of it and one of the other is the least of those of corners. The way
 // of each corner is straight but for a bend. So the gaps at both ends of a span tell until when the boxes are apart.
 // After a share s of the span the gap is at least
 //

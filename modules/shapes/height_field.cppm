@@ -73,6 +73,10 @@ class HeightField {
   void visit_parts(Aabb& box, Visitor&& visit) const {
     visit_parts(box, AcceptsAnyCorners{}, visit);
   }
+  // With those that are missing.
+  [[nodiscard]] std::size_t triangle_count() const {
+    return 2 * (std::size_t{data_->columns} - 1) * (std::size_t{data_->rows} - 1);
+  }
   // No fewer than the parts that visit_parts looks at.
   [[nodiscard]] inline std::size_t most_parts_under(const Aabb& box) const {
     if (!box.overlaps(data_->box)) {

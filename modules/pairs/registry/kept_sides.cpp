@@ -14,11 +14,6 @@ import abut.pairs.registry;
 namespace abut {
 namespace {
 
-// Other builds instantiate no kernel here.
-constexpr bool has_surfaces = []<class... S>(const std::variant<S...>*) {
-  return (Surface<S> || ...);
-}(static_cast<const AnyShape::Variant*>(nullptr));
-
 template <class Ask>
 void ask_surface(const AnyShape& shape, Ask&& ask) {
   std::visit(
@@ -34,7 +29,7 @@ template <class Ask>
 void ask_convex(const AnyShape& shape, Ask&& ask) {
   std::visit(
       [&]<class S>(const S& body) {
-        if constexpr (has_surfaces && Convex<S>) {
+        if constexpr (Convex<S>) {
           ask(core_of(body));
         }
       },
@@ -49,17 +44,6 @@ bool is_solid(const AnyShape& surface) {
     }
   });
   return is;
-}
-
-// With those that have gone or are missing.
-template <Surface S>
-std::size_t triangle_count_of(const S& surface) {
-  if constexpr (requires { surface.triangle_count(); }) {
-    return surface.triangle_count();
-  } else {
-    const std::vector<Real> numbers = surface.parameters();  // the first are columns and rows
-    return 2 * static_cast<std::size_t>((numbers[0] - 1) * (numbers[1] - 1));
-  }
 }
 
 // In order of their numbers.
@@ -169,7 +153,7 @@ bool may_keep_side(std::size_t surface, std::size_t body) {
 
 bool may_be_of(const SideMemory& memory, const AnyShape& surface) {
   std::size_t count = 0;
-  ask_surface(surface, [&](const auto& its) { count = triangle_count_of(its); });
+  ask_surface(surface, [&](const auto& its) { count = its.triangle_count(); });
   const auto is_right = [&](const SideOfPart& its) { return its.part < count; };
   return std::ranges::all_of(memory.parts, is_right) && is_finite(memory.normal);
 }
@@ -191,7 +175,7 @@ bool contacts_on_side(const AnyShape& surface, const AnyShape& body, const Pose&
   const SidesOfParts sides = sides_of(touched, plain, before, [&](std::uint32_t part) {
     std::optional<TriangleCorners> corners;
     ask_surface(surface, [&](const auto& its) {
-      if (part < triangle_count_of(its)) {
+      if (part < its.triangle_count()) {
         corners = its.corners(part);
       }
     });

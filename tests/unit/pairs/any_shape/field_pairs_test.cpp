@@ -353,7 +353,7 @@ std::vector<Vec3> bent_torus() {
   return out;
 }
 
-// What is apart from a bent torus is as far as its nearest point, for all kinds that have an own test of points.
+// What is apart from a bent torus is as far as its nearest point. That is asked of kinds with an own test of points.
 TEST(FieldPairs, BentFieldsAreAsFarAsTheirPoints) {
   const std::vector<Vec3> surface = bent_torus();
   // Half a cell and the way between two points, both stretched.
