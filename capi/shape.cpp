@@ -42,25 +42,12 @@ abut_status create_from_faces(const Faces& faces, const Options& options, std::s
   return status != ABUT_OK ? status : create_named(kind, {parameters, source.xyz(), source.triangles()}, out);
 }
 
-// What older headers do not have is left alone.
-abut_status read_tree(const abut_mesh_options& options, abut_mesh_tree& tree) {
-  if (options.struct_size < sizeof(abut_mesh_options)) {
-    return ABUT_OK;
-  }
-  tree = options.tree;
-  const abut_status status = check_value({"options"}, ".tree", options.tree, ABUT_MESH_TREE_SPHERE);
-  return status != ABUT_OK ? status : check_reserved({"options"}, options.reserved);
-}
-
 abut_status create_mesh(const Faces& faces, const abut_mesh_options& options, abut_shape** out) {
-  abut_mesh_tree tree = ABUT_MESH_TREE_AUTO;
   abut_status status = check_struct_size({"options"}, options);
-  status = status != ABUT_OK ? status : read_tree(options, tree);
-  const std::array numbers{static_cast<double>(options.sides), static_cast<double>(tree)};
-  const std::span<const double> parameters(numbers);
-  return status != ABUT_OK
-             ? status
-             : create_from_faces(faces, options, "mesh", parameters.first(tree == ABUT_MESH_TREE_AUTO ? 1 : 2), out);
+  status = status != ABUT_OK ? status : check_value({"options"}, ".tree", options.tree, ABUT_MESH_TREE_SPHERE);
+  status = status != ABUT_OK ? status : check_reserved({"options"}, options.reserved);
+  const std::array parameters{static_cast<double>(options.sides), static_cast<double>(options.tree)};
+  return status != ABUT_OK ? status : create_from_faces(faces, options, "mesh", parameters, out);
 }
 
 abut_status create_uv_grid(const Faces& faces, const abut_uv_grid_options& options, abut_shape** out) {
