@@ -317,7 +317,12 @@ Verdict judge(std::size_t place_a, std::size_t place_b, const Record& record) {
   if (pair_contacts(scene.a, scene.b, scene.ab, {.margin = scene.margin}, contacts) != Outcome::ok) {
     return "the pair has no contacts query";
   }
-  if (Verdict verdict = judge_distance(scene, found, contacts)) {
+  // A depth of surfaces is that of their contacts without a margin.
+  Manifold touching;
+  if (pair_contacts(scene.a, scene.b, scene.ab, {}, touching) != Outcome::ok) {
+    return "the pair has no contacts query without a margin";
+  }
+  if (Verdict verdict = judge_distance(scene, found, touching)) {
     return verdict;
   }
   if (Verdict verdict = judge_contacts(scene, found, contacts)) {

@@ -23,24 +23,23 @@ template <Convex B>
 class PartMet {
  public:
   PartMet() = default;
-  // `gap`: how far both are apart; not positive where they overlap.
-  PartMet(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real gap)
-      : corners_(triangle.corners()), fronts_(fronts), gap_(gap) {
+  // `gap`: how far both are apart; not positive where they overlap. `noise`: how far both may overlap that only touch.
+  PartMet(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real gap, Real noise)
+      : corners_(triangle.corners()), fronts_(fronts), gap_(gap), noise_(noise), index_(triangle.index()) {
     if constexpr (std::same_as<B, Triangle>) {
       placed_.of = {ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]};
     }
   }
   [[nodiscard]] Real gap() const { return gap_; }
-  // How far b has to move along a direction to be parted from the triangle; not at all where that leads through the
-  // front of a side. `lowest`: where b begins along the direction, unless it is a triangle.
+  [[nodiscard]] std::uint32_t index() const { return index_; }
+  // How far b has to move along a direction to be parted from the triangle; without end where it would have to pass
+  // through the front of a side. `lowest`: where b begins along the direction, unless it is a triangle.
   [[nodiscard]] Real overlap_along(const Vec3& direction, Real lowest) const {
-    if (!fronts_.nearly_allows(direction)) {
-      return infinity;
-    }
     if constexpr (std::same_as<B, Triangle>) {
       lowest = least_along(placed_.of, direction);
     }
-    return -least_along(corners_, -direction) - lowest;
+    const Real overlap = -least_along(corners_, -direction) - lowest;
+    return overlap <= noise_ || fronts_.nearly_allows(direction) ? overlap : infinity;
   }
   // The same for four directions at once. `lowest`: where b begins, or a point of b that tells no more than that.
   [[nodiscard]] Lanes overlaps_along(const Columns& directions, Lanes lowest) const {
@@ -52,27 +51,39 @@ class PartMet {
       lowest = along(placed_.of, [](Lanes p, Lanes q) { return minimum(p, q); });
     }
     const Lanes highest = along(corners_, [](Lanes p, Lanes q) { return maximum(p, q); });
-    return fronts_.nearly_allow(directions) ? highest - lowest : all_lanes(infinity);
+    const Lanes overlaps = highest - lowest;
+    return (overlaps <= all_lanes(noise_)) | fronts_.nearly_allow(directions) ? overlaps : all_lanes(infinity);
   }
 
  private:
   TriangleCorners corners_;
   Fronts<B> fronts_;
-  Real gap_;
+  Real gap_, noise_;
+  std::uint32_t index_;
   [[no_unique_address]] PlacedCorners<B> placed_;
+};
+
+// How far b has to move along a direction to be parted.
+struct PartingWay {
+  Real depth;
+  Vec3 direction;
 };
 
 template <Convex B>
 class PartsMet {
  public:
   // The number of the new part.
-  std::size_t add(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real gap) {
-    parts_.push_back(PartMet<B>(triangle, b, ab, fronts, gap));
+  std::size_t add(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real gap, Real noise) {
+    parts_.push_back(PartMet<B>(triangle, b, ab, fronts, gap, noise));
     add_face(triangle.normal(), triangle.is_one_sided());
     if constexpr (std::same_as<B, Triangle>) {
       add_face(-(ab.rotation * b.normal()), b.is_one_sided());
     }
     return parts_.size() - 1;
+  }
+  // Whether a triangle of the surface, by its number, is one of them.
+  [[nodiscard]] bool has(std::uint32_t index) const {
+    return std::ranges::find(parts_.span(), index, &PartMet<B>::index) != parts_.span().end();
   }
   // Directions that might part the whole: the normals of contacts, the least ways out of parts, and the ways out of
   // faces.
@@ -91,14 +102,15 @@ class PartsMet {
   // How far b has to move, along the best of the ways and of the mean of `normals`; not more than `most`, by which the
   // part `deepest` overlaps. `lowest_along`: where b begins along a direction; `inner`: no later than there.
   template <class LowestAlong>
-  [[nodiscard]] Real depth(const Vec3& normals, std::size_t deepest, Real most, const LowestAlong& lowest_along,
-                           const Vec3& inner) const {
-    Real least = most;
+  [[nodiscard]] PartingWay way_out(const Vec3& normals, std::size_t deepest, Real most, const LowestAlong& lowest_along,
+                                   const Vec3& inner) const {
+    PartingWay best{most, {0, 0, 0}};
     // Parts that lately were not parted are asked first: one of them mostly stands in the way again.
     std::array<std::size_t, 4> blocking;
     blocking.fill(deepest);
     const auto consider = [&](const Vec3& direction) {
-      least = std::min(least, overlap_of_all(direction, lowest_along(direction), least, blocking));
+      const Real depth = overlap_of_all(direction, lowest_along(direction), best.depth, blocking);
+      best = depth < best.depth ? PartingWay{depth, direction} : best;
     };
     // Over a crest the way between the faces is shorter than out of any one of them.
     if (const auto between = UnitVec3::make(normals)) {
@@ -112,13 +124,24 @@ class PartsMet {
       std::uint64_t open = (std::uint64_t{1} << count) - 1;
       if (part.gap() <= 0) {
         const Columns four = Columns::of(way(0), way(1), way(2), way(3));
-        open &= bits_of(part.overlaps_along(four, dot(four, Columns::all(inner))) < all_lanes(least));
+        open &= bits_of(part.overlaps_along(four, dot(four, Columns::all(inner))) < all_lanes(best.depth));
       }
       for (; open != 0; open &= open - 1) {
         consider(ways[first + static_cast<std::size_t>(std::countr_zero(open))]);
       }
     }
-    return least;
+    return best;
+  }
+
+  // The number of the triangle that is parted last along a way out.
+  [[nodiscard]] std::uint32_t last_along(const PartingWay& way, Real lowest) const {
+    const auto is_later = [&](const PartMet<B>& one, const PartMet<B>& other) {
+      const auto overlap = [&](const PartMet<B>& part) {
+        return part.gap() <= way.depth ? part.overlap_along(way.direction, lowest) : -infinity;
+      };
+      return std::pair(overlap(one), other.index()) > std::pair(overlap(other), one.index());
+    };
+    return std::ranges::min_element(parts_.span(), is_later)->index();
   }
 
  private:

@@ -13,6 +13,7 @@ import abut.narrow.convex;
 import abut.narrow.many.claims;
 import abut.narrow.many.parts_met;
 import abut.narrow.many.triangle_contacts;
+import abut.narrow.many.triangle_point;
 import abut.narrow.many.way_out;
 
 export namespace abut {
@@ -38,19 +39,14 @@ class SurfaceContacts {
 
   // `part_of_b`: the number of b where it is a part itself.
   void add(const Triangle& triangle, const B& b, std::uint32_t part_of_b) {
-    const Real radii = b.radius();
-    const TriangleSeparation found = begin_separation(triangle, b, ab_, settings_, settings_.margin + radii);
-    const CoreSeparation& core = found.core;
-    if (core.beyond || core.distance - radii > settings_.margin) {
-      return;
-    }
     const Fronts<B> fronts(triangle, b, ab_);
-    const bool is_allowed = fronts.allows(core.normal);
-    // Of a core that is beside or behind a triangle, only what its rounding has sunk in from the front counts.
-    if (!is_allowed && !core.overlap &&
-        !(core.distance < radii && dot(triangle.normal(), placed_centre(b, ab_) - triangle.corners()[0]) >= 0)) {
+    const TriangleSeparation found = begin_separation(triangle, b, ab_, settings_, settings_.margin + b.radius());
+    if (!meets(triangle, b, fronts, found.core, settings_.margin)) {
       return;
     }
+    const CoreSeparation& core = found.core;
+    const Real radii = b.radius();
+    const bool is_allowed = fronts.allows(core.normal);
     const Real noise = noise_of(core_size(triangle, b, ab_));
     bool turns_a = triangle.has_area() && !(is_allowed && leads_out(a_, triangle, core.normal, noise));
     bool turns_b = false;
@@ -63,7 +59,7 @@ class SurfaceContacts {
         return;
       }
     }
-    const std::size_t first = out_.size(), part = met_.add(triangle, b, ab_, fronts, core.distance - radii);
+    const std::size_t first = out_.size(), part = meet(triangle, b, fronts, core);
     if (!turns_a && !turns_b) {
       append(triangle, b, part_of_b, completed(triangle, b, ab_, found), true);
       turns_a = !leads_out_of_a(triangle, first, noise);
@@ -92,18 +88,15 @@ class SurfaceContacts {
     met_.add_way(core.normal);
   }
 
-  // To be called after the last part. `add_more`: adds parts that were passed over; it is called where there is no
-  // contact otherwise.
-  template <class AddMore>
-  void finish(const AddMore& add_more) {
-    settle_claims();
+  // To be called after the last part. `visit_within`: visits the parts that may be nearer than a distance. `add_more`:
+  // adds parts that were passed over; it is called where there is no contact otherwise.
+  template <class VisitWithin, class AddMore>
+  void finish(const VisitWithin& visit_within, const AddMore& add_more) {
+    settle_claims(visit_within);
     if (out_.size() == first_) {
       add_more();
     }
-    append_left();
-  }
-  void finish() {
-    finish([] {});
+    append_left(visit_within);
   }
 
  private:
@@ -120,6 +113,18 @@ class SurfaceContacts {
     Vec3 normal;  // of part a
     TriangleSeparation found;
   };
+
+  // Whether a part is within a distance, where it counts. Of a core that is beside or behind a triangle, only what its
+  // rounding has sunk in from the front does.
+  [[nodiscard]] bool meets(const Triangle& triangle, const B& b, const Fronts<B>& fronts, const CoreSeparation& core,
+                           Real distance) const {
+    const Real radii = b.radius();
+    if (core.beyond || core.distance - radii > distance) {
+      return false;
+    }
+    return core.overlap || fronts.allows(core.normal) ||
+           (core.distance < radii && dot(triangle.normal(), placed_centre(b, ab_) - triangle.corners()[0]) >= 0);
+  }
 
   [[nodiscard]] decltype(auto) part_of_other(std::uint32_t index) const {
     if constexpr (Surface<Other>) {
@@ -254,6 +259,9 @@ class SurfaceContacts {
     if (out_.size() > first) {
       met_.add_way(core.normal);
     }
+    name_parts(triangle, part_of_b, first);
+  }
+  void name_parts(const Triangle& triangle, std::uint32_t part_of_b, std::size_t first) {
     for (ContactPoint& contact : std::span(out_).subspan(first)) {
       contact.id = contact_id_of_part(contact.id, triangle.index());
       contact.feature_a = {FeatureKind::face, triangle.index()};
@@ -288,13 +296,15 @@ class SurfaceContacts {
   }
 
   // Takes out what turned contacts claim too much.
-  void settle_claims() {
+  template <class VisitWithin>
+  void settle_claims(const VisitWithin& visit_within) {
     if (turned_.empty()) {
       return;
     }
     claims_.settle([&](const Vec3& direction) { return lowest_along(direction); });
     std::size_t kept = first_, next = first_;
-    const Real whole = depth_of_whole();
+    bool is_cut = false;  // whether the way out of the whole is shorter than a contact claims
+    const PartingWay whole = way_out_of_whole(visit_within);
     const auto keep = [&](std::size_t last, Real depth) {
       for (; next < last; ++next) {
         if (out_[next].distance >= -depth) {
@@ -313,8 +323,9 @@ class SurfaceContacts {
       const Real claimed = claims_.allowed_depth(
           normal, group.depth, group.noise,
           [&](const Columns& directions, Lanes lowest) { return met_.overlaps_along(group.part, directions, lowest); });
-      const Real allowed = std::min(claimed, (1 + claim_blur) * whole + group.noise);
+      const Real allowed = std::min(claimed, (1 + claim_blur) * whole.depth + group.noise);
       if (allowed < group.depth) {
+        is_cut = is_cut || allowed < claimed;
         keep(group.first, infinity);
         keep(group.last, allowed);
       }
@@ -323,11 +334,52 @@ class SurfaceContacts {
       keep(out_.size(), infinity);
       out_.resize(kept);
     }
+    if (is_cut) {
+      append_way(whole);
+    }
   }
 
-  // How far b has to move to be parted from all parts that it meets; without end where no turned contact is deeper than
-  // the others.
-  [[nodiscard]] Real depth_of_whole() const {
+  // The way that parts the whole may lead along no face that is met, and out of no triangle of its own.
+  void append_way(const PartingWay& whole) {
+    if constexpr (!Surface<Other>) {
+      const Triangle triangle = a_.part(met_.last_along(whole, lowest_along(whole.direction)));
+      const Real noise = noise_of(core_size(triangle, other_, ab_));
+      if (depth_from(first_) < whole.depth - noise) {
+        if constexpr (Curved<B>) {
+          append_outermost(triangle, whole.direction);
+        } else {
+          append(triangle, other_, 0, along_way(triangle, other_, ab_, whole.direction), true);
+        }
+      }
+    }
+  }
+  // The outermost point of a curved shape along a way, and what is nearest to it of the outermost feature of a
+  // triangle.
+  void append_outermost(const Triangle& triangle, const Vec3& way) {
+    const std::size_t first = out_.size();
+    const Vec3 point_b = placed_support(other_, place(other_, ab_), -way).point - other_.radius() * way;
+    const Vec3 point_a = nearest_on_outermost(triangle, way, point_b);
+    const Feature feature_a{FeatureKind::face, 0}, feature_b = supporting_feature(other_, ab_.rotation.undo(-way));
+    out_.push_back(
+        {point_a, point_b, way, dot(point_b - point_a, way), feature_a, feature_b, contact_id(feature_a, feature_b)});
+    name_parts(triangle, 0, first);
+  }
+  [[nodiscard]] Vec3 nearest_on_outermost(const Triangle& triangle, const Vec3& way, const Vec3& point) const {
+    const TriangleCorners& corners = triangle.corners();
+    const unsigned outermost = outermost_corners(corners, way, noise_of(core_size(triangle, other_, ab_)));
+    if (outermost == 7 && triangle.has_area()) {
+      return nearest_on(corners, point);
+    }
+    const Vec3 &from = corners[static_cast<std::size_t>(std::countr_zero(outermost))],
+               &to = corners[static_cast<std::size_t>(std::bit_width(outermost)) - 1];
+    const Vec3 along = to - from;
+    const Real square = squared_norm(along);
+    return square > 0 ? from + std::clamp(dot(point - from, along) / square, Real{0}, Real{1}) * along : from;
+  }
+
+  // The shortest way out of all parts that b meets; without end where no turned contact is deeper than the others.
+  template <class VisitWithin>
+  [[nodiscard]] PartingWay way_out_of_whole(const VisitWithin& visit_within) {
     const Group* deepest = nullptr;
     for (const Group& group : turned_.span()) {
       if (group.depth > (deepest ? deepest->depth : 0)) {
@@ -335,11 +387,46 @@ class SurfaceContacts {
       }
     }
     if (!deepest || deepest->depth <= (1 + claim_blur) * depth_) {
-      return infinity;
+      return {infinity, {0, 0, 0}};
     }
-    return met_.depth(
-        claims_.sum_of_normals(), deepest->part, deepest->depth,
-        [&](const Vec3& direction) { return lowest_along(direction); }, inner());
+    return shortest_way(deepest->part, deepest->depth, visit_within);
+  }
+  // The same if shorter than `most`, which is the way out of a part that is met.
+  template <class VisitWithin>
+  [[nodiscard]] PartingWay shortest_way(std::size_t part, Real most, const VisitWithin& visit_within) {
+    const auto out_of_met = [&] {
+      return met_.way_out(
+          claims_.sum_of_normals(), part, most, [&](const Vec3& direction) { return lowest_along(direction); },
+          inner());
+    };
+    PartingWay way = out_of_met();
+    if constexpr (!Surface<Other>) {
+      // The way out of what is met may lead into what is not met yet.
+      for (Real reach = settings_.margin; way.depth > reach && way.depth < most; way = out_of_met()) {
+        reach = std::min(2 * way.depth, most);
+        visit_within(reach, [&](const Triangle& triangle, std::uint32_t) { meet_on_the_way(triangle, reach); });
+      }
+    }
+    return way;
+  }
+
+  // The number of a part that is met. What a search on curved cores has found to touch may overlap within its bound.
+  std::size_t meet(const Triangle& triangle, const B& b, const Fronts<B>& fronts, const CoreSeparation& core) {
+    const Real size = core_size(triangle, b, ab_);
+    return met_.add(triangle, b, ab_, fronts, core.distance - b.radius(),
+                    Curved<B> ? curve_blur(size) : noise_of(size));
+  }
+  // A part that only stands in the way.
+  void meet_on_the_way(const Triangle& triangle, Real reach) {
+    if (met_.has(triangle.index())) {
+      return;
+    }
+    const Fronts<B> fronts(triangle, other_, ab_);
+    const CoreSeparation core = begin_separation(triangle, other_, ab_, settings_, reach + other_.radius()).core;
+    if (meets(triangle, other_, fronts, core, reach)) {
+      meet(triangle, other_, fronts, core);
+      met_.add_way(core.normal);
+    }
   }
 
   // Where b begins along a direction, unless it is made of parts: each knows its own.
@@ -360,11 +447,20 @@ class SurfaceContacts {
     }
   }
 
-  // Where no neighbour reports a contact, the deepest one left to them counts after all. It has a number of its own:
-  // the same features may have met under the normal of the face.
-  void append_left() {
+  // Where no neighbour reports a contact, the shortest way out of all tells it, or the deepest one left to neighbours
+  // counts after all. That has a number of its own: the same features may have met under the normal of the face.
+  template <class VisitWithin>
+  void append_left(const VisitWithin& visit_within) {
     if (!left_ || out_.size() > first_) {
       return;
+    }
+    if constexpr (!Surface<Other>) {
+      if (left_->found.core.overlap) {
+        if (const PartingWay way = shortest_way(0, infinity, visit_within); way.depth < infinity) {
+          append_way(way);
+          return;
+        }
+      }
     }
     const Triangle triangle = a_.part(left_->part_of_a);
     const auto& b = part_of_other(left_->part_of_b);

@@ -75,20 +75,18 @@ bool nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
 template <Surface A, Convex B>
 [[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                      Manifold& out);
-// A depth may be that of a triangle whose way out belongs to a neighbour. Contacts know better, where there are any.
+// A triangle by itself may have a way out that leads into a neighbour. Contacts know better, where there are any.
 inline void take_depth_of(const Manifold& contacts, Real noise, Distance& out) {
   if (contacts.empty()) {
     return;
   }
   const ContactPoint& deepest = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
-  if (deepest.distance > out.distance) {
-    out.distance = deepest.distance;
-    out.lower = deepest.distance - noise;
-    out.upper = deepest.distance + noise;
-    out.normal = deepest.normal;
-    out.point_a = deepest.point_a;
-    out.point_b = deepest.point_b;
-  }
+  out.distance = deepest.distance;
+  out.lower = deepest.distance - noise;
+  out.upper = deepest.distance + noise;
+  out.normal = deepest.normal;
+  out.point_a = deepest.point_a;
+  out.point_b = deepest.point_b;
 }
 
 template <Surface A, Convex B>
@@ -106,10 +104,8 @@ template <Surface A, Convex B>
   out = no_distance();
   std::uint32_t nearest = 0;
   nearest_part(a, b, ab, settings, out, nearest);
-  const Triangle triangle = a.part(nearest);
-  const Real noise = noise_of(core_size(triangle, b, ab));
-  if (out.distance < -noise &&
-      !leads_out_of_all(a, triangle, out.point_a, out.normal, noise, b.extent() + b.radius())) {
+  const Real noise = noise_of(core_size(a.part(nearest), b, ab));
+  if (out.distance < -noise) {
     Manifold contacts;
     static_cast<void>(parts_contacts(a, b, ab, without_margin(settings), contacts));
     take_depth_of(contacts, noise, out);
@@ -129,6 +125,12 @@ template <Surface A, Convex B>
   const QuickAxes<B> axes(b, ab);
   const Real limit = settings.margin + b.radius();
   const auto add = [&](const typename A::Part& part, std::uint32_t) { contacts.add(part, b, 0); };
+  const auto visit_within = [&](Real reach, const auto& visit) {
+    Aabb within = b.aabb(ab).inflated(reach);
+    a.visit_parts(within,
+                  InFours{[&](const FourTriangles& triangles) { return axes.near(triangles, reach + b.radius()); }},
+                  visit);
+  };
   if constexpr (PointCored<B>) {
     [[clang::uninitialized]] PointGhosts<A> ghosts(a, placed_centre(b, ab));
     const auto ask = [&](const FourTriangles& triangles) {
@@ -136,10 +138,10 @@ template <Surface A, Convex B>
       return ghosts.without(triangles, nearest, axes.near(triangles, nearest, limit));
     };
     a.visit_parts(query, InFours{ask}, add);
-    contacts.finish([&] { ghosts.visit(add); });
+    contacts.finish(visit_within, [&] { ghosts.visit(add); });
   } else {
     a.visit_parts(query, InFours{[&](const FourTriangles& triangles) { return axes.near(triangles, limit); }}, add);
-    contacts.finish();
+    contacts.finish(visit_within, [] {});
   }
   if constexpr (Enclosing<A>) {
     if (a.is_solid()) {
