@@ -201,7 +201,7 @@ std::optional<Real> gap_along(const Scene& scene, const Vec3& direction) {
 // Whether a depth of a surface is that of a contact: one whose way out of the deepest triangle leads into a neighbour.
 // Its points lie across each other and need not be outermost.
 bool is_of_contact(const Scene& scene, const Distance& found, const Manifold& contacts) {
-  return !(is_solid(scene.a) && is_solid(scene.b)) && found.distance < 0 &&
+  return !(is_solid(scene.a) && is_solid(scene.b)) && found.distance <= 0 &&
          std::ranges::any_of(
              contacts,
              [&](const ContactPoint& contact) {

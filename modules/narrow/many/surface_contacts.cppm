@@ -447,20 +447,25 @@ class SurfaceContacts {
     }
   }
 
-  // Where no neighbour reports a contact, the shortest way out of all tells it, or the deepest one left to neighbours
-  // counts after all. That has a number of its own: the same features may have met under the normal of the face.
+  // No way out of all is shorter than that of a triangle. Where all contacts are less deep than one that was left to
+  // neighbours, the shortest way out of all tells the depth. Where there is no contact, the deepest one left counts
+  // after all. That has a number of its own: the same features may have met under the normal of the face.
   template <class VisitWithin>
   void append_left(const VisitWithin& visit_within) {
-    if (!left_ || out_.size() > first_) {
+    if (!left_) {
       return;
     }
     if constexpr (!Surface<Other>) {
-      if (left_->found.core.overlap) {
+      const CoreSeparation& core = left_->found.core;
+      if (core.overlap && depth_from(first_) < other_.radius() - core.distance - core.rounding) {
         if (const PartingWay way = shortest_way(0, infinity, visit_within); way.depth < infinity) {
           append_way(way);
           return;
         }
       }
+    }
+    if (out_.size() > first_) {
+      return;
     }
     const Triangle triangle = a_.part(left_->part_of_a);
     const auto& b = part_of_other(left_->part_of_b);
