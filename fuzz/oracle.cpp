@@ -88,7 +88,8 @@ std::span<const Vec3> sweep() {
 Verdict judge_point(const AnyShape& shape, const Vec3& point, const Vec3& outward, bool must_be_outermost, Real noise,
                     std::string_view name) {
   // The walls of a cavity go on beyond the box of what is cut out.
-  if (!shape.is_hole() && !aabb_of(shape, Pose::identity()).inflated(noise).overlaps({point, point})) {
+  if (!shape.is_hole() &&
+      !aabb_of(shape, Pose::identity()).inflated(noise + doubt_of(shape)).overlaps({point, point})) {
     return std::string(name) + " is outside the box of its shape";
   }
   if (!is_convex(shape)) {
@@ -202,12 +203,10 @@ std::optional<Real> gap_along(const Scene& scene, const Vec3& direction) {
 // Its points lie across each other and need not be outermost.
 bool is_of_contact(const Scene& scene, const Distance& found, const Manifold& contacts) {
   return !(is_solid(scene.a) && is_solid(scene.b)) && found.distance <= 0 &&
-         std::ranges::any_of(
-             contacts,
-             [&](const ContactPoint& contact) {
-               return contact.distance == found.distance && contact.normal == found.normal &&
-                      contact.point_a == found.point_a && contact.point_b == found.point_b;
-             });
+         std::ranges::any_of(contacts, [&](const ContactPoint& contact) {
+           return contact.distance == found.distance && contact.normal == found.normal &&
+                  contact.point_a == found.point_a && contact.point_b == found.point_b;
+         });
 }
 
 Verdict judge_distance(const Scene& scene, const Distance& found, const Manifold& contacts) {
@@ -276,11 +275,19 @@ Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manif
   return std::nullopt;
 }
 
+// A shape that only touches triangles at their edges goes through the surface or grazes it, and rounding tells which.
+// Then the depth is either none or that of the contacts.
+bool is_touch_of_edges(const Scene& scene, const Distance& one, const Distance& other) {
+  const bool is_surface = !(is_solid(scene.a) && is_solid(scene.b));
+  return is_surface && std::min(std::fabs(one.distance), std::fabs(other.distance)) <= 1e-3 * tolerance(scene) &&
+         std::max(one.distance, other.distance) <= tolerance(scene);
+}
+
 Verdict judge_other_routes(const Scene& scene, const Distance& found) {
   const Real noise = tolerance(scene);
   Distance other{};
   if (distance_of(scene, Algorithm::gjk_epa, other) == Outcome::ok &&
-      !(std::fabs(other.distance - found.distance) <= noise)) {
+      !(std::fabs(other.distance - found.distance) <= noise) && !is_touch_of_edges(scene, found, other)) {
     return fault("distance by GJK and EPA", other.distance, found.distance);
   }
   for (const Algorithm algorithm : {Algorithm::libccd_gjk, Algorithm::libccd_mpr}) {

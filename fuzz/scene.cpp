@@ -191,6 +191,9 @@ ShapeInput distance_field_input(const Numbers& numbers, bool flat, bool doubled,
       }
     }
   }
+  // What no sample is inside of would be no solid.
+  Real& least = *std::ranges::min_element(input.reals);
+  least = std::min(least, -0.1 * radius);
   return input;
 }
 

@@ -31,6 +31,8 @@ class PartMet {
     }
   }
   [[nodiscard]] Real gap() const { return gap_; }
+  // Whether b meets the triangle on a way of some length.
+  [[nodiscard]] bool is_met_within(Real depth) const { return gap_ <= depth + noise_; }
   [[nodiscard]] std::uint32_t index() const { return index_; }
   // How far b has to move along a direction to be parted from the triangle; without end where it would have to pass
   // through the front of a side. `lowest`: where b begins along the direction, unless it is a triangle.
@@ -137,7 +139,7 @@ class PartsMet {
   [[nodiscard]] std::uint32_t last_along(const PartingWay& way, Real lowest) const {
     const auto is_later = [&](const PartMet<B>& one, const PartMet<B>& other) {
       const auto overlap = [&](const PartMet<B>& part) {
-        return part.gap() <= way.depth ? part.overlap_along(way.direction, lowest) : -infinity;
+        return part.is_met_within(way.depth) ? part.overlap_along(way.direction, lowest) : -infinity;
       };
       return std::pair(overlap(one), other.index()) > std::pair(overlap(other), one.index());
     };
@@ -168,7 +170,7 @@ class PartsMet {
     for (bool has_grown = true; has_grown;) {
       has_grown = false;
       for (std::size_t part = 0; part < parts.size(); ++part) {
-        if (parts[part].gap() > depth) {
+        if (!parts[part].is_met_within(depth)) {
           continue;
         }
         const Real overlap = parts[part].overlap_along(direction, lowest);

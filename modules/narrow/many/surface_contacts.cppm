@@ -78,8 +78,8 @@ class SurfaceContacts {
     if (const auto turned = turn(triangle, b, core, fronts, turns_a, turns_b)) {
       // The closest points may lie beside the face: the foot of the lowest point of the other side.
       append(triangle, b, part_of_b, turned->separation, is_over_face(triangle, b, *turned));
-      // What passes the plane of the triangle beside it and reaches under it is no overlap.
-      if (is_allowed && !core.overlap) {
+      // What passes the plane of the triangle beside it and reaches under it is no overlap. What touches may be one.
+      if (is_allowed && !core.overlap && core.distance > touching_within(triangle, b)) {
         erase_deeper(first, radii + 4 * core.rounding - core.distance);
       }
       claim(first, true);
@@ -410,11 +410,14 @@ class SurfaceContacts {
     return way;
   }
 
-  // The number of a part that is met. What a search on curved cores has found to touch may overlap within its bound.
+  // The number of a part that is met.
   std::size_t meet(const Triangle& triangle, const B& b, const Fronts<B>& fronts, const CoreSeparation& core) {
+    return met_.add(triangle, b, ab_, fronts, core.distance - b.radius(), touching_within(triangle, b));
+  }
+  // Cores that are no further apart, or overlap no more, may only touch. A search on curved cores has a bound.
+  [[nodiscard]] Real touching_within(const Triangle& triangle, const B& b) const {
     const Real size = core_size(triangle, b, ab_);
-    return met_.add(triangle, b, ab_, fronts, core.distance - b.radius(),
-                    Curved<B> ? curve_blur(size) : noise_of(size));
+    return Curved<B> ? curve_blur(size) : noise_of(size);
   }
   // A part that only stands in the way.
   void meet_on_the_way(const Triangle& triangle, Real reach) {

@@ -105,7 +105,7 @@ template <Surface A, Convex B>
   std::uint32_t nearest = 0;
   nearest_part(a, b, ab, settings, out, nearest);
   const Real noise = noise_of(core_size(a.part(nearest), b, ab));
-  if (out.distance < -noise) {
+  if (out.distance <= noise) {
     Manifold contacts;
     static_cast<void>(parts_contacts(a, b, ab, without_margin(settings), contacts));
     take_depth_of(contacts, noise, out);
