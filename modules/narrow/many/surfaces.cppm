@@ -104,8 +104,10 @@ template <Surface A, Convex B>
   out = no_distance();
   std::uint32_t nearest = 0;
   nearest_part(a, b, ab, settings, out, nearest);
-  const Real noise = noise_of(core_size(a.part(nearest), b, ab));
-  if (out.distance <= noise) {
+  const Triangle triangle = a.part(nearest);
+  const Real noise = noise_of(core_size(triangle, b, ab));
+  if (out.distance <= noise &&
+      !leads_out_of_all(a, triangle, out.point_a, out.normal, noise, b.extent() + b.radius())) {
     Manifold contacts;
     static_cast<void>(parts_contacts(a, b, ab, without_margin(settings), contacts));
     take_depth_of(contacts, noise, out);
