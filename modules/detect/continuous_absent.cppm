@@ -40,8 +40,9 @@ struct PathScene {
 
 class ImpactStage {
  public:
-  void run(const Workers& /*workers*/, const PathScene& /*scene*/, std::span<const ProxyPair> /*wanted*/,
-           std::span<const Pair> /*pairs*/, JobList& /*jobs*/) {}
+  void start(std::span<const ProxyPair> /*wanted*/, const Paths& /*paths*/, const Places& /*places*/,
+             std::span<Pair> /*pairs*/) {}
+  void run(const Workers& /*workers*/, const PathScene& /*scene*/, std::span<Pair> /*pairs*/, JobList& /*jobs*/) {}
   void mark(std::span<const Pair> /*pairs*/, ContactList& /*contacts*/) {}
   [[nodiscard]] std::span<const StepImpact> all() const { return {}; }
   void restore(const std::vector<StepImpact>& /*impacts*/) {}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.detect.impacts;
+import abut.broadphase.pair_order;
 import abut.broadphase;
 import abut.core.standard;
 import abut.core.workers;
@@ -11,6 +12,7 @@ import abut.detect.path_contacts;
 import abut.detect.paths;
 import abut.detect.touches;
 import abut.math;
+import abut.motion.convex_part;
 import abut.motion.time_of_impact;
 import abut.pairs.table;
 import abut.scene.options;
@@ -22,13 +24,14 @@ namespace {
 // Pairs next to each other that one task takes.
 constexpr std::size_t pairs_of_block = 4;
 
-// The pair of two places in a list in order; its number, or that of the end.
-std::size_t find_pair(std::span<const Pair> pairs, const ProxyPair& wanted) {
-  const auto found = std::lower_bound(pairs.begin(), pairs.end(), wanted, [](const Pair& pair, const ProxyPair& its) {
-    return std::pair(pair.low, pair.high) < std::pair(its.low, its.high);
-  });
-  const bool is_found = found != pairs.end() && found->low == wanted.low && found->high == wanted.high;
-  return is_found ? static_cast<std::size_t>(found - pairs.begin()) : pairs.size();
+// Whether the path of a pair tells all its contacts, whatever it leads to. Others keep those of their present poses
+// where their path has no answer.
+bool is_told_by_path(const Pair& pair, const Paths& paths, const Places& places) {
+  const PlaceInfo &low = places.infos[pair.low], &high = places.infos[pair.high];
+  return (low.sweeping == Sweeping::impacts || high.sweeping == Sweeping::impacts) &&
+         (paths.moves(pair.low) || paths.moves(pair.high)) &&
+         !(paths.begins_at_pose(pair.low) && paths.begins_at_pose(pair.high)) &&
+         ConvexPart::of(*places.shapes[pair.low]) && ConvexPart::of(*places.shapes[pair.high]);
 }
 
 PathPair path_pair(const PathScene& scene, const Sides& sides, Real margin) {
@@ -107,15 +110,25 @@ void ImpactStage::examine(const PathScene& scene, const Pair& pair, std::size_t 
   }
 }
 
-void ImpactStage::run(const Workers& workers, const PathScene& scene, std::span<const ProxyPair> wanted,
-                      std::span<const Pair> pairs, JobList& jobs) {
+void ImpactStage::start(std::span<const ProxyPair> wanted, const Paths& paths, const Places& places,
+                        std::span<Pair> pairs) {
   ahead_.clear();
+  std::size_t at = 0;
   for (const ProxyPair& its : wanted) {
-    const std::size_t at = find_pair(pairs, its);
-    if (at < pairs.size() && pairs[at].job != no_job) {
-      ahead_.push_back({.pair = static_cast<std::uint32_t>(at), .job = pairs[at].job});
+    at = place_from(at, std::span<const Pair>(pairs), its);
+    if (at < pairs.size() && pairs[at].low == its.low && pairs[at].high == its.high) {
+      pairs[at].is_on_path = is_told_by_path(pairs[at], paths, places);
+      ahead_.push_back({.pair = static_cast<std::uint32_t>(at)});
     }
   }
+}
+
+void ImpactStage::run(const Workers& workers, const PathScene& scene, std::span<Pair> pairs, JobList& jobs) {
+  for (Ahead& its : ahead_) {
+    pairs[its.pair].is_on_path = false;
+    its.job = pairs[its.pair].job;
+  }
+  std::erase_if(ahead_, [](const Ahead& its) { return its.job == no_job; });
   const std::size_t blocks = (ahead_.size() + pairs_of_block - 1) / pairs_of_block;
   const std::size_t first = jobs.add_scratch(blocks);
   workers.for_each(blocks, [&](std::size_t block) {

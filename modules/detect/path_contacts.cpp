@@ -82,7 +82,7 @@ Real closing_along(const Vec3& normal, const Sides& sides, const Places& places)
 // What the motion may close at most, whatever the direction.
 Real closing(const Sides& sides, const Places& places) {
   const auto speed = [&](const Path& path, std::uint32_t place) {
-    const Real radius = path.reach_of(aabb_of(*places.shapes[place], Pose::identity())).radius;
+    const Real radius = path.radius_of(aabb_of(*places.shapes[place], Pose::identity()));
     return path.largest_speed(path.whole(), radius);
   };
   return speed(sides.a, sides.job.a) + speed(sides.b, sides.job.b);
@@ -141,16 +141,14 @@ void report_touch(const PathScene& scene, const Sides& sides, const Impact& impa
   const bool is_undecided = impact.state == ImpactState::undecided;
   const bool is_ahead = impact.state == ImpactState::touches;
   const Moment moment = moment_at(sides, is_undecided ? impact.lower : is_ahead ? impact.upper : 0);
-  if (is_undecided) {
-    Distance distance{};
-    if (pair_distance(a, b, moment.a, moment.b, {}, distance) == Outcome::ok) {
-      add_point(distance, moment, scratch.points);
-    }
-  } else {
+  if (!is_undecided) {
     const Real margin = touching + (is_ahead ? depth_of_touch * size_of(a, b) : 0);
     find_points(scene.places, sides, moment, scene.policies.at(pair.policy), margin, scratch.points);
-    if (scratch.points.size() == first) {
-      add_point(impact.contact, moment, scratch.points);
+  }
+  if (scratch.points.size() == first) {
+    Distance found = impact.contact;
+    if (squared_norm(found.normal) > 0 || pair_distance(a, b, moment.a, moment.b, {}, found) == Outcome::ok) {
+      add_point(found, moment, scratch.points);
     }
   }
   tell_apart(std::span(scratch.points).subspan(first), touch);

@@ -34,6 +34,9 @@ struct Paths {
   // circle is at most twice its radius.
   [[nodiscard]] Real farthest(std::uint32_t place, const Aabb& box) const {
     const Motion motion = motion_of(place);
+    if (motion == Motion{}) {
+      return 0;
+    }
     const Real angle = way_of(motion.angular_velocity, motion.angular_acceleration);
     const Real way = way_of(motion.velocity, motion.acceleration);
     if (angle == 0) {
@@ -59,7 +62,11 @@ struct Paths {
   }
   // A motion that a path refuses is refused before the step begins.
   [[nodiscard]] Path path(const Pose& start, const Vec3& centre, std::uint32_t place) const {
-    const auto found = Path::along(start, centre, motion_of(place), 1);
+    const Motion motion = motion_of(place);
+    if (motion == Motion{}) {
+      return Path::at_rest(start, 1);
+    }
+    const auto found = Path::along(start, centre, motion, 1);
     return found ? found.value() : Path::at_rest(start, 1);
   }
 };

@@ -57,7 +57,7 @@ void Sweeps::add_mover(const Paths& paths, const BoxFrame& frame, std::uint32_t 
               .has_sweeping = info.sweeping != Sweeping::none,
               .path = path,
               .margin = reach_of(info, frame.mode, frame.largest_tolerance),
-              .radius = path.reach_of(aabb_of(shape, Pose::identity())).radius,
+              .radius = path.radius_of(aabb_of(shape, Pose::identity())),
               .size = largest_side(aabb_of(shape, path.start())),
               .box = {}};
   mover.box = box_within(mover, path.whole(), places);
@@ -216,17 +216,19 @@ std::span<const ProxyPair> Sweeps::with(std::span<const ProxyPair> near) {
   }
   joined_.clear();
   joined_.reserve(near.size() + pairs_.size());
-  std::span<const ProxyPair> swept(pairs_);
-  for (const ProxyPair& pair : near) {
-    for (; !swept.empty() && is_before(swept.front(), pair); swept = swept.subspan(1)) {
-      joined_.push_back(swept.front());
+  std::size_t at = 0;
+  const auto add_until = [&](std::size_t end) {
+    const std::span<const ProxyPair> some = near.subspan(at, end - at);
+    joined_.insert(joined_.end(), some.begin(), some.end());
+    at = end;
+  };
+  for (const ProxyPair& pair : pairs_) {
+    add_until(place_from(at, near, pair));
+    if (at == near.size() || near[at] != pair) {
+      joined_.push_back(pair);
     }
-    if (!swept.empty() && swept.front() == pair) {
-      swept = swept.subspan(1);
-    }
-    joined_.push_back(pair);
   }
-  joined_.insert(joined_.end(), swept.begin(), swept.end());
+  add_until(near.size());
   return joined_;
 }
 

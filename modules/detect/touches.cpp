@@ -24,7 +24,7 @@ struct Mover {
 Mover mover_of(const AnyShape& shape, const Path& path) {
   const auto part = ConvexPart::of(shape);
   const Aabb box = aabb_of(shape, Pose::identity());
-  const Real radius = path.reach_of(box.inflated(part ? -part->radius() : 0)).radius;
+  const Real radius = path.radius_of(box.inflated(part ? -part->radius() : 0));
   return {path, box.is_bounded() ? largest_magnitude(box.high - box.low) : infinity, radius, part.has_value()};
 }
 
@@ -72,7 +72,7 @@ std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real appr
 }  // namespace
 
 Outcome find_touch(const PathPair& pair, Real begin, Impact& out) {
-  return time_of_impact(pair.a, pair.path_a, pair.b, pair.path_b, {.margin = pair.margin, .begin = begin}, out);
+  return time_of_impact(pair.a, pair.path_a, pair.b, pair.path_b, {.margin = pair.margin, .begin = begin, .wants_depth = false}, out);
 }
 
 std::optional<Impact> find_touch_after(const PathPair& pair, Real time) {

@@ -218,7 +218,11 @@ Reached advance(const MovingPair& pair, const Bounds& bounds, const Placed& plac
 }  // namespace
 
 MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local) {
-  return {part, path, local, path.reach_of(part.aabb(local).inflated(-part.radius()))};
+  return moving_part(part, path, local, part.aabb(local));
+}
+
+MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local, const Aabb& box) {
+  return {part, path, local, path.reach_of(box.inflated(-part.radius()))};
 }
 
 Real free_share(Real at_begin, Real at_end, Real bend, Real length) {

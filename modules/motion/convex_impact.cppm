@@ -20,6 +20,8 @@ struct MovingPart {
   [[nodiscard]] Pose at(Real time) const { return path.at(time) * local; }
 };
 [[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local);
+// The same where the box of the part in the frame of the body is known.
+[[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local, const Aabb& box);
 
 // What holds for all parts of two bodies.
 struct ImpactSettings {

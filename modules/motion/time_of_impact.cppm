@@ -33,6 +33,7 @@ struct ImpactOptions {
   Real margin = 0;                   // they touch when they come as near as this
   std::uint32_t most_rounds = 1024;  // of each two parts
   Real begin = 0;                    // the search starts at this time
+  bool wants_depth = true;           // else the contact of what overlaps at the start may have no normal
 };
 
 // Both paths have one duration, and the search begins before its end. Not ok where the two kinds do not meet.
