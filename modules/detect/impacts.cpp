@@ -14,6 +14,7 @@ import abut.detect.touches;
 import abut.math;
 import abut.motion.convex_part;
 import abut.motion.time_of_impact;
+import abut.pairs.any_shape;
 import abut.pairs.table;
 import abut.scene.options;
 import abut.scene.places;
@@ -35,7 +36,15 @@ bool is_told_by_path(const Pair& pair, const Paths& paths, const Places& places)
 }
 
 PathPair path_pair(const PathScene& scene, const Sides& sides, Real margin) {
-  return {*scene.places.shapes[sides.job.a], *scene.places.shapes[sides.job.b], sides.a, sides.b, margin};
+  return {{*scene.places.shapes[sides.job.a], sides.a, sides.box_a},
+          {*scene.places.shapes[sides.job.b], sides.b, sides.box_b},
+          margin};
+}
+
+// Whether balls around two shapes touch at the start.
+bool are_near_at_start(const Sides& sides, Real margin) {
+  const Real reach = sides.a.radius_of(sides.box_a) + sides.b.radius_of(sides.box_b) + margin;
+  return squared_norm(sides.b.centre_at(0) - sides.a.centre_at(0)) <= reach * reach;
 }
 
 }  // namespace
@@ -80,7 +89,8 @@ void ImpactStage::examine(const PathScene& scene, const Pair& pair, std::size_t 
   if (!scene.paths.moves(job.a) && !scene.paths.moves(job.b)) {
     return;
   }
-  const Sides sides{job, scene.paths.of(job.a), scene.paths.of(job.b)};
+  const Sides sides{job, scene.paths.of(job.a), scene.paths.of(job.b), aabb_of(*places.shapes[job.a], Pose::identity()),
+                    aabb_of(*places.shapes[job.b], Pose::identity())};
   JobResult& result = jobs.result(its.job);
   its.touching = std::max<Real>(job.margin, 0);
   if (!has(Sweeping::impacts)) {
@@ -88,8 +98,14 @@ void ImpactStage::examine(const PathScene& scene, const Pair& pair, std::size_t 
     report_speculative(scene, sides, pair, number, its.touching, jobs, result);
     return;
   }
+  if (its.is_told_by_path) {
+    result = empty_result(number, jobs.scratch(number));
+    if (are_near_at_start(sides, its.touching)) {
+      report_start(scene, sides, pair, its.touching, jobs.scratch(number), result);
+    }
+  }
   const bool begins_here = scene.paths.begins_at_pose(job.a) && scene.paths.begins_at_pose(job.b);
-  if (begins_here && result.count > 0) {
+  if (result.count > 0 && (its.is_told_by_path || begins_here)) {
     its.count_at_start = result.count;
     follow(scene, sides, pair, 0, number, jobs, its);
     return;
@@ -117,8 +133,9 @@ void ImpactStage::start(std::span<const ProxyPair> wanted, const Paths& paths, c
   for (const ProxyPair& its : wanted) {
     at = place_from(at, std::span<const Pair>(pairs), its);
     if (at < pairs.size() && pairs[at].low == its.low && pairs[at].high == its.high) {
-      pairs[at].is_on_path = is_told_by_path(pairs[at], paths, places);
-      ahead_.push_back({.pair = static_cast<std::uint32_t>(at)});
+      const bool is_told = is_told_by_path(pairs[at], paths, places);
+      pairs[at].is_on_path = is_told;
+      ahead_.push_back({.pair = static_cast<std::uint32_t>(at), .is_told_by_path = is_told});
     }
   }
 }

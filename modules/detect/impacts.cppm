@@ -50,7 +50,7 @@ class ImpactStage {
   // A pair and what its path led to.
   struct Ahead {
     std::uint32_t pair, job = no_job;
-    bool is_speculative = false;
+    bool is_told_by_path = false, is_speculative = false;
     std::uint32_t count_at_start = 0;  // of contacts that do not lie ahead; those of the touches follow them
     std::uint32_t touch_count = 0;
     Real touching = 0;  // up to this distance its contacts touch

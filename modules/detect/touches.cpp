@@ -21,11 +21,11 @@ struct Mover {
   bool is_convex;
 };
 
-Mover mover_of(const AnyShape& shape, const Path& path) {
-  const auto part = ConvexPart::of(shape);
-  const Aabb box = aabb_of(shape, Pose::identity());
-  const Real radius = path.radius_of(box.inflated(part ? -part->radius() : 0));
-  return {path, box.is_bounded() ? largest_magnitude(box.high - box.low) : infinity, radius, part.has_value()};
+Mover mover_of(const MovingShape& its) {
+  const auto part = ConvexPart::of(its.shape);
+  const Real radius = its.path.radius_of(its.box.inflated(part ? -part->radius() : 0));
+  const Real size = its.box.is_bounded() ? largest_magnitude(its.box.high - its.box.low) : infinity;
+  return {its.path, size, radius, part.has_value()};
 }
 
 // How far turning moves a point of a body at most.
@@ -55,7 +55,8 @@ std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real appr
   Real time = begin;
   for (;;) {
     Distance found{};
-    if (pair_distance(pair.a, pair.b, pair.path_a.at(time), pair.path_b.at(time), {}, found) != Outcome::ok) {
+    if (pair_distance(pair.a.shape, pair.b.shape, pair.a.path.at(time), pair.b.path.at(time), {}, found) !=
+        Outcome::ok) {
       return std::nullopt;
     }
     if (found.lower > wanted) {
@@ -72,11 +73,11 @@ std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real appr
 }  // namespace
 
 Outcome find_touch(const PathPair& pair, Real begin, Impact& out) {
-  return time_of_impact(pair.a, pair.path_a, pair.b, pair.path_b, {.margin = pair.margin, .begin = begin, .wants_depth = false}, out);
+  return time_of_impact(pair.a, pair.b, {.margin = pair.margin, .begin = begin, .wants_depth = false}, out);
 }
 
 std::optional<Impact> find_touch_after(const PathPair& pair, Real time) {
-  const Mover a = mover_of(pair.a, pair.path_a), b = mover_of(pair.b, pair.path_b);
+  const Mover a = mover_of(pair.a), b = mover_of(pair.b);
   const Real parted = share_of_parting * std::min(a.size, b.size);
   const TimeSpan rest{time, 1};
   const Real approach = largest_approach(a.path, a.radius, b.path, b.radius, rest);

@@ -19,8 +19,7 @@ inline constexpr Real share_of_parting = 1. / 64;
 
 // Both paths have 1 as their duration. What comes as near as the margin touches.
 struct PathPair {
-  const AnyShape &a, &b;
-  const Path &path_a, &path_b;
+  MovingShape a, b;
   Real margin;
 };
 

@@ -23,6 +23,8 @@ import abut.narrow.cores.simplex;
 namespace abut {
 namespace {
 
+constexpr Real least_square = std::numeric_limits<Real>::min();
+
 // How two parts lie at a time.
 struct Placed {
   Pose a, b;
@@ -55,10 +57,10 @@ struct Bounds {
 };
 Bounds bounds_of(const MovingPart& a, const MovingPart& b, const TimeSpan& span) {
   const auto times = [](Real factor, Real reach) { return factor > 0 ? factor * reach : 0; };
-  const Vec3 acceleration = b.path.motion().acceleration - a.path.motion().acceleration;
-  return {times(a.path.largest_turning(span), a.reach.radius) + times(b.path.largest_turning(span), b.reach.radius),
-          times(a.path.largest_turning_acceleration(span), a.reach.radius) +
-              times(b.path.largest_turning_acceleration(span), b.reach.radius),
+  const Vec3 acceleration = b.path->motion().acceleration - a.path->motion().acceleration;
+  return {times(a.path->largest_turning(span), a.reach.radius) + times(b.path->largest_turning(span), b.reach.radius),
+          times(a.path->largest_turning_acceleration(span), a.reach.radius) +
+              times(b.path->largest_turning_acceleration(span), b.reach.radius),
           acceleration, norm(acceleration)};
 }
 
@@ -114,7 +116,7 @@ Separation separation_of(const MovingPair& pair, const Placed& placed, const Gjk
     const DifferenceVertex& vertex = found.simplex.vertices[i];
     const Vec3 of_a = placed.a * vertex.a, difference = turned * vertex.w;
     points[i] = difference;
-    velocities[i] = velocity_of(pair.a.path, of_a, time) - velocity_of(pair.b.path, of_a - difference, time);
+    velocities[i] = velocity_of(*pair.a.path, of_a, time) - velocity_of(*pair.b.path, of_a - difference, time);
     velocity += weights[i] * velocities[i];
     on_a += weights[i] * of_a;
   }
@@ -139,15 +141,15 @@ Separation separation_of(const MovingPair& pair, const Placed& placed, const Gjk
 
 // How much the ways of any two points along a direction that stays are bent at most.
 Real bend_of_still(const MovingPair& pair, const Vec3& normal, const TimeSpan& span) {
-  return pair.b.path.largest_acceleration_along(normal, span, pair.b.reach) +
-         pair.a.path.largest_acceleration_along(-normal, span, pair.a.reach);
+  return pair.b.path->largest_acceleration_along(normal, span, pair.b.reach) +
+         pair.a.path->largest_acceleration_along(-normal, span, pair.a.reach);
 }
 
 // The same along a direction n that turns with the speed v. The gap of two points at x apart is n.x, and its second
 // derivative n.x'' + 2 n'.x' - v^2 n.x. The last term only counts where the gap is negative.
 Real bend_of_turning(const MovingPair& pair, const Bounds& bounds, const Separation& begin, Real gap, Real time,
                      Real length) {
-  const Path &a = pair.a.path, &b = pair.b.path;
+  const Path &a = *pair.a.path, &b = *pair.b.path;
   const Vec3 velocity = b.velocity_at(time) - a.velocity_at(time);
   const Vec3& n = begin.direction.normal;
   const Real turning = norm(begin.direction.turning), turn = turning * length, speed = norm(velocity);
@@ -160,6 +162,23 @@ Real bend_of_turning(const MovingPair& pair, const Bounds& bounds, const Separat
   return outward * (dot(n, bounds.acceleration) + bounds.change * turn + bounds.turning_change + 2 * turning * across +
                     turning * turning * deepest) +
          rounding_of(bounds.change);
+}
+
+// Whether two parts are apart for a whole span along one direction: from centre to centre, when these are nearest to
+// each other on straight ways. Most that pass each other by are.
+bool pass_by(const MovingPair& pair, const Placed& placed, const TimeSpan& span) {
+  const Placed placed_then = placed_at(pair, span.end);
+  const Vec3 centre_a = pair.a.part.centre(), centre_b = pair.b.part.centre();
+  const Vec3 first = placed.b * centre_b - placed.a * centre_a;
+  const Vec3 way = placed_then.b * centre_b - placed_then.a * centre_a - first;
+  const Real share = std::clamp<Real>(-dot(first, way) / std::max(squared_norm(way), least_square), 0, 1);
+  const auto normal = UnitVec3::make(first + share * way);
+  if (!normal) {
+    return false;
+  }
+  const Real gap = gap_along(pair, placed, *normal);
+  return gap > 0 &&
+         free_share(gap, gap_along(pair, placed_then, *normal), bend_of_still(pair, *normal, span), span.length()) >= 1;
 }
 
 // How far ahead to look, and along which direction.
@@ -222,7 +241,7 @@ MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& loc
 }
 
 MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local, const Aabb& box) {
-  return {part, path, local, path.reach_of(box.inflated(-part.radius()))};
+  return {part, &path, local, path.reach_of(box.inflated(-part.radius()))};
 }
 
 Real free_share(Real at_begin, Real at_end, Real bend, Real length) {
@@ -244,10 +263,14 @@ Real free_share(Real at_begin, Real at_end, Real bend, Real length) {
 Impact convex_impact(const MovingPair& pair, const TimeSpan& span) {
   const ConvexPart &a = pair.a.part, &b = pair.b.part;
   const ImpactSettings& settings = pair.settings;
-  const Bounds bounds = bounds_of(pair.a, pair.b, span);
   Impact out;
   Real time = span.begin;
   Placed placed = placed_at(pair, time);
+  if (pass_by(pair, placed, span)) {
+    out.lower = out.upper = span.end;
+    return out;
+  }
+  const Bounds bounds = bounds_of(pair.a, pair.b, span);
   Vec3 toward{0, 0, 0};
   for (; out.rounds < settings.most_rounds; ++out.rounds) {
     const Pose ab = relative(placed.a, placed.b);

@@ -13,15 +13,17 @@ export namespace abut {
 // A convex part of a body, where it is on the body, and how the body moves.
 struct MovingPart {
   ConvexPart part;
-  Path path;
+  const Path* path;  // which outlives it
   Pose local;
   Reach reach;  // of the core
 
-  [[nodiscard]] Pose at(Real time) const { return path.at(time) * local; }
+  [[nodiscard]] Pose at(Real time) const { return path->at(time) * local; }
 };
-[[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local);
+[[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path [[clang::lifetimebound]],
+                                     const Pose& local);
 // The same where the box of the part in the frame of the body is known.
-[[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local, const Aabb& box);
+[[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path [[clang::lifetimebound]],
+                                     const Pose& local, const Aabb& box);
 
 // What holds for all parts of two bodies.
 struct ImpactSettings {

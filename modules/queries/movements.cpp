@@ -40,7 +40,7 @@ std::vector<ImpactContact> cast_movement(const Scene& scene, const AnyShape& sha
     }
     const Path still = Path::at_rest(scene.world_at(place), duration);
     Impact impact;
-    const Outcome outcome = time_of_impact(shape, path, scene.shape_at(place), still, options, impact);
+    const Outcome outcome = time_of_impact({shape, path}, {scene.shape_at(place), still}, options, impact);
     if (outcome == Outcome::ok && impact.state != ImpactState::apart) {
       hits.add({scene.id_at(place), impact}, impact.lower);
     }

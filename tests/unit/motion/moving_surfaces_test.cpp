@@ -134,8 +134,8 @@ TEST(MovingSurfaces, TouchWhenTheFirstOfAllTrianglesDo) {
     const Path path_a = path({0, 0, 0}, random.vector(0.3));
     const Path path_b = path(away, -1.4 * away + random.vector(3));
     Impact found, swapped;
-    ASSERT_EQ(time_of_impact(shape_a, path_a, shape_b, path_b, {}, found), Outcome::ok);
-    ASSERT_EQ(time_of_impact(shape_b, path_b, shape_a, path_a, {}, swapped), Outcome::ok);
+    ASSERT_EQ(time_of_impact({shape_a, path_a}, {shape_b, path_b}, {}, found), Outcome::ok);
+    ASSERT_EQ(time_of_impact({shape_b, path_b}, {shape_a, path_a}, {}, swapped), Outcome::ok);
     EXPECT_EQ(found.state, swapped.state) << flight;
     EXPECT_EQ(found.lower, swapped.lower) << flight;
     EXPECT_EQ(found.upper, swapped.upper) << flight;
@@ -164,7 +164,7 @@ TEST(MovingSurfaces, AreMetWhereOnlyATurnBringsThemTogether) {
   const Path turning = Path::along(Pose::identity(), {0, 0, 0}, {.angular_velocity = {0, 0, 6}}, 1).value();
   const Path still = Path::at_rest({Rotation::identity(), {-2, 0.5, 0}}, 1);
   Impact found;
-  ASSERT_EQ(time_of_impact(mesh_of(blade), turning, mesh_of(post), still, {}, found), Outcome::ok);
+  ASSERT_EQ(time_of_impact({mesh_of(blade), turning}, {mesh_of(post), still}, {}, found), Outcome::ok);
   ASSERT_EQ(found.state, ImpactState::touches);
   EXPECT_GT(gap_of(blade, turning.at(found.lower - 1e-9), post, still.at(0)), 0);
   EXPECT_LE(gap_of(blade, turning.at(found.upper), post, still.at(0)), 1e-11);
