@@ -35,6 +35,7 @@ struct PathScene {
   const PolicyTable& policies;
   const Places& places;
   const Paths& paths;
+  const Sweeps& sweeps;
   std::span<const ContactHistory> histories;
 };
 

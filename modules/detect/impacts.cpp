@@ -41,6 +41,11 @@ PathPair path_pair(const PathScene& scene, const Sides& sides, Real margin) {
           margin};
 }
 
+Path path_of(const PathScene& scene, std::uint32_t place) {
+  const Path* const known = scene.sweeps.path_of(place);
+  return known != nullptr ? *known : scene.paths.of(place);
+}
+
 // Whether balls around two shapes touch at the start.
 bool are_near_at_start(const Sides& sides, Real margin) {
   const Real reach = sides.a.radius_of(sides.box_a) + sides.b.radius_of(sides.box_b) + margin;
@@ -86,10 +91,10 @@ void ImpactStage::examine(const PathScene& scene, const Pair& pair, std::size_t 
   const auto has = [&](Sweeping sweeping) {
     return places.infos[job.a].sweeping == sweeping || places.infos[job.b].sweeping == sweeping;
   };
-  if (!scene.paths.moves(job.a) && !scene.paths.moves(job.b)) {
+  if (!its.is_told_by_path && !scene.paths.moves(job.a) && !scene.paths.moves(job.b)) {
     return;
   }
-  const Sides sides{job, scene.paths.of(job.a), scene.paths.of(job.b), aabb_of(*places.shapes[job.a], Pose::identity()),
+  const Sides sides{job, path_of(scene, job.a), path_of(scene, job.b), aabb_of(*places.shapes[job.a], Pose::identity()),
                     aabb_of(*places.shapes[job.b], Pose::identity())};
   JobResult& result = jobs.result(its.job);
   its.touching = std::max<Real>(job.margin, 0);
@@ -104,8 +109,8 @@ void ImpactStage::examine(const PathScene& scene, const Pair& pair, std::size_t 
       report_start(scene, sides, pair, its.touching, jobs.scratch(number), result);
     }
   }
-  const bool begins_here = scene.paths.begins_at_pose(job.a) && scene.paths.begins_at_pose(job.b);
-  if (result.count > 0 && (its.is_told_by_path || begins_here)) {
+  const auto begins_here = [&] { return scene.paths.begins_at_pose(job.a) && scene.paths.begins_at_pose(job.b); };
+  if (result.count > 0 && (its.is_told_by_path || begins_here())) {
     its.count_at_start = result.count;
     follow(scene, sides, pair, 0, number, jobs, its);
     return;

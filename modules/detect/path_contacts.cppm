@@ -5,6 +5,7 @@ import abut.core.standard;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.detect.paths;
+import abut.detect.sweeps;
 import abut.math;
 import abut.motion.time_of_impact;
 import abut.pairs.table;
@@ -19,6 +20,7 @@ struct PathScene {
   const PolicyTable& policies;
   const Places& places;
   const Paths& paths;
+  const Sweeps& sweeps;
   std::span<const ContactHistory> histories;  // of the detection before
 };
 

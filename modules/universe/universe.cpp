@@ -205,8 +205,8 @@ void Universe::run_stages(const Scope& scope) {
                  jobs_);
   sides_.settle(places_, pairs_.all());
   seams_.run(places_, jobs_);
-  impacts_.run(workers_, {options_, meetings_.policies, places_, its_paths, contacts_.histories()}, pairs_.all(),
-               jobs_);
+  impacts_.run(workers_, {options_, meetings_.policies, places_, its_paths, sweeps_, contacts_.histories()},
+               pairs_.all(), jobs_);
   stats_.narrowphase_microseconds = watch.lap();
   const ContactCounts counts = contacts_.collect(workers_, places_, is_timed, jobs_, pairs_.all());
   impacts_.mark(pairs_.all(), contacts_);
