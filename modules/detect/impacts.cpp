@@ -23,7 +23,7 @@ namespace abut {
 namespace {
 
 // Pairs next to each other that one task takes.
-constexpr std::size_t pairs_of_block = 4;
+constexpr std::size_t pairs_of_block = 8;
 
 // Whether the path of a pair tells all its contacts, whatever it leads to. Others keep those of their present poses
 // where their path has no answer.
@@ -46,27 +46,32 @@ Path path_of(const PathScene& scene, std::uint32_t place) {
   return known != nullptr ? *known : scene.paths.of(place);
 }
 
-// Whether balls around two shapes touch at the start.
-bool are_near_at_start(const Sides& sides, Real margin) {
-  const Real reach = sides.a.radius_of(sides.box_a) + sides.b.radius_of(sides.box_b) + margin;
-  return squared_norm(sides.b.centre_at(0) - sides.a.centre_at(0)) <= reach * reach;
+// Asks the cache for what the path of a pair is made of.
+void fetch(const PathScene& scene, const Pair& pair) {
+  const Places& places = scene.places;
+  for (const std::uint32_t place : {pair.low, pair.high}) {
+    __builtin_prefetch(&places.infos[place].part);
+    __builtin_prefetch(&places.worlds[place].rotation);
+    __builtin_prefetch(&places.worlds[place].position);
+    __builtin_prefetch(&*places.shapes[place]);
+  }
 }
 
 }  // namespace
 
 // A touch on the way: its contacts follow those that the pair has.
 void ImpactStage::add_touch(const PathScene& scene, const Sides& sides, const Impact& impact, const Pair& pair,
-                            std::size_t number, JobList& jobs, Ahead& its) {
+                            const Block& block, JobList& jobs, Ahead& its) {
   JobResult& result = jobs.result(its.job);
   const std::uint32_t before = result.count;
   const std::uint32_t touch = its.touch_count + (its.count_at_start > 0 ? 1 : 0);
-  report_touch(scene, sides, impact, pair, touch, its.touching, jobs.scratch(number), result);
-  its.touches[its.touch_count++] = {impact.lower, impact.upper, result.count - before,
-                                    impact.state == ImpactState::undecided};
+  report_touch(scene, sides, impact, pair, touch, its.touching, jobs.scratch(block.number), result);
+  block.touches.push_back({impact.lower, impact.upper, result.count - before, impact.state == ImpactState::undecided});
+  ++its.touch_count;
 }
 
 // The touches that follow one at a time.
-void ImpactStage::follow(const PathScene& scene, const Sides& sides, const Pair& pair, Real time, std::size_t number,
+void ImpactStage::follow(const PathScene& scene, const Sides& sides, const Pair& pair, Real time, const Block& block,
                          JobList& jobs, Ahead& its) {
   JobResult& result = jobs.result(its.job);
   const PathPair paths = path_pair(scene, sides, its.touching);
@@ -75,17 +80,17 @@ void ImpactStage::follow(const PathScene& scene, const Sides& sides, const Pair&
     if (!next) {
       return;
     }
-    if (result.chunk != number) {
-      take_over(number, jobs, result);
+    if (result.chunk != block.number) {
+      take_over(block.number, jobs, result);
     }
-    add_touch(scene, sides, *next, pair, number, jobs, its);
+    add_touch(scene, sides, *next, pair, block, jobs, its);
     if (next->state == ImpactState::undecided) {
       return;
     }
   }
 }
 
-void ImpactStage::examine(const PathScene& scene, const Pair& pair, std::size_t number, JobList& jobs, Ahead& its) {
+void ImpactStage::examine(const PathScene& scene, const Pair& pair, const Block& block, JobList& jobs, Ahead& its) {
   const PairJob& job = jobs.jobs()[its.job];
   const Places& places = scene.places;
   const auto has = [&](Sweeping sweeping) {
@@ -100,34 +105,35 @@ void ImpactStage::examine(const PathScene& scene, const Pair& pair, std::size_t 
   its.touching = std::max<Real>(job.margin, 0);
   if (!has(Sweeping::impacts)) {
     its.is_speculative = true;
-    report_speculative(scene, sides, pair, number, its.touching, jobs, result);
+    report_speculative(scene, sides, pair, block.number, its.touching, jobs, result);
     return;
   }
   if (its.is_told_by_path) {
-    result = empty_result(number, jobs.scratch(number));
-    if (are_near_at_start(sides, its.touching)) {
-      report_start(scene, sides, pair, its.touching, jobs.scratch(number), result);
+    result = empty_result(block.number, jobs.scratch(block.number));
+    if (pass_by(path_pair(scene, sides, its.touching))) {
+      return;
     }
+    report_start(scene, sides, pair, its.touching, jobs.scratch(block.number), result);
   }
   const auto begins_here = [&] { return scene.paths.begins_at_pose(job.a) && scene.paths.begins_at_pose(job.b); };
   if (result.count > 0 && (its.is_told_by_path || begins_here())) {
     its.count_at_start = result.count;
-    follow(scene, sides, pair, 0, number, jobs, its);
+    follow(scene, sides, pair, 0, block, jobs, its);
     return;
   }
   Impact impact;
   if (find_touch(path_pair(scene, sides, its.touching), 0, impact) != Outcome::ok) {
     return;
   }
-  result = empty_result(number, jobs.scratch(number));
+  result = empty_result(block.number, jobs.scratch(block.number));
   if (impact.state == ImpactState::starts_together) {
-    report_touch(scene, sides, impact, pair, 0, its.touching, jobs.scratch(number), result);
+    report_touch(scene, sides, impact, pair, 0, its.touching, jobs.scratch(block.number), result);
     its.count_at_start = result.count;
   } else if (impact.state != ImpactState::apart) {
-    add_touch(scene, sides, impact, pair, number, jobs, its);
+    add_touch(scene, sides, impact, pair, block, jobs, its);
   }
   if (impact.state == ImpactState::starts_together || impact.state == ImpactState::touches) {
-    follow(scene, sides, pair, impact.upper, number, jobs, its);
+    follow(scene, sides, pair, impact.upper, block, jobs, its);
   }
 }
 
@@ -153,26 +159,34 @@ void ImpactStage::run(const Workers& workers, const PathScene& scene, std::span<
   std::erase_if(ahead_, [](const Ahead& its) { return its.job == no_job; });
   const std::size_t blocks = (ahead_.size() + pairs_of_block - 1) / pairs_of_block;
   const std::size_t first = jobs.add_scratch(blocks);
-  workers.for_each(blocks, [&](std::size_t block) {
-    ChunkScratch& scratch = jobs.scratch(first + block);
+  touches_.resize(std::max(touches_.size(), blocks));
+  workers.for_each(blocks, [&](std::size_t number) {
+    const Block block{first + number, touches_[number]};
+    ChunkScratch& scratch = jobs.scratch(block.number);
     scratch.points.clear();
     scratch.locals.clear();
-    const std::size_t begin = block * pairs_of_block, end = std::min(begin + pairs_of_block, ahead_.size());
+    block.touches.clear();
+    const std::size_t begin = number * pairs_of_block, end = std::min(begin + pairs_of_block, ahead_.size());
     for (std::size_t i = begin; i < end; ++i) {
-      examine(scene, pairs[ahead_[i].pair], first + block, jobs, ahead_[i]);
+      if (i + 1 < end) {
+        fetch(scene, pairs[ahead_[i + 1].pair]);
+      }
+      ahead_[i].first_touch = static_cast<std::uint32_t>(block.touches.size());
+      examine(scene, pairs[ahead_[i].pair], block, jobs, ahead_[i]);
     }
   });
 }
 
 void ImpactStage::mark(std::span<const Pair> pairs, ContactList& contacts) {
   impacts_.clear();
-  for (const Ahead& its : ahead_) {
+  for (std::size_t i = 0; i < ahead_.size(); ++i) {
+    const Ahead& its = ahead_[i];
     const Pair& pair = pairs[its.pair];
     if (its.is_speculative) {
       contacts.mark_ahead(pair.first_contact, pair.contact_count, 0, its.touching);
     }
     std::uint32_t first = pair.first_contact + its.count_at_start;
-    for (const Touch& touch : std::span(its.touches).first(its.touch_count)) {
+    for (const Touch& touch : std::span(touches_[i / pairs_of_block]).subspan(its.first_touch, its.touch_count)) {
       contacts.mark_ahead(first, touch.contact_count, touch.lower, its.touching);
       impacts_.push_back({.geometry_a = {pair.low + 1, pair.generation_low},
                           .geometry_b = {pair.high + 1, pair.generation_high},
@@ -190,7 +204,12 @@ void ImpactStage::mark(std::span<const Pair> pairs, ContactList& contacts) {
 }
 
 std::size_t ImpactStage::bytes() const {
-  return ahead_.capacity() * sizeof(Ahead) + impacts_.capacity() * sizeof(StepImpact);
+  std::size_t sum = ahead_.capacity() * sizeof(Ahead) + impacts_.capacity() * sizeof(StepImpact) +
+                    touches_.capacity() * sizeof(std::vector<Touch>);
+  for (const std::vector<Touch>& touches : touches_) {
+    sum += touches.capacity() * sizeof(Touch);
+  }
+  return sum;
 }
 
 }  // namespace abut

@@ -53,16 +53,22 @@ class ImpactStage {
     bool is_told_by_path = false, is_speculative = false;
     std::uint32_t count_at_start = 0;  // of contacts that do not lie ahead; those of the touches follow them
     std::uint32_t touch_count = 0;
-    Real touching = 0;  // up to this distance its contacts touch
-    std::array<Touch, most_touches> touches{};
+    std::uint32_t first_touch = 0;  // of those of its block
+    Real touching = 0;              // up to this distance its contacts touch
+  };
+  // Pairs next to each other that one task takes: their points, and their touches.
+  struct Block {
+    std::size_t number;  // of the scratch
+    std::vector<Touch>& touches;
   };
   static void add_touch(const PathScene& scene, const Sides& sides, const Impact& impact, const Pair& pair,
-                        std::size_t number, JobList& jobs, Ahead& its);
-  static void follow(const PathScene& scene, const Sides& sides, const Pair& pair, Real time, std::size_t number,
+                        const Block& block, JobList& jobs, Ahead& its);
+  static void follow(const PathScene& scene, const Sides& sides, const Pair& pair, Real time, const Block& block,
                      JobList& jobs, Ahead& its);
-  static void examine(const PathScene& scene, const Pair& pair, std::size_t number, JobList& jobs, Ahead& its);
+  static void examine(const PathScene& scene, const Pair& pair, const Block& block, JobList& jobs, Ahead& its);
 
   std::vector<Ahead> ahead_;
+  std::vector<std::vector<Touch>> touches_;  // by block
   std::vector<StepImpact> impacts_;
 };
 

@@ -23,8 +23,6 @@ import abut.narrow.cores.simplex;
 namespace abut {
 namespace {
 
-constexpr Real least_square = std::numeric_limits<Real>::min();
-
 // How two parts lie at a time.
 struct Placed {
   Pose a, b;
@@ -164,23 +162,6 @@ Real bend_of_turning(const MovingPair& pair, const Bounds& bounds, const Separat
          rounding_of(bounds.change);
 }
 
-// Whether two parts are apart for a whole span along one direction: from centre to centre, when these are nearest to
-// each other on straight ways. Most that pass each other by are.
-bool pass_by(const MovingPair& pair, const Placed& placed, const TimeSpan& span) {
-  const Placed placed_then = placed_at(pair, span.end);
-  const Vec3 centre_a = pair.a.part.centre(), centre_b = pair.b.part.centre();
-  const Vec3 first = placed.b * centre_b - placed.a * centre_a;
-  const Vec3 way = placed_then.b * centre_b - placed_then.a * centre_a - first;
-  const Real share = std::clamp<Real>(-dot(first, way) / std::max(squared_norm(way), least_square), 0, 1);
-  const auto normal = UnitVec3::make(first + share * way);
-  if (!normal) {
-    return false;
-  }
-  const Real gap = gap_along(pair, placed, *normal);
-  return gap > 0 &&
-         free_share(gap, gap_along(pair, placed_then, *normal), bend_of_still(pair, *normal, span), span.length()) >= 1;
-}
-
 // How far ahead to look, and along which direction.
 struct Proposal {
   Real length, bend;
@@ -260,17 +241,28 @@ Real free_share(Real at_begin, Real at_end, Real bend, Real length) {
   return divisor > 0 && zero <= 1 ? inward * zero : 1;
 }
 
+bool pass_by(const MovingPair& pair, const TimeSpan& span) {
+  const Placed placed = placed_at(pair, span.begin), placed_then = placed_at(pair, span.end);
+  const Vec3 centre_a = pair.a.part.centre(), centre_b = pair.b.part.centre();
+  const Vec3 first = placed.b * centre_b - placed.a * centre_a;
+  const Vec3 way = placed_then.b * centre_b - placed_then.a * centre_a - first;
+  const Real along = squared_norm(way), share = along > 0 ? std::clamp<Real>(-dot(first, way) / along, 0, 1) : 0;
+  const auto normal = UnitVec3::make(first + share * way);
+  if (!normal) {
+    return false;
+  }
+  const Real gap = gap_along(pair, placed, *normal);
+  return gap > 0 &&
+         free_share(gap, gap_along(pair, placed_then, *normal), bend_of_still(pair, *normal, span), span.length()) >= 1;
+}
+
 Impact convex_impact(const MovingPair& pair, const TimeSpan& span) {
   const ConvexPart &a = pair.a.part, &b = pair.b.part;
   const ImpactSettings& settings = pair.settings;
+  const Bounds bounds = bounds_of(pair.a, pair.b, span);
   Impact out;
   Real time = span.begin;
   Placed placed = placed_at(pair, time);
-  if (pass_by(pair, placed, span)) {
-    out.lower = out.upper = span.end;
-    return out;
-  }
-  const Bounds bounds = bounds_of(pair.a, pair.b, span);
   Vec3 toward{0, 0, 0};
   for (; out.rounds < settings.most_rounds; ++out.rounds) {
     const Pose ab = relative(placed.a, placed.b);

@@ -172,4 +172,27 @@ TEST(MovingSurfaces, AreMetWhereOnlyATurnBringsThemTogether) {
   EXPECT_LT(found.upper, 0.55);
 }
 
+// The tip of a blade swings through a wall and is out of it again at the end. At both ends of the way there is a gap
+// between all boxes, along the normal of the wall: only the bend of the way leads into it.
+TEST(MovingSurfaces, AreMetWhereAWayOnlyBendsIntoAnother) {
+  constexpr Real length = 3, depth = 0.03, turned = 0.4;
+  const test::Surface blade{{0, -0.01, 0, 0, 0.01, 0, length, 0, 0}, {0, 1, 2}};
+  const Real x = length - depth;
+  const test::Surface wall{{x, -2, -2, x, 2, -2, x, 2, 2, x, -2, 2}, {0, 1, 2, 0, 2, 3}};
+  const Path still = Path::at_rest(Pose::identity(), 1);
+  const Real touch = std::acos(x / length);
+  for (int i = 0; i <= 18; ++i) {
+    const Real before = 0.16 + 0.02 * i;
+    const Pose start{rotation_by({0, 0, -before}), {0, 0, 0}};
+    const Path swing = Path::along(start, {0, 0, 0}, {.angular_velocity = {0, 0, turned}}, 1).value();
+    Impact found, swapped;
+    ASSERT_EQ(time_of_impact({mesh_of(blade), swing}, {mesh_of(wall), still}, {}, found), Outcome::ok);
+    ASSERT_EQ(time_of_impact({mesh_of(wall), still}, {mesh_of(blade), swing}, {}, swapped), Outcome::ok);
+    ASSERT_EQ(found.state, ImpactState::touches) << before;
+    ASSERT_EQ(swapped.state, ImpactState::touches) << before;
+    EXPECT_NEAR(found.upper, (before - touch) / turned, 1e-9) << before;
+    EXPECT_NEAR(swapped.upper, (before - touch) / turned, 1e-9) << before;
+  }
+}
+
 }  // namespace
