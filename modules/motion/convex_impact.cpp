@@ -62,6 +62,11 @@ Bounds bounds_of(const MovingPart& a, const MovingPart& b, const TimeSpan& span)
           acceleration, norm(acceleration)};
 }
 
+bool is_identity(const Pose& pose) {
+  const Rotation& turned = pose.rotation;
+  return pose.position == Vec3{0, 0, 0} && turned.x == Vec3{1, 0, 0} && turned.y == Vec3{0, 1, 0};
+}
+
 Real radii_of(const MovingPair& pair) { return pair.a.part.radius() + pair.b.part.radius(); }
 Placed placed_at(const MovingPair& pair, Real time) { return {pair.a.at(time), pair.b.at(time)}; }
 
@@ -222,7 +227,7 @@ MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& loc
 }
 
 MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local, const Aabb& box) {
-  return {part, &path, local, path.reach_of(box.inflated(-part.radius()))};
+  return {part, &path, local, path.reach_of(box.inflated(-part.radius())), is_identity(local)};
 }
 
 Real free_share(Real at_begin, Real at_end, Real bend, Real length) {

@@ -16,8 +16,9 @@ struct MovingPart {
   const Path* path;  // which outlives it
   Pose local;
   Reach reach;  // of the core
+  bool has_frame_of_body;
 
-  [[nodiscard]] Pose at(Real time) const { return path->at(time) * local; }
+  [[nodiscard]] Pose at(Real time) const { return has_frame_of_body ? path->at(time) : path->at(time) * local; }
 };
 [[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path [[clang::lifetimebound]],
                                      const Pose& local);
