@@ -46,17 +46,6 @@ Path path_of(const PathScene& scene, std::uint32_t place) {
   return known != nullptr ? *known : scene.paths.of(place);
 }
 
-// Asks the cache for what the path of a pair is made of.
-void fetch(const PathScene& scene, const Pair& pair) {
-  const Places& places = scene.places;
-  for (const std::uint32_t place : {pair.low, pair.high}) {
-    __builtin_prefetch(&places.infos[place].part);
-    __builtin_prefetch(&places.worlds[place].rotation);
-    __builtin_prefetch(&places.worlds[place].position);
-    __builtin_prefetch(&*places.shapes[place]);
-  }
-}
-
 }  // namespace
 
 // A touch on the way: its contacts follow those that the pair has.
@@ -168,9 +157,6 @@ void ImpactStage::run(const Workers& workers, const PathScene& scene, std::span<
     block.touches.clear();
     const std::size_t begin = number * pairs_of_block, end = std::min(begin + pairs_of_block, ahead_.size());
     for (std::size_t i = begin; i < end; ++i) {
-      if (i + 1 < end) {
-        fetch(scene, pairs[ahead_[i + 1].pair]);
-      }
       ahead_[i].first_touch = static_cast<std::uint32_t>(block.touches.size());
       examine(scene, pairs[ahead_[i].pair], block, jobs, ahead_[i]);
     }

@@ -50,8 +50,8 @@ void JobList::arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> 
     }
     for (; begin < sum; begin += chunk_size) {
       const std::uint32_t end = std::min<std::uint32_t>(begin + chunk_size, sum);
-      chunks_.push_back(
-          {static_cast<std::uint32_t>(run % job_run_count), static_cast<std::uint32_t>(run / job_run_count), begin, end});
+      chunks_.push_back({static_cast<std::uint32_t>(run % job_run_count),
+                         static_cast<std::uint32_t>(run / job_run_count), begin, end});
     }
   }
   jobs_.resize(sum);

@@ -9,7 +9,6 @@ import abut.motion.path;
 import abut.motion.relative_motion;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 namespace abut {
 namespace {

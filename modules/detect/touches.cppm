@@ -4,9 +4,7 @@ export module abut.detect.touches;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.motion.path;
 import abut.motion.time_of_impact;
-import abut.pairs.registry;
 
 export namespace abut {
 

@@ -66,8 +66,9 @@ Real ConvexPart::extent() const {
     return largest_magnitude(cuboid->half);
   }
   const Triangle* triangle = std::get_if<Triangle>(&core_);
-  return triangle != nullptr ? triangle->extent()
-                             : visit_convex<Real>(*std::get<const AnyShape*>(core_), [](const auto& s) { return s.extent(); });
+  return triangle != nullptr
+             ? triangle->extent()
+             : visit_convex<Real>(*std::get<const AnyShape*>(core_), [](const auto& s) { return s.extent(); });
 }
 
 Aabb ConvexPart::aabb(const Pose& pose) const {

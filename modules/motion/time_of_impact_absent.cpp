@@ -2,8 +2,6 @@
 // Builds without the feature `motion`.
 module abut.motion.time_of_impact;
 import abut.capability;
-import abut.motion.path;
-import abut.pairs.registry;
 
 namespace abut {
 
