@@ -23,7 +23,7 @@ abut::Outcome find_impact(const abut_shape* a, const abut_shape* b, const Paths&
                           abut_impact& out) {
   abut::Impact found;
   const abut::Outcome outcome =
-      abut::time_of_impact(shape_of(a), *paths.a, shape_of(b), *paths.b, query.options, found);
+      abut::time_of_impact({shape_of(a), *paths.a}, {shape_of(b), *paths.b}, query.options, found);
   if (outcome == abut::Outcome::ok) {
     out = from_impact(found);
   }

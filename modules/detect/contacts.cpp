@@ -151,7 +151,11 @@ void ContactList::move_all_kept(std::span<Pair> pairs) {
 // What the chunks took, to the tallies of their runs.
 void ContactList::time_kinds(const JobList& jobs) {
   for (std::size_t chunk = 0; chunk < jobs.chunks().size(); ++chunk) {
-    KindTally& tally = tallies_[jobs.chunks()[chunk].run];
+    const std::size_t run = jobs.chunks()[chunk].run;
+    if (run == path_run) {
+      continue;
+    }
+    KindTally& tally = tallies_[run];
     tally.microseconds += jobs.scratch(chunk).microseconds;
     tally.is_timed = true;
   }

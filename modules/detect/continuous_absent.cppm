@@ -35,13 +35,15 @@ struct PathScene {
   const PolicyTable& policies;
   const Places& places;
   const Paths& paths;
+  const Sweeps& sweeps;
   std::span<const ContactHistory> histories;
 };
 
 class ImpactStage {
  public:
-  void run(const Workers& /*workers*/, const PathScene& /*scene*/, std::span<const ProxyPair> /*wanted*/,
-           std::span<const Pair> /*pairs*/, JobList& /*jobs*/) {}
+  void start(std::span<const ProxyPair> /*wanted*/, const Paths& /*paths*/, const Places& /*places*/,
+             std::span<Pair> /*pairs*/) {}
+  void run(const Workers& /*workers*/, const PathScene& /*scene*/, std::span<Pair> /*pairs*/, JobList& /*jobs*/) {}
   void mark(std::span<const Pair> /*pairs*/, ContactList& /*contacts*/) {}
   [[nodiscard]] std::span<const StepImpact> all() const { return {}; }
   void restore(const std::vector<StepImpact>& /*impacts*/) {}

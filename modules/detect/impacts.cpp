@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.detect.impacts;
+import abut.broadphase.pair_order;
 import abut.broadphase;
 import abut.core.standard;
 import abut.core.workers;
@@ -11,7 +12,9 @@ import abut.detect.path_contacts;
 import abut.detect.paths;
 import abut.detect.touches;
 import abut.math;
+import abut.motion.convex_part;
 import abut.motion.time_of_impact;
+import abut.pairs.any_shape;
 import abut.pairs.table;
 import abut.scene.options;
 import abut.scene.places;
@@ -20,36 +23,44 @@ namespace abut {
 namespace {
 
 // Pairs next to each other that one task takes.
-constexpr std::size_t pairs_of_block = 4;
+constexpr std::size_t pairs_of_block = 8;
 
-// The pair of two places in a list in order; its number, or that of the end.
-std::size_t find_pair(std::span<const Pair> pairs, const ProxyPair& wanted) {
-  const auto found = std::lower_bound(pairs.begin(), pairs.end(), wanted, [](const Pair& pair, const ProxyPair& its) {
-    return std::pair(pair.low, pair.high) < std::pair(its.low, its.high);
-  });
-  const bool is_found = found != pairs.end() && found->low == wanted.low && found->high == wanted.high;
-  return is_found ? static_cast<std::size_t>(found - pairs.begin()) : pairs.size();
+// Whether the path of a pair tells all its contacts, whatever it leads to. Others keep those of their present poses
+// where their path has no answer.
+bool is_told_by_path(const Pair& pair, const Paths& paths, const Places& places) {
+  const PlaceInfo &low = places.infos[pair.low], &high = places.infos[pair.high];
+  return (low.sweeping == Sweeping::impacts || high.sweeping == Sweeping::impacts) &&
+         (paths.moves(pair.low) || paths.moves(pair.high)) &&
+         !(paths.begins_at_pose(pair.low) && paths.begins_at_pose(pair.high)) &&
+         ConvexPart::of(*places.shapes[pair.low]) && ConvexPart::of(*places.shapes[pair.high]);
 }
 
 PathPair path_pair(const PathScene& scene, const Sides& sides, Real margin) {
-  return {*scene.places.shapes[sides.job.a], *scene.places.shapes[sides.job.b], sides.a, sides.b, margin};
+  return {{*scene.places.shapes[sides.job.a], sides.a, sides.box_a},
+          {*scene.places.shapes[sides.job.b], sides.b, sides.box_b},
+          margin};
+}
+
+Path path_of(const PathScene& scene, std::uint32_t place) {
+  const Path* const known = scene.sweeps.path_of(place);
+  return known != nullptr ? *known : scene.paths.of(place);
 }
 
 }  // namespace
 
 // A touch on the way: its contacts follow those that the pair has.
 void ImpactStage::add_touch(const PathScene& scene, const Sides& sides, const Impact& impact, const Pair& pair,
-                            std::size_t number, JobList& jobs, Ahead& its) {
+                            const Block& block, JobList& jobs, Ahead& its) {
   JobResult& result = jobs.result(its.job);
   const std::uint32_t before = result.count;
   const std::uint32_t touch = its.touch_count + (its.count_at_start > 0 ? 1 : 0);
-  report_touch(scene, sides, impact, pair, touch, its.touching, jobs.scratch(number), result);
-  its.touches[its.touch_count++] = {impact.lower, impact.upper, result.count - before,
-                                    impact.state == ImpactState::undecided};
+  report_touch(scene, sides, impact, pair, touch, its.touching, jobs.scratch(block.number), result);
+  block.touches.push_back({impact.lower, impact.upper, result.count - before, impact.state == ImpactState::undecided});
+  ++its.touch_count;
 }
 
 // The touches that follow one at a time.
-void ImpactStage::follow(const PathScene& scene, const Sides& sides, const Pair& pair, Real time, std::size_t number,
+void ImpactStage::follow(const PathScene& scene, const Sides& sides, const Pair& pair, Real time, const Block& block,
                          JobList& jobs, Ahead& its) {
   JobResult& result = jobs.result(its.job);
   const PathPair paths = path_pair(scene, sides, its.touching);
@@ -58,86 +69,110 @@ void ImpactStage::follow(const PathScene& scene, const Sides& sides, const Pair&
     if (!next) {
       return;
     }
-    if (result.chunk != number) {
-      take_over(number, jobs, result);
+    if (result.chunk != block.number) {
+      take_over(block.number, jobs, result);
     }
-    add_touch(scene, sides, *next, pair, number, jobs, its);
+    add_touch(scene, sides, *next, pair, block, jobs, its);
     if (next->state == ImpactState::undecided) {
       return;
     }
   }
 }
 
-void ImpactStage::examine(const PathScene& scene, const Pair& pair, std::size_t number, JobList& jobs, Ahead& its) {
+void ImpactStage::examine(const PathScene& scene, const Pair& pair, const Block& block, JobList& jobs, Ahead& its) {
   const PairJob& job = jobs.jobs()[its.job];
   const Places& places = scene.places;
   const auto has = [&](Sweeping sweeping) {
     return places.infos[job.a].sweeping == sweeping || places.infos[job.b].sweeping == sweeping;
   };
-  if (!scene.paths.moves(job.a) && !scene.paths.moves(job.b)) {
+  if (!its.is_told_by_path && !scene.paths.moves(job.a) && !scene.paths.moves(job.b)) {
     return;
   }
-  const Sides sides{job, scene.paths.of(job.a), scene.paths.of(job.b)};
+  const Sides sides{job, path_of(scene, job.a), path_of(scene, job.b), aabb_of(*places.shapes[job.a], Pose::identity()),
+                    aabb_of(*places.shapes[job.b], Pose::identity())};
   JobResult& result = jobs.result(its.job);
   its.touching = std::max<Real>(job.margin, 0);
   if (!has(Sweeping::impacts)) {
     its.is_speculative = true;
-    report_speculative(scene, sides, pair, number, its.touching, jobs, result);
+    report_speculative(scene, sides, pair, block.number, its.touching, jobs, result);
     return;
   }
-  const bool begins_here = scene.paths.begins_at_pose(job.a) && scene.paths.begins_at_pose(job.b);
-  if (begins_here && result.count > 0) {
+  if (its.is_told_by_path) {
+    result = empty_result(block.number, jobs.scratch(block.number));
+    if (pass_by(path_pair(scene, sides, its.touching))) {
+      return;
+    }
+    report_start(scene, sides, pair, its.touching, jobs.scratch(block.number), result);
+  }
+  const auto begins_here = [&] { return scene.paths.begins_at_pose(job.a) && scene.paths.begins_at_pose(job.b); };
+  if (result.count > 0 && (its.is_told_by_path || begins_here())) {
     its.count_at_start = result.count;
-    follow(scene, sides, pair, 0, number, jobs, its);
+    follow(scene, sides, pair, 0, block, jobs, its);
     return;
   }
   Impact impact;
   if (find_touch(path_pair(scene, sides, its.touching), 0, impact) != Outcome::ok) {
     return;
   }
-  result = empty_result(number, jobs.scratch(number));
+  result = empty_result(block.number, jobs.scratch(block.number));
   if (impact.state == ImpactState::starts_together) {
-    report_touch(scene, sides, impact, pair, 0, its.touching, jobs.scratch(number), result);
+    report_touch(scene, sides, impact, pair, 0, its.touching, jobs.scratch(block.number), result);
     its.count_at_start = result.count;
   } else if (impact.state != ImpactState::apart) {
-    add_touch(scene, sides, impact, pair, number, jobs, its);
+    add_touch(scene, sides, impact, pair, block, jobs, its);
   }
   if (impact.state == ImpactState::starts_together || impact.state == ImpactState::touches) {
-    follow(scene, sides, pair, impact.upper, number, jobs, its);
+    follow(scene, sides, pair, impact.upper, block, jobs, its);
   }
 }
 
-void ImpactStage::run(const Workers& workers, const PathScene& scene, std::span<const ProxyPair> wanted,
-                      std::span<const Pair> pairs, JobList& jobs) {
+void ImpactStage::start(std::span<const ProxyPair> wanted, const Paths& paths, const Places& places,
+                        std::span<Pair> pairs) {
   ahead_.clear();
+  std::size_t at = 0;
   for (const ProxyPair& its : wanted) {
-    const std::size_t at = find_pair(pairs, its);
-    if (at < pairs.size() && pairs[at].job != no_job) {
-      ahead_.push_back({.pair = static_cast<std::uint32_t>(at), .job = pairs[at].job});
+    at = place_from(at, std::span<const Pair>(pairs), its);
+    if (at < pairs.size() && pairs[at].low == its.low && pairs[at].high == its.high) {
+      const bool is_told = is_told_by_path(pairs[at], paths, places);
+      pairs[at].is_on_path = is_told;
+      ahead_.push_back({.pair = static_cast<std::uint32_t>(at), .is_told_by_path = is_told});
     }
   }
+}
+
+void ImpactStage::run(const Workers& workers, const PathScene& scene, std::span<Pair> pairs, JobList& jobs) {
+  for (Ahead& its : ahead_) {
+    pairs[its.pair].is_on_path = false;
+    its.job = pairs[its.pair].job;
+  }
+  std::erase_if(ahead_, [](const Ahead& its) { return its.job == no_job; });
   const std::size_t blocks = (ahead_.size() + pairs_of_block - 1) / pairs_of_block;
   const std::size_t first = jobs.add_scratch(blocks);
-  workers.for_each(blocks, [&](std::size_t block) {
-    ChunkScratch& scratch = jobs.scratch(first + block);
+  touches_.resize(std::max(touches_.size(), blocks));
+  workers.for_each(blocks, [&](std::size_t number) {
+    const Block block{first + number, touches_[number]};
+    ChunkScratch& scratch = jobs.scratch(block.number);
     scratch.points.clear();
     scratch.locals.clear();
-    const std::size_t begin = block * pairs_of_block, end = std::min(begin + pairs_of_block, ahead_.size());
+    block.touches.clear();
+    const std::size_t begin = number * pairs_of_block, end = std::min(begin + pairs_of_block, ahead_.size());
     for (std::size_t i = begin; i < end; ++i) {
-      examine(scene, pairs[ahead_[i].pair], first + block, jobs, ahead_[i]);
+      ahead_[i].first_touch = static_cast<std::uint32_t>(block.touches.size());
+      examine(scene, pairs[ahead_[i].pair], block, jobs, ahead_[i]);
     }
   });
 }
 
 void ImpactStage::mark(std::span<const Pair> pairs, ContactList& contacts) {
   impacts_.clear();
-  for (const Ahead& its : ahead_) {
+  for (std::size_t i = 0; i < ahead_.size(); ++i) {
+    const Ahead& its = ahead_[i];
     const Pair& pair = pairs[its.pair];
     if (its.is_speculative) {
       contacts.mark_ahead(pair.first_contact, pair.contact_count, 0, its.touching);
     }
     std::uint32_t first = pair.first_contact + its.count_at_start;
-    for (const Touch& touch : std::span(its.touches).first(its.touch_count)) {
+    for (const Touch& touch : std::span(touches_[i / pairs_of_block]).subspan(its.first_touch, its.touch_count)) {
       contacts.mark_ahead(first, touch.contact_count, touch.lower, its.touching);
       impacts_.push_back({.geometry_a = {pair.low + 1, pair.generation_low},
                           .geometry_b = {pair.high + 1, pair.generation_high},
@@ -155,7 +190,12 @@ void ImpactStage::mark(std::span<const Pair> pairs, ContactList& contacts) {
 }
 
 std::size_t ImpactStage::bytes() const {
-  return ahead_.capacity() * sizeof(Ahead) + impacts_.capacity() * sizeof(StepImpact);
+  std::size_t sum = ahead_.capacity() * sizeof(Ahead) + impacts_.capacity() * sizeof(StepImpact) +
+                    touches_.capacity() * sizeof(std::vector<Touch>);
+  for (const std::vector<Touch>& touches : touches_) {
+    sum += touches.capacity() * sizeof(Touch);
+  }
+  return sum;
 }
 
 }  // namespace abut

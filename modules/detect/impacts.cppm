@@ -13,18 +13,20 @@ import abut.detect.touches;
 import abut.math;
 import abut.motion.time_of_impact;
 import abut.scene.options;
+import abut.scene.places;
 
 export namespace abut {
 
 class ImpactStage {
  public:
-  // Pairs that have a job get the contacts of their path instead of those of their present poses:
+  // Before the selection: finds the wanted pairs, and marks those that need no contacts of their present poses.
+  void start(std::span<const ProxyPair> wanted, const Paths& paths, const Places& places, std::span<Pair> pairs);
+  // Those that have a job get the contacts of their path instead of those of their present poses:
   // - those that touch at the start of the step: the contacts there;
   // - those that touch later: the contacts of each touch, in order of time, each point where its body has it at the
   //   start;
   // - those that ask for speculative contacts: the contacts at the start, up to what the motion may close.
-  void run(const Workers& workers, const PathScene& scene, std::span<const ProxyPair> wanted,
-           std::span<const Pair> pairs, JobList& jobs);
+  void run(const Workers& workers, const PathScene& scene, std::span<Pair> pairs, JobList& jobs);
   void clear() {
     ahead_.clear();
     impacts_.clear();
@@ -47,20 +49,26 @@ class ImpactStage {
   };
   // A pair and what its path led to.
   struct Ahead {
-    std::uint32_t pair, job;
-    bool is_speculative = false;
+    std::uint32_t pair, job = no_job;
+    bool is_told_by_path = false, is_speculative = false;
     std::uint32_t count_at_start = 0;  // of contacts that do not lie ahead; those of the touches follow them
     std::uint32_t touch_count = 0;
-    Real touching = 0;  // up to this distance its contacts touch
-    std::array<Touch, most_touches> touches{};
+    std::uint32_t first_touch = 0;  // of those of its block
+    Real touching = 0;              // up to this distance its contacts touch
+  };
+  // Pairs next to each other that one task takes: their points, and their touches.
+  struct Block {
+    std::size_t number;  // of the scratch
+    std::vector<Touch>& touches;
   };
   static void add_touch(const PathScene& scene, const Sides& sides, const Impact& impact, const Pair& pair,
-                        std::size_t number, JobList& jobs, Ahead& its);
-  static void follow(const PathScene& scene, const Sides& sides, const Pair& pair, Real time, std::size_t number,
+                        const Block& block, JobList& jobs, Ahead& its);
+  static void follow(const PathScene& scene, const Sides& sides, const Pair& pair, Real time, const Block& block,
                      JobList& jobs, Ahead& its);
-  static void examine(const PathScene& scene, const Pair& pair, std::size_t number, JobList& jobs, Ahead& its);
+  static void examine(const PathScene& scene, const Pair& pair, const Block& block, JobList& jobs, Ahead& its);
 
   std::vector<Ahead> ahead_;
+  std::vector<std::vector<Touch>> touches_;  // by block
   std::vector<StepImpact> impacts_;
 };
 

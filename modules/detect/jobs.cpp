@@ -34,7 +34,7 @@ JobList::JobList() {
 }
 
 void JobList::start(std::size_t tasks, const PolicyTable& policies) {
-  run_counts_ = policies.size() * run_count;
+  run_counts_ = policies.size() * job_run_count;
   counts_.assign(tasks * run_counts_, 0);
 }
 
@@ -50,8 +50,8 @@ void JobList::arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> 
     }
     for (; begin < sum; begin += chunk_size) {
       const std::uint32_t end = std::min<std::uint32_t>(begin + chunk_size, sum);
-      chunks_.push_back(
-          {static_cast<std::uint32_t>(run % run_count), static_cast<std::uint32_t>(run / run_count), begin, end});
+      chunks_.push_back({static_cast<std::uint32_t>(run % job_run_count),
+                         static_cast<std::uint32_t>(run / job_run_count), begin, end});
     }
   }
   jobs_.resize(sum);

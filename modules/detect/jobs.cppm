@@ -39,7 +39,11 @@ inline constexpr std::size_t run_count = pair_run_count + shape_kind_count;
   return row * shape_kind_count + column;
 }
 [[nodiscard]] inline constexpr std::size_t self_run_of(std::size_t kind) { return pair_run_count + kind; }
-[[nodiscard]] inline constexpr bool is_self_run(std::size_t run) { return run >= pair_run_count; }
+[[nodiscard]] inline constexpr bool is_pair_run(std::size_t run) { return run < pair_run_count; }
+[[nodiscard]] inline constexpr bool is_self_run(std::size_t run) { return !is_pair_run(run) && run < run_count; }
+// Jobs of all kinds that the narrow phase leaves to the impacts.
+inline constexpr std::size_t path_run = run_count;
+inline constexpr std::size_t job_run_count = run_count + 1;
 [[nodiscard]] inline std::size_t run_of(const Pair& pair, std::size_t kind_low, std::size_t kind_high) {
   if (is_self_pair(pair)) {
     return self_run_of(kind_low);
@@ -88,7 +92,9 @@ class JobList {
   [[nodiscard]] inline std::span<std::uint32_t> counts_of(std::size_t task) [[clang::lifetimebound]] {
     return std::span(counts_).subspan(task * run_counts_, run_counts_);
   }
-  [[nodiscard]] static inline std::size_t run_of_pair(const Pair& pair) { return pair.policy * run_count + pair.run; }
+  [[nodiscard]] static inline std::size_t run_of_pair(const Pair& pair) {
+    return pair.policy * job_run_count + (pair.is_on_path ? path_run : pair.run);
+  }
   void arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> pairs, std::span<const PlaceInfo> infos,
                const PolicyTable& policies, ToleranceMode mode);
 

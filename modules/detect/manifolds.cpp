@@ -71,6 +71,12 @@ void find_in_chunk(std::size_t number, const UniverseOptions& options, const Pol
   const Policy& policy = policies.at(chunk.policy);
   const QuerySettings settings{.algorithm = policy.algorithm, .error_bound = policy.error_bound};
   scratch.points.clear();
+  if (chunk.run == path_run) {
+    for (std::uint32_t job = chunk.begin; job < chunk.end; ++job) {
+      jobs.result(job) = {static_cast<std::uint32_t>(number), 0, 0};
+    }
+    return;
+  }
   scratch.results.resize(its_jobs.size());
   const auto run = [&](std::span<const PairJob> some, const QuerySettings& its, std::span<PairResult> results) {
     if (is_self_run(chunk.run)) {

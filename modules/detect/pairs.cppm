@@ -19,6 +19,8 @@ export namespace abut {
 // - is_touching: the contacts, by what the job found; the selection, of pairs that are seen as boxes or not admitted.
 // - was_touching: the selection, from is_touching.
 // - is_bearing: the sleep stage.
+// - is_on_path: set before the selection by the impacts, of what they answer without contacts of present poses; cleared
+//   by them.
 struct Pair {
   std::uint32_t low, high;                             // places; low is less, or both are a geometry that meets itself
   std::uint32_t generation_low, generation_high;       // of the ids that live there
@@ -38,6 +40,7 @@ struct Pair {
   bool was_touching : 1 = false;  // before this detection
   bool is_sensor : 1 = false;
   bool is_bearing : 1 = false;  // had contacts, without a sensor, when sleep was last looked at
+  bool is_on_path : 1 = false;  // no contacts of its present poses are wanted
 
   // What does not follow from the rest of the universe. Memories only spare searches: a pair that is read has none.
   template <class Archive, class Self>

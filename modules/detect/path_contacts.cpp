@@ -28,9 +28,9 @@ struct Moment {
 
 Moment moment_at(const Sides& sides, Real time) { return {sides.a.at(time), sides.b.at(time), time}; }
 
-Real size_of(const AnyShape& a, const AnyShape& b) {
+Real size_of(const Sides& sides) {
   const auto size = [](const Aabb& box) { return box.is_bounded() ? largest_magnitude(box.high - box.low) : 0; };
-  return size(aabb_of(a, Pose::identity())) + size(aabb_of(b, Pose::identity()));
+  return size(sides.box_a) + size(sides.box_b);
 }
 
 // Appends the contacts of a moment, in the frame of the first side. The algorithm of a policy may not have the pair.
@@ -58,34 +58,34 @@ void add_point(Distance found, const Moment& moment, Manifold& points) {
                     .id = contact_id({}, {})});
 }
 
-// From the frame of the first side to the world, each point where its body has it at the start.
-void carry_back(ContactPoint& contact, LocalPoints& local, const Sides& sides, const Moment& moment, bool is_swapped) {
+// From the frame of the first side to the world, each point where its body has it at the start. Returns the points in
+// the frames of their bodies.
+LocalPoints carry_back(ContactPoint& contact, const Sides& sides, const Moment& moment, bool is_swapped) {
   move_by(contact, moment.a, is_swapped);
   const Pose &low = is_swapped ? moment.b : moment.a, &high = is_swapped ? moment.a : moment.b;
-  local = {low.undo(contact.point_a), high.undo(contact.point_b)};
+  const LocalPoints local{low.undo(contact.point_a), high.undo(contact.point_b)};
   if (moment.time > 0) {
     contact.point_a = (is_swapped ? sides.b : sides.a).start() * local.a;
     contact.point_b = (is_swapped ? sides.a : sides.b).start() * local.b;
     contact.distance = dot(contact.point_b - contact.point_a, contact.normal);
   }
+  return local;
 }
 
 // How much of a distance along a normal, which leads from a to b, the motion may close.
-Real closing_along(const Vec3& normal, const Sides& sides, const Places& places) {
-  const auto speed = [&](const Path& path, std::uint32_t place, const Vec3& direction) {
-    const Reach reach = path.reach_of(aabb_of(*places.shapes[place], Pose::identity()));
-    return path.largest_speed_along(direction, path.whole(), reach);
+Real closing_along(const Vec3& normal, const Sides& sides) {
+  const auto speed = [&](const Path& path, const Aabb& box, const Vec3& direction) {
+    return path.largest_speed_along(direction, path.whole(), path.reach_of(box));
   };
-  return speed(sides.a, sides.job.a, normal) + speed(sides.b, sides.job.b, -normal);
+  return speed(sides.a, sides.box_a, normal) + speed(sides.b, sides.box_b, -normal);
 }
 
 // What the motion may close at most, whatever the direction.
-Real closing(const Sides& sides, const Places& places) {
-  const auto speed = [&](const Path& path, std::uint32_t place) {
-    const Real radius = path.reach_of(aabb_of(*places.shapes[place], Pose::identity())).radius;
-    return path.largest_speed(path.whole(), radius);
+Real closing(const Sides& sides) {
+  const auto speed = [&](const Path& path, const Aabb& box) {
+    return path.largest_speed(path.whole(), path.radius_of(box));
   };
-  return speed(sides.a, sides.job.a) + speed(sides.b, sides.job.b);
+  return speed(sides.a, sides.box_a) + speed(sides.b, sides.box_b);
 }
 
 // What of the contacts behind those of a result is reported; it goes on with them. What a pair may have at most it has
@@ -101,9 +101,13 @@ void finish(const PathScene& scene, const Sides& sides, const Moment& moment, co
   const std::size_t most = detail == Detail::point ? 1 : scene.options.max_pair_contacts;
   left = most == 0 ? left : std::min<std::size_t>(left, most - std::min<std::size_t>(most, result.count));
   scratch.points.resize(first + left);
-  scratch.locals.resize(scratch.points.size());
+  const bool keeps_locals = scene.options.keeps_local_points;
+  scratch.locals.resize(keeps_locals ? scratch.points.size() : 0);
   for (std::size_t i = first; i < scratch.points.size(); ++i) {
-    carry_back(scratch.points[i], scratch.locals[i], sides, moment, sides.job.a > sides.job.b);
+    const LocalPoints local = carry_back(scratch.points[i], sides, moment, sides.job.a > sides.job.b);
+    if (keeps_locals) {
+      scratch.locals[i] = local;
+    }
   }
   result.count += static_cast<std::uint32_t>(left);
 }
@@ -134,6 +138,16 @@ void take_over(std::size_t number, JobList& jobs, JobResult& result) {
   result.count = before.count;
 }
 
+void report_start(const PathScene& scene, const Sides& sides, const Pair& pair, Real touching, ChunkScratch& scratch,
+                  JobResult& result) {
+  const Moment moment = moment_at(sides, 0);
+  const std::size_t first = scratch.points.size();
+  find_points(scene.places, sides, moment, scene.policies.at(pair.policy), touching, scratch.points);
+  if (scratch.points.size() > first) {
+    finish(scene, sides, moment, pair, [](const ContactPoint&) { return true; }, scratch, result);
+  }
+}
+
 void report_touch(const PathScene& scene, const Sides& sides, const Impact& impact, const Pair& pair,
                   std::uint32_t touch, Real touching, ChunkScratch& scratch, JobResult& result) {
   const AnyShape &a = *scene.places.shapes[sides.job.a], &b = *scene.places.shapes[sides.job.b];
@@ -141,16 +155,14 @@ void report_touch(const PathScene& scene, const Sides& sides, const Impact& impa
   const bool is_undecided = impact.state == ImpactState::undecided;
   const bool is_ahead = impact.state == ImpactState::touches;
   const Moment moment = moment_at(sides, is_undecided ? impact.lower : is_ahead ? impact.upper : 0);
-  if (is_undecided) {
-    Distance distance{};
-    if (pair_distance(a, b, moment.a, moment.b, {}, distance) == Outcome::ok) {
-      add_point(distance, moment, scratch.points);
-    }
-  } else {
-    const Real margin = touching + (is_ahead ? depth_of_touch * size_of(a, b) : 0);
+  if (!is_undecided) {
+    const Real margin = touching + (is_ahead ? depth_of_touch * size_of(sides) : 0);
     find_points(scene.places, sides, moment, scene.policies.at(pair.policy), margin, scratch.points);
-    if (scratch.points.size() == first) {
-      add_point(impact.contact, moment, scratch.points);
+  }
+  if (scratch.points.size() == first) {
+    Distance found = impact.contact;
+    if (squared_norm(found.normal) > 0 || pair_distance(a, b, moment.a, moment.b, {}, found) == Outcome::ok) {
+      add_point(found, moment, scratch.points);
     }
   }
   tell_apart(std::span(scratch.points).subspan(first), touch);
@@ -159,7 +171,7 @@ void report_touch(const PathScene& scene, const Sides& sides, const Impact& impa
 
 void report_speculative(const PathScene& scene, const Sides& sides, const Pair& pair, std::size_t number, Real touching,
                         JobList& jobs, JobResult& result) {
-  const Real most = closing(sides, scene.places);
+  const Real most = closing(sides);
   if (!std::isfinite(most)) {
     return;
   }
@@ -169,7 +181,7 @@ void report_speculative(const PathScene& scene, const Sides& sides, const Pair& 
   find_points(scene.places, sides, moment, scene.policies.at(pair.policy), touching + most, scratch.points);
   const auto is_within = [&](const ContactPoint& contact) {
     const Vec3 normal = moment.a.rotation * contact.normal;
-    return contact.distance - touching <= std::max<Real>(closing_along(normal, sides, scene.places), 0);
+    return contact.distance - touching <= std::max<Real>(closing_along(normal, sides), 0);
   };
   finish(scene, sides, moment, pair, is_within, scratch, result);
 }

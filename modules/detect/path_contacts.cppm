@@ -5,6 +5,7 @@ import abut.core.standard;
 import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.detect.paths;
+import abut.detect.sweeps;
 import abut.math;
 import abut.motion.time_of_impact;
 import abut.pairs.table;
@@ -19,6 +20,7 @@ struct PathScene {
   const PolicyTable& policies;
   const Places& places;
   const Paths& paths;
+  const Sweeps& sweeps;
   std::span<const ContactHistory> histories;  // of the detection before
 };
 
@@ -26,6 +28,7 @@ struct PathScene {
 struct Sides {
   const PairJob& job;
   Path a, b;
+  Aabb box_a, box_b;  // of the shapes in their own frames
 };
 
 // Of a job whose contacts will follow those that a scratch has.
@@ -33,6 +36,9 @@ struct Sides {
 // The contacts that a job has found at the start go where those of later touches may follow them.
 void take_over(std::size_t number, JobList& jobs, JobResult& result);
 
+// The contacts at the start, if there are any, follow those of the result.
+void report_start(const PathScene& scene, const Sides& sides, const Pair& pair, Real touching, ChunkScratch& scratch,
+                  JobResult& result);
 // The contacts at a touch follow those of the result, each point where its body has it at the start. `touch` is the
 // number of the touch within the pair. What no contact is found for is a contact of two wholes: none is lost.
 void report_touch(const PathScene& scene, const Sides& sides, const Impact& impact, const Pair& pair,

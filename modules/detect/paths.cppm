@@ -17,7 +17,7 @@ struct Paths {
   const Places& places;
   Real dt;
 
-  [[nodiscard]] bool moves(std::uint32_t place) const { return motion_of(place) != Motion{}; }
+  [[nodiscard]] bool moves(std::uint32_t place) const { return !is_still(place) && motion_of(place) != Motion{}; }
   [[nodiscard]] bool begins_at_pose(std::uint32_t place) const {
     return velocities.start_of(places.infos[place].part.slot) == nullptr;
   }
@@ -33,6 +33,9 @@ struct Paths {
   // How far any point of a geometry gets at most from where it is at its pose; `box` holds it there. A chord of a
   // circle is at most twice its radius.
   [[nodiscard]] Real farthest(std::uint32_t place, const Aabb& box) const {
+    if (is_still(place)) {
+      return 0;
+    }
     const Motion motion = motion_of(place);
     const Real angle = way_of(motion.angular_velocity, motion.angular_acceleration);
     const Real way = way_of(motion.velocity, motion.acceleration);
@@ -54,11 +57,15 @@ struct Paths {
   [[nodiscard]] static Real way_of(const Vec3& velocity, const Vec3& acceleration) {
     return norm(velocity) + (acceleration == Vec3{0, 0, 0} ? 0 : 0.5 * norm(acceleration));
   }
+  [[nodiscard]] bool is_still(std::uint32_t place) const { return velocities.is_still(places.infos[place].part.slot); }
   [[nodiscard]] Motion motion_of(std::uint32_t place) const {
     return velocities.motion_within(dt, places.infos[place].part.slot);
   }
   // A motion that a path refuses is refused before the step begins.
   [[nodiscard]] Path path(const Pose& start, const Vec3& centre, std::uint32_t place) const {
+    if (is_still(place)) {
+      return Path::at_rest(start, 1);
+    }
     const auto found = Path::along(start, centre, motion_of(place), 1);
     return found ? found.value() : Path::at_rest(start, 1);
   }

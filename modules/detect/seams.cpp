@@ -45,7 +45,7 @@ void SeamStage::find_sides(const Places& places, const JobList& jobs) {
     }
   };
   for (const Chunk& chunk : jobs.chunks()) {
-    if (is_self_run(chunk.run)) {
+    if (!is_pair_run(chunk.run)) {
       continue;
     }
     const bool is_row = is_surface_kind(chunk.run / shape_kind_count),

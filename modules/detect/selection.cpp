@@ -129,7 +129,7 @@ void Selection::run(const Workers& workers, const Scope& scope, ToleranceMode mo
   const PolicyTable& policies = meetings.policies;
   // Each task looks at all runs, so that it has to have as many pairs. The filter is called on this thread, in order.
   const Cuts cuts = meetings.filter ? Cuts(all.size(), 1)
-                                    : workers.cut(all.size(), std::max(least_of_task, policies.size() * run_count));
+                                    : workers.cut(all.size(), std::max(least_of_task, policies.size() * job_run_count));
   jobs.start(cuts.tasks(), policies);
   tasks_.resize(std::max(tasks_.size(), cuts.tasks()));
   workers.for_each(cuts.tasks(), [&](std::size_t task) {

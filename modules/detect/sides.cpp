@@ -60,7 +60,7 @@ void SideStage::start(bool is_used, const Places& places, const JobList& jobs) {
   }
   case_of_job_.resize(jobs.jobs().size(), no_index);
   for (const Chunk& chunk : jobs.chunks()) {
-    if (is_self_run(chunk.run)) {
+    if (!is_pair_run(chunk.run)) {
       continue;
     }
     const std::size_t row = chunk.run / shape_kind_count, column = chunk.run % shape_kind_count;

@@ -57,12 +57,12 @@ void Sweeps::add_mover(const Paths& paths, const BoxFrame& frame, std::uint32_t 
               .has_sweeping = info.sweeping != Sweeping::none,
               .path = path,
               .margin = reach_of(info, frame.mode, frame.largest_tolerance),
-              .radius = path.reach_of(aabb_of(shape, Pose::identity())).radius,
+              .radius = path.radius_of(aabb_of(shape, Pose::identity())),
               .size = largest_side(aabb_of(shape, path.start())),
               .box = {}};
   mover.box = box_within(mover, path.whole(), places);
   movers_.push_back(mover);
-  is_mover_[place] = true;
+  mover_at_[place] = static_cast<std::uint32_t>(movers_.size()) - 1;
 }
 
 // First those with a sweeping, then the quick ones: those that get further than the mean size of the former. So no
@@ -70,7 +70,7 @@ void Sweeps::add_mover(const Paths& paths, const BoxFrame& frame, std::uint32_t 
 void Sweeps::find_movers(const Paths& paths, const BoxFrame& frame, const Space& space,
                          std::span<const std::uint32_t> swept_places, Places& places) {
   movers_.clear();
-  is_mover_.assign(places.infos.size(), false);
+  mover_at_.assign(places.infos.size(), no_index);
   Real size = 0;
   for (const std::uint32_t at : swept_places) {
     if (space.is_shown(at)) {
@@ -82,7 +82,7 @@ void Sweeps::find_movers(const Paths& paths, const BoxFrame& frame, const Space&
   slow_way_ = 0;
   const Real most = movers_.empty() ? 0 : size / static_cast<Real>(movers_.size());
   for (std::uint32_t at = 0; !movers_.empty() && at < places.infos.size(); ++at) {
-    if (!space.is_shown(at) || is_mover_[at]) {
+    if (!space.is_shown(at) || mover_at_[at] != no_index) {
       continue;
     }
     const Real way = paths.farthest(at, widened(places.boxes[at], frame.origin));
@@ -135,7 +135,7 @@ void Sweeps::meet_slow(std::uint32_t number, const Paths& paths, const BoxFrame&
     const CompactAabb box = compact(exact, frame.origin);
     task.near.clear();
     space.visit(inflated(box, slow_way_), [&](std::uint32_t met) {
-      if (is_mover_[met] || task.seen_by[met] == number || !may_pair(info, places.infos[met])) {
+      if (mover_at_[met] != no_index || task.seen_by[met] == number || !may_pair(info, places.infos[met])) {
         return;
       }
       const CompactAabb& there = places.boxes[met];
@@ -216,24 +216,26 @@ std::span<const ProxyPair> Sweeps::with(std::span<const ProxyPair> near) {
   }
   joined_.clear();
   joined_.reserve(near.size() + pairs_.size());
-  std::span<const ProxyPair> swept(pairs_);
-  for (const ProxyPair& pair : near) {
-    for (; !swept.empty() && is_before(swept.front(), pair); swept = swept.subspan(1)) {
-      joined_.push_back(swept.front());
+  std::size_t at = 0;
+  const auto add_until = [&](std::size_t end) {
+    const std::span<const ProxyPair> some = near.subspan(at, end - at);
+    joined_.insert(joined_.end(), some.begin(), some.end());
+    at = end;
+  };
+  for (const ProxyPair& pair : pairs_) {
+    add_until(place_from(at, near, pair));
+    if (at == near.size() || near[at] != pair) {
+      joined_.push_back(pair);
     }
-    if (!swept.empty() && swept.front() == pair) {
-      swept = swept.subspan(1);
-    }
-    joined_.push_back(pair);
   }
-  joined_.insert(joined_.end(), swept.begin(), swept.end());
+  add_until(near.size());
   return joined_;
 }
 
 std::size_t Sweeps::bytes() const {
   std::size_t sum =
-      movers_.capacity() * sizeof(Mover) + by_side_.capacity() * sizeof(std::uint32_t) + is_mover_.capacity() / 8 +
-      tasks_.capacity() * sizeof(Task) +
+      movers_.capacity() * sizeof(Mover) + by_side_.capacity() * sizeof(std::uint32_t) +
+      mover_at_.capacity() * sizeof(std::uint32_t) + tasks_.capacity() * sizeof(Task) +
       (pairs_.capacity() + pairs_before_.capacity() + joined_.capacity() + scratch_.capacity()) * sizeof(ProxyPair);
   for (const Task& task : tasks_) {
     sum += task.pairs.capacity() * sizeof(ProxyPair) + task.near.capacity() * sizeof(Near) +

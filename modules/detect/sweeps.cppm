@@ -2,6 +2,7 @@
 // The broad phase of those that look at their path through a step: whom they may meet on it.
 export module abut.detect.sweeps;
 import abut.broadphase;
+import abut.capability;
 import abut.core.standard;
 import abut.core.workers;
 import abut.detect.refresh;
@@ -31,6 +32,10 @@ class Sweeps {
   [[nodiscard]] std::span<const ProxyPair> pairs() const [[clang::lifetimebound]] { return pairs_; }
   // These and those of the broad phase, each once, in order.
   [[nodiscard]] std::span<const ProxyPair> with(std::span<const ProxyPair> near) [[clang::lifetimebound]];
+  // Of a geometry of one of the pairs; null where it gets nowhere far.
+  [[nodiscard]] const Path* path_of(std::uint32_t place) const [[clang::lifetimebound]] {
+    return mover_at_[place] == no_index ? nullptr : &movers_[mover_at_[place]].path;
+  }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -65,9 +70,9 @@ class Sweeps {
                               const Places& places) const;
 
   std::vector<Mover> movers_;
-  std::vector<std::uint32_t> by_side_;  // numbers of movers, by the low side of their boxes
-  std::vector<bool> is_mover_;          // by place
-  Real slow_way_ = 0;                   // of those that are no movers
+  std::vector<std::uint32_t> by_side_;   // numbers of movers, by the low side of their boxes
+  std::vector<std::uint32_t> mover_at_;  // by place; no_index where there is none
+  Real slow_way_ = 0;                    // of those that are no movers
   std::vector<Task> tasks_;
   std::vector<ProxyPair> pairs_, pairs_before_, joined_, scratch_;
 };

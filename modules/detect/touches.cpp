@@ -3,12 +3,12 @@ module abut.detect.touches;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.motion.convex_impact;
 import abut.motion.convex_part;
 import abut.motion.path;
 import abut.motion.relative_motion;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 namespace abut {
 namespace {
@@ -21,11 +21,11 @@ struct Mover {
   bool is_convex;
 };
 
-Mover mover_of(const AnyShape& shape, const Path& path) {
-  const auto part = ConvexPart::of(shape);
-  const Aabb box = aabb_of(shape, Pose::identity());
-  const Real radius = path.reach_of(box.inflated(part ? -part->radius() : 0)).radius;
-  return {path, box.is_bounded() ? largest_magnitude(box.high - box.low) : infinity, radius, part.has_value()};
+Mover mover_of(const MovingShape& its) {
+  const auto part = ConvexPart::of(its.shape);
+  const Real radius = its.path.radius_of(its.box.inflated(part ? -part->radius() : 0));
+  const Real size = its.box.is_bounded() ? largest_magnitude(its.box.high - its.box.low) : infinity;
+  return {its.path, size, radius, part.has_value()};
 }
 
 // How far turning moves a point of a body at most.
@@ -35,10 +35,7 @@ Real turned_way(const Mover& its, const TimeSpan& span) {
 
 // Two convex bodies that only move on straight lines overlap during one stretch of time. With what bends the ways of
 // their points, they part by no more than twice that bend.
-bool may_part_and_meet(const Mover& a, const Mover& b, Real parted, Real approach, const TimeSpan& span) {
-  if (span.length() * approach < 2 * parted) {
-    return false;
-  }
+bool may_part_and_meet(const Mover& a, const Mover& b, Real parted, const TimeSpan& span) {
   const Real bend =
       a.path.largest_deviation(span, 0) + b.path.largest_deviation(span, 0) + turned_way(a, span) + turned_way(b, span);
   return !(a.is_convex && b.is_convex && 2 * bend < parted);
@@ -55,7 +52,8 @@ std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real appr
   Real time = begin;
   for (;;) {
     Distance found{};
-    if (pair_distance(pair.a, pair.b, pair.path_a.at(time), pair.path_b.at(time), {}, found) != Outcome::ok) {
+    if (pair_distance(pair.a.shape, pair.b.shape, pair.a.path.at(time), pair.b.path.at(time), {}, found) !=
+        Outcome::ok) {
       return std::nullopt;
     }
     if (found.lower > wanted) {
@@ -71,16 +69,37 @@ std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real appr
 
 }  // namespace
 
+bool pass_by(const PathPair& pair) {
+  const Path &a = pair.a.path, &b = pair.b.path;
+  const auto part_a = ConvexPart::of(pair.a.shape), part_b = ConvexPart::of(pair.b.shape);
+  if (!part_a || !part_b) {
+    return false;
+  }
+  const Pose own = Pose::identity();
+  const MovingPart moving_a = moving_part(*part_a, a, own, pair.a.box),
+                   moving_b = moving_part(*part_b, b, own, pair.b.box);
+  const auto size_of = [](const Path& path, Real radius) {
+    return norm(path.start().position) + norm(path.centre_at(0)) + norm(path.shift_at(1)) + 2 * radius;
+  };
+  const Real size =
+      size_of(a, moving_a.reach.radius + part_a->radius()) + size_of(b, moving_b.reach.radius + part_b->radius());
+  return abut::pass_by({moving_a, moving_b, {.size = size, .tolerance = 0, .margin = pair.margin, .most_rounds = 0}},
+                       {0, 1});
+}
+
 Outcome find_touch(const PathPair& pair, Real begin, Impact& out) {
-  return time_of_impact(pair.a, pair.path_a, pair.b, pair.path_b, {.margin = pair.margin, .begin = begin}, out);
+  return time_of_impact(pair.a, pair.b, {.margin = pair.margin, .begin = begin, .wants_depth = false}, out);
 }
 
 std::optional<Impact> find_touch_after(const PathPair& pair, Real time) {
-  const Mover a = mover_of(pair.a, pair.path_a), b = mover_of(pair.b, pair.path_b);
+  const Mover a = mover_of(pair.a), b = mover_of(pair.b);
   const Real parted = share_of_parting * std::min(a.size, b.size);
   const TimeSpan rest{time, 1};
+  if (!(parted > 0 && parted < infinity) || !may_part_and_meet(a, b, parted, rest)) {
+    return std::nullopt;
+  }
   const Real approach = largest_approach(a.path, a.radius, b.path, b.radius, rest);
-  if (!(parted > 0 && parted < infinity) || !may_part_and_meet(a, b, parted, approach, rest)) {
+  if (rest.length() * approach < 2 * parted) {
     return std::nullopt;
   }
   const auto begin = time_of_parting(pair, pair.margin + parted, approach, a.is_convex && b.is_convex, time);

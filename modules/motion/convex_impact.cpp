@@ -55,11 +55,16 @@ struct Bounds {
 };
 Bounds bounds_of(const MovingPart& a, const MovingPart& b, const TimeSpan& span) {
   const auto times = [](Real factor, Real reach) { return factor > 0 ? factor * reach : 0; };
-  const Vec3 acceleration = b.path.motion().acceleration - a.path.motion().acceleration;
-  return {times(a.path.largest_turning(span), a.reach.radius) + times(b.path.largest_turning(span), b.reach.radius),
-          times(a.path.largest_turning_acceleration(span), a.reach.radius) +
-              times(b.path.largest_turning_acceleration(span), b.reach.radius),
+  const Vec3 acceleration = b.path->motion().acceleration - a.path->motion().acceleration;
+  return {times(a.path->largest_turning(span), a.reach.radius) + times(b.path->largest_turning(span), b.reach.radius),
+          times(a.path->largest_turning_acceleration(span), a.reach.radius) +
+              times(b.path->largest_turning_acceleration(span), b.reach.radius),
           acceleration, norm(acceleration)};
+}
+
+bool is_identity(const Pose& pose) {
+  const Rotation& turned = pose.rotation;
+  return pose.position == Vec3{0, 0, 0} && turned.x == Vec3{1, 0, 0} && turned.y == Vec3{0, 1, 0};
 }
 
 Real radii_of(const MovingPair& pair) { return pair.a.part.radius() + pair.b.part.radius(); }
@@ -114,7 +119,7 @@ Separation separation_of(const MovingPair& pair, const Placed& placed, const Gjk
     const DifferenceVertex& vertex = found.simplex.vertices[i];
     const Vec3 of_a = placed.a * vertex.a, difference = turned * vertex.w;
     points[i] = difference;
-    velocities[i] = velocity_of(pair.a.path, of_a, time) - velocity_of(pair.b.path, of_a - difference, time);
+    velocities[i] = velocity_of(*pair.a.path, of_a, time) - velocity_of(*pair.b.path, of_a - difference, time);
     velocity += weights[i] * velocities[i];
     on_a += weights[i] * of_a;
   }
@@ -139,15 +144,15 @@ Separation separation_of(const MovingPair& pair, const Placed& placed, const Gjk
 
 // How much the ways of any two points along a direction that stays are bent at most.
 Real bend_of_still(const MovingPair& pair, const Vec3& normal, const TimeSpan& span) {
-  return pair.b.path.largest_acceleration_along(normal, span, pair.b.reach) +
-         pair.a.path.largest_acceleration_along(-normal, span, pair.a.reach);
+  return pair.b.path->largest_acceleration_along(normal, span, pair.b.reach) +
+         pair.a.path->largest_acceleration_along(-normal, span, pair.a.reach);
 }
 
 // The same along a direction n that turns with the speed v. The gap of two points at x apart is n.x, and its second
 // derivative n.x'' + 2 n'.x' - v^2 n.x. The last term only counts where the gap is negative.
 Real bend_of_turning(const MovingPair& pair, const Bounds& bounds, const Separation& begin, Real gap, Real time,
                      Real length) {
-  const Path &a = pair.a.path, &b = pair.b.path;
+  const Path &a = *pair.a.path, &b = *pair.b.path;
   const Vec3 velocity = b.velocity_at(time) - a.velocity_at(time);
   const Vec3& n = begin.direction.normal;
   const Real turning = norm(begin.direction.turning), turn = turning * length, speed = norm(velocity);
@@ -218,7 +223,11 @@ Reached advance(const MovingPair& pair, const Bounds& bounds, const Placed& plac
 }  // namespace
 
 MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local) {
-  return {part, path, local, path.reach_of(part.aabb(local).inflated(-part.radius()))};
+  return moving_part(part, path, local, part.aabb(local));
+}
+
+MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local, const Aabb& box) {
+  return {part, &path, local, path.reach_of(box.inflated(-part.radius())), is_identity(local)};
 }
 
 Real free_share(Real at_begin, Real at_end, Real bend, Real length) {
@@ -235,6 +244,21 @@ Real free_share(Real at_begin, Real at_end, Real bend, Real length) {
   constexpr Real inward = 1 - 1e-12;
   const Real zero = 2 * at_begin / divisor;
   return divisor > 0 && zero <= 1 ? inward * zero : 1;
+}
+
+bool pass_by(const MovingPair& pair, const TimeSpan& span) {
+  const Placed placed = placed_at(pair, span.begin), placed_then = placed_at(pair, span.end);
+  const Vec3 centre_a = pair.a.part.centre(), centre_b = pair.b.part.centre();
+  const Vec3 first = placed.b * centre_b - placed.a * centre_a;
+  const Vec3 way = placed_then.b * centre_b - placed_then.a * centre_a - first;
+  const Real along = squared_norm(way), share = along > 0 ? std::clamp<Real>(-dot(first, way) / along, 0, 1) : 0;
+  const auto normal = UnitVec3::make(first + share * way);
+  if (!normal) {
+    return false;
+  }
+  const Real gap = gap_along(pair, placed, *normal);
+  return gap > 0 &&
+         free_share(gap, gap_along(pair, placed_then, *normal), bend_of_still(pair, *normal, span), span.length()) >= 1;
 }
 
 Impact convex_impact(const MovingPair& pair, const TimeSpan& span) {

@@ -13,13 +13,18 @@ export namespace abut {
 // A convex part of a body, where it is on the body, and how the body moves.
 struct MovingPart {
   ConvexPart part;
-  Path path;
+  const Path* path;  // which outlives it
   Pose local;
   Reach reach;  // of the core
+  bool has_frame_of_body;
 
-  [[nodiscard]] Pose at(Real time) const { return path.at(time) * local; }
+  [[nodiscard]] Pose at(Real time) const { return has_frame_of_body ? path->at(time) : path->at(time) * local; }
 };
-[[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path, const Pose& local);
+[[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path [[clang::lifetimebound]],
+                                     const Pose& local);
+// The same where the box of the part in the frame of the body is known.
+[[nodiscard]] MovingPart moving_part(const ConvexPart& part, const Path& path [[clang::lifetimebound]],
+                                     const Pose& local, const Aabb& box);
 
 // What holds for all parts of two bodies.
 struct ImpactSettings {
@@ -32,6 +37,10 @@ struct MovingPair {
   MovingPart a, b;
   ImpactSettings settings;
 };
+
+// Whether parts are apart for a whole span along one direction: from centre to centre, when these are nearest to each
+// other on straight ways. Most that do not touch are, and this takes less than a search.
+[[nodiscard]] bool pass_by(const MovingPair& pair, const TimeSpan& span);
 
 // Within a span of time, in the frame of the paths. Of parts that overlap at its begin the contact says nothing.
 [[nodiscard]] Impact convex_impact(const MovingPair& pair, const TimeSpan& span);

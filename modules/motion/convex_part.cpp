@@ -33,7 +33,7 @@ std::optional<ConvexPart> ConvexPart::of(const AnyShape& shape) {
         if constexpr (BoxCored<S>) {
           return ConvexPart(Cuboid{s.half()}, s.radius());
         } else if constexpr (Convex<S>) {
-          return ConvexPart(shape, s.radius());
+          return ConvexPart(&shape, s.radius());
         } else {
           return std::nullopt;
         }
@@ -42,7 +42,7 @@ std::optional<ConvexPart> ConvexPart::of(const AnyShape& shape) {
 }
 
 SupportPoint ConvexPart::support_of_shape(const Vec3& direction) const {
-  return visit_convex<SupportPoint>(std::get<AnyShape>(core_),
+  return visit_convex<SupportPoint>(*std::get<const AnyShape*>(core_),
                                     [&](const auto& shape) { return shape.support(direction); });
 }
 
@@ -57,8 +57,8 @@ Vec3 ConvexPart::centre() const {
   if (const Triangle* triangle = std::get_if<Triangle>(&core_)) {
     return triangle->centre();
   }
-  const AnyShape* shape = std::get_if<AnyShape>(&core_);
-  return shape == nullptr ? Vec3{0, 0, 0} : visit_convex<Vec3>(*shape, [](const auto& s) { return s.centre(); });
+  const AnyShape* const* shape = std::get_if<const AnyShape*>(&core_);
+  return shape == nullptr ? Vec3{0, 0, 0} : visit_convex<Vec3>(**shape, [](const auto& s) { return s.centre(); });
 }
 
 Real ConvexPart::extent() const {
@@ -66,8 +66,9 @@ Real ConvexPart::extent() const {
     return largest_magnitude(cuboid->half);
   }
   const Triangle* triangle = std::get_if<Triangle>(&core_);
-  return triangle != nullptr ? triangle->extent()
-                             : visit_convex<Real>(std::get<AnyShape>(core_), [](const auto& s) { return s.extent(); });
+  return triangle != nullptr
+             ? triangle->extent()
+             : visit_convex<Real>(*std::get<const AnyShape*>(core_), [](const auto& s) { return s.extent(); });
 }
 
 Aabb ConvexPart::aabb(const Pose& pose) const {
@@ -80,7 +81,7 @@ Aabb ConvexPart::aabb(const Pose& pose) const {
   const Triangle* triangle = std::get_if<Triangle>(&core_);
   return triangle != nullptr
              ? triangle->aabb(pose)
-             : visit_convex<Aabb>(std::get<AnyShape>(core_), [&](const auto& s) { return s.aabb(pose); });
+             : visit_convex<Aabb>(*std::get<const AnyShape*>(core_), [&](const auto& s) { return s.aabb(pose); });
 }
 
 std::optional<Vec3> ConvexPart::only_front() const {

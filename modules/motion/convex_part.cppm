@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A convex shape of any kind: a whole one, or a triangle or a ball of one that is made of many. One search then serves
-// all of them.
+// all of them. A whole shape has to outlive its part.
 export module abut.motion.convex_part;
 import abut.capability;
 import abut.core.standard;
@@ -12,7 +12,7 @@ export namespace abut {
 class ConvexPart {
  public:
   // Nothing for shapes that are not convex.
-  [[nodiscard]] static std::optional<ConvexPart> of(const AnyShape& shape);
+  [[nodiscard]] static std::optional<ConvexPart> of(const AnyShape& shape [[clang::lifetimebound]]);
   [[nodiscard]] static ConvexPart of(const Triangle& triangle) { return {triangle, 0}; }
   [[nodiscard]] static ConvexPart of(const Ball& ball) { return {Cuboid{ball.half()}, ball.radius()}; }
 
@@ -44,7 +44,7 @@ class ConvexPart {
               bit(half.x, d.x, 1) | bit(half.y, d.y, 2) | bit(half.z, d.z, 4)};
     }
   };
-  using Core = std::variant<Cuboid, Triangle, AnyShape>;
+  using Core = std::variant<Cuboid, Triangle, const AnyShape*>;
 
   ConvexPart(Core core, Real radius) : core_(std::move(core)), radius_(radius) {}
   [[nodiscard]] SupportPoint support_of_shape(const Vec3& direction) const;

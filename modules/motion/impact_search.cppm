@@ -20,9 +20,10 @@ export namespace abut {
 
 // A shape on a body, and which child it is of the whole.
 struct Subject {
-  AnyShape shape;
+  const AnyShape& shape;
   Carrier on;
   std::uint32_t child;
+  Aabb box;  // in the frame of the body
 };
 
 inline void turn_over(Impact& impact) {

@@ -22,13 +22,12 @@ template <Surface A, Surface B>
 void meet_triangles(const A& a, const Subject& on_a, const B& b, const Subject& on_b, const TimeSpan& span,
                     Search& search) {
   const Carrier &way_a = on_a.on, &way_b = on_b.on;
-  const auto bend_of = [&](const Carrier& frame, const Carrier& moving, const AnyShape& shape) {
-    const Reach reach = moving.path.reach_of(aabb_of(shape, moving.local));
-    return relative_bounds(frame.path, moving.path, reach.radius, span).bend;
+  const auto bend_of = [&](const Carrier& frame, const Subject& moving) {
+    return relative_bounds(frame.path, moving.on.path, moving.on.path.radius_of(moving.box), span).bend;
   };
   MotionOrder order(a.origin(), b.origin(), relative(way_a.at(span.begin), way_b.at(span.begin)),
-                    relative(way_a.at(span.end), way_b.at(span.end)), span, bend_of(way_a, way_b, on_b.shape),
-                    bend_of(way_b, way_a, on_a.shape), search.slack());
+                    relative(way_a.at(span.end), way_b.at(span.end)), span, bend_of(way_a, on_b), bend_of(way_b, on_a),
+                    search.slack());
   const ConvexPart none = ConvexPart::of(Ball(0));
   MovingPair pair{moving_part(none, way_a.path, way_a.local), moving_part(none, way_b.path, way_b.local),
                   search.settings};
@@ -53,31 +52,40 @@ void meet_triangles(const A& a, const Subject& on_a, const B& b, const Subject& 
   });
 }
 
+// About how large the triangles of a surface are.
+template <Surface S>
+Real size_of_triangles(const S& surface, const Aabb& box) {
+  return largest_magnitude(box.high - box.low) / std::sqrt(static_cast<Real>(surface.triangle_count()));
+}
+
+// So many spans that in each the ways of points are bent by little beside a triangle. Triangles that are apart by less
+// than the bend would have to be asked one by one.
+std::uint32_t span_count(Real triangle, Real bend, Real duration) {
+  constexpr Real bent_share = 0.1, most_spans = 4096;
+  const Real longest = std::sqrt(8 * bent_share * triangle / bend);
+  return static_cast<std::uint32_t>(std::clamp(std::ceil(duration / longest), Real{1}, most_spans));
+}
+
 }  // namespace
 
-// Spans are so short that ways of points are bent by little beside the smaller surface.
 void meet_surfaces(const Subject& a, const Subject& b, const TimeSpan& span, Search& search) {
-  constexpr Real bent_share = 1.0 / 64, most_spans = 4096;
-  const Aabb box_a = aabb_of(a.shape, Pose::identity()), box_b = aabb_of(b.shape, Pose::identity());
-  const Real size = std::min(largest_magnitude(box_a.high - box_a.low), largest_magnitude(box_b.high - box_b.low));
-  const Real bend = std::max(
-      relative_bounds(a.on.path, b.on.path, b.on.path.reach_of(aabb_of(b.shape, b.on.local)).radius, span).bend,
-      relative_bounds(b.on.path, a.on.path, a.on.path.reach_of(aabb_of(a.shape, a.on.local)).radius, span).bend);
-  const Real longest = std::sqrt(8 * bent_share * size / bend), wanted = std::ceil(span.length() / longest);
-  const auto count = static_cast<std::uint32_t>(std::clamp(wanted, Real{1}, most_spans));
-  const Real step = span.length() / count;
-  Real begin = span.begin;
-  for (std::uint32_t i = 1; i <= count && begin < search.best.end(); ++i) {
-    const Real end = i < count ? span.begin + i * step : span.end;
-    std::visit(
-        [&]<class A, class B>(const A& its, const B& other) {
-          if constexpr (Surface<A> && Surface<B>) {
+  const Real bend = std::max(relative_bounds(a.on.path, b.on.path, b.on.path.radius_of(b.box), span).bend,
+                             relative_bounds(b.on.path, a.on.path, a.on.path.radius_of(a.box), span).bend);
+  std::visit(
+      [&]<class A, class B>(const A& its, const B& other) {
+        if constexpr (Surface<A> && Surface<B>) {
+          const Real triangle = std::min(size_of_triangles(its, a.box), size_of_triangles(other, b.box));
+          const std::uint32_t count = span_count(triangle, bend, span.length());
+          const Real step = span.length() / count;
+          Real begin = span.begin;
+          for (std::uint32_t i = 1; i <= count && begin < search.best.end(); ++i) {
+            const Real end = i < count ? span.begin + i * step : span.end;
             meet_triangles(its, a, other, b, {begin, end}, search);
+            begin = end;
           }
-        },
-        variant_of(a.shape), variant_of(b.shape));
-    begin = end;
-  }
+        }
+      },
+      variant_of(a.shape), variant_of(b.shape));
 }
 
 }  // namespace abut

@@ -125,19 +125,22 @@ Pose Path::at(Real time) const {
 }
 
 Path Path::seen_from(const Vec3& origin, const Vec3& velocity, const Vec3& acceleration) const {
-  Motion seen = motion_;
-  seen.velocity = motion_.velocity - velocity;
-  seen.acceleration = motion_.acceleration - acceleration;
-  return {{start_.rotation, start_.position - origin}, centre_, seen, duration_};
+  Path seen = *this;
+  seen.start_.position = start_.position - origin;
+  seen.centre_at_start_ = seen.start_.position + arm_at_start_;
+  seen.motion_.velocity = motion_.velocity - velocity;
+  seen.motion_.acceleration = motion_.acceleration - acceleration;
+  return seen;
+}
+
+Real Path::radius_of(const Aabb& local) const {
+  return local.is_bounded() ? outward * norm(maximum(absolute(local.low - centre_), absolute(local.high - centre_)))
+                            : infinity;
 }
 
 Reach Path::reach_of(const Aabb& local) const {
-  if (!local.is_bounded()) {
-    return {infinity, infinity};
-  }
-  const Vec3 far = maximum(absolute(local.low - centre_), absolute(local.high - centre_));
-  const Real radius = outward * norm(far);
-  if (!turns_ || !has_fixed_axis_) {
+  const Real radius = radius_of(local);
+  if (!turns_ || !has_fixed_axis_ || !(radius < infinity)) {
     return {radius, radius};
   }
   const Vec3 axis = start_.rotation.undo(axis_);

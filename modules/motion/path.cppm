@@ -73,6 +73,8 @@ class Path {
 
   // Of a body within a box in its own frame. Infinite for a box that is.
   [[nodiscard]] Reach reach_of(const Aabb& local) const;
+  // From the centre alone.
+  [[nodiscard]] Real radius_of(const Aabb& local) const;
 
   // The largest speed of a point up to `radius` from the centre.
   [[nodiscard]] Real largest_speed(const TimeSpan& span, Real radius) const;

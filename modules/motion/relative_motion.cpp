@@ -45,7 +45,7 @@ RelativeBox relative_box(const Path& a, const Pose& frame, const Path& b, const 
   }
   const auto at = [&](Real time) { return transformed(box_of_b, relative(a.at(time) * frame, b.at(time))); };
   const Aabb begin = at(span.begin), end = at(span.end);
-  const Real bend = relative_bounds(a, b, b.reach_of(box_of_b).radius, span).bend;
+  const Real bend = relative_bounds(a, b, b.radius_of(box_of_b), span).bend;
   const Real slack = 0.125 * bend * span.length() * span.length();
   Aabb box = begin;
   box.include(end);

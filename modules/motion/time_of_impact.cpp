@@ -65,13 +65,12 @@ void meet_in_span(const Subject& a, const Subject& b, const TimeSpan& given, int
     return;
   }
   const Real slack = search.slack();
-  const Aabb own_b = aabb_of(b.shape, b.on.local);
-  const RelativeBox way = relative_box(a.on.path, a.on.local, b.on.path, own_b, span);
+  const RelativeBox way = relative_box(a.on.path, a.on.local, b.on.path, b.box, span);
   const Aabb near_a = way.box.inflated(slack);
   if (!aabb_of(a.shape, Pose::identity()).overlaps(near_a)) {
     return;
   }
-  const Real extent = largest_magnitude(own_b.high - own_b.low);
+  const Real extent = largest_magnitude(b.box.high - b.box.low);
   if (depth < most_halvings && (way.slack > 0.125 * extent || way.drift > extent)) {
     const Real middle = 0.5 * (span.begin + span.end);
     meet_in_span(a, b, {span.begin, middle}, depth + 1, search);
@@ -110,14 +109,14 @@ void meet_turned_over(const Subject& a, const Subject& b, Search& search) {
 // Of solids that no hole cuts.
 void meet_children(const Subject& a, const Subject& b, Search& search) {
   const TimeSpan span = search.span();
-  const Aabb own_b = aabb_of(b.shape, b.on.local);
-  const Aabb way = relative_box(a.on.path, a.on.local, b.on.path, own_b, span).box.inflated(search.slack());
+  const Aabb way = relative_box(a.on.path, a.on.local, b.on.path, b.box, span).box.inflated(search.slack());
   std::visit(
       [&]<class S>(const S& s) {
         if constexpr (Assembly<S>) {
           s.visit_children(way, [&](std::uint32_t child) {
             const auto& its = s.children()[child];
-            meet({*its.shape, {a.on.path, a.on.local * its.pose}, child}, b, search);
+            const Pose local = a.on.local * its.pose;
+            meet({*its.shape, {a.on.path, local}, child, aabb_of(*its.shape, local)}, b, search);
           });
         }
       },
@@ -152,9 +151,9 @@ void meet(const Subject& a, const Subject& b, Search& search) {
     meet_in_span(a, b, span, 0, search);
   } else {
     const auto part_a = ConvexPart::of(a.shape), part_b = ConvexPart::of(b.shape);
-    meet_parts(
-        {moving_part(*part_a, a.on.path, a.on.local), moving_part(*part_b, b.on.path, b.on.local), search.settings},
-        span, a.child, b.child, search);
+    meet_parts({moving_part(*part_a, a.on.path, a.on.local, a.box), moving_part(*part_b, b.on.path, b.on.local, b.box),
+                search.settings},
+               span, a.child, b.child, search);
   }
 }
 
@@ -192,9 +191,7 @@ OwnFrame own_frame(const Path& a, const Path& b) {
 Real finite_or_zero(Real reach) { return reach < infinity ? reach : 0; }
 
 ImpactSettings settings_of(const Subject& a, const Subject& b, const ImpactOptions& options) {
-  const auto radius_of = [](const Subject& its) {
-    return finite_or_zero(its.on.path.reach_of(aabb_of(its.shape, its.on.local)).radius);
-  };
+  const auto radius_of = [](const Subject& its) { return finite_or_zero(its.on.path.radius_of(its.box)); };
   const Path &path_a = a.on.path, &path_b = b.on.path;
   const Real sizes = radius_of(a) + radius_of(b), duration = path_b.duration();
   const Real way = duration * path_b.largest_speed(path_b.whole(), 0);
@@ -207,15 +204,16 @@ ImpactSettings settings_of(const Subject& a, const Subject& b, const ImpactOptio
 }
 
 // The order of the two is that of the work.
-Outcome impact_in_order(const AnyShape& shape_a, const Path& path_a, const AnyShape& shape_b, const Path& path_b,
-                        const ImpactOptions& options, Impact& out) {
-  const OwnFrame frame = own_frame(path_a, path_b);
-  const Subject a{shape_a, {frame.a, Pose::identity()}, 0}, b{shape_b, {frame.b, Pose::identity()}, 0};
-  Search search{settings_of(a, b, options), options.begin, BestImpact(path_a.duration())};
-  const bool is_whole = is_asked_as_a_whole(shape_a) || is_asked_as_a_whole(shape_b);
-  if (!is_whole && (is_made_of_parts(shape_a) || is_made_of_parts(shape_b))) {
-    const Aabb near_a = aabb_of(shape_a, a.on.at(options.begin)).inflated(search.slack());
-    if (near_a.overlaps(aabb_of(shape_b, b.on.at(options.begin)))) {
+Outcome impact_in_order(const MovingShape& moving_a, const MovingShape& moving_b, const ImpactOptions& options,
+                        Impact& out) {
+  const OwnFrame frame = own_frame(moving_a.path, moving_b.path);
+  const Subject a{moving_a.shape, {frame.a, Pose::identity()}, 0, moving_a.box},
+      b{moving_b.shape, {frame.b, Pose::identity()}, 0, moving_b.box};
+  Search search{settings_of(a, b, options), options.begin, BestImpact(frame.a.duration())};
+  const bool is_whole = is_asked_as_a_whole(a.shape) || is_asked_as_a_whole(b.shape);
+  if (!is_whole && (is_made_of_parts(a.shape) || is_made_of_parts(b.shape))) {
+    const Aabb near_a = aabb_of(a.shape, a.on.at(options.begin)).inflated(search.slack());
+    if (near_a.overlaps(aabb_of(b.shape, b.on.at(options.begin)))) {
       search.outcome = meet_at_start(a, b, search);
     }
   }
@@ -228,28 +226,27 @@ Outcome impact_in_order(const AnyShape& shape_a, const Path& path_a, const AnySh
   out = search.best.result();
   // A search for a touch knows no depth.
   const bool is_met = out.state == ImpactState::touches || out.state == ImpactState::starts_together;
-  if (is_met && squared_norm(out.contact.normal) == 0) {
-    const Outcome outcome = pair_distance(shape_a, shape_b, a.on.at(out.upper), b.on.at(out.upper), {}, out.contact);
+  if (options.wants_depth && is_met && squared_norm(out.contact.normal) == 0) {
+    const Outcome outcome = pair_distance(a.shape, b.shape, a.on.at(out.upper), b.on.at(out.upper), {}, out.contact);
     if (outcome != Outcome::ok) {
       return outcome;
     }
   }
-  move_by(out.contact, frame.origin + path_a.shift_at(out.upper));
+  move_by(out.contact, frame.origin + moving_a.path.shift_at(out.upper));
   return Outcome::ok;
 }
 
 }  // namespace
 
-Outcome time_of_impact(const AnyShape& a, const Path& path_a, const AnyShape& b, const Path& path_b,
-                       const ImpactOptions& options, Impact& out) {
-  if (starts_from_b(a, b, path_a.start(), path_b.start())) {
-    const Outcome outcome = impact_in_order(b, path_b, a, path_a, options, out);
+Outcome time_of_impact(const MovingShape& a, const MovingShape& b, const ImpactOptions& options, Impact& out) {
+  if (starts_from_b(a.shape, b.shape, a.path.start(), b.path.start())) {
+    const Outcome outcome = impact_in_order(b, a, options, out);
     if (outcome == Outcome::ok) {
       turn_over(out);
     }
     return outcome;
   }
-  return impact_in_order(a, path_a, b, path_b, options, out);
+  return impact_in_order(a, b, options, out);
 }
 
 }  // namespace abut

@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 export import abut.motion.path;
+import abut.pairs.any_shape;
 import abut.pairs.registry;
 
 export namespace abut {
@@ -33,10 +34,23 @@ struct ImpactOptions {
   Real margin = 0;                   // they touch when they come as near as this
   std::uint32_t most_rounds = 1024;  // of each two parts
   Real begin = 0;                    // the search starts at this time
+  bool wants_depth = true;           // else the contact of what overlaps at the start may have no normal
+};
+
+// A shape on its way.
+struct MovingShape {
+  const AnyShape& shape;
+  const Path& path;
+  Aabb box;  // of the shape in its own frame
+
+  MovingShape(const AnyShape& its [[clang::lifetimebound]], const Path& way [[clang::lifetimebound]])
+      : MovingShape(its, way, aabb_of(its, Pose::identity())) {}
+  MovingShape(const AnyShape& its [[clang::lifetimebound]], const Path& way [[clang::lifetimebound]], const Aabb& own)
+      : shape(its), path(way), box(own) {}
 };
 
 // Both paths have one duration, and the search begins before its end. Not ok where the two kinds do not meet.
-[[nodiscard]] Outcome time_of_impact(const AnyShape& a, const Path& path_a, const AnyShape& b, const Path& path_b,
-                                     const ImpactOptions& options, Impact& out);
+[[nodiscard]] Outcome time_of_impact(const MovingShape& a, const MovingShape& b, const ImpactOptions& options,
+                                     Impact& out);
 
 }  // namespace abut

@@ -2,13 +2,11 @@
 // Builds without the feature `motion`.
 module abut.motion.time_of_impact;
 import abut.capability;
-import abut.motion.path;
-import abut.pairs.registry;
 
 namespace abut {
 
-Outcome time_of_impact(const AnyShape& /*a*/, const Path& /*path_a*/, const AnyShape& /*b*/, const Path& /*path_b*/,
-                       const ImpactOptions& /*options*/, Impact& /*out*/) {
+Outcome time_of_impact(const MovingShape& /*a*/, const MovingShape& /*b*/, const ImpactOptions& /*options*/,
+                       Impact& /*out*/) {
   return Outcome::unsupported;
 }
 

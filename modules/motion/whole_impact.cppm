@@ -13,7 +13,7 @@ export namespace abut {
 
 // How a body moves, and where on it a shape is.
 struct Carrier {
-  Path path;
+  const Path& path;
   Pose local;
 
   [[nodiscard]] Pose at(Real time) const { return path.at(time) * local; }

@@ -18,7 +18,7 @@ namespace {
 // shape.
 Aabb box_of_way(const AnyShape& shape, const Path& path, const ImpactOptions& options) {
   const Vec3 centre = path.centre_at(0);
-  const Real radius = path.reach_of(aabb_of(shape, Pose::identity())).radius;
+  const Real radius = path.radius_of(aabb_of(shape, Pose::identity()));
   const Aabb turned = Aabb{centre, centre}.inflated(radius);
   const Aabb box = path.turns() ? turned : aabb_of(shape, path.start());
   // Only the way of the centre is bent: the box holds the shape however it is turned.
@@ -40,7 +40,7 @@ std::vector<ImpactContact> cast_movement(const Scene& scene, const AnyShape& sha
     }
     const Path still = Path::at_rest(scene.world_at(place), duration);
     Impact impact;
-    const Outcome outcome = time_of_impact(shape, path, scene.shape_at(place), still, options, impact);
+    const Outcome outcome = time_of_impact({shape, path}, {scene.shape_at(place), still}, options, impact);
     if (outcome == Outcome::ok && impact.state != ImpactState::apart) {
       hits.add({scene.id_at(place), impact}, impact.lower);
     }

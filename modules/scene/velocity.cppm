@@ -58,6 +58,10 @@ class VelocityTable {
   [[nodiscard]] inline const Placement* start_of(std::uint32_t slot) const [[clang::lifetimebound]] {
     return source_of(slot) == VelocitySource::poses ? &measured_[entries_[slot - 1].place].before : nullptr;
   }
+  // Whether a part has neither a velocity nor an acceleration.
+  [[nodiscard]] inline bool is_still(std::uint32_t slot) const {
+    return source_of(slot) == VelocitySource::none && (accelerated_ == 0 || acceleration_of(slot) == Acceleration{});
+  }
   // The motion of a part within dt, with dt as the unit of time. What is measured has no acceleration.
   [[nodiscard]] Motion motion_within(Real dt, std::uint32_t slot) const;
   // The first part that moves too far or turns too often within dt.

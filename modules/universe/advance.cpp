@@ -43,7 +43,7 @@ StepImpact Universe::first_impact(Real dt) {
       continue;
     }
     const Path path_low = its_paths.of(low), path_high = its_paths.of(high);
-    const auto impact = first_touch_on_way({*places_.shapes[low], *places_.shapes[high], path_low, path_high, 0});
+    const auto impact = first_touch_on_way({{*places_.shapes[low], path_low}, {*places_.shapes[high], path_high}, 0});
     if (impact && impact->lower < first.lower) {
       first = {.geometry_a = places_.id_at(low),
                .geometry_b = places_.id_at(high),

@@ -196,6 +196,8 @@ void Universe::run_stages(const Scope& scope) {
   if (focus_.is_on()) {
     follow_focus();
   }
+  const Paths its_paths = paths(scope.dt);
+  impacts_.start(sweeps_.pairs(), its_paths, places_, pairs_.all());
   selection_.run(workers_, scope, options_.tolerance_mode, places_, changes_.patches, meetings_, pairs_, jobs_);
   stats_.pair_microseconds = watch.lap();
   sides_.start(side_keeper_count_ > 0, places_, jobs_);
@@ -203,8 +205,7 @@ void Universe::run_stages(const Scope& scope) {
                  jobs_);
   sides_.settle(places_, pairs_.all());
   seams_.run(places_, jobs_);
-  const Paths its_paths = paths(scope.dt);
-  impacts_.run(workers_, {options_, meetings_.policies, places_, its_paths, contacts_.histories()}, sweeps_.pairs(),
+  impacts_.run(workers_, {options_, meetings_.policies, places_, its_paths, sweeps_, contacts_.histories()},
                pairs_.all(), jobs_);
   stats_.narrowphase_microseconds = watch.lap();
   const ContactCounts counts = contacts_.collect(workers_, places_, is_timed, jobs_, pairs_.all());

@@ -134,8 +134,8 @@ TEST(MovingSurfaces, TouchWhenTheFirstOfAllTrianglesDo) {
     const Path path_a = path({0, 0, 0}, random.vector(0.3));
     const Path path_b = path(away, -1.4 * away + random.vector(3));
     Impact found, swapped;
-    ASSERT_EQ(time_of_impact(shape_a, path_a, shape_b, path_b, {}, found), Outcome::ok);
-    ASSERT_EQ(time_of_impact(shape_b, path_b, shape_a, path_a, {}, swapped), Outcome::ok);
+    ASSERT_EQ(time_of_impact({shape_a, path_a}, {shape_b, path_b}, {}, found), Outcome::ok);
+    ASSERT_EQ(time_of_impact({shape_b, path_b}, {shape_a, path_a}, {}, swapped), Outcome::ok);
     EXPECT_EQ(found.state, swapped.state) << flight;
     EXPECT_EQ(found.lower, swapped.lower) << flight;
     EXPECT_EQ(found.upper, swapped.upper) << flight;
@@ -164,12 +164,35 @@ TEST(MovingSurfaces, AreMetWhereOnlyATurnBringsThemTogether) {
   const Path turning = Path::along(Pose::identity(), {0, 0, 0}, {.angular_velocity = {0, 0, 6}}, 1).value();
   const Path still = Path::at_rest({Rotation::identity(), {-2, 0.5, 0}}, 1);
   Impact found;
-  ASSERT_EQ(time_of_impact(mesh_of(blade), turning, mesh_of(post), still, {}, found), Outcome::ok);
+  ASSERT_EQ(time_of_impact({mesh_of(blade), turning}, {mesh_of(post), still}, {}, found), Outcome::ok);
   ASSERT_EQ(found.state, ImpactState::touches);
   EXPECT_GT(gap_of(blade, turning.at(found.lower - 1e-9), post, still.at(0)), 0);
   EXPECT_LE(gap_of(blade, turning.at(found.upper), post, still.at(0)), 1e-11);
   EXPECT_GT(found.upper, 0.45);
   EXPECT_LT(found.upper, 0.55);
+}
+
+// The tip of a blade swings through a wall and is out of it again at the end. At both ends of the way there is a gap
+// between all boxes, along the normal of the wall: only the bend of the way leads into it.
+TEST(MovingSurfaces, AreMetWhereAWayOnlyBendsIntoAnother) {
+  constexpr Real length = 3, depth = 0.03, turned = 0.4;
+  const test::Surface blade{{0, -0.01, 0, 0, 0.01, 0, length, 0, 0}, {0, 1, 2}};
+  const Real x = length - depth;
+  const test::Surface wall{{x, -2, -2, x, 2, -2, x, 2, 2, x, -2, 2}, {0, 1, 2, 0, 2, 3}};
+  const Path still = Path::at_rest(Pose::identity(), 1);
+  const Real touch = std::acos(x / length);
+  for (int i = 0; i <= 18; ++i) {
+    const Real before = 0.16 + 0.02 * i;
+    const Pose start{rotation_by({0, 0, -before}), {0, 0, 0}};
+    const Path swing = Path::along(start, {0, 0, 0}, {.angular_velocity = {0, 0, turned}}, 1).value();
+    Impact found, swapped;
+    ASSERT_EQ(time_of_impact({mesh_of(blade), swing}, {mesh_of(wall), still}, {}, found), Outcome::ok);
+    ASSERT_EQ(time_of_impact({mesh_of(wall), still}, {mesh_of(blade), swing}, {}, swapped), Outcome::ok);
+    ASSERT_EQ(found.state, ImpactState::touches) << before;
+    ASSERT_EQ(swapped.state, ImpactState::touches) << before;
+    EXPECT_NEAR(found.upper, (before - touch) / turned, 1e-9) << before;
+    EXPECT_NEAR(swapped.upper, (before - touch) / turned, 1e-9) << before;
+  }
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ Flight random_flight(Random& random, Real away, Real spin) {
 
 Impact impact_of(const AnyShape& a, const AnyShape& b, const Flight& flight) {
   Impact out;
-  EXPECT_EQ(time_of_impact(a, flight.a, b, flight.b, {}, out), Outcome::ok);
+  EXPECT_EQ(time_of_impact({a, flight.a}, {b, flight.b}, {}, out), Outcome::ok);
   return out;
 }
 
@@ -253,7 +253,7 @@ TEST(RandomImpacts, HoldForAllKinds) {
     }
     const Flight flight = random_flight(random, 1.1 * size, 2);
     Impact found;
-    const Outcome outcome = time_of_impact(a, flight.a, b, flight.b, {.tolerance = 1e-4 * size}, found);
+    const Outcome outcome = time_of_impact({a, flight.a}, {b, flight.b}, {.tolerance = 1e-4 * size}, found);
     if (outcome == Outcome::unsupported) {
       return;
     }

@@ -36,7 +36,7 @@ Path moving(const Pose& start, const Motion& motion, Real duration = 1) {
 Impact impact_of(const AnyShape& a, const Path& path_a, const AnyShape& b, const Path& path_b,
                  const ImpactOptions& options = {}) {
   Impact out;
-  EXPECT_EQ(time_of_impact(a, path_a, b, path_b, options, out), Outcome::ok);
+  EXPECT_EQ(time_of_impact({a, path_a}, {b, path_b}, options, out), Outcome::ok);
   return out;
 }
 
