@@ -6,7 +6,6 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.many.cut;
-import abut.narrow.many.hole;
 import abut.pairs.rows.by_route;
 
 namespace abut {
