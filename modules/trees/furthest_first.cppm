@@ -8,8 +8,8 @@ import abut.trees.eight_boxes;
 
 export namespace abut {
 
-// Calls visit(item) for items whose boxes may reach beyond a limit, which visit may raise. Those that reach further come
-// first, mostly. `reach_of`: no point of a box reaches further. What is no number may reach anywhere.
+// Calls visit(item) for items whose boxes may reach beyond a limit, which visit may raise. Those that reach further
+// come first, mostly. `reach_of`: no point of a box reaches further. What is no number may reach anywhere.
 template <Hierarchy T, class ReachOf, class Visitor>
 void visit_furthest_first(const T& tree, const ReachOf& reach_of, const Real& limit, Visitor&& visit) {
   struct Waiting {

@@ -148,8 +148,7 @@ template <SampledSolid F>
   const ContactPoint at = contact_at(wall, ab * furthest, 0, {});
   const Real least_of_box = wall.radius - reach(field.solid_box());
   const Real distance = most > -infinity ? at.distance : least_of_box;
-  const Real lower =
-      std::max(std::min(distance, wall.radius - most_doubtful) - field.surface_error(), least_of_box);
+  const Real lower = std::max(std::min(distance, wall.radius - most_doubtful) - field.surface_error(), least_of_box);
   return {distance,
           std::min(lower, distance),
           most > -infinity ? distance : infinity,
@@ -169,7 +168,9 @@ template <Hole A, SampledSolid F>
   }
   return nearest_of_walls(
       {a.flat_walls(), a.round_wall()},
-      [&](const WallSolid& wall, Distance& found) { return half_space_field_distance(wall, field, ab, settings, found); },
+      [&](const WallSolid& wall, Distance& found) {
+        return half_space_field_distance(wall, field, ab, settings, found);
+      },
       [&](const RoundWall& wall) { return field_distance_in_round_wall(wall, field, ab); }, out);
 }
 
