@@ -179,6 +179,9 @@ class Carver {
         return true;
       }
       if (contact.distance < 0 && holds(hole.child, contact.point_b, noise_) && holds(hole.child, centre_, noise_)) {
+        if (other_.is_sheet()) {
+          add_seeds(hole, contact.point_b);  // it may go on past the rim
+        }
         return true;
       }
     }

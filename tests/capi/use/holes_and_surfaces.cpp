@@ -380,7 +380,7 @@ TEST(HolesAndSurfaces, SolidMeshesRestOnTheRim) {
 TEST(HolesAndSurfaces, SheetsArePiercedByTheRim) {
   const Shape plate = make_composite({make_box(3, 3, 0.5), cylinder_hole(0.6, 0.5, 3)}, {identity, identity});
   const Shape sheet =
-      make_mesh({{-0.1, -0.2, 0.2, 1.2, -0.2, 0.72, 1.2, 0.2, 0.72, -0.1, 0.2, 0.2}, {0, 1, 2, 0, 2, 3}});
+      make_mesh({{-0.1, -0.5, 0.24, 1.2, -0.5, 0.76, 1.2, 0.5, 0.76, -0.1, 0.5, 0.24}, {0, 1, 2, 0, 2, 3}});
   const auto found = contacts_of(plate, identity, sheet, identity);
   std::size_t on_rim = 0;
   for (const abut_contact& contact : found) {
@@ -392,10 +392,7 @@ TEST(HolesAndSurfaces, SheetsArePiercedByTheRim) {
     EXPECT_LT(contact.normal.x, 0) << "out of the material";
     EXPECT_GT(contact.normal.z, 0);
   }
-  std::printf("%zu of %zu\n", on_rim, found.size());
-  for (auto& c : found)
-    std::printf("%g %g %g n %g %g %g d %g child %u\n", c.point_a.x, c.point_a.y, c.point_a.z, c.normal.x, c.normal.y,
-                c.normal.z, c.distance, c.child_a);
+  EXPECT_EQ(on_rim, 2U);
 }
 
 }  // namespace
