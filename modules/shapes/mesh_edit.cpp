@@ -121,13 +121,30 @@ Aabb Mesh::apply(const VertexEdit& edit) {
   }
   Bvh& tree = *data.tree.made();
   Aabb moved = Aabb::empty();
+  // Vertices that are scattered lie anywhere in the memory. So what a block of triangles needs is asked for at once.
+  SmallVector<std::uint32_t, 64> block;
+  const auto move_block = [&] {
+    for (const std::uint32_t triangle : block.span()) {
+      fetch_corners(triangle);
+      tree.fetch_node_of(triangle);
+    }
+    for (const std::uint32_t triangle : block.span()) {
+      const Aabb box = box_around(corners(triangle));
+      tree.move(triangle, box);
+      touch_in_other(triangle);
+      moved.include(box);
+      data.widest = maximum(data.widest, box.high - box.low);
+    }
+    block.clear();
+  };
   visit_moved(edit, [&](std::uint32_t triangle) {
-    const Aabb box = box_around(corners(triangle));
-    tree.move(triangle, box);
-    touch_in_other(triangle);
-    moved.include(box);
-    data.widest = maximum(data.widest, box.high - box.low);
+    tree.fetch_place(triangle);
+    block.push_back(triangle);
+    if (block.size() == 64) {
+      move_block();
+    }
   });
+  move_block();
   settle_other();
   return follow(touched, moved);
 }
