@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sub-trees that have worn are made anew where they are. What lies far above the items is made of small sub-trees that
-// are still good, so that it costs little to make a large one anew that has worn in one place.
+// Sub-trees that have worn are made anew where they are. Large ones are made of small ones that are still good. So one
+// that has worn in one place costs little.
 module abut.trees.bvh;
 import abut.core.standard;
 import abut.core;
@@ -12,13 +12,10 @@ namespace abut {
 class BvhRenewal {
  public:
   // `takes_good`: whether small sub-trees that are still good stay as they are.
-  BvhRenewal(Bvh& tree, std::uint32_t node, bool takes_good)
-      : tree_(tree),
-        node_(node),
-        height_(tree.wear_[node].height),
-        takes_good_(takes_good && height_ > height_of_good + 1) {
-    take_apart();
-    const std::uint32_t level = level_of(node);
+  BvhRenewal(const Bvh& tree, std::uint32_t node, bool takes_good)
+      : node_(node), height_(tree.wear_[node].height), takes_good_(takes_good && height_ > height_of_good + 1) {
+    take_apart(tree);
+    const std::uint32_t level = level_of(tree, node);
     if (!good_.empty()) {
       // What is no longer good becomes small sub-trees of its own, all of which then are items of a tree above them.
       made_ = Bvh::made_of(std::move(items_), level, Workers(1));
@@ -43,14 +40,14 @@ class BvhRenewal {
     return sum;
   }
 
-  void put() {
-    find_numbers();
+  void put(Bvh& tree) {
+    find_numbers(tree);
     // From here on nothing asks for memory.
-    const Bvh::Wear before = tree_.wear_[node_];
-    put_good();
-    put_made();
-    tree_.unused_.swap(unused_);
-    Bvh::Wear& wear = tree_.wear_[node_];
+    const Bvh::Wear before = tree.wear_[node_];
+    put_good(tree);
+    put_made(tree);
+    tree.unused_.swap(unused_);
+    Bvh::Wear& wear = tree.wear_[node_];
     wear.untold = before.untold + wear.sum - before.sum;
     // Sub-trees that stay do not lower what is expected of the whole.
     wear.first = good_.empty() ? wear.first : before.first;
@@ -65,19 +62,19 @@ class BvhRenewal {
   static constexpr std::uint32_t good_bit = 0x40000000;
 
   // What was made anew since, of items that lay below one smaller node, may lie across what others have made.
-  [[nodiscard]] bool is_good(std::uint32_t node) const {
+  [[nodiscard]] bool is_good(const Bvh& tree, std::uint32_t node) const {
     constexpr double most = 1.1;
-    const Bvh::Wear& wear = tree_.wear_[node];
+    const Bvh::Wear& wear = tree.wear_[node];
     return takes_good_ && wear.made_below >= height_ && wear.height <= height_of_good &&
            wear.sum <= most * wear.first * wear.first_surface &&
-           tree_.surface_of_node(node) <= most * wear.first_surface;
+           tree.surface_of_node(node) <= most * wear.first_surface;
   }
 
-  void take_apart() {
+  void take_apart(const Bvh& tree) {
     numbers_.push_back(node_);
     std::vector<std::uint32_t> opened{node_};
     for (std::size_t next = 0; next < opened.size(); ++next) {
-      const EightBoxes& its = tree_.nodes_[opened[next]];
+      const EightBoxes& its = tree.nodes_[opened[next]];
       for (std::size_t lane = 0; lane < width; ++lane) {
         const std::uint32_t child = its.numbers[lane];
         if (child == nobody) {
@@ -85,10 +82,10 @@ class BvhRenewal {
         }
         if (EightBoxes::is_item(child)) {
           items_.push_back(entry_of(its.sides_of_lane(lane), EightBoxes::item_of(child)));
-        } else if (is_good(child)) {
+        } else if (is_good(tree, child)) {
           add_good(its.sides_of_lane(lane));
-          good_sum_ += tree_.wear_[child].sum;
-          take_good(child);
+          good_sum_ += tree.wear_[child].sum;
+          take_good(tree, child);
         } else {
           opened.push_back(child);
           numbers_.push_back(child);
@@ -107,13 +104,13 @@ class BvhRenewal {
     good_.push_back(static_cast<std::uint32_t>(copies_.size()));
   }
   // Parents before children, which follow in the order of the lanes.
-  void take_good(std::uint32_t node) {
+  void take_good(const Bvh& tree, std::uint32_t node) {
     numbers_.push_back(node);
-    copies_.push_back(tree_.nodes_[node]);
-    worn_.push_back(tree_.wear_[node]);
-    for (const std::uint32_t child : tree_.nodes_[node].numbers) {
+    copies_.push_back(tree.nodes_[node]);
+    worn_.push_back(tree.wear_[node]);
+    for (const std::uint32_t child : tree.nodes_[node].numbers) {
       if (child != nobody && !EightBoxes::is_item(child)) {
-        take_good(child);
+        take_good(tree, child);
       }
     }
   }
@@ -148,81 +145,80 @@ class BvhRenewal {
     }
   }
 
-  [[nodiscard]] std::uint32_t level_of(std::uint32_t node) const {
+  [[nodiscard]] static std::uint32_t level_of(const Bvh& tree, std::uint32_t node) {
     std::uint32_t level = 0;
-    for (; node != 0; node = tree_.parents_[node] / width) {
+    for (; node != 0; node = tree.parents_[node] / width) {
       ++level;
     }
     return level;
   }
   // Those of the nodes that there are, those without use that come later, and new ones. In their order the made nodes
   // come first and the good ones last, so that children come after their parents.
-  void find_numbers() {
-    for (const std::uint32_t number : tree_.unused_) {
+  void find_numbers(Bvh& tree) {
+    for (const std::uint32_t number : tree.unused_) {
       (number > node_ ? numbers_ : unused_).push_back(number);
     }
     std::ranges::sort(numbers_);
-    const std::size_t needed = made_.size() + copies_.size(), before = tree_.nodes_.size();
+    const std::size_t needed = made_.size() + copies_.size(), before = tree.nodes_.size();
     const std::size_t all = before + std::max(needed, numbers_.size()) - numbers_.size();
     for (std::size_t number = before; number < all; ++number) {
       numbers_.push_back(static_cast<std::uint32_t>(number));
     }
     unused_.insert(unused_.end(), numbers_.begin() + static_cast<std::ptrdiff_t>(needed), numbers_.end());
-    tree_.nodes_.reserve(all);
-    tree_.parents_.reserve(all);
-    tree_.wear_.reserve(all);
-    tree_.stale_.resize(std::max(tree_.stale_.size(), all / 64 + 1), 0);
-    tree_.nodes_.resize(all);
-    tree_.parents_.resize(all, nobody);
-    tree_.wear_.resize(all);
+    tree.nodes_.reserve(all);
+    tree.parents_.reserve(all);
+    tree.wear_.reserve(all);
+    tree.stale_.resize(std::max(tree.stale_.size(), all / 64 + 1), 0);
+    tree.nodes_.resize(all);
+    tree.parents_.resize(all, nobody);
+    tree.wear_.resize(all);
     for (std::size_t i = needed; i < numbers_.size(); ++i) {
-      tree_.nodes_[numbers_[i]] = EightBoxes::empty();
+      tree.nodes_[numbers_[i]] = EightBoxes::empty();
     }
   }
 
   [[nodiscard]] std::uint32_t number_of_copy(std::size_t copy) const { return numbers_[made_.size() + copy]; }
 
-  void put_good() {
+  void put_good(Bvh& tree) {
     for (std::size_t copy = copies_.size(); copy > 0; --copy) {
       const std::uint32_t at = number_of_copy(copy - 1);
-      tree_.nodes_[at] = copies_[copy - 1];
-      tree_.wear_[at] = worn_[copy - 1];
+      tree.nodes_[at] = copies_[copy - 1];
+      tree.wear_[at] = worn_[copy - 1];
       // Children follow in the order of the lanes, and have items alone.
       std::size_t next = copy;
-      put_lanes(at, [&](std::uint32_t) { return number_of_copy(next++); });
+      put_lanes(tree, at, [&](std::uint32_t) { return number_of_copy(next++); });
       if (copy > first_of_made_) {
-        tree_.weigh(at, height_);
+        tree.weigh(at, height_);
       }
     }
   }
-  void put_made() {
+  void put_made(Bvh& tree) {
     for (std::size_t i = made_.size(); i > 0; --i) {
       const std::uint32_t at = numbers_[i - 1];
-      tree_.nodes_[at] = made_[i - 1];
-      put_lanes(at, [&](std::uint32_t child) {
+      tree.nodes_[at] = made_[i - 1];
+      put_lanes(tree, at, [&](std::uint32_t child) {
         return (child & good_bit) != 0 ? number_of_copy(good_[child & ~good_bit]) : numbers_[child];
       });
-      tree_.weigh(at, height_);
+      tree.weigh(at, height_);
     }
   }
   // Tells items and children where they are. number_of(child) is the new number of a child.
   template <class NumberOf>
-  void put_lanes(std::uint32_t at, const NumberOf& number_of) {
+  static void put_lanes(Bvh& tree, std::uint32_t at, const NumberOf& number_of) {
     for (std::uint32_t lane = 0; lane < width; ++lane) {
-      std::uint32_t& child = tree_.nodes_[at].numbers[lane];
+      std::uint32_t& child = tree.nodes_[at].numbers[lane];
       if (child == nobody) {
         continue;
       }
       if (EightBoxes::is_item(child)) {
-        tree_.places_[EightBoxes::item_of(child)] = width * at + lane;
+        tree.places_[EightBoxes::item_of(child)] = width * at + lane;
       } else {
         child = number_of(child);
-        tree_.parents_[child] = width * at + lane;
+        tree.parents_[child] = width * at + lane;
       }
     }
   }
 
-  Bvh& tree_;
   std::uint32_t node_;
   std::uint32_t height_;
   bool takes_good_;
@@ -240,7 +236,7 @@ void Bvh::renew(std::uint32_t node) {
   for (const bool takes_good : {true, false}) {
     BvhRenewal renewal(*this, node, takes_good);
     if (const double sum = renewal.sum(); sum < before && (!takes_good || !is_worn(node, surface, sum))) {
-      renewal.put();
+      renewal.put(*this);
       return;
     }
   }

@@ -17,8 +17,8 @@ struct RimSeed {
 };
 
 // A composite against another shape, which is neither a composite nor made of scattered parts. Both are placed in one
-// frame. The other shape knows its box, its distance to a point of its own frame, its contacts with a hole, whether it
-// has no inside, and, where it is a triangle or less, whether it comes through a wall of a hole from inside.
+// frame. The other shape knows its box, its distance to a point of its own frame, and its contacts with a hole. It also
+// tells whether it is a sheet. A triangle or less tells whether it comes through a wall of a hole from inside.
 template <class Composite, class Other>
 class Carver {
  public:
