@@ -85,9 +85,6 @@ Aabb Mesh::follow(std::uint32_t touched, const Aabb& moved) {
     Vec3& bound = side < 3 ? data.box.low : data.box.high;
     (axis == 0 ? bound.x : axis == 1 ? bound.y : bound.z) = sign * value;
   }
-  if (tree.is_worn()) {
-    data.tree.forget();
-  }
   // What is inside of a solid may change anywhere. Whether an edge dips depends on the triangles that share a corner
   // with it, which reach so much further.
   const Vec3 reach = data.widest;
@@ -201,9 +198,6 @@ void Mesh::settle_tree() {
   Data& data = data_.own();
   if (std::optional<Bvh>& tree = data.tree.made()) {
     static_cast<void>(tree->settle());
-    if (tree->is_worn()) {
-      data.tree.forget();
-    }
   }
 }
 

@@ -77,7 +77,7 @@ void Bvh::make_room() {
   wear_ = std::move(wear);
   parents_ = std::move(parents);
   for (std::size_t node = nodes_.size(); node > 0; --node) {
-    weigh(static_cast<std::uint32_t>(node - 1), most_levels);
+    weigh(static_cast<std::uint32_t>(node - 1), 2 * most_levels);
   }
 }
 
@@ -114,7 +114,7 @@ void Bvh::weigh(std::uint32_t node, std::uint32_t made_below) {
 }
 
 bool Bvh::is_worn(std::uint32_t node, double surface, double sum) const {
-  constexpr double most = 1.25;
+  constexpr double most = 1.2;
   // Eight items stay eight items.
   return wear_[node].height > 1 && sum > most * wear_[node].first * surface;
 }
@@ -158,7 +158,15 @@ Aabb Bvh::settle() {
       stale_[word - 1] ^= std::uint64_t{1} << bit;
       const auto node = static_cast<std::uint32_t>(64 * (word - 1) + bit);
       const BoxSides around = nodes_[node].sides_around();
-      if (is_worn(node, surface_of(around), wear_[node].sum)) [[unlikely]] {
+      const double surface = std::max(surface_of(around), std::numeric_limits<double>::min());
+      // What has become better may be expected from then on.
+      wear_[node].first = std::min(wear_[node].first, wear_[node].sum / surface);
+      // Where the node above has worn as well, that one is made anew.
+      const auto is_left_to_parent = [&] {
+        const std::uint32_t parent = parents_[node] / EightBoxes::width;
+        return node != 0 && is_worn(parent, surface_of_node(parent), wear_[parent].sum + wear_[node].untold);
+      };
+      if (is_worn(node, surface, wear_[node].sum) && !is_left_to_parent()) [[unlikely]] {
         try {
           renew(node);
         } catch (const std::bad_alloc&) {

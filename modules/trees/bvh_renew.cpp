@@ -15,6 +15,7 @@ class BvhRenewal {
   BvhRenewal(const Bvh& tree, std::uint32_t node, bool takes_good)
       : node_(node), height_(tree.wear_[node].height), takes_good_(takes_good && height_ > height_of_good + 1) {
     take_apart(tree);
+    items_torn_ += items_.size();
     const std::uint32_t level = level_of(tree, node);
     if (!good_.empty()) {
       // What is no longer good becomes small sub-trees of its own, all of which then are items of a tree above them.
@@ -27,6 +28,8 @@ class BvhRenewal {
     made_ = Bvh::made_of(std::move(items_), level, Workers(1));
   }
 
+  // Whether so much has been made anew since the whole was that the whole may be made again.
+  [[nodiscard]] bool is_large() const { return 8 * items_torn_ >= items_torn_ + items_good_; }
   // The surfaces of all boxes.
   [[nodiscard]] double sum() const {
     double sum = good_sum_;
@@ -61,11 +64,15 @@ class BvhRenewal {
   // over.
   static constexpr std::uint32_t good_bit = 0x40000000;
 
+  // Whether its form was made along with all around it. That is told by a height beyond all others.
+  [[nodiscard]] static bool is_of_whole(const Bvh::Wear& wear) { return wear.made_below > Bvh::most_levels; }
+  [[nodiscard]] std::uint32_t made_below() const { return good_.empty() ? Bvh::most_levels + height_ : height_; }
   // What was made anew since, of items that lay below one smaller node, may lie across what others have made.
   [[nodiscard]] bool is_good(const Bvh& tree, std::uint32_t node) const {
     constexpr double most = 1.1;
     const Bvh::Wear& wear = tree.wear_[node];
-    return takes_good_ && wear.made_below >= height_ && wear.height <= height_of_good &&
+    const std::uint32_t made_below = is_of_whole(wear) ? wear.made_below - Bvh::most_levels : wear.made_below;
+    return takes_good_ && made_below >= height_ && wear.height <= height_of_good &&
            wear.sum <= most * wear.first * wear.first_surface &&
            tree.surface_of_node(node) <= most * wear.first_surface;
   }
@@ -105,12 +112,15 @@ class BvhRenewal {
   }
   // Parents before children, which follow in the order of the lanes.
   void take_good(const Bvh& tree, std::uint32_t node) {
+    const bool is_old = is_of_whole(tree.wear_[node]);
     numbers_.push_back(node);
     copies_.push_back(tree.nodes_[node]);
     worn_.push_back(tree.wear_[node]);
     for (const std::uint32_t child : tree.nodes_[node].numbers) {
       if (child != nobody && !EightBoxes::is_item(child)) {
         take_good(tree, child);
+      } else {
+        (is_old ? items_good_ : items_torn_) += child != nobody ? 1 : 0;
       }
     }
   }
@@ -188,7 +198,7 @@ class BvhRenewal {
       std::size_t next = copy;
       put_lanes(tree, at, [&](std::uint32_t) { return number_of_copy(next++); });
       if (copy > first_of_made_) {
-        tree.weigh(at, height_);
+        tree.weigh(at, made_below());
       }
     }
   }
@@ -199,7 +209,7 @@ class BvhRenewal {
       put_lanes(tree, at, [&](std::uint32_t child) {
         return (child & good_bit) != 0 ? number_of_copy(good_[child & ~good_bit]) : numbers_[child];
       });
-      tree.weigh(at, height_);
+      tree.weigh(at, made_below());
     }
   }
   // Tells items and children where they are. number_of(child) is the new number of a child.
@@ -226,6 +236,7 @@ class BvhRenewal {
   std::vector<Bvh::Entry> items_, good_entries_;
   std::vector<std::uint32_t> good_;  // where in the list of copies each small sub-tree begins
   double good_sum_ = 0;
+  std::size_t items_torn_ = 0, items_good_ = 0;
   std::vector<EightBoxes> copies_, made_;
   std::vector<Bvh::Wear> worn_;    // of the copies
   std::size_t first_of_made_ = 0;  // of the copies, those that are new
@@ -235,7 +246,11 @@ void Bvh::renew(std::uint32_t node) {
   const double surface = surface_of_node(node), before = wear_[node].sum;
   for (const bool takes_good : {true, false}) {
     BvhRenewal renewal(*this, node, takes_good);
-    if (const double sum = renewal.sum(); sum < before && (!takes_good || !is_worn(node, surface, sum))) {
+    const double sum = renewal.sum();
+    if (takes_good && renewal.is_large() && is_worn(node, surface, sum)) {
+      continue;
+    }
+    if (sum < before) {
       renewal.put(*this);
       return;
     }
