@@ -192,7 +192,7 @@ ShapeInput distance_field_input(const Numbers& numbers, bool flat, bool doubled,
   return input;
 }
 
-// Some fields are tri-quadratic, and some are bent by a lattice whose points have moved by a little of their spacing.
+// Some fields are tri-quadratic, and some are bent by a lattice whose points have moved by less than their spacing.
 void form_field(ShapeInput& input, Real form) {
   Random random(std::bit_cast<std::uint64_t>(form));
   const bool is_smooth = random.below(2) == 0, is_bent = random.below(2) == 0;
@@ -201,15 +201,18 @@ void form_field(ShapeInput& input, Real form) {
     return;
   }
   std::array<std::size_t, 3> points{};
-  for (std::size_t& count : points) {
-    count = 2 + random.below(2);
+  std::array<Real, 3> spacings{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    points.at(axis) = 2 + random.below(2);
+    spacings.at(axis) =
+        (input.parameters[axis] - 1) * input.parameters[axis + 3] / static_cast<Real>(points.at(axis) - 1);
+  }
+  for (const std::size_t count : points) {
     input.parameters.push_back(static_cast<Real>(count));
   }
-  const Real reach = random.between(0, 0.2);
+  const Real reach = random.between(0, 0.2) * std::min({spacings[0], spacings[1], spacings[2]});
   const auto place = [&](std::size_t axis, std::size_t at) {
-    const Real length = (input.parameters[axis] - 1) * input.parameters[axis + 3];
-    const Real spacing = length / static_cast<Real>(points.at(axis) - 1);
-    return input.parameters[axis + 6] + spacing * (static_cast<Real>(at) + random.between(-reach, reach));
+    return input.parameters[axis + 6] + spacings.at(axis) * static_cast<Real>(at) + random.between(-reach, reach);
   };
   for (std::size_t k = 0; k < points[2]; ++k) {
     for (std::size_t j = 0; j < points[1]; ++j) {

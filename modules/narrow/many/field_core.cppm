@@ -189,13 +189,10 @@ class CoreInField {
     const Real sign = field_.is_inside_out() ? -1 : 1;
     return UnitVec3::make(sign * (point - field_.solid_box().centre())).value_or(UnitVec3::axis_z());
   }
-  // The nearest of a point that is known, one down the gradient, and those straight along the axes.
+  // A point that is known, or down the gradient; straight along an axis where that is nearer.
   [[nodiscard]] std::optional<Vec3> surface_around(const Vec3& point, Real value,
                                                    const std::optional<Vec3>& known) const {
-    std::optional<Vec3> best = surface_below(point);
-    if (known && !(best && squared_norm(*best - point) < squared_norm(*known - point))) {
-      best = known;
-    }
+    std::optional<Vec3> best = known ? known : surface_below(point);
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
       for (const Vec3& direction : {axis, -axis}) {
         const std::optional<Real> way = way_to_surface(point, direction, value);
