@@ -125,7 +125,7 @@ class Bvh {
   // Fits the boxes above items that moved, and makes sub-trees anew that have worn. A box around these items, before
   // and after.
   [[nodiscard]] Aabb settle();
-  // Whether what a query costs has grown by more since the tree was made than its sub-trees may.
+  // Whether a query costs much more than when the tree was made: for want of memory, or where little has changed.
   [[nodiscard]] bool is_worn() const;
 
   // The least of value_of(item), where side 0 to 2 asks for the low side of the box along an axis, 3 to 5 for the
