@@ -8,7 +8,7 @@ set(abut_kernel_discs abut.narrow.fan.disc_depth_of_pair)
 set(abut_kernel_fields abut.narrow.many.field_contacts)
 set(abut_kernel_field_surfaces abut.narrow.many.field_surfaces)
 set(abut_kernel_half_space abut.narrow.many.half_space)
-set(abut_kernel_hole abut.narrow.many.hole)
+set(abut_kernel_hole abut.narrow.many.hole_surfaces)
 set(abut_kernel_surfaces abut.narrow.many.two_surfaces)
 set(abut_kernels discs fields field_surfaces half_space hole surfaces)
 

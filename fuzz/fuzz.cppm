@@ -36,7 +36,8 @@ struct Record {
   std::array<Real, 8> b{};
   std::array<Real, 4> rotation{};  // quaternion of b in the frame of a; w, x, y, z
   std::array<Real, 3> position{};
-  std::array<Real, 2> extra{};  // margin of the contact query; not used
+  std::array<Real, 2>
+      extra{};  // margin of the contact query; how distance fields are interpolated and bent, 0: neither
 };
 
 // Missing bytes are zero, further ones are ignored.

@@ -24,7 +24,8 @@ std::string fault(std::string_view what, Real got, Real expected) {
 bool is_convex(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Convex<S>; }, shape);
 }
-bool is_unbounded(const AnyShape& shape) { return !aabb_of(shape, Pose::identity()).is_bounded(); }
+// The box of a hole is that of its cavity.
+bool is_unbounded(const AnyShape& shape) { return shape.is_hole() || !aabb_of(shape, Pose::identity()).is_bounded(); }
 // Convex, bounded or not: the least translation that parts it is unique in length.
 bool is_solid(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Convex<S> || HalfSpace<S>; }, shape);
@@ -36,7 +37,7 @@ bool has_back(const AnyShape& shape) {
         if constexpr (requires { s.triangle_count(); }) {
           return s.parameters()[0] == 0;
         } else {
-          return Convex<S> || HalfSpace<S> || SampledSolid<S>;
+          return Convex<S> || HalfSpace<S> || SampledSolid<S> || Hole<S>;
         }
       },
       shape);
@@ -243,7 +244,9 @@ Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manif
     return "contacts of shapes that are apart";
   }
   const bool solid = is_solid(scene.a) && is_solid(scene.b);
-  if (distance.distance < scene.margin - noise && found.empty() && has_back(scene.a) && has_back(scene.b)) {
+  // Without an upper bound there may be nothing to touch, as in a field whose samples are all positive.
+  const bool is_sure = distance.upper < std::numeric_limits<Real>::infinity();
+  if (is_sure && distance.distance < scene.margin - noise && found.empty() && has_back(scene.a) && has_back(scene.b)) {
     return fault("no contacts at distance", distance.distance, scene.margin);
   }
   Real deepest = std::numeric_limits<Real>::infinity();

@@ -197,6 +197,39 @@ ShapeInput distance_field_input(const Numbers& numbers, bool flat, bool doubled,
   return input;
 }
 
+// Some fields are tri-quadratic, and some are bent by a lattice whose points have moved by less than their spacing.
+void form_field(ShapeInput& input, Real form) {
+  Random random(std::bit_cast<std::uint64_t>(form));
+  const bool is_smooth = random.below(2) == 0, is_bent = random.below(2) == 0;
+  input.parameters.push_back(is_smooth ? 1 : 0);
+  if (!is_bent) {
+    return;
+  }
+  std::array<std::size_t, 3> points{};
+  std::array<Real, 3> spacings{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    points.at(axis) = 2 + random.below(2);
+    spacings.at(axis) =
+        (input.parameters[axis] - 1) * input.parameters[axis + 3] / static_cast<Real>(points.at(axis) - 1);
+  }
+  for (const std::size_t count : points) {
+    input.parameters.push_back(static_cast<Real>(count));
+  }
+  const Real reach = random.between(0, 0.2) * std::min({spacings[0], spacings[1], spacings[2]});
+  const auto place = [&](std::size_t axis, std::size_t at) {
+    return input.parameters[axis + 6] + spacings.at(axis) * static_cast<Real>(at) + random.between(-reach, reach);
+  };
+  for (std::size_t k = 0; k < points[2]; ++k) {
+    for (std::size_t j = 0; j < points[1]; ++j) {
+      for (std::size_t i = 0; i < points[0]; ++i) {
+        input.reals.push_back(place(0, i));
+        input.reals.push_back(place(1, j));
+        input.reals.push_back(place(2, k));
+      }
+    }
+  }
+}
+
 // Kinds that came later are no children, so that records keep the scenes that they stand for.
 constexpr std::size_t kinds_of_children = 18;
 
@@ -325,6 +358,9 @@ Result<Scene> make_scene(std::size_t place_a, std::size_t place_b, const Record&
   const auto has = [&](std::uint8_t flag) { return (record.flags & flag) != 0; };
   const auto shape = [&](std::size_t place, const Numbers& numbers, bool flat, bool doubled) {
     ShapeInput input = shape_input(place, numbers, flat, doubled, record.flags);
+    if (kind_name(place) == "distance_field" && record.extra[1] != 0) {
+      form_field(input, record.extra[1]);
+    }
     scale(kind_name(place), input, by);
     return make_shape(place, input.parameters, input.reals, input.indices);
   };

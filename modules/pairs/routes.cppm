@@ -16,6 +16,8 @@ enum class Route : std::uint8_t {
   parts_of_both,
   scattered,
   hole,
+  hole_and_parts,
+  hole_of_samples,
   sampled,
   sampled_and_parts,
   sampled_both,
@@ -31,7 +33,7 @@ template <class A, class B>
     return Route::unsupported;
   } else if constexpr (Assembly<A> || Assembly<B>) {
     return Route::children;
-  } else if constexpr (Hole<A> && (Hole<B> || HalfSpace<B> || Surface<B> || SampledSolid<B>)) {
+  } else if constexpr (Hole<A> && (Hole<B> || HalfSpace<B>)) {
     return Route::unsupported;
   } else if constexpr (Scattered<A>) {
     return Route::scattered;
@@ -39,6 +41,10 @@ template <class A, class B>
     return Route::none;
   } else if constexpr (Hole<A> && Convex<B>) {
     return Route::hole;
+  } else if constexpr (Hole<A> && Surface<B>) {
+    return Route::hole_and_parts;
+  } else if constexpr (Hole<A> && SampledSolid<B>) {
+    return Route::hole_of_samples;
   } else if constexpr (SampledSolid<A> && Convex<B>) {
     return Route::sampled;
   } else if constexpr (SampledSolid<A> && Surface<B>) {

@@ -189,9 +189,14 @@ class Mesh {
   // Calls visit(triangle) for all around the vertices of an edit: once each where these are a range.
   template <class Visitor>
   void visit_moved(const VertexEdit& edit, Visitor&& visit) const {
+    constexpr std::size_t ahead = 16;
     const Data& mesh = *data_;
-    for (std::size_t i = 0; i < edit.xyz.size() / 3; ++i) {
+    const std::size_t count = edit.xyz.size() / 3;
+    for (std::size_t i = 0; i < count; ++i) {
       const std::uint32_t vertex = moved_vertex(edit, i);
+      if (!edit.vertices.empty()) {
+        fetch_around(edit, i + 2 * ahead, i + ahead, i + ahead / 2);
+      }
       for (const std::uint32_t triangle : neighbours().around_vertex(vertex)) {
         // One that several vertices of a range share moves with the first of them.
         const auto its = std::span(mesh.indices).subspan(3 * std::size_t{triangle}, 3);
@@ -200,6 +205,26 @@ class Mesh {
           visit(triangle);
         }
       }
+    }
+  }
+  // Asks the memory for what lies around vertices that are moved later: where the list of their triangles begins, then
+  // the list, then the triangles.
+  void fetch_around(const VertexEdit& edit, std::size_t begin, std::size_t list, std::size_t triangles) const {
+    if (begin < edit.vertices.size()) {
+      neighbours().fetch_begin(edit.vertices[begin]);
+    }
+    if (list < edit.vertices.size()) {
+      neighbours().fetch_list(edit.vertices[list]);
+    }
+    if (triangles < edit.vertices.size()) {
+      for (const std::uint32_t triangle : neighbours().around_vertex(edit.vertices[triangles])) {
+        __builtin_prefetch(&data_->indices[3 * std::size_t{triangle}]);
+      }
+    }
+  }
+  void fetch_corners(std::uint32_t triangle) const {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      __builtin_prefetch(&data_->vertices[data_->indices[3 * std::size_t{triangle} + corner]]);
     }
   }
   // A box around the triangles that share a corner with one.

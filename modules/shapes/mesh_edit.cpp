@@ -85,9 +85,6 @@ Aabb Mesh::follow(std::uint32_t touched, const Aabb& moved) {
     Vec3& bound = side < 3 ? data.box.low : data.box.high;
     (axis == 0 ? bound.x : axis == 1 ? bound.y : bound.z) = sign * value;
   }
-  if (tree.is_worn()) {
-    data.tree.forget();
-  }
   // What is inside of a solid may change anywhere. Whether an edge dips depends on the triangles that share a corner
   // with it, which reach so much further.
   const Vec3 reach = data.widest;
@@ -121,13 +118,30 @@ Aabb Mesh::apply(const VertexEdit& edit) {
   }
   Bvh& tree = *data.tree.made();
   Aabb moved = Aabb::empty();
+  // Vertices that are scattered lie anywhere in the memory. So what a block of triangles needs is asked for at once.
+  SmallVector<std::uint32_t, 64> block;
+  const auto move_block = [&] {
+    for (const std::uint32_t triangle : block.span()) {
+      fetch_corners(triangle);
+      tree.fetch_node_of(triangle);
+    }
+    for (const std::uint32_t triangle : block.span()) {
+      const Aabb box = box_around(corners(triangle));
+      tree.move(triangle, box);
+      touch_in_other(triangle);
+      moved.include(box);
+      data.widest = maximum(data.widest, box.high - box.low);
+    }
+    block.clear();
+  };
   visit_moved(edit, [&](std::uint32_t triangle) {
-    const Aabb box = box_around(corners(triangle));
-    tree.move(triangle, box);
-    touch_in_other(triangle);
-    moved.include(box);
-    data.widest = maximum(data.widest, box.high - box.low);
+    tree.fetch_place(triangle);
+    block.push_back(triangle);
+    if (block.size() == 64) {
+      move_block();
+    }
   });
+  move_block();
   settle_other();
   return follow(touched, moved);
 }
@@ -184,9 +198,6 @@ void Mesh::settle_tree() {
   Data& data = data_.own();
   if (std::optional<Bvh>& tree = data.tree.made()) {
     static_cast<void>(tree->settle());
-    if (tree->is_worn()) {
-      data.tree.forget();
-    }
   }
 }
 

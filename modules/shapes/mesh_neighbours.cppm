@@ -16,6 +16,13 @@ class MeshNeighbours {
       [[clang::lifetimebound]] {
     return std::span(around_).subspan(first_around_[vertex], first_around_[vertex + 1] - first_around_[vertex]);
   }
+  // Asks the memory for where the triangles around a vertex are listed, and for the list.
+  inline void fetch_begin(std::uint32_t vertex) const { __builtin_prefetch(&first_around_[vertex]); }
+  inline void fetch_list(std::uint32_t vertex) const {
+    if (const std::uint32_t begin = first_around_[vertex]; begin < around_.size()) {
+      __builtin_prefetch(&around_[begin]);
+    }
+  }
   // The corner that the neighbour across an edge of a triangle has opposite to it. Edge i leads from corner i to the
   // next one. Across a border it is the corner of the triangle itself; where several neighbours share the edge,
   // no_index.

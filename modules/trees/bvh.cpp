@@ -8,16 +8,6 @@ import abut.trees.eight_boxes;
 namespace abut {
 namespace {
 
-// What the chance of being visited is proportional to. Of no box it is nothing.
-double surface_of(const BoxSides& sides) {
-  const auto minus_length = [&](std::size_t axis) {
-    return static_cast<double>(sides[axis]) + static_cast<double>(sides[axis + 3]);
-  };
-  const double x = minus_length(0), y = minus_length(1), z = minus_length(2);
-  const double surface = x * y + y * z + z * x;
-  return surface < std::numeric_limits<double>::infinity() ? surface : 0;
-}
-
 Aabb box_around(std::span<const Aabb> boxes) {
   Aabb around = Aabb::empty();
   for (const Aabb& box : boxes) {
@@ -58,7 +48,8 @@ std::uint32_t Bvh::item_near(const Vec3& point) const {
 
 std::size_t Bvh::bytes() const {
   return nodes_.capacity() * sizeof(EightBoxes) + stale_.capacity() * sizeof(std::uint64_t) +
-         (places_.capacity() + parents_.capacity()) * sizeof(std::uint32_t);
+         wear_.capacity() * sizeof(Wear) +
+         (places_.capacity() + parents_.capacity() + unused_.capacity()) * sizeof(std::uint32_t);
 }
 
 void Bvh::make_room() {
@@ -67,6 +58,7 @@ void Bvh::make_room() {
   }
   std::vector<std::uint32_t> places, parents(nodes_.size(), nobody);
   std::vector<std::uint64_t> stale(nodes_.size() / 64 + 1, 0);
+  std::vector<Wear> wear(nodes_.size());
   std::uint32_t most = 0;
   for (const EightBoxes& node : nodes_) {
     for (const std::uint32_t child : node.numbers) {
@@ -74,30 +66,67 @@ void Bvh::make_room() {
     }
   }
   places.resize(most, nobody);
-  surface_ = 0;
   for (std::uint32_t place = 0; place < nodes_.size() * EightBoxes::width; ++place) {
-    const EightBoxes& node = nodes_[place / EightBoxes::width];
-    const std::uint32_t child = node.numbers[place % EightBoxes::width];
+    const std::uint32_t child = nodes_[place / EightBoxes::width].numbers[place % EightBoxes::width];
     if (child != nobody) {
       (EightBoxes::is_item(child) ? places[EightBoxes::item_of(child)] : parents[child]) = place;
-      surface_ += surface_of(node.sides_of_lane(place % EightBoxes::width));
     }
   }
-  first_surface_ = surface_ / root_surface();
   places_ = std::move(places);
   stale_ = std::move(stale);
+  wear_ = std::move(wear);
   parents_ = std::move(parents);
+  for (std::size_t node = nodes_.size(); node > 0; --node) {
+    weigh(static_cast<std::uint32_t>(node - 1), 2 * most_levels);
+  }
 }
 
-double Bvh::root_surface() const {
-  // Items without extent have none at all.
-  return std::max(surface_of(nodes_[0].sides_around()), std::numeric_limits<double>::min());
+double Bvh::surface_of(const BoxSides& sides) {
+  const auto minus_length = [&](std::size_t axis) {
+    return static_cast<double>(sides[axis]) + static_cast<double>(sides[axis + 3]);
+  };
+  const double x = minus_length(0), y = minus_length(1), z = minus_length(2);
+  const double surface = x * y + y * z + z * x;
+  return surface < std::numeric_limits<double>::infinity() ? surface : 0;
 }
+
+double Bvh::surface_of_node(std::uint32_t node) const {
+  // Items without extent have none at all.
+  return std::max(surface_of(nodes_[node].sides_around()), std::numeric_limits<double>::min());
+}
+
+void Bvh::weigh(std::uint32_t node, std::uint32_t made_below) {
+  double sum = 0;
+  std::uint32_t height = 0;
+  for (std::size_t lane = 0; lane < EightBoxes::width; ++lane) {
+    const std::uint32_t child = nodes_[node].numbers[lane];
+    if (child == nobody) {
+      continue;
+    }
+    sum += surface_of(nodes_[node].sides_of_lane(lane));
+    if (!EightBoxes::is_item(child)) {
+      sum += wear_[child].sum;
+      height = std::max(height, wear_[child].height);
+    }
+  }
+  const double surface = surface_of_node(node);
+  wear_[node] = {sum, 0, sum / surface, surface, height + 1, made_below};
+}
+
+bool Bvh::is_worn(std::uint32_t node, double surface, double sum) const {
+  constexpr double most = 1.2;
+  // Eight items stay eight items.
+  return wear_[node].height > 1 && sum > most * wear_[node].first * surface;
+}
+
+bool Bvh::is_worn() const { return is_worn(0, surface_of_node(0), wear_[0].sum); }
 
 void Bvh::set_lane(std::uint32_t place, const BoxSides& sides) {
   const std::uint32_t index = place / EightBoxes::width;
   EightBoxes& node = nodes_[index];
-  surface_ += surface_of(sides) - surface_of(node.sides_of_lane(place % EightBoxes::width));
+  const double grown = surface_of(sides) - surface_of(node.sides_of_lane(place % EightBoxes::width));
+  wear_[index].sum += grown;
+  wear_[index].untold += grown;
   node.set_sides(place % EightBoxes::width, sides);
   stale_[index / 64] |= std::uint64_t{1} << index % 64;
 }
@@ -127,13 +156,35 @@ Aabb Bvh::settle() {
     while (stale_[word - 1] != 0) {
       const auto bit = static_cast<std::size_t>(std::bit_width(stale_[word - 1])) - 1;
       stale_[word - 1] ^= std::uint64_t{1} << bit;
-      const std::uint32_t place = parents_[64 * (word - 1) + bit];
-      if (place == nobody) {
+      const auto node = static_cast<std::uint32_t>(64 * (word - 1) + bit);
+      const BoxSides around = nodes_[node].sides_around();
+      const double surface = std::max(surface_of(around), std::numeric_limits<double>::min());
+      // What has become better may be expected from then on.
+      wear_[node].first = std::min(wear_[node].first, wear_[node].sum / surface);
+      // Where the node above has worn as well, that one is made anew.
+      const auto is_left_to_parent = [&] {
+        const std::uint32_t parent = parents_[node] / EightBoxes::width;
+        return node != 0 && is_worn(parent, surface_of_node(parent), wear_[parent].sum + wear_[node].untold);
+      };
+      if (is_worn(node, surface, wear_[node].sum) && !is_left_to_parent()) [[unlikely]] {
+        try {
+          renew(node);
+        } catch (const std::bad_alloc&) {
+          // The tree is right as it is, and only slower.
+        }
+      }
+      if (node == 0) {
+        wear_[node].untold = 0;
         continue;
       }
-      const BoxSides around = nodes_[64 * (word - 1) + bit].sides_around();
-      if (around != nodes_[place / EightBoxes::width].sides_of_lane(place % EightBoxes::width)) {
+      const std::uint32_t place = parents_[node], above = place / EightBoxes::width;
+      if (around != nodes_[above].sides_of_lane(place % EightBoxes::width)) {
         set_lane(place, around);
+      }
+      if (const double untold = std::exchange(wear_[node].untold, 0); untold != 0) {
+        wear_[above].sum += untold;
+        wear_[above].untold += untold;
+        stale_[above / 64] |= std::uint64_t{1} << above % 64;
       }
     }
   }
@@ -145,11 +196,6 @@ Aabb Bvh::settle() {
     return sum - sign * (2 * epsilon) * (absolute(sum) + absolute(origin_));
   };
   return {wide(0, 1), wide(3, -1)};
-}
-
-bool Bvh::is_worn() const {
-  constexpr double most = 1.5;
-  return surface_ > most * first_surface_ * root_surface();
 }
 
 }  // namespace abut

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A bounding volume hierarchy of boxes that are all there from the start, such as those of the triangles of a mesh.
 // Boxes are relative to the middle of all, so that single precision loses little far from the origin. They may move
-// later, or go: then the boxes around them are fitted, and the tree keeps its form.
+// later, or go: then the boxes around them are fitted. The tree keeps its form but where that has worn.
 export module abut.trees.bvh;
 import abut.core.standard;
 import abut.core;
@@ -110,9 +110,22 @@ class Bvh {
     }
   }
   void move(std::uint32_t item, const Aabb& box);
-  // Fits the boxes above items that moved. A box around these items, before and after.
+  // Asks the memory for what move needs of an item: first where it lies, and later, when that has come, its node.
+  inline void fetch_place(std::uint32_t item) const {
+    if (item < places_.size()) {
+      __builtin_prefetch(&places_[item]);
+    }
+  }
+  inline void fetch_node_of(std::uint32_t item) const {
+    if (const std::uint32_t place = item < places_.size() ? places_[item] : nobody; place != nobody) {
+      fetch(nodes_[place / EightBoxes::width]);
+      __builtin_prefetch(&wear_[place / EightBoxes::width]);
+    }
+  }
+  // Fits the boxes above items that moved, and makes sub-trees anew that have worn. A box around these items, before
+  // and after.
   [[nodiscard]] Aabb settle();
-  // Whether what a query costs, by the surfaces of all boxes, has grown by a half since the tree was made.
+  // Whether a query costs much more than when the tree was made: for want of memory, or where little has changed.
   [[nodiscard]] bool is_worn() const;
 
   // The least of value_of(item), where side 0 to 2 asks for the low side of the box along an axis, 3 to 5 for the
@@ -144,6 +157,7 @@ class Bvh {
 
  private:
   friend class BvhBuild;
+  friend class BvhRenewal;
   using Floats = EightBoxes::Floats;
 
   // The low sides and the negated high sides of a box, one lane without use, and the bits of the number of the item.
@@ -216,19 +230,38 @@ class Bvh {
         {its.low[0], its.low[1], its.low[2], -its.high[0], -its.high[1], -its.high[2], 0, std::bit_cast<float>(item)}};
   }
   void build(std::vector<Entry> entries, const Workers& workers);
+  // The nodes of a tree whose root lies at a level of another one.
+  [[nodiscard]] static std::vector<EightBoxes> made_of(std::vector<Entry> entries, std::uint32_t level,
+                                                       const Workers& workers);
   void set_lane(std::uint32_t place, const BoxSides& sides);
-  [[nodiscard]] double root_surface() const;
+
+  // What a query costs below a node: the surfaces of all boxes there.
+  struct Wear {
+    double sum, untold;           // and what of it the node above has not been told yet
+    double first, first_surface;  // when the form was made: the sum relative to the surface of the node, and that
+    std::uint32_t height;         // 1: only items are below
+    std::uint32_t made_below;     // the height of the node below which its form was made
+  };
+  // What the chance of a visit is proportional to. Of no box it is nothing.
+  [[nodiscard]] static double surface_of(const BoxSides& sides);
+  [[nodiscard]] double surface_of_node(std::uint32_t node) const;
+  [[nodiscard]] bool is_worn(std::uint32_t node, double surface, double sum) const;
+  // As a node whose form has just been made, below one of a height. Its children are known already.
+  void weigh(std::uint32_t node, std::uint32_t made_below);
+  // Makes the tree below a node anew, if that is better.
+  void renew(std::uint32_t node);
 
   Aabb bounds_ = Aabb::empty();
   Vec3 origin_{0, 0, 0};                                // the middle of the bounds
   std::vector<EightBoxes> nodes_{EightBoxes::empty()};  // children come after their parents
 
   // Only for changes. A place is the index of a node times eight plus a lane.
-  std::vector<std::uint32_t> places_;       // of items
-  std::vector<std::uint32_t> parents_;      // places of nodes
-  std::vector<std::uint64_t> stale_;        // a bit for each node whose children have changed
-  BoxSides changed_ = no_sides;             // around what has moved since the last settle, before and after
-  double surface_ = 0, first_surface_ = 0;  // of the boxes of all children; and at the start, relative to the root
+  std::vector<std::uint32_t> places_;   // of items
+  std::vector<std::uint32_t> parents_;  // places of nodes
+  std::vector<std::uint64_t> stale_;    // a bit for each node whose children have changed
+  std::vector<Wear> wear_;              // of nodes
+  std::vector<std::uint32_t> unused_;   // nodes that sub-trees which were made anew left over
+  BoxSides changed_ = no_sides;         // around what has moved since the last settle, before and after
 };
 
 }  // namespace abut

@@ -16,7 +16,7 @@ class BvhBuild {
   using Entry = Bvh::Entry;
   using Floats = Bvh::Floats;
 
-  explicit BvhBuild(std::vector<Entry> entries) : entries_(std::move(entries)) {}
+  BvhBuild(std::vector<Entry> entries, std::uint32_t level) : entries_(std::move(entries)), level_(level) {}
 
   [[nodiscard]] std::vector<EightBoxes> nodes(const Workers& workers) {
     cut_all(workers);
@@ -267,7 +267,7 @@ class BvhBuild {
   void cut_all(const Workers& workers) {
     const auto all = static_cast<std::uint32_t>(entries_.size());
     const std::uint32_t most_of_task = std::max(most_packed, all / 64);
-    ranges_.push_back({0, all, 0, 0, 0, none()});
+    ranges_.push_back({0, all, level_, 0, 0, none()});
     std::vector<std::uint32_t> large, tasks;
     const auto sort_in = [&](std::uint32_t range) {
       (ranges_[range].size() > most_of_task ? large : tasks).push_back(range);
@@ -370,11 +370,12 @@ class BvhBuild {
   void fill_items(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t i = begin; i < end; ++i) {
       nodes_[node].set_sides(i - begin, sides_of(entries_[i].lanes));
-      nodes_[node].numbers[i - begin] = entries_[i].number() | EightBoxes::item_bit;
+      nodes_[node].numbers[i - begin] = entries_[i].number() ^ EightBoxes::item_bit;
     }
   }
 
   std::vector<Entry> entries_;
+  std::uint32_t level_;
   std::vector<Range> ranges_;
   std::vector<Inner> inner_;
   std::vector<Cluster> clusters_;
@@ -384,7 +385,11 @@ class BvhBuild {
 
 void Bvh::build(std::vector<Entry> entries, const Workers& workers) {
   std::erase_if(entries, [](const Entry& entry) { return entry.number() == nobody; });
-  nodes_ = BvhBuild(std::move(entries)).nodes(workers);
+  nodes_ = made_of(std::move(entries), 0, workers);
+}
+
+std::vector<EightBoxes> Bvh::made_of(std::vector<Entry> entries, std::uint32_t level, const Workers& workers) {
+  return BvhBuild(std::move(entries), level).nodes(workers);
 }
 
 }  // namespace abut

@@ -107,7 +107,7 @@ class UvCells {
     --levels_[place.level].items;
     fit_from(place, box_of);
   }
-  // Whether changes have made what a query costs grow by a half in a cell that has a tree.
+  // Whether changes have made a query cost much more in a cell that has a tree.
   [[nodiscard]] bool is_worn() const { return is_worn_; }
 
   // Around all items.

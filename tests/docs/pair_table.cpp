@@ -33,8 +33,10 @@ constexpr std::array signs{
 // Of surfaces and of particles each part is met by itself.
 constexpr std::array part_by_part{std::string_view("a half-space against a surface"),
                                   std::string_view("a surface against a convex shape"),
-                                  std::string_view("two surfaces"), std::string_view("many solids of one kind"),
-                                  std::string_view("a sampled solid against a surface")};
+                                  std::string_view("two surfaces"),
+                                  std::string_view("many solids of one kind"),
+                                  std::string_view("a sampled solid against a surface"),
+                                  std::string_view("a hole against a surface")};
 
 std::string sign_of(std::size_t a, std::size_t b) {
   if (!abut::is_supported(a, b)) {

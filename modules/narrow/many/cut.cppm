@@ -17,7 +17,8 @@ struct RimSeed {
 };
 
 // A composite against another shape, which is neither a composite nor made of scattered parts. Both are placed in one
-// frame. The other shape knows its box, its distance to a point of its own frame, and its contacts with a hole.
+// frame. The other shape knows its box, its distance to a point of its own frame, and its contacts with a hole. It also
+// tells whether it is a sheet. A triangle or less tells whether it comes through a wall of a hole from inside.
 template <class Composite, class Other>
 class Carver {
  public:
@@ -33,10 +34,30 @@ class Carver {
   // Takes out the contacts with solids where there is a hole, and adds those with walls and rims. Normals lead from the
   // composite to the other shape.
   void carve(const QuerySettings& settings, Manifold& contacts, Manifold& added) {
+    carve_walls(settings, contacts, added);
+    add_rims(settings, added);
+  }
+
+  // The same without those with rims, which the places where holes took contacts lead to. A part of a shape leaves them
+  // to the whole.
+  void carve_walls(const QuerySettings& settings, Manifold& contacts, Manifold& added) {
     for (const auto& hole : composite_.holes()) {
       add_walls(hole, settings, contacts, added);
     }
     std::erase_if(contacts, [&](const ContactPoint& contact) { return is_cut_away(contact); });
+  }
+  [[nodiscard]] std::span<const RimSeed> seeds() const [[clang::lifetimebound]] { return seeds_; }
+  // Places of one hole and solid that are near each other lead to the same rims.
+  void add_rims_from(std::span<const RimSeed> seeds, const QuerySettings& settings, Manifold& added) {
+    for (const RimSeed& seed : seeds) {
+      const Real apart = half_size_of(seed.hole) / 2;
+      const auto is_known = [&](const RimSeed& other) {
+        return other.solid == seed.solid && other.hole == seed.hole && norm(other.place - seed.place) < apart;
+      };
+      if (std::ranges::none_of(seeds_, is_known)) {
+        add_seed(seed.solid, seed.hole, seed.place);
+      }
+    }
     add_rims(settings, added);
   }
 
@@ -58,6 +79,11 @@ class Carver {
       move_by(*found, placed);
     }
     return found;
+  }
+  // Half the longest side of a hole.
+  [[nodiscard]] Real half_size_of(std::uint32_t hole) const {
+    const Aabb box = std::visit([](const auto& shape) { return shape.aabb(Pose::identity()); }, child(hole));
+    return 0.5 * largest_magnitude(box.high - box.low);
   }
   [[nodiscard]] bool is_in_solid(std::uint32_t solid, const Vec3& point, Real inset) const {
     const auto found = distance_to_child(solid, point);
@@ -100,7 +126,7 @@ class Carver {
     Real deepest_wall = infinity;
     Manifold reached;
     for (ContactPoint& contact : found) {
-      if (!reaches_from_inside(contact)) {
+      if (!reaches_from_inside(hole, contact)) {
         continue;
       }
       if (material_at(hole, contact.point_a)) {
@@ -130,9 +156,13 @@ class Carver {
   }
 
   // A shape that went through a wall holds a point of the wall. Otherwise it lies elsewhere outside of the cavity.
-  [[nodiscard]] bool reaches_from_inside(const ContactPoint& contact) const {
+  [[nodiscard]] bool reaches_from_inside(const Hole& hole, const ContactPoint& contact) const {
     if (contact.distance >= 0) {
       return true;
+    }
+    const Pose in_hole = relative(child_pose(hole.child), other_pose_);
+    if (const auto is_through = other_.comes_through(child(hole.child), in_hole, contact.feature_a.index, noise_)) {
+      return *is_through;
     }
     const auto found = other_.distance_to(other_pose_.undo(contact.point_a));
     return found && found->distance <= noise_;
@@ -148,7 +178,10 @@ class Carver {
         add_seeds(hole, contact.point_b);
         return true;
       }
-      if (holds(hole.child, contact.point_b, noise_) && holds(hole.child, centre_, noise_)) {
+      if (contact.distance < 0 && holds(hole.child, contact.point_b, noise_) && holds(hole.child, centre_, noise_)) {
+        if (other_.is_sheet()) {
+          add_seeds(hole, contact.point_b);  // it may go on past the rim
+        }
         return true;
       }
     }
@@ -157,15 +190,17 @@ class Carver {
 
   void add_seeds(const Hole& hole, const Vec3& place) {
     for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
-      const auto is_of_both = [&](const RimSeed& seed) { return seed.solid == solid && seed.hole == hole.child; };
       const auto is_known = [&](const RimSeed& seed) {
-        return is_of_both(seed) && largest_magnitude(seed.place - place) == 0;
+        return seed.solid == solid && seed.hole == hole.child && largest_magnitude(seed.place - place) == 0;
       };
       if (!child(solid).is_hole() && std::ranges::none_of(seeds_, is_known)) {
-        seeds_.push_back(
-            {solid, hole.child, static_cast<std::uint32_t>(std::ranges::count_if(seeds_, is_of_both)), place});
+        add_seed(solid, hole.child, place);
       }
     }
+  }
+  void add_seed(std::uint32_t solid, std::uint32_t hole, const Vec3& place) {
+    const auto is_of_both = [&](const RimSeed& seed) { return seed.solid == solid && seed.hole == hole; };
+    seeds_.push_back({solid, hole, static_cast<std::uint32_t>(std::ranges::count_if(seeds_, is_of_both)), place});
   }
 
   // Searches start at every seed and at places around it, as far away as the hole is wide. The deepest result is
@@ -178,20 +213,26 @@ class Carver {
       const Aabb box = std::visit([](const auto& shape) { return shape.aabb(Pose::identity()); }, child(seed.hole));
       const Vec3 half = 0.5 * (box.high - box.low);
       const Rotation turned = child_pose(seed.hole).rotation;
+      const auto follow = [&](const RimContact& start) {
+        const auto rim_near = [&](const Vec3& place) { return rim_point(seed, place); };
+        const auto to_other = [&](const Vec3& place) { return distance_to_other(place); };
+        return nearest_on_rim(start, std::min(reach_, 2 * half_size_of(seed.hole)), noise_, rim_near, to_other);
+      };
       std::array<std::optional<RimContact>, around.size()> found;
       std::optional<RimContact> best;
       for (std::size_t i = 0; i < around.size(); ++i) {
         found[i] = rim_contact_near(
             seed, seed.place + turned * Vec3{around[i].x * half.x, around[i].y * half.y, around[i].z * half.z});
+        // The rim may pierce a sheet in many places.
+        if (found[i] && other_.is_sheet()) {
+          found[i] = follow(*found[i]);
+        }
         if (found[i] && (!best || found[i]->found.distance < best->found.distance)) {
           best = found[i];
         }
       }
       if (best) {
-        const auto rim_near = [&](const Vec3& place) { return rim_point(seed, place); };
-        const auto to_other = [&](const Vec3& place) { return distance_to_other(place); };
-        add_rim(seed, nearest_on_rim(*best, reach_, noise_, rim_near, to_other), around.size(), settings, contacts,
-                first);
+        add_rim(seed, follow(*best), around.size(), settings, contacts, first);
       }
       for (std::size_t i = 0; i < around.size(); ++i) {
         if (found[i]) {
@@ -229,7 +270,8 @@ class Carver {
     const auto is_same = [&](const ContactPoint& other) {
       return largest_magnitude(other.point_a - place) <= 1e-6 * size_;
     };
-    if (!(rim.found.distance <= settings.margin) || is_in_hole_of(seed.solid, place, seed.hole) ||
+    const bool is_pierced = other_.is_sheet() && rim.found.distance <= noise_;
+    if (!(rim.found.distance <= settings.margin || is_pierced) || is_in_hole_of(seed.solid, place, seed.hole) ||
         std::ranges::any_of(std::span(contacts).subspan(first), is_same)) {
       return;
     }
@@ -238,9 +280,23 @@ class Carver {
         whole{FeatureKind::whole, 0};
     ContactPoint contact{place, rim.found.point_b,      rim.found.normal, rim.found.distance, edge,
                          whole, contact_id(edge, whole)};
+    if (is_pierced) {
+      leave_material(seed, contact);
+    }
     contact.child_a = seed.hole;
     contact.id = contact_id_of_part(contact_id_of_part(contact.id, seed.hole), seed.solid);
     contacts.push_back(contact);
+  }
+
+  // A sheet has no inside, so a rim that pierces it is no depth in it. Where the material is tells the side.
+  void leave_material(const RimSeed& seed, ContactPoint& contact) const {
+    const auto of_solid = distance_to_child(seed.solid, contact.point_a);
+    const auto of_hole = distance_to_child(seed.hole, contact.point_a);
+    if (of_solid && of_hole && dot(contact.normal, of_solid->normal + of_hole->normal) < 0) {
+      contact.normal = -contact.normal;
+    }
+    contact.point_b = contact.point_a;
+    contact.distance = 0;
   }
 
   [[nodiscard]] std::optional<RimPoint> rim_point(const RimSeed& seed, const Vec3& place) const {

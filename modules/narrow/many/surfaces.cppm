@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces: a mesh or a height field against convex shapes and half-spaces, triangle by triangle.
+// Surfaces: a mesh or a height field against convex shapes, triangle by triangle.
 export module abut.narrow.many.surfaces;
 import abut.capability;
 import abut.core.standard;
@@ -8,7 +8,7 @@ import abut.math;
 import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.many.four_nearest;
-import abut.narrow.many.half_space;
+export import abut.narrow.many.half_space_surfaces;
 import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.point_ghosts;
 import abut.narrow.many.quick_axes;
@@ -17,7 +17,6 @@ import abut.narrow.many.solid_depth;
 import abut.narrow.many.surface_contacts;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.many.way_out;
-import abut.narrow.points.lane_contact;
 
 export namespace abut {
 
@@ -151,54 +150,6 @@ template <Surface A, Convex B>
       settle_depth(solid_depth(a, b, ab, settings), first, settings.margin, out);
     }
   }
-  return Outcome::ok;
-}
-
-// How much heights over a plane may be off by rounding.
-template <Surface B>
-[[nodiscard]] Real noise_of_heights(const B& b, const PlaneBelow& plane) {
-  const Aabb box = b.aabb(Pose::identity());
-  return 16 * epsilon * (largest_magnitude(maximum(absolute(box.low), absolute(box.high))) + std::fabs(plane.height));
-}
-
-// A half-space against the parts that reach lowest: what lies behind the plane counts.
-template <HalfSpace A, Surface B>
-[[nodiscard]] Outcome half_space_parts_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                                Distance& out) {
-  if (!takes_closed_forms(settings.algorithm)) {
-    return Outcome::unsupported;
-  }
-  out = no_distance();
-  const PlaneBelow plane = plane_below(a, Pose::identity(), ab);
-  // Parts that are as low as the lowest so far are passed over: of a flat surface, these would be all.
-  const Real noise = noise_of_heights(b, plane);
-  Real limit = infinity;
-  b.visit_below(plane.local_normal, limit, [&](const typename B::Part& part, std::uint32_t) {
-    Distance distance{};
-    if (half_space_distance(a, part, ab, settings, distance) == Outcome::ok) {
-      take_part(distance, out);
-    }
-    limit = out.distance - plane.height - noise;
-  });
-  return Outcome::ok;
-}
-
-template <HalfSpace A, Surface B>
-[[nodiscard]] Outcome half_space_parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                                Manifold& out) {
-  if (!takes_closed_forms(settings.algorithm)) {
-    return Outcome::unsupported;
-  }
-  const PlaneBelow plane = plane_below(a, Pose::identity(), ab);
-  Real limit = settings.margin - plane.height + noise_of_heights(b, plane);
-  b.visit_below(plane.local_normal, limit, [&](const typename B::Part& part, std::uint32_t index) {
-    face_on_plane(plane, part, ab, settings.margin, [&](const LaneContact& contact) {
-      append_contact(contact, out);
-      ContactPoint& added = out.back();
-      added.id = contact_id_of_part(added.id, index);
-      added.feature_b = {FeatureKind::face, index};
-    });
-  });
   return Outcome::ok;
 }
 

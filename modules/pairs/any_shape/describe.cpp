@@ -18,13 +18,15 @@ std::string_view reason_of(Route route) {
     case Route::parts_of_both: return "two surfaces";
     case Route::scattered: return "many solids of one kind";
     case Route::hole: return "a hole against what is in it";
+    case Route::hole_and_parts: return "a hole against a surface";
+    case Route::hole_of_samples: return "a hole against a sampled solid";
     case Route::sampled: return "a sampled solid against a convex shape";
     case Route::sampled_and_parts: return "a sampled solid against a surface";
     case Route::sampled_both: return "two sampled solids";
     case Route::half_space_of_samples: return "a half-space against a sampled solid";
     case Route::children: return "a composite";
     case Route::unsupported:
-    case Route::none: return "planes never meet planes, and holes meet solids only";
+    case Route::none: return "two that fill space without end: planes, holes";
   }
   return {};
 }

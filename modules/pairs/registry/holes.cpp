@@ -6,11 +6,59 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.many.cut;
-import abut.narrow.many.hole;
+import abut.narrow.many.through_wall;
 import abut.pairs.rows.by_route;
 
 namespace abut {
 namespace {
+
+// Asks a shape that is a hole; others have no cavity to ask about.
+template <class Answer, class Ask>
+Answer ask_hole(const AnyShape& hole, Answer of_others, Ask&& ask) {
+  return std::visit(
+      [&]<class S>(const S& shape) {
+        if constexpr (Hole<S>) {
+          return Answer(ask(shape));
+        } else {
+          return of_others;
+        }
+      },
+      hole);
+}
+
+// A triangle, a segment or a point.
+template <class B>
+bool is_flat(const B& core) {
+  if constexpr (Convex<B>) {
+    if constexpr (!Curved<B>) {
+      return core.radius() == 0 && core.corner_count() <= 3;
+    }
+  }
+  return false;
+}
+
+// Whether a triangle, a segment or a point comes through a wall of a hole, in whose frame it is placed. Nothing where
+// the core is none of these.
+template <class B>
+std::optional<bool> core_comes_through(const AnyShape& hole, const B& core, const Pose& placed, std::uint32_t face,
+                                       Real noise) {
+  if constexpr (Convex<B>) {
+    if constexpr (!Curved<B>) {
+      if (is_flat(core)) {
+        std::array<Vec3, 3> corners{};
+        const std::uint32_t count = core.corner_count();
+        for (std::uint32_t i = 0; i < count; ++i) {
+          corners.at(i) = placed * core.corner(i);
+        }
+        return ask_hole(hole, false, [&](const auto& cavity) {
+          return comes_through({cavity.flat_walls(), cavity.round_wall()}, face, std::span(corners).first(count),
+                               noise);
+        });
+      }
+    }
+  }
+  return std::nullopt;
+}
 
 // A shape that a composite with holes meets.
 struct LoneShape {
@@ -20,6 +68,21 @@ struct LoneShape {
     return std::visit([&](const auto& s) { return s.aabb(pose); }, shape);
   }
   [[nodiscard]] std::optional<Distance> distance_to(const Vec3& point) const { return shape.distance_to(point); }
+  [[nodiscard]] bool is_sheet() const {
+    return std::visit(
+        []<class S>(const S& s) {
+          if constexpr (Enclosing<S>) {
+            return !s.is_solid();
+          } else {
+            return Surface<S> || is_flat(core_of(s));
+          }
+        },
+        shape);
+  }
+  [[nodiscard]] std::optional<bool> comes_through(const AnyShape& hole, const Pose& placed, std::uint32_t face,
+                                                  Real noise) const {
+    return std::visit([&](const auto& s) { return core_comes_through(hole, core_of(s), placed, face, noise); }, shape);
+  }
   // A hole by itself against what is in it.
   [[nodiscard]] Outcome contacts_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
                                     const QuerySettings& settings, Manifold& found) const {
@@ -37,21 +100,7 @@ struct LoneShape {
   }
 };
 
-// Asks a shape that is a hole; others have no cavity to ask about.
-template <class Ask>
-Outcome ask_hole(const AnyShape& hole, Ask&& ask) {
-  return std::visit(
-      [&]<class S>(const S& shape) {
-        if constexpr (Hole<S>) {
-          return ask(shape);
-        } else {
-          return Outcome::unsupported;
-        }
-      },
-      hole);
-}
-
-// One of many solids of one kind, which is no shape of the table.
+// One of many solids of one kind or of the triangles of a surface, which is no shape of the table.
 template <class Part>
 struct LonePart {
   Part part;
@@ -63,9 +112,14 @@ struct LonePart {
     return distance_by_route(core_of(part), PointCore(0), placed, {}, found) == Outcome::ok ? std::optional(found)
                                                                                             : std::nullopt;
   }
+  [[nodiscard]] bool is_sheet() const { return is_flat(core_of(part)); }
+  [[nodiscard]] std::optional<bool> comes_through(const AnyShape& hole, const Pose& placed, std::uint32_t face,
+                                                  Real noise) const {
+    return core_comes_through(hole, core_of(part), placed, face, noise);
+  }
   [[nodiscard]] Outcome contacts_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
                                     const QuerySettings& settings, Manifold& found) const {
-    const Outcome outcome = ask_hole(hole, [&](const auto& cavity) {
+    const Outcome outcome = ask_hole(hole, Outcome::unsupported, [&](const auto& cavity) {
       return contacts_by_route(cavity, core_of(part), relative(placed, pose), settings, found);
     });
     for (ContactPoint& contact : found) {
@@ -75,7 +129,7 @@ struct LonePart {
   }
   [[nodiscard]] Outcome distance_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
                                     const QuerySettings& settings, Distance& found) const {
-    const Outcome outcome = ask_hole(hole, [&](const auto& cavity) {
+    const Outcome outcome = ask_hole(hole, Outcome::unsupported, [&](const auto& cavity) {
       return distance_by_route(cavity, core_of(part), relative(placed, pose), settings, found);
     });
     move_by(found, placed);
@@ -83,53 +137,105 @@ struct LonePart {
   }
 };
 
+// The child or particle of the other shape that a contact is of, and the triangle of a surface.
+using PartNumber = std::pair<std::uint32_t, std::uint32_t>;
+
+PartNumber part_of(const ContactPoint& contact) {
+  return {contact.child_b, contact.feature_b.kind == FeatureKind::face ? contact.feature_b.index : no_index};
+}
+
 }  // namespace
 
-// Children of the other shape are judged one by one, and so is each of many solids.
+// Children of the other shape are judged one by one, and so is each of many solids and each triangle of a surface.
 void carve(const AnyShape& composite, const Pose& pose, const AnyShape& other, const Pose& other_pose,
            const QuerySettings& settings, std::span<const ContactPoint> contacts, std::vector<bool>& is_cut,
            Manifold& added) {
-  // The contacts by the child or part that they are of: its number, and the place of the contact.
-  std::vector<std::pair<std::uint32_t, std::size_t>> places;
+  // The contacts by the part that they are of: its number, and the place of the contact.
+  std::vector<std::pair<PartNumber, std::size_t>> places;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    places.push_back({contacts[i].child_b, i});
+    places.push_back({part_of(contacts[i]), i});
   }
   std::ranges::sort(places);
+  // Of the parts from `first` to `last`, which are one shape. `seeds`: takes the places that lead to rims, of a part of
+  // a surface.
   const auto carve_one = [&]<class S, class One>(const S& shape, const One& one, const Pose& one_pose,
-                                                 std::optional<std::uint32_t> number) {
+                                                 const PartNumber& first, const PartNumber& last,
+                                                 std::vector<RimSeed>* seeds) {
     Manifold own;
-    auto next =
-        number ? std::lower_bound(places.begin(), places.end(), std::pair{*number, std::size_t{0}}) : places.begin();
-    for (; next != places.end() && (!number || next->first == *number); ++next) {
+    auto next = std::lower_bound(places.begin(), places.end(), std::pair{first, std::size_t{0}});
+    for (; next != places.end() && next->first <= last; ++next) {
       own.push_back(contacts[next->second]);
       own.back().id = next->second;  // tells which of them are left
       is_cut[next->second] = true;
     }
-    const std::size_t first = added.size();
-    Carver<S, One>(shape, pose, one, one_pose).carve(settings, own, added);
+    Carver<S, One> carver(shape, pose, one, one_pose);
+    if (seeds) {
+      carver.carve_walls(settings, own, added);
+      seeds->insert(seeds->end(), carver.seeds().begin(), carver.seeds().end());
+    } else {
+      carver.carve(settings, own, added);
+    }
     for (const ContactPoint& contact : own) {
       is_cut[contact.id] = false;
     }
-    if (number) {
+  };
+  const auto name_parts = [&](std::size_t first, std::uint32_t number) {
+    for (ContactPoint& contact : std::span(added).subspan(first)) {
+      contact.child_b = number;
+      contact.id = contact_id_of_part(contact.id, number);
+    }
+  };
+  // Of a surface, what is no contact of a triangle is one of the whole.
+  const auto carve_triangles = [&]<class S, class O>(const S& shape, const O& surface, const AnyShape& whole,
+                                                     const Pose& placed, std::uint32_t number) {
+    Aabb near = shape.aabb(relative(placed, pose)).inflated(std::max(settings.margin, Real{0}));
+    std::vector<std::uint32_t> triangles;
+    surface.visit_parts(near, [&](const Triangle&, std::uint32_t index) { triangles.push_back(index); });
+    std::ranges::sort(triangles);
+    std::vector<RimSeed> seeds;
+    for (const std::uint32_t index : triangles) {
+      const std::size_t first = added.size();
+      carve_one(shape, LonePart<Triangle>{surface.part(index)}, placed, {number, index}, {number, index}, &seeds);
       for (ContactPoint& contact : std::span(added).subspan(first)) {
-        contact.child_b = *number;
-        contact.id = contact_id_of_part(contact.id, *number);
+        contact.feature_b = {FeatureKind::face, index};
+        contact.id = contact_id_of_part(contact.id, index);
       }
     }
+    auto next = std::lower_bound(places.begin(), places.end(), std::pair{PartNumber{number, no_index}, std::size_t{0}});
+    for (; next != places.end() && next->first == PartNumber{number, no_index}; ++next) {
+      is_cut[next->second] = is_in_hole(shape, pose, contacts[next->second]);
+    }
+    Carver<S, LoneShape>(shape, pose, LoneShape{whole}, placed).add_rims_from(seeds, settings, added);
+  };
+  const auto carve_shape = [&]<class S>(const S& shape, const AnyShape& whole, const Pose& placed, std::uint32_t first,
+                                        std::uint32_t last) {
+    const auto carve_it = [&]<class O>(const O& one) {
+      if constexpr (Surface<O>) {
+        carve_triangles(shape, one, whole, placed, first);
+      } else {
+        carve_one(shape, LoneShape{whole}, placed, {first, 0}, {last, no_index}, nullptr);
+      }
+    };
+    std::visit(carve_it, whole);
   };
   const auto carve_all = [&]<class S, class O>(const S& shape, const O& many) {
     Aabb near = shape.aabb(relative(other_pose, pose)).inflated(std::max(settings.margin, Real{0}));
     if constexpr (Assembly<O>) {
-      many.visit_children(near, [&](std::uint32_t child) {
-        carve_one(shape, LoneShape{*many.children()[child].shape}, other_pose * many.children()[child].pose, child);
+      many.visit_children(near, [&](std::uint32_t number) {
+        const std::size_t first = added.size();
+        const auto& child = many.children()[number];
+        carve_shape(shape, *child.shape, other_pose * child.pose, number, number);
+        name_parts(first, number);
       });
     } else if constexpr (Scattered<O>) {
       many.visit_places(near, [&](const Vec3& place, std::uint32_t index) {
+        const std::size_t first = added.size();
         carve_one(shape, LonePart<typename O::Part>{many.part(index)}, {other_pose.rotation, other_pose * place},
-                  index);
+                  {index, 0}, {index, no_index}, nullptr);
+        name_parts(first, index);
       });
     } else {
-      carve_one(shape, LoneShape{other}, other_pose, std::nullopt);
+      carve_shape(shape, other, other_pose, 0, no_index);
     }
   };
   // One visit within the other: a visit of both at once makes a function for each pair of kinds.

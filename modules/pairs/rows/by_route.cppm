@@ -9,7 +9,7 @@ import abut.narrow.convex;
 import abut.narrow.many.field_contacts;
 import abut.narrow.many.field_surfaces;
 import abut.narrow.many.half_space;
-import abut.narrow.many.hole;
+import abut.narrow.many.hole_surfaces;
 import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.two_surfaces;
 import abut.pairs.routes;
@@ -45,6 +45,10 @@ template <class A, class B>
     return scattered_distance(a, b, ab, settings, out);
   } else if constexpr (way == Route::hole) {
     return hole_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::hole_and_parts) {
+    return hole_parts_distance(a, b, ab, settings, out);
+  } else if constexpr (way == Route::hole_of_samples) {
+    return hole_field_distance(a, b, ab, settings, out);
   } else if constexpr (way == Route::sampled) {
     return field_distance(a, b, ab, settings, out);
   } else if constexpr (way == Route::sampled_and_parts) {
@@ -83,6 +87,10 @@ template <class A, class B>
     return scattered_contacts(a, b, ab, settings, out);
   } else if constexpr (way == Route::hole) {
     return hole_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::hole_and_parts) {
+    return hole_parts_contacts(a, b, ab, settings, out);
+  } else if constexpr (way == Route::hole_of_samples) {
+    return hole_field_contacts(a, b, ab, settings, out);
   } else if constexpr (way == Route::sampled) {
     return field_contacts(a, b, ab, settings, out);
   } else if constexpr (way == Route::sampled_and_parts) {

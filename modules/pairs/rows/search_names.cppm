@@ -38,9 +38,10 @@ template <class A, class B>
     return "unsupported";
   } else if constexpr (way == Route::half_space || way == Route::half_space_of_parts) {
     return "support point";
-  } else if constexpr (way == Route::hole) {
+  } else if constexpr (way == Route::hole || way == Route::hole_and_parts) {
     return "walls, one by one";
-  } else if constexpr (way == Route::half_space_of_samples || way == Route::sampled_both) {
+  } else if constexpr (way == Route::half_space_of_samples || way == Route::hole_of_samples ||
+                       way == Route::sampled_both) {
     return "points of the surface";
   } else if constexpr (way == Route::sampled || way == Route::sampled_and_parts) {
     return "descent of the field";

@@ -85,7 +85,8 @@ Model bumpy_sheet(const std::string& kind, std::uint32_t side, Numbers& random) 
 }
 
 struct Edited {
-  Edited(const std::string& kind, std::uint64_t seed) : random(seed), model(bumpy_sheet(kind, 11, random)) {
+  Edited(const std::string& kind, std::uint64_t seed, std::uint32_t side = 11)
+      : random(seed), model(bumpy_sheet(kind, side, random)) {
     mesh = universe.add(make_of_kind(kind.c_str(), settings_of(kind), model.xyz, model.triangles), identity,
                         ABUT_MOTION_STATIC);
     for (int i = 0; i < 6; ++i) universe.add(make_sphere(0.4), {random.point(1.5), no_rotation});
@@ -244,6 +245,44 @@ TEST_P(MeshEditing, AnswersAsAMeshMadeAnewAndAsItsTriangles) {
 INSTANTIATE_TEST_SUITE_P(Random, MeshEditing,
                          testing::Combine(testing::Values("mesh", "uv_grid"),
                                           testing::Range(std::uint64_t{1}, std::uint64_t{7})));
+
+// Places of a large mesh are torn up one after the other, so that parts of its tree wear and are made anew.
+TEST(MeshEditing, OfOnePlaceAfterTheOtherAnswersAsAMeshMadeAnew) {
+  Edited scene("mesh", 11, 70);
+  const std::vector<double> flat = scene.model.xyz;
+  for (int round = 0; round < 20; ++round) {
+    SCOPED_TRACE(round);
+    const abut_vec3 middle = scene.random.point(2);
+    std::vector<std::uint32_t> vertices;
+    std::vector<double> places;
+    for (std::uint32_t i = 0; i < scene.model.vertex_count(); ++i) {
+      if (std::hypot(flat.at(3 * i) - middle.x, flat.at(3 * i + 1) - middle.y) > 0.5) continue;
+      const abut_vec3 place = scene.random.point(0.5);
+      vertices.push_back(i);
+      places.insert(places.end(), {middle.x + place.x, middle.y + place.y, 2 * place.z});
+      std::copy(places.end() - 3, places.end(), scene.model.xyz.begin() + 3 * std::ptrdiff_t(i));
+    }
+    require(abut_geometry_set_vertices_at(scene.universe, scene.mesh, vertices.data(), places.data(), vertices.size()));
+    const Shape anew = scene.model.made_anew();
+    expect_same_box(scene.shape(), anew);
+    expect_same_touches(scene, anew);
+    const Shape probe = make_box(0.2, 0.3, 0.4);
+    for (int i = 0; i < 50; ++i) {
+      const abut_vec3 origin = scene.random.point(3), aim = scene.random.point(1.5);
+      const abut_ray ray{origin, {aim.x - origin.x, aim.y - origin.y, aim.z - origin.z}, 9};
+      abut_ray_hit one{}, other{};
+      std::uint32_t is_hit = 0, is_hit_anew = 0;
+      require(abut_shape_cast_ray(scene.shape(), &identity, &ray, &one, &is_hit));
+      require(abut_shape_cast_ray(anew, &identity, &ray, &other, &is_hit_anew));
+      ASSERT_EQ(is_hit, is_hit_anew);
+      EXPECT_EQ(one.distance, other.distance);
+      EXPECT_EQ(one.feature.index, other.feature.index);
+      const abut_pose pose{scene.random.point(2.5), no_rotation};
+      EXPECT_NEAR(distance_of(scene.shape(), identity, probe, pose), distance_of(anew, identity, probe, pose), 1e-12);
+    }
+    if (HasFailure()) return;
+  }
+}
 
 // Flat ground of 40 x 40 cells with a ball on each fourth vertex.
 struct Ground {

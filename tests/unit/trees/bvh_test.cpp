@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "../random_boxes.hpp"
 
 import abut.math;
 import abut.trees.bvh;
+import abut.trees.eight_boxes;
 
 namespace {
 
@@ -219,6 +221,112 @@ TEST(Bvh, RayInAFaceOfABoxMeetsIt) {
       tree.visit_ray({x, 0.5, 3}, {zero, zero, -1}, limit, [&](std::uint32_t) { met = true; });
       EXPECT_TRUE(met) << x << " " << zero;
     }
+  }
+}
+
+// What a query costs: the surfaces of all boxes of the tree, relative to the box around all.
+double cost_of(const Bvh& tree) {
+  const auto surface_of = [](const abut::BoxSides& sides) {
+    const double x = -(static_cast<double>(sides[0]) + static_cast<double>(sides[3])),
+                 y = -(static_cast<double>(sides[1]) + static_cast<double>(sides[4])),
+                 z = -(static_cast<double>(sides[2]) + static_cast<double>(sides[5]));
+    return x * y + y * z + z * x;
+  };
+  double sum = 0, root = 0;
+  std::vector<std::uint32_t> waiting{0};
+  while (!waiting.empty()) {
+    const std::uint32_t node = waiting.back();
+    waiting.pop_back();
+    tree.visit_children(node, [&](const abut::EightBoxes& eight) {
+      root = node == 0 ? surface_of(eight.sides_around()) : root;
+      for (std::size_t lane = 0; lane < abut::EightBoxes::width; ++lane) {
+        const std::uint32_t child = eight.numbers.at(lane);
+        if (child == abut::EightBoxes::nobody) continue;
+        sum += surface_of(eight.sides_of_lane(lane));
+        if (!abut::EightBoxes::is_item(child)) waiting.push_back(child);
+      }
+    });
+  }
+  return sum / root;
+}
+
+// Boxes on rolling ground.
+std::vector<Aabb> ground(std::size_t side) {
+  std::vector<Aabb> boxes;
+  for (std::size_t j = 0; j < side; ++j) {
+    for (std::size_t i = 0; i < side; ++i) {
+      const double x = static_cast<double>(i), y = static_cast<double>(j);
+      boxes.push_back(Aabb::around({x, y, 3 * std::sin(0.1 * x) * std::cos(0.13 * y)}, {0.6, 0.6, 0.2}));
+    }
+  }
+  return boxes;
+}
+
+// Many places are torn up one after the other: the tree stays about as good as one that is made anew, and misses
+// nothing.
+TEST(Bvh, StaysGoodUnderLocalChanges) {
+  test::Random random(219);
+  const std::size_t side = 120;
+  std::vector<Aabb> boxes = ground(side);
+  Bvh tree(boxes);
+  tree.make_room();
+  double worst = 0;
+  for (int edit = 0; edit < 150; ++edit) {
+    const Vec3 middle{random.uniform(0, 120), random.uniform(0, 120), 0};
+    const double reach = random.uniform(2, 15);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      const Vec3 centre = boxes.at(i).centre();
+      if (std::hypot(centre.x - middle.x, centre.y - middle.y) < reach) {
+        const double size = random.uniform(0.1, 0.8);
+        boxes.at(i) = Aabb::around(
+            middle + Vec3{random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(0, 4)},
+            {size, size, 0.3});
+        tree.move(i, boxes.at(i));
+      }
+    }
+    const Aabb changed = tree.settle();
+    EXPECT_LE(changed.low.x, middle.x);
+    worst = std::fmax(worst, cost_of(tree) / cost_of(Bvh(boxes)));
+    const Aabb query = Aabb::around(middle, {3, 2, 1});
+    std::map<std::uint32_t, int> visits;
+    tree.visit_overlaps(query, [&](std::uint32_t item) { ++visits[item]; });
+    for (std::uint32_t item = 0; item < boxes.size(); ++item) {
+      if (!is_apart(boxes.at(item), query)) EXPECT_EQ(visits[item], 1) << item;
+    }
+  }
+  EXPECT_LT(worst, 1.3);
+  EXPECT_FALSE(tree.is_worn());
+  std::map<std::uint32_t, int> visits;
+  tree.visit_overlaps(Aabb::everything(), [&](std::uint32_t item) { ++visits[item]; });
+  EXPECT_EQ(visits.size(), boxes.size());
+  for (const auto& [item, times] : visits) EXPECT_EQ(times, 1) << item;
+}
+
+// Items go, and the rest is made anew without them.
+TEST(Bvh, IsMadeAnewWithoutItemsThatWent) {
+  test::Random random(220);
+  std::vector<Aabb> boxes = ground(60);
+  Bvh tree(boxes);
+  tree.make_room();
+  std::set<std::uint32_t> present;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) present.insert(i);
+  for (int edit = 0; edit < 40; ++edit) {
+    const Vec3 middle{random.uniform(0, 60), random.uniform(0, 60), 0};
+    for (const std::uint32_t i : std::vector<std::uint32_t>(present.begin(), present.end())) {
+      const Vec3 centre = boxes.at(i).centre();
+      if (std::hypot(centre.x - middle.x, centre.y - middle.y) > 6) continue;
+      if (random.uniform(0, 1) < 0.3) {
+        tree.move(i, Aabb::empty());
+        present.erase(i);
+      } else {
+        boxes.at(i) = Aabb::around(middle + random.point(6), {0.3, 0.3, 0.3});
+        tree.move(i, boxes.at(i));
+      }
+    }
+    static_cast<void>(tree.settle());
+    std::set<std::uint32_t> found;
+    tree.visit_overlaps(Aabb::everything(), [&](std::uint32_t item) { EXPECT_TRUE(found.insert(item).second); });
+    ASSERT_EQ(found, present) << edit;
   }
 }
 
