@@ -12,7 +12,6 @@
 #include "../../random_boxes.hpp"
 
 import abut.capability;
-import abut.core;
 import abut.math;
 import abut.narrow.many.surfaces;
 import abut.shapes.capsule;
