@@ -128,7 +128,8 @@ Verdict judge_free(const MovingScene& moving, const TimeSpan& span, std::string_
 
 std::optional<Impact> ask(const MovingScene& moving) {
   Impact out;
-  const Outcome outcome = time_of_impact(moving.scene.a, moving.path_a, moving.scene.b, moving.path_b, options, out);
+  const Outcome outcome =
+      time_of_impact({moving.scene.a, moving.path_a}, {moving.scene.b, moving.path_b}, options, out);
   return outcome == Outcome::ok ? std::optional(out) : std::nullopt;
 }
 

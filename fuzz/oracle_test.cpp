@@ -251,7 +251,7 @@ MovingScene flying_boxes() {
 TEST(FuzzOracle, RefusesWrongTimesOfImpact) {
   const MovingScene moving = flying_boxes();
   Impact found;
-  const Outcome outcome = time_of_impact(moving.scene.a, moving.path_a, moving.scene.b, moving.path_b, {}, found);
+  const Outcome outcome = time_of_impact({moving.scene.a, moving.path_a}, {moving.scene.b, moving.path_b}, {}, found);
   if (outcome == Outcome::unsupported) {
     GTEST_SKIP() << "a build without the feature motion";
   }
