@@ -166,7 +166,9 @@ void Universe::load_pairs(ByteReader& in) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Pair& its = pairs[i];
     const bool follows = i == 0 || std::pair(pairs[i - 1].low, pairs[i - 1].high) < std::pair(its.low, its.high);
-    if (!follows || its.low > its.high || its.high >= places_.infos.size() || its.policy >= meetings_.policies.size()) {
+    // Before pairs are asked again, their policies may have gone.
+    const bool has_policy = meetings_.must_ask_again || its.policy < meetings_.policies.size();
+    if (!follows || its.low > its.high || its.high >= places_.infos.size() || !has_policy) {
       in.require(false, "a pair is of no geometries or policy, or there twice");
       return;
     }

@@ -284,6 +284,23 @@ TEST(Archive, SharedShapesAreShared) {
   EXPECT_NE(shapes[0], shapes[2]);
 }
 
+// The list of policies drops those that nobody uses, at once; pairs follow in the next step.
+TEST(Archive, APolicyMayHaveGoneSinceTheLastStep) {
+  Universe universe;
+  const Shape ball = make_sphere(1);
+  universe.add(ball, identity);
+  universe.add(ball, at(1, 0, 0));
+  abut_policy policy;
+  abut_policy_init(&policy, sizeof policy);
+  policy.tolerance = 0.5;
+  ASSERT_TRUE(succeeded(abut_policy_set(universe, 0, 0, &policy)));
+  EXPECT_EQ(universe.step().size(), 1U);
+  ASSERT_TRUE(succeeded(abut_policy_set(universe, 0, 0, nullptr)));
+  const Owned again = loaded(saved(universe));
+  ASSERT_TRUE(succeeded(abut_universe_step(again.get(), 0)));
+  EXPECT_EQ(copy_of(abut_universe_contacts, again.get()).size(), 1U);
+}
+
 std::uint32_t no(void*, const abut_universe*, abut_geometry_id, abut_geometry_id) { return 0; }
 
 // Answers of the filter are kept, the filter is not.
