@@ -13,8 +13,8 @@ import abut.narrow.convex;
 import abut.narrow.many.claims;
 import abut.narrow.many.parts_met;
 import abut.narrow.many.triangle_contacts;
-import abut.narrow.many.triangle_point;
 import abut.narrow.many.way_out;
+import abut.narrow.points.closest_of_faces;
 
 export namespace abut {
 
@@ -345,36 +345,26 @@ class SurfaceContacts {
       const Triangle triangle = a_.part(met_.last_along(whole, lowest_along(whole.direction)));
       const Real noise = noise_of(core_size(triangle, other_, ab_));
       if (depth_from(first_) < whole.depth - noise) {
-        if constexpr (Curved<B>) {
-          append_outermost(triangle, whole.direction);
-        } else {
-          append(triangle, other_, 0, along_way(triangle, other_, ab_, whole.direction), true);
-        }
+        const std::size_t first = out_.size();
+        const Vec3 way = whole.direction, point_b = outermost_beside(triangle, way, noise) - other_.radius() * way;
+        const Feature feature_a{FeatureKind::face, 0}, feature_b = supporting_feature(other_, ab_.rotation.undo(-way));
+        // Other contacts may have the same features. Where no points of both lie across each other, that of b tells,
+        // and where the way takes it.
+        out_.push_back({point_b + whole.depth * way, point_b, way, -whole.depth, feature_a, feature_b,
+                        mixed(~contact_id(feature_a, feature_b))});
+        name_parts(triangle, 0, first);
       }
     }
   }
-  // The outermost point of a curved shape along a way, and what is nearest to it of the outermost feature of a
-  // triangle.
-  void append_outermost(const Triangle& triangle, const Vec3& way) {
-    const std::size_t first = out_.size();
-    const Vec3 point_b = placed_support(other_, place(other_, ab_), -way).point - other_.radius() * way;
-    const Vec3 point_a = nearest_on_outermost(triangle, way, point_b);
-    const Feature feature_a{FeatureKind::face, 0}, feature_b = supporting_feature(other_, ab_.rotation.undo(-way));
-    out_.push_back(
-        {point_a, point_b, way, dot(point_b - point_a, way), feature_a, feature_b, contact_id(feature_a, feature_b)});
-    name_parts(triangle, 0, first);
-  }
-  [[nodiscard]] Vec3 nearest_on_outermost(const Triangle& triangle, const Vec3& way, const Vec3& point) const {
-    const TriangleCorners& corners = triangle.corners();
-    const unsigned outermost = outermost_corners(corners, way, noise_of(core_size(triangle, other_, ab_)));
-    if (outermost == 7 && triangle.has_area()) {
-      return nearest_on(corners, point);
-    }
-    const Vec3 &from = corners[static_cast<std::size_t>(std::countr_zero(outermost))],
-               &to = corners[static_cast<std::size_t>(std::bit_width(outermost)) - 1];
-    const Vec3 along = to - from;
-    const Real square = squared_norm(along);
-    return square > 0 ? from + std::clamp(dot(point - from, along) / square, Real{0}, Real{1}) * along : from;
+
+  // The point of the core of b that is outermost against a way, as little beside the triangle as can be.
+  [[nodiscard]] Vec3 outermost_beside(const Triangle& triangle, const Vec3& way, Real noise) const {
+    const Vec3 outermost = placed_support(other_, place(other_, ab_), -way).point;
+    [[clang::uninitialized]] const Face face_a = triangle.supporting_face(way);
+    [[clang::uninitialized]] const Face face_b = placed_face(other_, ab_, -way);
+    const Vec3 beside = points_across(face_a, face_b, way, noise).point_b;
+    // The polygon of a rim may miss the outermost point.
+    return std::fabs(dot(way, beside - outermost)) <= noise ? beside : outermost;
   }
 
   // The shortest way out of all parts that b meets; without end where no turned contact is deeper than the others.

@@ -164,12 +164,6 @@ class Fronts {
   Vec3 a_, b_;
 };
 
-// The separation along any way out.
-template <Convex B>
-[[nodiscard]] CoreSeparation along_way(const Triangle& triangle, const B& b, const Pose& ab, const Vec3& direction) {
-  return separation_along(triangle, b, ab, direction, {}, core_size(triangle, b, ab));
-}
-
 // The separation along the normal of a face.
 template <Convex B>
 [[nodiscard]] CoreSeparation along_face(const Triangle& triangle, const B& b, const Pose& ab,
