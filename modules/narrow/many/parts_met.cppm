@@ -83,6 +83,7 @@ class PartsMet {
     }
     return parts_.size() - 1;
   }
+  [[nodiscard]] std::size_t size() const { return parts_.size(); }
   // Whether a triangle of the surface, by its number, is one of them.
   [[nodiscard]] bool has(std::uint32_t index) const {
     return std::ranges::find(parts_.span(), index, &PartMet<B>::index) != parts_.span().end();

@@ -39,15 +39,18 @@ class SurfaceContacts {
 
   // `part_of_b`: the number of b where it is a part itself.
   void add(const Triangle& triangle, const B& b, std::uint32_t part_of_b) {
-    const Fronts<B> fronts(triangle, b, ab_);
     const TriangleSeparation found = begin_separation(triangle, b, ab_, settings_, settings_.margin + b.radius());
-    if (!meets(triangle, b, fronts, found.core, settings_.margin)) {
-      return;
-    }
     const CoreSeparation& core = found.core;
     const Real radii = b.radius();
+    if (core.beyond || core.distance - radii > settings_.margin) {
+      return;
+    }
+    const Fronts<B> fronts(triangle, b, ab_);
     const bool is_allowed = fronts.allows(core.normal);
-    const Real noise = noise_of(core_size(triangle, b, ab_));
+    if (!is_allowed && !counts_from_behind(triangle, b, core)) {
+      return;
+    }
+    const Real size = core_size(triangle, b, ab_), noise = noise_of(size), touching = touching_within(size);
     bool turns_a = triangle.has_area() && !(is_allowed && leads_out(a_, triangle, core.normal, noise));
     bool turns_b = false;
     if constexpr (Surface<Other>) {
@@ -59,7 +62,7 @@ class SurfaceContacts {
         return;
       }
     }
-    const std::size_t first = out_.size(), part = meet(triangle, b, fronts, core);
+    const std::size_t first = out_.size(), part = met_.add(triangle, b, ab_, fronts, core.distance - radii, touching);
     if (!turns_a && !turns_b) {
       append(triangle, b, part_of_b, completed(triangle, b, ab_, found), true);
       turns_a = !leads_out_of_a(triangle, first, noise);
@@ -79,7 +82,7 @@ class SurfaceContacts {
       // The closest points may lie beside the face: the foot of the lowest point of the other side.
       append(triangle, b, part_of_b, turned->separation, is_over_face(triangle, b, *turned));
       // What passes the plane of the triangle beside it and reaches under it is no overlap. What touches may be one.
-      if (is_allowed && !core.overlap && core.distance > touching_within(triangle, b)) {
+      if (is_allowed && !core.overlap && core.distance > touching) {
         erase_deeper(first, radii + 4 * core.rounding - core.distance);
       }
       claim(first, true);
@@ -98,6 +101,12 @@ class SurfaceContacts {
     }
     append_left(visit_within);
   }
+  // Of two surfaces, where nothing else is looked for.
+  void finish()
+    requires Surface<Other>
+  {
+    finish([](Real, const auto&) {}, [] {});
+  }
 
  private:
   // Contacts under the normal of a face, which may belong to a neighbour.
@@ -114,17 +123,13 @@ class SurfaceContacts {
     TriangleSeparation found;
   };
 
-  // Whether a part is within a distance, where it counts. Of a core that is beside or behind a triangle, only what its
-  // rounding has sunk in from the front does.
-  [[nodiscard]] bool meets(const Triangle& triangle, const B& b, const Fronts<B>& fronts, const CoreSeparation& core,
-                           Real distance) const {
-    const Real radii = b.radius();
-    if (core.beyond || core.distance - radii > distance) {
-      return false;
-    }
-    return core.overlap || fronts.allows(core.normal) ||
-           (core.distance < radii && dot(triangle.normal(), placed_centre(b, ab_) - triangle.corners()[0]) >= 0);
+  // Of a core that is beside or behind a triangle, only what its rounding has sunk in from the front counts.
+  [[nodiscard]] bool counts_from_behind(const Triangle& triangle, const B& b, const CoreSeparation& core) const {
+    return core.overlap ||
+           (core.distance < b.radius() && dot(triangle.normal(), placed_centre(b, ab_) - triangle.corners()[0]) >= 0);
   }
+  // Cores that are no further apart, or overlap no more, may only touch. A search on curved cores has a bound.
+  [[nodiscard]] static Real touching_within(Real size) { return Curved<B> ? curve_blur(size) : noise_of(size); }
 
   [[nodiscard]] decltype(auto) part_of_other(std::uint32_t index) const {
     if constexpr (Surface<Other>) {
@@ -392,32 +397,30 @@ class SurfaceContacts {
     PartingWay way = out_of_met();
     if constexpr (!Surface<Other>) {
       // The way out of what is met may lead into what is not met yet.
-      for (Real reach = settings_.margin; way.depth > reach && way.depth < most; way = out_of_met()) {
+      for (Real reach = settings_.margin; way.depth > reach && way.depth < most;) {
         reach = std::min(2 * way.depth, most);
+        const std::size_t before = met_.size();
         visit_within(reach, [&](const Triangle& triangle, std::uint32_t) { meet_on_the_way(triangle, reach); });
+        way = met_.size() > before ? out_of_met() : way;
       }
     }
     return way;
   }
 
-  // The number of a part that is met.
-  std::size_t meet(const Triangle& triangle, const B& b, const Fronts<B>& fronts, const CoreSeparation& core) {
-    return met_.add(triangle, b, ab_, fronts, core.distance - b.radius(), touching_within(triangle, b));
-  }
-  // Cores that are no further apart, or overlap no more, may only touch. A search on curved cores has a bound.
-  [[nodiscard]] Real touching_within(const Triangle& triangle, const B& b) const {
-    const Real size = core_size(triangle, b, ab_);
-    return Curved<B> ? curve_blur(size) : noise_of(size);
-  }
   // A part that only stands in the way.
   void meet_on_the_way(const Triangle& triangle, Real reach) {
     if (met_.has(triangle.index())) {
       return;
     }
+    const Real radii = other_.radius();
+    const CoreSeparation core = begin_separation(triangle, other_, ab_, settings_, reach + radii).core;
+    if (core.beyond || core.distance - radii > reach) {
+      return;
+    }
     const Fronts<B> fronts(triangle, other_, ab_);
-    const CoreSeparation core = begin_separation(triangle, other_, ab_, settings_, reach + other_.radius()).core;
-    if (meets(triangle, other_, fronts, core, reach)) {
-      meet(triangle, other_, fronts, core);
+    if (fronts.allows(core.normal) || counts_from_behind(triangle, other_, core)) {
+      const Real touching = touching_within(core_size(triangle, other_, ab_));
+      met_.add(triangle, other_, ab_, fronts, core.distance - radii, touching);
       met_.add_way(core.normal);
     }
   }

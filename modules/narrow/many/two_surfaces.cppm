@@ -50,7 +50,7 @@ template <Surface A, Surface B>
   if (!are_visited) {
     visit_two_parts(a, b, ab, reach, add);
   }
-  contacts.finish([](Real, const auto&) {}, [] {});
+  contacts.finish();
   settle_depth(depth_of_solids(a, b, ab, settings), first, settings.margin, out);
   return Outcome::ok;
 }
