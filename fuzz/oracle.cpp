@@ -86,14 +86,11 @@ std::span<const Vec3> sweep() {
 }
 
 // A point in the frame of the shape must lie in it, and in what bounds it along the outward direction.
-// Where the way out of a surface leads past it, the point of the other shape tells, and where the way takes it: no
-// further from the surface than `beside`.
 Verdict judge_point(const AnyShape& shape, const Vec3& point, const Vec3& outward, bool must_be_outermost, Real noise,
-                    Real beside, std::string_view name) {
+                    std::string_view name) {
   // The walls of a cavity go on beyond the box of what is cut out.
-  if (!shape.is_hole() && !aabb_of(shape, Pose::identity())
-                               .inflated(noise + doubt_of(shape) + (is_convex(shape) ? 0 : beside))
-                               .overlaps({point, point})) {
+  if (!shape.is_hole() &&
+      !aabb_of(shape, Pose::identity()).inflated(noise + doubt_of(shape)).overlaps({point, point})) {
     return std::string(name) + " is outside the box of its shape";
   }
   if (!is_convex(shape)) {
@@ -115,7 +112,7 @@ Verdict judge_point(const AnyShape& shape, const Vec3& point, const Vec3& outwar
 // What holds for distances and contacts alike.
 Verdict judge_record(const Scene& scene, Real distance, const Vec3& point_a, const Vec3& point_b, const Vec3& normal,
                      bool must_be_outermost) {
-  const Real noise = tolerance(scene), beside = std::max(-distance, Real{0});
+  const Real noise = tolerance(scene);
   if (!std::isfinite(distance) || !is_finite(point_a) || !is_finite(point_b) || !is_finite(normal)) {
     return "a number is not finite";
   }
@@ -126,10 +123,10 @@ Verdict judge_record(const Scene& scene, Real distance, const Vec3& point_a, con
   if (std::fabs(along - distance) > noise) {
     return fault("distance along the normal of the points", along, distance);
   }
-  if (Verdict verdict = judge_point(scene.a, point_a, normal, must_be_outermost, noise, beside, "point_a")) {
+  if (Verdict verdict = judge_point(scene.a, point_a, normal, must_be_outermost, noise, "point_a")) {
     return verdict;
   }
-  return judge_point(scene.b, scene.ab.undo(point_b), -scene.ab.rotation.undo(normal), must_be_outermost, noise, beside,
+  return judge_point(scene.b, scene.ab.undo(point_b), -scene.ab.rotation.undo(normal), must_be_outermost, noise,
                      "point_b");
 }
 

@@ -35,6 +35,13 @@ struct FourTriangles {
   [[nodiscard]] static inline FourTriangles all(const TriangleCorners& corners) {
     return {Columns::all(corners[0]), Columns::all(corners[1]), Columns::all(corners[2]), {}};
   }
+  // The first one of others takes the place of one.
+  void put(std::size_t lane, const FourTriangles& others) {
+    a.put(lane, others.a[0]);
+    b.put(lane, others.b[0]);
+    c.put(lane, others.c[0]);
+    numbers[lane] = others.numbers[0];
+  }
   // The largest magnitude of a coordinate.
   [[nodiscard]] [[gnu::always_inline]] inline Lanes size() const {
     return maximum(maximum(largest_magnitude(a), largest_magnitude(b)), largest_magnitude(c));

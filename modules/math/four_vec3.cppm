@@ -23,6 +23,11 @@ struct Columns {
   [[nodiscard]] [[gnu::always_inline]] inline Vec3 operator[](std::size_t lane) const {
     return {x[lane], y[lane], z[lane]};
   }
+  inline void put(std::size_t lane, const Vec3& v) {
+    x[lane] = v.x;
+    y[lane] = v.y;
+    z[lane] = v.z;
+  }
 };
 [[nodiscard]] [[gnu::always_inline]] inline Columns operator+(const Columns& a, const Columns& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangles of a surface that a shape meets. They tell how far the shape has to move to be parted from all.
+// The triangles of a surface that a shape meets, or may meet on its way out. They tell how far the shape has to move to
+// be parted from all.
 export module abut.narrow.many.parts_met;
 import abut.capability;
 import abut.core.standard;
@@ -10,59 +11,64 @@ import abut.narrow.many.triangle_contacts;
 
 export namespace abut {
 
-// The corners of b in the frame of a, where b is a triangle.
+// Triangles of b in the frame of a, where b is made of such.
 template <Convex B>
-struct PlacedCorners {};
+struct PlacedTriangles {};
 template <>
-struct PlacedCorners<Triangle> {
-  TriangleCorners of;
+struct PlacedTriangles<Triangle> {
+  FourTriangles of;
 };
 
-// A triangle of a surface and what it meets, as far as directions are asked that might part them.
+// Four triangles of a surface and what each of them meets, one per lane.
 template <Convex B>
-class PartMet {
- public:
-  PartMet() = default;
-  // `gap`: how far both are apart; not positive where they overlap. `noise`: how far both may overlap that only touch.
-  PartMet(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real gap, Real noise)
-      : corners_(triangle.corners()), fronts_(fronts), gap_(gap), noise_(noise), index_(triangle.index()) {
+struct FourParts {
+  FourTriangles triangles;
+  FourFronts fronts;
+  Lanes gap;    // how far both are apart; not positive where they overlap
+  Lanes noise;  // how far both may overlap that only touch
+  [[no_unique_address]] PlacedTriangles<B> placed;
+
+  [[nodiscard]] static FourParts all(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts,
+                                     Real gap, Real noise) {
+    FourParts parts{FourTriangles::all(triangle.corners()), fronts.in_all(), all_lanes(gap), all_lanes(noise), {}};
+    parts.triangles.numbers.fill(triangle.index());
     if constexpr (std::same_as<B, Triangle>) {
-      placed_.of = {ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]};
+      parts.placed.of = FourTriangles::all({ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]});
     }
+    return parts;
   }
-  [[nodiscard]] Real gap() const { return gap_; }
-  // Whether b meets the triangle on a way of some length.
-  [[nodiscard]] bool is_met_within(Real depth) const { return gap_ <= depth + noise_; }
-  [[nodiscard]] std::uint32_t index() const { return index_; }
-  // How far b has to move along a direction to be parted from the triangle; without end where it would have to pass
-  // through the front of a side. `lowest`: where b begins along the direction, unless it is a triangle.
-  [[nodiscard]] Real overlap_along(const Vec3& direction, Real lowest) const {
+  // The same of one of them, four times.
+  [[nodiscard]] [[gnu::always_inline]] inline FourParts all_of(std::size_t lane) const {
+    FourParts parts{
+        FourTriangles::all(triangles[lane]), fronts.all_of(lane), all_lanes(gap[lane]), all_lanes(noise[lane]), {}};
     if constexpr (std::same_as<B, Triangle>) {
-      lowest = least_along(placed_.of, direction);
+      parts.placed.of = FourTriangles::all(placed.of[lane]);
     }
-    const Real overlap = -least_along(corners_, -direction) - lowest;
-    return overlap <= noise_ || fronts_.nearly_allows(direction) ? overlap : infinity;
+    return parts;
   }
-  // The same for four directions at once. `lowest`: where b begins, or a point of b that tells no more than that.
-  [[nodiscard]] Lanes overlaps_along(const Columns& directions, Lanes lowest) const {
-    const auto along = [&](const TriangleCorners& corners, const auto& better) {
-      const auto at = [&](std::size_t i) { return dot(directions, Columns::all(corners[i])); };
-      return better(better(at(0), at(1)), at(2));
-    };
+  void put(std::size_t lane, const FourParts& one) {
+    triangles.put(lane, one.triangles);
+    fronts.put(lane, one.fronts);
+    gap[lane] = one.gap[0];
+    noise[lane] = one.noise[0];
     if constexpr (std::same_as<B, Triangle>) {
-      lowest = along(placed_.of, [](Lanes p, Lanes q) { return minimum(p, q); });
+      placed.of.put(lane, one.placed.of);
     }
-    const Lanes highest = along(corners_, [](Lanes p, Lanes q) { return maximum(p, q); });
-    const Lanes overlaps = highest - lowest;
-    return (overlaps <= all_lanes(noise_)) | fronts_.nearly_allow(directions) ? overlaps : all_lanes(infinity);
   }
 
- private:
-  TriangleCorners corners_;
-  Fronts<B> fronts_;
-  Real gap_, noise_;
-  std::uint32_t index_;
-  [[no_unique_address]] PlacedCorners<B> placed_;
+  // How far b has to move along directions to be parted from the triangles, lane by lane; without end where it would
+  // have to pass through the front of a side. `lowest`: where b begins along the direction, unless it is a triangle, or
+  // a point of b that tells no more than that.
+  [[nodiscard]] [[gnu::always_inline]] inline Lanes overlaps_along(const Columns& directions, Lanes lowest) const {
+    const auto along = [&](const FourTriangles& t, const auto& better) {
+      return better(better(dot(directions, t.a), dot(directions, t.b)), dot(directions, t.c));
+    };
+    if constexpr (std::same_as<B, Triangle>) {
+      lowest = along(placed.of, [](Lanes p, Lanes q) { return minimum(p, q); });
+    }
+    const Lanes overlaps = along(triangles, [](Lanes p, Lanes q) { return maximum(p, q); }) - lowest;
+    return (overlaps <= noise) | fronts.nearly_allow(directions) ? overlaps : all_lanes(infinity);
+  }
 };
 
 // How far b has to move along a direction to be parted.
@@ -71,22 +77,36 @@ struct PartingWay {
   Vec3 direction;
 };
 
+// How far b overlaps a triangle along a way, by its number.
+struct PartOnWay {
+  Real overlap;
+  std::uint32_t number;
+};
+
 template <Convex B>
 class PartsMet {
  public:
   // The number of the new part.
   std::size_t add(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real gap, Real noise) {
-    parts_.push_back(PartMet<B>(triangle, b, ab, fronts, gap, noise));
+    const FourParts<B> one = FourParts<B>::all(triangle, b, ab, fronts, gap, noise);
+    const std::size_t lane = size_ % 4;
+    if (lane == 0) {
+      fours_.push_back(one);  // the last one stands in for those that lack
+    } else {
+      fours_[size_ / 4].put(lane, one);
+    }
     add_face(triangle.normal(), triangle.is_one_sided());
     if constexpr (std::same_as<B, Triangle>) {
       add_face(-(ab.rotation * b.normal()), b.is_one_sided());
     }
-    return parts_.size() - 1;
+    return size_++;
   }
-  [[nodiscard]] std::size_t size() const { return parts_.size(); }
+  [[nodiscard]] std::size_t size() const { return size_; }
   // Whether a triangle of the surface, by its number, is one of them.
-  [[nodiscard]] bool has(std::uint32_t index) const {
-    return std::ranges::find(parts_.span(), index, &PartMet<B>::index) != parts_.span().end();
+  [[nodiscard]] bool has(std::uint32_t number) const {
+    return std::ranges::any_of(fours_.span(), [&](const FourParts<B>& four) {
+      return std::ranges::find(four.triangles.numbers, number) != four.triangles.numbers.end();
+    });
   }
   // Directions that might part the whole: the normals of contacts, the least ways out of parts, and the ways out of
   // faces.
@@ -99,52 +119,55 @@ class PartsMet {
   }
 
   [[nodiscard]] Lanes overlaps_along(std::size_t part, const Columns& directions, Lanes lowest) const {
-    return parts_[part].overlaps_along(directions, lowest);
+    return fours_[part / 4].all_of(part % 4).overlaps_along(directions, lowest);
   }
 
-  // How far b has to move, along the best of the ways and of the mean of `normals`; not more than `most`, by which the
-  // part `deepest` overlaps. `lowest_along`: where b begins along a direction; `inner`: no later than there.
-  template <class LowestAlong>
-  [[nodiscard]] PartingWay way_out(const Vec3& normals, std::size_t deepest, Real most, const LowestAlong& lowest_along,
-                                   const Vec3& inner) const {
+  // How far b has to move, along the best of the ways and of the mean of `normals`; not more than `most`.
+  // `lowest_along`: where b begins along a direction; `inner`: no later than there. meets_on(parts, way) has a bit for
+  // each of four parts that b may meet on a way.
+  template <class LowestAlong, class MeetsOn>
+  [[nodiscard]] PartingWay way_out(const Vec3& normals, Real most, const LowestAlong& lowest_along, const Vec3& inner,
+                                   const MeetsOn& meets_on) const {
     PartingWay best{most, {0, 0, 0}};
     // Parts that lately were not parted are asked first: one of them mostly stands in the way again.
-    std::array<std::size_t, 4> blocking;
-    blocking.fill(deepest);
+    std::size_t blocking = 0;
     const auto consider = [&](const Vec3& direction) {
-      const Real depth = overlap_of_all(direction, lowest_along(direction), best.depth, blocking);
+      const Lanes may_overlap = touching_overlaps(blocking, direction, dot(direction, inner));
+      if (!(largest(may_overlap) < best.depth)) {
+        return;
+      }
+      const Real depth = overlap_of_all(direction, lowest_along(direction), best.depth, blocking, meets_on);
       best = depth < best.depth ? PartingWay{depth, direction} : best;
     };
     // Over a crest the way between the faces is shorter than out of any one of them.
     if (const auto between = UnitVec3::make(normals)) {
       consider(*between);
     }
-    const std::span<const Vec3> ways = ways_.span();
-    for (std::size_t first = 0; first < ways.size(); first += 4) {
-      const auto way = [&](std::size_t lane) { return lanes_of(ways[std::min(first + lane, ways.size() - 1)]); };
-      const PartMet<B>& part = parts_[blocking[0]];
-      const std::size_t count = std::min<std::size_t>(ways.size() - first, 4);
-      std::uint64_t open = (std::uint64_t{1} << count) - 1;
-      if (part.gap() <= 0) {
-        const Columns four = Columns::of(way(0), way(1), way(2), way(3));
-        open &= bits_of(part.overlaps_along(four, dot(four, Columns::all(inner))) < all_lanes(best.depth));
-      }
-      for (; open != 0; open &= open - 1) {
-        consider(ways[first + static_cast<std::size_t>(std::countr_zero(open))]);
-      }
+    for (const Vec3& way : ways_.span()) {
+      consider(way);
     }
     return best;
   }
 
-  // The number of the triangle that is parted last along a way out.
-  [[nodiscard]] std::uint32_t last_along(const PartingWay& way, Real lowest) const {
-    const auto is_later = [&](const PartMet<B>& one, const PartMet<B>& other) {
-      const auto overlap = [&](const PartMet<B>& part) {
-        return part.is_met_within(way.depth) ? part.overlap_along(way.direction, lowest) : -infinity;
-      };
-      return std::pair(overlap(one), other.index()) > std::pair(overlap(other), one.index());
-    };
-    return std::ranges::min_element(parts_.span(), is_later)->index();
+  // The parts that b meets on a way, the one that it may be parted from last first.
+  template <class MeetsOn>
+  [[nodiscard]] auto last_on(const PartingWay& way, Real lowest, const MeetsOn& meets_on) const {
+    [[clang::uninitialized]] SmallVector<PartOnWay, 64> parts;
+    for (std::size_t place = 0; place < fours_.size(); ++place) {
+      const FourParts<B>& four = fours_[place];
+      const std::size_t count = std::min<std::size_t>(size_ - 4 * place, 4);
+      const Lanes overlaps = four.overlaps_along(Columns::all(way.direction), all_lanes(lowest));
+      std::uint64_t met = bits_of(four.gap <= four.noise);
+      met |= ~met & meets_on(four, way);
+      for (met &= (std::uint64_t{1} << count) - 1; met != 0; met &= met - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(met));
+        parts.push_back({overlaps[lane], four.triangles.numbers[lane]});
+      }
+    }
+    std::ranges::sort(parts.span(), [](const PartOnWay& one, const PartOnWay& other) {
+      return std::pair(other.overlap, one.number) < std::pair(one.overlap, other.number);
+    });
+    return parts;
   }
 
  private:
@@ -157,39 +180,48 @@ class PartsMet {
     }
   }
 
+  // How far b has to move to be parted from those of four parts that it meets already.
+  [[nodiscard]] [[gnu::always_inline]] inline Lanes touching_overlaps(std::size_t place, const Vec3& direction,
+                                                                      Real lowest) const {
+    const FourParts<B>& four = fours_[place];
+    return four.gap <= four.noise ? four.overlaps_along(Columns::all(direction), all_lanes(lowest)) : all_lanes(0);
+  }
+
   // How far b has to move along a direction until it overlaps no part, nor enters one on the way. Where that is as
-  // far as `enough`, the answer is `enough`, and the part that overlaps so far comes first in a list.
-  [[nodiscard]] Real overlap_of_all(const Vec3& direction, Real lowest, Real enough,
-                                    std::span<std::size_t> blocking) const {
-    const std::span<const PartMet<B>> parts = parts_.span();
-    for (const std::size_t part : blocking) {
-      if (parts[part].gap() <= 0 && parts[part].overlap_along(direction, lowest) >= enough) {
-        return enough;
-      }
-    }
+  // far as `enough`, the answer is no less, and `blocking` tells which four overlap so far.
+  template <class MeetsOn>
+  [[nodiscard]] Real overlap_of_all(const Vec3& direction, Real lowest, Real enough, std::size_t& blocking,
+                                    const MeetsOn& meets_on) const {
     Real depth = 0;
-    for (bool has_grown = true; has_grown;) {
+    bool are_some_apart = false;
+    for (std::size_t place = 0; place < fours_.size(); ++place) {
+      depth = std::max(depth, largest(touching_overlaps(place, direction, lowest)));
+      if (!(depth < enough)) {
+        blocking = place;
+        return depth;
+      }
+      are_some_apart = are_some_apart || bits_of(fours_[place].gap > fours_[place].noise) != 0;
+    }
+    for (bool has_grown = are_some_apart; has_grown;) {
       has_grown = false;
-      for (std::size_t part = 0; part < parts.size(); ++part) {
-        if (!parts[part].is_met_within(depth)) {
-          continue;
+      for (const FourParts<B>& four : fours_.span()) {
+        const Lanes overlaps = four.overlaps_along(Columns::all(direction), all_lanes(lowest));
+        std::uint64_t met = bits_of((four.gap > four.noise) & (overlaps > all_lanes(depth)));
+        met = met == 0 ? 0 : met & meets_on(four, PartingWay{depth, direction});
+        for (; met != 0; met &= met - 1) {
+          depth = std::max(depth, overlaps[static_cast<std::size_t>(std::countr_zero(met))]);
+          has_grown = true;
         }
-        const Real overlap = parts[part].overlap_along(direction, lowest);
-        if (overlap >= enough) {
-          if (parts[part].gap() <= 0) {
-            std::move_backward(blocking.begin(), blocking.end() - 1, blocking.end());
-            blocking.front() = part;
-          }
-          return enough;
+        if (!(depth < enough)) {
+          return depth;
         }
-        has_grown = has_grown || overlap > depth;
-        depth = std::max(depth, overlap);
       }
     }
     return depth;
   }
 
-  SmallVector<PartMet<B>, 64> parts_;
+  SmallVector<FourParts<B>, 16> fours_;
+  std::size_t size_ = 0;
   SmallVector<Vec3, 192> ways_;
 };
 

@@ -11,22 +11,12 @@ import abut.math;
 import abut.math.four_vec3;
 import abut.narrow.convex;
 import abut.narrow.many.claims;
+import abut.narrow.many.parting_ways;
 import abut.narrow.many.parts_met;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.many.way_out;
-import abut.narrow.points.closest_of_faces;
 
 export namespace abut {
-
-// What a side is made of: its parts, or itself.
-template <class S>
-struct PartOf {
-  using type = S;
-};
-template <Surface S>
-struct PartOf<S> {
-  using type = typename S::Part;
-};
 
 // The contacts of a surface with a convex shape, or with another surface, from those of their parts.
 template <Surface A, class Other>
@@ -35,7 +25,13 @@ class SurfaceContacts {
   using B = typename PartOf<Other>::type;
 
   SurfaceContacts(const A& a, const Other& other, const Pose& ab, const QuerySettings& settings, Manifold& out)
-      : a_(a), other_(other), ab_(ab), settings_(settings), out_(out), first_(out.size()) {}
+      : a_(a),
+        other_(other),
+        ab_(ab),
+        settings_(settings),
+        out_(out),
+        first_(out.size()),
+        ways_(a, other, ab, settings) {}
 
   // `part_of_b`: the number of b where it is a part itself.
   void add(const Triangle& triangle, const B& b, std::uint32_t part_of_b) {
@@ -47,10 +43,10 @@ class SurfaceContacts {
     }
     const Fronts<B> fronts(triangle, b, ab_);
     const bool is_allowed = fronts.allows(core.normal);
-    if (!is_allowed && !counts_from_behind(triangle, b, core)) {
+    if (!is_allowed && !counts_from_behind(triangle, b, ab_, core)) {
       return;
     }
-    const Real size = core_size(triangle, b, ab_), noise = noise_of(size), touching = touching_within(size);
+    const Real size = core_size(triangle, b, ab_), noise = noise_of(size), touching = touching_within<B>(size);
     bool turns_a = triangle.has_area() && !(is_allowed && leads_out(a_, triangle, core.normal, noise));
     bool turns_b = false;
     if constexpr (Surface<Other>) {
@@ -62,7 +58,7 @@ class SurfaceContacts {
         return;
       }
     }
-    const std::size_t first = out_.size(), part = met_.add(triangle, b, ab_, fronts, core.distance - radii, touching);
+    const std::size_t first = out_.size(), part = ways_.add(triangle, b, fronts, core.distance - radii, touching);
     if (!turns_a && !turns_b) {
       append(triangle, b, part_of_b, completed(triangle, b, ab_, found), true);
       turns_a = !leads_out_of_a(triangle, first, noise);
@@ -88,24 +84,24 @@ class SurfaceContacts {
       claim(first, true);
     }
     turned_.push_back({first, out_.size(), part, depth_from(first), noise});
-    met_.add_way(core.normal);
+    ways_.add_way(core.normal);
   }
 
-  // To be called after the last part. `visit_within`: visits the parts that may be nearer than a distance. `add_more`:
-  // adds parts that were passed over; it is called where there is no contact otherwise.
-  template <class VisitWithin, class AddMore>
-  void finish(const VisitWithin& visit_within, const AddMore& add_more) {
-    settle_claims(visit_within);
+  // To be called after the last part. `on_the_way`: what b may meet on a way. `add_more`: adds parts that were passed
+  // over; it is called where there is no contact otherwise.
+  template <class OnTheWay, class AddMore>
+  void finish(const OnTheWay& on_the_way, const AddMore& add_more) {
+    settle_claims(on_the_way);
     if (out_.size() == first_) {
       add_more();
     }
-    append_left(visit_within);
+    append_left(on_the_way);
   }
   // Of two surfaces, where nothing else is looked for.
   void finish()
     requires Surface<Other>
   {
-    finish([](Real, const auto&) {}, [] {});
+    finish(NothingOnTheWay{}, [] {});
   }
 
  private:
@@ -122,14 +118,6 @@ class SurfaceContacts {
     Vec3 normal;  // of part a
     TriangleSeparation found;
   };
-
-  // Of a core that is beside or behind a triangle, only what its rounding has sunk in from the front counts.
-  [[nodiscard]] bool counts_from_behind(const Triangle& triangle, const B& b, const CoreSeparation& core) const {
-    return core.overlap ||
-           (core.distance < b.radius() && dot(triangle.normal(), placed_centre(b, ab_) - triangle.corners()[0]) >= 0);
-  }
-  // Cores that are no further apart, or overlap no more, may only touch. A search on curved cores has a bound.
-  [[nodiscard]] static Real touching_within(Real size) { return Curved<B> ? curve_blur(size) : noise_of(size); }
 
   [[nodiscard]] decltype(auto) part_of_other(std::uint32_t index) const {
     if constexpr (Surface<Other>) {
@@ -262,7 +250,7 @@ class SurfaceContacts {
     const std::size_t first = out_.size();
     contacts_under(triangle, b, ab_, core, settings_.margin, closest_count, out_);
     if (out_.size() > first) {
-      met_.add_way(core.normal);
+      ways_.add_way(core.normal);
     }
     name_parts(triangle, part_of_b, first);
   }
@@ -301,15 +289,15 @@ class SurfaceContacts {
   }
 
   // Takes out what turned contacts claim too much.
-  template <class VisitWithin>
-  void settle_claims(const VisitWithin& visit_within) {
+  template <class OnTheWay>
+  void settle_claims(const OnTheWay& on_the_way) {
     if (turned_.empty()) {
       return;
     }
-    claims_.settle([&](const Vec3& direction) { return lowest_along(direction); });
+    claims_.settle([&](const Vec3& direction) { return ways_.lowest_along(direction); });
     std::size_t kept = first_, next = first_;
     bool is_cut = false;  // whether the way out of the whole is shorter than a contact claims
-    const PartingWay whole = way_out_of_whole(visit_within);
+    const PartingWay whole = way_out_of_whole(on_the_way);
     const auto keep = [&](std::size_t last, Real depth) {
       for (; next < last; ++next) {
         if (out_[next].distance >= -depth) {
@@ -325,9 +313,10 @@ class SurfaceContacts {
         continue;
       }
       const Vec3 normal = out_[group.first].normal;
-      const Real claimed = claims_.allowed_depth(
-          normal, group.depth, group.noise,
-          [&](const Columns& directions, Lanes lowest) { return met_.overlaps_along(group.part, directions, lowest); });
+      const Real claimed =
+          claims_.allowed_depth(normal, group.depth, group.noise, [&](const Columns& directions, Lanes lowest) {
+            return ways_.overlaps_along(group.part, directions, lowest);
+          });
       const Real allowed = std::min(claimed, (1 + claim_blur) * whole.depth + group.noise);
       if (allowed < group.depth) {
         is_cut = is_cut || allowed < claimed;
@@ -340,41 +329,32 @@ class SurfaceContacts {
       out_.resize(kept);
     }
     if (is_cut) {
-      append_way(whole);
+      append_way(whole, on_the_way);
     }
   }
 
-  // The way that parts the whole may lead along no face that is met, and out of no triangle of its own.
-  void append_way(const PartingWay& whole) {
+  // The way that parts the whole may lead along no face that is met, and out of no triangle of its own. Its depth is
+  // that of the last touch on it. Whether a contact was added: one that is deeper than all others.
+  template <class OnTheWay>
+  bool append_way(const PartingWay& whole, const OnTheWay& on_the_way) {
     if constexpr (!Surface<Other>) {
-      const Triangle triangle = a_.part(met_.last_along(whole, lowest_along(whole.direction)));
-      const Real noise = noise_of(core_size(triangle, other_, ab_));
-      if (depth_from(first_) < whole.depth - noise) {
+      if (const auto last = ways_.last_touch_deeper_than(std::max(depth_from(first_), Real{0}), whole, on_the_way)) {
         const std::size_t first = out_.size();
-        const Vec3 way = whole.direction, point_b = outermost_beside(triangle, way, noise) - other_.radius() * way;
+        const Vec3 &way = whole.direction, &point = last->touch.point;
         const Feature feature_a{FeatureKind::face, 0}, feature_b = supporting_feature(other_, ab_.rotation.undo(-way));
-        // Other contacts may have the same features. Where no points of both lie across each other, that of b tells,
-        // and where the way takes it.
-        out_.push_back({point_b + whole.depth * way, point_b, way, -whole.depth, feature_a, feature_b,
+        // Other contacts may have the same features.
+        out_.push_back({point + last->touch.depth * way, point, way, -last->touch.depth, feature_a, feature_b,
                         mixed(~contact_id(feature_a, feature_b))});
-        name_parts(triangle, 0, first);
+        name_parts(a_.part(last->number), 0, first);
+        return true;
       }
     }
-  }
-
-  // The point of the core of b that is outermost against a way, as little beside the triangle as can be.
-  [[nodiscard]] Vec3 outermost_beside(const Triangle& triangle, const Vec3& way, Real noise) const {
-    const Vec3 outermost = placed_support(other_, place(other_, ab_), -way).point;
-    [[clang::uninitialized]] const Face face_a = triangle.supporting_face(way);
-    [[clang::uninitialized]] const Face face_b = placed_face(other_, ab_, -way);
-    const Vec3 beside = points_across(face_a, face_b, way, noise).point_b;
-    // The polygon of a rim may miss the outermost point.
-    return std::fabs(dot(way, beside - outermost)) <= noise ? beside : outermost;
+    return false;
   }
 
   // The shortest way out of all parts that b meets; without end where no turned contact is deeper than the others.
-  template <class VisitWithin>
-  [[nodiscard]] PartingWay way_out_of_whole(const VisitWithin& visit_within) {
+  template <class OnTheWay>
+  [[nodiscard]] PartingWay way_out_of_whole(const OnTheWay& on_the_way) {
     const Group* deepest = nullptr;
     for (const Group& group : turned_.span()) {
       if (group.depth > (deepest ? deepest->depth : 0)) {
@@ -384,78 +364,21 @@ class SurfaceContacts {
     if (!deepest || deepest->depth <= (1 + claim_blur) * depth_) {
       return {infinity, {0, 0, 0}};
     }
-    return shortest_way(deepest->part, deepest->depth, visit_within);
+    return ways_.shortest(claims_.sum_of_normals(), deepest->depth, on_the_way);
   }
-  // The same if shorter than `most`, which is the way out of a part that is met.
-  template <class VisitWithin>
-  [[nodiscard]] PartingWay shortest_way(std::size_t part, Real most, const VisitWithin& visit_within) {
-    const auto out_of_met = [&] {
-      return met_.way_out(
-          claims_.sum_of_normals(), part, most, [&](const Vec3& direction) { return lowest_along(direction); },
-          inner());
-    };
-    PartingWay way = out_of_met();
-    if constexpr (!Surface<Other>) {
-      // The way out of what is met may lead into what is not met yet.
-      for (Real reach = settings_.margin; way.depth > reach && way.depth < most;) {
-        reach = std::min(2 * way.depth, most);
-        const std::size_t before = met_.size();
-        visit_within(reach, [&](const Triangle& triangle, std::uint32_t) { meet_on_the_way(triangle, reach); });
-        way = met_.size() > before ? out_of_met() : way;
-      }
-    }
-    return way;
-  }
-
-  // A part that only stands in the way.
-  void meet_on_the_way(const Triangle& triangle, Real reach) {
-    if (met_.has(triangle.index())) {
-      return;
-    }
-    const Real radii = other_.radius();
-    const CoreSeparation core = begin_separation(triangle, other_, ab_, settings_, reach + radii).core;
-    if (core.beyond || core.distance - radii > reach) {
-      return;
-    }
-    const Fronts<B> fronts(triangle, other_, ab_);
-    if (fronts.allows(core.normal) || counts_from_behind(triangle, other_, core)) {
-      const Real touching = touching_within(core_size(triangle, other_, ab_));
-      met_.add(triangle, other_, ab_, fronts, core.distance - radii, touching);
-      met_.add_way(core.normal);
-    }
-  }
-
-  // Where b begins along a direction, unless it is made of parts: each knows its own.
-  [[nodiscard]] Real lowest_along(const Vec3& direction) const {
-    if constexpr (Surface<Other>) {
-      return 0;
-    } else {
-      return dot(direction, placed_support(other_, place(other_, ab_), -direction).point) - other_.radius();
-    }
-  }
-
-  // A point of b, which begins no later.
-  [[nodiscard]] Vec3 inner() const {
-    if constexpr (Surface<Other>) {
-      return {0, 0, 0};
-    } else {
-      return placed_centre(other_, ab_);
-    }
-  }
-
   // No way out of all is shorter than that of a triangle. Where all contacts are less deep than one that was left to
   // neighbours, the shortest way out of all tells the depth. Where there is no contact, the deepest one left counts
   // after all. That has a number of its own: the same features may have met under the normal of the face.
-  template <class VisitWithin>
-  void append_left(const VisitWithin& visit_within) {
+  template <class OnTheWay>
+  void append_left(const OnTheWay& on_the_way) {
     if (!left_) {
       return;
     }
     if constexpr (!Surface<Other>) {
       const CoreSeparation& core = left_->found.core;
       if (core.overlap && depth_from(first_) < other_.radius() - core.distance - core.rounding) {
-        if (const PartingWay way = shortest_way(0, infinity, visit_within); way.depth < infinity) {
-          append_way(way);
+        const PartingWay way = ways_.shortest(claims_.sum_of_normals(), infinity, on_the_way);
+        if (way.depth < infinity && append_way(way, on_the_way)) {
           return;
         }
       }
@@ -497,7 +420,7 @@ class SurfaceContacts {
   std::size_t first_;
   Claims claims_;
   Real depth_ = 0;  // of the deepest contact that was not turned: all parts together are no less deep
-  PartsMet<B> met_;
+  PartingWays<A, Other> ways_;
   SmallVector<Group, 32> turned_;
   std::optional<Left> left_;
 };

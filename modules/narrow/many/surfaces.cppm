@@ -10,6 +10,7 @@ import abut.narrow.convex;
 import abut.narrow.many.four_nearest;
 export import abut.narrow.many.half_space_surfaces;
 import abut.narrow.many.nearest_of_parts;
+import abut.narrow.many.parts_met;
 import abut.narrow.many.point_ghosts;
 import abut.narrow.many.quick_axes;
 import abut.narrow.many.solid_contacts;
@@ -114,6 +115,32 @@ template <Surface A, Convex B>
   return Outcome::ok;
 }
 
+// What a convex shape may meet of a surface on a way.
+template <Surface A, Convex B>
+class OnTheWay {
+ public:
+  OnTheWay(const A& a, const B& b, const Pose& ab, const QuickAxes<B>& axes)
+      : a_(a), box_(b.aabb(ab)), radius_(b.radius()), axes_(axes) {}
+
+  // A bit for each triangle that it may meet.
+  [[nodiscard]] std::uint64_t meets(const FourTriangles& triangles, const PartingWay& way) const {
+    return axes_.near_on_way(triangles, way.depth * way.direction, radius_);
+  }
+  template <class Visitor>
+  void visit(const PartingWay& way, const Visitor& visit) const {
+    const Vec3 along = way.depth * way.direction;
+    Aabb swept = box_;
+    swept.include(Aabb{box_.low + along, box_.high + along});
+    a_.visit_parts(swept, InFours{[&](const FourTriangles& triangles) { return meets(triangles, way); }}, visit);
+  }
+
+ private:
+  const A& a_;
+  Aabb box_;
+  Real radius_;
+  const QuickAxes<B>& axes_;
+};
+
 template <Surface A, Convex B>
 [[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                      Manifold& out) {
@@ -126,12 +153,7 @@ template <Surface A, Convex B>
   const QuickAxes<B> axes(b, ab);
   const Real limit = settings.margin + b.radius();
   const auto add = [&](const typename A::Part& part, std::uint32_t) { contacts.add(part, b, 0); };
-  const auto visit_within = [&](Real reach, const auto& visit) {
-    Aabb within = b.aabb(ab).inflated(reach);
-    a.visit_parts(within,
-                  InFours{[&](const FourTriangles& triangles) { return axes.near(triangles, reach + b.radius()); }},
-                  visit);
-  };
+  const OnTheWay on_the_way(a, b, ab, axes);
   if constexpr (PointCored<B>) {
     [[clang::uninitialized]] PointGhosts<A> ghosts(a, placed_centre(b, ab));
     const auto ask = [&](const FourTriangles& triangles) {
@@ -139,10 +161,10 @@ template <Surface A, Convex B>
       return ghosts.without(triangles, nearest, axes.near(triangles, nearest, limit));
     };
     a.visit_parts(query, InFours{ask}, add);
-    contacts.finish(visit_within, [&] { ghosts.visit(add); });
+    contacts.finish(on_the_way, [&] { ghosts.visit(add); });
   } else {
     a.visit_parts(query, InFours{[&](const FourTriangles& triangles) { return axes.near(triangles, limit); }}, add);
-    contacts.finish(visit_within, [] {});
+    contacts.finish(on_the_way, [] {});
   }
   if constexpr (Enclosing<A>) {
     if (a.is_solid()) {

@@ -138,6 +138,24 @@ template <Convex B>
   return completed(triangle, b, ab, begin_separation(triangle, b, ab, settings, limit));
 }
 
+// The fronts of four pairs, one per lane.
+struct FourFronts {
+  Columns a, b;
+
+  [[nodiscard]] [[gnu::always_inline]] inline FourFronts all_of(std::size_t lane) const {
+    return {Columns::all(a[lane]), Columns::all(b[lane])};
+  }
+  void put(std::size_t lane, const FourFronts& one) {
+    a.put(lane, one.a[0]);
+    b.put(lane, one.b[0]);
+  }
+  // For normals that are those of the sides, within rounding.
+  [[nodiscard]] [[gnu::always_inline]] inline LaneNumbers nearly_allow(const Columns& normals) const {
+    const Lanes least = all_lanes(-1e-12);
+    return (dot(normals, a) >= least) & (dot(normals, b) >= least);
+  }
+};
+
 // Which ways a pair may be parted: the front of either side, where that side is a one-sided triangle.
 template <Convex B>
 class Fronts {
@@ -154,15 +172,24 @@ class Fronts {
   [[nodiscard]] bool nearly_allows(const Vec3& normal) const {
     return dot(normal, a_) >= -1e-12 && dot(normal, b_) >= -1e-12;
   }
-  // The same for four at once.
-  [[nodiscard]] LaneNumbers nearly_allow(const Columns& normals) const {
-    const Lanes least = all_lanes(-1e-12);
-    return (dot(normals, Columns::all(a_)) >= least) & (dot(normals, Columns::all(b_)) >= least);
-  }
+  [[nodiscard]] FourFronts in_all() const { return {Columns::all(a_), Columns::all(b_)}; }
 
  private:
   Vec3 a_, b_;
 };
+
+// Of a core that is beside or behind a triangle, only what its rounding has sunk in from the front counts.
+template <Convex B>
+[[nodiscard]] bool counts_from_behind(const Triangle& triangle, const B& b, const Pose& ab,
+                                      const CoreSeparation& core) {
+  return core.overlap ||
+         (core.distance < b.radius() && dot(triangle.normal(), placed_centre(b, ab) - triangle.corners()[0]) >= 0);
+}
+// Cores that are no further apart, or overlap no more, may only touch. A search on curved cores has a bound.
+template <Convex B>
+[[nodiscard]] Real touching_within(Real size) {
+  return Curved<B> ? curve_blur(size) : noise_of(size);
+}
 
 // The separation along the normal of a face.
 template <Convex B>

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shortest way that parts a shape from all triangles of a surface that it meets, or meets on the way. No contact is
+// deeper.
+export module abut.narrow.many.parting_ways;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.math.four_vec3;
+import abut.narrow.convex;
+import abut.narrow.many.last_touch;
+import abut.narrow.many.parts_met;
+import abut.narrow.many.triangle_contacts;
+
+export namespace abut {
+
+// What a side is made of: its parts, or itself.
+template <class S>
+struct PartOf {
+  using type = S;
+};
+template <Surface S>
+struct PartOf<S> {
+  using type = typename S::Part;
+};
+
+// Two surfaces are asked about what they meet already.
+struct NothingOnTheWay {};
+
+template <Surface A, class Other>
+class PartingWays {
+ public:
+  using B = typename PartOf<Other>::type;
+
+  PartingWays(const A& a, const Other& other, const Pose& ab, const QuerySettings& settings)
+      : a_(a), other_(other), ab_(ab), settings_(settings) {}
+
+  // What is met: its number.
+  std::size_t add(const Triangle& triangle, const B& b, const Fronts<B>& fronts, Real gap, Real touching) {
+    return met_.add(triangle, b, ab_, fronts, gap, touching);
+  }
+  void add_way(const Vec3& way) { met_.add_way(way); }
+  [[nodiscard]] Lanes overlaps_along(std::size_t part, const Columns& directions, Lanes lowest) const {
+    return met_.overlaps_along(part, directions, lowest);
+  }
+
+  // Where b begins along a direction, unless it is made of parts: each knows its own.
+  [[nodiscard]] Real lowest_along(const Vec3& direction) const {
+    if constexpr (Surface<Other>) {
+      return 0;
+    } else {
+      return dot(direction, placed_support(other_, place(other_, ab_), -direction).point) - other_.radius();
+    }
+  }
+
+  // The best of the known ways and of the mean of `normals`, if shorter than `most`. `on_the_way`: what b may meet on a
+  // way.
+  template <class OnTheWay>
+  [[nodiscard]] PartingWay shortest(const Vec3& normals, Real most, const OnTheWay& on_the_way) {
+    const auto out_of_met = [&] {
+      return met_.way_out(
+          normals, most, [&](const Vec3& direction) { return lowest_along(direction); }, inner(), meets_on(on_the_way));
+    };
+    PartingWay way = out_of_met();
+    if constexpr (!Surface<Other>) {
+      // The way out of what is met may lead into what is not met yet.
+      for (std::size_t before = 0; way.depth < most && before < met_.size();) {
+        before = met_.size();
+        on_the_way.visit(way, [&](const Triangle& triangle, std::uint32_t) { meet(triangle, way.depth); });
+        way = met_.size() > before ? out_of_met() : way;
+      }
+    }
+    return way;
+  }
+
+  // The last touch on a way, and the number of its triangle, if it is deeper than `least`.
+  struct TouchOfPart {
+    LastTouch touch;
+    std::uint32_t number;
+  };
+  template <class OnTheWay>
+  [[nodiscard]] std::optional<TouchOfPart> last_touch_deeper_than(Real least, const PartingWay& way,
+                                                                  const OnTheWay& on_the_way) const {
+    std::optional<TouchOfPart> last;
+    const auto parts = met_.last_on(way, lowest_along(way.direction), meets_on(on_the_way));
+    for (const PartOnWay& part : parts.span()) {
+      const Triangle triangle = a_.part(part.number);
+      const Real deepest = last ? last->touch.depth : least;
+      // The others part no later.
+      if (!(part.overlap > deepest + noise_of(core_size(triangle, other_, ab_)))) {
+        break;
+      }
+      const auto touch = last_touch(triangle, other_, ab_, {part.overlap, way.direction}, settings_);
+      if (touch && touch->depth > deepest) {
+        last = TouchOfPart{*touch, part.number};
+      }
+    }
+    return last;
+  }
+
+ private:
+  // A bit for each of four parts that b may meet on a way: no further from it than the way is long, and within the
+  // swept box of a convex b.
+  template <class OnTheWay>
+  [[nodiscard]] static auto meets_on(const OnTheWay& on_the_way) {
+    return [&](const FourParts<B>& parts, const PartingWay& way) {
+      const std::uint64_t are_within = bits_of(parts.gap <= all_lanes(way.depth) + parts.noise);
+      if constexpr (Surface<Other>) {
+        return are_within;
+      } else {
+        return are_within == 0 ? 0 : are_within & on_the_way.meets(parts.triangles, way);
+      }
+    };
+  }
+
+  // A part that only stands in a way of some length.
+  void meet(const Triangle& triangle, Real depth) {
+    if (met_.has(triangle.index())) {
+      return;
+    }
+    const Real radii = other_.radius();
+    const CoreSeparation core = begin_separation(triangle, other_, ab_, settings_, depth + radii).core;
+    if (core.beyond || core.distance - radii > depth) {
+      return;
+    }
+    const Fronts<B> fronts(triangle, other_, ab_);
+    if (fronts.allows(core.normal) || counts_from_behind(triangle, other_, ab_, core)) {
+      const Real touching = touching_within<B>(core_size(triangle, other_, ab_));
+      met_.add(triangle, other_, ab_, fronts, core.distance - radii, touching);
+      met_.add_way(core.normal);
+    }
+  }
+
+  // A point of b, which begins no later along any direction.
+  [[nodiscard]] Vec3 inner() const {
+    if constexpr (Surface<Other>) {
+      return {0, 0, 0};
+    } else {
+      return placed_centre(other_, ab_);
+    }
+  }
+
+  const A& a_;
+  const Other& other_;
+  const Pose& ab_;
+  const QuerySettings& settings_;
+  PartsMet<B> met_;
+};
+
+}  // namespace abut
