@@ -4,6 +4,32 @@
 
 using namespace abut::capi;
 
+void Extensions::attach(std::string_view name) {
+  const std::scoped_lock lock(mutex_);
+  ++counts_.try_emplace(std::string(name), 0).first->second;
+}
+
+bool Extensions::detach(std::string_view name) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = counts_.find(name);
+  if (found == counts_.end()) {
+    return false;
+  }
+  if (--found->second == 0) {
+    counts_.erase(found);
+  }
+  return true;
+}
+
+std::vector<abut::Plan::Extension> Extensions::all() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<abut::Plan::Extension> list;
+  for (const auto& [name, count] : counts_) {
+    list.push_back({name, count});
+  }
+  return list;
+}
+
 namespace {
 
 // Longer names are cut where they are shown, so nobody gets to use one.

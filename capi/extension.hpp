@@ -13,33 +13,13 @@ namespace abut::capi {
 // Counts by name. Safe from many threads at once.
 class Extensions {
  public:
-  void attach(std::string_view name) {
-    const std::scoped_lock lock(mutex_);
-    ++counts_.try_emplace(std::string(name), 0).first->second;
-  }
+  void attach(std::string_view name);
 
   // False when none of that name is attached.
-  [[nodiscard]] bool detach(std::string_view name) {
-    const std::scoped_lock lock(mutex_);
-    const auto found = counts_.find(name);
-    if (found == counts_.end()) {
-      return false;
-    }
-    if (--found->second == 0) {
-      counts_.erase(found);
-    }
-    return true;
-  }
+  [[nodiscard]] bool detach(std::string_view name);
 
   // By name.
-  [[nodiscard]] std::vector<Plan::Extension> all() const {
-    const std::scoped_lock lock(mutex_);
-    std::vector<Plan::Extension> list;
-    for (const auto& [name, count] : counts_) {
-      list.push_back({name, count});
-    }
-    return list;
-  }
+  [[nodiscard]] std::vector<Plan::Extension> all() const;
 
  private:
   mutable std::mutex mutex_;

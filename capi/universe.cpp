@@ -96,6 +96,9 @@ abut_status explain(const abut_universe* universe, Words words, char* text, std:
 
 }  // namespace
 
+abut_universe::abut_universe(const abut::UniverseOptions& options, std::uint32_t number) : universe(options, number) {}
+abut_universe::~abut_universe() = default;
+
 std::uint32_t abut::capi::next_universe_number() {
   static constinit std::atomic<std::uint32_t> next{1};
   return next.fetch_add(1, std::memory_order_relaxed);

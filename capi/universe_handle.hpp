@@ -46,7 +46,9 @@ class Lent {
 }  // namespace abut::capi
 
 struct abut_universe {
-  abut_universe(const abut::UniverseOptions& options, std::uint32_t number) : universe(options, number) {}
+  // Out of line: every unit would compile what all members do when they come and go.
+  abut_universe(const abut::UniverseOptions& options, std::uint32_t number);
+  ~abut_universe();
 
   abut::Universe universe;
   mutable std::atomic<bool> poisoned{false};

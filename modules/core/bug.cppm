@@ -10,7 +10,7 @@ class Bug : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-[[noreturn]] inline void report_bug(const char* condition, const char* file, int line) {
+[[noreturn]] void report_bug(const char* condition, const char* file, int line) {
   throw Bug(std::string(file) + ":" + std::to_string(line) + ": " + condition);
 }
 

@@ -31,18 +31,20 @@ struct Error {
   std::string message;
 };
 
-[[nodiscard]] inline std::string to_text(double value) {
+[[nodiscard]] std::string to_text(double value) {
   // The shortest digits that read back as the same number; at most 24 characters.
   std::string text(32, '\0');
   text.resize(static_cast<std::size_t>(std::to_chars(text.data(), &text.back(), value).ptr - text.data()));
   return text;
 }
 
-[[nodiscard]] inline std::string to_text(std::uint64_t value) { return std::to_string(value); }
+[[nodiscard]] std::string to_text(std::uint64_t value) { return std::to_string(value); }
 
 // "radius is -1; it must be positive"
-template <class Value>
-[[nodiscard]] Error error_about(Errc code, std::string_view name, Value value, std::string_view expectation) {
+[[nodiscard]] Error error_about(Errc code, std::string_view name, double value, std::string_view expectation) {
+  return {code, std::string(name) + " is " + to_text(value) + "; it must be " + std::string(expectation)};
+}
+[[nodiscard]] Error error_about(Errc code, std::string_view name, std::uint64_t value, std::string_view expectation) {
   return {code, std::string(name) + " is " + to_text(value) + "; it must be " + std::string(expectation)};
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The plan for programs.
 module abut.report.plan;
-import abut.core;
 import abut.core.standard;
 import abut.scene.focus;
 import abut.report.json;

@@ -57,7 +57,7 @@ class Hull {
     return data_->blocks;
   }
 
-  [[nodiscard]] inline Aabb aabb(const Pose& pose) const {
+  [[nodiscard]] Aabb aabb(const Pose& pose) const {
     // Exact rather than the box of the local box: six support points.
     const Rotation back = pose.rotation.inverse();
     const HullData& hull = *data_;

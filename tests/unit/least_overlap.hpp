@@ -20,10 +20,33 @@ struct Solid {
   bool is_cone;
 
   [[nodiscard]] abut::Real reach(const abut::Vec3& d) const {
-    const abut::Real base = radius * std::hypot(d.x, d.y) + half_height * (is_cone ? -d.z : std::fabs(d.z));
+    // Not by std::hypot, which is for numbers that are much larger or smaller and takes most of the time of a search.
+    const abut::Real base = radius * std::sqrt(d.x * d.x + d.y * d.y) + half_height * (is_cone ? -d.z : std::fabs(d.z));
     return is_cone ? std::max(base, half_height * d.z) : base;
   }
 };
+
+// All over the sphere.
+inline std::vector<abut::Vec3> make_directions() {
+  constexpr int count = 3000;
+  const abut::Real golden = std::numbers::pi * (3 - std::sqrt(abut::Real{5}));
+  std::vector<abut::Vec3> directions;
+  for (int i = 0; i < count; ++i) {
+    const abut::Real z = 1 - (2 * i + 1) / abut::Real(count), side = std::sqrt(1 - z * z);
+    directions.push_back({side * std::cos(golden * i), side * std::sin(golden * i), z});
+  }
+  return directions;
+}
+
+// All around, as cosine and sine.
+inline std::vector<std::pair<abut::Real, abut::Real>> make_turns() {
+  std::vector<std::pair<abut::Real, abut::Real>> turns;
+  for (int around = 0; around < 16; ++around) {
+    const abut::Real angle = std::numbers::pi * around / 8;
+    turns.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return turns;
+}
 
 // The least overlap of directions all over the sphere, and of those that a search by ever smaller steps reaches from
 // them: never less than the truth. `overlap` takes a direction of any length.
@@ -31,12 +54,12 @@ template <class Overlap>
 abut::Real least_overlap(const Overlap& overlap) {
   using abut::Real;
   using abut::Vec3;
-  constexpr int count = 3000, kept = 12;
-  const Real golden = std::numbers::pi * (3 - std::sqrt(Real{5}));
+  constexpr int kept = 12;
+  static const std::vector<Vec3> directions = make_directions();
+  static const std::vector<std::pair<Real, Real>> turns = make_turns();
   std::vector<std::pair<Real, Vec3>> tried;
-  for (int i = 0; i < count; ++i) {
-    const Real z = 1 - (2 * i + 1) / Real(count), side = std::sqrt(1 - z * z);
-    const Vec3 d{side * std::cos(golden * i), side * std::sin(golden * i), z};
+  tried.reserve(directions.size());
+  for (const Vec3& d : directions) {
     tried.emplace_back(overlap(d), d);
   }
   std::ranges::partial_sort(tried, tried.begin() + kept, {}, [](const auto& one) { return one.first; });
@@ -47,14 +70,14 @@ abut::Real least_overlap(const Overlap& overlap) {
       for (bool is_lower = true; is_lower;) {
         is_lower = false;
         const abut::Tangents across = abut::tangents_of(d);
-        for (int around = 0; around < 16 && !is_lower; ++around) {
-          const Real angle = std::numbers::pi * around / 8;
-          const Vec3 next = d + step * (std::cos(angle) * across.first + std::sin(angle) * across.second);
+        for (const auto& [cosine, sine] : turns) {
+          const Vec3 next = d + step * (cosine * across.first + sine * across.second);
           const Real value = overlap(next);
           if (value < here - 1e-14) {
             here = value;
             d = (1 / norm(next)) * next;
             is_lower = true;
+            break;
           }
         }
       }

@@ -149,7 +149,7 @@ template <class Vector>
 }
 
 // The same on the surface of a tetrahedron that holds the origin.
-[[nodiscard]] inline ClosestPoint closest_on_faces(const Simplex& simplex) {
+[[nodiscard]] ClosestPoint closest_on_faces(const Simplex& simplex) {
   const auto& v = simplex.vertices;
   ClosestPoint best{};
   Real best_square = infinity;
@@ -161,7 +161,7 @@ template <class Vector>
 }
 
 // Of three vertices and one more. Out of line: most of the code of a search would be this, once for each pair of cores.
-[[nodiscard]] [[gnu::noinline]] inline ClosestPoint closest_on_tetrahedron(const Simplex& three, const Vec3& newest) {
+[[nodiscard]] ClosestPoint closest_on_tetrahedron(const Simplex& three, const Vec3& newest) {
   const auto& v = three.vertices;
   return closest_on_tetrahedron(v[0].w, v[1].w, v[2].w, newest);
 }
@@ -178,7 +178,7 @@ template <class Vector>
 }
 
 // Of at least one vertex.
-[[nodiscard]] [[gnu::noinline]] inline ClosestPoint closest_to_origin(Simplex simplex) {
+[[nodiscard]] ClosestPoint closest_to_origin(Simplex simplex) {
   simplex.size -= 1;
   return closest_to_origin(simplex, simplex.vertices[simplex.size].w);
 }

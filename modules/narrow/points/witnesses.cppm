@@ -176,7 +176,7 @@ inline void touch_at(const Vec3& point_a, const Vec3& point_b, CoreSeparation& c
   core.point_b = middle + half;
 }
 // Unless the search came no nearer to it than `slack`.
-inline void find_touch(const Simplex& simplex, Real slack, CoreSeparation& core) {
+void find_touch(const Simplex& simplex, Real slack, CoreSeparation& core) {
   Simplex face = simplex;
   ClosestPoint closest = closest_to_origin(face);
   if (closest.vertices == all_of_tetrahedron) {
