@@ -17,6 +17,7 @@ struct Paths {
   const Places& places;
   Real dt;
 
+  [[nodiscard]] bool is_still(std::uint32_t place) const { return velocities.is_still(places.infos[place].part.slot); }
   [[nodiscard]] bool moves(std::uint32_t place) const { return !is_still(place) && motion_of(place) != Motion{}; }
   [[nodiscard]] bool begins_at_pose(std::uint32_t place) const {
     return velocities.start_of(places.infos[place].part.slot) == nullptr;
@@ -57,7 +58,6 @@ struct Paths {
   [[nodiscard]] static Real way_of(const Vec3& velocity, const Vec3& acceleration) {
     return norm(velocity) + (acceleration == Vec3{0, 0, 0} ? 0 : 0.5 * norm(acceleration));
   }
-  [[nodiscard]] bool is_still(std::uint32_t place) const { return velocities.is_still(places.infos[place].part.slot); }
   [[nodiscard]] Motion motion_of(std::uint32_t place) const {
     return velocities.motion_within(dt, places.infos[place].part.slot);
   }

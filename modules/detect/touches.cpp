@@ -69,26 +69,28 @@ std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real appr
 
 }  // namespace
 
-bool pass_by(const PathPair& pair) {
-  const Path &a = pair.a.path, &b = pair.b.path;
-  const auto part_a = ConvexPart::of(pair.a.shape), part_b = ConvexPart::of(pair.b.shape);
-  if (!part_a || !part_b) {
-    return false;
-  }
-  const Pose own = Pose::identity();
-  const MovingPart moving_a = moving_part(*part_a, a, own, pair.a.box),
-                   moving_b = moving_part(*part_b, b, own, pair.b.box);
-  const auto size_of = [](const Path& path, Real radius) {
-    return norm(path.start().position) + norm(path.centre_at(0)) + norm(path.shift_at(1)) + 2 * radius;
+Real free_until(const PassingShape& a, const PassingShape& b, Real margin) {
+  // More than all coordinates on the way; no core point is further from its centre than twice the extent.
+  const auto size_of = [](const PassingShape& its) {
+    return 2 * (largest_magnitude(its.path.start().position) + largest_magnitude(its.path.centre_at(0)) +
+                largest_magnitude(its.path.shift_at(1)) + largest_magnitude(its.part.centre()) + 2 * its.part.extent() +
+                its.part.radius());
   };
-  const Real size =
-      size_of(a, moving_a.reach.radius + part_a->radius()) + size_of(b, moving_b.reach.radius + part_b->radius());
-  return abut::pass_by({moving_a, moving_b, {.size = size, .tolerance = 0, .margin = pair.margin, .most_rounds = 0}},
-                       {0, 1});
+  const Pose own = Pose::identity();
+  return abut::free_until({{a.part, &a.path, own, a.reach, true},
+                           {b.part, &b.path, own, b.reach, true},
+                           {.size = size_of(a) + size_of(b), .tolerance = 0, .margin = margin, .most_rounds = 0}},
+                          {0, 1}, a.end, b.end);
 }
 
 Outcome find_touch(const PathPair& pair, Real begin, Impact& out) {
-  return time_of_impact(pair.a, pair.b, {.margin = pair.margin, .begin = begin, .wants_depth = false}, out);
+  const Outcome outcome =
+      time_of_impact(pair.a, pair.b, {.margin = pair.margin, .begin = begin, .wants_depth = false}, out);
+  // They were apart before.
+  if (out.state == ImpactState::starts_together && begin > 0) {
+    out.state = ImpactState::touches;
+  }
+  return outcome;
 }
 
 std::optional<Impact> find_touch_after(const PathPair& pair, Real time) {

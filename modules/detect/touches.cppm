@@ -4,6 +4,7 @@ export module abut.detect.touches;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.motion.convex_part;
 import abut.motion.time_of_impact;
 
 export namespace abut {
@@ -21,9 +22,16 @@ struct PathPair {
   Real margin;
 };
 
-// Whether two convex shapes are proven to stay apart, by a look that takes less than a search. Often they do where it
-// does not tell.
-[[nodiscard]] bool pass_by(const PathPair& pair);
+// A convex shape on its path.
+struct PassingShape {
+  const ConvexPart& part;
+  const Path& path;
+  Reach reach;      // of its core
+  const Pose& end;  // of its path
+};
+// A time up to which two are proven to stay further apart than the margin, by a look that takes less than a search:
+// 1 for the whole step, 0 where it does not tell.
+[[nodiscard]] Real free_until(const PassingShape& a, const PassingShape& b, Real margin);
 
 // From a time on, at which they are apart or which is the start. Not ok where the two kinds do not meet.
 [[nodiscard]] Outcome find_touch(const PathPair& pair, Real begin, Impact& out);

@@ -246,19 +246,25 @@ Real free_share(Real at_begin, Real at_end, Real bend, Real length) {
   return divisor > 0 && zero <= 1 ? inward * zero : 1;
 }
 
-bool pass_by(const MovingPair& pair, const TimeSpan& span) {
-  const Placed placed = placed_at(pair, span.begin), placed_then = placed_at(pair, span.end);
-  const Vec3 centre_a = pair.a.part.centre(), centre_b = pair.b.part.centre();
-  const Vec3 first = placed.b * centre_b - placed.a * centre_a;
-  const Vec3 way = placed_then.b * centre_b - placed_then.a * centre_a - first;
-  const Real along = squared_norm(way), share = along > 0 ? std::clamp<Real>(-dot(first, way) / along, 0, 1) : 0;
-  const auto normal = UnitVec3::make(first + share * way);
-  if (!normal) {
-    return false;
+Real free_until(const MovingPair& pair, const TimeSpan& span, const Pose& end_a, const Pose& end_b) {
+  const Placed placed = placed_at(pair, span.begin), placed_then{end_a, end_b};
+  const Vec3 centre_a = placed.a * pair.a.part.centre(), centre_b = placed.b * pair.b.part.centre();
+  const Real middle = 0.5 * (span.begin + span.end);
+  const Vec3 first = centre_b - centre_a, way = span.length() * (velocity_of(*pair.b.path, centre_b, middle) -
+                                                                 velocity_of(*pair.a.path, centre_a, middle));
+  const Real along = squared_norm(way), nearest = along > 0 ? std::clamp<Real>(-dot(first, way) / along, 0, 1) : 0;
+  const auto free_along = [&](const Vec3& direction) {
+    const auto normal = UnitVec3::make(direction);
+    const Real gap = normal ? gap_along(pair, placed, *normal) : 0;
+    return gap > 0 ? free_share(gap, gap_along(pair, placed_then, *normal), bend_of_still(pair, *normal, span),
+                                span.length())
+                   : 0;
+  };
+  Real share = free_along(first + nearest * way);
+  if (share < 1 && nearest > 0) {
+    share = std::max(share, free_along(first));
   }
-  const Real gap = gap_along(pair, placed, *normal);
-  return gap > 0 &&
-         free_share(gap, gap_along(pair, placed_then, *normal), bend_of_still(pair, *normal, span), span.length()) >= 1;
+  return share < 1 ? span.begin + share * span.length() : span.end;
 }
 
 Impact convex_impact(const MovingPair& pair, const TimeSpan& span) {

@@ -38,9 +38,10 @@ struct MovingPair {
   ImpactSettings settings;
 };
 
-// Whether parts are apart for a whole span along one direction: from centre to centre, when these are nearest to each
-// other on straight ways. Most that do not touch are, and this takes less than a search.
-[[nodiscard]] bool pass_by(const MovingPair& pair, const TimeSpan& span);
+// A time of a span up to which parts are certainly apart along one direction: from centre to centre, at the begin or
+// when these are nearest to each other on straight ways. Most that do not touch are apart along the latter all the
+// time, and this takes less than a search. `end_a` and `end_b` are where they are when the span ends.
+[[nodiscard]] Real free_until(const MovingPair& pair, const TimeSpan& span, const Pose& end_a, const Pose& end_b);
 
 // Within a span of time, in the frame of the paths. Of parts that overlap at its begin the contact says nothing.
 [[nodiscard]] Impact convex_impact(const MovingPair& pair, const TimeSpan& span);

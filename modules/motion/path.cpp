@@ -116,7 +116,7 @@ Result<Path> Path::between(const Pose& start, const Pose& end, const Vec3& centr
 }
 
 Pose Path::at(Real time) const {
-  if (!turns_) {
+  if (!turns_ || time == 0) {
     return {start_.rotation, start_.position + shift_at(time)};
   }
   const Vec3 turn = time * (motion_.angular_velocity + (0.5 * time) * motion_.angular_acceleration);
