@@ -11,6 +11,7 @@ import abut.detect.paths;
 import abut.detect.sweeps;
 import abut.detect.touches;
 import abut.math;
+import abut.motion.convex_impact;
 import abut.motion.convex_part;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
@@ -59,11 +60,10 @@ class Traveller {
   }
   [[nodiscard]] Aabb own_box() const { return mover_ != nullptr ? mover_->own : aabb_of(shape_, Pose::identity()); }
   // Of a convex shape.
-  [[nodiscard]] PassingShape passing() const [[clang::lifetimebound]] {
+  [[nodiscard]] PassingPart passing() const [[clang::lifetimebound]] {
     if (mover_ != nullptr) {
       return {*mover_->part, mover_->path, mover_->reach, mover_->end};
     }
-    // What does not turn is not asked for it.
     const Reach reach =
         slow_->path.turns() ? slow_->path.reach_of(own_box().inflated(-slow_->part->radius())) : Reach{0, 0};
     return {*slow_->part, slow_->path, reach, slow_->end};

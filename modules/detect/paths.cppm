@@ -23,6 +23,9 @@ struct Paths {
     return velocities.start_of(places.infos[place].part.slot) == nullptr;
   }
   [[nodiscard]] Path of(std::uint32_t place) const {
+    if (is_still(place)) {
+      return Path::at_rest(places.worlds[place], 1);
+    }
     const PlaceInfo& info = places.infos[place];
     const Placement* const before = velocities.start_of(info.part.slot);
     if (info.is_at_part) {
@@ -63,9 +66,6 @@ struct Paths {
   }
   // A motion that a path refuses is refused before the step begins.
   [[nodiscard]] Path path(const Pose& start, const Vec3& centre, std::uint32_t place) const {
-    if (is_still(place)) {
-      return Path::at_rest(start, 1);
-    }
     const auto found = Path::along(start, centre, motion_of(place), 1);
     return found ? found.value() : Path::at_rest(start, 1);
   }

@@ -3,7 +3,6 @@ module abut.detect.touches;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.motion.convex_impact;
 import abut.motion.convex_part;
 import abut.motion.path;
 import abut.motion.relative_motion;
@@ -68,20 +67,6 @@ std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real appr
 }
 
 }  // namespace
-
-Real free_until(const PassingShape& a, const PassingShape& b, Real margin) {
-  // More than all coordinates on the way; no core point is further from its centre than twice the extent.
-  const auto size_of = [](const PassingShape& its) {
-    return 2 * (largest_magnitude(its.path.start().position) + largest_magnitude(its.path.centre_at(0)) +
-                largest_magnitude(its.path.shift_at(1)) + largest_magnitude(its.part.centre()) + 2 * its.part.extent() +
-                its.part.radius());
-  };
-  const Pose own = Pose::identity();
-  return abut::free_until({{a.part, &a.path, own, a.reach, true},
-                           {b.part, &b.path, own, b.reach, true},
-                           {.size = size_of(a) + size_of(b), .tolerance = 0, .margin = margin, .most_rounds = 0}},
-                          {0, 1}, a.end, b.end);
-}
 
 Outcome find_touch(const PathPair& pair, Real begin, Impact& out) {
   const Outcome outcome =

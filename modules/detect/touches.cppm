@@ -4,7 +4,6 @@ export module abut.detect.touches;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.motion.convex_part;
 import abut.motion.time_of_impact;
 
 export namespace abut {
@@ -21,17 +20,6 @@ struct PathPair {
   MovingShape a, b;
   Real margin;
 };
-
-// A convex shape on its path.
-struct PassingShape {
-  const ConvexPart& part;
-  const Path& path;
-  Reach reach;      // of its core
-  const Pose& end;  // of its path
-};
-// A time up to which two are proven to stay further apart than the margin, by a look that takes less than a search:
-// 1 for the whole step, 0 where it does not tell.
-[[nodiscard]] Real free_until(const PassingShape& a, const PassingShape& b, Real margin);
 
 // From a time on, at which they are apart or which is the start. Not ok where the two kinds do not meet.
 [[nodiscard]] Outcome find_touch(const PathPair& pair, Real begin, Impact& out);
