@@ -27,6 +27,7 @@ class Sweeps {
   void clear() {}
   [[nodiscard]] std::span<const ProxyPair> pairs() const { return {}; }
   [[nodiscard]] std::span<const ProxyPair> with(std::span<const ProxyPair> near) { return near; }
+  [[nodiscard]] std::span<const std::uint32_t> numbers() const { return {}; }
   [[nodiscard]] std::size_t bytes() const { return 0; }
 };
 
@@ -41,7 +42,7 @@ struct PathScene {
 
 class ImpactStage {
  public:
-  void start(std::span<const ProxyPair> /*wanted*/, const Paths& /*paths*/, const Places& /*places*/,
+  void start(std::span<const std::uint32_t> /*wanted*/, const Paths& /*paths*/, const Places& /*places*/,
              std::span<Pair> /*pairs*/) {}
   void run(const Workers& /*workers*/, const PathScene& /*scene*/, std::span<Pair> /*pairs*/, JobList& /*jobs*/) {}
   void mark(std::span<const Pair> /*pairs*/, ContactList& /*contacts*/) {}

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.detect.impacts;
-import abut.broadphase.pair_order;
-import abut.broadphase;
 import abut.core.standard;
 import abut.core.workers;
 import abut.capability;
@@ -10,11 +8,14 @@ import abut.detect.jobs;
 import abut.detect.pairs;
 import abut.detect.path_contacts;
 import abut.detect.paths;
+import abut.detect.sweeps;
 import abut.detect.touches;
 import abut.math;
+import abut.motion.convex_impact;
 import abut.motion.convex_part;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
+import abut.pairs.registry;
 import abut.pairs.table;
 import abut.scene.options;
 import abut.scene.places;
@@ -24,6 +25,8 @@ namespace {
 
 // Pairs next to each other that one task takes.
 constexpr std::size_t pairs_of_block = 8;
+// Data is fetched from memory so many pairs before it is needed.
+constexpr std::size_t pairs_ahead = 4;
 
 // Whether the path of a pair tells all its contacts, whatever it leads to. Others keep those of their present poses
 // where their path has no answer.
@@ -31,8 +34,8 @@ bool is_told_by_path(const Pair& pair, const Paths& paths, const Places& places)
   const PlaceInfo &low = places.infos[pair.low], &high = places.infos[pair.high];
   return (low.sweeping == Sweeping::impacts || high.sweeping == Sweeping::impacts) &&
          (paths.moves(pair.low) || paths.moves(pair.high)) &&
-         !(paths.begins_at_pose(pair.low) && paths.begins_at_pose(pair.high)) &&
-         ConvexPart::of(*places.shapes[pair.low]) && ConvexPart::of(*places.shapes[pair.high]);
+         !(paths.begins_at_pose(pair.low) && paths.begins_at_pose(pair.high)) && is_convex_kind(low.kind) &&
+         is_convex_kind(high.kind);
 }
 
 PathPair path_pair(const PathScene& scene, const Sides& sides, Real margin) {
@@ -41,10 +44,41 @@ PathPair path_pair(const PathScene& scene, const Sides& sides, Real margin) {
           margin};
 }
 
-Path path_of(const PathScene& scene, std::uint32_t place) {
-  const Path* const known = scene.sweeps.path_of(place);
-  return known != nullptr ? *known : scene.paths.of(place);
-}
+// A geometry on its path. What is no mover has its path here.
+class Traveller {
+ public:
+  Traveller(const PathScene& scene [[clang::lifetimebound]], std::uint32_t place)
+      : shape_(*scene.places.shapes[place]), mover_(scene.sweeps.mover_at(place)) {
+    if (mover_ == nullptr) {
+      const Path path = scene.paths.of(place);
+      slow_.emplace(path, path.at(1), ConvexPart::of(shape_));
+    }
+  }
+
+  [[nodiscard]] const Path& path() const [[clang::lifetimebound]] {
+    return mover_ != nullptr ? mover_->path : slow_->path;
+  }
+  [[nodiscard]] Aabb own_box() const { return mover_ != nullptr ? mover_->own : aabb_of(shape_, Pose::identity()); }
+  // Of a convex shape.
+  [[nodiscard]] PassingPart passing() const [[clang::lifetimebound]] {
+    if (mover_ != nullptr) {
+      return {*mover_->part, mover_->path, mover_->reach, mover_->end};
+    }
+    const Reach reach =
+        slow_->path.turns() ? slow_->path.reach_of(own_box().inflated(-slow_->part->radius())) : Reach{0, 0};
+    return {*slow_->part, slow_->path, reach, slow_->end};
+  }
+
+ private:
+  struct Slow {
+    Path path;
+    Pose end;
+    std::optional<ConvexPart> part;
+  };
+  const AnyShape& shape_;
+  const Sweeps::Mover* mover_;
+  std::optional<Slow> slow_;
+};
 
 }  // namespace
 
@@ -88,20 +122,24 @@ void ImpactStage::examine(const PathScene& scene, const Pair& pair, const Block&
   if (!its.is_told_by_path && !scene.paths.moves(job.a) && !scene.paths.moves(job.b)) {
     return;
   }
-  const Sides sides{job, path_of(scene, job.a), path_of(scene, job.b), aabb_of(*places.shapes[job.a], Pose::identity()),
-                    aabb_of(*places.shapes[job.b], Pose::identity())};
+  const Traveller a(scene, job.a), b(scene, job.b);
   JobResult& result = jobs.result(its.job);
   its.touching = std::max<Real>(job.margin, 0);
+  Real begin = 0;  // before it they are apart
+  if (its.is_told_by_path) {
+    result = empty_result(block.number, jobs.scratch(block.number));
+    begin = free_until(a.passing(), b.passing(), its.touching);
+    if (begin >= 1) {
+      return;
+    }
+  }
+  const Sides sides{job, a.path(), b.path(), a.own_box(), b.own_box()};
   if (!has(Sweeping::impacts)) {
     its.is_speculative = true;
     report_speculative(scene, sides, pair, block.number, its.touching, jobs, result);
     return;
   }
-  if (its.is_told_by_path) {
-    result = empty_result(block.number, jobs.scratch(block.number));
-    if (pass_by(path_pair(scene, sides, its.touching))) {
-      return;
-    }
+  if (its.is_told_by_path && begin == 0) {
     report_start(scene, sides, pair, its.touching, jobs.scratch(block.number), result);
   }
   const auto begins_here = [&] { return scene.paths.begins_at_pose(job.a) && scene.paths.begins_at_pose(job.b); };
@@ -111,7 +149,7 @@ void ImpactStage::examine(const PathScene& scene, const Pair& pair, const Block&
     return;
   }
   Impact impact;
-  if (find_touch(path_pair(scene, sides, its.touching), 0, impact) != Outcome::ok) {
+  if (find_touch(path_pair(scene, sides, its.touching), begin, impact) != Outcome::ok) {
     return;
   }
   result = empty_result(block.number, jobs.scratch(block.number));
@@ -126,17 +164,29 @@ void ImpactStage::examine(const PathScene& scene, const Pair& pair, const Block&
   }
 }
 
-void ImpactStage::start(std::span<const ProxyPair> wanted, const Paths& paths, const Places& places,
+void ImpactStage::start(std::span<const std::uint32_t> wanted, const Paths& paths, const Places& places,
                         std::span<Pair> pairs) {
   ahead_.clear();
-  std::size_t at = 0;
-  for (const ProxyPair& its : wanted) {
-    at = place_from(at, std::span<const Pair>(pairs), its);
-    if (at < pairs.size() && pairs[at].low == its.low && pairs[at].high == its.high) {
-      const bool is_told = is_told_by_path(pairs[at], paths, places);
-      pairs[at].is_on_path = is_told;
-      ahead_.push_back({.pair = static_cast<std::uint32_t>(at), .is_told_by_path = is_told});
-    }
+  for (const std::uint32_t number : wanted) {
+    const bool is_told = is_told_by_path(pairs[number], paths, places);
+    pairs[number].is_on_path = is_told;
+    ahead_.push_back({.pair = number, .is_told_by_path = is_told});
+  }
+}
+
+// What will be asked of a pair lies anywhere.
+void ImpactStage::fetch(const PathScene& scene, std::span<const Pair> pairs, const JobList& jobs,
+                        std::size_t number) const {
+  if (number >= ahead_.size()) {
+    return;
+  }
+  __builtin_prefetch(&pairs[ahead_[number].pair]);
+  const PairJob& job = jobs.jobs()[ahead_[number].job];
+  for (const std::uint32_t place : {job.a, job.b}) {
+    __builtin_prefetch(&scene.places.shapes[place]);
+    __builtin_prefetch(&scene.places.infos[place]);
+    __builtin_prefetch(&scene.places.worlds[place].rotation);
+    __builtin_prefetch(&scene.places.worlds[place].position);
   }
 }
 
@@ -157,6 +207,7 @@ void ImpactStage::run(const Workers& workers, const PathScene& scene, std::span<
     block.touches.clear();
     const std::size_t begin = number * pairs_of_block, end = std::min(begin + pairs_of_block, ahead_.size());
     for (std::size_t i = begin; i < end; ++i) {
+      fetch(scene, pairs, jobs, i + pairs_ahead);
       ahead_[i].first_touch = static_cast<std::uint32_t>(block.touches.size());
       examine(scene, pairs[ahead_[i].pair], block, jobs, ahead_[i]);
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The narrow phase of those that look at their path through a step: when they touch on it, and where.
 export module abut.detect.impacts;
-import abut.broadphase;
 import abut.core.standard;
 import abut.core.workers;
 import abut.detect.contacts;
@@ -19,8 +18,8 @@ export namespace abut {
 
 class ImpactStage {
  public:
-  // Before the selection: finds the wanted pairs, and marks those that need no contacts of their present poses.
-  void start(std::span<const ProxyPair> wanted, const Paths& paths, const Places& places, std::span<Pair> pairs);
+  // Before the selection, with the numbers of the wanted pairs: marks those that need no contacts of present poses.
+  void start(std::span<const std::uint32_t> wanted, const Paths& paths, const Places& places, std::span<Pair> pairs);
   // Those that have a job get the contacts of their path instead of those of their present poses:
   // - those that touch at the start of the step: the contacts there;
   // - those that touch later: the contacts of each touch, in order of time, each point where its body has it at the
@@ -61,6 +60,7 @@ class ImpactStage {
     std::size_t number;  // of the scratch
     std::vector<Touch>& touches;
   };
+  void fetch(const PathScene& scene, std::span<const Pair> pairs, const JobList& jobs, std::size_t number) const;
   static void add_touch(const PathScene& scene, const Sides& sides, const Impact& impact, const Pair& pair,
                         const Block& block, JobList& jobs, Ahead& its);
   static void follow(const PathScene& scene, const Sides& sides, const Pair& pair, Real time, const Block& block,

@@ -27,7 +27,7 @@ struct PathScene {
 // The two sides of a job, on their paths.
 struct Sides {
   const PairJob& job;
-  Path a, b;
+  const Path &a, &b;
   Aabb box_a, box_b;  // of the shapes in their own frames
 };
 

@@ -17,11 +17,15 @@ struct Paths {
   const Places& places;
   Real dt;
 
+  [[nodiscard]] bool is_still(std::uint32_t place) const { return velocities.is_still(places.infos[place].part.slot); }
   [[nodiscard]] bool moves(std::uint32_t place) const { return !is_still(place) && motion_of(place) != Motion{}; }
   [[nodiscard]] bool begins_at_pose(std::uint32_t place) const {
     return velocities.start_of(places.infos[place].part.slot) == nullptr;
   }
   [[nodiscard]] Path of(std::uint32_t place) const {
+    if (is_still(place)) {
+      return Path::at_rest(places.worlds[place], 1);
+    }
     const PlaceInfo& info = places.infos[place];
     const Placement* const before = velocities.start_of(info.part.slot);
     if (info.is_at_part) {
@@ -57,15 +61,11 @@ struct Paths {
   [[nodiscard]] static Real way_of(const Vec3& velocity, const Vec3& acceleration) {
     return norm(velocity) + (acceleration == Vec3{0, 0, 0} ? 0 : 0.5 * norm(acceleration));
   }
-  [[nodiscard]] bool is_still(std::uint32_t place) const { return velocities.is_still(places.infos[place].part.slot); }
   [[nodiscard]] Motion motion_of(std::uint32_t place) const {
     return velocities.motion_within(dt, places.infos[place].part.slot);
   }
   // A motion that a path refuses is refused before the step begins.
   [[nodiscard]] Path path(const Pose& start, const Vec3& centre, std::uint32_t place) const {
-    if (is_still(place)) {
-      return Path::at_rest(start, 1);
-    }
     const auto found = Path::along(start, centre, motion_of(place), 1);
     return found ? found.value() : Path::at_rest(start, 1);
   }

@@ -8,6 +8,7 @@ import abut.core.workers;
 import abut.detect.refresh;
 import abut.detect.paths;
 import abut.math;
+import abut.motion.convex_part;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
 import abut.scene;
@@ -53,15 +54,21 @@ void Sweeps::add_mover(const Paths& paths, const BoxFrame& frame, std::uint32_t 
   const AnyShape& shape = *places.shapes[place];
   const PlaceInfo& info = places.infos[place];
   const Path path = paths.of(place);
-  Mover mover{.place = place,
-              .has_sweeping = info.sweeping != Sweeping::none,
-              .path = path,
-              .margin = reach_of(info, frame.mode, frame.largest_tolerance),
-              .radius = path.radius_of(aabb_of(shape, Pose::identity())),
-              .size = largest_side(aabb_of(shape, path.start())),
-              .box = {}};
-  mover.box = box_within(mover, path.whole(), places);
-  movers_.push_back(mover);
+  const Pose end = path.at(1);
+  const auto part = ConvexPart::of(shape);
+  const Aabb own = aabb_of(shape, Pose::identity()), at_start = aabb_of(shape, path.start());
+  const Real margin = reach_of(info, frame.mode, frame.largest_tolerance), radius = path.radius_of(own);
+  movers_.push_back({.place = place,
+                     .has_sweeping = info.sweeping != Sweeping::none,
+                     .path = path,
+                     .end = end,
+                     .margin = margin,
+                     .part = part,
+                     .own = own,
+                     .reach = path.reach_of(own.inflated(part ? -part->radius() : 0)),
+                     .radius = radius,
+                     .size = largest_side(at_start),
+                     .box = path.swept_box(at_start, aabb_of(shape, end), path.whole(), radius).inflated(margin)});
   mover_at_[place] = static_cast<std::uint32_t>(movers_.size()) - 1;
 }
 
@@ -82,7 +89,7 @@ void Sweeps::find_movers(const Paths& paths, const BoxFrame& frame, const Space&
   slow_way_ = 0;
   const Real most = movers_.empty() ? 0 : size / static_cast<Real>(movers_.size());
   for (std::uint32_t at = 0; !movers_.empty() && at < places.infos.size(); ++at) {
-    if (!space.is_shown(at) || mover_at_[at] != no_index) {
+    if (paths.is_still(at) || mover_at_[at] != no_index || !space.is_shown(at)) {
       continue;
     }
     const Real way = paths.farthest(at, widened(places.boxes[at], frame.origin));
@@ -211,6 +218,7 @@ bool Sweeps::run(const Workers& workers, const Paths& paths, const BoxFrame& fra
 }
 
 std::span<const ProxyPair> Sweeps::with(std::span<const ProxyPair> near) {
+  numbers_.clear();
   if (pairs_.empty()) {
     return near;
   }
@@ -224,6 +232,7 @@ std::span<const ProxyPair> Sweeps::with(std::span<const ProxyPair> near) {
   };
   for (const ProxyPair& pair : pairs_) {
     add_until(place_from(at, near, pair));
+    numbers_.push_back(static_cast<std::uint32_t>(joined_.size()));
     if (at == near.size() || near[at] != pair) {
       joined_.push_back(pair);
     }
@@ -235,7 +244,7 @@ std::span<const ProxyPair> Sweeps::with(std::span<const ProxyPair> near) {
 std::size_t Sweeps::bytes() const {
   std::size_t sum =
       movers_.capacity() * sizeof(Mover) + by_side_.capacity() * sizeof(std::uint32_t) +
-      mover_at_.capacity() * sizeof(std::uint32_t) + tasks_.capacity() * sizeof(Task) +
+      (mover_at_.capacity() + numbers_.capacity()) * sizeof(std::uint32_t) + tasks_.capacity() * sizeof(Task) +
       (pairs_.capacity() + pairs_before_.capacity() + joined_.capacity() + scratch_.capacity()) * sizeof(ProxyPair);
   for (const Task& task : tasks_) {
     sum += task.pairs.capacity() * sizeof(ProxyPair) + task.near.capacity() * sizeof(Near) +

@@ -8,6 +8,7 @@ import abut.core.workers;
 import abut.detect.refresh;
 import abut.detect.paths;
 import abut.math;
+import abut.motion.convex_part;
 import abut.scene.options;
 import abut.scene.places;
 import abut.scene.space;
@@ -22,6 +23,21 @@ export namespace abut {
 // meet all that is in its box.
 class Sweeps {
  public:
+  // A geometry that has a sweeping, or gets far.
+  struct Mover {
+    std::uint32_t place;
+    bool has_sweeping;
+    Path path;
+    Pose end;                        // of the path
+    Real margin;                     // around its shape
+    std::optional<ConvexPart> part;  // its shape, if that is convex
+    Aabb own;                        // the box of its shape in its own frame
+    Reach reach;                     // of the core of its shape
+    Real radius;                     // of its shape around the centre of the path
+    Real size;                       // the largest side of its box at the start
+    Aabb box;                        // of its whole way
+  };
+
   // Notes happened_on_path of the geometries with a sweeping that show. Whether the pairs are others than before.
   [[nodiscard]] bool run(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
                          std::span<const std::uint32_t> swept_places, Places& places);
@@ -30,23 +46,16 @@ class Sweeps {
   // Of which one geometry at least has a sweeping, and that may come together within the step; in order. Never of one
   // part, never of two that are not dynamic.
   [[nodiscard]] std::span<const ProxyPair> pairs() const [[clang::lifetimebound]] { return pairs_; }
-  // These and those of the broad phase, each once, in order.
+  // These and those of the broad phase, each once, in order. Until the next call, each of these is at one of `numbers`.
   [[nodiscard]] std::span<const ProxyPair> with(std::span<const ProxyPair> near) [[clang::lifetimebound]];
-  // Of a geometry of one of the pairs; null where it gets nowhere far.
-  [[nodiscard]] const Path* path_of(std::uint32_t place) const [[clang::lifetimebound]] {
-    return mover_at_[place] == no_index ? nullptr : &movers_[mover_at_[place]].path;
+  [[nodiscard]] std::span<const std::uint32_t> numbers() const [[clang::lifetimebound]] { return numbers_; }
+  // Of a geometry of one of the pairs; null where it is none.
+  [[nodiscard]] const Mover* mover_at(std::uint32_t place) const [[clang::lifetimebound]] {
+    return mover_at_[place] == no_index ? nullptr : &movers_[mover_at_[place]];
   }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  struct Mover {
-    std::uint32_t place;
-    bool has_sweeping;
-    Path path;
-    Real margin, radius;  // around its shape; of the shape around the centre of the path
-    Real size;            // the largest side of its box at the start
-    Aabb box;             // of its whole way
-  };
   struct Near {
     std::uint32_t place;
     CompactAabb box;  // of all its path
@@ -75,6 +84,7 @@ class Sweeps {
   Real slow_way_ = 0;                    // of those that are no movers
   std::vector<Task> tasks_;
   std::vector<ProxyPair> pairs_, pairs_before_, joined_, scratch_;
+  std::vector<std::uint32_t> numbers_;
 };
 
 }  // namespace abut

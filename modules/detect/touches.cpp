@@ -3,7 +3,6 @@ module abut.detect.touches;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.motion.convex_impact;
 import abut.motion.convex_part;
 import abut.motion.path;
 import abut.motion.relative_motion;
@@ -69,26 +68,14 @@ std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real appr
 
 }  // namespace
 
-bool pass_by(const PathPair& pair) {
-  const Path &a = pair.a.path, &b = pair.b.path;
-  const auto part_a = ConvexPart::of(pair.a.shape), part_b = ConvexPart::of(pair.b.shape);
-  if (!part_a || !part_b) {
-    return false;
-  }
-  const Pose own = Pose::identity();
-  const MovingPart moving_a = moving_part(*part_a, a, own, pair.a.box),
-                   moving_b = moving_part(*part_b, b, own, pair.b.box);
-  const auto size_of = [](const Path& path, Real radius) {
-    return norm(path.start().position) + norm(path.centre_at(0)) + norm(path.shift_at(1)) + 2 * radius;
-  };
-  const Real size =
-      size_of(a, moving_a.reach.radius + part_a->radius()) + size_of(b, moving_b.reach.radius + part_b->radius());
-  return abut::pass_by({moving_a, moving_b, {.size = size, .tolerance = 0, .margin = pair.margin, .most_rounds = 0}},
-                       {0, 1});
-}
-
 Outcome find_touch(const PathPair& pair, Real begin, Impact& out) {
-  return time_of_impact(pair.a, pair.b, {.margin = pair.margin, .begin = begin, .wants_depth = false}, out);
+  const Outcome outcome =
+      time_of_impact(pair.a, pair.b, {.margin = pair.margin, .begin = begin, .wants_depth = false}, out);
+  // They were apart before.
+  if (out.state == ImpactState::starts_together && begin > 0) {
+    out.state = ImpactState::touches;
+  }
+  return outcome;
 }
 
 std::optional<Impact> find_touch_after(const PathPair& pair, Real time) {

@@ -21,10 +21,6 @@ struct PathPair {
   Real margin;
 };
 
-// Whether two convex shapes are proven to stay apart, by a look that takes less than a search. Often they do where it
-// does not tell.
-[[nodiscard]] bool pass_by(const PathPair& pair);
-
 // From a time on, at which they are apart or which is the start. Not ok where the two kinds do not meet.
 [[nodiscard]] Outcome find_touch(const PathPair& pair, Real begin, Impact& out);
 

@@ -70,11 +70,24 @@ bool is_identity(const Pose& pose) {
 Real radii_of(const MovingPair& pair) { return pair.a.part.radius() + pair.b.part.radius(); }
 Placed placed_at(const MovingPair& pair, Real time) { return {pair.a.at(time), pair.b.at(time)}; }
 
-// How far b is from a along a unit vector, less the margin and what rounding may add.
+// How far b is from a along a unit vector.
+Real gap_along(const ConvexPart& a, const ConvexPart& b, const Pose& at_a, const Pose& at_b, const Vec3& normal) {
+  const Vec3 on_a = at_a * a.support(at_a.rotation.undo(normal)).point;
+  const Vec3 on_b = at_b * b.support(at_b.rotation.undo(-normal)).point;
+  return dot(normal, on_b - on_a) - a.radius() - b.radius();
+}
+
+// The same less the margin and what rounding may add.
 Real gap_along(const MovingPair& pair, const Placed& placed, const Vec3& normal) {
-  const Vec3 on_a = placed.a * pair.a.part.support(placed.a.rotation.undo(normal)).point;
-  const Vec3 on_b = placed.b * pair.b.part.support(placed.b.rotation.undo(-normal)).point;
-  return dot(normal, on_b - on_a) - radii_of(pair) - pair.settings.margin - rounding_of(pair.settings.size);
+  return gap_along(pair.a.part, pair.b.part, placed.a, placed.b, normal) - pair.settings.margin -
+         rounding_of(pair.settings.size);
+}
+
+// More than all coordinates on the way. No core point is further from its centre than twice the extent.
+Real size_on_path(const PassingPart& its) {
+  return 2 * (largest_magnitude(its.path.start().position) + largest_magnitude(its.path.centre_at(0)) +
+              largest_magnitude(its.path.shift_at(its.path.duration())) + largest_magnitude(its.part.centre()) +
+              2 * its.part.extent() + its.part.radius());
 }
 
 // The velocity of a point of a body in the world.
@@ -246,19 +259,29 @@ Real free_share(Real at_begin, Real at_end, Real bend, Real length) {
   return divisor > 0 && zero <= 1 ? inward * zero : 1;
 }
 
-bool pass_by(const MovingPair& pair, const TimeSpan& span) {
-  const Placed placed = placed_at(pair, span.begin), placed_then = placed_at(pair, span.end);
-  const Vec3 centre_a = pair.a.part.centre(), centre_b = pair.b.part.centre();
-  const Vec3 first = placed.b * centre_b - placed.a * centre_a;
-  const Vec3 way = placed_then.b * centre_b - placed_then.a * centre_a - first;
-  const Real along = squared_norm(way), share = along > 0 ? std::clamp<Real>(-dot(first, way) / along, 0, 1) : 0;
-  const auto normal = UnitVec3::make(first + share * way);
-  if (!normal) {
-    return false;
+Real free_until(const PassingPart& a, const PassingPart& b, Real margin) {
+  const TimeSpan span = a.path.whole();
+  const Pose &start_a = a.path.start(), &start_b = b.path.start();
+  const Vec3 centre_a = start_a * a.part.centre(), centre_b = start_b * b.part.centre(), first = centre_b - centre_a;
+  const Real middle = 0.5 * span.end;
+  const Vec3 way = span.end * (velocity_of(b.path, centre_b, middle) - velocity_of(a.path, centre_a, middle));
+  const Real along = squared_norm(way), nearest = along > 0 ? std::clamp<Real>(-dot(first, way) / along, 0, 1) : 0;
+  const Real kept = margin + rounding_of(size_on_path(a) + size_on_path(b));
+  const auto free_along = [&](const Vec3& direction) {
+    const auto normal = UnitVec3::make(direction);
+    const Real gap = normal ? gap_along(a.part, b.part, start_a, start_b, *normal) - kept : 0;
+    if (!(gap > 0)) {
+      return Real{0};
+    }
+    const Real bend = b.path.largest_acceleration_along(*normal, span, b.reach) +
+                      a.path.largest_acceleration_along(-*normal, span, a.reach);
+    return free_share(gap, gap_along(a.part, b.part, a.end, b.end, *normal) - kept, bend, span.end);
+  };
+  Real share = free_along(first + nearest * way);
+  if (share < 1 && nearest > 0) {
+    share = std::max(share, free_along(first));
   }
-  const Real gap = gap_along(pair, placed, *normal);
-  return gap > 0 &&
-         free_share(gap, gap_along(pair, placed_then, *normal), bend_of_still(pair, *normal, span), span.length()) >= 1;
+  return share * span.end;
 }
 
 Impact convex_impact(const MovingPair& pair, const TimeSpan& span) {

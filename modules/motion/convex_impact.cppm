@@ -38,9 +38,17 @@ struct MovingPair {
   ImpactSettings settings;
 };
 
-// Whether parts are apart for a whole span along one direction: from centre to centre, when these are nearest to each
-// other on straight ways. Most that do not touch are, and this takes less than a search.
-[[nodiscard]] bool pass_by(const MovingPair& pair, const TimeSpan& span);
+// A convex part on its path: what is known of it before any search.
+struct PassingPart {
+  const ConvexPart& part;  // in the frame of the body
+  const Path& path;
+  Reach reach;      // of its core; of what does not turn it has no say
+  const Pose& end;  // of the path
+};
+// A time of both paths up to which two parts are certainly further apart than a margin, along one direction: from
+// centre to centre, at the start or when these are nearest to each other on straight ways. Most that do not touch are
+// apart along the latter all the time, and this takes less than a search. 0 where it does not tell.
+[[nodiscard]] Real free_until(const PassingPart& a, const PassingPart& b, Real margin);
 
 // Within a span of time, in the frame of the paths. Of parts that overlap at its begin the contact says nothing.
 [[nodiscard]] Impact convex_impact(const MovingPair& pair, const TimeSpan& span);

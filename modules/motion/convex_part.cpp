@@ -27,6 +27,13 @@ Answer visit_convex(const AnyShape& shape, Function&& function) {
 
 }  // namespace
 
+bool is_convex_kind(std::size_t kind) {
+  static constexpr auto are_convex = []<class... S>(const std::variant<S...>*) {
+    return std::array<bool, sizeof...(S)>{(BoxCored<S> || Convex<S>)...};
+  }(static_cast<const AnyShape::Variant*>(nullptr));
+  return are_convex[kind];
+}
+
 std::optional<ConvexPart> ConvexPart::of(const AnyShape& shape) {
   return std::visit(
       [&]<class S>(const S& s) -> std::optional<ConvexPart> {

@@ -9,6 +9,9 @@ import abut.pairs.registry;
 
 export namespace abut {
 
+// By place in the registry: whether a shape of the kind is one part.
+[[nodiscard]] bool is_convex_kind(std::size_t kind);
+
 class ConvexPart {
  public:
   // Nothing for shapes that are not convex.

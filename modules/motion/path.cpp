@@ -41,6 +41,9 @@ Fault check_way(const Motion& motion, Real duration) {
   return std::nullopt;
 }
 
+// Most are zero, and roots take long.
+Real length_of(const Vec3& v) { return v == Vec3{0, 0, 0} ? 0 : norm(v); }
+
 Real larger(Real a, Real b) { return a > b ? a : b; }
 Real smaller(Real a, Real b) { return a < b ? a : b; }
 
@@ -88,6 +91,9 @@ Path::Path(const Pose& start, const Vec3& centre, const Motion& motion, Real dur
       duration_(duration) {
   const auto axis = UnitVec3::make(motion.angular_velocity), change = UnitVec3::make(motion.angular_acceleration);
   turns_ = axis || change;
+  acceleration_ = length_of(motion.acceleration);
+  angular_speed_ = length_of(motion.angular_velocity);
+  angular_acceleration_ = length_of(motion.angular_acceleration);
   has_fixed_axis_ = !axis || !change || norm(cross(axis->vec(), change->vec())) <= 4 * epsilon;
   if (turns_ && has_fixed_axis_) {
     axis_ = axis ? axis->vec() : change->vec();
@@ -116,7 +122,7 @@ Result<Path> Path::between(const Pose& start, const Pose& end, const Vec3& centr
 }
 
 Pose Path::at(Real time) const {
-  if (!turns_) {
+  if (!turns_ || time == 0) {
     return {start_.rotation, start_.position + shift_at(time)};
   }
   const Vec3 turn = time * (motion_.angular_velocity + (0.5 * time) * motion_.angular_acceleration);
@@ -130,6 +136,7 @@ Path Path::seen_from(const Vec3& origin, const Vec3& velocity, const Vec3& accel
   seen.centre_at_start_ = seen.start_.position + arm_at_start_;
   seen.motion_.velocity = motion_.velocity - velocity;
   seen.motion_.acceleration = motion_.acceleration - acceleration;
+  seen.acceleration_ = length_of(seen.motion_.acceleration);
   return seen;
 }
 
@@ -156,8 +163,11 @@ Reach Path::reach_of(const Aabb& local) const {
 // The turn vector moves by |angular_velocity + t angular_acceleration|, which is convex in t. The body turns no faster,
 // since the derivative of the exponential map has a norm of at most 1.
 Real Path::largest_turning(const TimeSpan& span) const {
+  if (!(angular_acceleration_ > 0)) {
+    return outward * angular_speed_;
+  }
   const auto at = [&](Real time) { return norm(motion_.angular_velocity + time * motion_.angular_acceleration); };
-  return turns_ ? outward * larger(at(span.begin), at(span.end)) : 0;
+  return outward * larger(at(span.begin), at(span.end));
 }
 
 // Of a point at distance 1 from the axis. Around a fixed axis it is the one of a circle. Else the axis turns as well.
@@ -165,7 +175,7 @@ Real Path::largest_turning(const TimeSpan& span) const {
 // the square of the speed: half of it on average.
 Real Path::largest_turning_acceleration(const TimeSpan& span) const {
   const Real speed = largest_turning(span);
-  return turns_ ? outward * (norm(motion_.angular_acceleration) + (has_fixed_axis_ ? 1 : 1.5) * speed * speed) : 0;
+  return outward * (angular_acceleration_ + (has_fixed_axis_ ? 1 : 1.5) * speed * speed);
 }
 
 Real Path::share_across(const Vec3& direction) const {
@@ -185,14 +195,17 @@ Real Path::largest_speed_along(const Vec3& direction, const TimeSpan& span, cons
 }
 
 Real Path::largest_acceleration_along(const Vec3& direction, const TimeSpan& span, const Reach& reach) const {
-  const Real of_centre = dot(direction, motion_.acceleration) + rounding_of(norm(motion_.acceleration));
+  const Real of_centre = dot(direction, motion_.acceleration) + rounding_of(acceleration_);
+  if (!turns_) {
+    return of_centre;
+  }
   const Real of_turn = largest_turning_acceleration(span) * share_across(direction);
   return of_centre + outward * times(of_turn, reach.from_axis);
 }
 
 Real Path::largest_deviation(const TimeSpan& span, Real radius) const {
   const Real of_turn = times(largest_turning_acceleration(span), radius);
-  return outward * 0.125 * span.length() * span.length() * (norm(motion_.acceleration) + of_turn);
+  return outward * 0.125 * span.length() * span.length() * (acceleration_ + of_turn);
 }
 
 Aabb Path::swept_box(const Aabb& at_begin, const Aabb& at_end, const TimeSpan& span, Real radius) const {

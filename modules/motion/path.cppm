@@ -103,7 +103,8 @@ class Path {
   Vec3 centre_at_start_;
   Motion motion_;
   Real duration_;
-  Vec3 axis_{0, 0, 0};  // of a turn whose axis is fixed
+  Vec3 axis_{0, 0, 0};                                                    // of a turn whose axis is fixed
+  Real acceleration_ = 0, angular_speed_ = 0, angular_acceleration_ = 0;  // lengths of those of the motion
   bool turns_ = false, has_fixed_axis_ = true;
 };
 

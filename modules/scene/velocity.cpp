@@ -25,6 +25,7 @@ Velocity velocity_between(const Placement& before, const Placement& after, Real 
 
 void VelocityTable::make_room(std::uint32_t highest, std::size_t measuring) {
   if (entries_.size() < highest) {
+    moves_.resize(highest);
     entries_.resize(highest);
   }
   if (measured_.capacity() < measured_.size() + measuring) {
@@ -47,10 +48,16 @@ void VelocityTable::turn_to(Entry& entry, VelocitySource source) {
   entry.source = source;
 }
 
+void VelocityTable::mark(std::uint32_t slot) {
+  const Entry& its = entries_[slot - 1];
+  moves_[slot - 1] = its.source != VelocitySource::none || its.acceleration != Acceleration{} ? 1 : 0;
+}
+
 // False where an entry is no velocity, or what is measured and the entries do not fit each other.
 bool VelocityTable::count_all() {
   counts_ = {};
   accelerated_ = 0;
+  moves_.assign(entries_.size(), 0);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Entry& its = entries_[i];
     if (its.source > VelocitySource::poses || !is_finite(its.velocity.linear) || !is_finite(its.velocity.angular) ||
@@ -59,6 +66,7 @@ bool VelocityTable::count_all() {
     }
     accelerated_ += its.acceleration == Acceleration{} ? 0 : 1;
     counts_[static_cast<std::size_t>(its.source)] += its.source == VelocitySource::none ? 0 : 1;
+    mark(static_cast<std::uint32_t>(i + 1));
     const bool is_measured = its.source == VelocitySource::poses;
     if (is_measured && (its.place >= measured_.size() || measured_[its.place].part.slot != i + 1)) {
       return false;
@@ -71,6 +79,7 @@ void VelocityTable::give(std::uint32_t slot, const Velocity& velocity) {
   make_room(slot, 0);
   turn_to(entries_[slot - 1], VelocitySource::given);
   entries_[slot - 1].velocity = velocity;
+  mark(slot);
 }
 
 void VelocityTable::accelerate(std::uint32_t slot, const Acceleration& acceleration) {
@@ -81,6 +90,7 @@ void VelocityTable::accelerate(std::uint32_t slot, const Acceleration& accelerat
   accelerated_ -= entries_[slot - 1].acceleration == Acceleration{} ? 0 : 1;
   accelerated_ += acceleration == Acceleration{} ? 0 : 1;
   entries_[slot - 1].acceleration = acceleration;
+  mark(slot);
 }
 
 Motion VelocityTable::motion_within(Real dt, std::uint32_t slot) const {
@@ -100,6 +110,9 @@ Fault VelocityTable::check_motions(Real dt) const {
   // Bounds that need no square root spare most parts the rest.
   constexpr Real short_way = 1e69, small_angle = 32;
   for (std::uint32_t slot = 1; slot <= entries_.size(); ++slot) {
+    if (is_still(slot)) {
+      continue;
+    }
     const Motion its = motion_within(dt, slot);
     const Real way = largest_magnitude(its.velocity) + largest_magnitude(its.acceleration);
     const Real angle = largest_magnitude(its.angular_velocity) + largest_magnitude(its.angular_acceleration);
@@ -122,6 +135,7 @@ void VelocityTable::measure(PartId part, const Placement& now) {
     return;
   }
   turn_to(entry, VelocitySource::poses);
+  mark(part.slot);
   entry.velocity = {};
   entry.place = static_cast<std::uint32_t>(measured_.size());
   measured_.push_back({part, now});
@@ -131,11 +145,12 @@ void VelocityTable::forget(std::uint32_t slot) {
   if (slot <= entries_.size()) {
     turn_to(entries_[slot - 1], VelocitySource::none);
     entries_[slot - 1].velocity = {};
+    mark(slot);
   }
 }
 
 std::size_t VelocityTable::bytes() const {
-  return entries_.capacity() * sizeof(Entry) + measured_.capacity() * sizeof(Measured);
+  return entries_.capacity() * sizeof(Entry) + moves_.capacity() + measured_.capacity() * sizeof(Measured);
 }
 
 }  // namespace abut

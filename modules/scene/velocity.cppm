@@ -56,12 +56,11 @@ class VelocityTable {
   [[nodiscard]] inline std::uint64_t accelerated() const { return accelerated_; }
   // Where a part that is measured is when a step begins, until the step is settled; null for all others.
   [[nodiscard]] inline const Placement* start_of(std::uint32_t slot) const [[clang::lifetimebound]] {
-    return source_of(slot) == VelocitySource::poses ? &measured_[entries_[slot - 1].place].before : nullptr;
+    return !is_still(slot) && source_of(slot) == VelocitySource::poses ? &measured_[entries_[slot - 1].place].before
+                                                                       : nullptr;
   }
   // Whether a part has neither a velocity nor an acceleration.
-  [[nodiscard]] inline bool is_still(std::uint32_t slot) const {
-    return source_of(slot) == VelocitySource::none && (accelerated_ == 0 || acceleration_of(slot) == Acceleration{});
-  }
+  [[nodiscard]] inline bool is_still(std::uint32_t slot) const { return slot > moves_.size() || moves_[slot - 1] == 0; }
   // The motion of a part within dt, with dt as the unit of time. What is measured has no acceleration.
   [[nodiscard]] Motion motion_within(Real dt, std::uint32_t slot) const;
   // The first part that moves too far or turns too often within dt.
@@ -117,9 +116,12 @@ class VelocityTable {
     Placement before;
   };
   void turn_to(Entry& entry, VelocitySource source);
+  void mark(std::uint32_t slot);
   [[nodiscard]] bool count_all();
 
   std::vector<Entry> entries_;  // by slot less one
+  // Whether a part has a velocity or an acceleration, as entries have it. Most have none, and bytes stay in the cache.
+  std::vector<std::uint8_t> moves_;
   std::vector<Measured> measured_;
   std::array<std::uint64_t, 3> counts_{};  // by source
   std::uint64_t accelerated_ = 0;

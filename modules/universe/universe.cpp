@@ -197,7 +197,7 @@ void Universe::run_stages(const Scope& scope) {
     follow_focus();
   }
   const Paths its_paths = paths(scope.dt);
-  impacts_.start(sweeps_.pairs(), its_paths, places_, pairs_.all());
+  impacts_.start(sweeps_.numbers(), its_paths, places_, pairs_.all());
   selection_.run(workers_, scope, options_.tolerance_mode, places_, changes_.patches, meetings_, pairs_, jobs_);
   stats_.pair_microseconds = watch.lap();
   sides_.start(side_keeper_count_ > 0, places_, jobs_);

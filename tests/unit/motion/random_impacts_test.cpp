@@ -13,6 +13,8 @@
 import abut.capability;
 import abut.math;
 import abut.math.turn;
+import abut.motion.convex_impact;
+import abut.motion.convex_part;
 import abut.motion.path;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
@@ -173,6 +175,36 @@ TEST(RandomImpacts, HoldForBoxes) {
   }
   EXPECT_GT(counts.touches, 1000);
   EXPECT_EQ(counts.undecided, 0);
+}
+
+// What a look along one direction proves holds at many times, and it often proves all.
+TEST(RandomImpacts, ComeNoSoonerThanALookProves) {
+  Random random(16);
+  int apart = 0, passing = 0, begun = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 half_a{random.number(0.05, 0.4), random.number(0.05, 0.4), random.number(0.05, 0.4)};
+    const Vec3 half_b{random.number(0.05, 0.4), random.number(0.05, 0.4), random.number(0.05, 0.4)};
+    const AnyShape a = shape_of("box", {half_a.x, half_a.y, half_a.z}),
+                   b = shape_of("box", {half_b.x, half_b.y, half_b.z});
+    const Flight flight = random_flight(random, 3.5, 1);
+    const Real margin = random.number(0, 0.1);
+    const ConvexPart part_a = ConvexPart::of(a).value(), part_b = ConvexPart::of(b).value();
+    const Pose own = Pose::identity(), end_a = flight.a.at(1), end_b = flight.b.at(1);
+    const Real free = free_until({part_a, flight.a, flight.a.reach_of(part_a.aabb(own)), end_a},
+                                 {part_b, flight.b, flight.b.reach_of(part_b.aabb(own)), end_b}, margin);
+    for (int k = 0; k <= 100; ++k) {
+      const Real time = free * k / 100;
+      EXPECT_TRUE(free == 0 || gap_of_boxes(half_a, flight.a.at(time), half_b, flight.b.at(time)) > margin - 1e-13)
+          << i;
+    }
+    Impact found;
+    ASSERT_EQ(time_of_impact({a, flight.a}, {b, flight.b}, {.margin = margin}, found), Outcome::ok);
+    apart += found.state == ImpactState::apart ? 1 : 0;
+    passing += free == 1 ? 1 : 0;
+    begun += free > 0 ? 1 : 0;
+  }
+  EXPECT_GT(begun, 1900);
+  EXPECT_GT(4 * passing, apart);
 }
 
 TEST(RandomImpacts, AreTheSameSwappedAndOnAMovingGround) {

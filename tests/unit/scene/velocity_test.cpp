@@ -92,6 +92,26 @@ TEST(VelocityTable, HoldsNothingUntilOneIsSet) {
   EXPECT_EQ(table.of(9), Velocity{});
 }
 
+TEST(VelocityTable, TellsWhatIsStill) {
+  VelocityTable table;
+  EXPECT_TRUE(table.is_still(2));
+  table.give(4, some_velocity);
+  EXPECT_FALSE(table.is_still(4));
+  EXPECT_TRUE(table.is_still(2)) << "it has room, and no velocity";
+  table.forget(4);
+  EXPECT_TRUE(table.is_still(4));
+  table.accelerate(4, {{1, 0, 0}, {0, 0, 0}});
+  EXPECT_FALSE(table.is_still(4));
+  table.give(4, some_velocity);
+  table.accelerate(4, {});
+  EXPECT_FALSE(table.is_still(4)) << "a velocity is left";
+  table.forget(4);
+  EXPECT_TRUE(table.is_still(4));
+  table.measure({4, 1}, origin);
+  EXPECT_FALSE(table.is_still(4));
+  EXPECT_NE(table.start_of(4), nullptr);
+}
+
 TEST(VelocityTable, MeasuresFromUpdateToUpdate) {
   VelocityTable table;
   table.measure({3, 1}, origin);
