@@ -5,7 +5,6 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-import abut.narrow.manifold.depth_order;
 
 export namespace abut {
 

@@ -66,7 +66,10 @@ class PartingWays {
       // The way out of what is met may lead into what is not met yet.
       for (std::size_t before = 0; way.depth < most && before < met_.size();) {
         before = met_.size();
-        on_the_way.visit(way, [&](const Triangle& triangle, std::uint32_t) { meet(triangle, way.depth); });
+        // What is met at the end of the way may seem to lie beyond it, by rounding.
+        const Real reach = way.depth + 2 * met_.noise();
+        on_the_way.visit({reach, way.direction}, 2 * met_.noise(),
+                         [&](const Triangle& triangle, std::uint32_t) { meet(triangle, reach); });
         way = met_.size() > before ? out_of_met() : way;
       }
     }

@@ -99,8 +99,11 @@ class PartsMet {
     if constexpr (std::same_as<B, Triangle>) {
       add_face(-(ab.rotation * b.normal()), b.is_one_sided());
     }
+    noise_ = std::max(noise_, noise);
     return size_++;
   }
+  // The largest of those of the parts.
+  [[nodiscard]] Real noise() const { return noise_; }
   [[nodiscard]] std::size_t size() const { return size_; }
   // Whether a triangle of the surface, by its number, is one of them.
   [[nodiscard]] bool has(std::uint32_t number) const {
@@ -222,6 +225,7 @@ class PartsMet {
 
   SmallVector<FourParts<B>, 16> fours_;
   std::size_t size_ = 0;
+  Real noise_ = 0;
   SmallVector<Vec3, 192> ways_;
 };
 

@@ -123,15 +123,16 @@ class OnTheWay {
       : a_(a), box_(b.aabb(ab)), radius_(b.radius()), axes_(axes) {}
 
   // A bit for each triangle that it may meet.
-  [[nodiscard]] std::uint64_t meets(const FourTriangles& triangles, const PartingWay& way) const {
-    return axes_.near_on_way(triangles, way.depth * way.direction, radius_);
+  [[nodiscard]] std::uint64_t meets(const FourTriangles& triangles, const PartingWay& way, Real slack = 0) const {
+    return axes_.near_on_way(triangles, way.depth * way.direction, radius_ + slack);
   }
   template <class Visitor>
-  void visit(const PartingWay& way, const Visitor& visit) const {
+  void visit(const PartingWay& way, Real slack, const Visitor& visit) const {
     const Vec3 along = way.depth * way.direction;
     Aabb swept = box_;
     swept.include(Aabb{box_.low + along, box_.high + along});
-    a_.visit_parts(swept, InFours{[&](const FourTriangles& triangles) { return meets(triangles, way); }}, visit);
+    swept = swept.inflated(slack);
+    a_.visit_parts(swept, InFours{[&](const FourTriangles& triangles) { return meets(triangles, way, slack); }}, visit);
   }
 
  private:
