@@ -4,26 +4,127 @@
 export module abut.narrow.manifold.choice;
 import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
 import abut.narrow.manifold.four_points;
-export import abut.narrow.manifold.contact_patch;
 
 export namespace abut {
+
+[[nodiscard]] inline bool comes_before(const ContactPoint& a, const ContactPoint& b) {
+  return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
+}
+
+[[nodiscard]] inline Vec3 middle(const ContactPoint& contact) { return 0.5 * (contact.point_a + contact.point_b); }
 
 // Twice the signed area of a triangle seen against the normal.
 [[nodiscard]] inline Real area(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
   return dot(normal, cross(b - a, c - a));
 }
 
-// A choice of points of a patch: where they are in it, and the polygon of those that span it, counter-clockwise seen
-// against the normal. More than 64 span no more.
+// A point of a patch in the plane across its normal.
+using Flats = SmallVector<Vec2, 256>;
+
+[[nodiscard]] inline Flats flattened(std::span<const ContactPoint> patch) {
+  const Tangents tangents = tangents_of(patch[0].normal);
+  const Vec3 base = middle(patch[0]);
+  [[clang::uninitialized]] Flats points;
+  for (const ContactPoint& contact : patch) {
+    const Vec3 d = middle(contact) - base;
+    points.push_back({dot(d, tangents.first), dot(d, tangents.second)});
+  }
+  return points;
+}
+
+// What contacts are put in order by.
+struct DepthKey {
+  Real distance;
+  std::uint64_t id;
+  std::uint32_t place;
+};
+
+// Puts a few keys in the order of their distances: how many are less tells the place of each. False, with nothing done,
+// where there are many, or where two tie.
+[[nodiscard]] inline bool sort_by_rank(std::span<DepthKey> keys) {
+  constexpr std::size_t most = 128;
+  if (keys.size() > most) {
+    return false;
+  }
+  [[clang::uninitialized]] std::array<Lanes, most / 4> distances;
+  const std::size_t groups = (keys.size() + 3) / 4;
+  for (std::size_t i = 0; i < 4 * groups; ++i) {
+    distances[i / 4][i % 4] = i < keys.size() ? keys[i].distance : infinity;
+  }
+  [[clang::uninitialized]] std::array<DepthKey, most> sorted;
+  std::array<bool, most> taken{};
+  for (const DepthKey& key : keys) {
+    LaneNumbers less = 0;
+    for (std::size_t group = 0; group < groups; ++group) {
+      less -= distances[group] < all_lanes(key.distance);
+    }
+    const auto rank = static_cast<std::size_t>(less[0] + less[1] + less[2] + less[3]);
+    if (taken[rank]) {
+      return false;
+    }
+    taken[rank] = true;
+    sorted[rank] = key;
+  }
+  std::ranges::copy(std::span(sorted).first(keys.size()), keys.begin());
+  return true;
+}
+
+// Puts contacts into the order of `comes_before`. They are large: small keys are sorted, and each contact moves once.
+// Of very many, which are rare, no list of keys is made: that would take memory from step to step.
+inline void sort_by_depth(std::span<ContactPoint> contacts) {
+  constexpr std::size_t most_keys = 256;
+  if (contacts.size() > most_keys) {
+    std::ranges::sort(contacts, comes_before);
+    return;
+  }
+  [[clang::uninitialized]] SmallVector<DepthKey, most_keys> keys;
+  for (std::uint32_t place = 0; place < contacts.size(); ++place) {
+    keys.push_back({contacts[place].distance, contacts[place].id, place});
+  }
+  const std::span<DepthKey> order = keys.span();
+  if (!sort_by_rank(order)) {
+    std::ranges::sort(order, [](const DepthKey& a, const DepthKey& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.id != b.id ? a.id < b.id : a.place < b.place;
+    });
+  }
+  for (std::uint32_t start = 0; start < order.size(); ++start) {
+    if (order[start].place == start) {
+      continue;
+    }
+    const ContactPoint first = contacts[start];
+    std::uint32_t to = start;
+    while (order[to].place != start) {
+      const std::uint32_t from = order[to].place;
+      contacts[to] = contacts[from];
+      order[to].place = to;
+      to = from;
+    }
+    contacts[to] = first;
+    order[to].place = to;
+  }
+}
+
+// How far the contacts lie from the first one.
+[[nodiscard]] inline Real extent_of(std::span<const ContactPoint> contacts) {
+  Real square = 0;
+  for (const ContactPoint& contact : contacts) {
+    square = std::max(square, squared_norm(middle(contact) - middle(contacts[0])));
+  }
+  return std::sqrt(square);
+}
+
+// A choice of points of a patch: their places, and the polygon of those that span it, counter-clockwise seen against
+// the normal. More than 64 span no more.
 class Choice {
  public:
   static constexpr std::size_t capacity = 64;
   // Points within this share of the extent of a line are on it. Then the length counts, not the area.
   static constexpr Real flatness = 1e-5;
 
-  Choice(const ContactPatch& patch, std::uint32_t first) : normal_(patch[first].normal) { add(patch, first); }
+  Choice(std::span<const ContactPoint> patch, std::uint32_t first) : normal_(patch[first].normal) { add(patch, first); }
   // A place that occurs twice counts once.
   explicit Choice(const Four& four) : twice_area_(four.twice_area) {
     for (const std::uint32_t place : four.places) {
@@ -50,7 +151,7 @@ class Choice {
   // Takes the points that add most, one by one, up to `most`. What counts is the area. Where there is none, it is the
   // length of the way around, so that the ends of a line stay.
   template <class Allowed>
-  void grow(const ContactPatch& patch, std::size_t most, Real extent, Allowed&& is_allowed) {
+  void grow(std::span<const ContactPoint> patch, std::size_t most, Real extent, Allowed&& is_allowed) {
     const auto add_best = [&](Real least, auto&& score) {
       Best best{least, 0, false};
       for (std::uint32_t i = 0; i < patch.size(); ++i) {
@@ -104,7 +205,7 @@ class Choice {
     }
     return least;
   }
-  void add(const ContactPatch& patch, std::uint32_t place) {
+  void add(std::span<const ContactPoint> patch, std::uint32_t place) {
     const Vec3 point = middle(patch[place]);
     std::size_t corner = 0;
     if (corners_ > 0) {
@@ -131,8 +232,8 @@ struct AnyContact {
 };
 
 // The points that span most with a first one.
-[[nodiscard]] inline Choice choose(const ContactPatch& patch, std::span<const Vec2> points, std::uint32_t first,
-                                   std::size_t most, Real extent) {
+[[nodiscard]] inline Choice choose(std::span<const ContactPoint> patch, std::span<const Vec2> points,
+                                   std::uint32_t first, std::size_t most, Real extent) {
   const Real flat = Choice::flatness * extent * extent, least_gain = 1e-12 * extent * extent;
   if (most == 4 && patch.size() <= few_points) {
     const auto [best, is_best] = best_about(points, first);

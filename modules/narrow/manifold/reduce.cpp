@@ -5,7 +5,6 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.manifold.choice;
-import abut.narrow.manifold.depth_order;
 
 namespace abut {
 namespace {
@@ -45,35 +44,45 @@ class Ids {
   std::array<std::uint64_t, 16> bits_{};
 };
 
-// Which contact of a patch counts as the deepest. One that was kept before wins ties.
-[[nodiscard]] std::uint32_t deepest_of(const ContactPatch& patch, Real tie, const Ids& before) {
-  for (std::uint32_t i = 0; i < patch.size() && patch[i].distance <= patch[0].distance + tie; ++i) {
-    if (before.hold(patch[i].id)) {
-      return i;
-    }
+// Contacts are large, so that one which stays is not moved.
+void exchange(ContactPoint& a, ContactPoint& b) {
+  if (&a != &b) {
+    std::swap(a, b);
   }
-  return 0;
 }
 
-// The first contact of a patch that meets a condition. There is one.
-template <class Condition>
-[[nodiscard]] std::uint32_t first_of(const ContactPatch& patch, Condition&& is_one) {
-  std::uint32_t i = 0;
-  while (!is_one(patch[i])) {
-    ++i;
+// The place of the deepest contact. One that was kept before wins ties.
+[[nodiscard]] std::uint32_t deepest_of(std::span<const ContactPoint> contacts, Real tie, const Ids& before) {
+  std::uint32_t deepest = 0;
+  std::optional<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    deepest = comes_before(contacts[i], contacts[deepest]) ? i : deepest;
+    if (before.hold(contacts[i].id) && (!kept || comes_before(contacts[i], contacts[*kept]))) {
+      kept = i;
+    }
   }
-  return i;
+  return kept && contacts[*kept].distance <= contacts[deepest].distance + tie ? *kept : deepest;
+}
+
+// The place of the first contact that meets a condition. There is one.
+template <class Condition>
+[[nodiscard]] std::uint32_t first_of(std::span<const ContactPoint> patch, Condition&& is_one) {
+  std::uint32_t place = 0;
+  while (!is_one(patch[place])) {
+    ++place;
+  }
+  return place;
 }
 
 using SomeIds = SmallVector<std::uint64_t, Choice::capacity>;
 
 // The ids of a patch that were kept before. Where these are more than `most`, the ones that span most.
-[[nodiscard]] SomeIds kept_before(const ContactPatch& patch, std::span<const Vec2> points, std::size_t most,
+[[nodiscard]] SomeIds kept_before(std::span<const ContactPoint> patch, std::span<const Vec2> points, std::size_t most,
                                   Real extent, const Ids& before) {
   SomeIds all;
-  for (std::size_t i = 0; i < patch.size() && !before.empty(); ++i) {
-    if (before.hold(patch[i].id)) {
-      all.push_back(patch[i].id);
+  for (const ContactPoint& contact : patch) {
+    if (before.hold(contact.id)) {
+      all.push_back(contact.id);
     }
   }
   if (all.size() <= most) {
@@ -89,8 +98,8 @@ using SomeIds = SmallVector<std::uint64_t, Choice::capacity>;
     if (const Real twice_area = others.twice_area(points); twice_area > most_area) {
       most_area = twice_area;
       best.clear();
-      for (const std::uint32_t i : others.places()) {
-        best.push_back(patch[i].id);
+      for (const std::uint32_t place : others.places()) {
+        best.push_back(patch[place].id);
       }
     }
   }
@@ -98,29 +107,40 @@ using SomeIds = SmallVector<std::uint64_t, Choice::capacity>;
 }
 
 // The points that were kept before, and the ones that span most with them.
-[[nodiscard]] Choice keep_again(const ContactPatch& patch, std::size_t most, Real extent, const Ids& before) {
+[[nodiscard]] Choice keep_again(std::span<const ContactPoint> patch, std::size_t most, Real extent, const Ids& before) {
   const auto was_kept = [&](const ContactPoint& contact) { return before.hold(contact.id); };
   Choice choice(patch, first_of(patch, was_kept));
   choice.grow(patch, most, extent, was_kept);
-  for (std::uint32_t i = 0; i < patch.size(); ++i) {
-    if (was_kept(patch[i])) {
-      choice.keep(i, most);
+  for (std::uint32_t place = 0; place < patch.size(); ++place) {
+    if (was_kept(patch[place])) {
+      choice.keep(place, most);
     }
   }
   choice.grow(patch, most, extent, AnyContact{});
   return choice;
 }
 
-// The points that features hold, where one of them is as deep within `slack`. Else all.
-[[nodiscard]] PlaceList without_running(const ContactPatch& patch, Real slack) {
-  [[clang::uninitialized]] PlaceList held, all;
-  for (std::size_t i = 0; i < patch.size(); ++i) {
-    all.push_back(patch.place(i));
-    if (is_held(patch[i])) {
-      held.push_back(patch.place(i));
-    }
+// Brings the chosen contacts of a patch to its front.
+std::size_t bring_to_front(std::span<ContactPoint> patch, std::span<const std::uint32_t> places) {
+  std::array<std::uint32_t, Choice::capacity> rising{};
+  const std::span<std::uint32_t> order = std::span(rising).first(places.size());
+  std::ranges::copy(places, order.begin());
+  std::ranges::sort(order);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    exchange(patch[i], patch[order[i]]);
   }
-  return !held.empty() && patch.of(held.span())[0].distance <= patch[0].distance + slack ? held : all;
+  return order.size();
+}
+
+// Brings the points that features hold to the front, and leaves out the others where a held one is as deep within
+// `slack`.
+[[nodiscard]] std::span<ContactPoint> without_running(std::span<ContactPoint> patch, Real slack) {
+  const auto end = std::partition(patch.begin(), patch.end(), is_held);
+  const std::span<ContactPoint> held = patch.first(static_cast<std::size_t>(end - patch.begin()));
+  const Real deepest = std::ranges::min_element(patch, comes_before)->distance;
+  const bool is_as_deep =
+      std::ranges::any_of(held, [&](const ContactPoint& contact) { return contact.distance <= deepest + slack; });
+  return is_as_deep ? held : patch;
 }
 
 // Depths that differ by less than this share of the extent are the same: to points kept before, and to points of rims.
@@ -129,65 +149,69 @@ struct Ties {
   [[nodiscard]] bool are_exact() const { return depth == 0; }
 };
 
-// Adds the places of the points that hold a patch. Those that were kept before stay while one of them is as deep as
+// Brings the points that hold a patch to its front. Those that were kept before stay while one of them is as deep as
 // any, and while they span nearly as much as others could.
-void hold_patch(const ContactPatch& patch, std::size_t most, const Ids& before, const Ties& ties, PlaceList& kept) {
-  const auto keep = [&](std::span<const std::uint32_t> indices) {
-    for (const std::uint32_t i : indices) {
-      kept.push_back(patch.place(i));
-    }
-  };
+std::size_t hold_patch(std::span<ContactPoint> patch, std::size_t most, const Ids& before, const Ties& ties) {
+  sort_by_depth(patch);
   if (patch.size() <= most) {
-    for (std::size_t i = 0; i < patch.size(); ++i) {
-      kept.push_back(patch.place(i));
-    }
-    return;
+    return patch.size();
   }
-  const Real extent = patch.extent();
+  const Real extent = extent_of(patch);
   const Flats flats = flattened(patch);
   const std::span<const Vec2> points = flats.span();
   const auto fresh = [&](std::uint32_t first) { return choose(patch, points, first, most, extent); };
   const SomeIds again = kept_before(patch, points, most, extent, before);
   if (again.empty()) {
-    keep(fresh(0).places());
-    return;
+    return bring_to_front(patch, fresh(0).places());
   }
   const Choice same = keep_again(patch, most, extent, Ids(again.span()));
   const Real as_deep = patch[0].distance + ties.depth * extent, enough = same.twice_area(points) / tied_area;
   // Any of the points that tie in depth could have been the deepest when the others were chosen for it.
-  const bool stays = std::ranges::any_of(same.places(), [&](std::uint32_t i) {
-    return patch[i].distance <= as_deep && fresh(i).twice_area(points) <= enough;
+  const bool stays = std::ranges::any_of(same.places(), [&](std::uint32_t place) {
+    return patch[place].distance <= as_deep && fresh(place).twice_area(points) <= enough;
   });
-  keep(stays ? same.places() : fresh(0).places());
+  return bring_to_front(patch, stays ? same.places() : fresh(0).places());
 }
 
 // The deepest contact is always kept. It is one more where it is none of the points that hold the patch.
-void reduce_patch(const ContactPatch& patch, std::size_t most, const Ids& before, const Ties& ties, PlaceList& kept) {
-  const std::size_t first = kept.size();
-  if (ties.are_exact()) {
-    hold_patch(patch, most, before, ties, kept);
-  } else {
-    const PlaceList held = without_running(patch, ties.running * patch.extent());
-    hold_patch(patch.of(held.span()), most, before, ties, kept);
+std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, const Ids& before, const Ties& ties) {
+  std::size_t kept = ties.are_exact()
+                         ? hold_patch(patch, most, before, ties)
+                         : hold_patch(without_running(patch, ties.running * extent_of(patch)), most, before, ties);
+  const auto deepest = std::ranges::min_element(patch, comes_before),
+             of_kept = std::ranges::min_element(patch.first(kept), comes_before);
+  if (deepest->distance < of_kept->distance) {
+    std::swap(patch[kept++], *deepest);
   }
-  const ContactPatch holding = patch.of(kept.span().subspan(first));
-  bool has_deepest = false;
-  for (std::size_t i = 0; i < holding.size(); ++i) {
-    has_deepest = has_deepest || holding[i].distance <= patch[0].distance;
-  }
-  if (!has_deepest) {
-    kept.push_back(patch.place(0));
-  }
+  return kept;
 }
 
-// The places of those whose normals agree with that of the first; the others are left.
-[[nodiscard]] PlaceList take_patch(std::span<const ContactPoint> contacts, const Vec3& normal, PlaceList& left) {
-  [[clang::uninitialized]] PlaceList agreeing, others;
-  for (const std::uint32_t place : left.span()) {
-    (dot(contacts[place].normal, normal) >= same_patch_cosine ? agreeing : others).push_back(place);
+// Brings those that hang together with the first contact to the front, and returns how many these are. All have normals
+// that agree.
+std::size_t bring_region(std::span<ContactPoint> contacts, SurfaceSides surfaces, Real gap) {
+  const auto hang_together = [&](const ContactPoint& a, const ContactPoint& b) {
+    const bool are_of_one_part = (!surfaces.a || a.feature_a.index == b.feature_a.index) &&
+                                 (!surfaces.b || a.feature_b.index == b.feature_b.index);
+    return are_of_one_part || squared_norm(middle(a) - middle(b)) <= gap * gap;
+  };
+  std::size_t end = 1;
+  for (std::size_t next = 0; next < end; ++next) {
+    for (std::size_t i = end; i < contacts.size(); ++i) {
+      if (hang_together(contacts[next], contacts[i])) {
+        exchange(contacts[end++], contacts[i]);
+      }
+    }
   }
-  left = others;
-  return agreeing;
+  return end;
+}
+
+// Of the diagonal of a box, which jitter of the contacts hardly changes.
+[[nodiscard]] Real gap_between_regions(std::span<const ContactPoint> contacts) {
+  Aabb box = Aabb::empty();
+  for (const ContactPoint& contact : contacts) {
+    box.include(middle(contact));
+  }
+  return gap_share * norm(box.high - box.low);
 }
 
 std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, const Ids& before, const Ties& ties,
@@ -196,25 +220,32 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, c
     sort_by_depth(contacts);
     return contacts.size();
   }
-  [[clang::uninitialized]] PlaceList kept, left = places_by_depth(contacts);
-  while (!left.empty()) {
-    const ContactPatch rest(contacts, left.span());
-    const std::uint32_t head = before.empty() ? 0 : deepest_of(rest, ties.depth * rest.extent(), before);
-    const PlaceList places = take_patch(contacts, rest[head].normal, left);
-    const ContactPatch patch(contacts, places.span());
-    if (!(surfaces.a || surfaces.b) || patch.size() <= most) {
-      reduce_patch(patch, most, before, ties, kept);
-      continue;
+  std::size_t kept = 0;
+  std::span<ContactPoint> rest = contacts;
+  while (!rest.empty()) {
+    exchange(rest[0], rest[deepest_of(rest, before.empty() ? 0 : ties.depth * extent_of(rest), before)]);
+    const Vec3 normal = rest[0].normal;
+    const auto end = std::partition(rest.begin(), rest.end(), [&](const ContactPoint& contact) {
+      return dot(contact.normal, normal) >= same_patch_cosine;
+    });
+    const auto count = static_cast<std::size_t>(end - rest.begin());
+    const bool has_regions = (surfaces.a || surfaces.b) && count > most;
+    const Real gap = has_regions ? gap_between_regions(rest.first(count)) : 0;
+    for (std::span<ContactPoint> left = rest.first(count); !left.empty();) {
+      if (left.size() < count) {
+        exchange(left[0], left[deepest_of(left, before.empty() ? 0 : ties.depth * extent_of(left), before)]);
+      }
+      const std::size_t its = has_regions ? bring_region(left, surfaces, gap) : count;
+      const std::size_t kept_of_patch = reduce_patch(left.first(its), most, before, ties);
+      for (std::size_t i = 0; i < kept_of_patch; ++i) {
+        exchange(contacts[kept++], left[i]);
+      }
+      left = left.subspan(its);
     }
-    Regions regions(patch, surfaces, gap_share);
-    for (PlaceList region = regions.next(); !region.empty(); region = regions.next()) {
-      reduce_patch(patch.of(region.span()), most, before, ties, kept);
-    }
+    rest = rest.subspan(count);
   }
-  std::ranges::sort(kept.span(),
-                    [&](std::uint32_t a, std::uint32_t b) { return comes_before(contacts[a], contacts[b]); });
-  bring_to_front(contacts, kept.span());
-  return kept.size();
+  sort_by_depth(contacts.first(kept));
+  return kept;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@ export module abut.narrow.manifold.reduce;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-export import abut.narrow.manifold.regions;
 
 export namespace abut {
 
@@ -21,6 +20,12 @@ inline constexpr Real tied_area = 0.95;
 // share of what all contacts with their normal span. So there are a few regions at most, however many triangles there
 // are.
 inline constexpr Real gap_share = 0.25;
+
+// Which sides of a pair are surfaces, so that what they touch may fall apart into regions. A contact of two convex
+// shapes has one.
+struct SurfaceSides {
+  bool a = false, b = false;
+};
 
 // Reorders contacts so that the ones to keep come first, deepest first, and returns how many. Points whose normals
 // agree (cosine at least 0.98), of one region of a surface, form a patch; each patch keeps at most `most` points: the
