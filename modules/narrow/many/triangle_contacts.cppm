@@ -10,6 +10,7 @@ import abut.math.four_vec3;
 import abut.narrow.apart.box_cores;
 import abut.narrow.convex;
 import abut.narrow.many.triangle_point;
+import abut.narrow.many.triangle_segment;
 
 export namespace abut {
 
@@ -35,18 +36,26 @@ export namespace abut {
   return true;
 }
 
-// A point beside a triangle. False where rounding leaves the nearest point in doubt.
+// A point or a segment beside a triangle. False where rounding leaves the closest points in doubt.
 template <Convex B>
-  requires PointCored<B>
-[[nodiscard]] bool separate_from_point(const Triangle& triangle, const B& b, const Pose& ab, Real size, Real error,
-                                       CoreSeparation& core) {
-  const Vec3 point = placed_centre(b, ab), nearest = nearest_on(triangle.corners(), point), between = point - nearest;
-  const NearPoints near{lanes_of(nearest),
-                        lanes_of(point),
-                        lanes_of(between),
-                        squared_norm(between),
-                        gap_beyond(triangle.corners(), nearest, between),
-                        1};
+  requires PointCored<B> || SegmentCored<B>
+[[nodiscard]] bool separate_beside(const Triangle& triangle, const B& b, const Pose& ab, Real size, Real error,
+                                   CoreSeparation& core) {
+  const auto near_points = [&]() -> NearPoints {
+    if constexpr (PointCored<B>) {
+      const Vec3 point = placed_centre(b, ab), nearest = nearest_on(triangle.corners(), point),
+                 between = point - nearest;
+      return {lanes_of(nearest),
+              lanes_of(point),
+              lanes_of(between),
+              squared_norm(between),
+              gap_beyond(triangle.corners(), nearest, between),
+              1};
+    } else {
+      return near_points_of_segment(triangle.corners(), ab.position, ab.rotation.z, b.half().z);
+    }
+  };
+  const NearPoints near = near_points();
   if (!is_settled(near, size, error)) {
     return false;
   }
@@ -60,8 +69,8 @@ struct TriangleSeparation {
   bool lacks_points;
 };
 
-// The separation without a search for closest points, where that is quick: of points, and of polytopes where only an
-// overlap counts.
+// The separation without a search for closest points, where that is quick: of points and segments, and of other
+// polytopes where only an overlap counts.
 template <Convex B>
 [[nodiscard]] bool separate_at_once(const Triangle& triangle, const B& b, const Pose& ab, const QuerySettings& settings,
                                     Real limit, TriangleSeparation& found) {
@@ -70,12 +79,16 @@ template <Convex B>
   }
   CoreSeparation& core = found.core;
   const Real size = core_size(triangle, b, ab);
-  if constexpr (PointCored<B>) {
-    if (separate_from_point(triangle, b, ab, size, error_of(triangle, b, size, settings), core)) {
+  if constexpr (PointCored<B> || SegmentCored<B>) {
+    if (separate_beside(triangle, b, ab, size, error_of(triangle, b, size, settings), core)) {
       core.beyond = core.lower > limit;
       return true;
     }
-  } else if constexpr ((FewFaced<B> && !SegmentCored<B>) || Faceted<B>) {
+    if constexpr (SegmentCored<B>) {
+      // A segment that pierces the triangle.
+      return separate_by_axes(triangle, b, ab, size, core) && core.distance < -noise_of(size);
+    }
+  } else if constexpr (FewFaced<B> || Faceted<B>) {
     const Real noise = noise_of(size);
     const auto is_separated = [&] {
       if constexpr (Faceted<B>) {
