@@ -47,10 +47,10 @@ class SurfaceContacts {
       return;
     }
     const Real size = core_size(triangle, b, ab_), noise = noise_of(size), touching = touching_within<B>(size);
-    bool turns_a = triangle.has_area() && !(is_allowed && leads_out(a_, triangle, core.normal, noise));
+    bool turns_a = triangle.has_area() && !(is_allowed && leads_out(a_, triangle, core.normal, touching));
     bool turns_b = false;
     if constexpr (Surface<Other>) {
-      turns_b = b.has_area() && !(is_allowed && leads_out(other_, b, -ab_.rotation.undo(core.normal), noise));
+      turns_b = b.has_area() && !(is_allowed && leads_out(other_, b, -ab_.rotation.undo(core.normal), touching));
     }
     if constexpr (PointCored<B>) {
       if (!core.overlap) {
@@ -61,9 +61,9 @@ class SurfaceContacts {
     const std::size_t first = out_.size(), part = ways_.add(triangle, b, fronts, core.distance - radii, touching);
     if (!turns_a && !turns_b) {
       append(triangle, b, part_of_b, completed(triangle, b, ab_, found), true);
-      turns_a = !leads_out_of_a(triangle, first, noise);
+      turns_a = !leads_out_of_a(triangle, first, touching);
       if constexpr (Surface<Other>) {
-        turns_b = !turns_a && !leads_out_of_b(b, first, noise);
+        turns_b = !turns_a && !leads_out_of_b(b, first, touching);
       }
       if (!turns_a && !turns_b) {
         claim(first, false);

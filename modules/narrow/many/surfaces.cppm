@@ -105,9 +105,9 @@ template <Surface A, Convex B>
   std::uint32_t nearest = 0;
   nearest_part(a, b, ab, settings, out, nearest);
   const Triangle triangle = a.part(nearest);
-  const Real noise = noise_of(core_size(triangle, b, ab));
-  if (out.distance <= noise &&
-      !leads_out_of_all(a, triangle, out.point_a, out.normal, noise, b.extent() + b.radius())) {
+  const Real size = core_size(triangle, b, ab), noise = noise_of(size);
+  if (out.distance <= noise && !leads_out_of_all(a, triangle, out.point_a, out.normal, touching_within<B>(size),
+                                                 b.extent() + b.radius())) {
     Manifold contacts;
     static_cast<void>(parts_contacts(a, b, ab, without_margin(settings), contacts));
     take_depth_of(contacts, noise, out);
