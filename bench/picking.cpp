@@ -6,6 +6,7 @@
 // abut_pick with the hit computed again in double.
 #include <abut/picking.h>
 
+#include "mesh_files.hpp"
 #include "ratios.hpp"
 #include "raw_embree.hpp"
 
@@ -17,12 +18,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <memory>
 #include <random>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +29,8 @@
 namespace {
 
 using abut_bench::Mesh;
+using bench::read_obj;
+using bench::read_terrain;
 using abut_bench::Packing;
 using abut_bench::RawScene;
 
@@ -42,67 +43,6 @@ void check(abut_status status) {
   if (status == ABUT_OK) return;
   std::fprintf(stderr, "%s: %s\n", abut_status_name(status), abut_last_error_message());
   std::exit(1);
-}
-
-// 16-bit binary PGM; spacing in metres as data/README.md says.
-Mesh read_terrain(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string header;
-  std::vector<std::size_t> numbers;
-  std::getline(file, header);
-  while (numbers.size() < 3 && std::getline(file, header)) {
-    if (header.starts_with('#')) continue;
-    std::istringstream line(header);
-    for (std::size_t number = 0; line >> number;) numbers.push_back(number);
-  }
-  if (numbers.size() < 3) {
-    std::fprintf(stderr, "%s is not a PGM file\n", path.c_str());
-    std::exit(1);
-  }
-  const std::size_t columns = numbers[0];
-  const std::size_t rows = numbers[1];
-  std::string bytes(2 * columns * rows, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  const auto byte = [&](std::size_t i) { return static_cast<double>(static_cast<unsigned char>(bytes[i])); };
-  Mesh mesh;
-  for (std::size_t j = 0; j < rows; ++j) {
-    for (std::size_t i = 0; i < columns; ++i) {
-      const std::size_t at = 2 * (j * columns + i);
-      const double x = 74.4 * (static_cast<double>(i) - 0.5 * static_cast<double>(columns));
-      const double y = 92.6 * (static_cast<double>(j) - 0.5 * static_cast<double>(rows));
-      mesh.xyz.insert(mesh.xyz.end(), {x, y, 256 * byte(at) + byte(at + 1)});
-    }
-  }
-  for (std::size_t j = 0; j + 1 < rows; ++j) {
-    for (std::size_t i = 0; i + 1 < columns; ++i) {
-      const auto a = static_cast<std::uint32_t>(j * columns + i);
-      const auto c = static_cast<std::uint32_t>(a + columns);
-      mesh.triangles.insert(mesh.triangles.end(), {a, a + 1, c + 1, a, c + 1, c});
-    }
-  }
-  return mesh;
-}
-
-Mesh read_obj(const std::string& path) {
-  std::ifstream file(path);
-  Mesh mesh;
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::string kind;
-    words >> kind;
-    if (kind == "v") {
-      double x = 0;
-      double y = 0;
-      double z = 0;
-      words >> x >> y >> z;
-      mesh.xyz.insert(mesh.xyz.end(), {x, y, z});
-    } else if (kind == "f") {
-      for (std::string corner; words >> corner;) {
-        mesh.triangles.push_back(static_cast<std::uint32_t>(std::stoul(corner)) - 1);
-      }
-    }
-  }
-  return mesh;
 }
 
 struct Rays {

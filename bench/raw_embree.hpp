@@ -12,12 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "mesh_files.hpp"
+
 namespace abut_bench {
 
-struct Mesh {
-  std::vector<double> xyz;
-  std::vector<std::uint32_t> triangles;
-};
+using Mesh = bench::TriangleMesh;
 
 [[nodiscard]] std::pair<abut_vec3, abut_vec3> bounds_of(const Mesh& mesh);
 

@@ -24,8 +24,15 @@ struct PartOf<S> {
   using type = typename S::Part;
 };
 
-// Two surfaces are asked about what they meet already.
-struct NothingOnTheWay {};
+// What lies there under a number: a part, or the whole where there are none.
+template <class S>
+[[nodiscard]] decltype(auto) part_of(const S& side, std::uint32_t number) {
+  if constexpr (Surface<S>) {
+    return side.part(number);
+  } else {
+    return (side);
+  }
+}
 
 template <Surface A, class Other>
 class PartingWays {
@@ -35,9 +42,15 @@ class PartingWays {
   PartingWays(const A& a, const Other& other, const Pose& ab, const QuerySettings& settings)
       : a_(a), other_(other), ab_(ab), settings_(settings) {}
 
-  // What is met: its number.
-  std::size_t add(const Triangle& triangle, const B& b, const Fronts<B>& fronts, Real gap, Real touching) {
-    return met_.add(triangle, b, ab_, fronts, gap, touching);
+  // What is near: its number. `way`: the shortest one out of it alone. What is within the margin only offers none, so
+  // that the margin has no say.
+  std::size_t add(const Triangle& triangle, const B& b, const Fronts<B>& fronts, const Vec3& way, Real gap,
+                  Real touching) {
+    const std::size_t part = met_.add(triangle, b, ab_, fronts, gap, touching);
+    if (gap <= touching) {
+      met_.offer_ways(part, triangle, b, ab_, way);
+    }
+    return part;
   }
   void add_way(const Vec3& way) { met_.add_way(way); }
   [[nodiscard]] Lanes overlaps_along(std::size_t part, const Columns& directions, Lanes lowest) const {
@@ -62,24 +75,22 @@ class PartingWays {
           normals, most, [&](const Vec3& direction) { return lowest_along(direction); }, inner(), meets_on(on_the_way));
     };
     PartingWay way = out_of_met();
-    if constexpr (!Surface<Other>) {
-      // The way out of what is met may lead into what is not met yet.
-      for (std::size_t before = 0; way.depth < most && before < met_.size();) {
-        before = met_.size();
-        // What is met at the end of the way may seem to lie beyond it, by rounding.
-        const Real reach = way.depth + 2 * met_.noise();
-        on_the_way.visit({reach, way.direction}, 2 * met_.noise(),
-                         [&](const Triangle& triangle, std::uint32_t) { meet(triangle, reach); });
-        way = met_.size() > before ? out_of_met() : way;
-      }
+    // The way out of what is met may lead into what is not met yet.
+    for (std::size_t before = 0; way.depth < most && before < met_.offers();) {
+      before = met_.offers();
+      // What is met at the end of the way may seem to lie beyond it, by rounding.
+      const Real reach = way.depth + 2 * met_.noise();
+      on_the_way.visit({reach, way.direction}, 2 * met_.noise(),
+                       [&](const Triangle& triangle, const B& b) { meet(triangle, b, reach); });
+      way = met_.offers() > before ? out_of_met() : way;
     }
     return way;
   }
 
-  // The last touch on a way, and the number of its triangle, if it is deeper than `least`.
+  // The last touch on a way, and what touches there, if it is deeper than `least`.
   struct TouchOfPart {
     LastTouch touch;
-    std::uint32_t number;
+    PartOnWay part;
   };
   template <class OnTheWay>
   [[nodiscard]] std::optional<TouchOfPart> last_touch_deeper_than(Real least, const PartingWay& way,
@@ -88,49 +99,49 @@ class PartingWays {
     const auto parts = met_.last_on(way, lowest_along(way.direction), meets_on(on_the_way));
     for (const PartOnWay& part : parts.span()) {
       const Triangle triangle = a_.part(part.number);
+      const auto& b = part_of(other_, part.number_of_b);
       const Real deepest = last ? last->touch.depth : least;
       // The others part no later.
-      if (!(part.overlap > deepest + noise_of(core_size(triangle, other_, ab_)))) {
+      if (!(part.overlap > deepest + noise_of(core_size(triangle, b, ab_)))) {
         break;
       }
-      const auto touch = last_touch(triangle, other_, ab_, {part.overlap, way.direction}, settings_);
+      const auto touch = last_touch(triangle, b, ab_, {part.overlap, way.direction}, settings_);
       if (touch && touch->depth > deepest) {
-        last = TouchOfPart{*touch, part.number};
+        last = TouchOfPart{*touch, part};
       }
     }
     return last;
   }
 
  private:
-  // A bit for each of four parts that b may meet on a way: no further from it than the way is long, and within the
-  // swept box of a convex b.
+  // A bit for each of four parts that b may meet on a way: no further from it than the way is long, and within what b
+  // sweeps.
   template <class OnTheWay>
   [[nodiscard]] static auto meets_on(const OnTheWay& on_the_way) {
     return [&](const FourParts<B>& parts, const PartingWay& way) {
       const std::uint64_t are_within = bits_of(parts.gap <= all_lanes(way.depth) + parts.noise);
-      if constexpr (Surface<Other>) {
-        return are_within;
-      } else {
-        return are_within == 0 ? 0 : are_within & on_the_way.meets(parts.triangles, way);
-      }
+      return are_within == 0 ? 0 : are_within & on_the_way.meets(parts, way);
     };
   }
 
-  // A part that only stands in a way of some length.
-  void meet(const Triangle& triangle, Real depth) {
-    if (met_.has(triangle.index())) {
+  // A part that stands in a way of some length.
+  void meet(const Triangle& triangle, const B& b, Real depth) {
+    std::optional<std::size_t> part = met_.find(triangle.index(), number_of_part(b));
+    if (part && met_.offers_ways(*part)) {
       return;
     }
-    const Real radii = other_.radius();
-    const CoreSeparation core = begin_separation(triangle, other_, ab_, settings_, depth + radii).core;
+    const Real radii = b.radius();
+    const CoreSeparation core = begin_separation(triangle, b, ab_, settings_, depth + radii).core;
     if (core.beyond || core.distance - radii > depth) {
       return;
     }
-    const Fronts<B> fronts(triangle, other_, ab_);
-    if (fronts.allows(core.normal) || counts_from_behind(triangle, other_, ab_, core)) {
-      const Real touching = touching_within<B>(core_size(triangle, other_, ab_));
-      met_.add(triangle, other_, ab_, fronts, core.distance - radii, touching);
-      met_.add_way(core.normal);
+    const Fronts<B> fronts(triangle, b, ab_);
+    if (fronts.allows(core.normal) || counts_from_behind(triangle, b, ab_, core)) {
+      if (!part) {
+        const Real touching = touching_within<B>(core_size(triangle, b, ab_));
+        part = met_.add(triangle, b, ab_, fronts, core.distance - radii, touching);
+      }
+      met_.offer_ways(*part, triangle, b, ab_, core.normal);
     }
   }
 

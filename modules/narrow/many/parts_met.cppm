@@ -11,6 +11,16 @@ import abut.narrow.many.triangle_contacts;
 
 export namespace abut {
 
+// The number of b, where it is a triangle.
+template <Convex B>
+[[nodiscard]] std::uint32_t number_of_part(const B& b) {
+  if constexpr (std::same_as<B, Triangle>) {
+    return b.index();
+  } else {
+    return 0;
+  }
+}
+
 // Triangles of b in the frame of a, where b is made of such.
 template <Convex B>
 struct PlacedTriangles {};
@@ -27,30 +37,40 @@ struct FourParts {
   Lanes gap;    // how far both are apart; not positive where they overlap
   Lanes noise;  // how far both may overlap that only touch
   [[no_unique_address]] PlacedTriangles<B> placed;
+  std::array<bool, 4> offers_ways;
 
   [[nodiscard]] static FourParts all(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts,
                                      Real gap, Real noise) {
-    FourParts parts{FourTriangles::all(triangle.corners()), fronts.in_all(), all_lanes(gap), all_lanes(noise), {}};
+    FourParts parts{FourTriangles::all(triangle.corners()), fronts.in_all(), all_lanes(gap), all_lanes(noise), {}, {}};
     parts.triangles.numbers.fill(triangle.index());
     if constexpr (std::same_as<B, Triangle>) {
       parts.placed.of = FourTriangles::all({ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]});
+      parts.placed.of.numbers.fill(b.index());
     }
     return parts;
   }
   // The same of one of them, four times.
   [[nodiscard]] [[gnu::always_inline]] inline FourParts all_of(std::size_t lane) const {
     FourParts parts{
-        FourTriangles::all(triangles[lane]), fronts.all_of(lane), all_lanes(gap[lane]), all_lanes(noise[lane]), {}};
+        FourTriangles::all(triangles[lane]), fronts.all_of(lane), all_lanes(gap[lane]), all_lanes(noise[lane]), {}, {}};
     if constexpr (std::same_as<B, Triangle>) {
       parts.placed.of = FourTriangles::all(placed.of[lane]);
     }
     return parts;
+  }
+  [[nodiscard]] std::uint32_t number_of_b(std::size_t lane) const {
+    if constexpr (std::same_as<B, Triangle>) {
+      return placed.of.numbers[lane];
+    } else {
+      return 0;
+    }
   }
   void put(std::size_t lane, const FourParts& one) {
     triangles.put(lane, one.triangles);
     fronts.put(lane, one.fronts);
     gap[lane] = one.gap[0];
     noise[lane] = one.noise[0];
+    offers_ways[lane] = false;
     if constexpr (std::same_as<B, Triangle>) {
       placed.of.put(lane, one.placed.of);
     }
@@ -77,16 +97,16 @@ struct PartingWay {
   Vec3 direction;
 };
 
-// How far b overlaps a triangle along a way, by its number.
+// How far b overlaps a triangle along a way, by its number, and that of b where b is one itself.
 struct PartOnWay {
   Real overlap;
-  std::uint32_t number;
+  std::uint32_t number, number_of_b;
 };
 
 template <Convex B>
 class PartsMet {
  public:
-  // The number of the new part.
+  // The number of the new part. It offers no ways yet.
   std::size_t add(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real gap, Real noise) {
     const FourParts<B> one = FourParts<B>::all(triangle, b, ab, fronts, gap, noise);
     const std::size_t lane = size_ % 4;
@@ -95,22 +115,35 @@ class PartsMet {
     } else {
       fours_[size_ / 4].put(lane, one);
     }
+    noise_ = std::max(noise_, noise);
+    return size_++;
+  }
+  // Takes the ways out of the faces of a part, and its own.
+  void offer_ways(std::size_t part, const Triangle& triangle, const B& b, const Pose& ab, const Vec3& way) {
+    fours_[part / 4].offers_ways[part % 4] = true;
+    ++offers_;
     add_face(triangle.normal(), triangle.is_one_sided());
     if constexpr (std::same_as<B, Triangle>) {
       add_face(-(ab.rotation * b.normal()), b.is_one_sided());
     }
-    noise_ = std::max(noise_, noise);
-    return size_++;
+    add_way(way);
   }
   // The largest of those of the parts.
   [[nodiscard]] Real noise() const { return noise_; }
-  [[nodiscard]] std::size_t size() const { return size_; }
-  // Whether a triangle of the surface, by its number, is one of them.
-  [[nodiscard]] bool has(std::uint32_t number) const {
-    return std::ranges::any_of(fours_.span(), [&](const FourParts<B>& four) {
-      return std::ranges::find(four.triangles.numbers, number) != four.triangles.numbers.end();
-    });
+  // How many parts offer ways.
+  [[nodiscard]] std::size_t offers() const { return offers_; }
+  // Which part is of a triangle of the surface, by its number, and of that of b where b is one itself.
+  [[nodiscard]] std::optional<std::size_t> find(std::uint32_t number, std::uint32_t number_of_b) const {
+    for (std::size_t place = 0; place < fours_.size(); ++place) {
+      for (std::size_t lane = 0; lane < std::min<std::size_t>(size_ - 4 * place, 4); ++lane) {
+        if (fours_[place].triangles.numbers[lane] == number && fours_[place].number_of_b(lane) == number_of_b) {
+          return 4 * place + lane;
+        }
+      }
+    }
+    return std::nullopt;
   }
+  [[nodiscard]] bool offers_ways(std::size_t part) const { return fours_[part / 4].offers_ways[part % 4]; }
   // Directions that might part the whole: the normals of contacts, the least ways out of parts, and the ways out of
   // faces.
   void add_way(const Vec3& way) {
@@ -164,11 +197,12 @@ class PartsMet {
       met |= ~met & meets_on(four, way);
       for (met &= (std::uint64_t{1} << count) - 1; met != 0; met &= met - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(met));
-        parts.push_back({overlaps[lane], four.triangles.numbers[lane]});
+        parts.push_back({overlaps[lane], four.triangles.numbers[lane], four.number_of_b(lane)});
       }
     }
     std::ranges::sort(parts.span(), [](const PartOnWay& one, const PartOnWay& other) {
-      return std::pair(other.overlap, one.number) < std::pair(one.overlap, other.number);
+      return std::tuple(other.overlap, one.number, one.number_of_b) <
+             std::tuple(one.overlap, other.number, other.number_of_b);
     });
     return parts;
   }
@@ -224,7 +258,7 @@ class PartsMet {
   }
 
   SmallVector<FourParts<B>, 16> fours_;
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, offers_ = 0;
   Real noise_ = 0;
   SmallVector<Vec3, 192> ways_;
 };

@@ -139,7 +139,12 @@ class QuickAxes<Triangle> {
   }
   [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t near_on_way(const FourTriangles& triangles, const Vec3& way,
                                                                         Real limit) const {
-    const FourTriangles placed{a_, b_, c_, {}};
+    return near_on_way(triangles, {a_, b_, c_, {}}, way, limit);
+  }
+  // The same of four pairs of triangles, of which the second ones move.
+  [[nodiscard]] [[gnu::always_inline]] static inline std::uint64_t near_on_way(const FourTriangles& triangles,
+                                                                               const FourTriangles& placed,
+                                                                               const Vec3& way, Real limit) {
     const Lanes size = maximum(triangles.size(), placed.size());
     const Lanes reach = all_lanes(std::fmax(limit, 0)) + noise_of(size);
     return others_than(are_beside(triangles, placed, reach, size, Columns::all(way)) |

@@ -58,12 +58,13 @@ class SurfaceContacts {
         return;
       }
     }
-    const std::size_t first = out_.size(), part = ways_.add(triangle, b, fronts, core.distance - radii, touching);
+    const std::size_t first = out_.size(),
+                      part = ways_.add(triangle, b, fronts, core.normal, core.distance - radii, touching);
     if (!turns_a && !turns_b) {
       append(triangle, b, part_of_b, completed(triangle, b, ab_, found), true);
       turns_a = !leads_out_of_a(triangle, first, touching);
       if constexpr (Surface<Other>) {
-        turns_b = !turns_a && !leads_out_of_b(b, first, touching);
+        turns_b = !leads_out_of_b(b, first, touching);
       }
       if (!turns_a && !turns_b) {
         claim(first, false);
@@ -84,7 +85,6 @@ class SurfaceContacts {
       claim(first, true);
     }
     turned_.push_back({first, out_.size(), part, depth_from(first), noise});
-    ways_.add_way(core.normal);
   }
 
   // To be called after the last part. `on_the_way`: what b may meet on a way. `add_more`: adds parts that were passed
@@ -96,12 +96,6 @@ class SurfaceContacts {
       add_more();
     }
     append_left(on_the_way);
-  }
-  // Of two surfaces, where nothing else is looked for.
-  void finish()
-    requires Surface<Other>
-  {
-    finish(NothingOnTheWay{}, [] {});
   }
 
  private:
@@ -118,14 +112,6 @@ class SurfaceContacts {
     Vec3 normal;  // of part a
     TriangleSeparation found;
   };
-
-  [[nodiscard]] decltype(auto) part_of_other(std::uint32_t index) const {
-    if constexpr (Surface<Other>) {
-      return other_.part(index);
-    } else {
-      return (other_);
-    }
-  }
 
   // Whether the deepest contact from `first` on leads out of a side, whatever lies beside its triangles.
   [[nodiscard]] bool leads_out_of_a(const Triangle& triangle, std::size_t first, Real noise) const {
@@ -249,7 +235,7 @@ class SurfaceContacts {
               bool closest_count) {
     const std::size_t first = out_.size();
     contacts_under(triangle, b, ab_, core, settings_.margin, closest_count, out_);
-    if (out_.size() > first) {
+    if (depth_from(first) >= 0) {
       ways_.add_way(core.normal);
     }
     name_parts(triangle, part_of_b, first);
@@ -337,19 +323,19 @@ class SurfaceContacts {
   // that of the last touch on it. Whether a contact was added: one that is deeper than all others.
   template <class OnTheWay>
   bool append_way(const PartingWay& whole, const OnTheWay& on_the_way) {
-    if constexpr (!Surface<Other>) {
-      if (const auto last = ways_.last_touch_deeper_than(std::max(depth_from(first_), Real{0}), whole, on_the_way)) {
-        const std::size_t first = out_.size();
-        const Vec3 &way = whole.direction, &point = last->touch.point;
-        const Feature feature_a{FeatureKind::face, 0}, feature_b = supporting_feature(other_, ab_.rotation.undo(-way));
-        // Other contacts may have the same features.
-        out_.push_back({point + last->touch.depth * way, point, way, -last->touch.depth, feature_a, feature_b,
-                        mixed(~contact_id(feature_a, feature_b))});
-        name_parts(a_.part(last->number), 0, first);
-        return true;
-      }
+    const auto last = ways_.last_touch_deeper_than(std::max(depth_from(first_), Real{0}), whole, on_the_way);
+    if (!last) {
+      return false;
     }
-    return false;
+    const std::size_t first = out_.size();
+    const Vec3 &way = whole.direction, &point = last->touch.point;
+    const auto& b = part_of(other_, last->part.number_of_b);
+    const Feature feature_a{FeatureKind::face, 0}, feature_b = supporting_feature(b, ab_.rotation.undo(-way));
+    // Other contacts may have the same features.
+    out_.push_back({point + last->touch.depth * way, point, way, -last->touch.depth, feature_a, feature_b,
+                    mixed(~contact_id(feature_a, feature_b))});
+    name_parts(a_.part(last->part.number), last->part.number_of_b, first);
+    return true;
   }
 
   // The shortest way out of all parts that b meets; without end where no turned contact is deeper than the others.
@@ -374,20 +360,18 @@ class SurfaceContacts {
     if (!left_) {
       return;
     }
-    if constexpr (!Surface<Other>) {
-      const CoreSeparation& core = left_->found.core;
-      if (core.overlap && depth_from(first_) < other_.radius() - core.distance - core.rounding) {
-        const PartingWay way = ways_.shortest(claims_.sum_of_normals(), infinity, on_the_way);
-        if (way.depth < infinity && append_way(way, on_the_way)) {
-          return;
-        }
+    const auto& b = part_of(other_, left_->part_of_b);
+    const CoreSeparation& core = left_->found.core;
+    if (core.overlap && depth_from(first_) < b.radius() - core.distance - core.rounding) {
+      const PartingWay way = ways_.shortest(claims_.sum_of_normals(), infinity, on_the_way);
+      if (way.depth < infinity && append_way(way, on_the_way)) {
+        return;
       }
     }
     if (out_.size() > first_) {
       return;
     }
     const Triangle triangle = a_.part(left_->part_of_a);
-    const auto& b = part_of_other(left_->part_of_b);
     const std::size_t first = out_.size();
     append(triangle, b, left_->part_of_b, completed(triangle, b, ab_, left_->found), true);
     const auto found = std::span(out_).subspan(first);

@@ -106,8 +106,8 @@ template <Surface A, Convex B>
   nearest_part(a, b, ab, settings, out, nearest);
   const Triangle triangle = a.part(nearest);
   const Real size = core_size(triangle, b, ab), noise = noise_of(size);
-  if (out.distance <= noise && !leads_out_of_all(a, triangle, out.point_a, out.normal, touching_within<B>(size),
-                                                 b.extent() + b.radius())) {
+  if (out.distance <= noise &&
+      !leads_out_of_all(a, triangle, out.point_a, out.normal, touching_within<B>(size), b.extent() + b.radius())) {
     Manifold contacts;
     static_cast<void>(parts_contacts(a, b, ab, without_margin(settings), contacts));
     take_depth_of(contacts, noise, out);
@@ -120,23 +120,28 @@ template <Surface A, Convex B>
 class OnTheWay {
  public:
   OnTheWay(const A& a, const B& b, const Pose& ab, const QuickAxes<B>& axes)
-      : a_(a), box_(b.aabb(ab)), radius_(b.radius()), axes_(axes) {}
+      : a_(a), b_(b), box_(b.aabb(ab)), radius_(b.radius()), axes_(axes) {}
 
-  // A bit for each triangle that it may meet.
-  [[nodiscard]] std::uint64_t meets(const FourTriangles& triangles, const PartingWay& way, Real slack = 0) const {
-    return axes_.near_on_way(triangles, way.depth * way.direction, radius_ + slack);
+  // A bit for each part that it may meet.
+  [[nodiscard]] std::uint64_t meets(const FourParts<B>& parts, const PartingWay& way) const {
+    return axes_.near_on_way(parts.triangles, way.depth * way.direction, radius_);
   }
+  // Calls visit(triangle, b) for what it may meet.
   template <class Visitor>
   void visit(const PartingWay& way, Real slack, const Visitor& visit) const {
     const Vec3 along = way.depth * way.direction;
     Aabb swept = box_;
     swept.include(Aabb{box_.low + along, box_.high + along});
     swept = swept.inflated(slack);
-    a_.visit_parts(swept, InFours{[&](const FourTriangles& triangles) { return meets(triangles, way, slack); }}, visit);
+    const auto may_meet = [&](const FourTriangles& triangles) {
+      return axes_.near_on_way(triangles, along, radius_ + slack);
+    };
+    a_.visit_parts(swept, InFours{may_meet}, [&](const Triangle& triangle, std::uint32_t) { visit(triangle, b_); });
   }
 
  private:
   const A& a_;
+  const B& b_;
   Aabb box_;
   Real radius_;
   const QuickAxes<B>& axes_;

@@ -8,6 +8,8 @@ import abut.math;
 import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.many.nearest_of_parts;
+import abut.narrow.many.parts_met;
+import abut.narrow.many.quick_axes;
 import abut.narrow.many.solid_contacts;
 import abut.narrow.many.solid_depth;
 import abut.narrow.many.solid_pair_depth;
@@ -30,6 +32,34 @@ template <Surface A, Surface B>
   return std::nullopt;
 }
 
+// What two surfaces may meet of each other on a way of the second one.
+template <Surface A, Surface B>
+class PairsOnTheWay {
+ public:
+  PairsOnTheWay(const A& a, const B& b, const Pose& ab) : a_(a), b_(b), ab_(ab) {}
+
+  // A bit for each pair.
+  [[nodiscard]] std::uint64_t meets(const FourParts<Triangle>& parts, const PartingWay& way) const {
+    return QuickAxes<Triangle>::near_on_way(parts.triangles, parts.placed.of, way.depth * way.direction, 0);
+  }
+  template <class Visitor>
+  void visit(const PartingWay& way, Real slack, const Visitor& visit) const {
+    const Real reach = way.depth + slack;
+    visit_two_parts(a_, b_, ab_, reach, [&](const Triangle& part, const Triangle& other) {
+      const QuickAxes<Triangle> axes(other, ab_);
+      if (axes.near_on_way(FourTriangles::all(part.corners()), way.depth * way.direction, slack) != 0) {
+        visit(part, other);
+      }
+      return reach;
+    });
+  }
+
+ private:
+  const A& a_;
+  const B& b_;
+  const Pose& ab_;
+};
+
 template <Surface A, Surface B>
 [[nodiscard]] Outcome surfaces_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                         Manifold& out) {
@@ -50,7 +80,7 @@ template <Surface A, Surface B>
   if (!are_visited) {
     visit_two_parts(a, b, ab, reach, add);
   }
-  contacts.finish();
+  contacts.finish(PairsOnTheWay(a, b, ab), [] {});
   settle_depth(depth_of_solids(a, b, ab, settings), first, settings.margin, out);
   return Outcome::ok;
 }

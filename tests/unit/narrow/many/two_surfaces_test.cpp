@@ -205,7 +205,7 @@ TEST(TwoSurfaces, OfAMeshOnAHeightFieldMeetAlikeByEitherWay) {
       contacts.add(a, b, b.index());
       return settings.margin;
     });
-    contacts.finish();
+    contacts.finish(abut::PairsOnTheWay(mesh, field, ab), [] {});
     const auto ids_and_places = [](const abut::Manifold& manifold) {
       std::vector<std::tuple<std::uint64_t, double, double, double>> list;
       for (const abut::ContactPoint& contact : manifold) {
