@@ -99,7 +99,7 @@ class MeshSampler {
     return place_of(std::min(side * x, all.x - 1), std::min(side * y, all.y - 1), std::min(side * z, all.z - 1));
   }
 
-  // Of the blocks that come within the band of a triangle, the one that is nearest to the middle.
+  // Of each block that a triangle comes within the band of: the triangle that is nearest to its middle.
   void find_closest(Real band) {
     const std::size_t count = blocks_.blocks().size();
     std::vector<Real> least(count, infinity);
