@@ -16,6 +16,7 @@
 #include "../../random_boxes.hpp"
 
 import abut.capability;
+import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.shape_cast;
@@ -439,12 +440,19 @@ TEST(FieldPairs, ASingleSampleInsideIsFound) {
   }
 }
 
+// A box with a cavity around its middle.
+AnyShape hollow_box() {
+  const std::array children{abut::PlacedShape{abut::Frozen<AnyShape>(made("box", {0.3, 0.3, 0.3})), Pose::identity()},
+                            abut::PlacedShape{abut::Frozen<AnyShape>(made("sphere_hole", {0.1})), Pose::identity()}};
+  return abut::make_composite(children).value();
+}
+
 // Means of a sample and its neighbours are all positive: there is no solid.
 TEST(FieldPairs, NothingTouchesASolidWithoutAPoint) {
-  const AnyShape none = field_of_one_sample(0.01, true), ball = made("sphere", {0.05}),
-                 other = field_of([](const Vec3& p) { return norm(p) - 0.3; });
+  const AnyShape none = field_of_one_sample(0.01, true), ball = made("sphere", {0.05}), large = made("sphere", {0.7}),
+                 other = field_of([](const Vec3& p) { return norm(p) - 0.3; }), hollow = hollow_box();
   const Pose near{abut::Rotation::identity(), {0.2, 0.1, 0}};
-  for (const AnyShape* shape : std::array{&ball, &other, &none}) {
+  for (const AnyShape* shape : std::array{&ball, &large, &other, &none, &hollow}) {
     for (const bool is_first : {true, false}) {
       const AnyShape &a = is_first ? none : *shape, &b = is_first ? *shape : none;
       const abut::Distance found = distance(a, b, near);
