@@ -144,6 +144,33 @@ TEST(FuzzOracle, TakesAnyContactForTheDistanceOfWhatHolesLeave) {
   }
 }
 
+// A field with one sample that is inside, which means take away or leave.
+TEST(FuzzOracle, TakesAPointBesideTheBoxOfAFieldForNothingOnly) {
+  const auto field = find_kind(std::string_view("distance_field")), point = find_kind(std::string_view("point"));
+  if (!field || !point) GTEST_SKIP() << "this build lacks distance fields or points";
+  for (const Real least : {-0.01, -10.0}) {
+    std::array<Real, 125> values{};
+    values.fill(0.4);
+    values[62] = least;
+    const std::array<Real, 11> parameters{5, 5, 5, 1, 1, 1, -2, -2, -2, 0, 1};
+    const Scene scene{make_shape(*field, parameters, values, {}).value(),
+                      make_shape(*point, {}, {}, {}).value(),
+                      {Rotation::identity(), {1.9, 0, 0}},
+                      0,
+                      4};
+    Distance found = answer(scene);
+    EXPECT_EQ(judge_distance(scene, found, {}), std::nullopt);
+    found.point_a = {4, 0, 0};
+    found.normal = {-1, 0, 0};
+    found.distance = 2.1;
+    found.lower = 0;
+    found.upper = infinity;
+    EXPECT_EQ(judge_distance(scene, found, {}) == std::nullopt, least == -0.01);
+    found.upper = 2.1;
+    EXPECT_NE(judge_distance(scene, found, {}), std::nullopt);
+  }
+}
+
 TEST(FuzzOracle, RefusesWrongContacts) {
   const Scene scene = boxes(false);
   const Distance found = answer(scene);

@@ -29,6 +29,8 @@ class DistanceField {
   // lattice follow, three numbers each. The last four parameters, or the last three, may be missing.
   [[nodiscard]] static Result<DistanceField> make(std::span<const Real> parameters, std::span<const Real> reals,
                                                   std::span<const std::uint32_t> indices);
+  // From samples that are there already. No solid is in there that reaches the border.
+  [[nodiscard]] static Result<DistanceField> make(std::span<const Real> parameters, SparseBlocks blocks);
   [[nodiscard]] std::vector<Real> parameters() const;
   [[nodiscard]] Buffers buffers() const;
   [[nodiscard]] static std::vector<DistanceField> samples();
@@ -102,6 +104,8 @@ class DistanceField {
   };
 
   explicit DistanceField(Data data) : data_(std::move(data)) {}
+  [[nodiscard]] static Data data_of(std::span<const Real> parameters, SparseBlocks blocks);
+  [[nodiscard]] static Result<DistanceField> measured(Data data);
   // What follows from the samples of a box.
   static void measure(Data& data, const GridBox& changed);
   static void measure_solid(Data& data);

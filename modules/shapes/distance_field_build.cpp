@@ -169,12 +169,11 @@ Result<DistanceField> DistanceField::make(std::span<const Real> parameters, std:
   }
   const std::size_t blocks = block_count(parameters, 0);
   const bool is_smooth = parameters.size() > 10 && parameters[10] == 1;
-  const std::uint32_t fringe = is_smooth ? 1 : 0;
   const GridPlace points = parameters.size() > 11 ? GridPlace{count(11), count(12), count(13)} : GridPlace{0, 0, 0};
   const std::size_t lattice_reals = std::size_t{3} * points.x * points.y * points.z;
   const std::size_t expected =
       indices.empty() ? std::size_t{samples.x} * samples.y * samples.z
-                      : block_count(parameters, 1) + indices.size() * SparseBlocks::samples_of_block(fringe);
+                      : block_count(parameters, 1) + indices.size() * SparseBlocks::samples_of_block(is_smooth ? 1 : 0);
   if (Fault fault = check_count("real_count", reals.size(), expected + lattice_reals)) {
     return *fault;
   }
@@ -191,17 +190,10 @@ Result<DistanceField> DistanceField::make(std::span<const Real> parameters, std:
     held.resize(blocks);
     std::iota(held.begin(), held.end(), 0u);
   }
-  const Vec3 spacing{parameters[3], parameters[4], parameters[5]};
-  Data data{SparseBlocks(samples, spacing, held, fringe),
-            spacing,
-            {1 / spacing.x, 1 / spacing.y, 1 / spacing.z},
-            {parameters[6], parameters[7], parameters[8]},
-            {static_cast<Real>(samples.x - 1), static_cast<Real>(samples.y - 1), static_cast<Real>(samples.z - 1)},
-            parameters[9] == 1,
-            is_smooth};
-  const GridBox whole{{0, 0, 0}, samples};
+  Data data = data_of(parameters,
+                      SparseBlocks(samples, {parameters[3], parameters[4], parameters[5]}, held, is_smooth ? 1 : 0));
   if (indices.empty()) {
-    data.blocks.set(whole, [&](const GridPlace& at) {
+    data.blocks.set({{0, 0, 0}, samples}, [&](const GridPlace& at) {
       return limited(data, at, reals[(std::size_t{at.z} * samples.y + at.y) * samples.x + at.x]);
     });
   } else {
@@ -215,7 +207,30 @@ Result<DistanceField> DistanceField::make(std::span<const Real> parameters, std:
     return lattice.error();
   }
   bend(data, std::move(lattice).value());
-  measure(data, whole);
+  return measured(std::move(data));
+}
+
+Result<DistanceField> DistanceField::make(std::span<const Real> parameters, SparseBlocks blocks) {
+  if (Fault fault = check_parameters(parameter_names, parameters)) {
+    return *fault;
+  }
+  return measured(data_of(parameters, std::move(blocks)));
+}
+
+DistanceField::Data DistanceField::data_of(std::span<const Real> parameters, SparseBlocks blocks) {
+  const Vec3 spacing{parameters[3], parameters[4], parameters[5]};
+  const bool is_smooth = parameters.size() > 10 && parameters[10] == 1;
+  return {std::move(blocks),
+          spacing,
+          {1 / spacing.x, 1 / spacing.y, 1 / spacing.z},
+          {parameters[6], parameters[7], parameters[8]},
+          {parameters[0] - 1, parameters[1] - 1, parameters[2] - 1},
+          parameters[9] == 1,
+          is_smooth};
+}
+
+Result<DistanceField> DistanceField::measured(Data data) {
+  measure(data, {{0, 0, 0}, data.blocks.samples()});
   const auto is_crossed = [](const SparseBlocks::Block& block) {
     return block.place == SparseBlocks::no_samples && block.low <= 0 && block.high >= 0;
   };

@@ -14,11 +14,6 @@ constexpr std::uint32_t none = 0xffffffff;
 constexpr std::uint32_t along = SparseBlocks::samples_along(0);
 constexpr std::size_t samples_of_block = SparseBlocks::samples_of_block(0);
 
-template <class List>
-[[nodiscard]] auto of_block(List& list, std::size_t i) {
-  return std::span(list).subspan(i * samples_of_block, samples_of_block);
-}
-
 // Whether each edge leads as often one way as the other. Vertices at one place are one.
 bool is_closed(const SurfaceTriangles& surface) {
   std::vector<std::uint32_t> order(surface.vertices.size()), same(order.size());
@@ -60,30 +55,36 @@ std::vector<TriangleAt> triangles_of(const SurfaceTriangles& surface) {
 
 class MeshSampler {
  public:
-  MeshSampler(const SurfaceTriangles& surface, const FieldGrid& grid)
+  MeshSampler(const SurfaceTriangles& surface, const FieldGrid& grid, std::uint32_t fringe)
       : grid_(grid),
-        blocks_(grid.samples, {grid.spacing, grid.spacing, grid.spacing}, {}, 0),
+        fringe_(fringe),
+        blocks_(grid.samples, {grid.spacing, grid.spacing, grid.spacing}, {}, fringe),
         tree_(triangles_of(surface)),
         winding_(surface.vertices, surface.indices),
         is_closed_(is_closed(surface)) {}
 
-  [[nodiscard]] SampledField sample(Real band, std::uint32_t fringe) {
-    find_held(band);
-    sample_held();
+  // Which blocks hold samples is known before the first of these is there, so that there is no second copy of any.
+  [[nodiscard]] SparseBlocks sample(Real band) && {
+    find_closest(band);
+    start_corners();
     spread_to_corners();
     find_at_corners();
     sign_corners();
-    hold_crossed();
-    if (fringe > 0) {
-      add_fringe();
+    hold_blocks();
+    Workers(0).for_each(held_.size(), [&](std::size_t i) { sample_block(i); });
+    if (fringe_ > 0) {
+      Workers(0).for_each(held_.size(), [&](std::size_t i) { copy_fringe(i); });
     }
-    SampledField out{std::move(held_), std::move(corners_), false};
-    out.values.insert(out.values.end(), values_.begin(), values_.end());
-    out.has_inside = std::ranges::any_of(out.values, [](Real value) { return value < 0; });
-    return out;
+    return std::move(blocks_);
   }
 
  private:
+  // Of a block without its fringe.
+  struct BlockSamples {
+    std::array<Real, samples_of_block> values;
+    std::array<std::uint32_t, samples_of_block> triangles;  // near each
+  };
+
   [[nodiscard]] Vec3 place_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
     return grid_.origin + grid_.spacing * Vec3{static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)};
   }
@@ -98,8 +99,8 @@ class MeshSampler {
     return place_of(std::min(side * x, all.x - 1), std::min(side * y, all.y - 1), std::min(side * z, all.z - 1));
   }
 
-  // The blocks that come within the band of a triangle; of each the triangle that is nearest to its middle.
-  void find_held(Real band) {
+  // Of each block that a triangle comes within the band of: the triangle that is nearest to its middle.
+  void find_closest(Real band) {
     const std::size_t count = blocks_.blocks().size();
     std::vector<Real> least(count, infinity);
     closest_.assign(count, none);
@@ -132,22 +133,34 @@ class MeshSampler {
         }
       }
     }
-    for (std::uint32_t number = 0; number < count; ++number) {
-      if (closest_[number] != none) {
-        held_.push_back(number);
-      }
-    }
   }
 
-  // The samples of a block, in cubes of 27, each from a triangle of the one before. Signs follow row by row.
-  void sample_block(std::uint32_t number, std::uint32_t close, std::span<Real> out,
-                    std::span<std::uint32_t> triangles) const {
+  void sample_block(std::size_t i) {
+    const std::uint32_t number = held_[i];
+    BlockSamples samples;
+    find_samples(number, samples);
+    const std::span<float> out = values_of(i);
+    for (std::uint32_t z = 0; z < along; ++z) {
+      for (std::uint32_t y = 0; y < along; ++y) {
+        for (std::uint32_t x = 0; x < along; ++x) {
+          const GridPlace at{x, y, z};
+          out[index_with_fringe(at)] = static_cast<float>(samples.values[index_in_block(at)]);
+        }
+      }
+    }
+    if (fringe_ > 0) {
+      find_fringe(number, samples, out);
+    }
+  }
+  // In cubes of 27, each from a triangle of the one before. Signs follow row by row.
+  void find_samples(std::uint32_t number, BlockSamples& samples) const {
     constexpr std::uint32_t cube = 3, cubes = along / cube;
     static_assert(cubes * cube == along);
     for (std::uint32_t i = 0; i < cubes * cubes * cubes; ++i) {
       const GridPlace first{cube * (i % cubes), cube * (i / cubes % cubes), cube * (i / cubes / cubes)};
-      sample_cube<cube>(number, first, close, out, triangles);
+      sample_cube<cube>(number, first, samples);
     }
+    std::array<Real, samples_of_block>& out = samples.values;
     for (std::uint32_t k = 0; k < along; ++k) {
       for (std::uint32_t j = 0; j < along; ++j) {
         for (std::uint32_t i = 0; i < along; ++i) {
@@ -158,8 +171,7 @@ class MeshSampler {
     }
   }
   template <std::uint32_t Side>
-  void sample_cube(std::uint32_t number, const GridPlace& first, std::uint32_t close, std::span<Real> out,
-                   std::span<std::uint32_t> triangles) const {
+  void sample_cube(std::uint32_t number, const GridPlace& first, BlockSamples& samples) const {
     constexpr std::size_t count = Side * Side * Side;
     static_assert(count <= NearestTriangle::most_points);
     std::array<Vec3, count> places;
@@ -171,14 +183,14 @@ class MeshSampler {
     }
     std::array<NearestTriangle::Found, count> found;
     // Triangles of the neighbours that are known, each once.
-    std::array<std::uint32_t, count + 1> near{close};
+    std::array<std::uint32_t, count + 1> near{closest_[number]};
     std::size_t near_count = 1;
     const std::array<std::pair<std::uint32_t, std::size_t>, 3> before{
         {{first.x, 1}, {first.y, along}, {first.z, std::size_t{along} * along}}};
     for (std::uint32_t axis = 0, divisor = 1; axis < 3; ++axis, divisor *= Side) {
       for (std::uint32_t i = 0; before[axis].first > 0 && i < count; ++i) {
         if (i / divisor % Side == 0) {
-          near[near_count++] = triangles[indices[i] - before[axis].second];
+          near[near_count++] = samples.triangles[indices[i] - before[axis].second];
         }
       }
     }
@@ -187,12 +199,22 @@ class MeshSampler {
     const auto end = std::unique(known.begin(), known.end());
     tree_.find(places, known.first(static_cast<std::size_t>(end - known.begin())), found);
     for (std::uint32_t i = 0; i < count; ++i) {
-      out[indices[i]] = std::sqrt(found[i].squared);
-      triangles[indices[i]] = found[i].triangle;
+      samples.values[indices[i]] = std::sqrt(found[i].squared);
+      samples.triangles[indices[i]] = found[i].triangle;
     }
   }
   [[nodiscard]] static std::size_t index_in_block(const GridPlace& at) {
     return (std::size_t{at.z} * along + at.y) * along + at.x;
+  }
+  // Counts from the first cell of a block; numbers wrap around in the fringe below it, and come back here.
+  [[nodiscard]] std::size_t index_with_fringe(const GridPlace& at) const {
+    const std::size_t row = SparseBlocks::samples_along(fringe_);
+    return ((at.z + fringe_) * row + (at.y + fringe_)) * row + (at.x + fringe_);
+  }
+  // With the fringe, of one of the blocks that hold some.
+  [[nodiscard]] std::span<float> values_of(std::size_t i) {
+    const std::size_t each = SparseBlocks::samples_of_block(fringe_);
+    return blocks_.values().subspan(i * each, each);
   }
   // Samples beyond the border count as those on it.
   [[nodiscard]] Vec3 place_in_block(std::uint32_t number, const GridPlace& at) const {
@@ -216,28 +238,25 @@ class MeshSampler {
     return winding_.contains(p);
   }
 
-  void sample_held() {
-    corners_.assign(corner_number(0, 0, blocks_.block_counts().z + 1), 0);
+  // Corners of blocks that hold samples begin with a triangle of such a block.
+  void start_corners() {
+    corners_.assign(corner_number(0, 0, blocks_.block_counts().z + 1), infinity);
     corner_triangles_.assign(corners_.size(), none);
-    values_.resize(held_.size() * samples_of_block);
-    triangles_.resize(values_.size());
-    Workers(0).for_each(held_.size(), [&](std::size_t i) {
-      sample_block(held_[i], closest_[held_[i]], of_block(values_, i), of_block(triangles_, i));
-    });
-    for (std::size_t i = 0; i < held_.size(); ++i) {
-      const GridPlace at = blocks_.block_at(held_[i]);
-      const GridPlace count = blocks_.cells_of(held_[i]).count;
-      for (std::uint32_t bits = 0; bits < 8; ++bits) {
-        const std::uint32_t x = bits & 1u, y = bits >> 1 & 1u, z = bits >> 2;
-        const std::size_t from = (std::size_t{z * count.z} * along + y * count.y) * along + x * count.x;
-        const std::size_t corner = corner_number(at.x + x, at.y + y, at.z + z);
-        corners_[corner] = of_block(values_, i)[from];
-        corner_triangles_[corner] = of_block(triangles_, i)[from];
+    for (std::uint32_t number = 0; number < closest_.size(); ++number) {
+      if (closest_[number] != none) {
+        visit_corners(number, [&](const GridPlace& at) { take_triangle(at, closest_[number]); });
       }
     }
-    is_known_.resize(corners_.size());
-    std::transform(corner_triangles_.begin(), corner_triangles_.end(), is_known_.begin(),
+    is_near_.resize(corners_.size());
+    std::transform(corner_triangles_.begin(), corner_triangles_.end(), is_near_.begin(),
                    [](std::uint32_t triangle) { return triangle != none ? 1 : 0; });
+  }
+  template <class Visitor>
+  void visit_corners(std::uint32_t number, Visitor&& visit) const {
+    const GridPlace at = blocks_.block_at(number);
+    for (std::uint32_t bits = 0; bits < 8; ++bits) {
+      visit(GridPlace{at.x + (bits & 1u), at.y + (bits >> 1 & 1u), at.z + (bits >> 2)});
+    }
   }
 
   // Hands triangles on from corner to corner, in eight directions, so that each begins with one that is close.
@@ -251,37 +270,40 @@ class MeshSampler {
         for (std::uint32_t j = 0; j <= counts.y; ++j) {
           for (std::uint32_t i = 0; i <= counts.x; ++i) {
             const std::uint32_t x = turned(0, i, counts.x), y = turned(1, j, counts.y), z = turned(2, k, counts.z);
-            const std::size_t here = corner_number(x, y, z);
-            if (is_known_[here] != 0) {
+            if (is_near_[corner_number(x, y, z)] != 0) {
               continue;
             }
+            const auto take_from = [&](std::uint32_t from_x, std::uint32_t from_y, std::uint32_t from_z) {
+              take_triangle({x, y, z}, corner_triangles_[corner_number(from_x, from_y, from_z)]);
+            };
             if (i > 0) {
-              take_triangle(here, corner_number(turned(0, i - 1, counts.x), y, z), corner_place(x, y, z));
+              take_from(turned(0, i - 1, counts.x), y, z);
             }
             if (j > 0) {
-              take_triangle(here, corner_number(x, turned(1, j - 1, counts.y), z), corner_place(x, y, z));
+              take_from(x, turned(1, j - 1, counts.y), z);
             }
             if (k > 0) {
-              take_triangle(here, corner_number(x, y, turned(2, k - 1, counts.z)), corner_place(x, y, z));
+              take_from(x, y, turned(2, k - 1, counts.z));
             }
           }
         }
       }
     }
   }
-  void take_triangle(std::size_t here, std::size_t from, const Vec3& place) {
-    const std::uint32_t triangle = corner_triangles_[from];
+  void take_triangle(const GridPlace& at, std::uint32_t triangle) {
+    const std::size_t here = corner_number(at.x, at.y, at.z);
     if (triangle == none || triangle == corner_triangles_[here]) {
       return;
     }
-    const Real distance = std::sqrt(squared_distance(place, tree_.triangles()[triangle]));
-    if (corner_triangles_[here] == none || distance < corners_[here]) {
+    const Real distance = std::sqrt(squared_distance(corner_place(at.x, at.y, at.z), tree_.triangles()[triangle]));
+    if (distance < corners_[here]) {
       corners_[here] = distance;
       corner_triangles_[here] = triangle;
     }
   }
 
-  // The nearest triangles, row by row.
+  // The nearest triangles, row by row. Near the surface with a sign: as the corner before, where no triangle lies
+  // between, else by winding.
   void find_at_corners() {
     const GridPlace counts = blocks_.block_counts();
     Workers(0).for_each(std::size_t{counts.y + 1} * (counts.z + 1), [&](std::size_t row) {
@@ -289,15 +311,20 @@ class MeshSampler {
                  z = static_cast<std::uint32_t>(row / (counts.y + 1));
       for (std::uint32_t x = 0; x <= counts.x; ++x) {
         const std::size_t here = corner_number(x, y, z);
-        if (is_known_[here] != 0) {
-          continue;
-        }
         const std::array<Vec3, 1> place{corner_place(x, y, z)};
         const std::array<std::uint32_t, 1> close{corner_triangles_[here]};
         std::array<NearestTriangle::Found, 1> found;
         tree_.find(place, close, found);
-        corners_[here] = std::sqrt(found[0].squared);
+        const Real distance = std::sqrt(found[0].squared);
+        corners_[here] = distance;
         corner_triangles_[here] = found[0].triangle;
+        if (is_near_[here] != 0 && distance > on_surface * grid_.spacing) {
+          const Real apart = (1 + on_surface) * SparseBlocks::side * grid_.spacing;
+          const bool is_like =
+              is_closed_ && x > 0 && is_near_[here - 1] != 0 && std::fabs(corners_[here - 1]) + distance > apart;
+          const bool is_inside = is_like ? corners_[here - 1] < 0 : winding_.contains(place[0]);
+          corners_[here] = is_inside ? -distance : distance;
+        }
       }
     });
   }
@@ -309,7 +336,7 @@ class MeshSampler {
       for (std::uint32_t y = 0; y <= counts.y; ++y) {
         for (std::uint32_t x = 0; x <= counts.x; ++x) {
           const std::size_t here = corner_number(x, y, z);
-          if (is_known_[here] != 0) {
+          if (is_near_[here] != 0) {
             continue;
           }
           const std::size_t before = x > 0   ? corner_number(x - 1, y, z)
@@ -325,135 +352,98 @@ class MeshSampler {
   }
 
   // Around gaps the winding passes one half where no triangle is near: such blocks get samples, too.
-  void hold_crossed() {
-    const GridPlace counts = blocks_.block_counts();
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> crossed;  // and a triangle
+  void hold_blocks() {
     for (std::uint32_t number = 0; number < closest_.size(); ++number) {
+      if (closest_[number] == none) {
+        int inside = 0;
+        std::uint32_t triangle = none;
+        visit_corners(number, [&](const GridPlace& at) {
+          const std::size_t corner = corner_number(at.x, at.y, at.z);
+          inside += corners_[corner] < 0 ? 1 : 0;
+          triangle = corner_triangles_[corner];
+        });
+        closest_[number] = inside % 8 != 0 ? triangle : none;
+      }
       if (closest_[number] != none) {
-        continue;
-      }
-      const GridPlace at{number % counts.x, number / counts.x % counts.y, number / counts.x / counts.y};
-      int inside = 0;
-      for (std::uint32_t bits = 0; bits < 8; ++bits) {
-        inside += corners_[corner_number(at.x + (bits & 1u), at.y + (bits >> 1 & 1u), at.z + (bits >> 2))] < 0 ? 1 : 0;
-      }
-      if (inside % 8 != 0) {
-        crossed.emplace_back(number, corner_triangles_[corner_number(at.x, at.y, at.z)]);
+        held_.push_back(number);
       }
     }
-    if (crossed.empty()) {
-      return;
-    }
-    std::vector<Real> more(crossed.size() * samples_of_block);
-    std::vector<std::uint32_t> triangles(more.size());
-    Workers(0).for_each(crossed.size(), [&](std::size_t i) {
-      sample_block(crossed[i].first, crossed[i].second, of_block(more, i), of_block(triangles, i));
-    });
-    merge(crossed, more, triangles);
-  }
-  // Blocks come in rising order.
-  void merge(std::span<const std::pair<std::uint32_t, std::uint32_t>> crossed, std::span<const Real> more,
-             std::span<const std::uint32_t> more_triangles) {
-    std::vector<std::uint32_t> held, triangles;
-    std::vector<Real> values;
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    for (std::size_t i = 0, k = 0; i < held_.size() || k < crossed.size();) {
-      const bool is_more = i == held_.size() || (k < crossed.size() && crossed[k].first < held_[i]);
-      held.push_back(is_more ? crossed[k].first : held_[i]);
-      append(values, is_more ? of_block(more, k) : of_block(std::as_const(values_), i));
-      append(triangles, is_more ? of_block(more_triangles, k) : of_block(std::as_const(triangles_), i));
-      ++(is_more ? k : i);
-    }
-    held_ = std::move(held);
-    values_ = std::move(values);
-    triangles_ = std::move(triangles);
+    blocks_.hold(held_);
+    std::transform(corners_.begin(), corners_.end(), blocks_.corners().begin(),
+                   [](Real value) { return static_cast<float>(value); });
   }
 
-  // Blocks with the samples next to them.
-  void add_fringe() {
-    constexpr std::size_t each = SparseBlocks::samples_of_block(1);
-    std::vector<std::uint32_t> number_held(blocks_.blocks().size(), none);
-    for (std::size_t i = 0; i < held_.size(); ++i) {
-      number_held[held_[i]] = static_cast<std::uint32_t>(i);
-    }
-    std::vector<Real> all(held_.size() * each);
-    Workers(0).for_each(
-        held_.size(), [&](std::size_t i) { fill_with_fringe(i, number_held, std::span(all).subspan(i * each, each)); });
-    values_ = std::move(all);
-  }
-  // Samples of the fringe are those of a neighbour that holds them, or found from the nearest ones in the block.
-  void fill_with_fringe(std::size_t at, std::span<const std::uint32_t> number_held, std::span<Real> out) const {
+  // Calls visit(index, in_block, sample) for samples of the fringe that lie in the grid. `in_block` is the one next to
+  // it in the block.
+  template <class Visitor>
+  void visit_fringe(std::uint32_t number, Visitor&& visit) const {
+    const GridPlace first = blocks_.cells_of(number).first, &all = grid_.samples;
+    // One more than the number of the sample.
+    const auto is_beyond = [](std::uint32_t sample, std::uint32_t samples) { return sample == 0 || sample > samples; };
+    const auto inward = [](std::uint32_t in_fringe) { return std::clamp(in_fringe, 1u, along) - 1; };
     constexpr std::uint32_t wide = SparseBlocks::samples_along(1);
-    const std::span<const Real> inner = of_block(values_, at);
-    const GridPlace first = blocks_.cells_of(held_[at]).first, &all = grid_.samples;
-    FringeBatch batch;
-    const auto find_batch = [&] {
-      find_fringe(batch, of_block(triangles_, at), inner, out);
-      batch = {};
-    };
     for (std::uint32_t k = 0; k < wide; ++k) {
       for (std::uint32_t j = 0; j < wide; ++j) {
         for (std::uint32_t i = 0; i < wide; ++i) {
-          const std::size_t here = (std::size_t{k} * wide + j) * wide + i;
-          const auto inward = [](std::uint32_t in_fringe) { return std::clamp(in_fringe, 1u, along) - 1; };
-          const GridPlace in_block{inward(i), inward(j), inward(k)};
-          if (in_block.x + 1 == i && in_block.y + 1 == j && in_block.z + 1 == k) {
-            out[here] = inner[index_in_block(in_block)];
-            continue;
-          }
-          // One more than the number of the sample.
-          const GridPlace next{first.x + i, first.y + j, first.z + k};
-          const auto is_beyond = [](std::uint32_t sample, std::uint32_t samples) {
-            return sample == 0 || sample > samples;
-          };
-          if (is_beyond(next.x, all.x) || is_beyond(next.y, all.y) || is_beyond(next.z, all.z)) {
-            continue;
-          }
-          const GridPlace sample{next.x - 1, next.y - 1, next.z - 1};
-          if (const std::optional<Real> known = held_sample(sample, number_held)) {
-            out[here] = *known;
-            continue;
-          }
-          batch.places[batch.count] = place_of(sample.x, sample.y, sample.z);
-          batch.into[batch.count] = here;
-          batch.near[batch.count] = index_in_block(in_block);
-          if (++batch.count == batch.places.size()) {
-            find_batch();
+          const GridPlace in_block{inward(i), inward(j), inward(k)}, next{first.x + i, first.y + j, first.z + k};
+          const bool is_inner = in_block.x + 1 == i && in_block.y + 1 == j && in_block.z + 1 == k;
+          if (!is_inner && !is_beyond(next.x, all.x) && !is_beyond(next.y, all.y) && !is_beyond(next.z, all.z)) {
+            visit((std::size_t{k} * wide + j) * wide + i, in_block, GridPlace{next.x - 1, next.y - 1, next.z - 1});
           }
         }
       }
     }
-    find_batch();
   }
-  [[nodiscard]] std::optional<Real> held_sample(const GridPlace& sample,
-                                                std::span<const std::uint32_t> number_held) const {
-    const GridPlace& counts = blocks_.block_counts();
-    std::optional<Real> found;
+  // The block without its fringe that holds a sample, or none.
+  [[nodiscard]] std::uint32_t holder_of(const GridPlace& sample) const {
+    std::uint32_t found = none;
     blocks_.visit_blocks({sample, {1, 1, 1}}, [&](std::uint32_t number) {
-      if (!found && number_held[number] != none) {
-        const GridPlace first{SparseBlocks::side * (number % counts.x),
-                              SparseBlocks::side * (number / counts.x % counts.y),
-                              SparseBlocks::side * (number / counts.x / counts.y)};
-        found = of_block(
-            values_, number_held[number])[index_in_block({sample.x - first.x, sample.y - first.y, sample.z - first.z})];
-      }
+      found = found == none && blocks_.blocks()[number].place != SparseBlocks::no_samples ? number : found;
     });
     return found;
+  }
+  // Samples of the fringe that a neighbour holds are copied from there, once all are known.
+  void copy_fringe(std::size_t at) {
+    const std::span<float> out = values_of(at);
+    visit_fringe(held_[at], [&](std::size_t here, const GridPlace& /*in_block*/, const GridPlace& sample) {
+      if (const std::uint32_t holder = holder_of(sample); holder != none) {
+        const GridPlace first = blocks_.cells_of(holder).first;
+        out[here] =
+            values_of(blocks_.blocks()[holder]
+                          .place)[index_with_fringe({sample.x - first.x, sample.y - first.y, sample.z - first.z})];
+      }
+    });
+  }
+  // The others are found from the nearest ones in the block.
+  void find_fringe(std::uint32_t number, const BlockSamples& samples, std::span<float> out) const {
+    FringeBatch batch;
+    visit_fringe(number, [&](std::size_t here, const GridPlace& in_block, const GridPlace& sample) {
+      if (holder_of(sample) != none) {
+        return;
+      }
+      batch.places[batch.count] = place_of(sample.x, sample.y, sample.z);
+      batch.into[batch.count] = here;
+      batch.near[batch.count] = index_in_block(in_block);
+      if (++batch.count == batch.places.size()) {
+        find_batch(batch, samples, out);
+        batch = {};
+      }
+    });
+    find_batch(batch, samples, out);
   }
   struct FringeBatch {
     std::size_t count = 0;
     std::array<Vec3, 16> places{};
     std::array<std::size_t, 16> into{}, near{};  // near: a sample in the block
   };
-  void find_fringe(const FringeBatch& batch, std::span<const std::uint32_t> triangles, std::span<const Real> inner,
-                   std::span<Real> out) const {
+  void find_batch(const FringeBatch& batch, const BlockSamples& samples, std::span<float> out) const {
     if (batch.count == 0) {
       return;
     }
     std::array<std::uint32_t, 16> near{};
     std::array<NearestTriangle::Found, 16> found{};
     for (std::size_t i = 0; i < batch.count; ++i) {
-      near[i] = triangles[batch.near[i]];
+      near[i] = samples.triangles[batch.near[i]];
     }
     const std::span<std::uint32_t> known = std::span(near).first(batch.count);
     std::ranges::sort(known);
@@ -461,33 +451,33 @@ class MeshSampler {
     tree_.find(std::span(batch.places).first(batch.count), known.first(static_cast<std::size_t>(end - known.begin())),
                std::span(found).first(batch.count));
     for (std::size_t i = 0; i < batch.count; ++i) {
-      const Real distance = std::sqrt(found[i].squared), neighbour = inner[batch.near[i]];
+      const Real distance = std::sqrt(found[i].squared), neighbour = samples.values[batch.near[i]];
       // A neighbour is one cell away along each axis at most.
       const Real apart = std::sqrt(Real{3}) * (1 + on_surface) * grid_.spacing;
       const bool is_like = is_closed_ && std::fabs(neighbour) + distance > apart;
       const bool is_in =
           distance > on_surface * grid_.spacing && (is_like ? neighbour < 0 : winding_.contains(batch.places[i]));
-      out[batch.into[i]] = is_in ? -distance : distance;
+      out[batch.into[i]] = static_cast<float>(is_in ? -distance : distance);
     }
   }
 
   static constexpr Real on_surface = 1e-7;  // of a cell: such points count as on the surface
   FieldGrid grid_;
-  SparseBlocks blocks_;  // without samples: where they lie
+  std::uint32_t fringe_;
+  SparseBlocks blocks_;
   NearestTriangle tree_;
   WindingNumber winding_;
   bool is_closed_;
-  std::vector<std::uint32_t> closest_, held_;  // a triangle for each block, and the blocks with samples
-  std::vector<Real> corners_, values_;
-  std::vector<std::uint32_t> triangles_;  // near each of the values
+  std::vector<std::uint32_t> closest_, held_;  // a triangle for each block that holds samples, and their numbers
+  std::vector<Real> corners_;
   std::vector<std::uint32_t> corner_triangles_;
-  std::vector<std::uint8_t> is_known_;  // corners of blocks with samples
+  std::vector<std::uint8_t> is_near_;  // corners of blocks near the surface
 };
 
 }  // namespace
 
-SampledField sample_distances(const SurfaceTriangles& surface, const FieldGrid& grid, Real band, std::uint32_t fringe) {
-  return MeshSampler(surface, grid).sample(band, fringe);
+SparseBlocks sample_distances(const SurfaceTriangles& surface, const FieldGrid& grid, Real band, std::uint32_t fringe) {
+  return MeshSampler(surface, grid, fringe).sample(band);
 }
 
 }  // namespace abut

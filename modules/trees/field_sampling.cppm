@@ -24,17 +24,10 @@ struct FieldGrid {
   Real spacing;
 };
 
-// What a field in sparse blocks is made of: the blocks that hold samples, the corners of all, then the samples.
-struct SampledField {
-  std::vector<std::uint32_t> held;
-  std::vector<Real> values;
-  bool has_inside;
-};
-
 // `band`: samples are held in all blocks with a point that is not further from the surface. `fringe`: how many samples
 // beyond their cells blocks have on each side, 0 or 1; what would lie beyond the grid is zero. On as many threads as
 // there may be.
-[[nodiscard]] SampledField sample_distances(const SurfaceTriangles& surface, const FieldGrid& grid, Real band,
+[[nodiscard]] SparseBlocks sample_distances(const SurfaceTriangles& surface, const FieldGrid& grid, Real band,
                                             std::uint32_t fringe);
 
 }  // namespace abut

@@ -17,8 +17,15 @@ SparseBlocks::SparseBlocks(const GridPlace& samples, const Vec3& spacing, std::s
       fringe_(fringe),
       spacing_(spacing),
       blocks_(std::size_t{counts_.x} * counts_.y * counts_.z, Block{no_samples, 0, 0, 0}),
-      corners_(std::size_t{counts_.x + 1} * (counts_.y + 1) * (counts_.z + 1)),
-      values_(held.size() * samples_of_block(fringe)) {
+      corners_(std::size_t{counts_.x + 1} * (counts_.y + 1) * (counts_.z + 1)) {
+  hold(held);
+}
+
+void SparseBlocks::hold(std::span<const std::uint32_t> held) {
+  for (Block& block : blocks_) {
+    block.place = no_samples;
+  }
+  values_.assign(held.size() * samples_of_block(fringe_), 0);
   for (std::size_t i = 0; i < held.size(); ++i) {
     blocks_[held[i]].place = static_cast<std::uint32_t>(i);
   }

@@ -63,6 +63,8 @@ class SparseBlocks {
   // values are tri-quadratic, and 0 where they are tri-linear.
   SparseBlocks(const GridPlace& samples, const Vec3& spacing, std::span<const std::uint32_t> held,
                std::uint32_t fringe);
+  // Instead of those so far. Their samples are zero.
+  void hold(std::span<const std::uint32_t> held);
 
   [[nodiscard]] inline const GridPlace& samples() const [[clang::lifetimebound]] { return samples_; }
   [[nodiscard]] inline const GridPlace& block_counts() const [[clang::lifetimebound]] { return counts_; }

@@ -45,7 +45,7 @@ template <SampledSolid F, class Touch, class LowestOf>
   const Real least = least_core > 0 ? least_core - radius : -infinity;
   out.lower =
       least >= 0 ? std::min(least, out.distance) : std::min(out.distance, -most_depth(field, touch.normal, lowest_of));
-  if (out.distance >= 0) {
+  if (out.distance >= 0 || touch.is_of_nothing()) {
     out.lower = std::min(std::max(out.lower, least), out.distance);
     out.upper = touch.is_proven ? out.distance : infinity;
   } else {
@@ -156,7 +156,7 @@ template <SampledSolid F, Convex B>
   }
   const CoreInField<F, B> core(field, b, ab);
   const auto [touch, least] = deepest_touch(core, field, b, ab);
-  if (touch.distance > limit) {
+  if (touch.distance > limit || touch.is_of_nothing()) {
     return Outcome::ok;
   }
   std::vector<FieldPoint> deepest;

@@ -115,6 +115,9 @@ class CoreInField {
     Vec3 normal;     // unit, out of the solid
     Real distance;   // to the surface, against the normal; the value where there is no surface
     bool is_proven;  // that point of the surface was found
+
+    // Apart from a solid that has no surface, and so no point.
+    [[nodiscard]] bool is_of_nothing() const { return !is_proven && distance > 0; }
   };
   [[nodiscard]] Touch touch(const Vec3& point) const {
     const Vec3 placed = pose_ * point;
@@ -130,11 +133,10 @@ class CoreInField {
             surface_around(placed, start.value, way ? std::optional(placed - *way * normal) : std::nullopt)) {
       const Vec3 between = placed - nearest_on_surface(placed, *found);
       const Real length = norm(between), sign = start.value < 0 ? -1 : 1;
-      if (length > 0) {
-        return {placed, (sign / length) * between, sign * length, true};
-      }
+      return length > 0 ? Touch{placed, (sign / length) * between, sign * length, true}
+                        : Touch{placed, normal, way.value_or(start.value), true};
     }
-    return {placed, normal, way.value_or(start.value), way.has_value()};
+    return {placed, normal, start.value, false};
   }
   // The point of the surface that is nearest to a point, from one that is close. It slides along the tangent
   // plane as long as that leads nearer.
@@ -189,7 +191,8 @@ class CoreInField {
     const Real sign = field_.is_inside_out() ? -1 : 1;
     return UnitVec3::make(sign * (point - field_.solid_box().centre())).value_or(UnitVec3::axis_z());
   }
-  // A point that is known, or down the gradient; straight along an axis where that is nearer.
+  // A point that is known, or down the gradient; straight along an axis where that is nearer. Where values are no
+  // distances, as around a single sample that is inside, none of these ways may lead there.
   [[nodiscard]] std::optional<Vec3> surface_around(const Vec3& point, Real value,
                                                    const std::optional<Vec3>& known) const {
     std::optional<Vec3> best = known ? known : surface_below(point);
@@ -201,7 +204,26 @@ class CoreInField {
         }
       }
     }
-    return best;
+    return best ? best : nearest_listed(point);
+  }
+  // Of the points of the whole surface the nearest one. There is none where the solid has no surface.
+  [[nodiscard]] std::optional<Vec3> nearest_listed(const Vec3& point) const {
+    const SurfacePoints& surface = field_.surface();
+    std::optional<Vec3> best;
+    Real least = infinity;
+    for (const SurfacePoints::Run& run : surface.runs) {
+      const Vec3 beyond = maximum(maximum(run.box.low - point, point - run.box.high), Vec3{0, 0, 0});
+      if (squared_norm(beyond) >= least) {
+        continue;
+      }
+      for (const Vec3& listed : std::span(surface.points).subspan(run.first, run.count)) {
+        if (const Real square = squared_norm(listed - point); square < least) {
+          least = square;
+          best = listed;
+        }
+      }
+    }
+    return best ? surface_below(*best).value_or(*best) : best;
   }
   // To a zero of the value along a line: in steps as long as the value (Hart, "Sphere tracing", 1996), then by secants.
   [[nodiscard]] std::optional<Real> way_to_surface(const Vec3& start, const Vec3& normal, Real start_value) const {

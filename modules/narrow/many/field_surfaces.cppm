@@ -218,6 +218,18 @@ template <SampledSolid F, SampledSolid G>
       });
 }
 
+// Stands in where neither solid has a surface, and so nothing that could be met.
+[[nodiscard]] inline Distance distance_of_middles(const Aabb& a, const Aabb& b) {
+  Distance out = no_distance();
+  const Vec3 way = b.centre() - a.centre();
+  out.algorithm = Algorithm::analytic;
+  out.normal = UnitVec3::make(way).value_or(UnitVec3::axis_z());
+  out.distance = dot(way, out.normal);
+  out.point_a = a.centre();
+  out.point_b = b.centre();
+  return out;
+}
+
 template <SampledSolid F, SampledSolid G>
 [[nodiscard]] Outcome two_fields_distance(const F& a, const G& b, const Pose& ab, const QuerySettings& settings,
                                           Distance& out) {
@@ -231,6 +243,9 @@ template <SampledSolid F, SampledSolid G>
   const Real lower = std::max(out.lower, of_b.lower), upper = std::min(out.upper, of_b.upper);
   if (of_b.distance < out.distance) {
     out = of_b;
+  }
+  if (!(out.distance < infinity)) {
+    out = distance_of_middles(a.solid_box(), transformed(b.solid_box(), ab));
   }
   out.lower = std::min(lower, out.distance);
   out.upper = std::max(upper, out.distance);
@@ -250,12 +265,13 @@ Real contacts_with_surface_of(const F& field, const G& other, const Pose& placed
   const auto append = [&] {
     const Pose at{Rotation::identity(), placed * surface.points[deepest]};
     const Feature feature{FeatureKind::cell, surface.cells[deepest]};
-    ContactPoint found = contact_of_touch(CoreInField<F, PointCore>(field, point, at).touch({0, 0, 0}), 0, feature);
+    const auto touch = CoreInField<F, PointCore>(field, point, at).touch({0, 0, 0});
+    ContactPoint found = contact_of_touch(touch, 0, feature);
     if (least < least_of_all) {
       least_of_all = least;
       distance = found.distance;
     }
-    if (found.distance <= margin) {
+    if (found.distance <= margin && !touch.is_of_nothing()) {
       // Cells of both sides have the same numbers.
       found.id = contact_id_of_part(found.id, is_of_a ? 1 : 0);
       out.push_back(found);

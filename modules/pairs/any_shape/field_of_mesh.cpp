@@ -4,8 +4,8 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-import abut.pairs.any_shape;
 import abut.pairs.registry;
+import abut.shapes.distance_field;
 import abut.trees.field_sampling;
 import abut.trees.sparse_blocks;
 import abut.triangles.buffers;
@@ -26,8 +26,6 @@ Fault check_options(const FieldOptions& options) {
 
 Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const std::uint32_t> triangles,
                                     const FieldOptions& options) {
-  constexpr std::string_view name = "distance_field";
-  const std::optional<std::size_t> kind = find_kind(name);
   if (Fault fault = check_triangles("a distance field of a mesh", xyz, triangles)) {
     return *fault;
   }
@@ -57,11 +55,19 @@ Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const s
   const GridPlace samples{static_cast<std::uint32_t>(samples_along(size.x)),
                           static_cast<std::uint32_t>(samples_along(size.y)),
                           static_cast<std::uint32_t>(samples_along(size.z))};
+  // No distance is longer. Values are kept as single numbers.
+  constexpr Real most_far = 1e38;
+  const Real diagonal =
+      spacing * norm({static_cast<Real>(samples.x), static_cast<Real>(samples.y), static_cast<Real>(samples.z)});
+  if (!(diagonal <= most_far)) {
+    return error_about(Errc::out_of_range, "the diagonal of the grid", diagonal, "at most 1e38");
+  }
   const Real border = border_cells * spacing;
   const Vec3 origin = box.low - Vec3{border, border, border};
-  const SampledField field = sample_distances({vertices, triangles}, {samples, origin, spacing}, options.band * spacing,
-                                              options.is_smooth ? 1 : 0);
-  if (!field.has_inside) {
+  SparseBlocks blocks = sample_distances({vertices, triangles}, {samples, origin, spacing}, options.band * spacing,
+                                         options.is_smooth ? 1 : 0);
+  const auto is_inside = [](float value) { return value < 0; };
+  if (std::ranges::none_of(blocks.values(), is_inside) && std::ranges::none_of(blocks.corners(), is_inside)) {
     return Error{Errc::invalid_argument,
                  "triangles enclose no sample; they must be counter-clockwise seen from outside, and spacing small"};
   }
@@ -76,7 +82,9 @@ Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const s
                                         origin.z,
                                         options.is_inside_out ? 1.0 : 0.0,
                                         options.is_smooth ? 1.0 : 0.0};
-  return make_shape(*kind, parameters, field.values, field.held);
+  return DistanceField::make(parameters, std::move(blocks)).transform([](DistanceField field) {
+    return AnyShape(std::move(field));
+  });
 }
 
 std::optional<FieldReport> field_report_of(const AnyShape& shape) {

@@ -170,7 +170,8 @@ Outcome distance_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_
 }
 
 // In the frame of a. `with_nearest`: with the nearest points of every pair of children, which a contact may miss:
-// surfaces push to their front only. Many solids have contacts each, which tell theirs.
+// surfaces push to their front only. Without an upper bound there are no such points. Many solids have contacts each,
+// which tell theirs.
 Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
                                     bool with_nearest, Manifold& out) {
   Outcomes outcomes;
@@ -183,7 +184,8 @@ Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const 
                 Distance nearest{};
                 const bool are_many = is_scattered(of_a) || is_scattered(of_b);
                 if (with_nearest && !are_many &&
-                    distance_of_pair(of_a, of_b, pose_a, pose_b, settings, nearest) == Outcome::ok) {
+                    distance_of_pair(of_a, of_b, pose_a, pose_b, settings, nearest) == Outcome::ok &&
+                    nearest.upper < infinity) {
                   const Feature whole{FeatureKind::whole, 0};
                   out.push_back({nearest.point_a, nearest.point_b, nearest.normal, nearest.distance, whole, whole,
                                  contact_id(whole, whole)});

@@ -253,6 +253,7 @@ TEST(FieldOfMesh, BadInputIsRefusedByName) {
   EXPECT_EQ(message(xyz, {0, 1, 2}, {-1, 3, false, false}), "options.spacing is -1; it must be zero or positive");
   EXPECT_EQ(message(xyz, {0, 1, 2}, {0, -2, false, false}), "options.band is -2; it must be zero or positive");
   EXPECT_EQ(message(xyz, {0, 1, 2}, {1e-6, 3, false, false}).substr(0, 15), "options.spacing");
+  EXPECT_EQ(message(xyz, {0, 1, 2}, {1e40, 3, false, false}).substr(0, 24), "the diagonal of the grid");
   EXPECT_EQ(message(xyz, {0, 0, 0}, {}).substr(0, 40), "triangles names one vertex three times i");
   EXPECT_EQ(message({1, 2, 3, 1, 2, 3, 1, 2, 3}, {0, 1, 2}, {}).substr(0, 31), "the triangles have no extent; a");
   EXPECT_EQ(message(xyz, {0, 1, 2}, {0.05, 3, false, false}).substr(0, 28), "triangles enclose no sample;");

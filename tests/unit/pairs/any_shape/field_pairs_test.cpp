@@ -16,6 +16,7 @@
 #include "../../random_boxes.hpp"
 
 import abut.capability;
+import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.shape_cast;
@@ -413,6 +414,55 @@ TEST(FieldPairs, ABentContainerHoldsWhatIsInIt) {
   EXPECT_TRUE(contacts(container, ball, at(0.2)).empty());
   EXPECT_FALSE(contacts(container, ball, at(0.55)).empty());
   EXPECT_GT(distance(container, ball, at(0.2)).distance, 0.1);
+}
+
+// Only the sample in the middle of the grid is inside, by `depth`. Its neighbours know nothing of it.
+AnyShape field_of_one_sample(double depth, bool is_smooth) {
+  return field_of([&](const Vec3& p) { return norm(p) < 0.5 * cell ? -depth : 0.6 + 0.1 * p.x; }, false, is_smooth);
+}
+
+TEST(FieldPairs, ASingleSampleInsideIsFound) {
+  const AnyShape point = made("point", {}), ball = made("sphere", {0.05}), box = made("box", {0.1, 0.2, 0.05});
+  for (const bool is_smooth : {false, true}) {
+    const AnyShape field = field_of_one_sample(is_smooth ? 4 : 0.1, is_smooth);
+    test::Random random(29);
+    for (int i = 0; i < 60; ++i) {
+      const Vec3 way = random.point(1), place = (random.uniform(0.4, 1.1) / norm(way)) * way;
+      for (const AnyShape* other : {&point, &ball, &box}) {
+        const abut::Distance found = distance(field, *other, {abut::Rotation::identity(), place});
+        EXPECT_LT(found.upper, abut::infinity);
+        EXPECT_NEAR(field.distance_to(found.point_a)->distance, 0, 1e-5 * cell);
+        EXPECT_LE(norm(found.point_a), 1.5 * cell);
+        EXPECT_TRUE(contacts(field, *other, {abut::Rotation::identity(), place}, 0.5 * found.distance).empty());
+        EXPECT_FALSE(contacts(field, *other, {abut::Rotation::identity(), place}, 1.01 * found.distance).empty());
+      }
+    }
+  }
+}
+
+// A box with a cavity around its middle.
+AnyShape hollow_box() {
+  const std::array children{abut::PlacedShape{abut::Frozen<AnyShape>(made("box", {0.3, 0.3, 0.3})), Pose::identity()},
+                            abut::PlacedShape{abut::Frozen<AnyShape>(made("sphere_hole", {0.1})), Pose::identity()}};
+  return abut::make_composite(children).value();
+}
+
+// Means of a sample and its neighbours are all positive: there is no solid.
+TEST(FieldPairs, NothingTouchesASolidWithoutAPoint) {
+  const AnyShape none = field_of_one_sample(0.01, true), ball = made("sphere", {0.05}), large = made("sphere", {0.7}),
+                 other = field_of([](const Vec3& p) { return norm(p) - 0.3; }), hollow = hollow_box();
+  const Pose near{abut::Rotation::identity(), {0.2, 0.1, 0}};
+  for (const AnyShape* shape : std::array{&ball, &large, &other, &none, &hollow}) {
+    for (const bool is_first : {true, false}) {
+      const AnyShape &a = is_first ? none : *shape, &b = is_first ? *shape : none;
+      const abut::Distance found = distance(a, b, near);
+      EXPECT_EQ(found.upper, abut::infinity);
+      EXPECT_LE(found.lower, found.distance);
+      EXPECT_TRUE(std::isfinite(found.distance));
+      EXPECT_NEAR(dot(found.point_b - found.point_a, found.normal), found.distance, 1e-12);
+      EXPECT_TRUE(contacts(a, b, near, 5).empty());
+    }
+  }
 }
 
 }  // namespace
