@@ -62,7 +62,8 @@ class Exact {
 
 int sign_of(Quad value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-// What rounding in 113 bits may add to a sum of products, as a part of their magnitudes: the true factor is below 2e-33.
+// What rounding in 113 bits may add to a sum of products, as a part of their magnitudes: the true factor is below
+// 2e-33.
 constexpr Quad blur = quad(1e-32);
 
 struct Flat {
@@ -131,8 +132,7 @@ int side_of_plane(const Vec& a, const Vec& b, const Vec& c, const Vec& point) {
                       Exact(corner.z) - Exact(point.z)};
   };
   const auto p = minus_point(a), q = minus_point(b), r = minus_point(c);
-  return -(p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
-           p[2] * (q[0] * r[1] - q[1] * r[0]))
+  return -(p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]))
               .sign();
 }
 
@@ -158,13 +158,19 @@ bool meets(const Triple& one, const Triple& other) {
 
 namespace {
 
-// Behind every face of a hull; false where the hull is flat.
+Quad volume(const Vec& a, const Vec& b, const Vec& c, const Vec& point) { return dot(cross(b - a, c - a), point - a); }
+
+// Behind every face of a hull; false where the hull is flat. After a turn the corners of a face of four are no longer
+// in one plane: the corner that is furthest from a face tells where the inside is.
 bool is_inside(const Vec& point, const Features& hull) {
   bool has_volume = false;
   for (const auto& [i, j, k] : hull.triangles) {
     const Vec &a = hull.points[i], &b = hull.points[j], &c = hull.points[k];
-    int inner = 0;
-    for (const Vec& p : hull.points) inner = inner == 0 ? side_of_plane(a, b, c, p) : inner;
+    Vec furthest = a;
+    for (const Vec& p : hull.points) {
+      if (absolute(volume(a, b, c, p)) > absolute(volume(a, b, c, furthest))) furthest = p;
+    }
+    const int inner = side_of_plane(a, b, c, furthest);
     if (inner == 0) continue;
     has_volume = true;
     if (side_of_plane(a, b, c, point) * inner < 0) return false;

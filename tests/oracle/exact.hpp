@@ -21,7 +21,8 @@ using Triple = std::array<Vec, 3>;
 
 [[nodiscard]] bool has_area(const Triple& triangle);
 
-// Whether two closed sets share a point; touching counts. Each triangle has an area. The ends of a segment may coincide.
+// Whether two closed sets share a point; touching counts. Each triangle has an area. The ends of a segment may
+// coincide.
 [[nodiscard]] bool meets(const Vec& from, const Vec& to, const Triple& triangle);
 [[nodiscard]] bool meets(const Triple& one, const Triple& other);
 // With the convex hull of some points, flat or not.

@@ -77,7 +77,7 @@ double gap_of_boxes(const Part& a, const Part& b, const Point& move_of_b) {
   return std::sqrt(square) * (1 - 1e-14);
 }
 
-Meeting meeting_of(const Side& a, const Side& b) {
+Meeting meeting_of(const Side& a, const Side& b, double reach) {
   struct Candidate {
     double gap;
     std::size_t a, b;
@@ -93,7 +93,7 @@ Meeting meeting_of(const Side& a, const Side& b) {
   Meeting meeting;
   bool is_first = true;
   for (const auto& [gap, i, j] : candidates) {
-    if (!is_first && quad(gap) - radii > larger(meeting.distance, 0)) break;
+    if (!is_first && quad(gap) - radii > larger(meeting.distance, quad(reach))) break;
     const CoreAnswer core = core_distance(a.parts[i].hull, b.parts[j].hull);
     const Quad distance = core.distance - radii;
     if (is_first || distance < meeting.distance) {
@@ -101,9 +101,8 @@ Meeting meeting_of(const Side& a, const Side& b) {
       meeting.normal = core.normal;
       is_first = false;
     }
-    if (distance <= 0) {
-      meeting.met.push_back(
-          {i, j, distance, core.normal, leads_to_fronts(a, a.parts[i], b, b.parts[j], core.normal)});
+    if (distance <= quad(reach)) {
+      meeting.met.push_back({i, j, distance, core.normal, leads_to_fronts(a, a.parts[i], b, b.parts[j], core.normal)});
     }
   }
   return meeting;
@@ -117,13 +116,30 @@ Quad least_depth(const Meeting& meeting) {
   return depth;
 }
 
-Quad distance_after(const Side& a, const Side& b, const Vec& move, Quad limit) {
+Quad depth_of_points(const Side& a, const Side& b, const Inside& is_inside) {
+  Quad depth = 0;
+  const auto consider = [&](const Vec& point) {
+    if (!is_inside(point)) return;
+    Side alone{{part_of(features_of({{0, 0, 0}}), Pose{point, {1, 0, 0, 0}}, {})}, 0, false, false, 0};
+    depth = larger(depth, meeting_of(a, alone).distance + b.radius);
+  };
+  for (const Part& part : b.parts) {
+    consider(part.hull.centre);
+    for (const Vec& corner : part.hull.points) consider(corner);
+    for (const auto& [i, j] : part.hull.edges) consider((part.hull.points[i] + part.hull.points[j]) * quad(0.5));
+  }
+  return depth;
+}
+
+Quad distance_after(const Side& a, const Side& b, const Vec& move, Quad limit, bool counts_backs) {
   Quad least = limit;
   for (const Part& of_b : b.parts) {
     const Features there = moved(of_b.hull, move);
     for (const Part& of_a : a.parts) {
       if (quad(gap_of_boxes(of_a, of_b, rounded(move))) - a.radius - b.radius >= least) continue;
-      least = smaller(least, core_distance(of_a.hull, there).distance - a.radius - b.radius);
+      const CoreAnswer core = core_distance(of_a.hull, there);
+      if (!counts_backs && !leads_to_fronts(a, of_a, b, of_b, core.normal)) continue;
+      least = smaller(least, core.distance - a.radius - b.radius);
     }
   }
   return least;

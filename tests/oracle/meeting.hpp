@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface, part by part, against a convex shape or another surface: whether they meet, how far they are apart, and how
-// deep each two parts are in each other.
+// A surface, part by part, against a convex shape or another surface: whether they meet, how far they are apart, and
+// how deep each two parts are in each other.
 //
-// Bounds of the depth of two shapes made of parts. Their depth is the length of the shortest move that ends the overlap.
+// Bounds of the depth of two shapes made of parts. Their depth is the length of the shortest move that ends the
+// overlap.
 // - From below: a move that parts the shapes parts each two of their parts. So the depth of two parts, each taken as
 //   convex, is a lower bound. Where a triangle stops from its front alone, a move through its front is no way out. Then
 //   the depth counts where the least way out leads to the front: no other way out is shorter.
@@ -10,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "body.hpp"
@@ -38,7 +40,7 @@ struct Side {
 [[nodiscard]] Side side_of(const Soup& soup, bool is_one_sided, const Pose& pose, const Vec& origin);
 [[nodiscard]] Side side_of(const Body& body, const Pose& pose, const Vec& origin);
 
-// Two parts that touch or overlap.
+// Two parts that are near each other, or overlap.
 struct PartsMet {
   std::size_t a = 0, b = 0;
   Quad distance = 0;       // radii included
@@ -52,13 +54,22 @@ struct Meeting {
   std::vector<PartsMet> met;
 };
 
-[[nodiscard]] Meeting meeting_of(const Side& a, const Side& b);
+// `reach`: parts that are no further apart are met.
+[[nodiscard]] Meeting meeting_of(const Side& a, const Side& b, double reach = 0);
 
 // No way out is shorter; zero where nothing that counts is known to overlap.
 [[nodiscard]] Quad least_depth(const Meeting& meeting);
 
+// Whether a solid that a surface encloses holds a point.
+using Inside = std::function<bool(const Vec& point)>;
+
+// No way of b out of the solid that a encloses is shorter. Take a point of the core of b, inside at a distance r from
+// the surface. The ball of the radius of b around it leaves by r and that radius at least.
+[[nodiscard]] Quad depth_of_points(const Side& a, const Side& b, const Inside& is_inside);
+
 // The distance of the nearest two parts after a move of b, if less than `limit`; else some number that is no less.
-[[nodiscard]] Quad distance_after(const Side& a, const Side& b, const Vec& move, Quad limit);
+// Triangles with one side that are met from behind then hold nothing, unless `counts_backs`.
+[[nodiscard]] Quad distance_after(const Side& a, const Side& b, const Vec& move, Quad limit, bool counts_backs = true);
 
 // How far a box around each of two parts is apart, at least.
 [[nodiscard]] double gap_of_boxes(const Part& a, const Part& b, const Point& move_of_b);

@@ -84,11 +84,12 @@ class Judge {
       }
       return;
     }
+    if (!is_met_from_fronts()) return;
     expect_at_most("a contact as deep as each two parts", deepest + least, doubt_.distance);
+    if (holds_ || !(deepest < -doubt_.distance)) return;
     std::vector<Vec> hints;
     for (const Touch& contact : contacts_) hints.push_back(contact.normal);
-    if (!(deepest < -doubt_.distance)) return;
-    const WayOut way = shortest_way_out(a_, b_, meeting_, hints, holds_);
+    const WayOut way = shortest_way_out(a_, b_, meeting_, hints);
     // What leans by a thousandth is longer by half a millionth.
     if (way.is_known) {
       const double depth = of(way.depth);
@@ -96,6 +97,7 @@ class Judge {
     }
   }
 
+  [[nodiscard]] bool is_met_from_fronts() const { return std::ranges::all_of(meeting_.met, &PartsMet::is_allowed); }
   [[nodiscard]] bool stops_from_one_side() const { return a_.is_one_sided || b_.is_one_sided; }
 
   void judge_contact(const Touch& contact) {
@@ -131,19 +133,25 @@ class Judge {
     const Quad reach = quad(doubt_.distance + doubt_.point);
     expect_to_front(a_, contact.point_a, contact.normal, reach);
     expect_to_front(b_, contact.point_b, -contact.normal, reach);
+    if (!is_met_from_fronts()) return;
     const Quad off_a = off_cone(a_, contact.point_a, contact.normal, reach);
     const Quad off_b = b_.is_surface ? off_cone(b_, contact.point_b, -contact.normal, reach) : 0;
+    const Quad face_a = off_face(a_, contact.point_a, contact.normal, reach);
+    const Quad face_b = b_.is_surface ? off_face(b_, contact.point_b, contact.normal, reach) : 2;
     // One of two surfaces lends the normal of its face.
-    const bool is_of_face =
-        b_.is_surface && (off_face(a_, contact.point_a, contact.normal, reach) <= quad(doubt_.sine) ||
-                          off_face(b_, contact.point_b, contact.normal, reach) <= quad(doubt_.sine));
-    const double off = is_of_face ? 0 : of(larger(off_a, off_b));
+    const double off = of(b_.is_surface ? smaller(larger(off_a, off_b), smaller(face_a, face_b)) : off_a);
     if (off <= doubt_.sine) return;
-    const Vec move = contact.normal * quad(-contact.distance);
     // What leans by a little is the normal of a face that went wrong, and a point beside the surface is no excuse.
-    const bool is_way_out =
-        off > 0.02 && off < 1.5 && contact.distance < 0 && distance_after(a_, b_, move, 1) > -reach && !(holds_ && holds_(move));
-    if (!is_way_out) faults_.push_back({"a normal of the surface", off});
+    const bool is_way_out = of(face_a) > 2e-3 && of(face_a) < 1.5 && contact.distance < 0 && leads_out(contact);
+    if (!is_way_out) faults_.push_back({"a normal of the surface", off, true});
+  }
+
+  // Whether the move along the normal ends the overlap of the whole, but for rounding.
+  [[nodiscard]] bool leads_out(const Touch& contact) const {
+    const Vec move = contact.normal * quad(-contact.distance);
+    if (!(distance_after(a_, b_, move, 1, false) > quad(-doubt_.distance - doubt_.point))) return false;
+    // At the end of the way points lie on the surface; a little further they are in or out.
+    return !holds_ || !holds_(move + contact.normal * (quad(1e-9) * (a_.size + b_.size)));
   }
 
   void expect_to_front(const Side& side, const Vec& point, const Vec& normal, Quad reach) {
@@ -154,7 +162,7 @@ class Judge {
       if (quad(gap_of_boxes(part, at, {})) > reach || to_part(part, at) > reach) continue;
       front = larger(front, dot(normal, part.normal));
     }
-    expect_at_most("a normal to the front", of(-front), 1e-9);
+    if (!(of(-front) <= 1e-9)) faults_.push_back({"a normal to the front", of(-front), true});
   }
 
   [[nodiscard]] static Quad off_face(const Side& side, const Vec& point, const Vec& normal, Quad reach) {

@@ -43,7 +43,8 @@ Scene scene_of(const Soup& soup, bool is_one_sided, const oracle::Body& body, co
 
 std::vector<std::string> faults(const Scene& scene, const std::vector<Touch>& contacts, double margin = 0) {
   std::vector<std::string> facts;
-  for (const Fault& fault : judge_surface_contacts(scene.a, scene.b, scene.meeting, contacts, margin, doubt)) {
+  const Meeting meeting = oracle::meeting_of(scene.a, scene.b, margin);
+  for (const Fault& fault : judge_surface_contacts(scene.a, scene.b, meeting, contacts, margin, doubt)) {
     facts.push_back(fault.fact);
   }
   return facts;
@@ -57,9 +58,7 @@ Touch touch_of_ball() { return {vec(0.6, 0.3, 0), vec(0.6, 0.3, -0.2), vec(0, 0,
 
 TEST(SurfaceJudge, TakesTheRightContactOfABall) { EXPECT_TRUE(faults(ball(), {touch_of_ball()}).empty()); }
 
-TEST(SurfaceJudge, RefusesNoContact) {
-  EXPECT_TRUE(has(faults(ball(), {}), "a contact where shapes overlap"));
-}
+TEST(SurfaceJudge, RefusesNoContact) { EXPECT_TRUE(has(faults(ball(), {}), "a contact where shapes overlap")); }
 
 TEST(SurfaceJudge, RefusesNoContactWithinTheMargin) {
   const Scene above = scene_of(square, false, oracle::make_sphere(0.5), at(0.6, 0.3, 0.75));
@@ -141,10 +140,12 @@ const Soup valley{{{-1, -1, 1}, {0, -1, 0}, {1, -1, 1}, {-1, 1, 1}, {0, 1, 0}, {
 TEST(SurfaceJudge, TakesNormalsBetweenTheFacesOfARidge) {
   const Side ridge = side_of(roof, false, at(0, 0, 0), {});
   for (const double lean : {-0.9, -0.5, 0.0, 0.3, 0.99}) {
-    EXPECT_EQ(static_cast<double>(off_cone(ridge, vec(0, 0.1, 0), oracle::unit(vec(lean, 0, 1)), quad(1e-12))), 0) << lean;
+    EXPECT_EQ(static_cast<double>(off_cone(ridge, vec(0, 0.1, 0), oracle::unit(vec(lean, 0, 1)), quad(1e-12))), 0)
+        << lean;
   }
   for (const double lean : {-1.2, 1.1, 3.0}) {
-    EXPECT_GT(static_cast<double>(off_cone(ridge, vec(0, 0.1, 0), oracle::unit(vec(lean, 0, 1)), quad(1e-12))), 0.04) << lean;
+    EXPECT_GT(static_cast<double>(off_cone(ridge, vec(0, 0.1, 0), oracle::unit(vec(lean, 0, 1)), quad(1e-12))), 0.04)
+        << lean;
   }
   EXPECT_EQ(static_cast<double>(off_cone(ridge, vec(0, 0.1, 0.1), vec(0, 0, 1), quad(1e-12))), 2);
 }
@@ -163,8 +164,8 @@ TEST(SurfaceJudge, RefusesThePushThroughAFront) {
   EXPECT_TRUE(has(faults(scene, {through}), "a normal to the front"));
 }
 
-// A ball of radius 1 whose centre is 1 above the ground of the valley: 1 - sqrt(1/2) deep in each slope. It is free when
-// the centre has risen to sqrt(2).
+// A ball of radius 1 whose centre is 1 above the ground of the valley: 1 - sqrt(1/2) deep in each slope. It is free
+// when the centre has risen to sqrt(2).
 TEST(SurfaceJudge, BoundsTheDepthInAValleyFromBothSides) {
   const Scene scene = scene_of(valley, false, oracle::make_sphere(1), at(0, 0.1, 1));
   EXPECT_NEAR(static_cast<double>(least_depth(scene.meeting)), 1 - std::sqrt(0.5), 1e-15);
@@ -213,6 +214,8 @@ TEST(SurfaceJudge, RefusesNoContactOfWhatIsInsideASolid) {
   ASSERT_EQ(none.size(), 1U);
   EXPECT_EQ(none.front().fact, "a contact of what is inside");
   EXPECT_NEAR(static_cast<double>(shortest_way_out(scene.a, scene.b, scene.meeting, {}, holds).depth), 0.8, 1e-6);
+  const oracle::Inside is_inside = [&](const Vec& point) { return holds(point - centre); };
+  EXPECT_NEAR(static_cast<double>(depth_of_points(scene.a, scene.b, is_inside)), 0.8, 1e-15);
 }
 
 TEST(ExactMeeting, TellsTheSideOfAPlaneWhereRoundingDoesNot) {

@@ -14,7 +14,7 @@ namespace oracle {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int spread = 96;     // directions all over the sphere
+constexpr int spread = 96;  // directions all over the sphere
 constexpr std::size_t refined = 4;
 constexpr int most_rounds = 80;  // of a refinement
 
@@ -52,7 +52,11 @@ void add_axis(Pieces& pair, const Vec& raw, double radii) {
 class Search {
  public:
   Search(const Side& a, const Side& b, const Holds& holds)
-      : a_(a), b_(b), holds_(holds), radii_(static_cast<double>(a.radius + b.radius)) {
+      : a_(a),
+        b_(b),
+        holds_(holds),
+        radii_(static_cast<double>(a.radius + b.radius)),
+        beyond_(1e-9 * static_cast<double>(a.size + b.size)) {
     for (const Part& of_a : a.parts) {
       for (const Part& of_b : b.parts) {
         Pieces pair{&of_a, &of_b, {}};
@@ -117,7 +121,7 @@ class Search {
   }
 
   [[nodiscard]] bool is_held(const Point& direction, double depth) const {
-    return holds_ && depth < infinity && holds_(exact(direction) * quad(depth));
+    return holds_ && depth < infinity && holds_(exact(direction) * quad(depth + beyond_));
   }
 
   [[nodiscard]] bool leads_through(const Pieces& pair, const Point& direction) const {
@@ -129,6 +133,7 @@ class Search {
   const Side& b_;
   const Holds& holds_;
   double radii_;
+  double beyond_;  // at the end of a way points lie on the surface; a little further they are in or out
   std::vector<Pieces> pairs_;
 };
 
@@ -188,7 +193,9 @@ WayOut shortest_way_out(const Side& a, const Side& b, const Meeting& meeting, st
     // The move that was found in double ends the overlap but for rounding; a little more does so for certain.
     const Quad depth = quad(found.depth) + rounding;
     const Vec direction = unit(exact(found.direction));
-    if (distance_after(a, b, direction * depth, 1) >= 0 && !(holds && holds(direction * depth))) return {true, depth, direction};
+    if (distance_after(a, b, direction * depth, 1) >= 0 &&
+        !(holds && holds(direction * (depth + quad(1e-9) * (a.size + b.size)))))
+      return {true, depth, direction};
   }
   return {};
 }

@@ -23,6 +23,7 @@ struct SceneShape {
   oracle::Body body;
   bool is_surface = false;
   bool is_one_sided = false;
+  bool is_solid = false;
   double size = 0;  // farthest extent from the local origin
 };
 

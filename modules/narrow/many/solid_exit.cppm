@@ -30,6 +30,19 @@ struct WayOut {
                                            maximum(absolute(other.low), absolute(other.high))));
 }
 
+// Whether a convex shape has no inside.
+template <Convex B>
+[[nodiscard]] bool is_thin(const B& b) {
+  if constexpr (BoxCored<B>) {
+    const Vec3 half = b.half();
+    return b.radius() + std::min(std::min(half.x, half.y), half.z) <= 0;
+  } else if constexpr (Faceted<B>) {
+    return b.radius() + b.facets().inner <= 0;
+  } else {
+    return requires { b.corners(); };  // a triangle
+  }
+}
+
 template <Enclosing A, Convex B>
 class SolidExit {
  public:
@@ -56,8 +69,7 @@ class SolidExit {
 
   // A place of b inside after a move; none where it is outside. The surface does not cross it.
   [[nodiscard]] std::optional<Vec3> place_inside(const Vec3& move) const {
-    const Vec3 centre = placed_centre(b_, ab_) + move;
-    return box_.overlaps({centre, centre}) && a_.contains(centre) ? std::optional(centre) : std::nullopt;
+    return inside_at(placed_centre(b_, ab_) + move);
   }
 
   // The end of a way along a direction, or a way that is `enough` or more, as soon as that is known.
@@ -82,6 +94,10 @@ class SolidExit {
     std::uint32_t part;
   };
 
+  [[nodiscard]] std::optional<Vec3> inside_at(const Vec3& point) const {
+    return box_.overlaps({point, point}) && a_.contains(point) ? std::optional(point) : std::nullopt;
+  }
+
   [[nodiscard]] static Real furthest_of(const Aabb& box, const Vec3& d) {
     return std::max(d.x * box.low.x, d.x * box.high.x) + std::max(d.y * box.low.y, d.y * box.high.y) +
            std::max(d.z * box.low.z, d.z * box.high.z);
@@ -96,11 +112,33 @@ class SolidExit {
     }
     const std::optional<Vec3> inside = place_inside(out.length * out.direction);
     if (!inside) {
-      return true;
+      return !advance_end(out);
     }
     // To the surface that is around the place.
     const auto hit = a_.cast_ray(*inside, UnitVec3::from_unit_unchecked(out.direction), infinity);
     out.length += (hit ? hit->distance : infinity) + 2 * touching_;
+    return false;
+  }
+
+  // What is thin may cross the surface where triangles meet, and overlap none of them. Then an end of it is inside, and
+  // not just at the surface. Moves on to where that end comes out. Whether there is such an end.
+  [[nodiscard]] bool advance_end(WayOut& out) const {
+    if (!is_thin(b_)) {
+      return false;
+    }
+    const Vec3 d = out.direction;
+    const Real further = out.length + 2 * touching_;
+    for (const Vec3& side : {-d, d}) {
+      const auto end = inside_at(placed_support(b_, place(b_, ab_), side).point + further * d);
+      const auto hit = end ? a_.cast_ray(*end, UnitVec3::from_unit_unchecked(d), infinity) : std::nullopt;
+      if (hit) {
+        out.length = further + hit->distance;
+        out.point = *end + hit->distance * d;
+        out.normal = dot(hit->normal, d) < 0 ? -hit->normal : hit->normal;
+        out.part = hit->feature.index;
+        return true;
+      }
+    }
     return false;
   }
 
