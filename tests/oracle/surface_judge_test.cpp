@@ -128,6 +128,10 @@ TEST(SurfaceJudge, RefusesANormalThatLeans) {
   const double to_sheet = 0.3 / static_cast<double>(normal.z);
   const Touch wrong{centre - normal * quad(to_sheet), centre - normal * quad(0.5), normal, to_sheet - 0.5};
   EXPECT_TRUE(has(faults(ball(), {touch_of_ball(), wrong}), "a normal of the surface"));
+  // A way out by itself, longer by half a millionth.
+  const double depth = 0.2 / static_cast<double>(normal.z) + 1e-12;
+  const Touch way_out{wrong.point_a, wrong.point_a - normal * quad(depth), normal, -depth};
+  EXPECT_TRUE(has(faults(ball(), {way_out}), "a normal of the surface"));
 }
 
 // A roof whose ridge lies along Y, and slopes down to both sides.

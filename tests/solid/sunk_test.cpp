@@ -38,6 +38,24 @@ TEST(Sunk, ClosedFormsOfBoxes) {
   EXPECT_NEAR(distance(hull, ball, at(2.1, 3.1, 4.1)).distance, std::sqrt(0.03) - 0.5, 1e-11);
 }
 
+// Where two triangles of a face meet, a segment overlaps neither, and its middle is outside. Its end is inside.
+TEST(Sunk, SegmentThroughTheDiagonalOfAFace) {
+  const ShapePtr hull = mesh(box_surface(2, 3, 4)),
+                 needle = made([](abut_shape** shape) { return abut_segment_create(1, shape); });
+  for (const double side : {-1.0, 1.0}) {
+    for (const double depth : {0.125, 0.5, 0.875}) {
+      const abut_pose pose = at(0, 0, side * (5 - depth));
+      const abut_distance found = distance(hull, needle, pose);
+      EXPECT_NEAR(found.distance, -depth, 1e-11);
+      EXPECT_NEAR(found.upper, -depth, 1e-11);
+      EXPECT_NEAR(found.normal.z, side, 1e-12);
+      EXPECT_NEAR(found.point_a.z, 4 * side, 1e-11);
+      EXPECT_NEAR(found.point_b.z, (4 - depth) * side, 1e-11);
+      EXPECT_NEAR(least_of(contacts(hull, needle, pose)), -depth, 1e-11);
+    }
+  }
+}
+
 // The distance is 0.1 as long as the body is in the first half of a wall that is 0.4 thick: then it is out on the other
 // side sooner.
 TEST(Sunk, WallIsLeftOnTheNearerSide) {

@@ -67,6 +67,10 @@ class SolidExit {
     }
   }
 
+  // The point, where it is inside.
+  [[nodiscard]] std::optional<Vec3> inside_at(const Vec3& point) const {
+    return box_.overlaps({point, point}) && a_.contains(point) ? std::optional(point) : std::nullopt;
+  }
   // A place of b inside after a move; none where it is outside. The surface does not cross it.
   [[nodiscard]] std::optional<Vec3> place_inside(const Vec3& move) const {
     return inside_at(placed_centre(b_, ab_) + move);
@@ -93,10 +97,6 @@ class SolidExit {
     Real clear;  // a way after which the part is passed
     std::uint32_t part;
   };
-
-  [[nodiscard]] std::optional<Vec3> inside_at(const Vec3& point) const {
-    return box_.overlaps({point, point}) && a_.contains(point) ? std::optional(point) : std::nullopt;
-  }
 
   [[nodiscard]] static Real furthest_of(const Aabb& box, const Vec3& d) {
     return std::max(d.x * box.low.x, d.x * box.high.x) + std::max(d.y * box.low.y, d.y * box.high.y) +
