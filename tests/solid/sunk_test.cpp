@@ -38,20 +38,20 @@ TEST(Sunk, ClosedFormsOfBoxes) {
   EXPECT_NEAR(distance(hull, ball, at(2.1, 3.1, 4.1)).distance, std::sqrt(0.03) - 0.5, 1e-11);
 }
 
-// Where two triangles of a face meet, a segment overlaps neither, and its middle is outside. Its end is inside.
-TEST(Sunk, SegmentThroughTheDiagonalOfAFace) {
-  const ShapePtr hull = mesh(box_surface(2, 3, 4)),
-                 needle = made([](abut_shape** shape) { return abut_segment_create(1, shape); });
-  for (const double side : {-1.0, 1.0}) {
-    for (const double depth : {0.125, 0.5, 0.875}) {
-      const abut_pose pose = at(0, 0, side * (5 - depth));
+// A segment through the middle of an edge of an octahedron overlaps the faces there by next to nothing, and its middle
+// is outside. Its lower end is inside: the faces are as far away as the end is below the edge, over the square root
+// of 3.
+TEST(Sunk, SegmentThroughAnEdge) {
+  const ShapePtr hull = mesh({{1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1},
+                              {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}}),
+                 needle = made([](abut_shape** shape) { return abut_segment_create(0.5, shape); });
+  for (const double aside : {0.0, 1e-10, -1e-10}) {
+    for (const double depth : {0.0625, 0.125, 0.25}) {
+      const abut_pose pose = at(0.5, aside, 1 - depth);
       const abut_distance found = distance(hull, needle, pose);
-      EXPECT_NEAR(found.distance, -depth, 1e-11);
-      EXPECT_NEAR(found.upper, -depth, 1e-11);
-      EXPECT_NEAR(found.normal.z, side, 1e-12);
-      EXPECT_NEAR(found.point_a.z, 4 * side, 1e-11);
-      EXPECT_NEAR(found.point_b.z, (4 - depth) * side, 1e-11);
-      EXPECT_NEAR(least_of(contacts(hull, needle, pose)), -depth, 1e-11);
+      EXPECT_NEAR(found.distance, -depth / std::sqrt(3), 1e-9) << aside;
+      EXPECT_LE(-depth / std::sqrt(3), found.upper + 1e-9) << aside;
+      EXPECT_NEAR(least_of(contacts(hull, needle, pose)), found.distance, 1e-11) << aside;
     }
   }
 }

@@ -110,11 +110,9 @@ class SolidDepthSearch {
     if (exit_.place_inside({0, 0, 0})) {
       return true;
     }
-    const std::array<Vec3, 6> axes{{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}};
-    return is_thin(b_) && std::ranges::any_of(axes, [&](const Vec3& axis) {
-             const Vec3 end = placed_support(b_, place(b_, ab_), axis).point;
-             return exit_.inside_at(end) && depth_of_point(a_, end) > touching();
-           });
+    return std::ranges::any_of(exit_.corners(), [&](const Vec3& corner) {
+      return exit_.inside_at(corner) && depth_of_point(a_, corner) > touching();
+    });
   }
 
   [[nodiscard]] bool is_settled() const {

@@ -30,17 +30,30 @@ struct WayOut {
                                            maximum(absolute(other.low), absolute(other.high))));
 }
 
-// Whether a convex shape has no inside.
+// The corners of a convex shape that has no inside; none of any other.
 template <Convex B>
-[[nodiscard]] bool is_thin(const B& b) {
-  if constexpr (BoxCored<B>) {
+[[nodiscard]] SmallVector<Vec3, 8> corners_of_thin(const B& b, const Pose& at) {
+  SmallVector<Vec3, 8> corners;
+  if constexpr (requires { b.corners(); }) {
+    for (const Vec3& corner : b.corners()) {
+      corners.push_back(at * corner);
+    }
+  } else if constexpr (BoxCored<B>) {
     const Vec3 half = b.half();
-    return b.radius() + std::min(std::min(half.x, half.y), half.z) <= 0;
-  } else if constexpr (Faceted<B>) {
-    return b.radius() + b.facets().inner <= 0;
-  } else {
-    return requires { b.corners(); };  // a triangle
+    if (b.radius() + std::min(std::min(half.x, half.y), half.z) <= 0) {
+      for (const Real x : {-half.x, half.x}) {
+        for (const Real y : {-half.y, half.y}) {
+          for (const Real z : {-half.z, half.z}) {
+            const Vec3 corner = at * Vec3{x, y, z};
+            if (std::ranges::find(corners.span(), corner) == corners.span().end()) {
+              corners.push_back(corner);
+            }
+          }
+        }
+      }
+    }
   }
+  return corners;
 }
 
 template <Enclosing A, Convex B>
@@ -52,7 +65,8 @@ class SolidExit {
         ab_(ab),
         settings_(settings),
         box_(a.aabb(Pose::identity())),
-        touching_(touching_of_solids(box_, b.aabb(ab))) {
+        touching_(touching_of_solids(box_, b.aabb(ab))),
+        corners_(corners_of_thin(b, ab)) {
     visit_overlaps_at(ab_, [&](const Triangle& part) { at_start_.push_back(part.index()); });
   }
 
@@ -66,6 +80,9 @@ class SolidExit {
       visit(a_.part(part));
     }
   }
+
+  // The corners of b at the start, where it is thin.
+  [[nodiscard]] std::span<const Vec3> corners() const { return corners_.span(); }
 
   // The point, where it is inside.
   [[nodiscard]] std::optional<Vec3> inside_at(const Vec3& point) const {
@@ -112,7 +129,7 @@ class SolidExit {
     }
     const std::optional<Vec3> inside = place_inside(out.length * out.direction);
     if (!inside) {
-      return !advance_end(out);
+      return !advance_corner(out);
     }
     // To the surface that is around the place.
     const auto hit = a_.cast_ray(*inside, UnitVec3::from_unit_unchecked(out.direction), infinity);
@@ -120,20 +137,17 @@ class SolidExit {
     return false;
   }
 
-  // What is thin may cross the surface where triangles meet, and overlap none of them. Then an end of it is inside, and
-  // not just at the surface. Moves on to where that end comes out. Whether there is such an end.
-  [[nodiscard]] bool advance_end(WayOut& out) const {
-    if (!is_thin(b_)) {
-      return false;
-    }
+  // What is thin may cross the surface where triangles meet, and overlap none of them. Then a corner of it is inside,
+  // and not just at the surface. Moves on to where that corner comes out. Whether there is such a corner.
+  [[nodiscard]] bool advance_corner(WayOut& out) const {
     const Vec3 d = out.direction;
     const Real further = out.length + 2 * touching_;
-    for (const Vec3& side : {-d, d}) {
-      const auto end = inside_at(placed_support(b_, place(b_, ab_), side).point + further * d);
-      const auto hit = end ? a_.cast_ray(*end, UnitVec3::from_unit_unchecked(d), infinity) : std::nullopt;
+    for (const Vec3& corner : corners_.span()) {
+      const auto inside = inside_at(corner + further * d);
+      const auto hit = inside ? a_.cast_ray(*inside, UnitVec3::from_unit_unchecked(d), infinity) : std::nullopt;
       if (hit) {
         out.length = further + hit->distance;
-        out.point = *end + hit->distance * d;
+        out.point = *inside + hit->distance * d;
         out.normal = dot(hit->normal, d) < 0 ? -hit->normal : hit->normal;
         out.part = hit->feature.index;
         return true;
@@ -209,6 +223,7 @@ class SolidExit {
   const QuerySettings& settings_;
   Aabb box_;
   Real touching_;
+  SmallVector<Vec3, 8> corners_;  // where b is thin
   SmallVector<std::uint32_t, 64> at_start_;
 };
 
