@@ -103,6 +103,10 @@ using Verdict = std::optional<std::string>;
 // best of the normals of contacts and of triangles that overlap.
 [[nodiscard]] std::optional<Real> depth_bound(const Scene& scene, const Manifold& found);
 
+// How deep a surface of two sides and a convex shape, or two such surfaces, are in each other at least. No less than
+// `known`. The normals of contacts save time, and change nothing.
+[[nodiscard]] std::optional<Real> least_depth(const Scene& scene, const Manifold& found, Real known);
+
 [[nodiscard]] Verdict judge_distance(const Scene& scene, const Distance& found, const Manifold& contacts);
 [[nodiscard]] Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manifold& found);
 // Our second route must agree. libccd may be wrong; what it says counts when the gap along its own

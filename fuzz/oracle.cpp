@@ -324,6 +324,11 @@ Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manif
   if (!found.empty() && has_back(scene.a) && has_back(scene.b) && deepest > distance.distance + noise) {
     return fault("distance of the deepest contact of a surface", deepest, distance.distance);
   }
+  // What is proven without the library.
+  const Real known = found.empty() ? 0 : std::max(-deepest, Real{0});
+  if (const std::optional<Real> least = least_depth(scene, found, known); least && *least > known + 2 * noise) {
+    return fault("distance of the deepest contact although two parts are deeper", -known, -*least);
+  }
   // Where shapes only touch, triangles are parted along many ways, and the one that parts the whole may not be found.
   if (!found.empty() && distance.distance < -noise) {
     const std::optional<Real> bound = depth_bound(scene, found);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <span>
 
+#include "overlap.hpp"
 #include "quad.hpp"
 
 namespace oracle {
@@ -36,6 +37,23 @@ namespace oracle {
     sum += solid_angle(seen(triangles[i]), seen(triangles[i + 1]), seen(triangles[i + 2]));
   }
   return sum / (4 * std::numbers::pi_v<long double>);
+}
+
+// The same in double, for searches. Points of the surface have any number.
+[[nodiscard]] inline double rough_winding_number(std::span<const double> xyz, std::span<const std::uint32_t> triangles,
+                                                 const Point& point) {
+  const auto seen = [&](std::uint32_t vertex) {
+    const std::size_t at = 3 * std::size_t{vertex};
+    return Point{xyz[at] - point[0], xyz[at + 1] - point[1], xyz[at + 2] - point[2]};
+  };
+  double sum_of_angles = 0;
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    const Point a = seen(triangles[i]), b = seen(triangles[i + 1]), c = seen(triangles[i + 2]);
+    const double of_a = std::sqrt(inner(a, a)), of_b = std::sqrt(inner(b, b)), of_c = std::sqrt(inner(c, c));
+    const double cosine = of_a * of_b * of_c + inner(a, b) * of_c + inner(b, c) * of_a + inner(c, a) * of_b;
+    sum_of_angles += 2 * std::atan2(inner(a, vector_product(b, c)), cosine);
+  }
+  return sum_of_angles / (4 * std::numbers::pi);
 }
 
 }  // namespace oracle

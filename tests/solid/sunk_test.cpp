@@ -38,6 +38,24 @@ TEST(Sunk, ClosedFormsOfBoxes) {
   EXPECT_NEAR(distance(hull, ball, at(2.1, 3.1, 4.1)).distance, std::sqrt(0.03) - 0.5, 1e-11);
 }
 
+// A segment through the middle of an edge of an octahedron overlaps the faces there by next to nothing, and its middle
+// is outside. Its lower end is inside: the faces are as far away as the end is below the edge, over the square root
+// of 3.
+TEST(Sunk, SegmentThroughAnEdge) {
+  const ShapePtr hull = mesh({{1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1},
+                              {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}}),
+                 needle = made([](abut_shape** shape) { return abut_segment_create(0.5, shape); });
+  for (const double aside : {0.0, 1e-10, -1e-10}) {
+    for (const double depth : {0.0625, 0.125, 0.25}) {
+      const abut_pose pose = at(0.5, aside, 1 - depth);
+      const abut_distance found = distance(hull, needle, pose);
+      EXPECT_NEAR(found.distance, -depth / std::sqrt(3), 1e-9) << aside;
+      EXPECT_LE(-depth / std::sqrt(3), found.upper + 1e-9) << aside;
+      EXPECT_NEAR(least_of(contacts(hull, needle, pose)), found.distance, 1e-11) << aside;
+    }
+  }
+}
+
 // The distance is 0.1 as long as the body is in the first half of a wall that is 0.4 thick: then it is out on the other
 // side sooner.
 TEST(Sunk, WallIsLeftOnTheNearerSide) {

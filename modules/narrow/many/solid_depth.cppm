@@ -79,7 +79,7 @@ class SolidDepthSearch {
   // Nothing where the shape is outside.
   [[nodiscard]] std::optional<SolidDepth> find() {
     find_overlaps();
-    if (outward_.empty() && !exit_.place_inside({0, 0, 0})) {
+    if (outward_.empty() && !is_inside()) {
       return std::nullopt;
     }
     try_from_middle();
@@ -104,6 +104,16 @@ class SolidDepthSearch {
   static constexpr std::size_t most_directions = 12;
   static constexpr int most_turns = 6;
   static constexpr Real same_direction = 0.98, settled_share = 1e-3, same_share = 1e-9;
+
+  // Whether the shape is inside where it overlaps no triangle. What is thin may cross the surface between triangles.
+  [[nodiscard]] bool is_inside() const {
+    if (exit_.place_inside({0, 0, 0})) {
+      return true;
+    }
+    return std::ranges::any_of(exit_.corners(), [&](const Vec3& corner) {
+      return exit_.inside_at(corner) && depth_of_point(a_, corner) > touching();
+    });
+  }
 
   [[nodiscard]] bool is_settled() const {
     return best_.length < infinity && best_.length - lower_ <= settled_share * best_.length + touching();

@@ -30,6 +30,32 @@ struct WayOut {
                                            maximum(absolute(other.low), absolute(other.high))));
 }
 
+// The corners of a convex shape that has no inside; none of any other.
+template <Convex B>
+[[nodiscard]] SmallVector<Vec3, 8> corners_of_thin(const B& b, const Pose& at) {
+  SmallVector<Vec3, 8> corners;
+  if constexpr (requires { b.corners(); }) {
+    for (const Vec3& corner : b.corners()) {
+      corners.push_back(at * corner);
+    }
+  } else if constexpr (BoxCored<B>) {
+    const Vec3 half = b.half();
+    if (b.radius() + std::min(std::min(half.x, half.y), half.z) <= 0) {
+      for (const Real x : {-half.x, half.x}) {
+        for (const Real y : {-half.y, half.y}) {
+          for (const Real z : {-half.z, half.z}) {
+            const Vec3 corner = at * Vec3{x, y, z};
+            if (std::ranges::find(corners.span(), corner) == corners.span().end()) {
+              corners.push_back(corner);
+            }
+          }
+        }
+      }
+    }
+  }
+  return corners;
+}
+
 template <Enclosing A, Convex B>
 class SolidExit {
  public:
@@ -39,7 +65,8 @@ class SolidExit {
         ab_(ab),
         settings_(settings),
         box_(a.aabb(Pose::identity())),
-        touching_(touching_of_solids(box_, b.aabb(ab))) {
+        touching_(touching_of_solids(box_, b.aabb(ab))),
+        corners_(corners_of_thin(b, ab)) {
     visit_overlaps_at(ab_, [&](const Triangle& part) { at_start_.push_back(part.index()); });
   }
 
@@ -54,10 +81,16 @@ class SolidExit {
     }
   }
 
+  // The corners of b at the start, where it is thin.
+  [[nodiscard]] std::span<const Vec3> corners() const { return corners_.span(); }
+
+  // The point, where it is inside.
+  [[nodiscard]] std::optional<Vec3> inside_at(const Vec3& point) const {
+    return box_.overlaps({point, point}) && a_.contains(point) ? std::optional(point) : std::nullopt;
+  }
   // A place of b inside after a move; none where it is outside. The surface does not cross it.
   [[nodiscard]] std::optional<Vec3> place_inside(const Vec3& move) const {
-    const Vec3 centre = placed_centre(b_, ab_) + move;
-    return box_.overlaps({centre, centre}) && a_.contains(centre) ? std::optional(centre) : std::nullopt;
+    return inside_at(placed_centre(b_, ab_) + move);
   }
 
   // The end of a way along a direction, or a way that is `enough` or more, as soon as that is known.
@@ -96,11 +129,30 @@ class SolidExit {
     }
     const std::optional<Vec3> inside = place_inside(out.length * out.direction);
     if (!inside) {
-      return true;
+      return !advance_corner(out);
     }
     // To the surface that is around the place.
     const auto hit = a_.cast_ray(*inside, UnitVec3::from_unit_unchecked(out.direction), infinity);
     out.length += (hit ? hit->distance : infinity) + 2 * touching_;
+    return false;
+  }
+
+  // What is thin may cross the surface where triangles meet, and overlap none of them. Then a corner of it is inside,
+  // and not just at the surface. Moves on to where that corner comes out. Whether there is such a corner.
+  [[nodiscard]] bool advance_corner(WayOut& out) const {
+    const Vec3 d = out.direction;
+    const Real further = out.length + 2 * touching_;
+    for (const Vec3& corner : corners_.span()) {
+      const auto inside = inside_at(corner + further * d);
+      const auto hit = inside ? a_.cast_ray(*inside, UnitVec3::from_unit_unchecked(d), infinity) : std::nullopt;
+      if (hit) {
+        out.length = further + hit->distance;
+        out.point = *inside + hit->distance * d;
+        out.normal = dot(hit->normal, d) < 0 ? -hit->normal : hit->normal;
+        out.part = hit->feature.index;
+        return true;
+      }
+    }
     return false;
   }
 
@@ -171,6 +223,7 @@ class SolidExit {
   const QuerySettings& settings_;
   Aabb box_;
   Real touching_;
+  SmallVector<Vec3, 8> corners_;  // where b is thin
   SmallVector<std::uint32_t, 64> at_start_;
 };
 
