@@ -94,6 +94,23 @@ struct Meeting {
   }
 };
 
+// What the benchmarks use stays alive until the end of the program.
+template <class Owner>
+[[nodiscard]] auto* keep(Owner made) {
+  static std::vector<Owner> all;
+  all.push_back(std::move(made));
+  return all.back().get();
+}
+template <class T, class... Arguments>
+[[nodiscard]] T* kept(const Arguments&... arguments) {
+  return keep(std::make_unique<T>(arguments...));
+}
+[[nodiscard]] const abut_shape* kept_mesh(const TriangleMesh& mesh, abut_sides sides) {
+  AbutCShape shape = solid_or_sheet(mesh, sides);
+  prepare(shape, 0);
+  return keep(std::move(shape));
+}
+
 const abut_pose origin{{0, 0, 0}, {1, 0, 0, 0}};
 
 [[nodiscard]] std::size_t contact_count(const abut_shape* a, const abut_shape* b, const abut_pose& pose) {
@@ -113,8 +130,7 @@ void add(const std::string& name, const Work& work) {
 }
 
 // A pair after the other; the time is that of all eight places.
-void add_contacts(const std::string& cell, const std::shared_ptr<Meeting>& meeting,
-                  const std::shared_ptr<FclMesh>& fcl_a, const std::shared_ptr<FclMesh>& fcl_b) {
+void add_contacts(const std::string& cell, const Meeting* meeting, const FclMesh* fcl_a, const FclMesh* fcl_b) {
   std::size_t ours = 0, theirs = 0;
   for (const Placement& place : meeting->places) {
     ours += contact_count(meeting->a, meeting->b, abut_c_pose(place));
@@ -133,7 +149,7 @@ void add_contacts(const std::string& cell, const std::shared_ptr<Meeting>& meeti
   });
 }
 
-void add_depths(const std::string& cell, const std::shared_ptr<Meeting>& meeting) {
+void add_depths(const std::string& cell, const Meeting* meeting) {
   double widest = 0, deepest = 0;
   for (const Placement& place : meeting->places) {
     abut_distance found{};
@@ -153,37 +169,26 @@ void add_depths(const std::string& cell, const std::shared_ptr<Meeting>& meeting
   });
 }
 
-// Keeps what the benchmarks use alive.
-std::vector<AbutCShape>& kept() {
-  static std::vector<AbutCShape> shapes;
-  return shapes;
-}
-const abut_shape* keep(AbutCShape shape) {
-  prepare(shape, 0);
-  kept().push_back(std::move(shape));
-  return kept().back().get();
-}
-
 void add_pairs() {
   const TriangleMesh dragon = read_ply(data_folder + "/dragon_res3.ply");
   if (const std::string cell = "two dragons of 47,794 that touch"; is_selected(cell)) {
-    const abut_shape* const shape = keep(solid_or_sheet(dragon, ABUT_SIDES_BOTH));
-    const auto fcl = std::make_shared<FclMesh>(dragon);
-    add_contacts(cell, std::make_shared<Meeting>(shape, shape, size_of(dragon), false, 0.002), fcl, fcl);
+    const abut_shape* const shape = kept_mesh(dragon, ABUT_SIDES_BOTH);
+    const FclMesh* const fcl = kept<FclMesh>(dragon);
+    add_contacts(cell, kept<Meeting>(shape, shape, size_of(dragon), false, 0.002), fcl, fcl);
   }
   if (const std::string cell = "bunny on terrain"; is_selected(cell)) {
     const TriangleMesh terrain = read_terrain(data_folder + "/jacksboro_dem.pgm");
     TriangleMesh bunny = read_obj(data_folder + "/bunny.obj");
     std::ranges::for_each(bunny.xyz, [](double& coordinate) { coordinate *= 100; });
     add_contacts(cell,
-                 std::make_shared<Meeting>(keep(solid_or_sheet(terrain, ABUT_SIDES_BOTH)),
-                                           keep(solid_or_sheet(bunny, ABUT_SIDES_BOTH)), size_of(bunny), true, 0.01),
-                 std::make_shared<FclMesh>(terrain), std::make_shared<FclMesh>(bunny));
+                 kept<Meeting>(kept_mesh(terrain, ABUT_SIDES_BOTH), kept_mesh(bunny, ABUT_SIDES_BOTH), size_of(bunny),
+                               true, 0.01),
+                 kept<FclMesh>(terrain), kept<FclMesh>(bunny));
   }
   for (const auto& [name, deep] : {std::pair("a hundredth", 0.01), std::pair("a tenth", 0.1)}) {
     if (const std::string cell = std::string("depth of two solid dragons, ") + name; is_selected(cell)) {
-      const abut_shape* const shape = keep(solid_or_sheet(dragon, ABUT_SIDES_SOLID));
-      add_depths(cell, std::make_shared<Meeting>(shape, shape, size_of(dragon), false, deep));
+      const abut_shape* const shape = kept_mesh(dragon, ABUT_SIDES_SOLID);
+      add_depths(cell, kept<Meeting>(shape, shape, size_of(dragon), false, deep));
     }
   }
 }
@@ -191,19 +196,19 @@ void add_pairs() {
 void add_plane() {
   if (const std::string cell = "plane below 1,280,000"; is_selected(cell)) {
     const TriangleMesh mesh = relief(800, 0.1);
-    const abut_shape* const shape = keep(solid_or_sheet(mesh, ABUT_SIDES_BOTH));
+    const abut_shape* const shape = kept_mesh(mesh, ABUT_SIDES_BOTH);
     const abut_vec3 up{0, 0, 1};
     abut_shape* made = nullptr;
     expect_ok(abut_plane_create(&up, -1.5, &made));
     const abut_shape* const plane = keep(AbutCShape(made));
-    const auto fcl = std::make_shared<FclMesh>(mesh);
+    const FclMesh* const fcl = kept<FclMesh>(mesh);
     add(cell + "/abut", [=] { benchmark::DoNotOptimize(contact_count(plane, shape, origin)); });
     add(cell + "/fcl", [=] { benchmark::DoNotOptimize(fcl->contacts_below(-1.5)); });
   }
 }
 
 void add_trees() {
-  const auto mesh = std::make_shared<TriangleMesh>(relief(707, 0.1));
+  const TriangleMesh* const mesh = kept<TriangleMesh>(relief(707, 0.1));
   if (const std::string cell = "tree of 999,698"; is_selected(cell)) {
     for (const auto& [contender, threads] : {std::pair("abut", 0u), std::pair("abut-1", 1u)}) {
       add(cell + "/" + contender, [mesh, threads = threads] {
@@ -262,7 +267,7 @@ void add_moves() {
   for (const auto& [name, every] : {std::pair("1 % of the vertices of 999,698 move", std::size_t{100}),
                                     std::pair("all vertices of 999,698 move", std::size_t{1})}) {
     if (is_selected(name)) {
-      const auto moving = std::make_shared<MovingMesh>(relief(707, 0.1), every);
+      MovingMesh* const moving = kept<MovingMesh>(relief(707, 0.1), every);
       moving->move();
       add(std::string(name) + "/abut", [moving] { moving->move(); });
     }
