@@ -16,6 +16,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,7 @@
 namespace bench {
 namespace {
 
-const std::string data_folder = ABUT_DATA_DIR;
+[[nodiscard]] std::string data_file(const std::string& name) { return std::string(ABUT_DATA_DIR "/") + name; }
 
 [[nodiscard]] AbutCShape solid_or_sheet(const TriangleMesh& mesh, abut_sides sides) {
   abut_mesh_options options;
@@ -94,22 +95,73 @@ struct Meeting {
   }
 };
 
-// What the benchmarks use stays alive until the end of the program.
-template <class Owner>
-[[nodiscard]] auto* keep(Owner made) {
-  static std::vector<Owner> all;
-  all.push_back(std::move(made));
-  return all.back().get();
-}
-template <class T, class... Arguments>
-[[nodiscard]] T* kept(const Arguments&... arguments) {
-  return keep(std::make_unique<T>(arguments...));
-}
-[[nodiscard]] const abut_shape* kept_mesh(const TriangleMesh& mesh, abut_sides sides) {
-  AbutCShape shape = solid_or_sheet(mesh, sides);
-  prepare(shape, 0);
-  return keep(std::move(shape));
-}
+// A mesh of which some vertices move to and fro.
+class MovingMesh {
+ public:
+  MovingMesh(const TriangleMesh& mesh, std::size_t every) : universe_(quiet_universe()) {
+    const AbutCShape shape = solid_or_sheet(mesh, ABUT_SIDES_BOTH);
+    prepare(shape, 0);
+    abut_part_id part{};
+    expect_ok(abut_part_create(universe_.get(), nullptr, &part));
+    expect_ok(abut_geometry_create(universe_.get(), part, shape.get(), nullptr, &geometry_));
+    // The order of a shuffle by a step that has no divisor in common with the count.
+    const std::size_t count = mesh.xyz.size() / 3, moved = count / every;
+    for (std::size_t i = 0; i < moved; ++i) {
+      const std::size_t at = (i * 7919 * every) % count;
+      vertices_.push_back(static_cast<std::uint32_t>(at));
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        xyz_.push_back(mesh.xyz[3 * at + axis]);
+      }
+    }
+  }
+  void move() {
+    up_ = -up_;
+    for (std::size_t i = 2; i < xyz_.size(); i += 3) {
+      xyz_[i] += up_;
+    }
+    expect_ok(
+        abut_geometry_set_vertices_at(universe_.get(), geometry_, vertices_.data(), xyz_.data(), vertices_.size()));
+  }
+
+ private:
+  [[nodiscard]] static AbutCUniverse quiet_universe() {
+    abut_universe_options options;
+    abut_universe_options_init(&options, sizeof options);
+    options.events = 0;
+    return abut_c_universe(options);
+  }
+
+  AbutCUniverse universe_;
+  abut_geometry_id geometry_{};
+  std::vector<std::uint32_t> vertices_;
+  std::vector<double> xyz_;
+  double up_ = 0.01;
+};
+
+// What the benchmarks use while they run.
+class Kept {
+ public:
+  template <class Owner>
+  auto* keep(Owner made) {
+    auto& all = std::get<std::vector<Owner>>(all_);
+    all.push_back(std::move(made));
+    return all.back().get();
+  }
+  template <class T, class... Arguments>
+  T* make(const Arguments&... arguments) {
+    return keep(std::make_unique<T>(arguments...));
+  }
+  const abut_shape* mesh(const TriangleMesh& mesh, abut_sides sides) {
+    AbutCShape shape = solid_or_sheet(mesh, sides);
+    prepare(shape, 0);
+    return keep(std::move(shape));
+  }
+
+ private:
+  template <class T>
+  using Some = std::vector<std::unique_ptr<T>>;
+  std::tuple<std::vector<AbutCShape>, Some<TriangleMesh>, Some<FclMesh>, Some<Meeting>, Some<MovingMesh>> all_;
+};
 
 const abut_pose origin{{0, 0, 0}, {1, 0, 0, 0}};
 
@@ -169,115 +221,72 @@ void add_depths(const std::string& cell, const Meeting* meeting) {
   });
 }
 
-void add_pairs() {
-  const TriangleMesh dragon = read_ply(data_folder + "/dragon_res3.ply");
+void add_pairs(Kept& kept) {
+  const TriangleMesh dragon = read_ply(data_file("dragon_res3.ply"));
   if (const std::string cell = "two dragons of 47,794 that touch"; is_selected(cell)) {
-    const abut_shape* const shape = kept_mesh(dragon, ABUT_SIDES_BOTH);
-    const FclMesh* const fcl = kept<FclMesh>(dragon);
-    add_contacts(cell, kept<Meeting>(shape, shape, size_of(dragon), false, 0.002), fcl, fcl);
+    const abut_shape* const shape = kept.mesh(dragon, ABUT_SIDES_BOTH);
+    const FclMesh* const fcl = kept.make<FclMesh>(dragon);
+    add_contacts(cell, kept.make<Meeting>(shape, shape, size_of(dragon), false, 0.002), fcl, fcl);
   }
   if (const std::string cell = "bunny on terrain"; is_selected(cell)) {
-    const TriangleMesh terrain = read_terrain(data_folder + "/jacksboro_dem.pgm");
-    TriangleMesh bunny = read_obj(data_folder + "/bunny.obj");
+    const TriangleMesh terrain = read_terrain(data_file("jacksboro_dem.pgm"));
+    TriangleMesh bunny = read_obj(data_file("bunny.obj"));
     std::ranges::for_each(bunny.xyz, [](double& coordinate) { coordinate *= 100; });
     add_contacts(cell,
-                 kept<Meeting>(kept_mesh(terrain, ABUT_SIDES_BOTH), kept_mesh(bunny, ABUT_SIDES_BOTH), size_of(bunny),
-                               true, 0.01),
-                 kept<FclMesh>(terrain), kept<FclMesh>(bunny));
+                 kept.make<Meeting>(kept.mesh(terrain, ABUT_SIDES_BOTH), kept.mesh(bunny, ABUT_SIDES_BOTH),
+                                    size_of(bunny), true, 0.01),
+                 kept.make<FclMesh>(terrain), kept.make<FclMesh>(bunny));
   }
   for (const auto& [name, deep] : {std::pair("a hundredth", 0.01), std::pair("a tenth", 0.1)}) {
     if (const std::string cell = std::string("depth of two solid dragons, ") + name; is_selected(cell)) {
-      const abut_shape* const shape = kept_mesh(dragon, ABUT_SIDES_SOLID);
-      add_depths(cell, kept<Meeting>(shape, shape, size_of(dragon), false, deep));
+      const abut_shape* const shape = kept.mesh(dragon, ABUT_SIDES_SOLID);
+      add_depths(cell, kept.make<Meeting>(shape, shape, size_of(dragon), false, deep));
     }
   }
 }
 
-void add_plane() {
+void add_plane(Kept& kept) {
   if (const std::string cell = "plane below 1,280,000"; is_selected(cell)) {
     const TriangleMesh mesh = relief(800, 0.1);
-    const abut_shape* const shape = kept_mesh(mesh, ABUT_SIDES_BOTH);
+    const abut_shape* const shape = kept.mesh(mesh, ABUT_SIDES_BOTH);
     const abut_vec3 up{0, 0, 1};
     abut_shape* made = nullptr;
     expect_ok(abut_plane_create(&up, -1.5, &made));
-    const abut_shape* const plane = keep(AbutCShape(made));
-    const FclMesh* const fcl = kept<FclMesh>(mesh);
+    const abut_shape* const plane = kept.keep(AbutCShape(made));
+    const FclMesh* const fcl = kept.make<FclMesh>(mesh);
     add(cell + "/abut", [=] { benchmark::DoNotOptimize(contact_count(plane, shape, origin)); });
     add(cell + "/fcl", [=] { benchmark::DoNotOptimize(fcl->contacts_below(-1.5)); });
   }
 }
 
-void add_trees() {
-  const TriangleMesh* const mesh = kept<TriangleMesh>(relief(707, 0.1));
+void add_trees(Kept& kept) {
+  const TriangleMesh* const mesh = kept.make<TriangleMesh>(relief(707, 0.1));
   if (const std::string cell = "tree of 999,698"; is_selected(cell)) {
     for (const auto& [contender, threads] : {std::pair("abut", 0u), std::pair("abut-1", 1u)}) {
-      add(cell + "/" + contender, [mesh, threads = threads] {
+      add(cell + "/" + contender, [mesh, count = threads] {
         const AbutCShape shape = solid_or_sheet(*mesh, ABUT_SIDES_BOTH);
-        prepare(shape, threads);
+        prepare(shape, count);
       });
     }
     add(cell + "/fcl", [mesh] { benchmark::DoNotOptimize(FclMesh(*mesh)); });
   }
 }
 
-// A mesh of which some vertices move to and fro.
-class MovingMesh {
- public:
-  MovingMesh(const TriangleMesh& mesh, std::size_t every) : universe_(quiet_universe()) {
-    const AbutCShape shape = solid_or_sheet(mesh, ABUT_SIDES_BOTH);
-    prepare(shape, 0);
-    abut_part_id part{};
-    expect_ok(abut_part_create(universe_.get(), nullptr, &part));
-    expect_ok(abut_geometry_create(universe_.get(), part, shape.get(), nullptr, &geometry_));
-    // The order of a shuffle by a step that has no divisor in common with the count.
-    const std::size_t count = mesh.xyz.size() / 3, moved = count / every;
-    for (std::size_t i = 0; i < moved; ++i) {
-      const std::size_t at = (i * 7919 * every) % count;
-      vertices_.push_back(static_cast<std::uint32_t>(at));
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        xyz_.push_back(mesh.xyz[3 * at + axis]);
-      }
-    }
-  }
-  void move() {
-    up_ = -up_;
-    for (std::size_t i = 2; i < xyz_.size(); i += 3) {
-      xyz_[i] += up_;
-    }
-    expect_ok(
-        abut_geometry_set_vertices_at(universe_.get(), geometry_, vertices_.data(), xyz_.data(), vertices_.size()));
-  }
-
- private:
-  [[nodiscard]] static AbutCUniverse quiet_universe() {
-    abut_universe_options options;
-    abut_universe_options_init(&options, sizeof options);
-    options.events = 0;
-    return abut_c_universe(options);
-  }
-
-  AbutCUniverse universe_;
-  abut_geometry_id geometry_{};
-  std::vector<std::uint32_t> vertices_;
-  std::vector<double> xyz_;
-  double up_ = 0.01;
-};
-
-void add_moves() {
+void add_moves(Kept& kept) {
   for (const auto& [name, every] : {std::pair("1 % of the vertices of 999,698 move", std::size_t{100}),
                                     std::pair("all vertices of 999,698 move", std::size_t{1})}) {
     if (is_selected(name)) {
-      MovingMesh* const moving = kept<MovingMesh>(relief(707, 0.1), every);
+      MovingMesh* const moving = kept.make<MovingMesh>(relief(707, 0.1), every);
       moving->move();
       add(std::string(name) + "/abut", [moving] { moving->move(); });
     }
   }
 }
 
-void add_height_fields() {
+void add_height_fields(Kept& kept) {
   abut_shape* made = nullptr;
   expect_ok(abut_box_create(0.5, 0.4, 0.3, &made));
-  const abut_shape* const box = keep(AbutCShape(made));
+  const abut_shape* const box = kept.keep(AbutCShape(made));
   for (const std::uint32_t side : {64u, 4096u}) {
     const std::string cell = "box on a height field of " + std::to_string(side) + "^2";
     if (!is_selected(cell)) {
@@ -295,7 +304,7 @@ void add_height_fields() {
     desc.spacing_x = desc.spacing_y = 0.15;
     desc.heights = heights.data();
     expect_ok(abut_height_field_create(&desc, &made));
-    const abut_shape* const field = keep(AbutCShape(made));
+    const abut_shape* const field = kept.keep(AbutCShape(made));
     // The first sample is the origin of the shape: the middle of both fields is the same place of the relief.
     const double middle = 0.15 * 0.5 * side;
     add(cell + "/abut", [=] {
@@ -325,11 +334,12 @@ void print_memory() {
 }
 
 int run() {
-  add_pairs();
-  add_plane();
-  add_trees();
-  add_moves();
-  add_height_fields();
+  Kept kept;
+  add_pairs(kept);
+  add_plane(kept);
+  add_trees(kept);
+  add_moves(kept);
+  add_height_fields(kept);
   const int status = run_and_compare({"abut", {"fcl"}, {"abut-1"}, 1, "us", 1e-6});
   if (is_selected("memory")) {
     print_memory();

@@ -9,7 +9,7 @@
 
 namespace bench {
 
-class FclMesh {
+class [[gnu::visibility("default")]] FclMesh {
  public:
   // Makes its tree.
   explicit FclMesh(const TriangleMesh& mesh);
