@@ -43,13 +43,13 @@ template <Convex B>
                                    CoreSeparation& core) {
   const auto near_points = [&]() -> NearPoints {
     if constexpr (PointCored<B>) {
-      const Vec3 point = placed_centre(b, ab), nearest = nearest_on(triangle.corners(), point),
-                 between = point - nearest;
-      return {lanes_of(nearest),
+      const Vec3 point = placed_centre(b, ab);
+      const auto [from, way] = nearest_way(triangle.corners(), point);
+      return {lanes_of(from),
               lanes_of(point),
-              lanes_of(between),
-              squared_norm(between),
-              gap_beyond(triangle.corners(), nearest, between),
+              lanes_of(way),
+              squared_norm(way),
+              gap_beyond(triangle.corners(), from, way),
               1};
     } else {
       return near_points_of_segment(triangle.corners(), ab.position, ab.rotation.z, b.half().z);

@@ -8,35 +8,49 @@ import abut.math;
 
 export namespace abut {
 
-[[nodiscard]] inline Vec3 nearest_on(const TriangleCorners& corners, const Vec3& point) {
+// The point of a triangle that is nearest to a given one, and the way from it to that one. The direction of a short way
+// between two points has their rounding. This one is perpendicular to the edge or the face in which it begins.
+struct WayFromTriangle {
+  Vec3 from, way;
+};
+
+[[nodiscard]] inline WayFromTriangle nearest_way(const TriangleCorners& corners, const Vec3& point) {
   const auto& [a, b, c] = corners;
   const Vec3 ab = b - a, ac = c - a, ap = point - a, bp = point - b, cp = point - c;
+  const auto from_edge = [&](const Vec3& first, const Vec3& edge, Real share) -> WayFromTriangle {
+    const Vec3 from = first + share * edge, way = point - from;
+    return {from, way - (dot(way, edge) / squared_norm(edge)) * edge};
+  };
   const Real ab_a = dot(ab, ap), ac_a = dot(ac, ap);
   if (ab_a <= 0 && ac_a <= 0) {
-    return a;
+    return {a, ap};
   }
   const Real ab_b = dot(ab, bp), ac_b = dot(ac, bp);
   if (ab_b >= 0 && ac_b <= ab_b) {
-    return b;
+    return {b, bp};
   }
   const Real over_c = ab_a * ac_b - ab_b * ac_a;
   if (over_c <= 0 && ab_a >= 0 && ab_b <= 0) {
-    return a + (ab_a / (ab_a - ab_b)) * ab;
+    return from_edge(a, ab, ab_a / (ab_a - ab_b));
   }
   const Real ab_c = dot(ab, cp), ac_c = dot(ac, cp);
   if (ac_c >= 0 && ab_c <= ac_c) {
-    return c;
+    return {c, cp};
   }
   const Real over_b = ab_c * ac_a - ab_a * ac_c;
   if (over_b <= 0 && ac_a >= 0 && ac_c <= 0) {
-    return a + (ac_a / (ac_a - ac_c)) * ac;
+    return from_edge(a, ac, ac_a / (ac_a - ac_c));
   }
   const Real over_a = ab_b * ac_c - ab_c * ac_b, to_c = ac_b - ab_b, to_b = ab_c - ac_c;
   if (over_a <= 0 && to_c >= 0 && to_b >= 0) {
-    return b + (to_c / (to_c + to_b)) * (c - b);
+    return from_edge(b, c - b, to_c / (to_c + to_b));
   }
   const Real share = 1 / (over_a + over_b + over_c);
-  return a + (over_b * share) * ab + (over_c * share) * ac;
+  const Vec3 from = a + (over_b * share) * ab + (over_c * share) * ac, normal = cross(ab, ac);
+  return {from, (dot(normal, ap) / squared_norm(normal)) * normal};
+}
+[[nodiscard]] inline Vec3 nearest_on(const TriangleCorners& corners, const Vec3& point) {
+  return nearest_way(corners, point).from;
 }
 
 // How much nearer to a point than a point of the triangle the triangle may come, along the line between both and times
