@@ -64,6 +64,21 @@ void prepare(const AbutCShape& shape, std::uint32_t threads) { expect_ok(abut_sh
   return high - low;
 }
 
+// With the middle of its box at the origin.
+[[nodiscard]] TriangleMesh centred(TriangleMesh mesh, double scale) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = axis; i < mesh.xyz.size(); i += 3) {
+      low = std::min(low, mesh.xyz[i]);
+      high = std::max(high, mesh.xyz[i]);
+    }
+    for (std::size_t i = axis; i < mesh.xyz.size(); i += 3) {
+      mesh.xyz[i] = scale * (mesh.xyz[i] - 0.5 * (low + high));
+    }
+  }
+  return mesh;
+}
+
 // Two shapes in places where they overlap by a share of the size: b is turned, moved along a way until it touches a,
 // and then on.
 struct Meeting {
@@ -76,8 +91,8 @@ struct Meeting {
       const double turn = 0.3 + std::numbers::pi * i / 4, around = 0.2 + 0.785 * i;
       const Quaternion q{std::cos(turn / 2), 0.6 * std::sin(turn / 2), 0, 0.8 * std::sin(turn / 2)};
       const Point way = from_above ? Point{0, 0, -1} : Point{std::cos(around), std::sin(around), 0};
-      const double far = from_above ? 30 : 3;  // a terrain is high
-      const Point aside = from_above ? Point{9 * size * std::cos(around), 9 * size * std::sin(around), 0} : Point{};
+      const double far = 3;
+      const Point aside = from_above ? Point{4 * size * std::cos(around), 4 * size * std::sin(around), 0} : Point{};
       const auto at = [&](double along) {
         return Placement{{aside[0] + along * way[0], aside[1] + along * way[1], aside[2] + along * way[2]}, q};
       };
@@ -222,16 +237,16 @@ void add_depths(const std::string& cell, const Meeting* meeting) {
 }
 
 void add_pairs(Kept& kept) {
-  const TriangleMesh dragon = read_ply(data_file("dragon_res3.ply"));
+  const TriangleMesh dragon = centred(read_ply(data_file("dragon_res3.ply")), 1);
   if (const std::string cell = "two dragons of 47,794 that touch"; is_selected(cell)) {
     const abut_shape* const shape = kept.mesh(dragon, ABUT_SIDES_BOTH);
     const FclMesh* const fcl = kept.make<FclMesh>(dragon);
     add_contacts(cell, kept.make<Meeting>(shape, shape, size_of(dragon), false, 0.002), fcl, fcl);
   }
   if (const std::string cell = "bunny on terrain"; is_selected(cell)) {
-    const TriangleMesh terrain = read_terrain(data_file("jacksboro_dem.pgm"));
-    TriangleMesh bunny = read_obj(data_file("bunny.obj"));
-    std::ranges::for_each(bunny.xyz, [](double& coordinate) { coordinate *= 100; });
+    // As large as a hill, so that both have hundreds of triangles there.
+    const TriangleMesh terrain = centred(read_terrain(data_file("jacksboro_dem.pgm")), 1);
+    const TriangleMesh bunny = centred(read_obj(data_file("bunny.obj")), 100);
     add_contacts(cell,
                  kept.make<Meeting>(kept.mesh(terrain, ABUT_SIDES_BOTH), kept.mesh(bunny, ABUT_SIDES_BOTH),
                                     size_of(bunny), true, 0.01),
@@ -254,6 +269,9 @@ void add_plane(Kept& kept) {
     expect_ok(abut_plane_create(&up, -1.5, &made));
     const abut_shape* const plane = kept.keep(AbutCShape(made));
     const FclMesh* const fcl = kept.make<FclMesh>(mesh);
+    if (contact_count(plane, shape, origin) + fcl->contacts_below(-1.5) != 0) {
+      throw std::runtime_error("the plane touches the mesh");
+    }
     add(cell + "/abut", [=] { benchmark::DoNotOptimize(contact_count(plane, shape, origin)); });
     add(cell + "/fcl", [=] { benchmark::DoNotOptimize(fcl->contacts_below(-1.5)); });
   }
