@@ -278,8 +278,8 @@ void add_plane(Kept& kept) {
 }
 
 void add_trees(Kept& kept) {
-  const TriangleMesh* const mesh = kept.make<TriangleMesh>(relief(707, 0.1));
   if (const std::string cell = "tree of 999,698"; is_selected(cell)) {
+    const TriangleMesh* const mesh = kept.make<TriangleMesh>(relief(707, 0.1));
     for (const auto& [contender, threads] : {std::pair("abut", 0u), std::pair("abut-1", 1u)}) {
       add(cell + "/" + contender, [mesh, count = threads] {
         const AbutCShape shape = solid_or_sheet(*mesh, ABUT_SIDES_BOTH);

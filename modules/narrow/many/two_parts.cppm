@@ -32,27 +32,65 @@ template <Surface S>
   return limit;
 }
 
-// Calls visit(part of a, part of b) for parts that may be within `reach`, mostly nearer ones first. visit returns the
-// reach that is wanted from then on. Parts may be left out, as by visit_two.
-template <Surface A, Surface B, class Visitor, class Wants = WantsAnyItem>
-void visit_two_parts(const A& a, const B& b, const Pose& ab, Real reach, Visitor&& visit, Wants&& wants = {}) {
+// The parts of two items. Often several parts of a meet one of b, one after the other.
+template <Surface A, Surface B>
+class TwoParts {
+ public:
+  TwoParts(const A& a, const B& b, const Pose& ab) : a_(a), b_(b), ab_(ab) {}
+
+  // Calls visit(part of a, part of b) if are_near(axes of the part of b, corners of that of a).
+  template <class AreNear, class Visitor>
+  [[gnu::always_inline]] inline void visit(std::uint32_t of_a, std::uint32_t of_b, AreNear&& are_near,
+                                           Visitor&& visit) {
+    if (!held_ || held_->part.index() != of_b) {
+      const Triangle part = b_.part(of_b);
+      held_.emplace(Held{part, {part, ab_}});
+    }
+    if (are_near(held_->axes, FourTriangles::all(a_.corners(of_a))) != 0) {
+      visit(a_.part(of_a), held_->part);
+    }
+  }
+
+ private:
   struct Held {
     Triangle part;
     QuickAxes<Triangle> axes;
   };
-  std::optional<Held> held;  // often several parts of a meet one of b, one after the other
+
+  const A& a_;
+  const B& b_;
+  const Pose& ab_;
+  std::optional<Held> held_;
+};
+
+// Calls visit(part of a, part of b) for parts that may be within `reach`, mostly nearer ones first. visit returns the
+// reach that is wanted from then on. Parts may be left out, as by visit_two.
+template <Surface A, Surface B, class Visitor, class Wants = WantsAnyItem>
+void visit_two_parts(const A& a, const B& b, const Pose& ab, Real reach, Visitor&& visit, Wants&& wants = {}) {
+  TwoParts<A, B> parts(a, b, ab);
   const Real noise = noise_of_two(a, b, ab);
   const auto visit_items = [&](std::uint32_t of_a, std::uint32_t of_b) {
-    if (!held || held->part.index() != of_b) {
-      const Triangle part = b.part(of_b);
-      held.emplace(Held{part, {part, ab}});
-    }
-    if (held->axes.near(FourTriangles::all(a.corners(of_a)), reach) != 0) {
-      reach = visit(a.part(of_a), held->part);
-    }
+    const auto are_near = [&](const auto& axes, const FourTriangles& part) { return axes.near(part, reach); };
+    parts.visit(of_a, of_b, are_near, [&](const Triangle& part, const Triangle& other) { reach = visit(part, other); });
     return reach + noise;
   };
   visit_two(a, b, GapOrder(a.origin(), b.origin(), ab), reach + noise, visit_items, wants);
+}
+
+// The same for parts that may be within `reach` of each other while b moves along a direction, as far as `length`.
+template <Surface A, Surface B, class Visitor>
+void visit_two_parts_on_way(const A& a, const B& b, const Pose& ab, const Vec3& direction, Real length, Real reach,
+                            Visitor&& visit) {
+  TwoParts<A, B> parts(a, b, ab);
+  const Vec3 way = length * direction;
+  const auto visit_items = [&](std::uint32_t of_a, std::uint32_t of_b) {
+    parts.visit(
+        of_a, of_b, [&](const auto& axes, const FourTriangles& part) { return axes.near_on_way(part, way, reach); },
+        visit);
+    return length;
+  };
+  const Real slack = std::max(reach, Real{0}) + noise_of_two(a, b, ab);
+  visit_two(a, b, PassageOrder(a.origin(), b.origin(), ab, direction, slack), length, visit_items);
 }
 
 // The same where b has few parts under a. Each of these asks the tree of a, which answers for four parts at once.

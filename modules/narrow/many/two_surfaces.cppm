@@ -44,14 +44,7 @@ class PairsOnTheWay {
   }
   template <class Visitor>
   void visit(const PartingWay& way, Real slack, const Visitor& visit) const {
-    const Real reach = way.depth + slack;
-    visit_two_parts(a_, b_, ab_, reach, [&](const Triangle& part, const Triangle& other) {
-      const QuickAxes<Triangle> axes(other, ab_);
-      if (axes.near_on_way(FourTriangles::all(part.corners()), way.depth * way.direction, slack) != 0) {
-        visit(part, other);
-      }
-      return reach;
-    });
+    visit_two_parts_on_way(a_, b_, ab_, way.direction, way.depth, slack, visit);
   }
 
  private:
