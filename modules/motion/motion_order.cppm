@@ -44,18 +44,34 @@ class MotionOrder {
 
   // Times before which boxes are apart; infinity where they are for the whole span. A box beyond all numbers meets at
   // the begin.
-  [[nodiscard]] [[gnu::always_inline]] inline Lanes ways(const EightBoxes& eight, std::size_t four,
-                                                         const BoxSides& other, bool are_of_b) const {
+  [[nodiscard]] [[gnu::always_inline]] inline EightWays ways(const EightBoxes& eight, const OneBox& other,
+                                                             bool are_of_b) const {
+    return {ways_of_four(eight, 0, other, are_of_b), ways_of_four(eight, 1, other, are_of_b)};
+  }
+  [[nodiscard]] static inline Real way_of(Real limit) { return limit; }
+
+  // The same for two triangles, along the normals of both.
+  [[nodiscard]] Real way_of(const TriangleCorners& a, const TriangleCorners& b) const {
+    const Real share = std::max(share_across(a, b, b_in_a_, half_bend(bend_in_a_)),
+                                share_across(b, a, a_in_b_, half_bend(bend_in_b_)));
+    return share < 1 ? span_.begin + (inward * span_.length()) * share : infinity;
+  }
+
+ private:
+  static constexpr Real inward = 1 - 1e-12;
+
+  [[nodiscard]] [[gnu::always_inline]] inline Lanes ways_of_four(const EightBoxes& eight, std::size_t four,
+                                                                 const OneBox& other, bool are_of_b) const {
     struct Apart {
       Lanes between, reach;
     };
     [[clang::uninitialized]] std::array<Apart, 6> at_begin;
-    begin_.for_each(eight, four, other, are_of_b, [&](int axis, Lanes between, Lanes reach) {
+    begin_.for_each<Lanes>(eight, four, other, are_of_b, [&](int axis, Lanes between, Lanes reach) {
       at_begin[static_cast<std::size_t>(axis)] = {between, reach};
     });
     const Real half_in_a = half_bend(bend_in_a_), half_in_b = half_bend(bend_in_b_);
     Lanes share = all_lanes(0);
-    end_.for_each(eight, four, other, are_of_b, [&](int axis, Lanes between, Lanes reach) {
+    end_.for_each<Lanes>(eight, four, other, are_of_b, [&](int axis, Lanes between, Lanes reach) {
       const Apart& first = at_begin[static_cast<std::size_t>(axis)];
       const Real half = (axis < 3) == are_of_b ? half_in_b : half_in_a;
       // The side on which the other box is; on the whole, where it changes sides.
@@ -70,17 +86,6 @@ class MotionOrder {
     });
     return share < all_lanes(1) ? span_.begin + (inward * span_.length()) * share : all_lanes(infinity);
   }
-  [[nodiscard]] static inline Real way_of(Real limit) { return limit; }
-
-  // The same for two triangles, along the normals of both.
-  [[nodiscard]] Real way_of(const TriangleCorners& a, const TriangleCorners& b) const {
-    const Real share = std::max(share_across(a, b, b_in_a_, half_bend(bend_in_a_)),
-                                share_across(b, a, a_in_b_, half_bend(bend_in_b_)));
-    return share < 1 ? span_.begin + (inward * span_.length()) * share : infinity;
-  }
-
- private:
-  static constexpr Real inward = 1 - 1e-12;
 
   // The share of the span for which a triangle is apart from the plane of another one, in whose frame it is placed.
   [[nodiscard]] Real share_across(const TriangleCorners& of_plane, const TriangleCorners& other,

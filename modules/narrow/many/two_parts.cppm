@@ -38,15 +38,16 @@ class TwoParts {
  public:
   TwoParts(const A& a, const B& b, const Pose& ab) : a_(a), b_(b), ab_(ab) {}
 
-  // Calls visit(part of a, part of b) if are_near(axes of the part of b, corners of that of a).
+  // Calls visit(part of a, part of b) if are_near(corners of both in the frame of a).
   template <class AreNear, class Visitor>
   [[gnu::always_inline]] inline void visit(std::uint32_t of_a, std::uint32_t of_b, AreNear&& are_near,
                                            Visitor&& visit) {
     if (!held_ || held_->part.index() != of_b) {
       const Triangle part = b_.part(of_b);
-      held_.emplace(Held{part, {part, ab_}});
+      const TriangleCorners& corners = part.corners();
+      held_.emplace(Held{part, FourTriangles::all({ab_ * corners[0], ab_ * corners[1], ab_ * corners[2]})});
     }
-    if (are_near(held_->axes, FourTriangles::all(a_.corners(of_a))) != 0) {
+    if (are_near(FourTriangles::all(a_.corners(of_a)), held_->placed)) {
       visit(a_.part(of_a), held_->part);
     }
   }
@@ -54,7 +55,7 @@ class TwoParts {
  private:
   struct Held {
     Triangle part;
-    QuickAxes<Triangle> axes;
+    FourTriangles placed;  // the same one in all lanes
   };
 
   const A& a_;
@@ -70,23 +71,23 @@ void visit_two_parts(const A& a, const B& b, const Pose& ab, Real reach, Visitor
   TwoParts<A, B> parts(a, b, ab);
   const Real noise = noise_of_two(a, b, ab);
   const auto visit_items = [&](std::uint32_t of_a, std::uint32_t of_b) {
-    const auto are_near = [&](const auto& axes, const FourTriangles& part) { return axes.near(part, reach); };
+    const auto are_near = [&](const FourTriangles& part, const FourTriangles& placed) {
+      return QuickAxes<Triangle>::near_on_way(part, placed, {0, 0, 0}, reach) != 0;
+    };
     parts.visit(of_a, of_b, are_near, [&](const Triangle& part, const Triangle& other) { reach = visit(part, other); });
     return reach + noise;
   };
   visit_two(a, b, GapOrder(a.origin(), b.origin(), ab), reach + noise, visit_items, wants);
 }
 
-// The same for parts that may be within `reach` of each other while b moves along a direction, as far as `length`.
-template <Surface A, Surface B, class Visitor>
+// The same for parts that may be within `reach` of each other while b moves along a direction, as far as `length`:
+// those of which are_near(corners of both in the frame of a) is true.
+template <Surface A, Surface B, class AreNear, class Visitor>
 void visit_two_parts_on_way(const A& a, const B& b, const Pose& ab, const Vec3& direction, Real length, Real reach,
-                            Visitor&& visit) {
+                            AreNear&& are_near, Visitor&& visit) {
   TwoParts<A, B> parts(a, b, ab);
-  const Vec3 way = length * direction;
   const auto visit_items = [&](std::uint32_t of_a, std::uint32_t of_b) {
-    parts.visit(
-        of_a, of_b, [&](const auto& axes, const FourTriangles& part) { return axes.near_on_way(part, way, reach); },
-        visit);
+    parts.visit(of_a, of_b, are_near, visit);
     return length;
   };
   const Real slack = std::max(reach, Real{0}) + noise_of_two(a, b, ab);

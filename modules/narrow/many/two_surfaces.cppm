@@ -9,6 +9,7 @@ import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.parts_met;
+import abut.narrow.many.passing_boxes;
 import abut.narrow.many.quick_axes;
 import abut.narrow.many.solid_contacts;
 import abut.narrow.many.solid_depth;
@@ -36,21 +37,33 @@ template <Surface A, Surface B>
 template <Surface A, Surface B>
 class PairsOnTheWay {
  public:
-  PairsOnTheWay(const A& a, const B& b, const Pose& ab) : a_(a), b_(b), ab_(ab) {}
+  PairsOnTheWay(const A& a, const B& b, const Pose& ab) : a_(a), b_(b), ab_(ab), boxes_(ab.rotation) {}
 
   // A bit for each pair.
   [[nodiscard]] std::uint64_t meets(const FourParts<Triangle>& parts, const PartingWay& way) const {
-    return QuickAxes<Triangle>::near_on_way(parts.triangles, parts.placed.of, way.depth * way.direction, 0);
+    return meets(parts.triangles, parts.placed.of, way.depth * way.direction, 0);
   }
   template <class Visitor>
   void visit(const PartingWay& way, Real slack, const Visitor& visit) const {
-    visit_two_parts_on_way(a_, b_, ab_, way.direction, way.depth, slack, visit);
+    visit_two_parts_on_way(
+        a_, b_, ab_, way.direction, way.depth, slack,
+        [&](const FourTriangles& part, const FourTriangles& placed) {
+          return meets(part, placed, way.depth * way.direction, slack) != 0;
+        },
+        visit);
   }
 
  private:
+  [[nodiscard]] std::uint64_t meets(const FourTriangles& parts, const FourTriangles& placed, const Vec3& way,
+                                    Real slack) const {
+    const std::uint64_t near = QuickAxes<Triangle>::near_on_way(parts, placed, way, slack);
+    return near == 0 ? 0 : near & boxes_.meet(parts, placed, way, slack);
+  }
+
   const A& a_;
   const B& b_;
   const Pose& ab_;
+  PassingBoxes boxes_;
 };
 
 template <Surface A, Surface B>
