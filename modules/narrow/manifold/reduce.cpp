@@ -232,9 +232,6 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, c
     const bool has_regions = (surfaces.a || surfaces.b) && count > most;
     const Real gap = has_regions ? gap_between_regions(rest.first(count)) : 0;
     for (std::span<ContactPoint> left = rest.first(count); !left.empty();) {
-      if (left.size() < count) {
-        exchange(left[0], left[deepest_of(left, before.empty() ? 0 : ties.depth * extent_of(left), before)]);
-      }
       const std::size_t its = has_regions ? bring_region(left, surfaces, gap) : count;
       const std::size_t kept_of_patch = reduce_patch(left.first(its), most, before, ties);
       for (std::size_t i = 0; i < kept_of_patch; ++i) {

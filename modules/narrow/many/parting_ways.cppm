@@ -42,13 +42,14 @@ class PartingWays {
   PartingWays(const A& a, const Other& other, const Pose& ab, const QuerySettings& settings)
       : a_(a), other_(other), ab_(ab), settings_(settings) {}
 
-  // What is near: its number. `way`: the shortest one out of it alone. What is within the margin only offers none, so
-  // that the margin has no say.
+  // What is near: its number. `way`: the shortest one out of it alone. What is within the margin only offers none,
+  // and stands in none, so that the margin has no say.
   std::size_t add(const Triangle& triangle, const B& b, const Fronts<B>& fronts, const Vec3& way, Real gap,
                   Real touching) {
-    const std::size_t part = met_.add(triangle, b, ab_, fronts, gap, touching);
+    const std::size_t part = met_.add(triangle, b, ab_, fronts, touching);
+    has_fronts_ = has_fronts_ || fronts.are_any();
     if (gap <= touching) {
-      met_.offer_ways(part, triangle, b, ab_, way);
+      met_.offer_ways(part, triangle, b, ab_, way, gap);
     }
     return part;
   }
@@ -76,13 +77,8 @@ class PartingWays {
     };
     PartingWay way = out_of_met();
     // The way out of what is met may lead into what is not met yet.
-    for (std::size_t before = 0; way.depth < most && before < met_.offers();) {
-      before = met_.offers();
-      // What is met at the end of the way may seem to lie beyond it, by rounding.
-      const Real reach = way.depth + 2 * met_.noise();
-      on_the_way.visit({reach, way.direction}, 2 * met_.noise(),
-                       [&](const Triangle& triangle, const B& b) { meet(triangle, b, reach); });
-      way = met_.offers() > before ? out_of_met() : way;
+    while (way.depth < most && prolong(way, most, on_the_way)) {
+      way = out_of_met();
     }
     return way;
   }
@@ -124,25 +120,76 @@ class PartingWays {
     };
   }
 
-  // A part that stands in a way of some length.
-  void meet(const Triangle& triangle, const B& b, Real depth) {
+  // Meets what b touches where a way ends, what it touches where that is left, and so on, until it has gone twice as
+  // far. Whether any is new.
+  template <class OnTheWay>
+  [[nodiscard]] bool prolong(const PartingWay& way, Real most, const OnTheWay& on_the_way) {
+    struct Obstacle {
+      Real enter, leave;
+      std::uint32_t number, number_of_b;
+    };
+    // What b touches there may seem to lie beyond it, by rounding.
+    const Real slack = 2 * met_.noise(), lowest = lowest_along(way.direction);
+    // What is left before the end is no obstacle, but for a front.
+    const Stretch ahead{way.direction, has_fronts_ ? 0 : way.depth, std::min(most, 2 * way.depth)};
+    [[clang::uninitialized]] SmallVector<Obstacle, 64> obstacles;
+    on_the_way.visit(ahead, slack, [&](const Triangle& triangle, const B& b, Real enter) {
+      const Real leave = Fronts<B>(triangle, b, ab_).nearly_allows(way.direction)
+                             ? -least_along(triangle.corners(), -way.direction) - lowest_of(b, way.direction, lowest)
+                             : infinity;
+      if (leave > way.depth + slack) {
+        obstacles.push_back({enter, leave, triangle.index(), number_of_part(b)});
+      }
+    });
+    std::ranges::sort(obstacles.span(), [](const Obstacle& one, const Obstacle& other) {
+      return std::tie(one.enter, other.leave, one.number, one.number_of_b) <
+             std::tie(other.enter, one.leave, other.number, other.number_of_b);
+    });
+    Real end = way.depth;
+    bool is_longer = false;
+    for (const Obstacle& obstacle : obstacles.span()) {
+      if (obstacle.enter > end + slack) {
+        break;
+      }
+      if (obstacle.leave > end + slack &&
+          meet(a_.part(obstacle.number), part_of(other_, obstacle.number_of_b), obstacle.leave)) {
+        end = obstacle.leave;
+        is_longer = true;
+      }
+    }
+    return is_longer;
+  }
+
+  // Where a part of b begins along a direction; b itself begins at `lowest`.
+  [[nodiscard]] Real lowest_of(const B& b, const Vec3& direction, Real lowest) const {
+    if constexpr (std::same_as<B, Triangle>) {
+      return dot(direction, ab_.position) + least_along(b.corners(), ab_.rotation.undo(direction));
+    } else {
+      return lowest;
+    }
+  }
+
+  // A part that stands in a way of some length. Whether it is new.
+  bool meet(const Triangle& triangle, const B& b, Real depth) {
     std::optional<std::size_t> part = met_.find(triangle.index(), number_of_part(b));
     if (part && met_.offers_ways(*part)) {
-      return;
+      return false;
     }
     const Real radii = b.radius();
     const CoreSeparation core = begin_separation(triangle, b, ab_, settings_, depth + radii).core;
     if (core.beyond || core.distance - radii > depth) {
-      return;
+      return false;
     }
     const Fronts<B> fronts(triangle, b, ab_);
-    if (fronts.allows(core.normal) || counts_from_behind(triangle, b, ab_, core)) {
-      if (!part) {
-        const Real touching = touching_within<B>(core_size(triangle, b, ab_));
-        part = met_.add(triangle, b, ab_, fronts, core.distance - radii, touching);
-      }
-      met_.offer_ways(*part, triangle, b, ab_, core.normal);
+    if (!fronts.allows(core.normal) && !counts_from_behind(triangle, b, ab_, core)) {
+      return false;
     }
+    if (!part) {
+      const Real touching = touching_within<B>(core_size(triangle, b, ab_));
+      part = met_.add(triangle, b, ab_, fronts, touching);
+    }
+    met_.offer_ways(*part, triangle, b, ab_, core.normal, core.distance - radii);
+    return true;
   }
 
   // A point of b, which begins no later along any direction.
@@ -159,6 +206,7 @@ class PartingWays {
   const Pose& ab_;
   const QuerySettings& settings_;
   PartsMet<B> met_;
+  bool has_fronts_ = false;  // whether what is near may be parted to one side only
 };
 
 }  // namespace abut

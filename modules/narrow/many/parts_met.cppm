@@ -97,6 +97,12 @@ struct PartingWay {
   Vec3 direction;
 };
 
+// What lies between two lengths of a way.
+struct Stretch {
+  Vec3 direction;
+  Real begin, end;
+};
+
 // How far b overlaps a triangle along a way, by its number, and that of b where b is one itself.
 struct PartOnWay {
   Real overlap;
@@ -106,9 +112,9 @@ struct PartOnWay {
 template <Convex B>
 class PartsMet {
  public:
-  // The number of the new part. It offers no ways yet.
-  std::size_t add(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real gap, Real noise) {
-    const FourParts<B> one = FourParts<B>::all(triangle, b, ab, fronts, gap, noise);
+  // The number of the new part. It offers no ways yet, and stands in none.
+  std::size_t add(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real noise) {
+    const FourParts<B> one = FourParts<B>::all(triangle, b, ab, fronts, infinity, noise);
     const std::size_t lane = size_ % 4;
     if (lane == 0) {
       fours_.push_back(one);  // the last one stands in for those that lack
@@ -118,8 +124,9 @@ class PartsMet {
     noise_ = std::max(noise_, noise);
     return size_++;
   }
-  // Takes the ways out of the faces of a part, and its own.
-  void offer_ways(std::size_t part, const Triangle& triangle, const B& b, const Pose& ab, const Vec3& way) {
+  // Takes the ways out of the faces of a part, and its own. `gap`: how far b is apart from it.
+  void offer_ways(std::size_t part, const Triangle& triangle, const B& b, const Pose& ab, const Vec3& way, Real gap) {
+    fours_[part / 4].gap[part % 4] = gap;
     fours_[part / 4].offers_ways[part % 4] = true;
     ++offers_;
     add_face(triangle.normal(), triangle.is_one_sided());

@@ -15,10 +15,10 @@ class PassingBoxes {
   // `of_second`: the axes of the surface of the second triangles, in the frame of the first ones.
   explicit PassingBoxes(const Rotation& of_second) : of_second_(of_second) {}
 
-  // A bit for each pair. Boxes meet that come as near as `slack`.
-  [[nodiscard]] std::uint64_t meet(const FourTriangles& first, const FourTriangles& second, const Vec3& way,
-                                   Real slack) const {
-    // The times from which on, and until which, boxes overlap along all axes.
+  // After which shares of the way boxes come as near as `slack`; infinity where they never do.
+  [[nodiscard]] Lanes enter(const FourTriangles& first, const FourTriangles& second, const Vec3& way,
+                            Real slack) const {
+    // The shares from which on, and until which, boxes overlap along all axes.
     Lanes enter = all_lanes(0), leave = all_lanes(1);
     const Lanes near = all_lanes(slack) + noise_of(maximum(first.size(), second.size()));
     const auto pass = [&](const Vec3& axis, const auto& along) {
@@ -38,7 +38,12 @@ class PassingBoxes {
     for (const Vec3& axis : {of_second_.x, of_second_.y, of_second_.z}) {
       pass(axis, [&](const Columns& corner) { return dot(Columns::all(axis), corner); });
     }
-    return bits_of(enter <= leave);
+    return enter <= leave ? enter : all_lanes(infinity);
+  }
+  // A bit for each pair that comes as near.
+  [[nodiscard]] std::uint64_t meet(const FourTriangles& first, const FourTriangles& second, const Vec3& way,
+                                   Real slack) const {
+    return bits_of(enter(first, second, way, slack) <= all_lanes(1));
   }
 
  private:

@@ -126,17 +126,18 @@ class OnTheWay {
   [[nodiscard]] std::uint64_t meets(const FourParts<B>& parts, const PartingWay& way) const {
     return axes_.near_on_way(parts.triangles, way.depth * way.direction, radius_);
   }
-  // Calls visit(triangle, b) for what it may meet.
+  // Calls visit(triangle, b, no later than where they meet) for what it may meet on a stretch of a way.
   template <class Visitor>
-  void visit(const PartingWay& way, Real slack, const Visitor& visit) const {
-    const Vec3 along = way.depth * way.direction;
-    Aabb swept = box_;
-    swept.include(Aabb{box_.low + along, box_.high + along});
+  void visit(const Stretch& on, Real slack, const Visitor& visit) const {
+    const Vec3 begin = on.begin * on.direction, end = on.end * on.direction;
+    Aabb swept{box_.low + begin, box_.high + begin};
+    swept.include(Aabb{box_.low + end, box_.high + end});
     swept = swept.inflated(slack);
     const auto may_meet = [&](const FourTriangles& triangles) {
-      return axes_.near_on_way(triangles, along, radius_ + slack);
+      return axes_.near_on_way(triangles, end, radius_ + slack);
     };
-    a_.visit_parts(swept, InFours{may_meet}, [&](const Triangle& triangle, std::uint32_t) { visit(triangle, b_); });
+    a_.visit_parts(swept, InFours{may_meet},
+                   [&](const Triangle& triangle, std::uint32_t) { visit(triangle, b_, on.begin); });
   }
 
  private:

@@ -41,25 +41,29 @@ class PairsOnTheWay {
 
   // A bit for each pair.
   [[nodiscard]] std::uint64_t meets(const FourParts<Triangle>& parts, const PartingWay& way) const {
-    return meets(parts.triangles, parts.placed.of, way.depth * way.direction, 0);
+    const Vec3 along = way.depth * way.direction;
+    const std::uint64_t near = QuickAxes<Triangle>::near_on_way(parts.triangles, parts.placed.of, along, 0);
+    return near == 0 ? 0 : near & boxes_.meet(parts.triangles, parts.placed.of, along, 0);
   }
+  // Calls visit(part of a, part of b, where they meet) for what may meet on a stretch of a way.
   template <class Visitor>
-  void visit(const PartingWay& way, Real slack, const Visitor& visit) const {
+  void visit(const Stretch& on, Real slack, const Visitor& visit) const {
+    const Real length = on.end - on.begin;
+    const Vec3 along = length * on.direction;
+    const Pose begin{ab_.rotation, ab_.position + on.begin * on.direction};
+    Real share = 0;
+    const auto are_near = [&](const FourTriangles& part, const FourTriangles& placed) {
+      share = QuickAxes<Triangle>::near_on_way(part, placed, along, slack) == 0
+                  ? infinity
+                  : boxes_.enter(part, placed, along, slack)[0];
+      return share <= 1;
+    };
     visit_two_parts_on_way(
-        a_, b_, ab_, way.direction, way.depth, slack,
-        [&](const FourTriangles& part, const FourTriangles& placed) {
-          return meets(part, placed, way.depth * way.direction, slack) != 0;
-        },
-        visit);
+        a_, b_, begin, on.direction, length, slack, are_near,
+        [&](const Triangle& part, const Triangle& other) { visit(part, other, on.begin + share * length); });
   }
 
  private:
-  [[nodiscard]] std::uint64_t meets(const FourTriangles& parts, const FourTriangles& placed, const Vec3& way,
-                                    Real slack) const {
-    const std::uint64_t near = QuickAxes<Triangle>::near_on_way(parts, placed, way, slack);
-    return near == 0 ? 0 : near & boxes_.meet(parts, placed, way, slack);
-  }
-
   const A& a_;
   const B& b_;
   const Pose& ab_;
