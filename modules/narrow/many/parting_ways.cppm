@@ -110,6 +110,9 @@ class PartingWays {
   }
 
  private:
+  // A longer look costs more where the way ends soon, a shorter one takes more of them.
+  static constexpr Real far_ahead = 4;
+
   // A bit for each of four parts that b may meet on a way: no further from it than the way is long, and within what b
   // sweeps.
   template <class OnTheWay>
@@ -120,8 +123,8 @@ class PartingWays {
     };
   }
 
-  // Meets what b touches where a way ends, what it touches where that is left, and so on, until it has gone twice as
-  // far. Whether any is new.
+  // Meets what b touches where a way ends, what it touches where that is left, and so on, until it has gone
+  // `far_ahead` times as far. Whether any is new.
   template <class OnTheWay>
   [[nodiscard]] bool prolong(const PartingWay& way, Real most, const OnTheWay& on_the_way) {
     struct Obstacle {
@@ -131,9 +134,10 @@ class PartingWays {
     // What b touches there may seem to lie beyond it, by rounding.
     const Real slack = 2 * met_.noise(), lowest = lowest_along(way.direction);
     // What is left before the end is no obstacle, but for a front.
-    const Stretch ahead{way.direction, has_fronts_ ? 0 : way.depth, std::min(most, 2 * way.depth)};
+    const Stretch ahead{way.direction, has_fronts_ ? 0 : way.depth, std::min(most, far_ahead * way.depth)};
+    const Real least = has_fronts_ ? -infinity : way.depth + slack;
     [[clang::uninitialized]] SmallVector<Obstacle, 64> obstacles;
-    on_the_way.visit(ahead, slack, [&](const Triangle& triangle, const B& b, Real enter) {
+    on_the_way.visit(ahead, least, slack, [&](const Triangle& triangle, const B& b, Real enter) {
       const Real leave = Fronts<B>(triangle, b, ab_).nearly_allows(way.direction)
                              ? -least_along(triangle.corners(), -way.direction) - lowest_of(b, way.direction, lowest)
                              : infinity;

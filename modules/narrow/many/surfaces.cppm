@@ -128,7 +128,7 @@ class OnTheWay {
   }
   // Calls visit(triangle, b, no later than where they meet) for what it may meet on a stretch of a way.
   template <class Visitor>
-  void visit(const Stretch& on, Real slack, const Visitor& visit) const {
+  void visit(const Stretch& on, Real, Real slack, const Visitor& visit) const {
     const Vec3 begin = on.begin * on.direction, end = on.end * on.direction;
     Aabb swept{box_.low + begin, box_.high + begin};
     swept.include(Aabb{box_.low + end, box_.high + end});

@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
 import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.many.nearest_of_parts;
@@ -45,17 +46,25 @@ class PairsOnTheWay {
     const std::uint64_t near = QuickAxes<Triangle>::near_on_way(parts.triangles, parts.placed.of, along, 0);
     return near == 0 ? 0 : near & boxes_.meet(parts.triangles, parts.placed.of, along, 0);
   }
-  // Calls visit(part of a, part of b, where they meet) for what may meet on a stretch of a way.
+  // Calls visit(part of a, part of b, where they meet) for what may meet on a stretch of a way, and be left after
+  // `least` of it.
   template <class Visitor>
-  void visit(const Stretch& on, Real slack, const Visitor& visit) const {
+  void visit(const Stretch& on, Real least, Real slack, const Visitor& visit) const {
     const Real length = on.end - on.begin;
     const Vec3 along = length * on.direction;
+    const Columns direction = Columns::all(on.direction);
+    const auto leave = [&](const FourTriangles& part, const FourTriangles& placed) {
+      const Lanes high = maximum(maximum(dot(direction, part.a), dot(direction, part.b)), dot(direction, part.c)),
+                  low = minimum(minimum(dot(direction, placed.a), dot(direction, placed.b)), dot(direction, placed.c));
+      return on.begin + (high - low)[0];
+    };
     const Pose begin{ab_.rotation, ab_.position + on.begin * on.direction};
     Real share = 0;
     const auto are_near = [&](const FourTriangles& part, const FourTriangles& placed) {
-      share = QuickAxes<Triangle>::near_on_way(part, placed, along, slack) == 0
-                  ? infinity
-                  : boxes_.enter(part, placed, along, slack)[0];
+      if (!(leave(part, placed) > least) || QuickAxes<Triangle>::near_on_way(part, placed, along, slack) == 0) {
+        return false;
+      }
+      share = boxes_.enter(part, placed, along, slack)[0];
       return share <= 1;
     };
     visit_two_parts_on_way(
