@@ -4,7 +4,9 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.core.small_vector;
 import abut.narrow.manifold.choice;
+import abut.narrow.manifold.regions;
 
 namespace abut {
 namespace {
@@ -186,25 +188,6 @@ std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, const 
   return kept;
 }
 
-// Brings those that hang together with the first contact to the front, and returns how many these are. All have normals
-// that agree.
-std::size_t bring_region(std::span<ContactPoint> contacts, SurfaceSides surfaces, Real gap) {
-  const auto hang_together = [&](const ContactPoint& a, const ContactPoint& b) {
-    const bool are_of_one_part = (!surfaces.a || a.feature_a.index == b.feature_a.index) &&
-                                 (!surfaces.b || a.feature_b.index == b.feature_b.index);
-    return are_of_one_part || squared_norm(middle(a) - middle(b)) <= gap * gap;
-  };
-  std::size_t end = 1;
-  for (std::size_t next = 0; next < end; ++next) {
-    for (std::size_t i = end; i < contacts.size(); ++i) {
-      if (hang_together(contacts[next], contacts[i])) {
-        exchange(contacts[end++], contacts[i]);
-      }
-    }
-  }
-  return end;
-}
-
 // Of the diagonal of a box, which jitter of the contacts hardly changes.
 [[nodiscard]] Real gap_between_regions(std::span<const ContactPoint> contacts) {
   Aabb box = Aabb::empty();
@@ -212,6 +195,30 @@ std::size_t bring_region(std::span<ContactPoint> contacts, SurfaceSides surfaces
     box.include(middle(contact));
   }
   return gap_share * norm(box.high - box.low);
+}
+
+// Brings contacts of one region beside each other, where there are several, and calls take(contacts of one) for each.
+template <class Take>
+void visit_regions(std::span<ContactPoint> contacts, SurfaceSides surfaces, const Take& take) {
+  const Regions regions(contacts, gap_between_regions(contacts), [&](const ContactPoint& contact) {
+    return std::uint64_t{surfaces.a ? contact.feature_a.index : 0} << 32 |
+           std::uint64_t{surfaces.b ? contact.feature_b.index : 0};
+  });
+  if (regions.count() == 1) {
+    take(contacts);
+    return;
+  }
+  std::vector<ContactPoint> sorted;
+  sorted.reserve(contacts.size());
+  SmallVector<std::size_t, 16> ends;
+  regions.visit([&](std::uint32_t number) { sorted.push_back(contacts[number]); },
+                [&] { ends.push_back(sorted.size()); });
+  std::ranges::copy(sorted, contacts.begin());
+  std::size_t begin = 0;
+  for (const std::size_t end : ends.span()) {
+    take(contacts.subspan(begin, end - begin));
+    begin = end;
+  }
 }
 
 std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, const Ids& before, const Ties& ties,
@@ -229,15 +236,16 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, c
       return dot(contact.normal, normal) >= same_patch_cosine;
     });
     const auto count = static_cast<std::size_t>(end - rest.begin());
-    const bool has_regions = (surfaces.a || surfaces.b) && count > most;
-    const Real gap = has_regions ? gap_between_regions(rest.first(count)) : 0;
-    for (std::span<ContactPoint> left = rest.first(count); !left.empty();) {
-      const std::size_t its = has_regions ? bring_region(left, surfaces, gap) : count;
-      const std::size_t kept_of_patch = reduce_patch(left.first(its), most, before, ties);
+    const auto take = [&](std::span<ContactPoint> patch) {
+      const std::size_t kept_of_patch = reduce_patch(patch, most, before, ties);
       for (std::size_t i = 0; i < kept_of_patch; ++i) {
-        exchange(contacts[kept++], left[i]);
+        exchange(contacts[kept++], patch[i]);
       }
-      left = left.subspan(its);
+    };
+    if ((surfaces.a || surfaces.b) && count > most) {
+      visit_regions(rest.first(count), surfaces, take);
+    } else {
+      take(rest.first(count));
     }
     rest = rest.subspan(count);
   }
