@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.narrow.manifold.reduce;
 import abut.capability;
+import abut.core.small_vector;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-import abut.core.small_vector;
 import abut.narrow.manifold.choice;
 import abut.narrow.manifold.regions;
 
@@ -221,6 +221,61 @@ void visit_regions(std::span<ContactPoint> contacts, SurfaceSides surfaces, cons
   }
 }
 
+// Brings contacts beside each other whose normals agree with that of the deepest one. The others follow, by the deepest
+// one of what is left. Calls take(those of one patch) for each patch.
+template <class Take>
+void visit_patches(std::span<ContactPoint> contacts, const Ids& before, const Ties& ties, const Take& take) {
+  const Real tie = before.empty() ? 0 : ties.depth * extent_of(contacts);
+  const auto agree = [](const Vec3& a, const Vec3& b) { return dot(a, b) >= same_patch_cosine; };
+  const Vec3 normal = contacts[deepest_of(contacts, tie, before)].normal;
+  if (std::ranges::all_of(contacts, [&](const ContactPoint& contact) { return agree(contact.normal, normal); })) {
+    take(contacts);
+    return;
+  }
+  // Contacts are large, so that this much of them is looked at again and again.
+  struct Facing {
+    Vec3 normal;
+    Real distance;
+    std::uint32_t number;
+    bool was_kept;
+  };
+  std::vector<Facing> all;
+  all.reserve(contacts.size());
+  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    all.push_back({contacts[i].normal, contacts[i].distance, i, before.hold(contacts[i].id)});
+  }
+  std::ranges::sort(
+      all, [&](const Facing& a, const Facing& b) { return comes_before(contacts[a.number], contacts[b.number]); });
+  std::vector<ContactPoint> sorted;
+  sorted.reserve(contacts.size());
+  SmallVector<std::size_t, 16> ends;
+  for (std::size_t left = all.size(); left > 0;) {
+    const std::span<Facing> rest = std::span(all).first(left);
+    // One that was kept before wins ties.
+    std::size_t first = 0;
+    while (first < left && !rest[first].was_kept && rest[first].distance <= rest[0].distance + tie) {
+      ++first;
+    }
+    const bool wins = first < left && rest[first].was_kept && rest[first].distance <= rest[0].distance + tie;
+    const Vec3 facing = rest[wins ? first : 0].normal;
+    left = 0;
+    for (const Facing& one : rest) {
+      if (agree(one.normal, facing)) {
+        sorted.push_back(contacts[one.number]);
+      } else {
+        rest[left++] = one;
+      }
+    }
+    ends.push_back(sorted.size());
+  }
+  std::ranges::copy(sorted, contacts.begin());
+  std::size_t begin = 0;
+  for (const std::size_t end : ends.span()) {
+    take(contacts.subspan(begin, end - begin));
+    begin = end;
+  }
+}
+
 std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, const Ids& before, const Ties& ties,
                            SurfaceSides surfaces) {
   if (most == 0 || contacts.size() <= most) {
@@ -228,27 +283,19 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, c
     return contacts.size();
   }
   std::size_t kept = 0;
-  std::span<ContactPoint> rest = contacts;
-  while (!rest.empty()) {
-    exchange(rest[0], rest[deepest_of(rest, before.empty() ? 0 : ties.depth * extent_of(rest), before)]);
-    const Vec3 normal = rest[0].normal;
-    const auto end = std::partition(rest.begin(), rest.end(), [&](const ContactPoint& contact) {
-      return dot(contact.normal, normal) >= same_patch_cosine;
-    });
-    const auto count = static_cast<std::size_t>(end - rest.begin());
-    const auto take = [&](std::span<ContactPoint> patch) {
-      const std::size_t kept_of_patch = reduce_patch(patch, most, before, ties);
-      for (std::size_t i = 0; i < kept_of_patch; ++i) {
-        exchange(contacts[kept++], patch[i]);
-      }
-    };
-    if ((surfaces.a || surfaces.b) && count > most) {
-      visit_regions(rest.first(count), surfaces, take);
-    } else {
-      take(rest.first(count));
+  const auto take = [&](std::span<ContactPoint> patch) {
+    const std::size_t kept_of_patch = reduce_patch(patch, most, before, ties);
+    for (std::size_t i = 0; i < kept_of_patch; ++i) {
+      exchange(contacts[kept++], patch[i]);
     }
-    rest = rest.subspan(count);
-  }
+  };
+  visit_patches(contacts, before, ties, [&](std::span<ContactPoint> patch) {
+    if ((surfaces.a || surfaces.b) && patch.size() > most) {
+      visit_regions(patch, surfaces, take);
+    } else {
+      take(patch);
+    }
+  });
   sort_by_depth(contacts.first(kept));
   return kept;
 }

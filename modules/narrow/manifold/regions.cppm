@@ -12,7 +12,8 @@ export namespace abut {
 // Sorts places on a grid. Places of one cell hang together, so that cells are compared and not all places.
 class Regions {
  public:
-  // Contacts of which `part_of` is the same hang together wherever they are.
+  // Contacts of which `part_of` is the same hang together wherever they are. `gap`: at least a millionth of what all
+  // contacts span; 0 where they are at one place.
   template <class PartOf>
   Regions(std::span<const ContactPoint> contacts, Real gap, const PartOf& part_of) : gap_(gap) {
     Aabb box = Aabb::empty();

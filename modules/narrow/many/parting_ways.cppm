@@ -123,8 +123,8 @@ class PartingWays {
     };
   }
 
-  // Meets what b touches where a way ends, what it touches where that is left, and so on, until it has gone
-  // `far_ahead` times as far. Whether any is new.
+  // Meets what b touches where a way ends, then what it touches where that is left. So it goes on up to `far_ahead`
+  // times the way. Whether any is new.
   template <class OnTheWay>
   [[nodiscard]] bool prolong(const PartingWay& way, Real most, const OnTheWay& on_the_way) {
     struct Obstacle {

@@ -46,8 +46,8 @@ class PairsOnTheWay {
     const std::uint64_t near = QuickAxes<Triangle>::near_on_way(parts.triangles, parts.placed.of, along, 0);
     return near == 0 ? 0 : near & boxes_.meet(parts.triangles, parts.placed.of, along, 0);
   }
-  // Calls visit(part of a, part of b, where they meet) for what may meet on a stretch of a way, and be left after
-  // `least` of it.
+  // Calls visit(part of a, part of b, where they meet) for what may meet on a stretch of a way. What is left no later
+  // than `least` is passed over.
   template <class Visitor>
   void visit(const Stretch& on, Real least, Real slack, const Visitor& visit) const {
     const Real length = on.end - on.begin;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two coarse sheets through each other are equally deep whichever comes first and whatever the margin is. The ways out
-// that are tried do not always hold the shortest: a few scenes may differ, and the test counts them.
+// Two coarse sheets through each other are equally deep whatever the margin is, and whichever comes first. The ways out
+// that are tried do not always hold the shortest: two scenes differ by their order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,8 +73,7 @@ TEST(TwoSheets, AreAsDeepInAnyOrderAndWithAnyMargin) {
   EXPECT_GT(through, scenes / 4);
   EXPECT_LE(by_order.count, 2);
   EXPECT_LE(by_order.largest, 0.06);
-  EXPECT_LE(by_margin.count, 6);
-  EXPECT_LE(by_margin.largest, 0.021);
+  EXPECT_EQ(by_margin.count, 0);
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Regions are those that a search through all pairs of contacts finds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "../../random_boxes.hpp"
+
+import abut.capability;
+import abut.math;
+import abut.narrow.manifold.regions;
+
+namespace {
+
+using abut::ContactPoint;
+using abut::Real;
+using Region = std::set<std::uint32_t>;
+
+std::uint64_t part_of(const ContactPoint& contact) { return contact.feature_a.index; }
+
+// Those that hang together with the first one, and so on.
+std::set<Region> by_search(const std::vector<ContactPoint>& contacts, Real gap) {
+  const auto hang_together = [&](std::uint32_t i, std::uint32_t j) {
+    return part_of(contacts[i]) == part_of(contacts[j]) ||
+           squared_norm(contacts[i].point_a - contacts[j].point_a) <= gap * gap;
+  };
+  std::set<Region> regions;
+  Region left;
+  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    left.insert(i);
+  }
+  while (!left.empty()) {
+    std::vector<std::uint32_t> region{*left.begin()};
+    left.erase(left.begin());
+    for (std::size_t next = 0; next < region.size(); ++next) {
+      for (auto it = left.begin(); it != left.end();) {
+        const bool joins = hang_together(region[next], *it);
+        if (joins) {
+          region.push_back(*it);
+        }
+        it = joins ? left.erase(it) : std::next(it);
+      }
+    }
+    regions.emplace(region.begin(), region.end());
+  }
+  return regions;
+}
+
+TEST(Regions, AreThoseOfASearchThroughAllPairs) {
+  test::Random random(37);
+  std::size_t most = 0, several = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<ContactPoint> contacts(static_cast<std::size_t>(random.uniform(1, 120)));
+    for (std::uint32_t number = 0; number < contacts.size(); ++number) {
+      ContactPoint& contact = contacts[number];
+      contact.point_a = contact.point_b = random.point(1);
+      // Every tenth one belongs to the part of another one, wherever that is.
+      contact.feature_a.index = random.uniform(0, 10) < 1 ? number / 2 : number;
+    }
+    const Real gap = random.uniform(0.1, 0.6);
+    std::set<Region> found;
+    Region region;
+    const abut::Regions regions(contacts, gap, part_of);
+    regions.visit([&](std::uint32_t number) { EXPECT_TRUE(region.insert(number).second); },
+                  [&] {
+                    found.insert(region);
+                    region.clear();
+                  });
+    EXPECT_EQ(found, by_search(contacts, gap)) << "case " << i << ", gap " << gap;
+    EXPECT_EQ(found.size(), regions.count()) << "case " << i;
+    most = std::max(most, found.size());
+    several += found.size() > 1 ? 1u : 0u;
+  }
+  EXPECT_GT(most, 20u);
+  EXPECT_GT(several, 100u);
+}
+
+TEST(Regions, AreOneWhereAllIsAtOnePlace) {
+  std::vector<ContactPoint> contacts(20);
+  for (std::uint32_t number = 0; number < contacts.size(); ++number) {
+    contacts[number].point_a = contacts[number].point_b = {3, -1, 2};
+    contacts[number].feature_a.index = number;
+  }
+  EXPECT_EQ(abut::Regions(contacts, 0, part_of).count(), 1u);
+}
+
+}  // namespace
