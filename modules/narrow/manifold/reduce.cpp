@@ -197,6 +197,19 @@ std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, const 
   return gap_share * norm(box.high - box.low);
 }
 
+using Order = SmallVector<std::uint32_t, few_contacts>;
+
+// Brings contacts into an order of their numbers.
+void arrange(std::span<ContactPoint> contacts, std::span<const std::uint32_t> order) {
+  for (std::uint32_t place = 0; place < order.size(); ++place) {
+    std::uint32_t from = order[place];
+    while (from < place) {
+      from = order[from];  // what was there has moved on
+    }
+    exchange(contacts[place], contacts[from]);
+  }
+}
+
 // Brings contacts of one region beside each other, where there are several, and calls take(contacts of one) for each.
 template <class Take>
 void visit_regions(std::span<ContactPoint> contacts, SurfaceSides surfaces, const Take& take) {
@@ -208,12 +221,10 @@ void visit_regions(std::span<ContactPoint> contacts, SurfaceSides surfaces, cons
     take(contacts);
     return;
   }
-  std::vector<ContactPoint> sorted;
-  sorted.reserve(contacts.size());
+  Order order;
   SmallVector<std::size_t, 16> ends;
-  regions.visit([&](std::uint32_t number) { sorted.push_back(contacts[number]); },
-                [&] { ends.push_back(sorted.size()); });
-  std::ranges::copy(sorted, contacts.begin());
+  regions.visit([&](std::uint32_t number) { order.push_back(number); }, [&] { ends.push_back(order.size()); });
+  arrange(contacts, order.span());
   std::size_t begin = 0;
   for (const std::size_t end : ends.span()) {
     take(contacts.subspan(begin, end - begin));
@@ -239,18 +250,17 @@ void visit_patches(std::span<ContactPoint> contacts, const Ids& before, const Ti
     std::uint32_t number;
     bool was_kept;
   };
-  std::vector<Facing> all;
-  all.reserve(contacts.size());
+  [[clang::uninitialized]] SmallVector<Facing, few_contacts> all;
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     all.push_back({contacts[i].normal, contacts[i].distance, i, before.hold(contacts[i].id)});
   }
-  std::ranges::sort(
-      all, [&](const Facing& a, const Facing& b) { return comes_before(contacts[a.number], contacts[b.number]); });
-  std::vector<ContactPoint> sorted;
-  sorted.reserve(contacts.size());
+  std::ranges::sort(all.span(), [&](const Facing& a, const Facing& b) {
+    return comes_before(contacts[a.number], contacts[b.number]);
+  });
+  Order order;
   SmallVector<std::size_t, 16> ends;
   for (std::size_t left = all.size(); left > 0;) {
-    const std::span<Facing> rest = std::span(all).first(left);
+    const std::span<Facing> rest = all.span().first(left);
     // One that was kept before wins ties.
     std::size_t first = 0;
     while (first < left && !rest[first].was_kept && rest[first].distance <= rest[0].distance + tie) {
@@ -261,14 +271,14 @@ void visit_patches(std::span<ContactPoint> contacts, const Ids& before, const Ti
     left = 0;
     for (const Facing& one : rest) {
       if (agree(one.normal, facing)) {
-        sorted.push_back(contacts[one.number]);
+        order.push_back(one.number);
       } else {
         rest[left++] = one;
       }
     }
-    ends.push_back(sorted.size());
+    ends.push_back(order.size());
   }
-  std::ranges::copy(sorted, contacts.begin());
+  arrange(contacts, order.span());
   std::size_t begin = 0;
   for (const std::size_t end : ends.span()) {
     take(contacts.subspan(begin, end - begin));

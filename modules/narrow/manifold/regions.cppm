@@ -9,6 +9,9 @@ import abut.narrow.manifold.choice;
 
 export namespace abut {
 
+// Up to so many contacts need no memory of the heap.
+inline constexpr std::size_t few_contacts = 256;
+
 // Sorts places on a grid. Places of one cell hang together, so that cells are compared and not all places.
 class Regions {
  public:
@@ -125,7 +128,7 @@ class Regions {
       std::uint64_t part;
       std::uint32_t group;
     };
-    SmallVector<PartOfGroup, 64> parts;
+    SmallVector<PartOfGroup, few_contacts> parts;
     for (const Place& place : places_.span()) {
       parts.push_back({place.part, place.group});
     }
@@ -138,8 +141,8 @@ class Regions {
   }
 
   Real gap_;
-  SmallVector<Place, 64> places_;
-  SmallVector<Group, 32> groups_;
+  SmallVector<Place, few_contacts> places_;
+  SmallVector<Group, 64> groups_;
 };
 
 }  // namespace abut
