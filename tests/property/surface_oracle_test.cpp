@@ -25,7 +25,8 @@ namespace {
 
 // See shortfalls.hpp for what the numbers mean, and docs/testing.md for the reasons.
 constexpr auto shortfalls = std::to_array<property::Shortfall>({
-    {"mesh and convex: no contact deeper than a way out", 12, 0.044},
+    {"height_field and convex: no contact deeper than a way out", 1, 0.045},
+    {"mesh and convex: no contact deeper than a way out", 10, 0.044},
     {"mesh and mesh: no contact deeper than a way out", 6, 0.039},
     {"mesh solid and convex: a normal of the surface", 7, 0.96},
     {"uv_grid and convex: no contact deeper than a way out", 8, 0.025},
