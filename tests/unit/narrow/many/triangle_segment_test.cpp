@@ -85,6 +85,31 @@ TEST(TriangleSegment, MeetsFacesEdgesAndCorners) {
   EXPECT_DOUBLE_EQ(distance({-3, 0, -4}, {0, 1, 0}, 2), 5);  // beside a corner
 }
 
+// A short way has no digits left between its ends, so its direction comes from what it begins on.
+TEST(TriangleSegment, TellsTheDirectionOfShortWays) {
+  test::Random random(18);
+  int checked = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const TriangleCorners corners{random.point(1), random.point(1), random.point(1)};
+    const Vec3 edge = corners[1] - corners[0], across = random.point(1);
+    const Vec3 aside = across - (dot(across, edge) / abut::squared_norm(edge)) * edge;
+    const Real share = random.uniform(0.2, 0.8);
+    // The middle of the segment is a millionth beside the edge, away from the face.
+    const Vec3 outward = corners[0] - corners[2];
+    const Vec3 away = (dot(aside, outward) < 0 ? -1e-6 : 1e-6) / abut::norm(aside) * aside;
+    const Vec3 axis = cross(away, edge + 0.5 * away);
+    const abut::NearPoints near =
+        abut::near_points_of_segment(corners, corners[0] + share * edge + away, (1 / abut::norm(axis)) * axis, 0.1);
+    const Vec3 way = abut::vec3_of(near.between);
+    if (std::fabs(abut::norm(way) - 1e-6) > 1e-9) {
+      continue;  // another edge or the face is nearer
+    }
+    ++checked;
+    EXPECT_LE(std::fabs(dot(way, edge)), 1e-15 * abut::norm(way) * abut::norm(edge)) << "case " << i;
+  }
+  EXPECT_GT(checked, 500);
+}
+
 // A triangle may be a line or a point, and a segment a point.
 TEST(TriangleSegment, NeedsNoAreaAndNoLength) {
   const TriangleCorners line{Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{4, 0, 0}},
