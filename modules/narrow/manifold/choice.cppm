@@ -72,6 +72,26 @@ struct DepthKey {
   return true;
 }
 
+// Moves contacts, which are large, once each: what comes to a place is at from(place), which is a number that changes.
+template <class From>
+void arrange(std::span<ContactPoint> contacts, From&& from) {
+  for (std::uint32_t start = 0; start < contacts.size(); ++start) {
+    if (from(start) == start) {
+      continue;
+    }
+    const ContactPoint first = contacts[start];
+    std::uint32_t to = start;
+    while (from(to) != start) {
+      const std::uint32_t next = from(to);
+      contacts[to] = contacts[next];
+      from(to) = to;
+      to = next;
+    }
+    contacts[to] = first;
+    from(to) = to;
+  }
+}
+
 // Puts contacts into the order of `comes_before`. They are large: small keys are sorted, and each contact moves once.
 // Of very many, which are rare, no list of keys is made: that would take memory from step to step.
 inline void sort_by_depth(std::span<ContactPoint> contacts) {
@@ -90,21 +110,7 @@ inline void sort_by_depth(std::span<ContactPoint> contacts) {
       return a.distance != b.distance ? a.distance < b.distance : a.id != b.id ? a.id < b.id : a.place < b.place;
     });
   }
-  for (std::uint32_t start = 0; start < order.size(); ++start) {
-    if (order[start].place == start) {
-      continue;
-    }
-    const ContactPoint first = contacts[start];
-    std::uint32_t to = start;
-    while (order[to].place != start) {
-      const std::uint32_t from = order[to].place;
-      contacts[to] = contacts[from];
-      order[to].place = to;
-      to = from;
-    }
-    contacts[to] = first;
-    order[to].place = to;
-  }
+  arrange(contacts, [&](std::uint32_t place) -> std::uint32_t& { return order[place].place; });
 }
 
 // How far the contacts lie from the first one.

@@ -188,32 +188,29 @@ std::size_t reduce_patch(std::span<ContactPoint> patch, std::size_t most, const 
   return kept;
 }
 
-// Of the diagonal of a box, which jitter of the contacts hardly changes.
-[[nodiscard]] Real gap_between_regions(std::span<const ContactPoint> contacts) {
-  Aabb box = Aabb::empty();
-  for (const ContactPoint& contact : contacts) {
-    box.include(middle(contact));
-  }
-  return gap_share * norm(box.high - box.low);
-}
+// Which contacts stand beside each other: their numbers, and where each lot of them ends.
+struct Lots {
+  SmallVector<std::uint32_t, few_contacts> order;
+  SmallVector<std::size_t, 16> ends;
 
-using Order = SmallVector<std::uint32_t, few_contacts>;
-
-// Brings contacts into an order of their numbers.
-void arrange(std::span<ContactPoint> contacts, std::span<const std::uint32_t> order) {
-  for (std::uint32_t place = 0; place < order.size(); ++place) {
-    std::uint32_t from = order[place];
-    while (from < place) {
-      from = order[from];  // what was there has moved on
+  void add(std::uint32_t number) { order.push_back(number); }
+  void end() { ends.push_back(order.size()); }
+  // Calls take(contacts of one lot) for each.
+  template <class Take>
+  void visit(std::span<ContactPoint> contacts, const Take& take) {
+    arrange(contacts, [&](std::uint32_t place) -> std::uint32_t& { return order[place]; });
+    std::size_t begin = 0;
+    for (const std::size_t end : ends.span()) {
+      take(contacts.subspan(begin, end - begin));
+      begin = end;
     }
-    exchange(contacts[place], contacts[from]);
   }
-}
+};
 
 // Brings contacts of one region beside each other, where there are several, and calls take(contacts of one) for each.
 template <class Take>
 void visit_regions(std::span<ContactPoint> contacts, SurfaceSides surfaces, const Take& take) {
-  const Regions regions(contacts, gap_between_regions(contacts), [&](const ContactPoint& contact) {
+  const Regions regions(contacts, gap_share, [&](const ContactPoint& contact) {
     return std::uint64_t{surfaces.a ? contact.feature_a.index : 0} << 32 |
            std::uint64_t{surfaces.b ? contact.feature_b.index : 0};
   });
@@ -221,15 +218,9 @@ void visit_regions(std::span<ContactPoint> contacts, SurfaceSides surfaces, cons
     take(contacts);
     return;
   }
-  Order order;
-  SmallVector<std::size_t, 16> ends;
-  regions.visit([&](std::uint32_t number) { order.push_back(number); }, [&] { ends.push_back(order.size()); });
-  arrange(contacts, order.span());
-  std::size_t begin = 0;
-  for (const std::size_t end : ends.span()) {
-    take(contacts.subspan(begin, end - begin));
-    begin = end;
-  }
+  Lots lots;
+  regions.visit([&](std::uint32_t number) { lots.add(number); }, [&] { lots.end(); });
+  lots.visit(contacts, take);
 }
 
 // Brings contacts beside each other whose normals agree with that of the deepest one. The others follow, by the deepest
@@ -250,40 +241,33 @@ void visit_patches(std::span<ContactPoint> contacts, const Ids& before, const Ti
     std::uint32_t number;
     bool was_kept;
   };
+  sort_by_depth(contacts);
   [[clang::uninitialized]] SmallVector<Facing, few_contacts> all;
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     all.push_back({contacts[i].normal, contacts[i].distance, i, before.hold(contacts[i].id)});
   }
-  std::ranges::sort(all.span(), [&](const Facing& a, const Facing& b) {
-    return comes_before(contacts[a.number], contacts[b.number]);
-  });
-  Order order;
-  SmallVector<std::size_t, 16> ends;
+  Lots lots;
   for (std::size_t left = all.size(); left > 0;) {
     const std::span<Facing> rest = all.span().first(left);
     // One that was kept before wins ties.
+    const Real tied = rest[0].distance + tie;
     std::size_t first = 0;
-    while (first < left && !rest[first].was_kept && rest[first].distance <= rest[0].distance + tie) {
+    while (first < left && !rest[first].was_kept && rest[first].distance <= tied) {
       ++first;
     }
-    const bool wins = first < left && rest[first].was_kept && rest[first].distance <= rest[0].distance + tie;
+    const bool wins = first < left && rest[first].distance <= tied;
     const Vec3 facing = rest[wins ? first : 0].normal;
     left = 0;
     for (const Facing& one : rest) {
       if (agree(one.normal, facing)) {
-        order.push_back(one.number);
+        lots.add(one.number);
       } else {
         rest[left++] = one;
       }
     }
-    ends.push_back(order.size());
+    lots.end();
   }
-  arrange(contacts, order.span());
-  std::size_t begin = 0;
-  for (const std::size_t end : ends.span()) {
-    take(contacts.subspan(begin, end - begin));
-    begin = end;
-  }
+  lots.visit(contacts, take);
 }
 
 std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, const Ids& before, const Ties& ties,

@@ -15,16 +15,17 @@ inline constexpr std::size_t few_contacts = 256;
 // Sorts places on a grid. Places of one cell hang together, so that cells are compared and not all places.
 class Regions {
  public:
-  // Contacts of which `part_of` is the same hang together wherever they are. `gap`: at least a millionth of what all
-  // contacts span; 0 where they are at one place.
+  // Contacts of which `part_of` is the same hang together wherever they are. `share`: how wide a gap may be, of the
+  // diagonal of the box around all, which jitter hardly changes. At least a millionth.
   template <class PartOf>
-  Regions(std::span<const ContactPoint> contacts, Real gap, const PartOf& part_of) : gap_(gap) {
+  Regions(std::span<const ContactPoint> contacts, Real share, const PartOf& part_of) {
     Aabb box = Aabb::empty();
     for (const ContactPoint& contact : contacts) {
       box.include(middle(contact));
     }
+    gap_ = share * norm(box.high - box.low);
     // The diagonal of a cell is shorter than the gap.
-    const Real per_length = gap > 0 ? 2 / gap : 0;
+    const Real per_length = gap_ > 0 ? 2 / gap_ : 0;
     for (std::uint32_t number = 0; number < contacts.size(); ++number) {
       const Vec3 at = middle(contacts[number]), steps = per_length * (at - box.low);
       places_.push_back(
@@ -140,7 +141,7 @@ class Regions {
     }
   }
 
-  Real gap_;
+  Real gap_ = 0;
   SmallVector<Place, few_contacts> places_;
   SmallVector<Group, 64> groups_;
 };

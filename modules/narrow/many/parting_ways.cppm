@@ -63,7 +63,7 @@ class PartingWays {
     if constexpr (Surface<Other>) {
       return 0;
     } else {
-      return dot(direction, placed_support(other_, place(other_, ab_), -direction).point) - other_.radius();
+      return abut::lowest_along(other_, ab_, direction);
     }
   }
 
@@ -132,17 +132,15 @@ class PartingWays {
       std::uint32_t number, number_of_b;
     };
     // What b touches there may seem to lie beyond it, by rounding.
-    const Real slack = 2 * met_.noise(), lowest = lowest_along(way.direction);
+    const Real slack = 2 * met_.noise();
     // What is left before the end is no obstacle, but for a front.
     const Stretch ahead{way.direction, has_fronts_ ? 0 : way.depth, std::min(most, far_ahead * way.depth)};
     const Real least = has_fronts_ ? -infinity : way.depth + slack;
     [[clang::uninitialized]] SmallVector<Obstacle, 64> obstacles;
-    on_the_way.visit(ahead, least, slack, [&](const Triangle& triangle, const B& b, Real enter) {
-      const Real leave = Fronts<B>(triangle, b, ab_).nearly_allows(way.direction)
-                             ? -least_along(triangle.corners(), -way.direction) - lowest_of(b, way.direction, lowest)
-                             : infinity;
-      if (leave > way.depth + slack) {
-        obstacles.push_back({enter, leave, triangle.index(), number_of_part(b)});
+    on_the_way.visit(ahead, least, slack, [&](const Triangle& triangle, const B& b, Real enter, Real leave) {
+      const bool is_left = Fronts<B>(triangle, b, ab_).nearly_allows(way.direction);
+      if (!is_left || leave > way.depth + slack) {
+        obstacles.push_back({enter, is_left ? leave : infinity, triangle.index(), number_of_part(b)});
       }
     });
     std::ranges::sort(obstacles.span(), [](const Obstacle& one, const Obstacle& other) {
@@ -162,15 +160,6 @@ class PartingWays {
       }
     }
     return is_longer;
-  }
-
-  // Where a part of b begins along a direction; b itself begins at `lowest`.
-  [[nodiscard]] Real lowest_of(const B& b, const Vec3& direction, Real lowest) const {
-    if constexpr (std::same_as<B, Triangle>) {
-      return dot(direction, ab_.position) + least_along(b.corners(), ab_.rotation.undo(direction));
-    } else {
-      return lowest;
-    }
   }
 
   // A part that stands in a way of some length. Whether it is new.

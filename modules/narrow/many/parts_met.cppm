@@ -21,6 +21,12 @@ template <Convex B>
   }
 }
 
+// Where a convex b begins along a direction.
+template <Convex B>
+[[nodiscard]] Real lowest_along(const B& b, const Pose& ab, const Vec3& direction) {
+  return dot(direction, placed_support(b, place(b, ab), -direction).point) - b.radius();
+}
+
 // Triangles of b in the frame of a, where b is made of such.
 template <Convex B>
 struct PlacedTriangles {};

@@ -120,15 +120,16 @@ template <Surface A, Convex B>
 class OnTheWay {
  public:
   OnTheWay(const A& a, const B& b, const Pose& ab, const QuickAxes<B>& axes)
-      : a_(a), b_(b), box_(b.aabb(ab)), radius_(b.radius()), axes_(axes) {}
+      : a_(a), b_(b), ab_(ab), box_(b.aabb(ab)), radius_(b.radius()), axes_(axes) {}
 
   // A bit for each part that it may meet.
   [[nodiscard]] std::uint64_t meets(const FourParts<B>& parts, const PartingWay& way) const {
     return axes_.near_on_way(parts.triangles, way.depth * way.direction, radius_);
   }
-  // Calls visit(triangle, b, no later than where they meet) for what it may meet on a stretch of a way.
+  // Calls visit(triangle, b, no later than where they meet, where they part) for what it may meet on a stretch of a
+  // way. What parts no later than `least` is passed over.
   template <class Visitor>
-  void visit(const Stretch& on, Real, Real slack, const Visitor& visit) const {
+  void visit(const Stretch& on, Real least, Real slack, const Visitor& visit) const {
     const Vec3 begin = on.begin * on.direction, end = on.end * on.direction;
     Aabb swept{box_.low + begin, box_.high + begin};
     swept.include(Aabb{box_.low + end, box_.high + end});
@@ -136,13 +137,19 @@ class OnTheWay {
     const auto may_meet = [&](const FourTriangles& triangles) {
       return axes_.near_on_way(triangles, end, radius_ + slack);
     };
-    a_.visit_parts(swept, InFours{may_meet},
-                   [&](const Triangle& triangle, std::uint32_t) { visit(triangle, b_, on.begin); });
+    const Real lowest = lowest_along(b_, ab_, on.direction);
+    a_.visit_parts(swept, InFours{may_meet}, [&](const Triangle& triangle, std::uint32_t) {
+      const Real leave = -least_along(triangle.corners(), -on.direction) - lowest;
+      if (leave > least) {
+        visit(triangle, b_, on.begin, leave);
+      }
+    });
   }
 
  private:
   const A& a_;
   const B& b_;
+  const Pose& ab_;
   Aabb box_;
   Real radius_;
   const QuickAxes<B>& axes_;

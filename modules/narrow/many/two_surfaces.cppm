@@ -46,22 +46,23 @@ class PairsOnTheWay {
     const std::uint64_t near = QuickAxes<Triangle>::near_on_way(parts.triangles, parts.placed.of, along, 0);
     return near == 0 ? 0 : near & boxes_.meet(parts.triangles, parts.placed.of, along, 0);
   }
-  // Calls visit(part of a, part of b, where they meet) for what may meet on a stretch of a way. What is left no later
-  // than `least` is passed over.
+  // Calls visit(part of a, part of b, where they meet, where they part) for what may meet on a stretch of a way. What
+  // parts no later than `least` is passed over.
   template <class Visitor>
   void visit(const Stretch& on, Real least, Real slack, const Visitor& visit) const {
     const Real length = on.end - on.begin;
     const Vec3 along = length * on.direction;
     const Columns direction = Columns::all(on.direction);
-    const auto leave = [&](const FourTriangles& part, const FourTriangles& placed) {
+    const auto leave_of = [&](const FourTriangles& part, const FourTriangles& placed) {
       const Lanes high = maximum(maximum(dot(direction, part.a), dot(direction, part.b)), dot(direction, part.c)),
                   low = minimum(minimum(dot(direction, placed.a), dot(direction, placed.b)), dot(direction, placed.c));
       return on.begin + (high - low)[0];
     };
     const Pose begin{ab_.rotation, ab_.position + on.begin * on.direction};
-    Real share = 0;
+    Real share = 0, leave = 0;
     const auto are_near = [&](const FourTriangles& part, const FourTriangles& placed) {
-      if (!(leave(part, placed) > least) || QuickAxes<Triangle>::near_on_way(part, placed, along, slack) == 0) {
+      leave = leave_of(part, placed);
+      if (!(leave > least) || QuickAxes<Triangle>::near_on_way(part, placed, along, slack) == 0) {
         return false;
       }
       share = boxes_.enter(part, placed, along, slack)[0];
@@ -69,7 +70,7 @@ class PairsOnTheWay {
     };
     visit_two_parts_on_way(
         a_, b_, begin, on.direction, length, slack, are_near,
-        [&](const Triangle& part, const Triangle& other) { visit(part, other, on.begin + share * length); });
+        [&](const Triangle& part, const Triangle& other) { visit(part, other, on.begin + share * length, leave); });
   }
 
  private:

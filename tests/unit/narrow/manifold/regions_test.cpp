@@ -60,10 +60,15 @@ TEST(Regions, AreThoseOfASearchThroughAllPairs) {
       // Every tenth one belongs to the part of another one, wherever that is.
       contact.feature_a.index = random.uniform(0, 10) < 1 ? number / 2 : number;
     }
-    const Real gap = random.uniform(0.1, 0.6);
+    const Real share = random.uniform(0.05, 0.3);
+    abut::Aabb box = abut::Aabb::empty();
+    for (const ContactPoint& contact : contacts) {
+      box.include(contact.point_a);
+    }
+    const Real gap = share * norm(box.high - box.low);
     std::set<Region> found;
     Region region;
-    const abut::Regions regions(contacts, gap, part_of);
+    const abut::Regions regions(contacts, share, part_of);
     regions.visit([&](std::uint32_t number) { EXPECT_TRUE(region.insert(number).second); },
                   [&] {
                     found.insert(region);
@@ -84,7 +89,7 @@ TEST(Regions, AreOneWhereAllIsAtOnePlace) {
     contacts[number].point_a = contacts[number].point_b = {3, -1, 2};
     contacts[number].feature_a.index = number;
   }
-  EXPECT_EQ(abut::Regions(contacts, 0, part_of).count(), 1u);
+  EXPECT_EQ(abut::Regions(contacts, 0.25, part_of).count(), 1u);
 }
 
 }  // namespace
