@@ -129,6 +129,7 @@ concept Surface =
       { shape.part(index) } -> std::same_as<typename S::Part>;
       { shape.part_near(point) } -> std::same_as<typename S::Part>;
       { shape.is_crest(index, 1u, point, height) } -> std::same_as<bool>;
+      { shape.has_fronts() } -> std::same_as<bool>;
     };
 
 // A surface that may be declared solid. What it encloses then is inside; is_turned tells of a part that its front looks

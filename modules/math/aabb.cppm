@@ -36,6 +36,10 @@ struct Aabb {
   [[nodiscard]] inline constexpr Aabb inflated(Real by) const {
     return {low - Vec3{by, by, by}, high + Vec3{by, by, by}};
   }
+  // All that it passes between two shifts.
+  [[nodiscard]] inline constexpr Aabb swept(const Vec3& from, const Vec3& to) const {
+    return {low + minimum(from, to), high + maximum(from, to)};
+  }
   [[nodiscard]] inline constexpr Vec3 centre() const { return 0.5 * (low + high); }
   [[nodiscard]] inline bool is_bounded() const { return is_finite(low) && is_finite(high); }
   [[nodiscard]] inline constexpr Real squared_distance(const Vec3& p) const {

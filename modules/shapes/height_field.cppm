@@ -40,6 +40,7 @@ class HeightField {
     return cell_of(i, j).triangle(index % 2 != 0);
   }
   [[nodiscard]] inline Triangle part(std::uint32_t index) const { return {corners(index), index, true}; }
+  [[nodiscard]] static inline bool has_fronts() { return true; }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
 

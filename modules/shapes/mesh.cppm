@@ -52,6 +52,7 @@ class Mesh {
   [[nodiscard]] inline bool is_one_sided(std::uint32_t index) const {
     return data_->sides == Sides::front || (data_->sides == Sides::solid && !inside().turns(index));
   }
+  [[nodiscard]] inline bool has_fronts() const { return data_->sides != Sides::both; }
   [[nodiscard]] [[gnu::always_inline]] inline TriangleCorners corners(std::uint32_t index) const {
     const Data& mesh = *data_;
     const std::size_t first = 3 * std::size_t{index};

@@ -29,6 +29,7 @@ class UvGrid {
 
   [[nodiscard]] TriangleCorners corners(std::uint32_t index) const { return data_->mesh.corners(index); }
   [[nodiscard]] Triangle part(std::uint32_t index) const { return data_->mesh.part(index); }
+  [[nodiscard]] inline bool has_fronts() const { return data_->mesh.has_fronts(); }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
     return data_->mesh.is_crest(index, corners, direction, height);

@@ -114,8 +114,7 @@ struct Passage {
 
 // The box around a box on a part of its way.
 [[nodiscard]] inline Aabb swept(const Aabb& box, const LinearMotion& motion, Real begin, Real end) {
-  const Vec3 from = begin * motion.direction.vec(), to = end * motion.direction.vec();
-  return {box.low + minimum(from, to), box.high + maximum(from, to)};
+  return box.swept(begin * motion.direction.vec(), end * motion.direction.vec());
 }
 
 // The same for shapes that are not convex, on a part of the way that begins without a touch: no step is longer than the

@@ -47,7 +47,6 @@ class PartingWays {
   std::size_t add(const Triangle& triangle, const B& b, const Fronts<B>& fronts, const Vec3& way, Real gap,
                   Real touching) {
     const std::size_t part = met_.add(triangle, b, ab_, fronts, touching);
-    has_fronts_ = has_fronts_ || fronts.are_any();
     if (gap <= touching) {
       met_.offer_ways(part, triangle, b, ab_, way, gap);
     }
@@ -134,8 +133,9 @@ class PartingWays {
     // What b touches there may seem to lie beyond it, by rounding.
     const Real slack = 2 * met_.noise();
     // What is left before the end is no obstacle, but for a front.
-    const Stretch ahead{way.direction, has_fronts_ ? 0 : way.depth, std::min(most, far_ahead * way.depth)};
-    const Real least = has_fronts_ ? -infinity : way.depth + slack;
+    const bool meets_front = on_the_way.meets_front(way, slack);
+    const Stretch ahead{way.direction, meets_front ? 0 : way.depth, std::min(most, far_ahead * way.depth)};
+    const Real least = meets_front ? -infinity : way.depth + slack;
     [[clang::uninitialized]] SmallVector<Obstacle, 64> obstacles;
     on_the_way.visit(ahead, least, slack, [&](const Triangle& triangle, const B& b, Real enter, Real leave) {
       const bool is_left = Fronts<B>(triangle, b, ab_).nearly_allows(way.direction);
@@ -199,7 +199,6 @@ class PartingWays {
   const Pose& ab_;
   const QuerySettings& settings_;
   PartsMet<B> met_;
-  bool has_fronts_ = false;  // whether what is near may be parted to one side only
 };
 
 }  // namespace abut

@@ -84,7 +84,8 @@ class SurfaceContacts {
       }
       claim(first, true);
     }
-    turned_.push_back({first, out_.size(), part, depth_from(first), noise});
+    const Real depth = depth_from(first);
+    turned_.push_back({first, out_.size(), part, depth, noise, depth});
   }
 
   // To be called after the last part. `on_the_way`: what b may meet on a way. `add_more`: adds parts that were passed
@@ -105,6 +106,7 @@ class SurfaceContacts {
     std::size_t part;  // which of those that were met
     Real depth;        // of the deepest of them
     Real noise;        // of depths
+    Real claimed;      // how much of the depth the claims of others leave
   };
   // The deepest contact that was left to a neighbour across an edge.
   struct Left {
@@ -281,9 +283,20 @@ class SurfaceContacts {
       return;
     }
     claims_.settle([&](const Vec3& direction) { return ways_.lowest_along(direction); });
+    Real most = 0;  // what is still claimed
+    for (Group& group : turned_.span()) {
+      if (group.first < group.last) {
+        const auto overlaps_along = [&](const Columns& directions, Lanes lowest) {
+          return ways_.overlaps_along(group.part, directions, lowest);
+        };
+        group.claimed = std::min(
+            group.depth, claims_.allowed_depth(out_[group.first].normal, group.depth, group.noise, overlaps_along));
+        most = std::max(most, group.claimed);
+      }
+    }
     std::size_t kept = first_, next = first_;
     bool is_cut = false;  // whether the way out of the whole is shorter than a contact claims
-    const PartingWay whole = way_out_of_whole(on_the_way);
+    const PartingWay whole = way_out_of_whole(most, on_the_way);
     const auto keep = [&](std::size_t last, Real depth) {
       for (; next < last; ++next) {
         if (out_[next].distance >= -depth) {
@@ -295,17 +308,9 @@ class SurfaceContacts {
       }
     };
     for (const Group& group : turned_.span()) {
-      if (group.first == group.last) {
-        continue;
-      }
-      const Vec3 normal = out_[group.first].normal;
-      const Real claimed =
-          claims_.allowed_depth(normal, group.depth, group.noise, [&](const Columns& directions, Lanes lowest) {
-            return ways_.overlaps_along(group.part, directions, lowest);
-          });
-      const Real allowed = std::min(claimed, (1 + claim_blur) * whole.depth + group.noise);
-      if (allowed < group.depth) {
-        is_cut = is_cut || allowed < claimed;
+      const Real allowed = std::min(group.claimed, (1 + claim_blur) * whole.depth + group.noise);
+      if (group.first < group.last && allowed < group.depth) {
+        is_cut = is_cut || allowed < group.claimed;
         keep(group.first, infinity);
         keep(group.last, allowed);
       }
@@ -338,19 +343,14 @@ class SurfaceContacts {
     return true;
   }
 
-  // The shortest way out of all parts that b meets; without end where no turned contact is deeper than the others.
+  // The shortest way out of all parts that b meets; without end where what turned contacts claim is no deeper than the
+  // others.
   template <class OnTheWay>
-  [[nodiscard]] PartingWay way_out_of_whole(const OnTheWay& on_the_way) {
-    const Group* deepest = nullptr;
-    for (const Group& group : turned_.span()) {
-      if (group.depth > (deepest ? deepest->depth : 0)) {
-        deepest = &group;
-      }
-    }
-    if (!deepest || deepest->depth <= (1 + claim_blur) * depth_) {
+  [[nodiscard]] PartingWay way_out_of_whole(Real claimed, const OnTheWay& on_the_way) {
+    if (claimed <= (1 + claim_blur) * depth_) {
       return {infinity, {0, 0, 0}};
     }
-    return ways_.shortest(claims_.sum_of_normals(), deepest->depth, on_the_way);
+    return ways_.shortest(claims_.sum_of_normals(), claimed, on_the_way);
   }
   // No way out of all is shorter than that of a triangle. Where all contacts are less deep than one that was left to
   // neighbours, the shortest way out of all tells the depth. Where there is no contact, the deepest one left counts

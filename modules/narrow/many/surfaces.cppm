@@ -8,6 +8,7 @@ import abut.math;
 import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.many.four_nearest;
+import abut.narrow.many.fronts_ahead;
 export import abut.narrow.many.half_space_surfaces;
 import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.parts_met;
@@ -126,19 +127,21 @@ class OnTheWay {
   [[nodiscard]] std::uint64_t meets(const FourParts<B>& parts, const PartingWay& way) const {
     return axes_.near_on_way(parts.triangles, way.depth * way.direction, radius_);
   }
+  // Whether it may run into a front on a way.
+  [[nodiscard]] bool meets_front(const PartingWay& way, Real slack) const {
+    return has_front_against(a_, swept({way.direction, 0, way.depth}, slack), way.direction);
+  }
   // Calls visit(triangle, b, no later than where they meet, where they part) for what it may meet on a stretch of a
   // way. What parts no later than `least` is passed over.
   template <class Visitor>
   void visit(const Stretch& on, Real least, Real slack, const Visitor& visit) const {
-    const Vec3 begin = on.begin * on.direction, end = on.end * on.direction;
-    Aabb swept{box_.low + begin, box_.high + begin};
-    swept.include(Aabb{box_.low + end, box_.high + end});
-    swept = swept.inflated(slack);
+    const Vec3 end = on.end * on.direction;
+    Aabb query = swept(on, slack);
     const auto may_meet = [&](const FourTriangles& triangles) {
       return axes_.near_on_way(triangles, end, radius_ + slack);
     };
     const Real lowest = lowest_along(b_, ab_, on.direction);
-    a_.visit_parts(swept, InFours{may_meet}, [&](const Triangle& triangle, std::uint32_t) {
+    a_.visit_parts(query, InFours{may_meet}, [&](const Triangle& triangle, std::uint32_t) {
       const Real leave = -least_along(triangle.corners(), -on.direction) - lowest;
       if (leave > least) {
         visit(triangle, b_, on.begin, leave);
@@ -147,6 +150,10 @@ class OnTheWay {
   }
 
  private:
+  [[nodiscard]] Aabb swept(const Stretch& on, Real slack) const {
+    return box_.swept(on.begin * on.direction, on.end * on.direction).inflated(slack);
+  }
+
   const A& a_;
   const B& b_;
   const Pose& ab_;

@@ -185,8 +185,6 @@ class Fronts {
   [[nodiscard]] bool nearly_allows(const Vec3& normal) const {
     return dot(normal, a_) >= -1e-12 && dot(normal, b_) >= -1e-12;
   }
-  // Whether either side has one.
-  [[nodiscard]] bool are_any() const { return a_ != Vec3{0, 0, 0} || b_ != Vec3{0, 0, 0}; }
   [[nodiscard]] FourFronts in_all() const { return {Columns::all(a_), Columns::all(b_)}; }
 
  private:

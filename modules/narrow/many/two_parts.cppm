@@ -38,16 +38,17 @@ class TwoParts {
  public:
   TwoParts(const A& a, const B& b, const Pose& ab) : a_(a), b_(b), ab_(ab) {}
 
-  // Calls visit(part of a, part of b) if are_near(corners of both in the frame of a).
-  template <class AreNear, class Visitor>
-  [[gnu::always_inline]] inline void visit(std::uint32_t of_a, std::uint32_t of_b, AreNear&& are_near,
-                                           Visitor&& visit) {
+  // Calls visit(part of a, part of b) if near(corners of both in the frame of a) has a bit.
+  template <class Near, class Visitor>
+  [[gnu::always_inline]] inline void visit(std::uint32_t of_a, std::uint32_t of_b, Near&& near, Visitor&& visit) {
     if (!held_ || held_->part.index() != of_b) {
       const Triangle part = b_.part(of_b);
       const TriangleCorners& corners = part.corners();
       held_.emplace(Held{part, FourTriangles::all({ab_ * corners[0], ab_ * corners[1], ab_ * corners[2]})});
     }
-    if (are_near(FourTriangles::all(a_.corners(of_a)), held_->placed)) {
+    FourTriangles of_part = FourTriangles::all(a_.corners(of_a));
+    of_part.numbers.fill(of_a);
+    if (near(of_part, held_->placed) != 0) {
       visit(a_.part(of_a), held_->part);
     }
   }
@@ -71,43 +72,47 @@ void visit_two_parts(const A& a, const B& b, const Pose& ab, Real reach, Visitor
   TwoParts<A, B> parts(a, b, ab);
   const Real noise = noise_of_two(a, b, ab);
   const auto visit_items = [&](std::uint32_t of_a, std::uint32_t of_b) {
-    const auto are_near = [&](const FourTriangles& part, const FourTriangles& placed) {
-      return QuickAxes<Triangle>::near_on_way(part, placed, {0, 0, 0}, reach) != 0;
+    const auto near = [&](const FourTriangles& part, const FourTriangles& placed) {
+      return QuickAxes<Triangle>::near_on_way(part, placed, {0, 0, 0}, reach);
     };
-    parts.visit(of_a, of_b, are_near, [&](const Triangle& part, const Triangle& other) { reach = visit(part, other); });
+    parts.visit(of_a, of_b, near, [&](const Triangle& part, const Triangle& other) { reach = visit(part, other); });
     return reach + noise;
   };
   visit_two(a, b, GapOrder(a.origin(), b.origin(), ab), reach + noise, visit_items, wants);
 }
 
 // The same for parts that may be within `reach` of each other while b moves along a direction, as far as `length`:
-// those of which are_near(corners of both in the frame of a) is true.
-template <Surface A, Surface B, class AreNear, class Visitor>
+// those of which near(corners of both in the frame of a) has a bit.
+template <Surface A, Surface B, class Near, class Visitor>
 void visit_two_parts_on_way(const A& a, const B& b, const Pose& ab, const Vec3& direction, Real length, Real reach,
-                            AreNear&& are_near, Visitor&& visit) {
+                            Near&& near, Visitor&& visit) {
   TwoParts<A, B> parts(a, b, ab);
   const auto visit_items = [&](std::uint32_t of_a, std::uint32_t of_b) {
-    parts.visit(of_a, of_b, are_near, visit);
+    parts.visit(of_a, of_b, near, visit);
     return length;
   };
   const Real slack = std::max(reach, Real{0}) + noise_of_two(a, b, ab);
   visit_two(a, b, PassageOrder(a.origin(), b.origin(), ab, direction, slack), length, visit_items);
 }
 
-// The same where b has few parts under a. Each of these asks the tree of a, which answers for four parts at once.
-// False, with nothing visited, where b has many. In no order.
-template <Surface A, Terrain B, class Visitor>
-[[nodiscard]] bool visit_parts_on(const A& a, const B& b, const Pose& ab, Real reach, Visitor&& visit) {
+// The same where b has few parts under a, or under a on the way back along a vector. Each of these asks the tree of a,
+// which answers for four parts at once: near(corners of parts, corners of one of b) has a bit for each. False, with
+// nothing visited, where b has many. In no order.
+template <Surface A, Terrain B, class Near, class Visitor>
+[[nodiscard]] bool visit_parts_on(const A& a, const B& b, const Pose& ab, const Vec3& way, Real reach, Near&& near,
+                                  Visitor&& visit) {
   constexpr std::size_t few = 2048;
-  const Real noise = noise_of_two(a, b, ab), around = reach + noise;
-  Aabb under_a = a.aabb(ab.inverse()).inflated(around);
+  const Real around = std::max(reach, Real{0}) + noise_of_two(a, b, ab);
+  Aabb under_a = a.aabb(ab.inverse()).swept({0, 0, 0}, -ab.rotation.undo(way)).inflated(around);
   if (b.most_parts_under(under_a) > few) {
     return false;
   }
   b.visit_parts(under_a, [&](const Triangle& other, std::uint32_t) {
-    const QuickAxes<Triangle> axes(other, ab);
-    Aabb near_other = other.aabb(ab).inflated(around);
-    a.visit_parts(near_other, InFours{[&](const FourTriangles& triangles) { return axes.near(triangles, reach); }},
+    const TriangleCorners& corners = other.corners();
+    const TriangleCorners placed{ab * corners[0], ab * corners[1], ab * corners[2]};
+    const FourTriangles in_all = FourTriangles::all(placed);
+    Aabb near_other = box_around(placed).swept({0, 0, 0}, way).inflated(around);
+    a.visit_parts(near_other, InFours{[&](const FourTriangles& parts) { return near(parts, in_all); }},
                   [&](const Triangle& part, std::uint32_t) { visit(part, other); });
   });
   return true;

@@ -8,6 +8,7 @@ import abut.math;
 import abut.math.four_vec3;
 import abut.math.tolerance;
 import abut.narrow.convex;
+import abut.narrow.many.fronts_ahead;
 import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.parts_met;
 import abut.narrow.many.passing_boxes;
@@ -46,6 +47,15 @@ class PairsOnTheWay {
     const std::uint64_t near = QuickAxes<Triangle>::near_on_way(parts.triangles, parts.placed.of, along, 0);
     return near == 0 ? 0 : near & boxes_.meet(parts.triangles, parts.placed.of, along, 0);
   }
+  // Whether either may run into a front of the other on a way.
+  [[nodiscard]] bool meets_front(const PartingWay& way, Real slack) const {
+    const Vec3 back = -ab_.rotation.undo(way.direction);
+    const auto in_way = [&](const auto& surface, const Pose& pose, const Vec3& direction) {
+      return surface.aabb(pose).swept({0, 0, 0}, way.depth * direction).inflated(slack);
+    };
+    return has_front_against(b_, in_way(a_, ab_.inverse(), back), back) ||
+           has_front_against(a_, in_way(b_, ab_, way.direction), way.direction);
+  }
   // Calls visit(part of a, part of b, where they meet, where they part) for what may meet on a stretch of a way. What
   // parts no later than `least` is passed over.
   template <class Visitor>
@@ -53,24 +63,34 @@ class PairsOnTheWay {
     const Real length = on.end - on.begin;
     const Vec3 along = length * on.direction;
     const Columns direction = Columns::all(on.direction);
-    const auto leave_of = [&](const FourTriangles& part, const FourTriangles& placed) {
-      const Lanes high = maximum(maximum(dot(direction, part.a), dot(direction, part.b)), dot(direction, part.c)),
-                  low = minimum(minimum(dot(direction, placed.a), dot(direction, placed.b)), dot(direction, placed.c));
-      return on.begin + (high - low)[0];
-    };
     const Pose begin{ab_.rotation, ab_.position + on.begin * on.direction};
-    Real share = 0, leave = 0;
-    const auto are_near = [&](const FourTriangles& part, const FourTriangles& placed) {
-      leave = leave_of(part, placed);
-      if (!(leave > least) || QuickAxes<Triangle>::near_on_way(part, placed, along, slack) == 0) {
-        return false;
+    // What was asked for last.
+    Lanes share{}, leave{};
+    std::array<std::uint32_t, 4> numbers{};
+    const auto near = [&](const FourTriangles& parts, const FourTriangles& placed) -> std::uint64_t {
+      const Lanes high = maximum(maximum(dot(direction, parts.a), dot(direction, parts.b)), dot(direction, parts.c)),
+                  low = minimum(minimum(dot(direction, placed.a), dot(direction, placed.b)), dot(direction, placed.c));
+      leave = on.begin + (high - low);
+      std::uint64_t found = bits_of(leave > all_lanes(least));
+      found = found == 0 ? 0 : found & QuickAxes<Triangle>::near_on_way(parts, placed, along, slack);
+      if (found != 0) {
+        share = boxes_.enter(parts, placed, along, slack);
+        numbers = parts.numbers;
+        found &= bits_of(share <= all_lanes(1));
       }
-      share = boxes_.enter(part, placed, along, slack)[0];
-      return share <= 1;
+      return found;
     };
-    visit_two_parts_on_way(
-        a_, b_, begin, on.direction, length, slack, are_near,
-        [&](const Triangle& part, const Triangle& other) { visit(part, other, on.begin + share * length, leave); });
+    const auto visit_near = [&](const Triangle& part, const Triangle& other) {
+      const auto lane = static_cast<std::size_t>(std::ranges::find(numbers, part.index()) - numbers.begin());
+      visit(part, other, on.begin + share[lane] * length, leave[lane]);
+    };
+    bool are_visited = false;
+    if constexpr (Terrain<B> && !Terrain<A>) {
+      are_visited = visit_parts_on(a_, b_, begin, along, slack, near, visit_near);
+    }
+    if (!are_visited) {
+      visit_two_parts_on_way(a_, b_, begin, on.direction, length, slack, near, visit_near);
+    }
   }
 
  private:
@@ -95,7 +115,10 @@ template <Surface A, Surface B>
   };
   bool are_visited = false;
   if constexpr (Terrain<B> && !Terrain<A>) {
-    are_visited = visit_parts_on(a, b, ab, reach, add);
+    const auto near = [&](const FourTriangles& parts, const FourTriangles& placed) {
+      return QuickAxes<Triangle>::near_on_way(parts, placed, {0, 0, 0}, reach);
+    };
+    are_visited = visit_parts_on(a, b, ab, {0, 0, 0}, reach, near, add);
   }
   if (!are_visited) {
     visit_two_parts(a, b, ab, reach, add);
