@@ -201,6 +201,7 @@ using std::ranges::copy;
 using std::ranges::count_if;
 using std::ranges::find;
 using std::ranges::for_each;
+using std::ranges::is_sorted;
 using std::ranges::min_element;
 using std::ranges::none_of;
 using std::ranges::sort;

@@ -96,6 +96,9 @@ void arrange(std::span<ContactPoint> contacts, From&& from) {
 // Of very many, which are rare, no list of keys is made: that would take memory from step to step.
 inline void sort_by_depth(std::span<ContactPoint> contacts) {
   constexpr std::size_t most_keys = 256;
+  if (std::ranges::is_sorted(contacts, comes_before)) {
+    return;
+  }
   if (contacts.size() > most_keys) {
     std::ranges::sort(contacts, comes_before);
     return;

@@ -24,26 +24,43 @@ constexpr Real same_patch_cosine = 0.98;
            (is_wide(contact.feature_a) && is_whole(contact.feature_b)));
 }
 
-// Some ids, of which most that are asked for are none: a bit for what is left of each tells so.
+// Some ids, each at the first free place of a table from where its bits lead. Less than half of the places are taken.
 class Ids {
  public:
-  explicit Ids(std::span<const std::uint64_t> ids) : ids_(ids) {
-    for (const std::uint64_t id : ids) {
-      bits_[word_of(id)] |= bit_of(id);
+  explicit Ids(std::span<const std::uint64_t> ids) {
+    int bits = 3;
+    while ((std::size_t{1} << bits) < 2 * ids.size() + 1) {
+      ++bits;
     }
+    shift_ = 64 - bits;
+    for (std::size_t i = 0; i < std::size_t{1} << bits; ++i) {
+      places_.push_back({0, false});
+    }
+    for (const std::uint64_t id : ids) {
+      places_[place_of(id)] = {id, true};
+    }
+    is_empty_ = ids.empty();
   }
-  [[nodiscard]] bool empty() const { return ids_.empty(); }
-  [[nodiscard]] bool hold(std::uint64_t id) const {
-    return (bits_[word_of(id)] & bit_of(id)) != 0 && std::ranges::find(ids_, id) != ids_.end();
-  }
+  [[nodiscard]] bool empty() const { return is_empty_; }
+  [[nodiscard]] bool hold(std::uint64_t id) const { return !is_empty_ && places_[place_of(id)].is_taken; }
 
  private:
-  [[nodiscard]] static std::uint64_t mixed_up(std::uint64_t id) { return id * 0x9e3779b97f4a7c15; }
-  [[nodiscard]] static std::size_t word_of(std::uint64_t id) { return mixed_up(id) >> 60; }
-  [[nodiscard]] static std::uint64_t bit_of(std::uint64_t id) { return std::uint64_t{1} << (mixed_up(id) >> 54 & 63); }
+  struct Place {
+    std::uint64_t id;
+    bool is_taken;
+  };
+  // Where an id is, or may be put.
+  [[nodiscard]] std::size_t place_of(std::uint64_t id) const {
+    std::size_t place = (id * 0x9e3779b97f4a7c15) >> shift_;
+    while (places_[place].is_taken && places_[place].id != id) {
+      place = (place + 1) % places_.size();
+    }
+    return place;
+  }
 
-  std::span<const std::uint64_t> ids_;
-  std::array<std::uint64_t, 16> bits_{};
+  SmallVector<Place, 256> places_;
+  int shift_ = 0;
+  bool is_empty_ = true;
 };
 
 // Contacts are large, so that one which stays is not moved.
@@ -210,7 +227,7 @@ struct Lots {
 // Brings contacts of one region beside each other, where there are several, and calls take(contacts of one) for each.
 template <class Take>
 void visit_regions(std::span<ContactPoint> contacts, SurfaceSides surfaces, const Take& take) {
-  const Regions regions(contacts, gap_share, [&](const ContactPoint& contact) {
+  const Regions regions(contacts, [&](const ContactPoint& contact) {
     return std::uint64_t{surfaces.a ? contact.feature_a.index : 0} << 32 |
            std::uint64_t{surfaces.b ? contact.feature_b.index : 0};
   });

@@ -16,11 +16,6 @@ inline constexpr Real running_depth = 1e-4;
 // Points that were kept before stay while they span this share of the area that others could.
 inline constexpr Real tied_area = 0.95;
 
-// Contacts of one region hang together: those of the same triangles, and those between which no gap is wider than this
-// share of what all contacts with their normal span. So there are a few regions at most, however many triangles there
-// are.
-inline constexpr Real gap_share = 0.25;
-
 // Which sides of a pair are surfaces, so that what they touch may fall apart into regions. A contact of two convex
 // shapes has one.
 struct SurfaceSides {

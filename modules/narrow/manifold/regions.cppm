@@ -12,55 +12,34 @@ export namespace abut {
 // Up to so many contacts need no memory of the heap.
 inline constexpr std::size_t few_contacts = 256;
 
-// Sorts places on a grid. Places of one cell hang together, so that cells are compared and not all places.
+// No gap between contacts of one region is wider than this share of the diagonal of the box around all. Jitter hardly
+// changes that diagonal, and there are a few regions at most, however many triangles there are.
+inline constexpr Real region_gap_share = 0.25;
+
+// Sorts places into the cells of a grid. Places of one cell hang together, so that cells are compared and not all
+// places.
 class Regions {
  public:
-  // Contacts of which `part_of` is the same hang together wherever they are. `share`: how wide a gap may be, of the
-  // diagonal of the box around all, which jitter hardly changes. At least a millionth.
+  // Contacts of which `part_of` is the same hang together wherever they are.
   template <class PartOf>
-  Regions(std::span<const ContactPoint> contacts, Real share, const PartOf& part_of) {
-    Aabb box = Aabb::empty();
-    for (const ContactPoint& contact : contacts) {
-      box.include(middle(contact));
+  Regions(std::span<const ContactPoint> contacts, const PartOf& part_of) {
+    sort_into_cells(contacts);
+    join_near();
+    if (count_ > 1) {
+      join_parts(contacts, part_of);
     }
-    gap_ = share * norm(box.high - box.low);
-    // The diagonal of a cell is shorter than the gap.
-    const Real per_length = gap_ > 0 ? 2 / gap_ : 0;
-    for (std::uint32_t number = 0; number < contacts.size(); ++number) {
-      const Vec3 at = middle(contacts[number]), steps = per_length * (at - box.low);
-      places_.push_back(
-          {at,
-           {static_cast<std::int32_t>(steps.x), static_cast<std::int32_t>(steps.y), static_cast<std::int32_t>(steps.z)},
-           part_of(contacts[number]),
-           number,
-           0});
-    }
-    std::ranges::sort(places_.span(), [](const Place& a, const Place& b) {
-      return std::tie(a.cell, a.number) < std::tie(b.cell, b.number);
-    });
-    find_groups();
-    unite_near();
-    unite_parts();
   }
-  [[nodiscard]] std::size_t count() const {
-    std::size_t count = 0;
-    for (std::uint32_t group = 0; group < groups_.size(); ++group) {
-      count += groups_[group].region == group ? 1 : 0;
-    }
-    return count;
-  }
-  // Calls take(number of a contact) for those of one region after the other, and end() after each region.
+  [[nodiscard]] std::size_t count() const { return count_; }
+  // Calls take(number of a contact) for those of one region after the other, as they came, and end() after each region.
   template <class Take, class End>
   void visit(const Take& take, const End& end) const {
-    for (std::uint32_t region = 0; region < groups_.size(); ++region) {
-      if (groups_[region].region != region) {
+    for (std::uint32_t region = 0; region < roots_.size(); ++region) {
+      if (roots_[region] != region) {
         continue;
       }
-      for (std::uint32_t group = region; group < groups_.size(); ++group) {
-        if (root_of(group) == region) {
-          for (const Place& place : of(groups_[group])) {
-            take(place.number);
-          }
+      for (std::uint32_t number = 0; number < places_.size(); ++number) {
+        if (root_of(region_of(number)) == region) {
+          take(number);
         }
       }
       end();
@@ -68,82 +47,125 @@ class Regions {
   }
 
  private:
+  // Their diagonal is no longer than a gap: a cell is half as wide.
+  static constexpr int cells_along = static_cast<int>(2 / region_gap_share) + 1;
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
   struct Place {
     Vec3 at;
-    std::array<std::int32_t, 3> cell;
-    std::uint64_t part;
-    std::uint32_t number, group;
+    std::uint32_t cell, next;  // the next place in the same cell
   };
-  // Places of one cell. The region is that of another group, or of its own.
-  struct Group {
-    std::uint32_t first, last, region;
+  struct Cell {
+    std::array<int, 3> steps;  // from the lowest one
+    std::uint32_t first;
+    std::uint32_t region;
   };
 
-  [[nodiscard]] std::span<const Place> of(const Group& group) const [[clang::lifetimebound]] {
-    return places_.span().subspan(group.first, group.last - group.first);
-  }
-  [[nodiscard]] std::uint32_t root_of(std::uint32_t group) const {
-    while (groups_[group].region != group) {
-      group = groups_[group].region;
+  void sort_into_cells(std::span<const ContactPoint> contacts) {
+    Aabb box = Aabb::empty();
+    for (const ContactPoint& contact : contacts) {
+      const Vec3 at = middle(contact);
+      places_.push_back({at, none, none});
+      box.include(at);
     }
-    return group;
-  }
-  // The lesser number stays the root.
-  void unite(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t root_a = root_of(a), root_b = root_of(b);
-    groups_[std::max(root_a, root_b)].region = std::min(root_a, root_b);
-  }
-
-  void find_groups() {
-    const std::span<Place> places = places_.span();
-    for (std::uint32_t i = 0; i < places.size(); ++i) {
-      if (i == 0 || places[i].cell != places[i - 1].cell) {
-        groups_.push_back({i, i, static_cast<std::uint32_t>(groups_.size())});
+    gap_ = region_gap_share * norm(box.high - box.low);
+    const Real per_length = gap_ > 0 ? 2 / gap_ : 0;
+    std::array<std::uint16_t, cells_along * cells_along * cells_along>
+        numbers{};  // counted from 1; 0 for cells without places
+    for (std::uint32_t number = 0; number < places_.size(); ++number) {
+      Place& place = places_[number];
+      const Vec3 steps = per_length * (place.at - box.low);
+      const std::array<int, 3> at{static_cast<int>(steps.x), static_cast<int>(steps.y), static_cast<int>(steps.z)};
+      std::uint16_t& found = numbers[static_cast<std::size_t>((at[0] * cells_along + at[1]) * cells_along + at[2])];
+      if (found == 0) {
+        cells_.push_back({at, none, none});
+        found = static_cast<std::uint16_t>(cells_.size());
       }
-      places[i].group = static_cast<std::uint32_t>(groups_.size() - 1);
-      groups_[places[i].group].last = i + 1;
+      place.cell = found - 1u;
+      place.next = cells_[place.cell].first;
+      cells_[place.cell].first = number;
     }
   }
-  void unite_near() {
-    const auto may_be_near = [&](const Group& a, const Group& b) {
-      const auto &cell_a = places_[a.first].cell, &cell_b = places_[b.first].cell;
-      return std::abs(cell_a[0] - cell_b[0]) <= 3 && std::abs(cell_a[1] - cell_b[1]) <= 3 &&
-             std::abs(cell_a[2] - cell_b[2]) <= 3;
-    };
-    const auto are_near = [&](const Group& a, const Group& b) {
-      return std::ranges::any_of(of(a), [&](const Place& one) {
-        return std::ranges::any_of(of(b),
-                                   [&](const Place& other) { return squared_norm(one.at - other.at) <= gap_ * gap_; });
-      });
-    };
-    for (std::uint32_t a = 0; a < groups_.size(); ++a) {
-      for (std::uint32_t b = a + 1; b < groups_.size(); ++b) {
-        if (root_of(a) != root_of(b) && may_be_near(groups_[a], groups_[b]) && are_near(groups_[a], groups_[b])) {
-          unite(a, b);
+
+  [[nodiscard]] bool are_near(const Cell& a, const Cell& b) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (std::abs(a.steps[axis] - b.steps[axis]) > 3) {
+        return false;
+      }
+    }
+    for (std::uint32_t one = a.first; one != none; one = places_[one].next) {
+      for (std::uint32_t other = b.first; other != none; other = places_[other].next) {
+        if (squared_norm(places_[one].at - places_[other].at) <= gap_ * gap_) {
+          return true;
         }
       }
     }
+    return false;
   }
-  void unite_parts() {
-    struct PartOfGroup {
-      std::uint64_t part;
-      std::uint32_t group;
-    };
-    SmallVector<PartOfGroup, few_contacts> parts;
-    for (const Place& place : places_.span()) {
-      parts.push_back({place.part, place.group});
+  // From each cell to those near it, so that few cells are left to be asked for.
+  void join_near() {
+    SmallVector<std::uint32_t, few_cells> left, reached;
+    for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
+      left.push_back(cell);
     }
-    std::ranges::sort(parts.span(), {}, &PartOfGroup::part);
+    while (!left.empty()) {
+      const auto region = static_cast<std::uint32_t>(count_++);
+      roots_.push_back(region);
+      const auto take = [&](std::size_t place) {
+        const std::uint32_t cell = left[place];
+        cells_[cell].region = region;
+        reached.push_back(cell);
+        left[place] = left[left.size() - 1];
+        left.pop_back();
+      };
+      take(0);
+      while (!reached.empty() && !left.empty()) {
+        const Cell from = cells_[reached[reached.size() - 1]];
+        reached.pop_back();
+        for (std::size_t place = left.size(); place-- > 0;) {
+          if (are_near(from, cells_[left[place]])) {
+            take(place);
+          }
+        }
+      }
+      reached.clear();
+    }
+  }
+
+  [[nodiscard]] std::uint32_t region_of(std::uint32_t number) const { return cells_[places_[number].cell].region; }
+  [[nodiscard]] std::uint32_t root_of(std::uint32_t region) const {
+    while (roots_[region] != region) {
+      region = roots_[region];
+    }
+    return region;
+  }
+  template <class PartOf>
+  void join_parts(std::span<const ContactPoint> contacts, const PartOf& part_of) {
+    struct PartOfRegion {
+      std::uint64_t part;
+      std::uint32_t region;
+    };
+    SmallVector<PartOfRegion, few_contacts> parts;
+    for (std::uint32_t number = 0; number < contacts.size(); ++number) {
+      parts.push_back({part_of(contacts[number]), region_of(number)});
+    }
+    std::ranges::sort(parts.span(), {}, &PartOfRegion::part);
     for (std::size_t i = 1; i < parts.size(); ++i) {
-      if (parts[i].part == parts[i - 1].part) {
-        unite(parts[i].group, parts[i - 1].group);
+      const std::uint32_t one = root_of(parts[i - 1].region), other = root_of(parts[i].region);
+      if (parts[i].part == parts[i - 1].part && one != other) {
+        roots_[std::max(one, other)] = std::min(one, other);
+        --count_;
       }
     }
   }
 
+  static constexpr std::size_t few_cells = 128;
+
   Real gap_ = 0;
   SmallVector<Place, few_contacts> places_;
-  SmallVector<Group, 64> groups_;
+  SmallVector<Cell, few_cells> cells_;
+  SmallVector<std::uint32_t, 16> roots_;  // of regions: another one that it belongs to, or itself
+  std::size_t count_ = 0;                 // of regions that belong to no other
 };
 
 }  // namespace abut

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <vector>
@@ -54,21 +55,24 @@ TEST(Regions, AreThoseOfASearchThroughAllPairs) {
   std::size_t most = 0, several = 0;
   for (int i = 0; i < 300; ++i) {
     std::vector<ContactPoint> contacts(static_cast<std::size_t>(random.uniform(1, 120)));
+    // Around the 27 points of a small grid, which are a little farther apart than a gap is wide.
+    const Real jitter = random.uniform(0, 1) < 0.5 ? random.uniform(0, 0.1) : random.uniform(0, 1);
     for (std::uint32_t number = 0; number < contacts.size(); ++number) {
       ContactPoint& contact = contacts[number];
-      contact.point_a = contact.point_b = random.point(1);
+      const abut::Vec3 crowd{std::floor(random.uniform(-1, 2)), std::floor(random.uniform(-1, 2)),
+                             std::floor(random.uniform(-1, 2))};
+      contact.point_a = contact.point_b = crowd + jitter * random.point(1);
       // Every tenth one belongs to the part of another one, wherever that is.
       contact.feature_a.index = random.uniform(0, 10) < 1 ? number / 2 : number;
     }
-    const Real share = random.uniform(0.05, 0.3);
     abut::Aabb box = abut::Aabb::empty();
     for (const ContactPoint& contact : contacts) {
       box.include(contact.point_a);
     }
-    const Real gap = share * norm(box.high - box.low);
+    const Real gap = abut::region_gap_share * norm(box.high - box.low);
     std::set<Region> found;
     Region region;
-    const abut::Regions regions(contacts, share, part_of);
+    const abut::Regions regions(contacts, part_of);
     regions.visit([&](std::uint32_t number) { EXPECT_TRUE(region.insert(number).second); },
                   [&] {
                     found.insert(region);
@@ -89,7 +93,7 @@ TEST(Regions, AreOneWhereAllIsAtOnePlace) {
     contacts[number].point_a = contacts[number].point_b = {3, -1, 2};
     contacts[number].feature_a.index = number;
   }
-  EXPECT_EQ(abut::Regions(contacts, 0.25, part_of).count(), 1u);
+  EXPECT_EQ(abut::Regions(contacts, part_of).count(), 1u);
 }
 
 }  // namespace
