@@ -41,7 +41,7 @@ bool SideStage::is_same(const Kept& kept, const Places& places) {
          !places.has_happened(kept.low, happened_to_shape) && !places.has_happened(kept.high, happened_to_shape);
 }
 
-void SideStage::add_case(const PairJob& its, std::size_t job, bool is_surface_a, const Places& places) {
+void SideStage::add_case(const PairJob& its, std::size_t job, const Places& places) {
   const std::uint32_t low = std::min(its.a, its.b), high = std::max(its.a, its.b);
   if (!keeps_side(low, high, places)) {
     return;
@@ -49,7 +49,7 @@ void SideStage::add_case(const PairJob& its, std::size_t job, bool is_surface_a,
   const Kept* const kept = find_of<Kept>(kept_, low, high);
   const bool is_known = kept != nullptr && is_same(*kept, places);
   case_of_job_[job] = static_cast<std::uint32_t>(cases_.size());
-  cases_.push_back({low, high, (is_surface_a ? its.a : its.b) == low, {is_known ? kept->memory : SideMemory{}, {}}});
+  cases_.push_back({low, high, {is_known ? kept->memories : std::vector<SidesOfChildren>{}, {}}});
 }
 
 void SideStage::start(bool is_used, const Places& places, const JobList& jobs) {
@@ -63,33 +63,20 @@ void SideStage::start(bool is_used, const Places& places, const JobList& jobs) {
     if (!is_pair_run(chunk.run)) {
       continue;
     }
-    const std::size_t row = chunk.run / shape_kind_count, column = chunk.run % shape_kind_count;
-    const bool is_surface_a = may_keep_side(row, column);
-    if (!is_surface_a && !may_keep_side(column, row)) {
+    if (!may_keep_side(chunk.run / shape_kind_count, chunk.run % shape_kind_count)) {
       continue;
     }
     for (std::uint32_t job = chunk.begin; job < chunk.end; ++job) {
-      add_case(jobs.jobs()[job], job, is_surface_a, places);
+      add_case(jobs.jobs()[job], job, places);
     }
   }
 }
 
 bool SideStage::find(std::size_t job, const PairJob& its, const Places& places, const QuerySettings& settings,
                      Manifold& out) {
-  Case& found = cases_[case_of_job_[job]];
-  const std::uint32_t surface = found.is_surface_low ? found.low : found.high;
-  const std::uint32_t body = found.is_surface_low ? found.high : found.low;
-  const Pose ab = relative(places.worlds[surface], places.worlds[body]);
-  const std::size_t first = out.size();
-  if (!contacts_on_side(*places.shapes[surface], *places.shapes[body], ab, settings, found.side, out)) {
-    return false;
-  }
-  if (its.a != surface) {
-    for (ContactPoint& contact : std::span(out).subspan(first)) {
-      move_by(contact, ab.inverse(), true);
-    }
-  }
-  return true;
+  return contacts_on_side(*places.shapes[its.a], *places.shapes[its.b],
+                          relative(places.worlds[its.a], places.worlds[its.b]), settings,
+                          cases_[case_of_job_[job]].side, out);
 }
 
 void SideStage::settle(const Places& places, std::span<const Pair> pairs) {
@@ -105,7 +92,7 @@ void SideStage::settle(const Places& places, std::span<const Pair> pairs) {
            find_of<Case>(cases_, its.low, its.high) != nullptr;
   });
   for (Case& its : cases_) {
-    if (!its.side.after.is_empty()) {
+    if (!its.side.after.empty()) {
       kept_.push_back({its.low, its.high, places.infos[its.low].generation, places.infos[its.high].generation,
                        std::move(its.side.after)});
     }
@@ -120,9 +107,10 @@ bool SideStage::is_right(const Places& places) const {
     if (its.low >= its.high || its.high >= places.infos.size()) {
       return false;
     }
-    const bool is_low = may_keep_side(places.infos[its.low].kind, places.infos[its.high].kind);
-    return (is_low || may_keep_side(places.infos[its.high].kind, places.infos[its.low].kind)) &&
-           may_be_of(its.memory, *places.shapes[is_low ? its.low : its.high]);
+    const std::uint32_t kind_low = places.infos[its.low].kind, kind_high = places.infos[its.high].kind;
+    const bool is_a_low = kind_low <= kind_high;  // as in jobs
+    return may_keep_side(kind_low, kind_high) && may_be_of(its.memories, *places.shapes[is_a_low ? its.low : its.high],
+                                                           *places.shapes[is_a_low ? its.high : its.low]);
   };
   bool are_right = std::ranges::all_of(kept_, is_of_pair);
   for (std::size_t i = 1; i < kept_.size(); ++i) {
@@ -132,12 +120,15 @@ bool SideStage::is_right(const Places& places) const {
 }
 
 std::size_t SideStage::bytes() const {
-  std::size_t parts = 0;
+  std::size_t memories = 0, parts = 0;
   for (const Kept& its : kept_) {
-    parts += its.memory.parts.capacity();
+    memories += its.memories.capacity();
+    for (const SidesOfChildren& of_children : its.memories) {
+      parts += of_children.memory.parts.capacity();
+    }
   }
-  return kept_.capacity() * sizeof(Kept) + parts * sizeof(SideOfPart) + cases_.capacity() * sizeof(Case) +
-         case_of_job_.capacity() * sizeof(std::uint32_t);
+  return kept_.capacity() * sizeof(Kept) + memories * sizeof(SidesOfChildren) + parts * sizeof(SideOfPart) +
+         cases_.capacity() * sizeof(Case) + case_of_job_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace abut

@@ -41,14 +41,13 @@ class SideStage {
   struct Kept {
     std::uint32_t low, high;                        // places, as in a pair
     std::uint32_t generation_low, generation_high;  // of the ids that live there
-    SideMemory memory;
+    std::vector<SidesOfChildren> memories;
   };
   struct Case {
     std::uint32_t low, high;
-    bool is_surface_low;
     KeptSide side;
   };
-  void add_case(const PairJob& its, std::size_t job, bool is_surface_a, const Places& places);
+  void add_case(const PairJob& its, std::size_t job, const Places& places);
   [[nodiscard]] static bool is_same(const Kept& kept, const Places& places);
 
   std::vector<Kept> kept_;  // in order of their places

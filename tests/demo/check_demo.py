@@ -22,8 +22,8 @@ def run(*arguments):
     return subprocess.run([program, "--data", data, *arguments], capture_output=True, text=True, check=False)
 
 
-def small_run(out, seed=7):
-    return run("--steps", "4", "--bodies", "60", "--size", "96x64", "--seed", str(seed), "--out", str(out))
+def small_run(out, *arguments, seed=7):
+    return run("--steps", "4", "--bodies", "60", "--size", "96x64", "--seed", str(seed), "--out", str(out), *arguments)
 
 
 def rows_of(path):
@@ -56,9 +56,9 @@ class Demo(unittest.TestCase):
         self.assertIn("steps: 100%", self.result.stderr)
         self.assertNotIn("\r", self.result.stderr)
 
-    def test_the_same_seed_gives_the_same_bytes(self):
+    def test_the_same_seed_gives_the_same_bytes_on_one_thread_and_on_all(self):
         again = pathlib.Path(self.folder.name) / "again"
-        small_run(again)
+        small_run(again, "--threads", "1")
         for name in ("contacts.csv", "steps.csv", "scene.png"):
             self.assertEqual((self.out / name).read_bytes(), (again / name).read_bytes(), name)
 
@@ -102,6 +102,7 @@ class Demo(unittest.TestCase):
             (["--bodies", "-3"], "--bodies"),
             (["--bodies", "1e3"], "1e3"),
             (["--seed", ""], "--seed"),
+            (["--threads", "1025"], "1025"),
             (["--size", "1280"], "--size"),
             (["--size", "1280x"], "--size"),
             (["--size", "9x9"], "9"),

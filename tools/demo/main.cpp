@@ -81,13 +81,14 @@ void run(const Options& options) {
   if (error) {
     throw Failure("cannot make the folder " + options.out.string() + ": " + error.message());
   }
-  Scene scene(options.data, options.bodies, options.seed);
+  Scene scene(options.data, options.bodies, options.seed, options.threads);
   std::printf(
       "abut %s: %zu bodies of %zu geometries and %zu shapes on %u x %u elevations (heights x %g), %u steps of %g s, "
-      "seed %llu\n",
+      "seed %llu, threads: %s\n",
       abut_version_string(), scene.body_count(), scene.geometry_count() - 1, scene.shape_count(),
       scene.terrain().columns(), scene.terrain().rows(), Terrain::exaggeration, options.steps, step_seconds,
-      static_cast<unsigned long long>(options.seed));
+      static_cast<unsigned long long>(options.seed),
+      options.threads == 0 ? "all" : std::to_string(options.threads).c_str());
   std::fflush(stdout);
   const Statistics statistics = run_steps(scene, options.steps);
   const std::vector<abut_contact> contacts = contacts_of(scene.universe());

@@ -9,6 +9,8 @@
 namespace demo {
 namespace {
 
+constexpr std::uint32_t most_threads = 1024;
+
 template <class Number>
 Number number_between(std::string_view option, std::string_view text, Number low, Number high) {
   Number value = 0;
@@ -37,6 +39,8 @@ void set(Options& options, std::string_view option, std::string_view value) {
     options.bodies = number_between<std::uint32_t>(option, value, 1, 20'000);
   } else if (option == "--seed") {
     options.seed = number_between<std::uint64_t>(option, value, 0, UINT64_MAX);
+  } else if (option == "--threads") {
+    options.threads = number_between<std::uint32_t>(option, value, 0, most_threads);
   } else if (option == "--size") {
     set_size(options, value);
   } else if (option == "--data") {
@@ -84,6 +88,7 @@ every step, prints counts and times, and writes contacts.csv, steps.csv and scen
   --steps N      steps to run, default 120
   --bodies N     bodies to lay out, default 2000
   --seed N       seed of bodies and places, default 1; the same seed gives the same CSV files
+  --threads N    threads of a step, default 0 for all of the machine; the CSV files are the same for any number
   --size WxH     size of the picture in pixels, default 1280x720
   --out DIR      where to write, default out
   --data DIR     where jacksboro_dem.pgm and bunny.obj lie, default data

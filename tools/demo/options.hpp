@@ -13,6 +13,7 @@ struct Options {
   std::uint32_t steps = 120;
   std::uint32_t bodies = 2000;
   std::uint64_t seed = 1;
+  std::uint32_t threads = 0;
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
   std::filesystem::path data = "data";

@@ -5,10 +5,13 @@
 
 namespace demo {
 
-Scene::Scene(const std::filesystem::path& data, std::size_t bodies, std::uint64_t seed)
+Scene::Scene(const std::filesystem::path& data, std::size_t bodies, std::uint64_t seed, std::uint32_t threads)
     : terrain_(Terrain::load(data / "jacksboro_dem.pgm")), catalogue_(load_obj(data / "bunny.obj"), Random(seed)) {
+  abut_universe_options options;
+  abut_universe_options_init(&options, sizeof options);
+  options.threads = threads;
   abut_universe* universe = nullptr;
-  check(abut_universe_create(nullptr, &universe), "cannot create the universe");
+  check(abut_universe_create(&options, &universe), "cannot create the universe");
   universe_.reset(universe);
   add_terrain();
   Random random(~seed);

@@ -21,7 +21,7 @@ struct Owner {
 
 class Scene {
  public:
-  Scene(const std::filesystem::path& data, std::size_t bodies, std::uint64_t seed);
+  Scene(const std::filesystem::path& data, std::size_t bodies, std::uint64_t seed, std::uint32_t threads);
 
   /// Digs, moves every body by one step of the prescribed motion and places it.
   void move();

@@ -11,12 +11,18 @@ struct SideOfPart {
   bool is_front;  // the body came from there
 };
 
-// Of one pair; empty while the two do not touch.
+// Of one surface and one body; empty while the two do not touch.
 struct SideMemory {
   Vec3 normal{0, 0, 0};           // of the deepest contact, from the surface to the body, in the frame of the surface
   std::vector<SideOfPart> parts;  // the triangles that were touched, in order
 
   [[nodiscard]] bool is_empty() const { return parts.empty(); }
+};
+
+// Of two children of a pair, by their numbers; 0 is that of a shape without children.
+struct SidesOfChildren {
+  std::uint32_t child_a, child_b;
+  SideMemory memory;
 };
 
 }  // namespace abut

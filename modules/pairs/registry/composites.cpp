@@ -3,61 +3,15 @@
 module abut.pairs.registry;
 import abut.capability;
 import abut.core.standard;
-import abut.core;
 import abut.math;
 import abut.narrow.many.cut;
 import abut.narrow.many.nearest_of_parts;
+import abut.pairs.registry.children;
 import abut.pairs.registry.seams;
 import abut.pairs.rows.dispatch;
 
 namespace abut {
 namespace {
-
-Aabb box_of(const AnyShape& shape, const Pose& pose) {
-  return std::visit([&](const auto& s) { return s.aabb(pose); }, shape);
-}
-
-// Children of a shape near a box in its frame, as placed in another frame; the shape itself where it has none.
-template <class Visitor>
-void visit_children(const AnyShape& shape, const Pose& pose, const Aabb& box, Visitor&& visit) {
-  std::visit(
-      [&]<class S>(const S& s) {
-        if constexpr (Assembly<S>) {
-          s.visit_children(box, [&](std::uint32_t child) {
-            visit(*s.children()[child].shape, pose * s.children()[child].pose, child);
-          });
-        } else {
-          visit(shape, pose, 0);
-        }
-      },
-      shape);
-}
-
-// Visits the pairs of children whose boxes come within `reach`, which may shrink on the way. Poses are those in
-// the frame of a.
-template <class Visitor>
-void visit_pairs(const AnyShape& a, const AnyShape& b, const Pose& ab, const Real& reach, Visitor&& visit) {
-  const Aabb around_b = box_of(b, ab);
-  Aabb near_b = around_b.inflated(std::max(reach, Real{0}));
-  visit_children(a, Pose::identity(), near_b, [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a) {
-    const Aabb around_a = box_of(of_a, ab.inverse() * pose_a);
-    Aabb near_a = around_a.inflated(std::max(reach, Real{0}));
-    visit_children(b, ab, near_a, [&](const AnyShape& of_b, const Pose& pose_b, std::uint32_t child_b) {
-      visit(of_a, pose_a, child_a, of_b, pose_b, child_b);
-      near_a = around_a.inflated(std::max(reach, Real{0}));
-    });
-    near_b = around_b.inflated(std::max(reach, Real{0}));
-  });
-}
-
-// Pairs of children are looked up in the order of the table.
-template <class Ask>
-Outcome ask(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, Ask&& ask_kernel) {
-  const bool from_b = b.index() < a.index();
-  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-  return ask_kernel(pair_kernels(first.index(), second.index()), first, second, from_b ? pose_b : pose_a,
-                    from_b ? pose_a : pose_b, from_b);
-}
 
 // Some children may have no answer, as two terrains; no answer at all is one of the whole.
 class Outcomes {
@@ -76,36 +30,8 @@ class Outcomes {
   std::optional<Outcome> last_;
 };
 
-}  // namespace
-
-namespace {
-
-bool is_assembly(const AnyShape& shape) {
-  return std::visit([]<class S>(const S&) { return Assembly<S>; }, shape);
-}
-
 bool is_scattered(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Scattered<S>; }, shape);
-}
-
-Outcome contacts_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
-                         const QuerySettings& settings, Manifold& out) {
-  return ask(a, b, pose_a, pose_b,
-             [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second,
-                 const Pose& first_pose, const Pose& second_pose, bool from_b) {
-               return kernels.contacts(first, second, first_pose, second_pose, from_b, settings, out);
-             });
-}
-
-// Tells the contacts from `first` on which children they are of. Particles have told theirs already.
-void name_children(const AnyShape& a, const AnyShape& b, std::uint32_t child_a, std::uint32_t child_b,
-                   std::size_t first, Manifold& contacts) {
-  const bool of_a = is_assembly(a), of_b = is_assembly(b);
-  for (ContactPoint& contact : std::span(contacts).subspan(first)) {
-    contact.id = contact_id_of_part(contact_id_of_part(contact.id, child_a), child_b);
-    contact.child_a = of_a ? child_a : contact.child_a;
-    contact.child_b = of_b ? child_b : contact.child_b;
-  }
 }
 
 void flip(std::span<ContactPoint> contacts) {
@@ -162,11 +88,11 @@ void carve_both(const AnyShape& a, const AnyShape& b, const Pose& ab, const Quer
 
 Outcome distance_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
                          const QuerySettings& settings, Distance& out) {
-  return ask(a, b, pose_a, pose_b,
-             [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second,
-                 const Pose& first_pose, const Pose& second_pose, bool from_b) {
-               return kernels.distance(first, second, first_pose, second_pose, from_b, settings, out);
-             });
+  return ask_in_order(a, b, pose_a, pose_b,
+                      [&](const PairKernels<AnyShape>& kernels, const AnyShape& first, const AnyShape& second,
+                          const Pose& first_pose, const Pose& second_pose, bool from_b) {
+                        return kernels.distance(first, second, first_pose, second_pose, from_b, settings, out);
+                      });
 }
 
 // In the frame of a. `with_nearest`: with the nearest points of every pair of children, which a contact may miss:
@@ -176,22 +102,22 @@ Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const 
                                     bool with_nearest, Manifold& out) {
   Outcomes outcomes;
   const std::size_t first = out.size();
-  visit_pairs(a, b, ab, settings.margin,
-              [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b,
-                  const Pose& pose_b, std::uint32_t child_b) {
-                const std::size_t begin = out.size();
-                outcomes.add(contacts_of_pair(of_a, of_b, pose_a, pose_b, settings, out));
-                Distance nearest{};
-                const bool are_many = is_scattered(of_a) || is_scattered(of_b);
-                if (with_nearest && !are_many &&
-                    distance_of_pair(of_a, of_b, pose_a, pose_b, settings, nearest) == Outcome::ok &&
-                    nearest.upper < infinity) {
-                  const Feature whole{FeatureKind::whole, 0};
-                  out.push_back({nearest.point_a, nearest.point_b, nearest.normal, nearest.distance, whole, whole,
-                                 contact_id(whole, whole)});
-                }
-                name_children(a, b, child_a, child_b, begin, out);
-              });
+  visit_pairs_of_children(a, b, ab, settings.margin,
+                          [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b,
+                              const Pose& pose_b, std::uint32_t child_b) {
+                            const std::size_t begin = out.size();
+                            outcomes.add(contacts_of_pair(of_a, of_b, pose_a, pose_b, settings, out));
+                            Distance nearest{};
+                            const bool are_many = is_scattered(of_a) || is_scattered(of_b);
+                            if (with_nearest && !are_many &&
+                                distance_of_pair(of_a, of_b, pose_a, pose_b, settings, nearest) == Outcome::ok &&
+                                nearest.upper < infinity) {
+                              const Feature whole{FeatureKind::whole, 0};
+                              out.push_back({nearest.point_a, nearest.point_b, nearest.normal, nearest.distance, whole,
+                                             whole, contact_id(whole, whole)});
+                            }
+                            name_children(a, b, child_a, child_b, begin, out);
+                          });
   if (!with_nearest) {
     settle_seams(a, Pose::identity(), false, b, first, out);
     settle_seams(b, ab, true, a, first, out);
@@ -208,16 +134,16 @@ Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab,
   best = no_distance();
   Outcomes outcomes;
   Real reach = infinity;
-  visit_pairs(a, b, ab, reach,
-              [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t, const AnyShape& of_b, const Pose& pose_b,
-                  std::uint32_t) {
-                Distance found{};
-                const Outcome outcome = distance_of_pair(of_a, of_b, pose_a, pose_b, settings, found);
-                outcomes.add(outcome);
-                if (outcome == Outcome::ok && take_part(found, best)) {
-                  reach = found.distance;
-                }
-              });
+  visit_pairs_of_children(a, b, ab, reach,
+                          [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t, const AnyShape& of_b,
+                              const Pose& pose_b, std::uint32_t) {
+                            Distance found{};
+                            const Outcome outcome = distance_of_pair(of_a, of_b, pose_a, pose_b, settings, found);
+                            outcomes.add(outcome);
+                            if (outcome == Outcome::ok && take_part(found, best)) {
+                              reach = found.distance;
+                            }
+                          });
   return outcomes.outcome();
 }
 

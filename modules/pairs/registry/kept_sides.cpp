@@ -10,6 +10,8 @@ import abut.narrow.many.kept_side;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.warm.side_memory;
 import abut.pairs.registry;
+import abut.pairs.registry.children;
+import abut.pairs.registry.seams;
 
 namespace abut {
 namespace {
@@ -90,25 +92,20 @@ Real noise_of_body(const AnyShape& body, const Pose& pose) {
   return noise_of(size);
 }
 
+// What an algorithm does not answer, the default one does.
+void add_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                  const QuerySettings& settings, Manifold& out) {
+  const std::size_t first = out.size();
+  if (contacts_of_pair(a, b, pose_a, pose_b, settings, out) != Outcome::ok) {
+    out.resize(first, ContactPoint{});
+    static_cast<void>(contacts_of_pair(a, b, pose_a, pose_b, {.margin = settings.margin}, out));
+  }
+}
+
 // In the frame of the surface, which is side a.
 Manifold contacts_of(const AnyShape& surface, const AnyShape& body, const Pose& ab, const QuerySettings& settings) {
   Manifold found;
-  const bool is_swapped = body.index() < surface.index();
-  const auto ask = [&](const QuerySettings& its) {
-    found.clear();
-    return is_swapped
-               ? pair_kernels(body.index(), surface.index())
-                     .contacts_in_frame(body, surface, ab.inverse(), its, nullptr, found)
-               : pair_kernels(surface.index(), body.index()).contacts_in_frame(surface, body, ab, its, nullptr, found);
-  };
-  if (ask(settings) != Outcome::ok) {
-    static_cast<void>(ask({.margin = settings.margin}));
-  }
-  for (ContactPoint& contact : found) {
-    if (is_swapped) {
-      move_by(contact, ab, true);
-    }
-  }
+  add_contacts(surface, body, Pose::identity(), ab, settings, found);
   return found;
 }
 
@@ -141,9 +138,7 @@ void add_way_back(const AnyShape& surface, const AnyShape& body, const Pose& ab,
   });
 }
 
-}  // namespace
-
-bool may_keep_side(std::size_t surface, std::size_t body) {
+bool is_surface_and_body(std::size_t surface, std::size_t body) {
   static constexpr auto are = []<class... S>(const std::variant<S...>*) {
     return std::pair(std::array<bool, sizeof...(S)>{Surface<S>...}, std::array<bool, sizeof...(S)>{Convex<S>...});
   }(static_cast<const AnyShape::Variant*>(nullptr));
@@ -151,27 +146,20 @@ bool may_keep_side(std::size_t surface, std::size_t body) {
   return are.first[surface] && are.second[body] && kernels.route == Route::parts;
 }
 
-bool may_be_of(const SideMemory& memory, const AnyShape& surface) {
-  std::size_t count = 0;
-  ask_surface(surface, [&](const auto& its) { count = its.triangle_count(); });
-  const auto is_right = [&](const SideOfPart& its) { return its.part < count; };
-  return std::ranges::all_of(memory.parts, is_right) && is_finite(memory.normal);
-}
-
-bool contacts_on_side(const AnyShape& surface, const AnyShape& body, const Pose& ab, const QuerySettings& given,
-                      KeptSide& side, Manifold& out) {
-  side.after = {};
+// Of one surface and one body that is placed by `ab` in its frame. None where the contacts without a memory stand.
+std::optional<Manifold> contacts_of_passed(const AnyShape& surface, const AnyShape& body, const Pose& ab,
+                                           const QuerySettings& given, const SideMemory& before, SideMemory& after) {
+  after = {};
   if (is_solid(surface)) {
-    return false;
+    return std::nullopt;
   }
   QuerySettings settings = given;
   settings.margin = std::max(settings.margin, Real{0});
   const std::vector<TouchedPart> touched = touched_parts(surface, body, ab, settings);
   if (touched.empty()) {
-    return false;
+    return std::nullopt;
   }
   const Manifold plain = contacts_of(surface, body, ab, settings);
-  const SideMemory& before = side.before;
   const SidesOfParts sides = sides_of(touched, plain, before, [&](std::uint32_t part) {
     std::optional<TriangleCorners> corners;
     ask_surface(surface, [&](const auto& its) {
@@ -212,17 +200,130 @@ bool contacts_on_side(const AnyShape& surface, const AnyShape& body, const Pose&
     add_way_back(surface, body, ab, settings, way, touched[way.part].triangle, found);
   }
   if (found.empty() && before.is_empty()) {
+    return std::nullopt;
+  }
+  after.normal = found.empty() ? before.normal : std::ranges::min_element(found, {}, &ContactPoint::distance)->normal;
+  for (std::size_t at = 0; at < touched.size(); ++at) {
+    after.parts.push_back({touched[at].triangle.index(), sides.is_front(at)});
+  }
+  return passed.empty() ? std::nullopt : std::optional(std::move(found));
+}
+
+std::pair<std::uint32_t, std::uint32_t> children_of(const SidesOfChildren& its) { return {its.child_a, its.child_b}; }
+
+const SideMemory& memory_of(std::span<const SidesOfChildren> memories, std::uint32_t child_a, std::uint32_t child_b) {
+  static const SideMemory none;
+  const auto at = std::lower_bound(memories.begin(), memories.end(), std::pair(child_a, child_b),
+                                   [](const SidesOfChildren& its, const auto& key) { return children_of(its) < key; });
+  return at != memories.end() && children_of(*at) == std::pair(child_a, child_b) ? at->memory : none;
+}
+
+const AnyShape* child_of(const AnyShape& shape, std::uint32_t child) {
+  return std::visit(
+      [&]<class S>(const S& s) -> const AnyShape* {
+        if constexpr (Assembly<S>) {
+          return child < s.children().size() ? &*s.children()[child].shape : nullptr;
+        } else {
+          return child == 0 ? &shape : nullptr;
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
+}
+
+bool may_be_of(const SideMemory& memory, const AnyShape& surface) {
+  std::size_t count = 0;
+  ask_surface(surface, [&](const auto& its) { count = its.triangle_count(); });
+  const auto is_right = [&](const SideOfPart& its) { return its.part < count; };
+  return std::ranges::all_of(memory.parts, is_right) && is_finite(memory.normal);
+}
+
+}  // namespace
+
+bool may_keep_side(std::size_t a, std::size_t b) {
+  static constexpr auto are = []<class... S>(const std::variant<S...>*) {
+    return std::pair(std::array<bool, sizeof...(S)>{Assembly<S>...},
+                     std::array<bool, sizeof...(S)>{Assembly<S> || Surface<S> || Convex<S>...});
+  }(static_cast<const AnyShape::Variant*>(nullptr));
+  return is_surface_and_body(a, b) || is_surface_and_body(b, a) ||
+         ((are.first[a] || are.first[b]) && are.second[a] && are.second[b]);
+}
+
+bool may_be_of(std::span<const SidesOfChildren> memories, const AnyShape& a, const AnyShape& b) {
+  const auto is_right = [&](const SidesOfChildren& its) {
+    const AnyShape *const of_a = child_of(a, its.child_a), *const of_b = child_of(b, its.child_b);
+    return of_a != nullptr && of_b != nullptr &&
+           ((is_surface_and_body(of_a->index(), of_b->index()) && may_be_of(its.memory, *of_a)) ||
+            (is_surface_and_body(of_b->index(), of_a->index()) && may_be_of(its.memory, *of_b)));
+  };
+  bool are_right = std::ranges::all_of(memories, is_right);
+  for (std::size_t i = 1; i < memories.size(); ++i) {
+    are_right = are_right && children_of(memories[i - 1]) < children_of(memories[i]);
+  }
+  return are_right;
+}
+
+bool contacts_on_side(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                      KeptSide& side, Manifold& out) {
+  side.after.clear();
+  if (a.has_holes() || b.has_holes()) {
     return false;
   }
-  side.after.normal =
-      found.empty() ? before.normal : std::ranges::min_element(found, {}, &ContactPoint::distance)->normal;
-  for (std::size_t at = 0; at < touched.size(); ++at) {
-    side.after.parts.push_back({touched[at].triangle.index(), sides.is_front(at)});
+  struct Passed {
+    std::uint32_t child_a, child_b;
+    Manifold contacts;
+  };
+  std::vector<Passed> passed;
+  const Real reach = settings.margin;
+  visit_pairs_of_children(
+      a, b, ab, reach,
+      [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b, const Pose& pose_b,
+          std::uint32_t child_b) {
+        const bool is_surface_a = is_surface_and_body(of_a.index(), of_b.index());
+        if (!is_surface_a && !is_surface_and_body(of_b.index(), of_a.index())) {
+          return;
+        }
+        const AnyShape &surface = is_surface_a ? of_a : of_b, &body = is_surface_a ? of_b : of_a;
+        const Pose &placed = is_surface_a ? pose_a : pose_b, &of_body = is_surface_a ? pose_b : pose_a;
+        SideMemory after;
+        std::optional<Manifold> found = contacts_of_passed(surface, body, relative(placed, of_body), settings,
+                                                           memory_of(side.before, child_a, child_b), after);
+        if (!after.is_empty()) {
+          side.after.push_back({child_a, child_b, std::move(after)});
+        }
+        if (found) {
+          for (ContactPoint& contact : *found) {
+            move_by(contact, placed, !is_surface_a);
+          }
+          passed.push_back({child_a, child_b, std::move(*found)});
+        }
+      });
+  std::ranges::sort(side.after, {}, children_of);
+  if (passed.empty()) {
+    return false;
   }
-  if (!passed.empty()) {
-    out.insert(out.end(), found.begin(), found.end());
+  const std::size_t first = out.size();
+  if (!is_assembly(a) && !is_assembly(b)) {
+    out.insert(out.end(), passed[0].contacts.begin(), passed[0].contacts.end());
+    return true;
   }
-  return !passed.empty();
+  // Those of children that have passed nothing are as without a memory.
+  std::size_t next = 0;
+  visit_pairs_of_children(
+      a, b, ab, reach,
+      [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b, const Pose& pose_b,
+          std::uint32_t child_b) {
+        const std::size_t begin = out.size();
+        if (next < passed.size() && passed[next].child_a == child_a && passed[next].child_b == child_b) {
+          out.insert(out.end(), passed[next].contacts.begin(), passed[next].contacts.end());
+          ++next;
+        } else {
+          add_contacts(of_a, of_b, pose_a, pose_b, settings, out);
+        }
+        name_children(a, b, child_a, child_b, begin, out);
+      });
+  settle_seams(a, Pose::identity(), false, b, first, out);
+  settle_seams(b, ab, true, a, first, out);
+  return true;
 }
 
 }  // namespace abut

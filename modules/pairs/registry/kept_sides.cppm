@@ -11,19 +11,20 @@ import abut.pairs.registry;
 
 export namespace abut {
 
-// Whether pairs of a surface, by its place in the registry, and another kind may remember a side.
-[[nodiscard]] bool may_keep_side(std::size_t surface, std::size_t body);
-// Whether a memory may be of a pair with this surface.
-[[nodiscard]] bool may_be_of(const SideMemory& memory, const AnyShape& surface);
+// Whether pairs of two kinds, by their places in the registry, may remember a side: a convex shape and a surface, or a
+// composite that may have such children.
+[[nodiscard]] bool may_keep_side(std::size_t a, std::size_t b);
 
-// What a pair has from the detection before, and what it leaves for the next one.
+// What a pair has from the detection before, and what it leaves for the next one: of its children, in their order.
 struct KeptSide {
-  SideMemory before, after;
+  std::vector<SidesOfChildren> before, after;
 };
-// The contacts of a body that is placed by `ab` in the frame of a surface, which is side a. Answers false where those
-// that the pair has without a memory stand; else they are added to `out`. Whatever the margin, what touches is
-// remembered. O(triangles that the body touches).
-[[nodiscard]] bool contacts_on_side(const AnyShape& surface, const AnyShape& body, const Pose& ab,
-                                    const QuerySettings& settings, KeptSide& side, Manifold& out);
+// Whether memories may be of a pair of these two.
+[[nodiscard]] bool may_be_of(std::span<const SidesOfChildren> memories, const AnyShape& a, const AnyShape& b);
+// The contacts of a pair with a body that has passed a surface, in the frame of a. Answers false where those that the
+// pair has without a memory stand; else they are added to `out`. Whatever the margin, what touches is remembered.
+// O(triangles that bodies touch).
+[[nodiscard]] bool contacts_on_side(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                                    KeptSide& side, Manifold& out);
 
 }  // namespace abut

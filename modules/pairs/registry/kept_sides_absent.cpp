@@ -9,7 +9,7 @@ import abut.pairs.registry;
 namespace abut {
 
 bool may_keep_side(std::size_t, std::size_t) { return false; }
-bool may_be_of(const SideMemory&, const AnyShape&) { return false; }
+bool may_be_of(std::span<const SidesOfChildren>, const AnyShape&, const AnyShape&) { return false; }
 bool contacts_on_side(const AnyShape&, const AnyShape&, const Pose&, const QuerySettings&, KeptSide&, Manifold&) {
   return false;
 }

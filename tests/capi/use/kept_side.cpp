@@ -154,6 +154,65 @@ TEST(KeptSide, LeadsBackThroughASheetAsLongAsTheyTouch) {
   }
 }
 
+// A ball and a cylinder beside each other, which reach as far up and down.
+Body make_pair_of_bodies() {
+  const Shape ball = make_sphere(0.5), cylinder = make_of_kind("cylinder", {0.2, 0.5});
+  return {"pair", make_composite({ball, cylinder}, {at(-0.6, 0.1, 0), at(0.4, 0, 0)}), no_rotation,
+          [](const abut_vec3&) { return 0.5; }};
+}
+
+TEST(KeptSide, IsThatOfEachChildOfAComposite) {
+  const std::vector<Shape> surfaces = sheets();
+  const Body ball{"ball", make_sphere(0.5), no_rotation, [](const abut_vec3&) { return 0.5; }};
+  const Body pair = make_pair_of_bodies();
+  for (std::size_t sheet = 0; sheet < surfaces.size(); ++sheet) {
+    // Below it lies a sheet that nothing reaches.
+    const Shape floors = make_composite({surfaces[sheet], surfaces[0]}, {identity, at(0, 0, -9)});
+    const bool has_back = sheet != field_of_sheets;
+    for (const double side : has_back ? std::vector<double>{1, -1} : std::vector<double>{1}) {
+      for (const bool body_first : {false, true}) {
+        for (const auto& [surface, body] :
+             {std::pair<const Shape*, const Body*>{&surfaces[sheet], &pair}, {&floors, &ball}, {&floors, &pair}}) {
+          SCOPED_TRACE(body->name + (surface == &floors ? " on sheets " : " on sheet ") + std::to_string(sheet) +
+                       " from side " + std::to_string(side) + (body_first ? ", first" : ""));
+          const abut_vec3 up{0, 0, side};
+          Push push(*surface, *body, {sum(middle_of(sheet), times(2, up)), no_rotation},
+                    body_first ? 0 : ABUT_GEOMETRY_KEEPS_SIDE, body_first ? ABUT_GEOMETRY_KEEPS_SIDE : 0, body_first);
+          for (double height = 0.495; height > -0.5; height -= 0.07) {
+            SCOPED_TRACE(height);
+            const auto contacts = push.step_to(sum(middle_of(sheet), times(height, up)));
+            expect_contact(contacts, up, height - 0.5);
+            // Each child is as deep, and its contact names it.
+            for (const std::uint32_t child :
+                 body == &pair ? std::vector<std::uint32_t>{0, 1} : std::vector<std::uint32_t>{0}) {
+              const auto is_of_child = [&](const abut_contact& its) {
+                return (body_first ? its.child_a : its.child_b) == child &&
+                       std::fabs(its.distance - (height - 0.5)) < 1e-9;
+              };
+              EXPECT_TRUE(std::ranges::any_of(contacts, is_of_child)) << child;
+            }
+          }
+          EXPECT_TRUE(push.step_to(sum(middle_of(sheet), times(-0.505, up))).empty());
+          const auto contacts = push.step_to(sum(middle_of(sheet), times(-0.45, up)));
+          if (has_back) expect_contact(contacts, times(-1, up), -0.05);
+        }
+      }
+    }
+  }
+}
+
+// A clamp with an arm on either side of a sheet: each comes from its own side.
+TEST(KeptSide, IsOfEachArmOfAClamp) {
+  const std::vector<Shape> surfaces = sheets();
+  const Shape ball = make_sphere(0.5);
+  const Body clamp{"clamp", make_composite({ball, ball}, {at(0, 0, 0.45), at(0, 0, -0.45)}), no_rotation, {}};
+  Push push(surfaces[0], clamp, {{4, 0.1, 0}, no_rotation}, ABUT_GEOMETRY_KEEPS_SIDE, 0);
+  for (double x = 2.4; x > 0; x -= 0.1) push.step_to({x, 0.1, 0});
+  const auto contacts = push.step_to({0.3, 0.1, -0.5});
+  // The upper arm has passed the sheet, the lower one has left it.
+  expect_contact(contacts, {0, 0, 1}, -0.55);
+}
+
 TEST(KeptSide, IsNotKeptWithoutTheFlag) {
   const std::vector<Shape> surfaces = sheets();
   for (const Body& body : bodies()) {
@@ -268,7 +327,8 @@ class Crowd {
       starts_.push_back(start);
       ways_.push_back({next() - 0.5, next() - 0.5, next() - 0.5});
       parts_.push_back(universe_.add_part({start, no_rotation}));
-      universe_.add_geometry(parts_.back(), bodies_[static_cast<std::size_t>(i) % bodies_.size()].shape);
+      const std::size_t kind = static_cast<std::size_t>(i) % (bodies_.size() + 1);
+      universe_.add_geometry(parts_.back(), kind < bodies_.size() ? bodies_[kind].shape : pair_.shape);
     }
   }
   void step(abut_universe* universe, int number) const {
@@ -290,6 +350,7 @@ class Crowd {
   Shape box_ = make_box_mesh(2);
   std::vector<Shape> sheets_ = sheets();
   std::vector<Body> bodies_ = bodies();
+  Body pair_ = make_pair_of_bodies();
   Universe universe_;
   std::vector<abut_vec3> starts_, ways_;
   std::vector<abut_part_id> parts_;
