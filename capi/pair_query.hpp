@@ -79,8 +79,8 @@ static_assert(usual_points * sizeof(ContactPoint) <= 1024);
                         : pair_contacts(a, b, pose_a, pose_b, query.settings, written_as<PairHint>(*memory), found);
   if (outcome == Outcome::ok) [[likely]] {
     // Most pairs have nothing to choose from.
-    const auto surfaces = [&] { return SurfaceSides{is_surface(a), is_surface(b)}; };
-    kept = found.size() < 2 ? found.size() : reduce_children(found, query.max_contacts, surfaces());
+    const auto surfaces = [&](const ContactPoint& contact) { return surfaces_of(a, b, contact); };
+    kept = found.size() < 2 ? found.size() : reduce_children(found, query.max_contacts, surfaces);
     kept = query.max_pair_contacts == 0 ? kept : cap(std::span(found).first(kept), query.max_pair_contacts);
   }
   return outcome;

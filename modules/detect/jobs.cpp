@@ -3,9 +3,7 @@ module abut.detect.jobs;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-import abut.narrow.manifold;
 import abut.pairs.any_shape;
-import abut.pairs.registry.seams;
 import abut.pairs.registry;
 import abut.pairs.table;
 import abut.scene.options;
@@ -14,14 +12,6 @@ import abut.scene.places;
 import abut.scene.policies;
 
 namespace abut {
-
-SurfaceSides surfaces_of_run(std::size_t run) {
-  if (is_self_run(run)) {
-    const bool is_surface = is_surface_kind(run - pair_run_count);
-    return {is_surface, is_surface};
-  }
-  return {is_surface_kind(run / shape_kind_count), is_surface_kind(run % shape_kind_count)};
-}
 
 JobList::JobList() {
   for (std::size_t row = 0; row < shape_kind_count; ++row) {

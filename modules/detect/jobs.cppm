@@ -51,9 +51,6 @@ inline constexpr std::size_t job_run_count = run_count + 1;
   return kind_low <= kind_high ? run_of(kind_low, kind_high) : run_of(kind_high, kind_low);
 }
 
-// Which sides of its pairs are surfaces.
-[[nodiscard]] SurfaceSides surfaces_of_run(std::size_t run);
-
 // Where the contacts of a job lie in the points of its chunk, after reduction and in the world.
 struct JobResult {
   std::uint32_t chunk = 0, first = 0, count = 0;

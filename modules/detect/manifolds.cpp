@@ -10,6 +10,7 @@ import abut.detect.stopwatch;
 import abut.math;
 import abut.narrow.manifold;
 import abut.pairs.any_shape;
+import abut.pairs.registry.seams;
 import abut.pairs.registry.self_contacts;
 import abut.pairs.registry;
 import abut.pairs.table;
@@ -33,7 +34,7 @@ struct FoundPoints {
 
 // Keeps of the points of a job what is reported, reduced and moved to the world. Jobs come in the order of kinds, so
 // that whatever it reads of its pair is far away in memory: only reductions, which are rare, look there.
-void finish_job(const FoundPoints& points, const UniverseOptions& options, Detail detail, std::span<const Pose> worlds,
+void finish_job(const FoundPoints& points, const UniverseOptions& options, Detail detail, const Places& places,
                 std::span<const ContactHistory> histories, std::span<const Pair> pairs, JobList& jobs) {
   if (points.count == 0) {
     jobs.result(points.job) = {points.chunk, 0, 0};
@@ -43,17 +44,19 @@ void finish_job(const FoundPoints& points, const UniverseOptions& options, Detai
   const PairJob& its = jobs.jobs()[points.job];
   const std::span<ContactPoint> found = std::span(scratch.points).subspan(points.first, points.count);
   const auto reported = [&](const ContactPoint& contact) { return is_reported(contact.distance, its.margin); };
-  const SurfaceSides surfaces = surfaces_of_run(jobs.chunks()[points.chunk].run);
+  const auto surfaces = [&](const ContactPoint& contact) {
+    return surfaces_of(*places.shapes[its.a], *places.shapes[its.b], contact);
+  };
   const std::size_t left = keep_best(found, options, detail, surfaces, scratch, reported, [&] {
     const Pair& pair = pairs[jobs.pair_of(points.job)];
     return histories.subspan(pair.first_before, pair.count_before);
   });
   const bool is_swapped = its.a > its.b;
   for (ContactPoint& contact : found.first(left)) {
-    move_by(contact, worlds[its.a], is_swapped);
+    move_by(contact, places.worlds[its.a], is_swapped);
   }
   if (options.keeps_local_points) {
-    const Pose &a = worlds[is_swapped ? its.b : its.a], &b = worlds[is_swapped ? its.a : its.b];
+    const Pose &a = places.worlds[is_swapped ? its.b : its.a], &b = places.worlds[is_swapped ? its.a : its.b];
     scratch.locals.resize(scratch.points.size());
     for (std::size_t i = 0; i < left; ++i) {
       scratch.locals[points.first + i] = {a.undo(found[i].point_a), b.undo(found[i].point_b)};
@@ -108,7 +111,7 @@ void find_in_chunk(std::size_t number, const UniverseOptions& options, const Pol
       }
     }
     finish_job({chunk.begin + i, static_cast<std::uint32_t>(number), begin, end - begin}, options, policy.detail,
-               places.worlds, histories, pairs.all(), jobs);
+               places, histories, pairs.all(), jobs);
     begin = next;
   }
 }

@@ -22,10 +22,10 @@ void find_manifolds(const Workers& workers, const UniverseOptions& options, cons
 
 // Brings to the front those with a distance that is wanted, reduced as the options say, and counts them. A reduction
 // prefers what the pair had before: `history` hands over the contacts of the detection before, and is asked for a
-// reduction alone. `surfaces`: which sides of the contacts are surfaces.
+// reduction alone.
 template <class IsWanted, class History>
 [[nodiscard]] std::size_t keep_best(std::span<ContactPoint> found, const UniverseOptions& options, Detail detail,
-                                    SurfaceSides surfaces, ChunkScratch& scratch, IsWanted&& is_wanted,
+                                    const SurfacesOf& surfaces_of, ChunkScratch& scratch, IsWanted&& is_wanted,
                                     History&& history) {
   const auto kept = static_cast<std::size_t>(std::partition(found.begin(), found.end(), is_wanted) - found.begin());
   scratch.ids.clear();
@@ -34,7 +34,8 @@ template <class IsWanted, class History>
       scratch.ids.push_back(its.id);
     }
   }
-  std::size_t left = reduce_children(found.first(kept), options.max_contacts, scratch.ids, scratch.reduction, surfaces);
+  std::size_t left =
+      reduce_children(found.first(kept), options.max_contacts, scratch.ids, scratch.reduction, surfaces_of);
   left = options.max_pair_contacts == 0 ? left : cap(found.first(left), options.max_pair_contacts);
   return detail == Detail::point ? std::min<std::size_t>(left, 1) : left;
 }

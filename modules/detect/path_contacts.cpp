@@ -10,6 +10,7 @@ import abut.math;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
+import abut.pairs.registry.seams;
 import abut.scene.options;
 import abut.scene.places;
 import abut.scene.policies;
@@ -96,7 +97,10 @@ void finish(const PathScene& scene, const Sides& sides, const Moment& moment, co
   const std::size_t first = result.first + result.count;
   const std::span<ContactPoint> found = std::span(scratch.points).subspan(first);
   const Detail detail = scene.policies.at(pair.policy).detail;
-  std::size_t left = keep_best(found, scene.options, detail, surfaces_of_run(pair.run), scratch, is_wanted,
+  const auto surfaces = [&](const ContactPoint& contact) {
+    return surfaces_of(*scene.places.shapes[sides.job.a], *scene.places.shapes[sides.job.b], contact);
+  };
+  std::size_t left = keep_best(found, scene.options, detail, surfaces, scratch, is_wanted,
                                [&] { return scene.histories.subspan(pair.first_before, pair.count_before); });
   const std::size_t most = detail == Detail::point ? 1 : scene.options.max_pair_contacts;
   left = most == 0 ? left : std::min<std::size_t>(left, most - std::min<std::size_t>(most, result.count));

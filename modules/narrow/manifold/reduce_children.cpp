@@ -84,15 +84,17 @@ std::size_t reduce_each_pair(std::span<ContactPoint> contacts, std::size_t most,
 
 }  // namespace
 
-std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most, SurfaceSides surfaces) {
+std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most, const SurfacesOf& surfaces_of) {
   ReduceScratch scratch;
-  return reduce_each_pair(contacts, most, scratch,
-                          [&](std::span<ContactPoint> pair) { return reduce(pair, most, surfaces); });
+  return reduce_each_pair(contacts, most, scratch, [&](std::span<ContactPoint> pair) {
+    return pair.size() > most ? reduce(pair, most, surfaces_of(pair.front())) : reduce(pair, most);
+  });
 }
 std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most, std::span<const std::uint64_t> before,
-                            ReduceScratch& scratch, SurfaceSides surfaces) {
-  return reduce_each_pair(contacts, most, scratch,
-                          [&](std::span<ContactPoint> pair) { return reduce(pair, most, before, surfaces); });
+                            ReduceScratch& scratch, const SurfacesOf& surfaces_of) {
+  return reduce_each_pair(contacts, most, scratch, [&](std::span<ContactPoint> pair) {
+    return pair.size() > most ? reduce(pair, most, before, surfaces_of(pair.front())) : reduce(pair, most);
+  });
 }
 
 }  // namespace abut

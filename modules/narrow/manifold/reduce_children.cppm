@@ -15,12 +15,15 @@ struct ReduceScratch {
   Manifold spare;
 };
 
+// Which sides of a contact are surfaces, as its children tell.
+using SurfacesOf = std::function<SurfaceSides(const ContactPoint&)>;
+
 // Reduces each pair of children by itself, without or with the ids that were kept before. What is kept comes first, the
-// deepest first. `surfaces`: of a pair that is no composite; surfaces that are children have one region.
+// deepest first.
 [[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most,
-                                          SurfaceSides surfaces = {});
+                                          const SurfacesOf& surfaces_of);
 [[nodiscard]] std::size_t reduce_children(std::span<ContactPoint> contacts, std::size_t most,
                                           std::span<const std::uint64_t> before, ReduceScratch& scratch,
-                                          SurfaceSides surfaces = {});
+                                          const SurfacesOf& surfaces_of);
 
 }  // namespace abut

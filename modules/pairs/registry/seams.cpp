@@ -83,6 +83,21 @@ bool has_surfaces(const AnyShape& shape) {
 
 }  // namespace
 
+SurfaceSides surfaces_of(const AnyShape& a, const AnyShape& b, const ContactPoint& contact) {
+  const auto is_surface_child = [](const AnyShape& shape, std::uint32_t child) {
+    return std::visit(
+        [&]<class S>(const S& s) {
+          if constexpr (Assembly<S>) {
+            return is_surface(*s.children()[child].shape);
+          } else {
+            return Surface<S>;
+          }
+        },
+        static_cast<const AnyShape::Variant&>(shape));
+  };
+  return {is_surface_child(a, contact.child_a), is_surface_child(b, contact.child_b)};
+}
+
 bool is_surface_kind(std::size_t kind) {
   static constexpr auto are_surfaces = []<class... S>(const std::variant<S...>*) {
     return std::array<bool, sizeof...(S)>{Surface<S>...};

@@ -6,6 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.narrow.manifold.reduce;
 import abut.pairs.registry;
 
 export namespace abut {
@@ -13,6 +14,9 @@ export namespace abut {
 // By place in the registry.
 [[nodiscard]] bool is_surface_kind(std::size_t kind);
 [[nodiscard]] inline bool is_surface(const AnyShape& shape) { return is_surface_kind(shape.index()); }
+
+// Which sides of a contact of two shapes are surfaces. Of a composite it is the child that tells.
+[[nodiscard]] SurfaceSides surfaces_of(const AnyShape& a, const AnyShape& b, const ContactPoint& contact);
 
 // A surface that a body touches, and the contacts of both. Poses and contacts are in one frame.
 struct Seam {

@@ -183,6 +183,33 @@ TEST(Regions, StayInAUniverseWhileTheTableTrembles) {
   }
 }
 
+// A table with a box on it, on floors that are children too.
+TEST(Regions, AreThoseOfChildrenOfComposites) {
+  std::mt19937 random(5);
+  const Shape table = make_table(four_feet, 0, random), load = make_box(0.2, 0.2, 0.2);
+  const Shape loaded_table = make_composite({load, table}, {at(0, 0, 1), at(0, 0, 0.1)});
+  const std::vector<Shape> floors = make_floors();
+  for (std::size_t floor = 0; floor < floors.size(); ++floor) {
+    const Shape below = make_composite({load, floors[floor]}, {at(0, 0, -3), at(0, 0, 0.3)});
+    for (const auto& [body, height_of_body] : {std::pair<const Shape*, double>{&table, 0}, {&loaded_table, -0.1}}) {
+      for (const auto& [ground, height_of_ground] :
+           {std::pair<const Shape*, double>{&floors[floor], 0}, {&below, 0.3}}) {
+        SCOPED_TRACE("floor " + std::to_string(floor) + (body == &table ? "" : ", loaded") +
+                     (ground == &below ? ", of a composite" : ""));
+        const abut_pose pose = at(0, 0, height_of_body + height_of_ground - 0.002);
+        expect_each_foot_held(reduced_contacts(*body, pose, *ground, identity, 4, 0), four_feet, 4);
+        Universe universe;
+        universe.add(*ground, identity, ABUT_MOTION_STATIC);
+        universe.add_geometry(universe.add_part(pose), *body);
+        for (int step = 0; step < 2; ++step) {
+          std::vector<abut_contact> contacts = universe.step();
+          expect_each_foot_held(contacts, four_feet, 5);
+        }
+      }
+    }
+  }
+}
+
 TEST(Regions, ABoxOnAFloorOfTrianglesHasOne) {
   const std::vector<Shape> floors = make_floors();
   const Shape box = make_box(0.5, 0.4, 0.3);

@@ -43,6 +43,8 @@ Contacts random_contacts(std::size_t count, std::uint32_t children, test::Random
   return contacts;
 }
 
+abut::SurfaceSides no_surfaces(const ContactPoint&) { return {}; }
+
 std::vector<Name> pair_by_pair(const Contacts& contacts, std::size_t most) {
   std::map<Children, Contacts> pairs;
   for (const ContactPoint& contact : contacts) {
@@ -69,7 +71,8 @@ TEST(ReduceChildren, ReducesEachPairByItself) {
       Contacts contacts = random_contacts(count, children, random);
       const std::vector<Name> expected = pair_by_pair(contacts, most);
       std::vector<Name> names;
-      for (const ContactPoint& contact : std::span(contacts).first(abut::reduce_children(contacts, most))) {
+      for (const ContactPoint& contact :
+           std::span(contacts).first(abut::reduce_children(contacts, most, no_surfaces))) {
         names.push_back(name_of(contact));
       }
       EXPECT_EQ(names, expected) << count << ' ' << most;
