@@ -298,7 +298,8 @@ Verdict judge_distance(const Scene& scene, const Distance& found, const Manifold
 Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manifold& found) {
   const Real noise = tolerance(scene) + doubt_of(scene);
   if (distance.distance > scene.margin + noise && !found.empty()) {
-    return "contacts of shapes that are apart";
+    return fault("distance of a contact of shapes that are apart",
+                 std::ranges::min_element(found, {}, &ContactPoint::distance)->distance, distance.distance);
   }
   const bool solid = is_solid(scene.a) && is_solid(scene.b);
   // Without an upper bound there may be nothing to touch, as in a field whose samples are all positive.

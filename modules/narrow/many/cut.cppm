@@ -5,9 +5,24 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.many.rim_point;
 
 export namespace abut {
+
+// Half the longest side of a child of a composite; 0 where it has no bounds.
+template <class Composite>
+[[nodiscard]] Real half_size_of(const Composite& composite, std::uint32_t child) {
+  const Aabb box =
+      std::visit([](const auto& shape) { return shape.aabb(Pose::identity()); }, *composite.children()[child].shape);
+  return box.is_bounded() ? 0.5 * largest_magnitude(box.high - box.low) : 0;
+}
+// Of a place on a child that is found in several steps. `size`: of the numbers that tell where it is otherwise.
+template <class Composite>
+[[nodiscard]] Real noise_at(const Composite& composite, std::uint32_t child, Real size) {
+  const Real of_child = largest_magnitude(composite.children()[child].pose.position) + half_size_of(composite, child);
+  return 4 * noise_of(size + of_child);
+}
 
 // A solid child, a hole that cuts it, and a place near the rim of both.
 struct RimSeed {
@@ -17,8 +32,9 @@ struct RimSeed {
 };
 
 // A composite against another shape, which is neither a composite nor made of scattered parts. Both are placed in one
-// frame. The other shape knows its box, its distance to a point of its own frame, and its contacts with a hole. It also
-// tells whether it is a sheet. A triangle or less tells whether it comes through a wall of a hole from inside.
+// frame. The other shape knows its box, its distances to a point of its own frame and to a solid, and its contacts with
+// a hole. It also tells whether it is a sheet. A triangle or less tells whether it comes through a wall of a hole from
+// inside.
 template <class Composite, class Other>
 class Carver {
  public:
@@ -28,7 +44,6 @@ class Carver {
     centre_ = box.is_bounded() ? box.centre() : other_pose.position;
     reach_ = box.is_bounded() ? largest_magnitude(box.high - box.low) : 0;
     size_ = largest_magnitude(centre_) + largest_magnitude(pose.position) + reach_;
-    noise_ = 256 * epsilon * size_;
   }
 
   // Takes out the contacts with solids where there is a hole, and adds those with walls and rims. Normals lead from the
@@ -44,7 +59,7 @@ class Carver {
     for (const auto& hole : composite_.holes()) {
       add_walls(hole, settings, contacts, added);
     }
-    std::erase_if(contacts, [&](const ContactPoint& contact) { return is_cut_away(contact); });
+    std::erase_if(contacts, [&](const ContactPoint& contact) { return cut_of(contact) != Cut::none; });
   }
   [[nodiscard]] std::span<const RimSeed> seeds() const [[clang::lifetimebound]] { return seeds_; }
   // Places of one hole and solid that are near each other lead to the same rims.
@@ -80,11 +95,10 @@ class Carver {
     }
     return found;
   }
-  // Half the longest side of a hole.
-  [[nodiscard]] Real half_size_of(std::uint32_t hole) const {
-    const Aabb box = std::visit([](const auto& shape) { return shape.aabb(Pose::identity()); }, child(hole));
-    return 0.5 * largest_magnitude(box.high - box.low);
-  }
+  [[nodiscard]] Real half_size_of(std::uint32_t number) const { return abut::half_size_of(composite_, number); }
+  // Children may be much larger than the other shape.
+  [[nodiscard]] Real noise_at(std::uint32_t number) const { return abut::noise_at(composite_, number, size_); }
+  [[nodiscard]] Real noise_at(const RimSeed& seed) const { return std::max(noise_at(seed.solid), noise_at(seed.hole)); }
   [[nodiscard]] bool is_in_solid(std::uint32_t solid, const Vec3& point, Real inset) const {
     const auto found = distance_to_child(solid, point);
     return found && found->distance <= -inset;
@@ -92,17 +106,31 @@ class Carver {
   // Whether a point lies in a hole of a solid, other than the hole `but`.
   [[nodiscard]] bool is_in_hole_of(std::uint32_t solid, const Vec3& point, std::uint32_t but) const {
     return std::ranges::any_of(composite_.holes(), [&](const Hole& hole) {
-      return hole.child != but && hole.begin <= solid && solid < hole.end && holds(hole.child, point, noise_);
+      return hole.child != but && hole.begin <= solid && solid < hole.end &&
+             holds(hole.child, point, noise_at(hole.child));
     });
   }
-  // A solid that has material at a point on the wall of a hole.
-  [[nodiscard]] std::optional<std::uint32_t> material_at(const Hole& hole, const Vec3& point) const {
-    for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
-      if (!child(solid).is_hole() && is_in_solid(solid, point, -noise_) && !is_in_hole_of(solid, point, hole.child)) {
-        return solid;
+  // How far the other shape is from a solid, whatever holes take of it.
+  [[nodiscard]] Real gap_to(std::uint32_t solid) {
+    for (const auto& [known, gap] : gaps_) {
+      if (known == solid) {
+        return gap;
       }
     }
-    return std::nullopt;
+    Distance found{};
+    const Outcome outcome = other_.distance_to_solid(child(solid), child_pose(solid), other_pose_, found);
+    return gaps_.emplace_back(solid, outcome == Outcome::ok ? found.distance : -infinity).second;
+  }
+  // Whether the wall of a hole has material where a contact touches it, of a solid that the other shape is as near to.
+  [[nodiscard]] bool has_material(const Hole& hole, const ContactPoint& contact) {
+    for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
+      if (!child(solid).is_hole() && is_in_solid(solid, contact.point_a, -noise_at(solid)) &&
+          !is_in_hole_of(solid, contact.point_a, hole.child) &&
+          gap_to(solid) <= std::max(contact.distance, Real{0}) + noise_at(solid)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   // Contacts with the walls of a hole that have material behind them. A wall does not count where the other shape comes
@@ -129,7 +157,7 @@ class Carver {
       if (!reaches_from_inside(hole, contact)) {
         continue;
       }
-      if (material_at(hole, contact.point_a)) {
+      if (has_material(hole, contact)) {
         contact.child_a = hole.child;
         contact.id = contact_id_of_part(contact.id, hole.child);
         deepest_wall = std::min(deepest_wall, contact.distance);
@@ -140,13 +168,14 @@ class Carver {
     }
     Real deepest_solid = infinity;
     for (const ContactPoint& contact : solids) {
-      if (is_of_hole(contact) && !is_cut_away(contact)) {
+      if (is_of_hole(contact) && cut_of(contact) != Cut::of_surface) {
         deepest_solid = std::min(deepest_solid, contact.distance);
       }
     }
     // A touch counts, so that rounding does not decide whether the wall has material.
-    const bool overlap_both = deepest_solid <= noise_ && deepest_wall < 0;
+    const bool overlap_both = deepest_solid <= noise_at(hole.child) && deepest_wall < 0;
     if (overlap_both && deepest_wall < deepest_solid) {
+      left_through_solid_.push_back(hole.child);
       return;
     }
     walls.insert(walls.end(), reached.begin(), reached.end());
@@ -161,31 +190,37 @@ class Carver {
       return true;
     }
     const Pose in_hole = relative(child_pose(hole.child), other_pose_);
-    if (const auto is_through = other_.comes_through(child(hole.child), in_hole, contact.feature_a.index, noise_)) {
+    if (const auto is_through =
+            other_.comes_through(child(hole.child), in_hole, contact.feature_a.index, noise_at(hole.child))) {
       return *is_through;
     }
     const auto found = other_.distance_to(other_pose_.undo(contact.point_a));
-    return found && found->distance <= noise_;
+    return found && found->distance <= noise_at(hole.child);
   }
 
-  // Whether the contact with a solid lies in a hole, or the other shape does.
-  [[nodiscard]] bool is_cut_away(const ContactPoint& contact) {
+  // What a hole takes of a contact with a solid: the surface that it is on, or all, as the other shape lies in the
+  // hole.
+  enum class Cut : std::uint8_t { none, of_surface, of_inside };
+  [[nodiscard]] Cut cut_of(const ContactPoint& contact) {
     for (const Hole& hole : composite_.holes()) {
       if (!(hole.begin <= contact.child_a && contact.child_a < hole.end)) {
         continue;
       }
-      if (holds(hole.child, contact.point_a, noise_)) {
+      const Real noise = noise_at(hole.child);
+      if (holds(hole.child, contact.point_a, noise)) {
         add_seeds(hole, contact.point_b);
-        return true;
+        return Cut::of_surface;
       }
-      if (contact.distance < 0 && holds(hole.child, contact.point_b, noise_) && holds(hole.child, centre_, noise_)) {
+      const bool goes_through = std::ranges::find(left_through_solid_, hole.child) != left_through_solid_.end();
+      if (!goes_through && contact.distance < 0 && holds(hole.child, contact.point_b, noise) &&
+          holds(hole.child, centre_, noise)) {
         if (other_.is_sheet()) {
           add_seeds(hole, contact.point_b);  // it may go on past the rim
         }
-        return true;
+        return Cut::of_inside;
       }
     }
-    return false;
+    return Cut::none;
   }
 
   void add_seeds(const Hole& hole, const Vec3& place) {
@@ -216,7 +251,7 @@ class Carver {
       const auto follow = [&](const RimContact& start) {
         const auto rim_near = [&](const Vec3& place) { return rim_point(seed, place); };
         const auto to_other = [&](const Vec3& place) { return distance_to_other(place); };
-        return nearest_on_rim(start, std::min(reach_, 2 * half_size_of(seed.hole)), noise_, rim_near, to_other);
+        return nearest_on_rim(start, std::min(reach_, 2 * half_size_of(seed.hole)), noise_at(seed), rim_near, to_other);
       };
       std::array<std::optional<RimContact>, around.size()> found;
       std::optional<RimContact> best;
@@ -246,6 +281,7 @@ class Carver {
   // are nearest to each other.
   [[nodiscard]] std::optional<RimContact> rim_contact_near(const RimSeed& seed, const Vec3& place) const {
     constexpr int rounds = 8;
+    const Real noise = noise_at(seed);
     std::optional<RimContact> contact;
     Vec3 near = place;
     for (int round = 0; round < rounds; ++round) {
@@ -255,7 +291,7 @@ class Carver {
         return std::nullopt;
       }
       contact = RimContact{*rim, *found};
-      if (!(found->distance > 0) || largest_magnitude(found->point_b - near) <= noise_) {
+      if (!(found->distance > 0) || largest_magnitude(found->point_b - near) <= noise) {
         break;
       }
       near = found->point_b;
@@ -268,9 +304,9 @@ class Carver {
                Manifold& contacts, std::size_t first) const {
     const Vec3& place = rim.rim.place;
     const auto is_same = [&](const ContactPoint& other) {
-      return largest_magnitude(other.point_a - place) <= 1e-6 * size_;
+      return largest_magnitude(other.point_a - place) <= 1e-6 * (size_ + half_size_of(seed.hole));
     };
-    const bool is_pierced = other_.is_sheet() && rim.found.distance <= noise_;
+    const bool is_pierced = other_.is_sheet() && rim.found.distance <= noise_at(seed);
     if (!(rim.found.distance <= settings.margin || is_pierced) || is_in_hole_of(seed.solid, place, seed.hole) ||
         std::ranges::any_of(std::span(contacts).subspan(first), is_same)) {
       return;
@@ -301,7 +337,7 @@ class Carver {
 
   [[nodiscard]] std::optional<RimPoint> rim_point(const RimSeed& seed, const Vec3& place) const {
     return rim_point_near(
-        place, noise_, [&](const Vec3& at) { return distance_to_child(seed.solid, at); },
+        place, noise_at(seed), [&](const Vec3& at) { return distance_to_child(seed.solid, at); },
         [&](const Vec3& at) { return distance_to_child(seed.hole, at); });
   }
   // From a point of the composite.
@@ -317,17 +353,20 @@ class Carver {
   Other other_;
   Pose pose_, other_pose_;
   Vec3 centre_{0, 0, 0};  // of the other shape
-  Real reach_, size_, noise_;
+  Real reach_, size_;
   std::vector<RimSeed> seeds_;
+  std::vector<std::uint32_t> left_through_solid_;     // holes out of whose walls the way is longer
+  std::vector<std::pair<std::uint32_t, Real>> gaps_;  // to solids, as they are asked for
 };
 
 // Whether a contact lies in a hole of the composite. Its normal leads from the composite to the other shape. What lies
 // in a hole overlaps nothing.
 template <class Composite>
 [[nodiscard]] bool is_in_hole(const Composite& composite, const Pose& pose, const ContactPoint& contact) {
-  const Real noise = 256 * epsilon * (largest_magnitude(contact.point_a) + largest_magnitude(pose.position));
+  const Real size = largest_magnitude(contact.point_a) + largest_magnitude(pose.position);
   return std::ranges::any_of(composite.holes(), [&](const auto& hole) {
     const auto& cavity = composite.children()[hole.child];
+    const Real noise = noise_at(composite, hole.child, size);
     const auto holds = [&](const Vec3& point) {
       return cavity.shape->cavity_holds((pose * cavity.pose).undo(point), noise);
     };

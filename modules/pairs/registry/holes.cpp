@@ -98,6 +98,10 @@ struct LoneShape {
     return pair_kernels(one.index(), two.index())
         .distance(one, two, comes_first ? pose : placed, comes_first ? placed : pose, comes_first, settings, found);
   }
+  [[nodiscard]] Outcome distance_to_solid(const AnyShape& solid, const Pose& placed, const Pose& pose,
+                                          Distance& found) const {
+    return distance_in(solid, placed, pose, {}, found);
+  }
 };
 
 // One of many solids of one kind or of the triangles of a surface, which is no shape of the table.
@@ -134,6 +138,17 @@ struct LonePart {
     });
     move_by(found, placed);
     return outcome;
+  }
+  [[nodiscard]] Outcome distance_to_solid(const AnyShape& solid, const Pose& placed, const Pose& pose,
+                                          Distance& found) const {
+    const auto ask = [&]<class S>(const S& shape) {
+      if constexpr (Convex<S> || HalfSpace<S>) {
+        return distance_by_route(core_of(shape), core_of(part), relative(placed, pose), {}, found);
+      } else {
+        return Outcome::unsupported;
+      }
+    };
+    return std::visit(ask, static_cast<const AnyShape::Variant&>(solid));
   }
 };
 
