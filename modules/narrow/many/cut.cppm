@@ -184,18 +184,12 @@ class Carver {
     }
   }
 
-  // A shape that went through a wall holds a point of the wall. Otherwise it lies elsewhere outside of the cavity.
+  // A sheet may lie beyond a wall without having come through it.
   [[nodiscard]] bool reaches_from_inside(const Hole& hole, const ContactPoint& contact) const {
-    if (contact.distance >= 0) {
-      return true;
-    }
     const Pose in_hole = relative(child_pose(hole.child), other_pose_);
-    if (const auto is_through =
-            other_.comes_through(child(hole.child), in_hole, contact.feature_a.index, noise_at(hole.child))) {
-      return *is_through;
-    }
-    const auto found = other_.distance_to(other_pose_.undo(contact.point_a));
-    return found && found->distance <= noise_at(hole.child);
+    return contact.distance >= 0 ||
+           other_.comes_through(child(hole.child), in_hole, contact.feature_a.index, noise_at(hole.child))
+               .value_or(true);
   }
 
   // What a hole takes of a contact with a solid: the surface that it is on, or all, as the other shape lies in the
