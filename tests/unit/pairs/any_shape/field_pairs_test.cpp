@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -299,6 +300,12 @@ TEST(FieldPairs, AContainerHoldsWhatIsInIt) {
     ASSERT_EQ(manifold.size(), 1U);
     EXPECT_LT(manifold[0].normal.x, -0.99);
     EXPECT_LT(distance(container, ball, at(3)).distance, -2);
+    // Also far beyond the samples. No move is known to part anything from a container, so no depth is too much.
+    for (const double x : {0.55, 1.5, 3.0, 40.0}) {
+      const abut::Distance found = distance(container, ball, at(x));
+      EXPECT_EQ(found.lower, -std::numeric_limits<double>::infinity()) << x;
+      EXPECT_GE(found.upper, 0.5 - x - 0.3 * cell) << x;
+    }
     abut::Distance out{};
     EXPECT_EQ(abut::pair_distance(container, container, at(0.1), {}, out), Outcome::unsupported);
     EXPECT_EQ(abut::pair_distance(made("plane", {0, 0, 1, 0}), container, at(0), {}, out), Outcome::unsupported);
