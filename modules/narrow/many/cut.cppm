@@ -32,7 +32,7 @@ struct RimSeed {
 };
 
 // A composite against another shape, which is neither a composite nor made of scattered parts. Both are placed in one
-// frame. The other shape knows its box, its distances to a point of its own frame and to a solid, and its contacts with
+// frame. The other shape knows its box, its distances to a point of its own frame and to a child, and its contacts with
 // a hole. It also tells whether it is a sheet. A triangle or less tells whether it comes through a wall of a hole from
 // inside.
 template <class Composite, class Other>
@@ -118,10 +118,10 @@ class Carver {
       }
     }
     Distance found{};
-    const Outcome outcome = other_.distance_to_solid(child(solid), child_pose(solid), other_pose_, found);
+    const Outcome outcome = other_.distance_from(child(solid), child_pose(solid), other_pose_, {}, found);
     return gaps_.emplace_back(solid, outcome == Outcome::ok ? found.distance : -infinity).second;
   }
-  // Whether the wall of a hole has material where a contact touches it, of a solid that the other shape is as near to.
+  // Whether a wall has material where a contact touches it: of a solid to which the other shape is as near.
   [[nodiscard]] bool has_material(const Hole& hole, const ContactPoint& contact) {
     for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
       if (!child(solid).is_hole() && is_in_solid(solid, contact.point_a, -noise_at(solid)) &&
@@ -142,7 +142,7 @@ class Carver {
     Manifold found;
     Distance whole{};
     if (other_.contacts_in(child(hole.child), placed, other_pose_, own, found) != Outcome::ok ||
-        other_.distance_in(child(hole.child), placed, other_pose_, own, whole) != Outcome::ok) {
+        other_.distance_from(child(hole.child), placed, other_pose_, own, whole) != Outcome::ok) {
       return;
     }
     const auto is_of_hole = [&](const ContactPoint& contact) {

@@ -91,16 +91,13 @@ struct LoneShape {
     return pair_kernels(one.index(), two.index())
         .contacts(one, two, comes_first ? pose : placed, comes_first ? placed : pose, comes_first, settings, found);
   }
-  [[nodiscard]] Outcome distance_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
-                                    const QuerySettings& settings, Distance& found) const {
-    const bool comes_first = shape.index() < hole.index();
-    const AnyShape &one = comes_first ? shape : hole, &two = comes_first ? hole : shape;
+  // A child by itself: a hole, or a solid as it would be without holes.
+  [[nodiscard]] Outcome distance_from(const AnyShape& child, const Pose& placed, const Pose& pose,
+                                      const QuerySettings& settings, Distance& found) const {
+    const bool comes_first = shape.index() < child.index();
+    const AnyShape &one = comes_first ? shape : child, &two = comes_first ? child : shape;
     return pair_kernels(one.index(), two.index())
         .distance(one, two, comes_first ? pose : placed, comes_first ? placed : pose, comes_first, settings, found);
-  }
-  [[nodiscard]] Outcome distance_to_solid(const AnyShape& solid, const Pose& placed, const Pose& pose,
-                                          Distance& found) const {
-    return distance_in(solid, placed, pose, {}, found);
   }
 };
 
@@ -131,24 +128,18 @@ struct LonePart {
     }
     return outcome;
   }
-  [[nodiscard]] Outcome distance_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
-                                    const QuerySettings& settings, Distance& found) const {
-    const Outcome outcome = ask_hole(hole, Outcome::unsupported, [&](const auto& cavity) {
-      return distance_by_route(cavity, core_of(part), relative(placed, pose), settings, found);
-    });
-    move_by(found, placed);
-    return outcome;
-  }
-  [[nodiscard]] Outcome distance_to_solid(const AnyShape& solid, const Pose& placed, const Pose& pose,
-                                          Distance& found) const {
+  [[nodiscard]] Outcome distance_from(const AnyShape& child, const Pose& placed, const Pose& pose,
+                                      const QuerySettings& settings, Distance& found) const {
     const auto ask = [&]<class S>(const S& shape) {
-      if constexpr (Convex<S> || HalfSpace<S>) {
-        return distance_by_route(core_of(shape), core_of(part), relative(placed, pose), {}, found);
+      if constexpr (Hole<S> || Convex<S> || HalfSpace<S>) {
+        return distance_by_route(core_of(shape), core_of(part), relative(placed, pose), settings, found);
       } else {
         return Outcome::unsupported;
       }
     };
-    return std::visit(ask, static_cast<const AnyShape::Variant&>(solid));
+    const Outcome outcome = std::visit(ask, static_cast<const AnyShape::Variant&>(child));
+    move_by(found, placed);
+    return outcome;
   }
 };
 
