@@ -33,7 +33,8 @@ struct RimSeed {
 
 // A composite against another shape, which is neither a composite nor made of scattered parts. Both are placed in one
 // frame. The other shape knows its box, its distances to a point of its own frame and to a child, and its contacts with
-// a hole. It also tells whether it is a sheet.
+// a hole. It also tells whether it is a sheet. A triangle or less tells whether it comes through a wall of a hole from
+// inside.
 template <class Composite, class Other>
 class Carver {
  public:
@@ -153,6 +154,9 @@ class Carver {
     Real deepest_wall = infinity;
     Manifold reached;
     for (ContactPoint& contact : found) {
+      if (!reaches_from_inside(hole, contact)) {
+        continue;
+      }
       if (has_material(hole, contact)) {
         contact.child_a = hole.child;
         contact.id = contact_id_of_part(contact.id, hole.child);
@@ -178,6 +182,14 @@ class Carver {
     if (overlap_both) {
       std::erase_if(solids, [&](const ContactPoint& contact) { return is_of_hole(contact) && contact.distance < 0; });
     }
+  }
+
+  // A sheet may lie beyond a wall without having come through it.
+  [[nodiscard]] bool reaches_from_inside(const Hole& hole, const ContactPoint& contact) const {
+    const Pose in_hole = relative(child_pose(hole.child), other_pose_);
+    return contact.distance >= 0 ||
+           other_.comes_through(child(hole.child), in_hole, contact.feature_a.index, noise_at(hole.child))
+               .value_or(true);
   }
 
   // What a hole takes of a contact with a solid: the surface that it is on, or all, as the other shape lies in the

@@ -6,10 +6,25 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.many.cut;
+import abut.narrow.many.through_wall;
 import abut.pairs.rows.by_route;
 
 namespace abut {
 namespace {
+
+// Asks a shape that is a hole; others have no cavity to ask about.
+template <class Answer, class Ask>
+Answer ask_hole(const AnyShape& hole, Answer of_others, Ask&& ask) {
+  return std::visit(
+      [&]<class S>(const S& shape) {
+        if constexpr (Hole<S>) {
+          return Answer(ask(shape));
+        } else {
+          return of_others;
+        }
+      },
+      hole);
+}
 
 // A triangle, a segment or a point.
 template <class B>
@@ -20,6 +35,29 @@ bool is_flat(const B& core) {
     }
   }
   return false;
+}
+
+// Whether a triangle, a segment or a point comes through a wall of a hole, in whose frame it is placed. Nothing where
+// the core is none of these.
+template <class B>
+std::optional<bool> core_comes_through(const AnyShape& hole, const B& core, const Pose& placed, std::uint32_t face,
+                                       Real noise) {
+  if constexpr (Convex<B>) {
+    if constexpr (!Curved<B>) {
+      if (is_flat(core)) {
+        std::array<Vec3, 3> corners{};
+        const std::uint32_t count = core.corner_count();
+        for (std::uint32_t i = 0; i < count; ++i) {
+          corners.at(i) = placed * core.corner(i);
+        }
+        return ask_hole(hole, false, [&](const auto& cavity) {
+          return comes_through({cavity.flat_walls(), cavity.round_wall()}, face, std::span(corners).first(count),
+                               noise);
+        });
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 // A shape that a composite with holes meets.
@@ -40,6 +78,10 @@ struct LoneShape {
           }
         },
         shape);
+  }
+  [[nodiscard]] std::optional<bool> comes_through(const AnyShape& hole, const Pose& placed, std::uint32_t face,
+                                                  Real noise) const {
+    return std::visit([&](const auto& s) { return core_comes_through(hole, core_of(s), placed, face, noise); }, shape);
   }
   // A hole by itself against what is in it.
   [[nodiscard]] Outcome contacts_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
@@ -72,16 +114,15 @@ struct LonePart {
                                                                                             : std::nullopt;
   }
   [[nodiscard]] bool is_sheet() const { return is_flat(core_of(part)); }
+  [[nodiscard]] std::optional<bool> comes_through(const AnyShape& hole, const Pose& placed, std::uint32_t face,
+                                                  Real noise) const {
+    return core_comes_through(hole, core_of(part), placed, face, noise);
+  }
   [[nodiscard]] Outcome contacts_in(const AnyShape& hole, const Pose& placed, const Pose& pose,
                                     const QuerySettings& settings, Manifold& found) const {
-    const auto ask = [&]<class S>(const S& cavity) {
-      if constexpr (Hole<S>) {
-        return contacts_by_route(cavity, core_of(part), relative(placed, pose), settings, found);
-      } else {
-        return Outcome::unsupported;
-      }
-    };
-    const Outcome outcome = std::visit(ask, static_cast<const AnyShape::Variant&>(hole));
+    const Outcome outcome = ask_hole(hole, Outcome::unsupported, [&](const auto& cavity) {
+      return contacts_by_route(cavity, core_of(part), relative(placed, pose), settings, found);
+    });
     for (ContactPoint& contact : found) {
       move_by(contact, placed);
     }
