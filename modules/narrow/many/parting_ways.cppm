@@ -74,6 +74,7 @@ class PartingWays {
       return met_.way_out(
           normals, most, [&](const Vec3& direction) { return lowest_along(direction); }, inner(), meets_on(on_the_way));
     };
+    offer_own_ways();
     PartingWay way = out_of_met();
     // The way out of what is met may lead into what is not met yet.
     while (way.depth < most && prolong(way, most, on_the_way)) {
@@ -162,6 +163,21 @@ class PartingWays {
     return is_longer;
   }
 
+  // Along the sides and edges of b, when it is one body.
+  void offer_own_ways() {
+    if constexpr (FewFaced<Other> && !std::same_as<Other, Triangle>) {
+      const auto offer = [&](const Vec3& local) {
+        const Vec3 way = ab_.rotation * local;
+        met_.add_way(way);
+        met_.add_way(-way);
+      };
+      std::ranges::for_each(other_.face_normals(), offer);
+      if (other_.face_normals().empty()) {
+        std::ranges::for_each(other_.edge_directions(), offer);
+      }
+    }
+  }
+
   // A part that stands in a way of some length. Whether it is new.
   bool meet(const Triangle& triangle, const B& b, Real depth) {
     std::optional<std::size_t> part = met_.find(triangle.index(), number_of_part(b));
@@ -173,13 +189,9 @@ class PartingWays {
     if (core.beyond || core.distance - radii > depth) {
       return false;
     }
-    const Fronts<B> fronts(triangle, b, ab_);
-    if (!fronts.allows(core.normal) && !counts_from_behind(triangle, b, ab_, core)) {
-      return false;
-    }
     if (!part) {
       const Real touching = touching_within<B>(core_size(triangle, b, ab_));
-      part = met_.add(triangle, b, ab_, fronts, touching);
+      part = met_.add(triangle, b, ab_, Fronts<B>(triangle, b, ab_), touching);
     }
     met_.offer_ways(*part, triangle, b, ab_, core.normal, core.distance - radii);
     return true;
