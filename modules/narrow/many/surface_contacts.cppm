@@ -35,10 +35,10 @@ class SurfaceContacts {
 
   // `part_of_b`: the number of b where it is a part itself.
   void add(const Triangle& triangle, const B& b, std::uint32_t part_of_b) {
-    const TriangleSeparation found = begin_separation(triangle, b, ab_, settings_, settings_.margin + b.radius());
+    const Real radii = b.radius(), limit = settings_.margin + radii + edge_slack(b, ab_);
+    const TriangleSeparation found = begin_separation(triangle, b, ab_, settings_, limit);
     const CoreSeparation& core = found.core;
-    const Real radii = b.radius();
-    if (core.beyond || core.distance - radii > settings_.margin) {
+    if (core.beyond || core.distance > limit) {
       return;
     }
     const Fronts<B> fronts(triangle, b, ab_);
@@ -47,6 +47,10 @@ class SurfaceContacts {
       return;
     }
     const Real size = core_size(triangle, b, ab_), noise = noise_of(size), touching = touching_within<B>(size);
+    const bool is_touch = only_touches(b, core, touching);
+    if (is_touch && !is_allowed) {
+      return;
+    }
     bool turns_a = triangle.has_area() && !(is_allowed && leads_out(a_, triangle, core.normal, touching));
     bool turns_b = false;
     if constexpr (Surface<Other>) {
@@ -78,9 +82,9 @@ class SurfaceContacts {
     if (const auto turned = turn(triangle, b, core, fronts, turns_a, turns_b)) {
       // The closest points may lie beside the face: the foot of the lowest point of the other side.
       append(triangle, b, part_of_b, turned->separation, is_over_face(triangle, b, *turned));
-      // What passes the plane of the triangle beside it and reaches under it is no overlap. What touches may be one.
-      if (is_allowed && !core.overlap && core.distance > touching) {
-        erase_deeper(first, radii + 4 * core.rounding - core.distance);
+      // What passes the plane of the triangle beside it and reaches under it is no overlap.
+      if (is_allowed && (is_touch || (!core.overlap && core.distance > touching))) {
+        erase_deeper(first, radii + (is_touch ? 2 * touching : 4 * core.rounding) - core.distance);
       }
       claim(first, true);
     }
@@ -159,6 +163,13 @@ class SurfaceContacts {
     if (is_over(triangle, over.point_a)) {
       append(triangle, b, part_of_b, over, true);
     }
+  }
+
+  // Whether the core lies beyond the plane that parts it from the triangle. What is flat there may lie on either side:
+  // a segment through an edge.
+  [[nodiscard]] bool only_touches(const B& b, const CoreSeparation& core, Real noise) const {
+    const auto lowest = [&](const Vec3& direction) { return lowest_along(b, ab_, direction) + b.radius(); };
+    return std::fabs(core.distance) <= noise && -lowest(-core.normal) - lowest(core.normal) > 2 * noise;
   }
 
   // Where two are equally deep, the order in which they came has no say.
@@ -378,7 +389,9 @@ class SurfaceContacts {
     if (!found.empty()) {
       ContactPoint deepest = *std::ranges::min_element(found, {}, &ContactPoint::distance);
       deepest.id = mixed(~deepest.id);
-      take_normal_of_face(triangle, b, deepest);
+      if (-deepest.distance > noise_of(core_size(triangle, b, ab_))) {
+        take_normal_of_face(triangle, b, deepest);
+      }
       out_.resize(first);
       out_.push_back(deepest);
     }

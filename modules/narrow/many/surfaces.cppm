@@ -170,9 +170,9 @@ template <Surface A, Convex B>
   }
   const std::size_t first = out.size();
   SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
-  Aabb query = b.aabb(ab).inflated(std::max(settings.margin, Real{0}));
+  const Real slack = edge_slack(b, ab), limit = settings.margin + b.radius() + slack;
+  Aabb query = b.aabb(ab).inflated(std::max(settings.margin, Real{0}) + slack);
   const QuickAxes<B> axes(b, ab);
-  const Real limit = settings.margin + b.radius();
   const auto add = [&](const typename A::Part& part, std::uint32_t) { contacts.add(part, b, 0); };
   const OnTheWay on_the_way(a, b, ab, axes);
   if constexpr (PointCored<B>) {

@@ -198,6 +198,16 @@ template <Convex B>
   return core.overlap ||
          (core.distance < b.radius() && dot(triangle.normal(), placed_centre(b, ab) - triangle.corners()[0]) >= 0);
 }
+// A segment may go through an edge of a surface. So that neither triangle beside the edge is missed by rounding, what
+// is this near to it is met as well.
+template <Convex B>
+[[nodiscard]] Real edge_slack(const B& b, const Pose& ab) {
+  if constexpr (SegmentCored<B>) {
+    return b.radius() > 0 ? 0 : noise_of(largest_magnitude(ab.position) + b.extent());
+  } else {
+    return 0;
+  }
+}
 // Cores that are no further apart, or overlap no more, may only touch. A search on curved cores has a bound.
 template <Convex B>
 [[nodiscard]] Real touching_within(Real size) {
