@@ -321,8 +321,7 @@ Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manif
   if (solid && !found.empty() && std::fabs(deepest - distance.distance) > noise) {
     return fault("distance of the deepest contact", deepest, distance.distance);
   }
-  // The triangles of a surface may overlap less one by one than the surface does.
-  if (!found.empty() && has_back(scene.a) && has_back(scene.b) && deepest > distance.distance + noise) {
+  if (!found.empty() && has_back(scene.a) && has_back(scene.b) && std::fabs(deepest - distance.distance) > noise) {
     return fault("distance of the deepest contact of a surface", deepest, distance.distance);
   }
   // What is proven without the library.

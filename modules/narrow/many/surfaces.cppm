@@ -18,7 +18,6 @@ import abut.narrow.many.solid_contacts;
 import abut.narrow.many.solid_depth;
 import abut.narrow.many.surface_contacts;
 import abut.narrow.many.triangle_contacts;
-import abut.narrow.many.way_out;
 
 export namespace abut {
 
@@ -76,7 +75,8 @@ bool nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
 template <Surface A, Convex B>
 [[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                      Manifold& out);
-// A triangle by itself may have a way out that leads into a neighbour. Contacts know better, where there are any.
+// A triangle by itself may have a way out that leads into a neighbour, or through a front. Contacts know better, where
+// there are any.
 inline void take_depth_of(const Manifold& contacts, Real noise, Distance& out) {
   if (contacts.empty()) {
     return;
@@ -107,8 +107,12 @@ template <Surface A, Convex B>
   nearest_part(a, b, ab, settings, out, nearest);
   const Triangle triangle = a.part(nearest);
   const Real size = core_size(triangle, b, ab), noise = noise_of(size);
-  if (out.distance <= noise &&
-      !leads_out_of_all(a, triangle, out.point_a, out.normal, touching_within<B>(size), b.extent() + b.radius())) {
+  // From behind there are no contacts, but the sheet is met.
+  const auto is_pushed = [&] {
+    return Fronts<B>(triangle, b, ab).allows(out.normal) || out.distance + b.radius() < -noise ||
+           dot(triangle.normal(), placed_centre(b, ab) - triangle.corners()[0]) >= 0;
+  };
+  if (out.distance <= noise && is_pushed()) {
     Manifold contacts;
     static_cast<void>(parts_contacts(a, b, ab, without_margin(settings), contacts));
     take_depth_of(contacts, noise, out);

@@ -19,7 +19,6 @@ import abut.narrow.many.solid_pair_depth;
 import abut.narrow.many.surface_contacts;
 export import abut.narrow.many.surfaces;
 import abut.narrow.many.two_parts;
-import abut.narrow.many.way_out;
 
 export namespace abut {
 
@@ -194,9 +193,7 @@ template <Surface A, Surface B>
                   [&](std::uint32_t part, bool is_of_b) { return slab.gap_of(part, is_of_b) <= reach(); });
   out.lower = out.distance > rounding ? std::min(out.lower, out.distance - rounding) : out.lower;
   const Real noise = noise_of(core_size(triangle, other, ab));
-  if (out.distance < -noise &&
-      !(leads_out_of_all(a, triangle, out.point_a, out.normal, noise, infinity) &&
-        leads_out_of_all(b, other, ab.undo(out.point_b), -ab.rotation.undo(out.normal), noise, infinity))) {
+  if (out.distance < -noise) {
     Manifold contacts;
     static_cast<void>(surfaces_contacts(a, b, ab, without_margin(settings), contacts));
     take_depth_of(contacts, noise, out);
