@@ -71,7 +71,9 @@ void expect_depths(const Surface& surface, const Rod& rod, Real radius, Real dee
     }
     abut::Distance distance{};
     ASSERT_EQ(parts_distance(surface, rod, upright_at(x, y), {}, distance), abut::Outcome::ok);
-    expect_depth(distance.distance, 0);
+    abut::Manifold contacts;
+    ASSERT_EQ(parts_contacts(surface, rod, upright_at(x, y), {}, contacts), abut::Outcome::ok);
+    EXPECT_EQ(distance.distance, std::ranges::min(contacts, {}, &abut::ContactPoint::distance).distance);
   }
 }
 
