@@ -25,11 +25,10 @@ namespace {
 
 // See shortfalls.hpp for what the numbers mean, and docs/testing.md for the reasons.
 constexpr auto shortfalls = std::to_array<property::Shortfall>({
-    {"height_field and convex: no contact deeper than a way out", 1, 0.045},
-    {"mesh and convex: no contact deeper than a way out", 10, 0.044},
+    {"mesh and convex: no contact deeper than a way out", 6, 0.044},
     {"mesh and mesh: no contact deeper than a way out", 6, 0.039},
-    {"mesh solid and convex: a normal of the surface", 7, 0.96},
-    {"uv_grid and convex: no contact deeper than a way out", 8, 0.025},
+    {"mesh solid and convex: a normal of the surface", 3, 0.96},
+    {"uv_grid and convex: no contact deeper than a way out", 4, 0.025},
 });
 
 }  // namespace
@@ -84,7 +83,7 @@ std::vector<abut_contact> contacts_of(const Played& played, double margin) {
   return contacts;
 }
 
-void check_distance(const Played& played, const Meeting& meeting) {
+void check_distance(const Played& played, const Meeting& meeting, std::span<const oracle::Touch> touches) {
   abut_distance found{};
   ASSERT_EQ(
       abut_pair_distance(played.a.shape.get(), &played.scene.a, played.b.shape.get(), &played.scene.b, nullptr, &found),
@@ -98,8 +97,16 @@ void check_distance(const Played& played, const Meeting& meeting) {
     expect_at_most("the distance of the nearest parts", std::abs(found.distance - truth));
     expect_at_most("a lower bound below the distance", found.lower - truth);
     expect_at_most("an upper bound above the distance", truth - found.upper);
-  } else {
+    return;
+  }
+  // Not where a triangle with one side is met from behind: contacts do not push through it.
+  if (std::ranges::all_of(meeting.met, &oracle::PartsMet::is_allowed)) {
     expect_at_most("a depth of each two parts at least", found.distance - truth);
+  }
+  // What is met from behind alone may have contacts within a margin.
+  const double deepest = touches.empty() ? 0 : std::ranges::min(touches, {}, &oracle::Touch::distance).distance;
+  if (deepest < -played.tolerance) {
+    expect_at_most("the distance of the deepest contact", std::abs(found.distance - deepest));
   }
 }
 
@@ -212,7 +219,7 @@ void check(const SceneShape& a, const SceneShape& b, Random& random, std::uint64
   if (a.is_solid) {
     check_solid(play, side_a, side_b, meeting, solid, touches);
   } else {
-    check_distance(play, meeting);
+    check_distance(play, meeting, touches);
   }
   check_exactly(play, side_a, side_b, meeting);
   property::record().add(a.kind + "/" + b.kind + " " + scene.name, "seed " + std::to_string(seed), 0, 0,

@@ -76,8 +76,10 @@ class PartingWays {
     };
     offer_own_ways();
     PartingWay way = out_of_met();
-    // The way out of what is met may lead into what is not met yet.
+    // The way out of what is met may lead into what is not met yet. Then another may be shorter that lies over an edge
+    // of both; where nothing stands in the way, that is too rare to look for.
     while (way.depth < most && prolong(way, most, on_the_way)) {
+      offer_ways_over_edges();
       way = out_of_met();
     }
     return way;
@@ -178,6 +180,26 @@ class PartingWays {
     }
   }
 
+  // Across an edge of b and one of a triangle, for each part that offers ways since the last call.
+  void offer_ways_over_edges() {
+    if constexpr (FewFaced<B>) {
+      for (; with_edges_offered_ < met_.offering().size(); ++with_edges_offered_) {
+        const auto numbers = met_.numbers(met_.offering()[with_edges_offered_]);
+        const B& b = part_of(other_, numbers.of_b);
+        const Triangle triangle = a_.part(numbers.of_a);
+        for (const Vec3& local : b.edge_directions()) {
+          const Vec3 along = ab_.rotation * local;
+          for (const Vec3& edge : triangle.edge_directions()) {
+            if (const auto way = UnitVec3::make(cross(edge, along))) {
+              met_.add_way(*way);
+              met_.add_way(-*way);
+            }
+          }
+        }
+      }
+    }
+  }
+
   // A part that stands in a way of some length. Whether it is new.
   bool meet(const Triangle& triangle, const B& b, Real depth) {
     std::optional<std::size_t> part = met_.find(triangle.index(), number_of_part(b));
@@ -211,6 +233,7 @@ class PartingWays {
   const Pose& ab_;
   const QuerySettings& settings_;
   PartsMet<B> met_;
+  std::size_t with_edges_offered_ = 0;
 };
 
 }  // namespace abut

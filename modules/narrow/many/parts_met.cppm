@@ -134,7 +134,7 @@ class PartsMet {
   void offer_ways(std::size_t part, const Triangle& triangle, const B& b, const Pose& ab, const Vec3& way, Real gap) {
     fours_[part / 4].gap[part % 4] = gap;
     fours_[part / 4].offers_ways[part % 4] = true;
-    ++offers_;
+    offering_.push_back(part);
     add_face(triangle.normal(), triangle.is_one_sided());
     if constexpr (std::same_as<B, Triangle>) {
       add_face(-(ab.rotation * b.normal()), b.is_one_sided());
@@ -143,15 +143,22 @@ class PartsMet {
   }
   // The largest of those of the parts.
   [[nodiscard]] Real noise() const { return noise_; }
-  // How many parts offer ways.
-  [[nodiscard]] std::size_t offers() const { return offers_; }
+  // The parts that offer ways.
+  [[nodiscard]] std::span<const std::size_t> offering() const { return offering_.span(); }
+  // Of a part: which triangle of the surface, and of b where b is made of such.
+  struct Numbers {
+    std::uint32_t of_a, of_b;
+  };
+  [[nodiscard]] Numbers numbers(std::size_t part) const {
+    const FourParts<B>& four = fours_[part / 4];
+    return {four.triangles.numbers[part % 4], four.number_of_b(part % 4)};
+  }
   // Which part is of a triangle of the surface, by its number, and of that of b where b is one itself.
   [[nodiscard]] std::optional<std::size_t> find(std::uint32_t number, std::uint32_t number_of_b) const {
-    for (std::size_t place = 0; place < fours_.size(); ++place) {
-      for (std::size_t lane = 0; lane < std::min<std::size_t>(size_ - 4 * place, 4); ++lane) {
-        if (fours_[place].triangles.numbers[lane] == number && fours_[place].number_of_b(lane) == number_of_b) {
-          return 4 * place + lane;
-        }
+    for (std::size_t part = 0; part < size_; ++part) {
+      const Numbers found = numbers(part);
+      if (found.of_a == number && found.of_b == number_of_b) {
+        return part;
       }
     }
     return std::nullopt;
@@ -271,7 +278,8 @@ class PartsMet {
   }
 
   SmallVector<FourParts<B>, 16> fours_;
-  std::size_t size_ = 0, offers_ = 0;
+  SmallVector<std::size_t, 64> offering_;
+  std::size_t size_ = 0;
   Real noise_ = 0;
   SmallVector<Vec3, 192> ways_;
 };

@@ -107,12 +107,12 @@ template <Surface A, Convex B>
   nearest_part(a, b, ab, settings, out, nearest);
   const Triangle triangle = a.part(nearest);
   const Real size = core_size(triangle, b, ab), noise = noise_of(size);
-  // From behind there are no contacts, but the sheet is met.
-  const auto is_pushed = [&] {
-    return Fronts<B>(triangle, b, ab).allows(out.normal) || out.distance + b.radius() < -noise ||
+  // What only touches a front from behind is not pushed through it.
+  const auto is_before = [&] {
+    return Fronts<B>(triangle, b, ab).allows(out.normal) ||
            dot(triangle.normal(), placed_centre(b, ab) - triangle.corners()[0]) >= 0;
   };
-  if (out.distance <= noise && is_pushed()) {
+  if (out.distance < -noise || (out.distance <= noise && is_before())) {
     Manifold contacts;
     static_cast<void>(parts_contacts(a, b, ab, without_margin(settings), contacts));
     take_depth_of(contacts, noise, out);
