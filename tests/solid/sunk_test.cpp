@@ -56,6 +56,22 @@ TEST(Sunk, SegmentThroughAnEdge) {
   }
 }
 
+// It overlaps no face where it comes out, as it lies along it.
+TEST(Sunk, SegmentAlongAFaceHasItsPointsOnBoth) {
+  const ShapePtr hull = mesh(box_surface(2, 3, 4)),
+                 needle = made([](abut_shape** shape) { return abut_segment_create(0.5, shape); });
+  for (const double depth : {1e-6, 0.01, 0.25, 1.0}) {
+    const auto met = contacts(hull, needle, at(2 - depth, 0.3, 0.2));
+    ASSERT_EQ(met.size(), 1u) << depth;
+    EXPECT_NEAR(met[0].distance, -depth, 1e-11);
+    EXPECT_NEAR(met[0].normal.x, 1, 1e-12);
+    EXPECT_NEAR(met[0].point_a.x, 2, 1e-11);
+    EXPECT_NEAR(met[0].point_b.x, 2 - depth, 1e-11);
+    EXPECT_NEAR(met[0].point_b.y, 0.3, 1e-11);
+    EXPECT_LE(std::abs(met[0].point_b.z - 0.2), 0.5 + 1e-11);
+  }
+}
+
 // The distance is 0.1 as long as the body is in the first half of a wall that is 0.4 thick: then it is out on the other
 // side sooner.
 TEST(Sunk, WallIsLeftOnTheNearerSide) {

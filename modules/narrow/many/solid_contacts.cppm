@@ -26,11 +26,10 @@ export namespace abut {
 
 // `first`: of the contacts with the surface. Those that are deeper than the whole go.
 inline void settle_depth(const std::optional<SolidDepth>& depth, std::size_t first, Real margin, Manifold& out) {
-  constexpr Real same_share = 1e-6;
   if (!depth) {
     return;
   }
-  const Real length = depth->way.length, blur = same_share * length;
+  const Real length = depth->way.length, blur = 2 * depth->touching;
   const auto begin = out.begin() + static_cast<std::ptrdiff_t>(first);
   const auto is_deeper = [&](const ContactPoint& contact) { return contact.distance < -length - blur; };
   out.erase(std::remove_if(begin, out.end(), is_deeper), out.end());

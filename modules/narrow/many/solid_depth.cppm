@@ -16,6 +16,7 @@ export namespace abut {
 struct SolidDepth {
   WayOut way;
   Real lower;
+  Real touching;  // lengths below this are rounding
 };
 
 struct BallInside {
@@ -96,10 +97,8 @@ class SolidDepthSearch {
     }
     refine();
     raise_lower();
-    return SolidDepth{best_, std::min(std::max(lower_, Real{0}), best_.length)};
+    return SolidDepth{best_, std::min(std::max(lower_, Real{0}), best_.length), exit_.touching()};
   }
-  [[nodiscard]] Real touching() const { return exit_.touching(); }
-
  private:
   static constexpr std::size_t most_directions = 12;
   static constexpr int most_turns = 6;
@@ -111,12 +110,12 @@ class SolidDepthSearch {
       return true;
     }
     return std::ranges::any_of(exit_.corners(), [&](const Vec3& corner) {
-      return exit_.inside_at(corner) && depth_of_point(a_, corner) > touching();
+      return exit_.inside_at(corner) && depth_of_point(a_, corner) > exit_.touching();
     });
   }
 
   [[nodiscard]] bool is_settled() const {
-    return best_.length < infinity && best_.length - lower_ <= settled_share * best_.length + touching();
+    return best_.length < infinity && best_.length - lower_ <= settled_share * best_.length + exit_.touching();
   }
 
   // Directions out of the triangles that are overlapped, and of all together.
@@ -144,7 +143,7 @@ class SolidDepthSearch {
     const PointOnSurface nearest = nearest_on_surface(a_, middle);
     const bool is_inside = a_.contains(middle);
     lower_ = ball.radius + (is_inside ? nearest.distance : -nearest.distance);
-    if (nearest.distance > touching()) {
+    if (nearest.distance > exit_.touching()) {
       try_along(is_inside ? nearest.point - middle : middle - nearest.point);
     } else {
       const Vec3 normal = a_.part(nearest.part).normal();

@@ -127,33 +127,32 @@ class SolidExit {
     if (out.length > before) {
       return false;
     }
-    const std::optional<Vec3> inside = place_inside(out.length * out.direction);
-    if (!inside) {
-      return !advance_corner(out);
+    // Not just at the surface: there rounding tells.
+    const Real further = out.length + 2 * touching_;
+    if (const auto inside = place_inside(further * out.direction)) {
+      if (!reach_surface(*inside, further, out)) {
+        out.length = infinity;
+      }
+      return false;
     }
-    // To the surface that is around the place.
-    const auto hit = a_.cast_ray(*inside, UnitVec3::from_unit_unchecked(out.direction), infinity);
-    out.length += (hit ? hit->distance : infinity) + 2 * touching_;
-    return false;
+    // What is thin may cross the surface where triangles meet, and overlap none of them. Then a corner of it is inside.
+    return std::ranges::none_of(corners_.span(), [&](const Vec3& corner) {
+      const auto inside = inside_at(corner + further * out.direction);
+      return inside && reach_surface(*inside, further, out);
+    });
   }
 
-  // What is thin may cross the surface where triangles meet, and overlap none of them. Then a corner of it is inside,
-  // and not just at the surface. Moves on to where that corner comes out. Whether there is such a corner.
-  [[nodiscard]] bool advance_corner(WayOut& out) const {
+  // From a place inside, which a point of b has reached after some way, on to the surface. Whether there is any.
+  [[nodiscard]] bool reach_surface(const Vec3& inside, Real way, WayOut& out) const {
     const Vec3 d = out.direction;
-    const Real further = out.length + 2 * touching_;
-    for (const Vec3& corner : corners_.span()) {
-      const auto inside = inside_at(corner + further * d);
-      const auto hit = inside ? a_.cast_ray(*inside, UnitVec3::from_unit_unchecked(d), infinity) : std::nullopt;
-      if (hit) {
-        out.length = further + hit->distance;
-        out.point = *inside + hit->distance * d;
-        out.normal = dot(hit->normal, d) < 0 ? -hit->normal : hit->normal;
-        out.part = hit->feature.index;
-        return true;
-      }
+    const auto hit = a_.cast_ray(inside, UnitVec3::from_unit_unchecked(d), infinity);
+    if (hit) {
+      out.length = way + hit->distance;
+      out.point = inside + hit->distance * d;
+      out.normal = dot(hit->normal, d) < 0 ? -hit->normal : hit->normal;
+      out.part = hit->feature.index;
     }
-    return false;
+    return hit.has_value();
   }
 
   // Calls visit(part) for the parts that overlap where b is placed so.

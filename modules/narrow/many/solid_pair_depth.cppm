@@ -37,7 +37,7 @@ class SolidPairDepthSearch {
     }
     refine();
     raise_lower();
-    return SolidDepth{best_, std::clamp(lower_, Real{0}, best_.length)};
+    return SolidDepth{best_, std::clamp(lower_, Real{0}, best_.length), exit_.touching()};
   }
 
  private:
