@@ -75,13 +75,16 @@ bool nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
 template <Surface A, Convex B>
 [[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                      Manifold& out);
-// A triangle by itself may have a way out that leads into a neighbour, or through a front. Contacts know better, where
-// there are any.
+// A triangle by itself may have a way out that leads into a neighbour, or through a front. Contacts know better. What a
+// round shape meets from behind has none, and may be deeper.
 inline void take_depth_of(const Manifold& contacts, Real noise, Distance& out) {
   if (contacts.empty()) {
     return;
   }
   const ContactPoint& deepest = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
+  if (deepest.distance > out.distance + noise) {
+    return;
+  }
   out.distance = deepest.distance;
   out.lower = deepest.distance - noise;
   out.upper = deepest.distance + noise;
