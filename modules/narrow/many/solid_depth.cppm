@@ -99,6 +99,7 @@ class SolidDepthSearch {
     raise_lower();
     return SolidDepth{best_, std::min(std::max(lower_, Real{0}), best_.length), exit_.touching()};
   }
+
  private:
   static constexpr std::size_t most_directions = 12;
   static constexpr int most_turns = 6;
