@@ -72,7 +72,7 @@ class PartingWays {
   [[nodiscard]] PartingWay shortest(const Vec3& normals, Real most, const OnTheWay& on_the_way) {
     const auto out_of_met = [&] {
       return met_.way_out(
-          normals, most, [&](const Vec3& direction) { return lowest_along(direction); }, inner(), meets_on(on_the_way));
+          normals, most, [&](const Vec3& direction) { return lowest_along(direction); }, meets_on(on_the_way));
     };
     offer_own_ways();
     PartingWay way = out_of_met();
@@ -113,7 +113,7 @@ class PartingWays {
 
  private:
   // A longer look costs more where the way ends soon, a shorter one takes more of them.
-  static constexpr Real far_ahead = 4;
+  static constexpr Real far_ahead = 2;
 
   // A bit for each of four parts that b may meet on a way: no further from it than the way is long, and within what b
   // sweeps.
@@ -217,15 +217,6 @@ class PartingWays {
     }
     met_.offer_ways(*part, triangle, b, ab_, core.normal, core.distance - radii);
     return true;
-  }
-
-  // A point of b, which begins no later along any direction.
-  [[nodiscard]] Vec3 inner() const {
-    if constexpr (Surface<Other>) {
-      return {0, 0, 0};
-    } else {
-      return placed_centre(other_, ab_);
-    }
   }
 
   const A& a_;

@@ -71,6 +71,10 @@ struct FourParts {
       return 0;
     }
   }
+  // A bit for each part that b does not touch, but may on a way of some length.
+  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t apart_within(Real length) const {
+    return bits_of((gap > noise) & (gap <= all_lanes(length) + noise));
+  }
   void put(std::size_t lane, const FourParts& one) {
     triangles.put(lane, one.triangles);
     fronts.put(lane, one.fronts);
@@ -97,6 +101,26 @@ struct FourParts {
   }
 };
 
+// Numbers that came lately. Most that come again are known.
+class LatelyCame {
+ public:
+  // Whether it was not known.
+  [[nodiscard]] bool add(std::uint32_t number) {
+    return std::exchange(numbers_[number % numbers_.size()], std::uint64_t{number} + 1) != std::uint64_t{number} + 1;
+  }
+
+ private:
+  std::array<std::uint64_t, 64> numbers_{};  // each plus 1, at the place that its remainder tells
+};
+
+// The faces of both sides that offered their ways. A triangle of one meets many of the other.
+template <Convex B>
+struct FacesOffered {};
+template <>
+struct FacesOffered<Triangle> {
+  LatelyCame of_a, of_b;
+};
+
 // How far b has to move along a direction to be parted.
 struct PartingWay {
   Real depth;
@@ -113,6 +137,25 @@ struct Stretch {
 struct PartOnWay {
   Real overlap;
   std::uint32_t number, number_of_b;
+};
+
+// Parts that lately were not parted. One of them mostly stands in the way again.
+class Obstacles {
+ public:
+  void put_first(std::size_t part) {
+    count_ = std::min(count_ + 1, parts_.size());
+    for (std::size_t i = count_ - 1; i > 0; --i) {
+      parts_[i] = parts_[i - 1];
+    }
+    parts_[0] = part;
+  }
+  [[nodiscard]] std::span<const std::size_t> parts() const [[clang::lifetimebound]] {
+    return std::span(parts_).first(count_);
+  }
+
+ private:
+  std::array<std::size_t, 4> parts_{};
+  std::size_t count_ = 0;
 };
 
 template <Convex B>
@@ -135,9 +178,15 @@ class PartsMet {
     fours_[part / 4].gap[part % 4] = gap;
     fours_[part / 4].offers_ways[part % 4] = true;
     offering_.push_back(part);
-    add_face(triangle.normal(), triangle.is_one_sided());
     if constexpr (std::same_as<B, Triangle>) {
-      add_face(-(ab.rotation * b.normal()), b.is_one_sided());
+      if (offered_.of_a.add(triangle.index())) {
+        add_face(triangle.normal(), triangle.is_one_sided());
+      }
+      if (offered_.of_b.add(b.index())) {
+        add_face(-(ab.rotation * b.normal()), b.is_one_sided());
+      }
+    } else {
+      add_face(triangle.normal(), triangle.is_one_sided());
     }
     add_way(way);
   }
@@ -167,11 +216,21 @@ class PartsMet {
   // Directions that might part the whole: the normals of contacts, the least ways out of parts, and the ways out of
   // faces.
   void add_way(const Vec3& way) {
-    const std::span<const Vec3> ways = ways_.span();
-    const auto is_it = [&](const Vec3& other) { return other == way; };
-    if (std::ranges::none_of(ways.last(std::min<std::size_t>(ways.size(), 4)), is_it)) {
-      ways_.push_back(way);
+    const Columns in_all = Columns::all(way);
+    const auto has_it = [&](const Columns& ways) {
+      return bits_of((ways.x == in_all.x) & (ways.y == in_all.y) & (ways.z == in_all.z)) != 0;
+    };
+    const std::span<const Columns> ways = ways_.span();
+    if (std::ranges::any_of(ways.last(std::min<std::size_t>(ways.size(), 2)), has_it)) {
+      return;
     }
+    const std::size_t lane = way_count_ % 4;
+    if (lane == 0) {
+      ways_.push_back(in_all);  // the last one stands in for those that lack
+    } else {
+      ways_[way_count_ / 4].put(lane, way);
+    }
+    ++way_count_;
   }
 
   [[nodiscard]] Lanes overlaps_along(std::size_t part, const Columns& directions, Lanes lowest) const {
@@ -179,28 +238,37 @@ class PartsMet {
   }
 
   // How far b has to move, along the best of the ways and of the mean of `normals`; not more than `most`.
-  // `lowest_along`: where b begins along a direction; `inner`: no later than there. meets_on(parts, way) has a bit for
-  // each of four parts that b may meet on a way.
+  // `lowest_along`: where b begins along a direction. meets_on(parts, way) has a bit for each of four parts that b may
+  // meet on a way.
   template <class LowestAlong, class MeetsOn>
-  [[nodiscard]] PartingWay way_out(const Vec3& normals, Real most, const LowestAlong& lowest_along, const Vec3& inner,
+  [[nodiscard]] PartingWay way_out(const Vec3& normals, Real most, const LowestAlong& lowest_along,
                                    const MeetsOn& meets_on) const {
     PartingWay best{most, {0, 0, 0}};
-    // Parts that lately were not parted are asked first: one of them mostly stands in the way again.
-    std::size_t blocking = 0;
-    const auto consider = [&](const Vec3& direction) {
-      const Lanes may_overlap = touching_overlaps(blocking, direction, dot(direction, inner));
-      if (!(largest(may_overlap) < best.depth)) {
-        return;
+    Obstacles obstacles;
+    const auto consider = [&](const Columns& directions, std::uint64_t lanes) {
+      const Lanes lowest{lowest_along(directions[0]), lowest_along(directions[1]), lowest_along(directions[2]),
+                         lowest_along(directions[3])};
+      Lanes overlaps = all_lanes(0);
+      for (const std::size_t part : obstacles.parts()) {
+        overlaps = maximum(overlaps, overlaps_along(part, directions, lowest));
+        lanes &= bits_of(overlaps < all_lanes(best.depth));
+        if (lanes == 0) {
+          return;
+        }
       }
-      const Real depth = overlap_of_all(direction, lowest_along(direction), best.depth, blocking, meets_on);
-      best = depth < best.depth ? PartingWay{depth, direction} : best;
+      for (; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+        const Vec3 direction = directions[lane];
+        const Real depth = overlap_of_all(direction, lowest[lane], best.depth, obstacles, meets_on);
+        best = depth < best.depth ? PartingWay{depth, direction} : best;
+      }
     };
     // Over a crest the way between the faces is shorter than out of any one of them.
     if (const auto between = UnitVec3::make(normals)) {
-      consider(*between);
+      consider(Columns::all(*between), 1);
     }
-    for (const Vec3& way : ways_.span()) {
-      consider(way);
+    for (const Columns& ways : ways_.span()) {
+      consider(ways, 15);
     }
     return best;
   }
@@ -245,25 +313,34 @@ class PartsMet {
   }
 
   // How far b has to move along a direction until it overlaps no part, nor enters one on the way. Where that is as
-  // far as `enough`, the answer is no less, and `blocking` tells which four overlap so far.
+  // far as `enough`, the answer is no less.
   template <class MeetsOn>
-  [[nodiscard]] Real overlap_of_all(const Vec3& direction, Real lowest, Real enough, std::size_t& blocking,
+  [[nodiscard]] Real overlap_of_all(const Vec3& direction, Real lowest, Real enough, Obstacles& obstacles,
                                     const MeetsOn& meets_on) const {
     Real depth = 0;
+    if (!(depth < enough)) {
+      return depth;
+    }
     bool are_some_apart = false;
     for (std::size_t place = 0; place < fours_.size(); ++place) {
-      depth = std::max(depth, largest(touching_overlaps(place, direction, lowest)));
+      const Lanes overlaps = touching_overlaps(place, direction, lowest);
+      depth = std::max(depth, largest(overlaps));
       if (!(depth < enough)) {
-        blocking = place;
+        const std::uint64_t blocking = bits_of(overlaps >= all_lanes(enough));
+        obstacles.put_first(4 * place + static_cast<std::size_t>(std::countr_zero(blocking)));
         return depth;
       }
-      are_some_apart = are_some_apart || bits_of(fours_[place].gap > fours_[place].noise) != 0;
+      are_some_apart = are_some_apart || fours_[place].apart_within(enough) != 0;
     }
     for (bool has_grown = are_some_apart; has_grown;) {
       has_grown = false;
       for (const FourParts<B>& four : fours_.span()) {
+        std::uint64_t met = four.apart_within(depth);
+        if (met == 0) {
+          continue;
+        }
         const Lanes overlaps = four.overlaps_along(Columns::all(direction), all_lanes(lowest));
-        std::uint64_t met = bits_of((four.gap > four.noise) & (overlaps > all_lanes(depth)));
+        met &= bits_of(overlaps > all_lanes(depth));
         met = met == 0 ? 0 : met & meets_on(four, PartingWay{depth, direction});
         for (; met != 0; met &= met - 1) {
           depth = std::max(depth, overlaps[static_cast<std::size_t>(std::countr_zero(met))]);
@@ -281,7 +358,9 @@ class PartsMet {
   SmallVector<std::size_t, 64> offering_;
   std::size_t size_ = 0;
   Real noise_ = 0;
-  SmallVector<Vec3, 192> ways_;
+  SmallVector<Columns, 48> ways_;
+  std::size_t way_count_ = 0;
+  [[no_unique_address]] FacesOffered<B> offered_;
 };
 
 }  // namespace abut

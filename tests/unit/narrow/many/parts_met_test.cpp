@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way out of all parts is the shortest of those that were offered: each of them, asked of every part by its
+// corners alone, judges that.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "../../made.hpp"
+#include "../../random_boxes.hpp"
+
+import abut.capability;
+import abut.math;
+import abut.narrow.many.parts_met;
+import abut.narrow.many.triangle_contacts;
+import abut.shapes.box;
+
+namespace {
+
+using abut::Box;
+using abut::Fronts;
+using abut::Pose;
+using abut::Real;
+using abut::Triangle;
+using abut::Vec3;
+
+constexpr Real deep = -1;     // how far parts are apart that overlap
+constexpr Real noise = 1e-9;  // of depths
+
+Real highest(const std::vector<Vec3>& corners, const Vec3& direction) {
+  Real most = -abut::infinity;
+  for (const Vec3& corner : corners) {
+    most = std::fmax(most, dot(direction, corner));
+  }
+  return most;
+}
+
+// A part of a surface and what it meets, by the corners of both in one frame.
+struct Part {
+  std::vector<Vec3> of_a, of_b;
+};
+
+Real depth_along(const std::vector<Part>& parts, const Vec3& direction) {
+  Real depth = 0;
+  for (const Part& part : parts) {
+    depth = std::fmax(depth, highest(part.of_a, direction) + highest(part.of_b, -direction));
+  }
+  return depth;
+}
+Real least_depth(const std::vector<Part>& parts, const std::vector<Vec3>& ways) {
+  Real least = abut::infinity;
+  for (const Vec3& way : ways) {
+    least = std::fmin(least, depth_along(parts, way));
+  }
+  return least;
+}
+
+Vec3 random_direction(test::Random& random) {
+  for (;;) {
+    if (const auto direction = abut::UnitVec3::make(random.point(1))) {
+      return *direction;
+    }
+  }
+}
+Triangle random_triangle(test::Random& random, std::uint32_t number) {
+  const Vec3 near = random.point(1);
+  return {near + random.point(1), near + random.point(1), near + random.point(1), number, false};
+}
+std::vector<Vec3> corners_of(const Triangle& triangle, const Pose& pose) {
+  return {pose * triangle.corners()[0], pose * triangle.corners()[1], pose * triangle.corners()[2]};
+}
+
+constexpr auto meets_none = [](const auto&, const abut::PartingWay&) { return std::uint64_t{0}; };
+
+// Where only ways are wanted that are shorter than the shortest, there is none.
+template <class Parts, class LowestAlong>
+void expect_shortest(const Parts& met, const LowestAlong& lowest_along, Real least, const std::vector<Part>& parts) {
+  const abut::PartingWay found = met.way_out({0, 0, 0}, abut::infinity, lowest_along, meets_none);
+  EXPECT_NEAR(found.depth, least, noise);
+  EXPECT_NEAR(depth_along(parts, found.direction), least, noise);
+  for (const Real most : {0.5 * least, 0.0}) {
+    const abut::PartingWay none = met.way_out({0, 0, 0}, most, lowest_along, meets_none);
+    EXPECT_EQ(none.depth, most);
+    EXPECT_EQ(none.direction, (Vec3{0, 0, 0}));
+  }
+}
+
+TEST(PartsMet, ABoxLeavesByTheShortestWayThatWasOffered) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    const Vec3 half{random.uniform(0.2, 2), random.uniform(0.2, 2), random.uniform(0.2, 2)};
+    const Box box = test::made<Box>(std::vector<Real>{half.x, half.y, half.z});
+    const Pose ab{random.rotation(), random.point(0.5)};
+    abut::PartsMet<Box> met;
+    std::vector<Part> parts;
+    std::vector<Vec3> ways;
+    for (std::uint32_t i = 0; i <= seed % 40; ++i) {
+      const Triangle triangle = random_triangle(random, i);
+      const Vec3 way = random_direction(random);
+      const std::size_t part = met.add(triangle, box, ab, Fronts<Box>(triangle, box, ab), noise);
+      met.offer_ways(part, triangle, box, ab, way, deep);
+      parts.push_back({corners_of(triangle, Pose::identity()), test::corners_of(half, ab)});
+      ways.insert(ways.end(), {triangle.normal(), -triangle.normal(), way});
+    }
+    const auto lowest = [&](const Vec3& direction) { return -highest(test::corners_of(half, ab), -direction); };
+    expect_shortest(met, lowest, least_depth(parts, ways), parts);
+  }
+}
+
+// Each triangle of one surface meets several of the other, and their numbers are alike in their last digits.
+TEST(PartsMet, TwoSurfacesLeaveByTheShortestWayThatWasOffered) {
+  constexpr std::uint32_t step = 64;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    const Pose ab{random.rotation(), random.point(0.5)};
+    std::vector<Triangle> of_a, of_b;
+    for (std::uint32_t i = 0; i < 6; ++i) {
+      of_a.push_back(random_triangle(random, step * i));
+      of_b.push_back(random_triangle(random, step * i + (i % 2)));
+    }
+    abut::PartsMet<Triangle> met;
+    std::vector<Part> parts;
+    std::vector<Vec3> ways;
+    for (const Triangle& a : of_a) {
+      for (const Triangle& b : of_b) {
+        if (random.uniform(0, 1) < 0.5) {
+          continue;
+        }
+        const Vec3 way = random_direction(random), normal_of_b = ab.rotation * b.normal();
+        const std::size_t part = met.add(a, b, ab, Fronts<Triangle>(a, b, ab), noise);
+        met.offer_ways(part, a, b, ab, way, deep);
+        parts.push_back({corners_of(a, Pose::identity()), corners_of(b, ab)});
+        ways.insert(ways.end(), {a.normal(), -a.normal(), normal_of_b, -normal_of_b, way});
+      }
+    }
+    expect_shortest(met, [](const Vec3&) { return 0.0; }, least_depth(parts, ways), parts);
+  }
+}
+
+// Rounding may have lifted what touches.
+TEST(PartsMet, WhatOnlyTouchesNeedsNoWay) {
+  constexpr Real lifted = 1e-12;
+  const Box box = test::made<Box>(std::vector<Real>{1, 1, 1});
+  const Pose ab{abut::Rotation::identity(), {0, 0, 1 + lifted}};
+  abut::PartsMet<Box> met;
+  const std::vector<Vec3> ways{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0.6, -0.8}};
+  for (std::uint32_t i = 0; i < ways.size(); ++i) {
+    const Vec3 point{0.1 * i, 0, 0};  // without an area, and so without ways of its own
+    const Triangle triangle{point, point, point, i, false};
+    const std::size_t part = met.add(triangle, box, ab, Fronts<Box>(triangle, box, ab), noise);
+    met.offer_ways(part, triangle, box, ab, ways[i], 0);
+  }
+  const auto lowest = [](const Vec3& direction) {
+    return (1 + lifted) * direction.z - (std::fabs(direction.x) + std::fabs(direction.y) + std::fabs(direction.z));
+  };
+  const abut::PartingWay found = met.way_out({0, 0, 1}, 1, lowest, meets_none);
+  EXPECT_EQ(found.depth, 0);
+  EXPECT_EQ(found.direction, (Vec3{0, 0, 1}));
+}
+
+}  // namespace
