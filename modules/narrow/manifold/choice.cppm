@@ -159,13 +159,25 @@ class Choice {
 
   // Takes the points that add most, one by one, up to `most`. What counts is the area. Where there is none, it is the
   // length of the way around, so that the ends of a line stay.
-  template <class Allowed>
-  void grow(std::span<const ContactPoint> patch, std::size_t most, Real extent, Allowed&& is_allowed) {
+  void grow(std::span<const ContactPoint> patch, std::size_t most, Real extent) {
+    grow_among(patch, patch.size(), [](std::size_t i) { return static_cast<std::uint32_t>(i); }, most, extent);
+  }
+  // The same of some places alone.
+  void grow_among(std::span<const ContactPoint> patch, std::span<const std::uint32_t> places, std::size_t most,
+                  Real extent) {
+    grow_among(patch, places.size(), [&](std::size_t i) { return places[i]; }, most, extent);
+  }
+
+ private:
+  template <class PlaceOf>
+  void grow_among(std::span<const ContactPoint> patch, std::size_t count, const PlaceOf& place_of, std::size_t most,
+                  Real extent) {
     const auto add_best = [&](Real least, auto&& score) {
       Best best{least, 0, false};
-      for (std::uint32_t i = 0; i < patch.size(); ++i) {
-        if (!has(i) && is_allowed(patch[i])) {
-          best.offer(score(middle(patch[i])), i);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t place = place_of(i);
+        if (!has(place)) {
+          best.offer(score(middle(patch[place])), place);
         }
       }
       if (best.is_found) {
@@ -180,7 +192,6 @@ class Choice {
     }
   }
 
- private:
   struct Best {
     Real score;
     std::uint32_t place;
@@ -236,10 +247,6 @@ class Choice {
   Real twice_area_ = 0;
 };
 
-struct AnyContact {
-  [[nodiscard]] bool operator()(const ContactPoint&) const { return true; }
-};
-
 // The points that span most with a first one.
 [[nodiscard]] inline Choice choose(std::span<const ContactPoint> patch, std::span<const Vec2> points,
                                    std::uint32_t first, std::size_t most, Real extent) {
@@ -251,7 +258,7 @@ struct AnyContact {
     }
   }
   Choice choice(patch, first);
-  choice.grow(patch, most, extent, AnyContact{});
+  choice.grow(patch, most, extent);
   if (most == 4 && choice.places().size() == 4 && choice.twice_area(points) > flat) {
     return Choice(exchanged(points, spanned(points, choice.four()), least_gain));
   }

@@ -73,69 +73,70 @@ void exchange(ContactPoint& a, ContactPoint& b) {
 // The place of the deepest contact. One that was kept before wins ties.
 [[nodiscard]] std::uint32_t deepest_of(std::span<const ContactPoint> contacts, Real tie, const Ids& before) {
   std::uint32_t deepest = 0;
-  std::optional<std::uint32_t> kept;
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     deepest = comes_before(contacts[i], contacts[deepest]) ? i : deepest;
-    if (before.hold(contacts[i].id) && (!kept || comes_before(contacts[i], contacts[*kept]))) {
+  }
+  if (before.empty()) {
+    return deepest;
+  }
+  const Real tied = contacts[deepest].distance + tie;
+  std::optional<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    const ContactPoint& contact = contacts[i];
+    if (contact.distance <= tied && before.hold(contact.id) && (!kept || comes_before(contact, contacts[*kept]))) {
       kept = i;
     }
   }
-  return kept && contacts[*kept].distance <= contacts[deepest].distance + tie ? *kept : deepest;
+  return kept.value_or(deepest);
 }
 
-// The place of the first contact that meets a condition. There is one.
-template <class Condition>
-[[nodiscard]] std::uint32_t first_of(std::span<const ContactPoint> patch, Condition&& is_one) {
-  std::uint32_t place = 0;
-  while (!is_one(patch[place])) {
-    ++place;
-  }
-  return place;
-}
+// Places of a patch, in rising order.
+using SomePlaces = SmallVector<std::uint32_t, Choice::capacity>;
 
-using SomeIds = SmallVector<std::uint64_t, Choice::capacity>;
-
-// The ids of a patch that were kept before. Where these are more than `most`, the ones that span most.
-[[nodiscard]] SomeIds kept_before(std::span<const ContactPoint> patch, std::span<const Vec2> points, std::size_t most,
-                                  Real extent, const Ids& before) {
-  SomeIds all;
-  for (const ContactPoint& contact : patch) {
-    if (before.hold(contact.id)) {
-      all.push_back(contact.id);
+// The places of the contacts that were kept before. Where these are more than `most`, of the ones that span most.
+[[nodiscard]] SomePlaces kept_before(std::span<const ContactPoint> patch, std::span<const Vec2> points,
+                                     std::size_t most, Real extent, const Ids& before) {
+  SomePlaces all;
+  for (std::uint32_t place = 0; place < patch.size(); ++place) {
+    if (before.hold(patch[place].id)) {
+      all.push_back(place);
     }
   }
   if (all.size() <= most) {
     return all;
   }
-  const Ids ids(all.span());
-  SomeIds best;
+  SomePlaces best;
   Real most_area = -1;
-  for (const std::uint64_t left_out : all.span()) {
-    const auto stays = [&](const ContactPoint& contact) { return contact.id != left_out && ids.hold(contact.id); };
-    Choice others(patch, first_of(patch, stays));
-    others.grow(patch, most, extent, stays);
-    if (const Real twice_area = others.twice_area(points); twice_area > most_area) {
+  for (const std::uint32_t left_out : all.span()) {
+    SomePlaces others;
+    for (const std::uint32_t place : all.span()) {
+      if (place != left_out) {
+        others.push_back(place);
+      }
+    }
+    Choice choice(patch, others[0]);
+    choice.grow_among(patch, others.span(), most, extent);
+    if (const Real twice_area = choice.twice_area(points); twice_area > most_area) {
       most_area = twice_area;
       best.clear();
-      for (const std::uint32_t place : others.places()) {
-        best.push_back(patch[place].id);
+      for (const std::uint32_t place : choice.places()) {
+        best.push_back(place);
       }
     }
   }
+  std::ranges::sort(best.span());
   return best;
 }
 
 // The points that were kept before, and the ones that span most with them.
-[[nodiscard]] Choice keep_again(std::span<const ContactPoint> patch, std::size_t most, Real extent, const Ids& before) {
-  const auto was_kept = [&](const ContactPoint& contact) { return before.hold(contact.id); };
-  Choice choice(patch, first_of(patch, was_kept));
-  choice.grow(patch, most, extent, was_kept);
-  for (std::uint32_t place = 0; place < patch.size(); ++place) {
-    if (was_kept(patch[place])) {
-      choice.keep(place, most);
-    }
+[[nodiscard]] Choice keep_again(std::span<const ContactPoint> patch, std::span<const std::uint32_t> kept,
+                                std::size_t most, Real extent) {
+  Choice choice(patch, kept.front());
+  choice.grow_among(patch, kept, most, extent);
+  for (const std::uint32_t place : kept) {
+    choice.keep(place, most);
   }
-  choice.grow(patch, most, extent, AnyContact{});
+  choice.grow(patch, most, extent);
   return choice;
 }
 
@@ -179,11 +180,11 @@ std::size_t hold_patch(std::span<ContactPoint> patch, std::size_t most, const Id
   const Flats flats = flattened(patch);
   const std::span<const Vec2> points = flats.span();
   const auto fresh = [&](std::uint32_t first) { return choose(patch, points, first, most, extent); };
-  const SomeIds again = kept_before(patch, points, most, extent, before);
+  const SomePlaces again = kept_before(patch, points, most, extent, before);
   if (again.empty()) {
     return bring_to_front(patch, fresh(0).places());
   }
-  const Choice same = keep_again(patch, most, extent, Ids(again.span()));
+  const Choice same = keep_again(patch, again.span(), most, extent);
   const Real as_deep = patch[0].distance + ties.depth * extent, enough = same.twice_area(points) / tied_area;
   // Any of the points that tie in depth could have been the deepest when the others were chosen for it.
   const bool stays = std::ranges::any_of(same.places(), [&](std::uint32_t place) {
@@ -256,12 +257,12 @@ void visit_patches(std::span<ContactPoint> contacts, const Ids& before, const Ti
     Vec3 normal;
     Real distance;
     std::uint32_t number;
-    bool was_kept;
+    std::uint64_t id;
   };
   sort_by_depth(contacts);
   [[clang::uninitialized]] SmallVector<Facing, few_contacts> all;
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-    all.push_back({contacts[i].normal, contacts[i].distance, i, before.hold(contacts[i].id)});
+    all.push_back({contacts[i].normal, contacts[i].distance, i, contacts[i].id});
   }
   Lots lots;
   for (std::size_t left = all.size(); left > 0;) {
@@ -269,7 +270,7 @@ void visit_patches(std::span<ContactPoint> contacts, const Ids& before, const Ti
     // One that was kept before wins ties.
     const Real tied = rest[0].distance + tie;
     std::size_t first = 0;
-    while (first < left && !rest[first].was_kept && rest[first].distance <= tied) {
+    while (first < left && rest[first].distance <= tied && !before.hold(rest[first].id)) {
       ++first;
     }
     const bool wins = first < left && rest[first].distance <= tied;
