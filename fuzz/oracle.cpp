@@ -202,9 +202,10 @@ Verdict judge_swap(const Scene& scene, const Distance& found) {
   return std::nullopt;
 }
 
-// Apart boxes mean apart shapes.
+// Apart boxes mean apart shapes. Without a surface, values stand in for one, and there is no upper bound.
 Verdict judge_boxes(const Scene& scene, const Distance& found) {
-  if (scene.a.is_hole() || scene.b.is_hole()) {
+  const bool is_bounded = found.upper < std::numeric_limits<Real>::infinity();
+  if (scene.a.is_hole() || scene.b.is_hole() || (!is_bounded && (has_no_surface(scene.a) || has_no_surface(scene.b)))) {
     return std::nullopt;
   }
   const Aabb a = aabb_of(scene.a, Pose::identity()), b = aabb_of(scene.b, scene.ab);

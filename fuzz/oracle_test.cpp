@@ -168,6 +168,12 @@ TEST(FuzzOracle, TakesAPointBesideTheBoxOfAFieldForNothingOnly) {
     EXPECT_EQ(judge_distance(scene, found, {}) == std::nullopt, least == -0.01);
     found.upper = 2.1;
     EXPECT_NE(judge_distance(scene, found, {}), std::nullopt);
+    // Below zero although the boxes are apart.
+    found.point_a = {1.5, 0, 0};
+    found.distance = found.lower = -0.4;
+    EXPECT_NE(judge_distance(scene, found, {}), std::nullopt);
+    found.upper = infinity;
+    EXPECT_EQ(judge_distance(scene, found, {}) == std::nullopt, least == -0.01);
   }
 }
 
