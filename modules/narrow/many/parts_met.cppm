@@ -71,10 +71,6 @@ struct FourParts {
       return 0;
     }
   }
-  // A bit for each part that b does not touch, but may on a way of some length.
-  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t apart_within(Real length) const {
-    return bits_of((gap > noise) & (gap <= all_lanes(length) + noise));
-  }
   void put(std::size_t lane, const FourParts& one) {
     triangles.put(lane, one.triangles);
     fronts.put(lane, one.fronts);
@@ -101,26 +97,6 @@ struct FourParts {
   }
 };
 
-// Numbers that came lately. Most that come again are known.
-class LatelyCame {
- public:
-  // Whether it was not known.
-  [[nodiscard]] bool add(std::uint32_t number) {
-    return std::exchange(numbers_[number % numbers_.size()], std::uint64_t{number} + 1) != std::uint64_t{number} + 1;
-  }
-
- private:
-  std::array<std::uint64_t, 64> numbers_{};  // each plus 1, at the place that its remainder tells
-};
-
-// The faces of both sides that offered their ways. A triangle of one meets many of the other.
-template <Convex B>
-struct FacesOffered {};
-template <>
-struct FacesOffered<Triangle> {
-  LatelyCame of_a, of_b;
-};
-
 // How far b has to move along a direction to be parted.
 struct PartingWay {
   Real depth;
@@ -140,7 +116,7 @@ struct PartOnWay {
 };
 
 // Parts that lately were not parted. One of them mostly stands in the way again.
-class Obstacles {
+class LatelyInTheWay {
  public:
   void put_first(std::size_t part) {
     count_ = std::min(count_ + 1, parts_.size());
@@ -178,15 +154,9 @@ class PartsMet {
     fours_[part / 4].gap[part % 4] = gap;
     fours_[part / 4].offers_ways[part % 4] = true;
     offering_.push_back(part);
+    add_face(triangle.normal(), triangle.is_one_sided());
     if constexpr (std::same_as<B, Triangle>) {
-      if (offered_.of_a.add(triangle.index())) {
-        add_face(triangle.normal(), triangle.is_one_sided());
-      }
-      if (offered_.of_b.add(b.index())) {
-        add_face(-(ab.rotation * b.normal()), b.is_one_sided());
-      }
-    } else {
-      add_face(triangle.normal(), triangle.is_one_sided());
+      add_face(-(ab.rotation * b.normal()), b.is_one_sided());
     }
     add_way(way);
   }
@@ -214,19 +184,16 @@ class PartsMet {
   }
   [[nodiscard]] bool offers_ways(std::size_t part) const { return fours_[part / 4].offers_ways[part % 4]; }
   // Directions that might part the whole: the normals of contacts, the least ways out of parts, and the ways out of
-  // faces.
+  // faces. Most that come again are known: a face has its ways out of every part, and flat surfaces have few.
   void add_way(const Vec3& way) {
-    const Columns in_all = Columns::all(way);
-    const auto has_it = [&](const Columns& ways) {
-      return bits_of((ways.x == in_all.x) & (ways.y == in_all.y) & (ways.z == in_all.z)) != 0;
-    };
-    const std::span<const Columns> ways = ways_.span();
-    if (std::ranges::any_of(ways.last(std::min<std::size_t>(ways.size(), 2)), has_it)) {
+    std::size_t& known = known_[place_of(way)];
+    if (known < way_count_ && ways_[known / 4][known % 4] == way) {
       return;
     }
+    known = way_count_;
     const std::size_t lane = way_count_ % 4;
     if (lane == 0) {
-      ways_.push_back(in_all);  // the last one stands in for those that lack
+      ways_.push_back(Columns::all(way));  // the last one stands in for those that lack
     } else {
       ways_[way_count_ / 4].put(lane, way);
     }
@@ -244,7 +211,7 @@ class PartsMet {
   [[nodiscard]] PartingWay way_out(const Vec3& normals, Real most, const LowestAlong& lowest_along,
                                    const MeetsOn& meets_on) const {
     PartingWay best{most, {0, 0, 0}};
-    Obstacles obstacles;
+    LatelyInTheWay obstacles;
     const auto consider = [&](const Columns& directions, std::uint64_t lanes) {
       const Lanes lowest{lowest_along(directions[0]), lowest_along(directions[1]), lowest_along(directions[2]),
                          lowest_along(directions[3])};
@@ -296,6 +263,13 @@ class PartsMet {
   }
 
  private:
+  static constexpr std::size_t known_ways = 64;
+
+  // Among the ways that are known.
+  [[nodiscard]] static std::size_t place_of(const Vec3& way) {
+    const auto bits = [](Real value) { return std::bit_cast<std::uint64_t>(value); };
+    return scrambled(bits(way.x) + 3 * bits(way.y) + 7 * bits(way.z)) % known_ways;
+  }
   void add_face(const Vec3& normal, bool is_one_sided) {
     if (squared_norm(normal) > 0) {
       add_way(normal);
@@ -315,7 +289,7 @@ class PartsMet {
   // How far b has to move along a direction until it overlaps no part, nor enters one on the way. Where that is as
   // far as `enough`, the answer is no less.
   template <class MeetsOn>
-  [[nodiscard]] Real overlap_of_all(const Vec3& direction, Real lowest, Real enough, Obstacles& obstacles,
+  [[nodiscard]] Real overlap_of_all(const Vec3& direction, Real lowest, Real enough, LatelyInTheWay& obstacles,
                                     const MeetsOn& meets_on) const {
     Real depth = 0;
     if (!(depth < enough)) {
@@ -330,17 +304,13 @@ class PartsMet {
         obstacles.put_first(4 * place + static_cast<std::size_t>(std::countr_zero(blocking)));
         return depth;
       }
-      are_some_apart = are_some_apart || fours_[place].apart_within(enough) != 0;
+      are_some_apart = are_some_apart || bits_of(fours_[place].gap > fours_[place].noise) != 0;
     }
     for (bool has_grown = are_some_apart; has_grown;) {
       has_grown = false;
       for (const FourParts<B>& four : fours_.span()) {
-        std::uint64_t met = four.apart_within(depth);
-        if (met == 0) {
-          continue;
-        }
         const Lanes overlaps = four.overlaps_along(Columns::all(direction), all_lanes(lowest));
-        met &= bits_of(overlaps > all_lanes(depth));
+        std::uint64_t met = bits_of((four.gap > four.noise) & (overlaps > all_lanes(depth)));
         met = met == 0 ? 0 : met & meets_on(four, PartingWay{depth, direction});
         for (; met != 0; met &= met - 1) {
           depth = std::max(depth, overlaps[static_cast<std::size_t>(std::countr_zero(met))]);
@@ -360,7 +330,7 @@ class PartsMet {
   Real noise_ = 0;
   SmallVector<Columns, 48> ways_;
   std::size_t way_count_ = 0;
-  [[no_unique_address]] FacesOffered<B> offered_;
+  std::array<std::size_t, known_ways> known_{};  // numbers of ways, each where its bits lead
 };
 
 }  // namespace abut
