@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The four points of a patch in its plane that span the largest area, where the patch has few points.
 export module abut.narrow.manifold.four_points;
+import abut.core.small_vector;
 import abut.core.standard;
 import abut.math;
 
@@ -25,12 +26,73 @@ struct Four {
   return {places, twice_hull_of_four(points[a], points[b], points[c], points[d])};
 }
 
-// Exchanges one of the last three points at a time while that gains area.
-[[nodiscard]] inline Four exchanged(std::span<const Vec2> points, Four best, Real least_gain) {
+// Some places of a patch, in rising order.
+using Places = SmallVector<std::uint32_t, 256>;
+
+// Finds the points that may be corners of the hull of all: those that do not lie within the octagon of the points that
+// lie furthest in eight directions (Akl and Toussaint, A fast convex hull algorithm, 1978). What lies within spans no
+// more than they do.
+class Outside {
+ public:
+  inline explicit Outside(std::span<const Vec2> points) {
+    std::array<std::uint32_t, 8> furthest{};
+    Lanes most = all_lanes(-infinity), least = all_lanes(infinity);
+    LaneNumbers place_of_most{}, place_of_least{};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2& p = points[i];
+      const Lanes along{p.x, p.x + p.y, p.y, p.y - p.x};
+      const LaneNumbers place = LaneNumbers{} + static_cast<std::int64_t>(i);
+      place_of_most = along > most ? place : place_of_most;
+      place_of_least = along < least ? place : place_of_least;
+      most = maximum(most, along);
+      least = minimum(least, along);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      furthest[i] = static_cast<std::uint32_t>(place_of_most[i]);
+      furthest[i + 4] = static_cast<std::uint32_t>(place_of_least[i]);
+    }
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Vec2 &from = points[furthest[i]], way = points[furthest[(i + 1) % 8]] - from;
+      if (way.x != 0 || way.y != 0) {
+        sides_[count_++] = {from, way};
+      }
+    }
+  }
+  [[nodiscard]] inline bool has(const Vec2& point) const {
+    for (const Side& side : std::span(sides_).first(count_)) {
+      if (cross(side.way, point - side.from) <= 0) {
+        return true;
+      }
+    }
+    return count_ == 0;
+  }
+
+ private:
+  struct Side {
+    Vec2 from, way;
+  };
+  std::array<Side, 8> sides_;
+  std::size_t count_ = 0;
+};
+
+[[nodiscard]] inline Places places_outside(std::span<const Vec2> points) {
+  [[clang::uninitialized]] const Outside outside(points);
+  [[clang::uninitialized]] Places places;
+  for (std::uint32_t place = 0; place < points.size(); ++place) {
+    if (outside.has(points[place])) {
+      places.push_back(place);
+    }
+  }
+  return places;
+}
+
+// Exchanges one of the last three points for one of some others at a time, while that gains area.
+[[nodiscard]] inline Four exchanged(std::span<const Vec2> points, std::span<const std::uint32_t> others, Four best,
+                                    Real least_gain) {
   for (bool is_better = true; is_better;) {
     is_better = false;
     for (std::size_t i = 1; i < 4; ++i) {
-      for (std::uint32_t place = 0; place < points.size(); ++place) {
+      for (const std::uint32_t place : others) {
         Four other = best;
         other.places[i] = place;
         other = spanned(points, other.places);
@@ -53,14 +115,14 @@ struct BestAbout {
   bool is_best;
 };
 
-// The sides of a line on which all points of a patch lie, several points at a time. The line leads from the first
-// point.
+// The sides of a line on which some points lie, several points at a time. The line leads from a first point.
 class Sides {
  public:
-  inline Sides(std::span<const Vec2> points, std::uint32_t first) : count_(points.size()) {
-    const std::size_t groups = (count_ + 3) / 4;
+  inline Sides(std::span<const Vec2> points, std::span<const std::uint32_t> places, std::uint32_t first)
+      : count_(places.size()) {
+    const std::size_t groups = (places.size() + 3) / 4;
     for (std::size_t i = 0; i < 4 * groups; ++i) {
-      const Vec2 way = i < count_ ? points[i] - points[first] : Vec2{0, 0};
+      const Vec2 way = i < places.size() ? points[places[i]] - points[first] : Vec2{0, 0};
       x_[i / 4][i % 4] = way.x;
       y_[i / 4][i % 4] = way.y;
     }
@@ -79,14 +141,14 @@ class Sides {
     }
     return {largest(left), largest(right)};
   }
-  // The first point with twice an area beside the line.
-  [[nodiscard]] inline std::uint32_t place_of(const Vec2& across, Real twice_area) const {
+  // Which of the points comes first that has twice an area beside the line.
+  [[nodiscard]] inline std::size_t first_beside(const Vec2& across, Real twice_area) const {
     std::size_t group = 0;
     std::uint64_t found = 0;
     while ((found = bits_of(beside(across, group) == all_lanes(twice_area))) == 0) {
       ++group;
     }
-    return static_cast<std::uint32_t>(4 * group + static_cast<std::size_t>(std::countr_zero(found)));
+    return 4 * group + static_cast<std::size_t>(std::countr_zero(found));
   }
 
  private:
@@ -101,16 +163,17 @@ class Sides {
 // The four points of largest area that have the first as a corner: each other point is tried as the opposite corner,
 // with the points furthest off their line on either side. Where a side has no points, the first one takes the place.
 // The first point is then a corner of the hull of all: four points within which it lies do not exist.
-[[nodiscard]] inline BestAbout best_about(std::span<const Vec2> points, std::uint32_t first) {
+[[nodiscard]] inline BestAbout best_about(std::span<const Vec2> points, std::span<const std::uint32_t> others,
+                                          std::uint32_t first) {
   BestAbout best{{{first, first, first, first}, 0}, false};
-  [[clang::uninitialized]] const Sides sides(points, first);
-  for (std::uint32_t opposite = 0; opposite < points.size(); ++opposite) {
+  [[clang::uninitialized]] const Sides sides(points, others, first);
+  for (const std::uint32_t opposite : others) {
     const Vec2 across = points[opposite] - points[first];
     const auto [left, right] = sides.most_beside(across);
     best.is_best = best.is_best || (left == 0) != (right == 0);
     if (left + right > best.four.twice_area) {
-      best.four = {{first, opposite, left > 0 ? sides.place_of(across, left) : first,
-                    right > 0 ? sides.place_of(across, -right) : first},
+      best.four = {{first, opposite, left > 0 ? others[sides.first_beside(across, left)] : first,
+                    right > 0 ? others[sides.first_beside(across, -right)] : first},
                    left + right};
     }
   }

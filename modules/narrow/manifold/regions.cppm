@@ -1,36 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which contacts of a surface hang together: those of the same triangles, and those between which no gap is too wide.
+// Which points of a surface hang together: those of the same triangles, and those between which no gap is too wide.
 export module abut.narrow.manifold.regions;
-import abut.capability;
 import abut.core.small_vector;
 import abut.core.standard;
 import abut.math;
-import abut.narrow.manifold.choice;
+import abut.math.four_vec3;
+import abut.narrow.manifold.depth_order;
 
 export namespace abut {
 
-// Up to so many contacts need no memory of the heap.
-inline constexpr std::size_t few_contacts = 256;
-
-// No gap between contacts of one region is wider than this share of the diagonal of the box around all. Jitter hardly
+// No gap between points of one region is wider than this share of the diagonal of the box around all. Jitter hardly
 // changes that diagonal, and there are a few regions at most, however many triangles there are.
 inline constexpr Real region_gap_share = 0.25;
 
-// Sorts places into the cells of a grid. Places of one cell hang together, so that cells are compared and not all
-// places.
+// Sorts points into the cells of a grid. Points of one cell hang together, so that cells are compared, by the boxes
+// around their points, and rarely the points themselves.
 class Regions {
  public:
-  // Contacts of which `part_of` is the same hang together wherever they are.
+  // Points of which part_of(number) is the same hang together wherever they are.
   template <class PartOf>
-  Regions(std::span<const ContactPoint> contacts, const PartOf& part_of) {
-    sort_into_cells(contacts);
+  Regions(std::span<const Vec3> points, const PartOf& part_of) {
+    sort_into_cells(points);
     join_near();
     if (count_ > 1) {
-      join_parts(contacts, part_of);
+      join_parts(part_of);
     }
   }
   [[nodiscard]] std::size_t count() const { return count_; }
-  // Calls take(number of a contact) for those of one region after the other, as they came, and end() after each region.
+  // Calls take(number of a point) for those of one region after the other, as they came, and end() after each region.
   template <class Take, class End>
   void visit(const Take& take, const End& end) const {
     for (std::uint32_t region = 0; region < roots_.size(); ++region) {
@@ -50,49 +47,64 @@ class Regions {
   // Their diagonal is no longer than a gap: a cell is half as wide.
   static constexpr int cells_along = static_cast<int>(2 / region_gap_share) + 1;
   static constexpr std::uint32_t none = ~std::uint32_t{0};
+  static constexpr std::size_t few_cells = 128;
 
   struct Place {
     Vec3 at;
     std::uint32_t cell, next;  // the next place in the same cell
   };
   struct Cell {
-    std::array<int, 3> steps;  // from the lowest one
-    std::uint32_t first;
-    std::uint32_t region;
+    std::uint32_t first, region;
+  };
+  // The boxes around the points of four cells, and a bit for each cell that no region has.
+  struct FourBoxes {
+    Columns low, high;
+    std::uint64_t free;
   };
 
-  void sort_into_cells(std::span<const ContactPoint> contacts) {
+  void sort_into_cells(std::span<const Vec3> points) {
     Aabb box = Aabb::empty();
-    for (const ContactPoint& contact : contacts) {
-      const Vec3 at = middle(contact);
-      places_.push_back({at, none, none});
-      box.include(at);
+    for (const Vec3& point : points) {
+      box.include(point);
     }
     gap_ = region_gap_share * norm(box.high - box.low);
     const Real per_length = gap_ > 0 ? 2 / gap_ : 0;
-    std::array<std::uint16_t, cells_along * cells_along * cells_along>
-        numbers{};  // counted from 1; 0 for cells without places
-    for (std::uint32_t number = 0; number < places_.size(); ++number) {
-      Place& place = places_[number];
-      const Vec3 steps = per_length * (place.at - box.low);
-      const std::array<int, 3> at{static_cast<int>(steps.x), static_cast<int>(steps.y), static_cast<int>(steps.z)};
-      std::uint16_t& found = numbers[static_cast<std::size_t>((at[0] * cells_along + at[1]) * cells_along + at[2])];
+    // Counted from 1; 0 for cells without points.
+    std::array<std::uint16_t, cells_along * cells_along * cells_along> numbers{};
+    for (const Vec3& point : points) {
+      const Vec3 steps = per_length * (point - box.low);
+      const int at = (static_cast<int>(steps.x) * cells_along + static_cast<int>(steps.y)) * cells_along +
+                     static_cast<int>(steps.z);
+      std::uint16_t& found = numbers[static_cast<std::size_t>(at)];
       if (found == 0) {
-        cells_.push_back({at, none, none});
-        found = static_cast<std::uint16_t>(cells_.size());
+        found = add_cell();
       }
-      place.cell = found - 1u;
-      place.next = cells_[place.cell].first;
-      cells_[place.cell].first = number;
+      add(point, found - 1u);
     }
+  }
+  // Returns how many cells there are.
+  std::uint16_t add_cell() {
+    if (cells_.size() % 4 == 0) {
+      constexpr Vec3 furthest{infinity, infinity, infinity};
+      boxes_.push_back({Columns::all(furthest), Columns::all(-furthest), 0});
+    }
+    cells_.push_back({none, none});
+    return static_cast<std::uint16_t>(cells_.size());
+  }
+  void add(const Vec3& point, std::uint32_t at) {
+    Cell& cell = cells_[at];
+    places_.push_back({point, at, cell.first});
+    cell.first = static_cast<std::uint32_t>(places_.size() - 1);
+    FourBoxes& four = boxes_[at / 4];
+    const std::size_t lane = at % 4;
+    four.free |= std::uint64_t{1} << lane;
+    Aabb box{four.low[lane], four.high[lane]};
+    box.include(point);
+    four.low.put(lane, box.low);
+    four.high.put(lane, box.high);
   }
 
   [[nodiscard]] bool are_near(const Cell& a, const Cell& b) const {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (std::abs(a.steps[axis] - b.steps[axis]) > 3) {
-        return false;
-      }
-    }
     for (std::uint32_t one = a.first; one != none; one = places_[one].next) {
       for (std::uint32_t other = b.first; other != none; other = places_[other].next) {
         if (squared_norm(places_[one].at - places_[other].at) <= gap_ * gap_) {
@@ -102,33 +114,50 @@ class Regions {
     }
     return false;
   }
-  // From each cell to those near it, so that few cells are left to be asked for.
+  // From each cell to those near it, until none is free.
   void join_near() {
-    SmallVector<std::uint32_t, few_cells> left, reached;
+    SmallVector<std::uint32_t, few_cells> reached;
+    std::size_t free = cells_.size();
+    const auto take = [&](std::uint32_t cell) {
+      cells_[cell].region = static_cast<std::uint32_t>(count_ - 1);
+      boxes_[cell / 4].free &= ~(std::uint64_t{1} << cell % 4);
+      reached.push_back(cell);
+      --free;
+    };
     for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
-      left.push_back(cell);
-    }
-    while (!left.empty()) {
-      const auto region = static_cast<std::uint32_t>(count_++);
-      roots_.push_back(region);
-      const auto take = [&](std::size_t place) {
-        const std::uint32_t cell = left[place];
-        cells_[cell].region = region;
-        reached.push_back(cell);
-        left[place] = left[left.size() - 1];
-        left.pop_back();
-      };
-      take(0);
-      while (!reached.empty() && !left.empty()) {
-        const Cell from = cells_[reached[reached.size() - 1]];
+      if (cells_[cell].region != none) {
+        continue;
+      }
+      roots_.push_back(static_cast<std::uint32_t>(count_++));
+      reached.clear();
+      take(cell);
+      while (!reached.empty() && free > 0) {
+        const std::uint32_t from = reached[reached.size() - 1];
         reached.pop_back();
-        for (std::size_t place = left.size(); place-- > 0;) {
-          if (are_near(from, cells_[left[place]])) {
-            take(place);
-          }
+        visit_near(from, take);
+      }
+    }
+  }
+  // Calls take(cell) for the free cells that have a point near one of the given cell.
+  template <class Take>
+  void visit_near(std::uint32_t from, const Take& take) const {
+    const FourBoxes& its = boxes_[from / 4];
+    const Columns low = Columns::all(its.low[from % 4]), high = Columns::all(its.high[from % 4]);
+    const Lanes most = all_lanes(gap_ * gap_), zero = all_lanes(0);
+    for (std::uint32_t group = 0; group < boxes_.size(); ++group) {
+      const FourBoxes& four = boxes_[group];
+      const Columns above = four.low - high, below = low - four.high;
+      const Columns least{maximum(maximum(above.x, below.x), zero), maximum(maximum(above.y, below.y), zero),
+                          maximum(maximum(above.z, below.z), zero)};
+      const Columns up = four.high - low, down = high - four.low;
+      const Columns largest{maximum(up.x, down.x), maximum(up.y, down.y), maximum(up.z, down.z)};
+      const std::uint64_t all_near = bits_of(dot(largest, largest) <= most);
+      for (std::uint64_t left = bits_of(dot(least, least) <= most) & four.free; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+        if ((all_near >> lane & 1) != 0 || are_near(cells_[from], cells_[4 * group + lane])) {
+          take(4 * group + lane);
         }
       }
-      reached.clear();
     }
   }
 
@@ -140,14 +169,14 @@ class Regions {
     return region;
   }
   template <class PartOf>
-  void join_parts(std::span<const ContactPoint> contacts, const PartOf& part_of) {
+  void join_parts(const PartOf& part_of) {
     struct PartOfRegion {
       std::uint64_t part;
       std::uint32_t region;
     };
     SmallVector<PartOfRegion, few_contacts> parts;
-    for (std::uint32_t number = 0; number < contacts.size(); ++number) {
-      parts.push_back({part_of(contacts[number]), region_of(number)});
+    for (std::uint32_t number = 0; number < places_.size(); ++number) {
+      parts.push_back({part_of(number), region_of(number)});
     }
     std::ranges::sort(parts.span(), {}, &PartOfRegion::part);
     for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -159,11 +188,10 @@ class Regions {
     }
   }
 
-  static constexpr std::size_t few_cells = 128;
-
   Real gap_ = 0;
   SmallVector<Place, few_contacts> places_;
   SmallVector<Cell, few_cells> cells_;
+  SmallVector<FourBoxes, few_cells / 4> boxes_;
   SmallVector<std::uint32_t, 16> roots_;  // of regions: another one that it belongs to, or itself
   std::size_t count_ = 0;                 // of regions that belong to no other
 };

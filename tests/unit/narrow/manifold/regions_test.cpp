@@ -10,27 +10,32 @@
 
 #include "../../random_boxes.hpp"
 
-import abut.capability;
 import abut.math;
 import abut.narrow.manifold.regions;
 
 namespace {
 
-using abut::ContactPoint;
 using abut::Real;
+using abut::Vec3;
 using Region = std::set<std::uint32_t>;
 
-std::uint64_t part_of(const ContactPoint& contact) { return contact.feature_a.index; }
+struct Scene {
+  std::vector<Vec3> points;
+  std::vector<std::uint64_t> parts;
+
+  [[nodiscard]] abut::Regions regions() const {
+    return abut::Regions(points, [&](std::uint32_t number) { return parts[number]; });
+  }
+};
 
 // Those that hang together with the first one, and so on.
-std::set<Region> by_search(const std::vector<ContactPoint>& contacts, Real gap) {
+std::set<Region> by_search(const Scene& scene, Real gap) {
   const auto hang_together = [&](std::uint32_t i, std::uint32_t j) {
-    return part_of(contacts[i]) == part_of(contacts[j]) ||
-           squared_norm(contacts[i].point_a - contacts[j].point_a) <= gap * gap;
+    return scene.parts[i] == scene.parts[j] || squared_norm(scene.points[i] - scene.points[j]) <= gap * gap;
   };
   std::set<Region> regions;
   Region left;
-  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+  for (std::uint32_t i = 0; i < scene.points.size(); ++i) {
     left.insert(i);
   }
   while (!left.empty()) {
@@ -54,31 +59,29 @@ TEST(Regions, AreThoseOfASearchThroughAllPairs) {
   test::Random random(37);
   std::size_t most = 0, several = 0;
   for (int i = 0; i < 300; ++i) {
-    std::vector<ContactPoint> contacts(static_cast<std::size_t>(random.uniform(1, 120)));
+    Scene scene;
+    const auto count = static_cast<std::uint32_t>(random.uniform(1, 120));
     // Around the 27 points of a small grid, which are a little farther apart than a gap is wide.
     const Real jitter = random.uniform(0, 1) < 0.5 ? random.uniform(0, 0.1) : random.uniform(0, 1);
-    for (std::uint32_t number = 0; number < contacts.size(); ++number) {
-      ContactPoint& contact = contacts[number];
-      const abut::Vec3 crowd{std::floor(random.uniform(-1, 2)), std::floor(random.uniform(-1, 2)),
-                             std::floor(random.uniform(-1, 2))};
-      contact.point_a = contact.point_b = crowd + jitter * random.point(1);
-      // Every tenth one belongs to the part of another one, wherever that is.
-      contact.feature_a.index = random.uniform(0, 10) < 1 ? number / 2 : number;
-    }
     abut::Aabb box = abut::Aabb::empty();
-    for (const ContactPoint& contact : contacts) {
-      box.include(contact.point_a);
+    for (std::uint32_t number = 0; number < count; ++number) {
+      const Vec3 crowd{std::floor(random.uniform(-1, 2)), std::floor(random.uniform(-1, 2)),
+                       std::floor(random.uniform(-1, 2))};
+      scene.points.push_back(crowd + jitter * random.point(1));
+      // Every tenth one belongs to the part of another one, wherever that is.
+      scene.parts.push_back(random.uniform(0, 10) < 1 ? number / 2 : number);
+      box.include(scene.points.back());
     }
     const Real gap = abut::region_gap_share * norm(box.high - box.low);
     std::set<Region> found;
     Region region;
-    const abut::Regions regions(contacts, part_of);
+    const abut::Regions regions = scene.regions();
     regions.visit([&](std::uint32_t number) { EXPECT_TRUE(region.insert(number).second); },
                   [&] {
                     found.insert(region);
                     region.clear();
                   });
-    EXPECT_EQ(found, by_search(contacts, gap)) << "case " << i << ", gap " << gap;
+    EXPECT_EQ(found, by_search(scene, gap)) << "case " << i << ", gap " << gap;
     EXPECT_EQ(found.size(), regions.count()) << "case " << i;
     most = std::max(most, found.size());
     several += found.size() > 1 ? 1u : 0u;
@@ -88,12 +91,12 @@ TEST(Regions, AreThoseOfASearchThroughAllPairs) {
 }
 
 TEST(Regions, AreOneWhereAllIsAtOnePlace) {
-  std::vector<ContactPoint> contacts(20);
-  for (std::uint32_t number = 0; number < contacts.size(); ++number) {
-    contacts[number].point_a = contacts[number].point_b = {3, -1, 2};
-    contacts[number].feature_a.index = number;
+  Scene scene;
+  for (std::uint32_t number = 0; number < 20; ++number) {
+    scene.points.push_back({3, -1, 2});
+    scene.parts.push_back(number);
   }
-  EXPECT_EQ(abut::Regions(contacts, part_of).count(), 1u);
+  EXPECT_EQ(scene.regions().count(), 1u);
 }
 
 }  // namespace
