@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a reduction looks at of contacts, in the order of depth. Contacts are large: columns of these numbers are read
-// instead, and contacts move once it is known which of them stay.
+// What a reduction looks at of contacts, in the order of depth. Contacts are large: they move once it is known which of
+// them stay.
 export module abut.narrow.manifold.by_depth;
 import abut.capability;
 import abut.core.small_vector;
@@ -67,50 +67,51 @@ class ByDepth {
   inline ByDepth(std::span<const ContactPoint> contacts, const Ids& before) : numbers_(depth_order(contacts)) {
     for (const std::uint32_t number : numbers_.span()) {
       const ContactPoint& contact = contacts[number];
-      if (distances_.size() % 4 == 0) {
+      if (rows_.size() % 4 == 0) {
         normals_.push_back(Columns::all(contact.normal));
       }
-      normals_[distances_.size() / 4].put(distances_.size() % 4, contact.normal);
-      middles_.push_back(0.5 * (contact.point_a + contact.point_b));
-      marks_.push_back({before.hold(contact.id), is_held(contact)});
-      distances_.push_back(contact.distance);
+      normals_[rows_.size() / 4].put(rows_.size() % 4, contact.normal);
+      rows_.push_back(
+          {0.5 * (contact.point_a + contact.point_b), contact.distance, before.hold(contact.id), is_held(contact)});
     }
   }
   [[nodiscard]] inline std::uint32_t size() const { return static_cast<std::uint32_t>(numbers_.size()); }
   [[nodiscard]] inline std::uint32_t number(std::uint32_t rank) const { return numbers_[rank]; }
-  [[nodiscard]] inline Real distance(std::uint32_t rank) const { return distances_[rank]; }
-  [[nodiscard]] inline const Vec3& middle(std::uint32_t rank) const [[clang::lifetimebound]] { return middles_[rank]; }
+  [[nodiscard]] inline Real distance(std::uint32_t rank) const { return rows_[rank].distance; }
+  [[nodiscard]] inline const Vec3& middle(std::uint32_t rank) const [[clang::lifetimebound]] {
+    return rows_[rank].middle;
+  }
   [[nodiscard]] inline Vec3 normal(std::uint32_t rank) const { return normals_[rank / 4][rank % 4]; }
   // The normals of four ranks each; the last ones may be there several times.
   [[nodiscard]] inline std::span<const Columns> normals() const [[clang::lifetimebound]] { return normals_.span(); }
-  [[nodiscard]] inline bool was_kept(std::uint32_t rank) const { return marks_[rank].was_kept; }
-  [[nodiscard]] inline bool is_held_by_features(std::uint32_t rank) const { return marks_[rank].is_held; }
+  [[nodiscard]] inline bool was_kept(std::uint32_t rank) const { return rows_[rank].was_kept; }
+  [[nodiscard]] inline bool is_held_by_features(std::uint32_t rank) const { return rows_[rank].is_held; }
   // How far some contacts lie from the first of them.
   [[nodiscard]] inline Real extent_of(std::span<const std::uint32_t> ranks) const {
     Real square = 0;
     for (const std::uint32_t rank : ranks) {
-      square = std::max(square, squared_norm(middles_[rank] - middles_[ranks[0]]));
+      square = std::max(square, squared_norm(middle(rank) - middle(ranks[0])));
     }
     return std::sqrt(square);
   }
   // How far all of them lie from the deepest one.
   [[nodiscard]] inline Real extent() const {
     Real square = 0;
-    for (const Vec3& middle : middles_.span()) {
-      square = std::max(square, squared_norm(middle - middles_[0]));
+    for (const Row& row : rows_.span()) {
+      square = std::max(square, squared_norm(row.middle - rows_[0].middle));
     }
     return std::sqrt(square);
   }
 
  private:
-  struct Marks {
+  struct Row {
+    Vec3 middle;
+    Real distance;
     bool was_kept, is_held;
   };
   Numbers numbers_;
   SmallVector<Columns, few_contacts / 4> normals_;
-  SmallVector<Vec3, few_contacts> middles_;
-  SmallVector<Real, few_contacts> distances_;
-  SmallVector<Marks, few_contacts> marks_;
+  SmallVector<Row, few_contacts> rows_;
 };
 
 }  // namespace abut

@@ -40,25 +40,12 @@ class Choice {
     }
   }
 
-  // Takes the points that add most, one by one, up to `most`. What counts is the area. Where there is none, it is the
-  // length of the way around, so that the ends of a line stay.
-  void grow(std::span<const Vec2> points, std::size_t most, Real extent) {
-    grow_among(points, points.size(), [](std::size_t i) { return static_cast<std::uint32_t>(i); }, most, extent);
-  }
-  // The same of some places alone.
-  void grow_among(std::span<const Vec2> points, std::span<const std::uint32_t> places, std::size_t most, Real extent) {
-    grow_among(points, places.size(), [&](std::size_t i) { return places[i]; }, most, extent);
-  }
-
- private:
-  [[nodiscard]] static Real length(const Vec2& way) { return std::sqrt(dot(way, way)); }
-  template <class PlaceOf>
-  void grow_among(std::span<const Vec2> points, std::size_t count, const PlaceOf& place_of, std::size_t most,
-                  Real extent) {
+  // Takes the points of some places that add most, one by one, up to `most`. What counts is the area. Where there is
+  // none, it is the length of the way around, so that the ends of a line stay.
+  void grow(std::span<const Vec2> points, std::span<const std::uint32_t> among, std::size_t most, Real extent) {
     const auto add_best = [&](Real least, auto&& score) {
       Best best{least, 0, false};
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t place = place_of(i);
+      for (const std::uint32_t place : among) {
         if (!has(place)) {
           best.offer(score(points[place]), place);
         }
@@ -75,6 +62,8 @@ class Choice {
     }
   }
 
+ private:
+  [[nodiscard]] static Real length(const Vec2& way) { return std::sqrt(dot(way, way)); }
   struct Best {
     Real score;
     std::uint32_t place;
@@ -141,7 +130,7 @@ class Choice {
     }
   }
   Choice choice(points, first);
-  choice.grow(points, most, extent);
+  choice.grow(points, outside, most, extent);
   if (most == 4 && choice.places().size() == 4 && choice.twice_area(points) > flat) {
     return Choice(exchanged(points, outside, spanned(points, choice.four()), least_gain));
   }

@@ -44,32 +44,39 @@ using Numbers = SmallVector<std::uint32_t, few_contacts>;
     if (count == 0) {
       return false;
     }
-    if (count > 1) {
-      std::ranges::sort(numbers.subspan(begin, count), [&](std::uint32_t a, std::uint32_t b) {
-        return contacts[a].id != contacts[b].id ? contacts[a].id < contacts[b].id : a < b;
-      });
+    for (std::size_t i = begin + 1; i < begin + count; ++i) {
+      for (std::size_t j = i; j > begin && contacts[numbers[j]].id < contacts[numbers[j - 1]].id; --j) {
+        std::swap(numbers[j], numbers[j - 1]);
+      }
     }
     begin += count;
   }
   return true;
 }
 
-// The same of any, by keys beside each other.
-inline void sort_any(std::span<const ContactPoint> contacts, std::span<std::uint32_t> numbers) {
-  struct Key {
-    std::uint64_t depth, id;
-    std::uint32_t number;
-  };
-  std::vector<Key> keys;
-  keys.reserve(contacts.size());
-  for (std::uint32_t number = 0; number < contacts.size(); ++number) {
-    keys.push_back({bits_in_order(contacts[number].distance), contacts[number].id, number});
-  }
-  std::ranges::sort(keys, [](const Key& a, const Key& b) {
-    return a.depth != b.depth ? a.depth < b.depth : a.id != b.id ? a.id < b.id : a.number < b.number;
+// A number with two keys, of which the first counts more.
+struct Keyed {
+  std::uint64_t first, second;
+  std::uint32_t number;
+};
+using KeyedNumbers = SmallVector<Keyed, few_contacts>;
+
+// By keys; where these agree, by numbers.
+inline void sort_keyed(std::span<Keyed> keyed) {
+  std::ranges::sort(keyed, [](const Keyed& a, const Keyed& b) {
+    return a.first != b.first ? a.first < b.first : a.second != b.second ? a.second < b.second : a.number < b.number;
   });
+}
+
+// As rank_few does, of any contacts.
+inline void sort_any(std::span<const ContactPoint> contacts, std::span<std::uint32_t> numbers) {
+  [[clang::uninitialized]] KeyedNumbers keyed;
+  for (std::uint32_t number = 0; number < contacts.size(); ++number) {
+    keyed.push_back({bits_in_order(contacts[number].distance), contacts[number].id, number});
+  }
+  sort_keyed(keyed.span());
   for (std::size_t rank = 0; rank < numbers.size(); ++rank) {
-    numbers[rank] = keys[rank].number;
+    numbers[rank] = keyed[rank].number;
   }
 }
 
@@ -101,12 +108,7 @@ inline void bring_to_front(std::span<ContactPoint> contacts, std::span<std::uint
   }
 }
 
-// Of very many, which are rare, no list of numbers is made: that would take memory from step to step.
 inline void sort_by_depth(std::span<ContactPoint> contacts) {
-  if (contacts.size() > few_contacts) {
-    std::ranges::sort(contacts, comes_before);
-    return;
-  }
   Numbers numbers = depth_order(contacts);
   bring_to_front(contacts, numbers.span());
 }

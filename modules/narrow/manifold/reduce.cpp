@@ -66,7 +66,7 @@ using SomePlaces = SmallVector<std::uint32_t, Choice::capacity>;
       }
     }
     Choice choice(flat.points(), others[0]);
-    choice.grow_among(flat.points(), others.span(), most, flat.extent);
+    choice.grow(flat.points(), others.span(), most, flat.extent);
     if (const Real twice_area = choice.twice_area(flat.points()); twice_area > most_area) {
       most_area = twice_area;
       best.clear();
@@ -80,13 +80,14 @@ using SomePlaces = SmallVector<std::uint32_t, Choice::capacity>;
 }
 
 // The points that were kept before, and the ones that span most with them.
-[[nodiscard]] Choice keep_again(const Flat& flat, std::span<const std::uint32_t> kept, std::size_t most) {
+[[nodiscard]] Choice keep_again(const Flat& flat, std::span<const std::uint32_t> kept,
+                                std::span<const std::uint32_t> outside, std::size_t most) {
   Choice choice(flat.points(), kept.front());
-  choice.grow_among(flat.points(), kept, most, flat.extent);
+  choice.grow(flat.points(), kept, most, flat.extent);
   for (const std::uint32_t place : kept) {
     choice.keep(place, most);
   }
-  choice.grow(flat.points(), most, flat.extent);
+  choice.grow(flat.points(), outside, most, flat.extent);
   return choice;
 }
 
@@ -109,7 +110,7 @@ struct Ties {
   if (before.empty()) {
     return fresh(0);
   }
-  const Choice same = keep_again(flat, widest(flat, before, most).span(), most);
+  const Choice same = keep_again(flat, widest(flat, before, most).span(), outside.span(), most);
   const Real as_deep = contacts.distance(patch[0]) + ties.depth * flat.extent,
              enough = same.twice_area(flat.points()) / tied_area;
   // Any of the points that tie in depth could have been the deepest when the others were chosen for it.
@@ -191,11 +192,11 @@ void visit_regions(const ByDepth& contacts, std::span<const std::uint32_t> patch
 // by the deepest one of what is left. One that was kept before wins ties.
 template <class Take>
 void visit_patches(const ByDepth& contacts, Real tie, const Take& take) {
-  [[clang::uninitialized]] SmallVector<std::uint8_t, few_contacts / 4> left;  // a bit for each rank of four
+  [[clang::uninitialized]] Numbers left;  // a bit for each rank of four
   for (std::uint32_t rank = 0; rank < contacts.size(); rank += 4) {
-    left.push_back(static_cast<std::uint8_t>(contacts.size() - rank < 4 ? (1u << (contacts.size() - rank)) - 1 : 15u));
+    left.push_back(contacts.size() - rank < 4 ? (1u << (contacts.size() - rank)) - 1 : 15u);
   }
-  const std::span<std::uint8_t> groups = left.span();
+  const std::span<std::uint32_t> groups = left.span();
   const std::span<const Columns> normals = contacts.normals();
   const auto is_left = [&](std::uint32_t rank) { return (groups[rank / 4] >> rank % 4 & 1) != 0; };
   [[clang::uninitialized]] Numbers patch;
@@ -217,7 +218,7 @@ void visit_patches(const ByDepth& contacts, Real tie, const Take& take) {
         continue;
       }
       std::uint64_t agree = groups[group] & bits_of(dot(normals[group], facing) >= all_lanes(same_patch_cosine));
-      groups[group] = static_cast<std::uint8_t>(groups[group] & ~agree);
+      groups[group] &= ~static_cast<std::uint32_t>(agree);
       for (; agree != 0; agree &= agree - 1) {
         patch.push_back(4 * group + static_cast<std::uint32_t>(std::countr_zero(agree)));
       }

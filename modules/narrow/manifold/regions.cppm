@@ -170,18 +170,14 @@ class Regions {
   }
   template <class PartOf>
   void join_parts(const PartOf& part_of) {
-    struct PartOfRegion {
-      std::uint64_t part;
-      std::uint32_t region;
-    };
-    SmallVector<PartOfRegion, few_contacts> parts;
+    [[clang::uninitialized]] KeyedNumbers parts;
     for (std::uint32_t number = 0; number < places_.size(); ++number) {
-      parts.push_back({part_of(number), region_of(number)});
+      parts.push_back({part_of(number), 0, region_of(number)});
     }
-    std::ranges::sort(parts.span(), {}, &PartOfRegion::part);
+    sort_keyed(parts.span());
     for (std::size_t i = 1; i < parts.size(); ++i) {
-      const std::uint32_t one = root_of(parts[i - 1].region), other = root_of(parts[i].region);
-      if (parts[i].part == parts[i - 1].part && one != other) {
+      const std::uint32_t one = root_of(parts[i - 1].number), other = root_of(parts[i].number);
+      if (parts[i].first == parts[i - 1].first && one != other) {
         roots_[std::max(one, other)] = std::min(one, other);
         --count_;
       }
