@@ -30,8 +30,8 @@ template <Convex A, Convex B>
 }
 
 // The usual bounds of errors, relative to the size of the shapes: searches on curved surfaces come nearer step
-// by step, those on polytopes end. The size of two shapes is at most 4 sqrt(3) times their largest coordinate, so curves
-// err by less than 1e-9 of that.
+// by step, those on polytopes end. The size of two shapes is at most 4 sqrt(3) times their largest coordinate, so
+// curves err by less than 1e-9 of that.
 inline constexpr Real usual_error = 1e-12, usual_error_of_curves = 1.4e-10;
 
 // Depths of curved cores that differ by less are the same to the corners of a contact.
