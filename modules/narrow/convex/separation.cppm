@@ -134,6 +134,11 @@ template <Convex A, Convex B>
                     [&](const Difference& cores) { separate_by_polytope(cores, error, near.simplex, core); });
   }
   core.overlap = true;
+  // Cores that GJK takes for touching, since it proves no gap, may be as far apart as it came near. The polytope has
+  // slivers there, of which rounding turns the normals.
+  if ((Curved<A> || Curved<B>) && near.simplex.size < 4 && near.upper <= error && core.upper > -near.upper) {
+    core.upper = std::max(core.upper, near.upper);
+  }
   if (Curved<A> || Curved<B> ? std::fabs(core.distance) <= error : is_touch(core, size)) {
     find_touch(near.simplex, error, core);
   }
