@@ -21,7 +21,7 @@ constexpr Real same_patch_cosine = 0.98;
 // Where the contacts of a patch lie in the plane across the normal of the deepest one, which comes first.
 struct Flat {
   SmallVector<Vec2, few_contacts> all;
-  Real extent;
+  Real extent = 0;
 
   [[nodiscard]] std::span<const Vec2> points() const { return all.span(); }
 };
@@ -137,7 +137,7 @@ void hold_patch(const ByDepth& contacts, std::span<const std::uint32_t> patch, s
 // The points that features hold, and whether one of them is as deep as any within a slack.
 struct Held {
   Numbers ranks;
-  bool are_as_deep;
+  bool are_as_deep = false;
 };
 [[nodiscard]] Held held_points(const ByDepth& contacts, std::span<const std::uint32_t> patch, Real slack) {
   [[clang::uninitialized]] Held held;

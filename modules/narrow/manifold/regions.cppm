@@ -46,6 +46,7 @@ class Regions {
  private:
   // Their diagonal is no longer than a gap: a cell is half as wide.
   static constexpr int cells_along = static_cast<int>(2 / region_gap_share) + 1;
+  static constexpr std::size_t most_cells = std::size_t{cells_along} * cells_along * cells_along;
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::size_t few_cells = 128;
 
@@ -70,7 +71,7 @@ class Regions {
     gap_ = region_gap_share * norm(box.high - box.low);
     const Real per_length = gap_ > 0 ? 2 / gap_ : 0;
     // Counted from 1; 0 for cells without points.
-    std::array<std::uint16_t, cells_along * cells_along * cells_along> numbers{};
+    std::array<std::uint16_t, most_cells> numbers{};
     for (const Vec3& point : points) {
       const Vec3 steps = per_length * (point - box.low);
       const int at = (static_cast<int>(steps.x) * cells_along + static_cast<int>(steps.y)) * cells_along +
