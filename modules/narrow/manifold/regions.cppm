@@ -46,7 +46,7 @@ class Regions {
  private:
   // Their diagonal is no longer than a gap: a cell is half as wide.
   static constexpr int cells_along = static_cast<int>(2 / region_gap_share) + 1;
-  static constexpr std::size_t most_cells = std::size_t{cells_along} * cells_along * cells_along;
+  static constexpr std::size_t most_cells{cells_along * cells_along * cells_along};
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::size_t few_cells = 128;
 
