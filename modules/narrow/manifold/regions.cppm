@@ -45,8 +45,7 @@ class Regions {
 
  private:
   // Their diagonal is no longer than a gap: a cell is half as wide.
-  static constexpr int cells_along = static_cast<int>(2 / region_gap_share) + 1;
-  static constexpr std::size_t most_cells{cells_along * cells_along * cells_along};
+  static constexpr std::size_t cells_along = static_cast<std::size_t>(2 / region_gap_share) + 1;
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::size_t few_cells = 128;
 
@@ -71,12 +70,12 @@ class Regions {
     gap_ = region_gap_share * norm(box.high - box.low);
     const Real per_length = gap_ > 0 ? 2 / gap_ : 0;
     // Counted from 1; 0 for cells without points.
-    std::array<std::uint16_t, most_cells> numbers{};
+    std::array<std::uint16_t, cells_along * cells_along * cells_along> numbers{};
     for (const Vec3& point : points) {
       const Vec3 steps = per_length * (point - box.low);
-      const int at = (static_cast<int>(steps.x) * cells_along + static_cast<int>(steps.y)) * cells_along +
-                     static_cast<int>(steps.z);
-      std::uint16_t& found = numbers[static_cast<std::size_t>(at)];
+      const auto x = static_cast<std::size_t>(steps.x), y = static_cast<std::size_t>(steps.y),
+                 z = static_cast<std::size_t>(steps.z);
+      std::uint16_t& found = numbers[(x * cells_along + y) * cells_along + z];
       if (found == 0) {
         found = add_cell();
       }
