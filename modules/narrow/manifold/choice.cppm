@@ -26,7 +26,9 @@ class Choice {
     }
   }
 
-  [[nodiscard]] std::span<const std::uint32_t> places() const { return std::span(places_).first(size_); }
+  [[nodiscard]] std::span<const std::uint32_t> places() const [[clang::lifetimebound]] {
+    return std::span(places_).first(size_);
+  }
   [[nodiscard]] bool has(std::uint32_t place) const { return std::ranges::find(places(), place) != places().end(); }
   [[nodiscard]] Real twice_area(std::span<const Vec2> points) const {
     return size_ == 4 ? spanned(points, four()).twice_area : twice_area_;

@@ -129,7 +129,8 @@ void hold_patch(const ByDepth& contacts, std::span<const std::uint32_t> patch, s
     }
     return;
   }
-  for (const std::uint32_t place : hold(contacts, patch, most, ties).places()) {
+  const Choice held = hold(contacts, patch, most, ties);
+  for (const std::uint32_t place : held.places()) {
     kept.push_back(patch[place]);
   }
 }
