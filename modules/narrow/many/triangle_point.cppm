@@ -19,7 +19,8 @@ struct WayFromTriangle {
   const Vec3 ab = b - a, ac = c - a, ap = point - a, bp = point - b, cp = point - c;
   const auto from_edge = [&](const Vec3& first, const Vec3& edge, Real share) -> WayFromTriangle {
     const Vec3 from = first + share * edge, way = point - from;
-    return {from, way - (dot(way, edge) / squared_norm(edge)) * edge};
+    const Real square = squared_norm(edge);
+    return {from, square > 0 ? way - (dot(way, edge) / square) * edge : way};
   };
   const Real ab_a = dot(ab, ap), ac_a = dot(ac, ap);
   if (ab_a <= 0 && ac_a <= 0) {
@@ -30,7 +31,8 @@ struct WayFromTriangle {
     return {b, bp};
   }
   const Real over_c = ab_a * ac_b - ab_b * ac_a;
-  if (over_c <= 0 && ab_a >= 0 && ab_b <= 0) {
+  // An edge without length leaves the answer to the others.
+  if (over_c <= 0 && ab_a >= 0 && ab_b <= 0 && ab_a > ab_b) {
     return from_edge(a, ab, ab_a / (ab_a - ab_b));
   }
   const Real ab_c = dot(ab, cp), ac_c = dot(ac, cp);
@@ -38,11 +40,11 @@ struct WayFromTriangle {
     return {c, cp};
   }
   const Real over_b = ab_c * ac_a - ab_a * ac_c;
-  if (over_b <= 0 && ac_a >= 0 && ac_c <= 0) {
+  if (over_b <= 0 && ac_a >= 0 && ac_c <= 0 && ac_a > ac_c) {
     return from_edge(a, ac, ac_a / (ac_a - ac_c));
   }
   const Real over_a = ab_b * ac_c - ab_c * ac_b, to_c = ac_b - ab_b, to_b = ab_c - ac_c;
-  if (over_a <= 0 && to_c >= 0 && to_b >= 0) {
+  if (over_a <= 0 && to_c >= 0 && to_b >= 0 && to_c + to_b > 0) {
     return from_edge(b, c - b, to_c / (to_c + to_b));
   }
   const Real share = 1 / (over_a + over_b + over_c);
