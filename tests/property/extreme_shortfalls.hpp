@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the library falls short in the extremes, as in shortfalls.hpp: row, fact, number of cases. It only shrinks.
 //
-// - "gap between the bounds" of concentric shapes: many directions are as good, as in certificate_shortfalls.hpp.
 // - of parallel faces by support points, and hulls of 10000 points: off by rounding more than the row allows.
 #pragma once
 
