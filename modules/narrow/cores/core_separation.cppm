@@ -35,7 +35,7 @@ template <Convex A, Convex B>
 inline constexpr Real usual_error = 1e-12, usual_error_of_curves = 1.4e-10;
 
 // Depths of curved cores that differ by less are the same to the corners of a contact.
-[[nodiscard]] [[gnu::always_inline]] inline Real curve_blur(Real size) { return usual_error_of_curves * size; }
+[[nodiscard]] [[gnu::always_inline]] inline Real curve_blur(Real size) { return 0.5 * usual_error_of_curves * size; }
 
 // The bound asked for, on shapes of their own size, and no finer than coordinates are.
 template <Convex A, Convex B>

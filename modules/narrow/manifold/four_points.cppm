@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The four points of a patch in its plane that span the largest area, where the patch has few points.
 export module abut.narrow.manifold.four_points;
-import abut.core.small_vector;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.manifold.depth_order;
 
 export namespace abut {
 
@@ -27,7 +27,7 @@ struct Four {
 }
 
 // Some places of a patch, in rising order.
-using Places = SmallVector<std::uint32_t, 256>;
+using Places = Numbers;
 
 // Finds the points that may be corners of the hull of all: those that do not lie within the octagon of the points that
 // lie furthest in eight directions (Akl and Toussaint, A fast convex hull algorithm, 1978). What lies within spans no

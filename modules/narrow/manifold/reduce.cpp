@@ -242,7 +242,8 @@ std::size_t reduce_patches(std::span<ContactPoint> contacts, std::size_t most, c
            std::uint64_t{surfaces.b ? contact.feature_b.index : 0};
   };
   const auto take = [&](std::span<const std::uint32_t> patch) { reduce_patch(by_depth, patch, most, ties, kept); };
-  visit_patches(by_depth, ties.depth * by_depth.extent(), [&](std::span<const std::uint32_t> patch) {
+  const Real tie = ties.are_exact() ? 0 : ties.depth * by_depth.extent();
+  visit_patches(by_depth, tie, [&](std::span<const std::uint32_t> patch) {
     if ((surfaces.a || surfaces.b) && patch.size() > most) {
       visit_regions(by_depth, patch, part_of, take);
     } else {
