@@ -61,6 +61,9 @@ Real size_of_triangles(const S& surface, const Aabb& box) {
 // So many spans that in each the ways of points are bent by little beside a triangle. Triangles that are apart by less
 // than the bend would have to be asked one by one.
 std::uint32_t span_count(Real triangle, Real bend, Real duration) {
+  if (!(bend > 0)) {
+    return 1;
+  }
   constexpr Real bent_share = 0.1, most_spans = 4096;
   const Real longest = std::sqrt(8 * bent_share * triangle / bend);
   return static_cast<std::uint32_t>(std::clamp(std::ceil(duration / longest), Real{1}, most_spans));

@@ -70,8 +70,8 @@ Real lower_bound_of(const SweptSide& side) {
 // The least of speed * t + acceleration * t^2 / 2 for t from 0 to `length`.
 Real least_of_parabola(Real speed, Real acceleration, Real length) {
   const Real end = length * (speed + 0.5 * length * acceleration);
-  const Real apex = -speed / acceleration;
-  const bool has_apex = acceleration > 0 && apex > 0 && apex < length;
+  const Real apex = acceleration > 0 ? -speed / acceleration : 0;
+  const bool has_apex = apex > 0 && apex < length;
   return smaller(smaller(0, end), has_apex ? 0.5 * speed * apex : 0);
 }
 

@@ -29,12 +29,13 @@ struct View {
 
 [[nodiscard]] inline View view_of(const abut_camera& camera) {
   const Frame frame = frame_of(camera.pose);
-  const double half_height = 0.5 * static_cast<double>(camera.height);
+  const double half_height = 0.5 * static_cast<double>(camera.height), slope = std::tan(0.5 * camera.vertical_fov);
+  constexpr double longest = std::numeric_limits<double>::max();
   return {.eye = camera.pose.position,
           .right = rotate(frame, {1, 0, 0}),
           .up = rotate(frame, {0, 1, 0}),
           .forward = rotate(frame, {0, 0, -1}),
-          .focal = std::min(half_height / std::tan(0.5 * camera.vertical_fov), std::numeric_limits<double>::max()),
+          .focal = slope > 0 ? std::min(half_height / slope, longest) : longest,
           .centre_x = 0.5 * static_cast<double>(camera.width),
           .centre_y = half_height,
           .start = camera.near_distance,

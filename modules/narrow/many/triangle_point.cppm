@@ -47,9 +47,10 @@ struct WayFromTriangle {
   if (over_a <= 0 && to_c >= 0 && to_b >= 0 && to_c + to_b > 0) {
     return from_edge(b, c - b, to_c / (to_c + to_b));
   }
-  const Real share = 1 / (over_a + over_b + over_c);
+  const Real over_all = over_a + over_b + over_c, share = over_all > 0 ? 1 / over_all : 0;
   const Vec3 from = a + (over_b * share) * ab + (over_c * share) * ac, normal = cross(ab, ac);
-  return {from, (dot(normal, ap) / squared_norm(normal)) * normal};
+  const Real square = squared_norm(normal);
+  return {from, square > 0 ? (dot(normal, ap) / square) * normal : point - from};
 }
 [[nodiscard]] inline Vec3 nearest_on(const TriangleCorners& corners, const Vec3& point) {
   return nearest_way(corners, point).from;

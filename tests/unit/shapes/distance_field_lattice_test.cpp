@@ -47,7 +47,7 @@ struct Lattice {
       for (std::uint32_t j = 0; j < counts[1]; ++j) {
         for (std::uint32_t i = 0; i < counts[0]; ++i) {
           const auto along = [](std::uint32_t at, std::uint32_t count, double by) {
-            return (2.0 * at / (count - 1) - 1) * by;
+            return count > 1 ? (2.0 * at / (count - 1) - 1) * by : 0;
           };
           points.push_back(
               move(Vec3{along(i, counts[0], half.x), along(j, counts[1], half.y), along(k, counts[2], half.z)}));

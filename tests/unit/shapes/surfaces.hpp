@@ -30,7 +30,11 @@ struct Meeting {
 };
 inline Meeting meeting(const Corners& t, const abut::Vec3& origin, const abut::Vec3& direction) {
   const abut::Vec3 normal = cross(t.b - t.a, t.c - t.a);
-  const double distance = dot(normal, t.a - origin) / dot(normal, direction), area = dot(normal, normal);
+  const double speed = dot(normal, direction), area = dot(normal, normal);
+  if (speed == 0) {
+    return {0, -1};  // along the plane, or a triangle that is missing
+  }
+  const double distance = dot(normal, t.a - origin) / speed;
   const abut::Vec3 p = origin + distance * direction;
   const double first = dot(normal, cross(t.c - t.b, p - t.b)) / area,
                second = dot(normal, cross(t.a - t.c, p - t.c)) / area;

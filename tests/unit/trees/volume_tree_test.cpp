@@ -61,6 +61,9 @@ std::optional<double> ray_to(const Corners& c, const Vec3& origin, const Vec3& d
   const Vec3 u = c[1] - c[0], v = c[2] - c[0], n = cross(u, v), away = origin - c[0];
   const double d = -dot(direction, n);
   const Vec3 moment = cross(away, direction);
+  if (d == 0) {
+    return std::nullopt;
+  }
   const double t = dot(away, n) / d, a = dot(v, moment) / d, b = -dot(u, moment) / d;
   return t >= 0 && a >= 0 && b >= 0 && a + b <= 1 ? std::optional(t) : std::nullopt;
 }

@@ -30,4 +30,15 @@ TEST(TrianglePoint, IsThatOfASegmentWhereTwoCornersAreOne) {
   }
 }
 
+// Rounding leaves corners on a line an area or none.
+TEST(TrianglePoint, HasAWayFromCornersOnALine) {
+  test::Random random(292);
+  for (int round = 0; round < 3000; ++round) {
+    const Vec3 start = random.point(1), along = random.point(1), point = random.point(2);
+    const auto at = [&](double share) { return start + share * along; };
+    const auto [from, way] = abut::nearest_way({at(0), at(random.uniform(-1, 1)), at(random.uniform(-1, 1))}, point);
+    EXPECT_TRUE(is_finite(from) && is_finite(way)) << "round " << round;
+  }
+}
+
 }  // namespace
