@@ -37,6 +37,11 @@ inline constexpr Real usual_error = 1e-12, usual_error_of_curves = 1.4e-10;
 // Depths of curved cores that differ by less are the same to the corners of a contact.
 [[nodiscard]] [[gnu::always_inline]] inline Real curve_blur(Real size) { return 0.5 * usual_error_of_curves * size; }
 
+// The bound of a search on curved surfaces, relative to the size of the shapes.
+[[nodiscard]] inline Real bound_of_curves(const QuerySettings& settings) {
+  return settings.error_bound > 0 ? settings.error_bound : usual_error_of_curves;
+}
+
 // The bound asked for, on shapes of their own size, and no finer than coordinates are.
 template <Convex A, Convex B>
 [[nodiscard]] [[gnu::always_inline]] inline Real error_of(const A& a, const B& b, Real size,

@@ -38,7 +38,7 @@ template <Convex A, Convex B>
                                       Distance& out) {
   QuerySettings asked = settings;
   // It does not know polytopes from curved shapes.
-  asked.error_bound = asked.error_bound > 0 ? asked.error_bound : usual_error_of_curves;
+  asked.error_bound = bound_of_curves(settings);
   const Real size = core_size(a, b, ab) + a.radius() + b.radius();
   return libccd_query([&](const Vec3& d) { return support_of_whole(a, d); },
                       [&](const Vec3& d) { return support_of_whole(b, ab, d); }, a.centre(), placed_centre(b, ab),

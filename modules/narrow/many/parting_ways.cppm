@@ -212,7 +212,7 @@ class PartingWays {
       return false;
     }
     if (!part) {
-      const Real touching = touching_within<B>(core_size(triangle, b, ab_));
+      const Real touching = touching_within<B>(core_size(triangle, b, ab_), settings_);
       part = met_.add(triangle, b, ab_, Fronts<B>(triangle, b, ab_), touching);
     }
     met_.offer_ways(*part, triangle, b, ab_, core.normal, core.distance - radii);

@@ -46,7 +46,8 @@ class SurfaceContacts {
     if (!is_allowed && !counts_from_behind(triangle, b, ab_, core)) {
       return;
     }
-    const Real size = core_size(triangle, b, ab_), noise = noise_of(size), touching = touching_within<B>(size);
+    const Real size = core_size(triangle, b, ab_), noise = noise_of(size),
+               touching = touching_within<B>(size, settings_);
     const bool is_touch = only_touches(b, core, touching);
     if (is_touch && !is_allowed) {
       return;

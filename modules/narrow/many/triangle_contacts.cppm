@@ -210,8 +210,8 @@ template <Convex B>
 }
 // Cores that are no further apart, or overlap no more, may only touch. A search on curved cores has a bound.
 template <Convex B>
-[[nodiscard]] Real touching_within(Real size) {
-  return Curved<B> ? curve_blur(size) : noise_of(size);
+[[nodiscard]] Real touching_within(Real size, const QuerySettings& settings) {
+  return Curved<B> ? bound_of_curves(settings) * size : noise_of(size);
 }
 
 // The separation along the normal of a face.
