@@ -1274,8 +1274,8 @@ enum abut_geometry_flags_value ABUT_ENUM(uint32_t) {
   ABUT_GEOMETRY_KEEPS_SIDE = 16  /**< pairs of a convex shape and a surface that is no solid, of which either has this
                                       flag, remember from which side of the surface the shape came. While the two
                                       touch, depth and normal lead back to that side, also after the centre of the
-                                      shape has passed the surface. So do children of composites without holes, each by
-                                      itself. Takes O(triangles that are touched) per pair */
+                                      shape has passed the surface. So do particles, and children of composites
+                                      without holes, each by itself. Takes O(triangles that are touched) per pair */
 };
 
 /**

@@ -19,7 +19,7 @@ struct SideMemory {
   [[nodiscard]] bool is_empty() const { return parts.empty(); }
 };
 
-// Of two children of a pair, by their numbers; 0 is that of a shape without children.
+// Of two children of a pair, by their numbers. Particles are children; 0 is the number of a shape without any.
 struct SidesOfChildren {
   std::uint32_t child_a, child_b;
   SideMemory memory;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contacts of a surface and a convex body that has passed it: as deep as the way back to the side from which the body
-// came.
+// Contacts of a surface and a body that has passed it, a convex shape or one of many solids: as deep as the way back to
+// the side from which it came.
 export module abut.pairs.registry.kept_sides;
 import abut.capability;
 import abut.core.standard;
@@ -11,8 +11,8 @@ import abut.pairs.registry;
 
 export namespace abut {
 
-// Whether pairs of two kinds, by their places in the registry, may remember a side: a convex shape and a surface, or a
-// composite that may have such children.
+// Whether pairs of two kinds, by their places in the registry, may remember a side: a convex shape or many solids and a
+// surface, or a composite that may have children of which one is convex and one a surface.
 [[nodiscard]] bool may_keep_side(std::size_t a, std::size_t b);
 
 // What a pair has from the detection before, and what it leaves for the next one: of its children, in their order.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "archive_support.hpp"
 #include "moving.hpp"
@@ -201,6 +202,74 @@ TEST(KeptSide, IsThatOfEachChildOfAComposite) {
   }
 }
 
+// Balls of one shape, of which some reach a sheet sooner than others. Their places: beside each other, and how high.
+constexpr std::array<std::array<double, 2>, 3> balls{{{-0.6, 0}, {0, -0.35}, {0.5, 0.4}}};
+
+std::vector<double> places_of_balls(const abut_vec3& centre, double side) {
+  std::vector<double> xyz;
+  for (const auto& [beside, height] : balls)
+    xyz.insert(xyz.end(), {centre.x + beside, centre.y + 0.1, centre.z + side * height});
+  return xyz;
+}
+// That each ball that reaches the plane z = 0 has a contact that leads back to the side.
+void expect_each_ball(const std::vector<abut_contact>& contacts, bool balls_first, double side, double height) {
+  for (const abut_contact& contact : contacts) EXPECT_NEAR(side * contact.normal.z, 1, 1e-9);
+  for (std::uint32_t i = 0; i < balls.size(); ++i) {
+    const double its_height = height + balls[i][1];
+    const auto is_of_ball = [&](const abut_contact& its) { return (balls_first ? its.child_a : its.child_b) == i; };
+    const auto is_as_deep = [&](const abut_contact& its) {
+      return std::fabs(its.distance - (its_height - 0.5)) < 1e-9;
+    };
+    const bool touches = std::fabs(its_height) < 0.5;
+    EXPECT_EQ(std::ranges::any_of(contacts, is_of_ball), touches) << i;
+    EXPECT_EQ(std::ranges::any_of(contacts, [&](const auto& its) { return is_of_ball(its) && is_as_deep(its); }),
+              touches)
+        << i;
+  }
+}
+
+TEST(KeptSide, IsThatOfEachParticle) {
+  const std::vector<Shape> surfaces = sheets();
+  for (std::size_t sheet = 0; sheet < surfaces.size(); ++sheet) {
+    const bool has_back = sheet != field_of_sheets;
+    for (const double side : has_back ? std::vector<double>{1, -1} : std::vector<double>{1}) {
+      Shape particles = make_of_kind("particles", {0.5}, places_of_balls({0, 0, 0}, side));
+      const Body body{"particles", std::move(particles), no_rotation, {}};
+      const abut_vec3 up{0, 0, side};
+      for (const bool body_first : {false, true}) {
+        SCOPED_TRACE("sheet " + std::to_string(sheet) + " from side " + std::to_string(side));
+        Push push(surfaces[sheet], body, {sum(middle_of(sheet), times(2, up)), no_rotation},
+                  body_first ? 0 : ABUT_GEOMETRY_KEEPS_SIDE, body_first ? ABUT_GEOMETRY_KEEPS_SIDE : 0, body_first);
+        for (double height = 0.83; height > -0.95; height -= 0.07) {
+          SCOPED_TRACE(height);
+          expect_each_ball(push.step_to(sum(middle_of(sheet), times(height, up))), body_first, side, height);
+        }
+        // Once they have parted, they come from where they are.
+        if (has_back) expect_contact(push.step_to(sum(middle_of(sheet), times(-0.85, up))), times(-1, up), -0.05);
+      }
+    }
+  }
+}
+
+TEST(KeptSide, IsThatOfParticlesThatMoveOneByOne) {
+  const std::vector<Shape> surfaces = sheets();
+  for (std::size_t sheet = 0; sheet < surfaces.size(); ++sheet) {
+    SCOPED_TRACE(sheet);
+    Universe universe;
+    universe.add_geometry(universe.add_part(identity, ABUT_MOTION_STATIC), surfaces[sheet]);
+    const abut_geometry_id particles =
+        universe.add_geometry(universe.add_part(identity),
+                              make_of_kind("particles", {0.5}, places_of_balls(sum(middle_of(sheet), {0, 0, 2}), 1)),
+                              with_flags(ABUT_GEOMETRY_KEEPS_SIDE));
+    for (double height = 0.83; height > -0.95; height -= 0.07) {
+      SCOPED_TRACE(height);
+      const std::vector<double> xyz = places_of_balls(sum(middle_of(sheet), {0, 0, height}), 1);
+      require(abut_geometry_set_particles(universe, particles, 0, xyz.data(), nullptr, balls.size()));
+      expect_each_ball(universe.step(), false, 1, height);
+    }
+  }
+}
+
 // A clamp with an arm on either side of a sheet: each comes from its own side.
 TEST(KeptSide, IsOfEachArmOfAClamp) {
   const std::vector<Shape> surfaces = sheets();
@@ -327,8 +396,10 @@ class Crowd {
       starts_.push_back(start);
       ways_.push_back({next() - 0.5, next() - 0.5, next() - 0.5});
       parts_.push_back(universe_.add_part({start, no_rotation}));
-      const std::size_t kind = static_cast<std::size_t>(i) % (bodies_.size() + 1);
-      universe_.add_geometry(parts_.back(), kind < bodies_.size() ? bodies_[kind].shape : pair_.shape);
+      const std::size_t kind = static_cast<std::size_t>(i) % (bodies_.size() + 2);
+      universe_.add_geometry(parts_.back(), kind < bodies_.size()    ? bodies_[kind].shape
+                                            : kind == bodies_.size() ? pair_.shape
+                                                                     : particles_);
     }
   }
   void step(abut_universe* universe, int number) const {
@@ -351,6 +422,7 @@ class Crowd {
   std::vector<Shape> sheets_ = sheets();
   std::vector<Body> bodies_ = bodies();
   Body pair_ = make_pair_of_bodies();
+  Shape particles_ = make_of_kind("particles", {0.5}, places_of_balls({0, 0, 0}, 1));
   Universe universe_;
   std::vector<abut_vec3> starts_, ways_;
   std::vector<abut_part_id> parts_;
