@@ -85,33 +85,66 @@ class PartingWays {
     return way;
   }
 
-  // The last touch on a way, and what touches there, if it is deeper than `least`.
+  // A part, and how far b overlaps it along a way.
+  struct PartOnWay {
+    Real overlap;
+    std::uint32_t number, number_of_b;
+  };
   struct TouchOfPart {
     LastTouch touch;
     PartOnWay part;
   };
+  // What b touches last on a way before it touches nothing, if it is deeper than `least`: first of what it touches
+  // there, then of what it touches where that is left.
   template <class OnTheWay>
   [[nodiscard]] std::optional<TouchOfPart> last_touch_deeper_than(Real least, const PartingWay& way,
                                                                   const OnTheWay& on_the_way) const {
     std::optional<TouchOfPart> last;
-    const auto parts = met_.last_on(way, lowest_along(way.direction), meets_on(on_the_way));
+    for (bool touches_more = true; touches_more;) {
+      const auto next = last_touch_from(last ? last->touch.depth : least, way, on_the_way);
+      touches_more = next.has_value();
+      last = next ? next : last;
+    }
+    return last;
+  }
+
+ private:
+  // Of what b touches after a length of a way the one that it touches last.
+  template <class OnTheWay>
+  [[nodiscard]] std::optional<TouchOfPart> last_touch_from(Real length, const PartingWay& way,
+                                                           const OnTheWay& on_the_way) const {
+    const Real slack = 2 * met_.noise();
+    [[clang::uninitialized]] SmallVector<PartOnWay, 64> parts;
+    on_the_way.visit({way.direction, length, length}, length + slack, slack,
+                     [&](const Triangle& triangle, const B& b, Real, Real leave) {
+                       parts.push_back({std::min(leave, way.depth), triangle.index(), number_of_part(b)});
+                     });
+    std::ranges::sort(parts.span(), [](const PartOnWay& one, const PartOnWay& other) {
+      return std::tuple(other.overlap, one.number, one.number_of_b) <
+             std::tuple(one.overlap, other.number, other.number_of_b);
+    });
+    const Pose there{ab_.rotation, ab_.position + length * way.direction};
+    std::optional<TouchOfPart> last;
     for (const PartOnWay& part : parts.span()) {
+      const Real deepest = last ? last->touch.depth : length;
+      if (!(part.overlap > deepest + slack)) {
+        break;  // the others part no later
+      }
       const Triangle triangle = a_.part(part.number);
       const auto& b = part_of(other_, part.number_of_b);
-      const Real deepest = last ? last->touch.depth : least;
-      // The others part no later.
-      if (!(part.overlap > deepest + noise_of(core_size(triangle, b, ab_)))) {
-        break;
+      const Real reach = b.radius() + slack;
+      const CoreSeparation core = begin_separation(triangle, b, there, settings_, reach).core;
+      if (core.beyond || core.distance > reach) {
+        continue;
       }
       const auto touch = last_touch(triangle, b, ab_, {part.overlap, way.direction}, settings_);
-      if (touch && touch->depth > deepest) {
+      if (touch && touch->depth > deepest + slack) {
         last = TouchOfPart{*touch, part};
       }
     }
     return last;
   }
 
- private:
   // A longer look costs more where the way ends soon, a shorter one takes more of them.
   static constexpr Real far_ahead = 2;
 

@@ -109,12 +109,6 @@ struct Stretch {
   Real begin, end;
 };
 
-// How far b overlaps a triangle along a way, by its number, and that of b where b is one itself.
-struct PartOnWay {
-  Real overlap;
-  std::uint32_t number, number_of_b;
-};
-
 // Parts that lately were not parted. One of them mostly stands in the way again.
 class LatelyInTheWay {
  public:
@@ -238,28 +232,6 @@ class PartsMet {
       consider(ways, 15);
     }
     return best;
-  }
-
-  // The parts that b meets on a way, the one that it may be parted from last first.
-  template <class MeetsOn>
-  [[nodiscard]] auto last_on(const PartingWay& way, Real lowest, const MeetsOn& meets_on) const {
-    [[clang::uninitialized]] SmallVector<PartOnWay, 64> parts;
-    for (std::size_t place = 0; place < fours_.size(); ++place) {
-      const FourParts<B>& four = fours_[place];
-      const std::size_t count = std::min<std::size_t>(size_ - 4 * place, 4);
-      const Lanes overlaps = four.overlaps_along(Columns::all(way.direction), all_lanes(lowest));
-      std::uint64_t met = bits_of(four.gap <= four.noise);
-      met |= ~met & meets_on(four, way);
-      for (met &= (std::uint64_t{1} << count) - 1; met != 0; met &= met - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(met));
-        parts.push_back({overlaps[lane], four.triangles.numbers[lane], four.number_of_b(lane)});
-      }
-    }
-    std::ranges::sort(parts.span(), [](const PartOnWay& one, const PartOnWay& other) {
-      return std::tuple(other.overlap, one.number, one.number_of_b) <
-             std::tuple(one.overlap, other.number, other.number_of_b);
-    });
-    return parts;
   }
 
  private:
