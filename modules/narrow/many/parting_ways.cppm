@@ -76,6 +76,11 @@ class PartingWays {
     };
     offer_own_ways();
     PartingWay way = out_of_met();
+    // Where no way is shorter, and no part by itself is nearly as deep, one may lie over an edge of both.
+    if (!(way.depth < most) && most > much_deeper * met_.deepest()) {
+      offer_ways_over_edges();
+      way = out_of_met();
+    }
     // The way out of what is met may lead into what is not met yet. Then another may be shorter that lies over an edge
     // of both; where nothing stands in the way, that is too rare to look for.
     while (way.depth < most && prolong(way, most, on_the_way)) {
@@ -146,7 +151,7 @@ class PartingWays {
   }
 
   // A longer look costs more where the way ends soon, a shorter one takes more of them.
-  static constexpr Real far_ahead = 2;
+  static constexpr Real far_ahead = 2, much_deeper = 4;
 
   // A bit for each of four parts that b may meet on a way: no further from it than the way is long, and within what b
   // sweeps.

@@ -148,6 +148,7 @@ class PartsMet {
     fours_[part / 4].gap[part % 4] = gap;
     fours_[part / 4].offers_ways[part % 4] = true;
     offering_.push_back(part);
+    deepest_ = std::max(deepest_, -gap);
     add_face(triangle.normal(), triangle.is_one_sided());
     if constexpr (std::same_as<B, Triangle>) {
       add_face(-(ab.rotation * b.normal()), b.is_one_sided());
@@ -156,6 +157,8 @@ class PartsMet {
   }
   // The largest of those of the parts.
   [[nodiscard]] Real noise() const { return noise_; }
+  // How deep the deepest part is by itself.
+  [[nodiscard]] Real deepest() const { return deepest_; }
   // The parts that offer ways.
   [[nodiscard]] std::span<const std::size_t> offering() const { return offering_.span(); }
   // Of a part: which triangle of the surface, and of b where b is made of such.
@@ -299,7 +302,7 @@ class PartsMet {
   SmallVector<FourParts<B>, 16> fours_;
   SmallVector<std::size_t, 64> offering_;
   std::size_t size_ = 0;
-  Real noise_ = 0;
+  Real noise_ = 0, deepest_ = 0;
   SmallVector<Columns, 48> ways_;
   std::size_t way_count_ = 0;
   std::array<std::size_t, known_ways> known_{};  // numbers of ways, each where its bits lead
