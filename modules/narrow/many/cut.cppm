@@ -121,12 +121,32 @@ class Carver {
     const Outcome outcome = other_.distance_from(child(solid), child_pose(solid), other_pose_, {}, found);
     return gaps_.emplace_back(solid, outcome == Outcome::ok ? found.distance : -infinity).second;
   }
-  // Whether a wall has material where a contact touches it: of a solid to which the other shape is as near.
+  // How far the other shape is from the walls of a hole that it lies in; negative where it reaches beyond one.
+  [[nodiscard]] std::optional<Real> clearance_in(const Hole& hole) {
+    for (const auto& [known, clearance] : clearances_) {
+      if (known == hole.child) {
+        return clearance;
+      }
+    }
+    Distance found{};
+    const Outcome outcome = other_.distance_from(child(hole.child), child_pose(hole.child), other_pose_, {}, found);
+    const auto clearance = outcome == Outcome::ok ? std::optional(found.distance) : std::nullopt;
+    return clearances_.emplace_back(hole.child, clearance).second;
+  }
+  // Whether the other shape lies in a hole of a solid, other than the hole `but`.
+  [[nodiscard]] bool lies_in_hole_of(std::uint32_t solid, std::uint32_t but) {
+    return std::ranges::any_of(composite_.holes(), [&](const Hole& hole) {
+      return hole.child != but && hole.begin <= solid && solid < hole.end && clearance_in(hole).value_or(0) > 0;
+    });
+  }
+  // Whether a wall has material where a contact touches it: of a solid to which the other shape is as near. What lies
+  // in another hole reaches beyond no wall.
   [[nodiscard]] bool has_material(const Hole& hole, const ContactPoint& contact) {
     for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
       if (!child(solid).is_hole() && is_in_solid(solid, contact.point_a, -noise_at(solid)) &&
           !is_in_hole_of(solid, contact.point_a, hole.child) &&
-          gap_to(solid) <= std::max(contact.distance, Real{0}) + noise_at(solid)) {
+          gap_to(solid) <= std::max(contact.distance, Real{0}) + noise_at(solid) &&
+          !(contact.distance < 0 && lies_in_hole_of(solid, hole.child))) {
         return true;
       }
     }
@@ -140,15 +160,14 @@ class Carver {
     // One algorithm answers for walls, whatever algorithm was asked for.
     const QuerySettings own{.margin = settings.margin};
     Manifold found;
-    Distance whole{};
-    if (other_.contacts_in(child(hole.child), placed, other_pose_, own, found) != Outcome::ok ||
-        other_.distance_from(child(hole.child), placed, other_pose_, own, whole) != Outcome::ok) {
+    const std::optional<Real> clearance = clearance_in(hole);
+    if (!clearance || other_.contacts_in(child(hole.child), placed, other_pose_, own, found) != Outcome::ok) {
       return;
     }
     const auto is_of_hole = [&](const ContactPoint& contact) {
       return hole.begin <= contact.child_a && contact.child_a < hole.end;
     };
-    if (whole.distance > 0) {
+    if (*clearance > 0) {
       std::erase_if(solids, is_of_hole);
     }
     Real deepest_wall = infinity;
@@ -349,8 +368,9 @@ class Carver {
   Vec3 centre_{0, 0, 0};  // of the other shape
   Real reach_, size_;
   std::vector<RimSeed> seeds_;
-  std::vector<std::uint32_t> left_through_solid_;     // holes out of whose walls the way is longer
-  std::vector<std::pair<std::uint32_t, Real>> gaps_;  // to solids, as they are asked for
+  std::vector<std::uint32_t> left_through_solid_;                          // holes out of whose walls the way is longer
+  std::vector<std::pair<std::uint32_t, Real>> gaps_;                       // to solids, as they are asked for
+  std::vector<std::pair<std::uint32_t, std::optional<Real>>> clearances_;  // in holes, as they are asked for
 };
 
 // Whether a contact lies in a hole of the composite. Its normal leads from the composite to the other shape. What lies
