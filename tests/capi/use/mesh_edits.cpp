@@ -116,8 +116,8 @@ struct Edited {
       vertices.push_back(static_cast<std::uint32_t>(random.below(model.vertex_count())));
       places.push_back(moved(vertices.back(), reach));
     }
-    require(abut_geometry_set_vertices_at(universe, mesh, vertices.data(),
-                                          places.empty() ? nullptr : &places.front().x, vertices.size()));
+    require(abut_geometry_set_vertices_at(universe, mesh, vertices.data(), places.empty() ? nullptr : &places.front().x,
+                                          vertices.size()));
   }
   void remove() {
     std::vector<std::uint32_t> going;
