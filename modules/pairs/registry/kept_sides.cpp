@@ -147,20 +147,9 @@ bool contacts_of_many(const AnyShape& surface, const AnyShape& all, const Pose& 
   return true;
 }
 
-}  // namespace
-
-bool contacts_on_side(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
-                      KeptSide& side, Manifold& out) {
-  side.after.clear();
-  if (a.has_holes() || b.has_holes()) {
-    return false;
-  }
-  if (is_surface_and_many(a.index(), b.index())) {
-    return contacts_of_many(a, b, Pose::identity(), ab, true, settings, side, out);
-  }
-  if (is_surface_and_many(b.index(), a.index())) {
-    return contacts_of_many(b, a, ab, Pose::identity(), false, settings, side, out);
-  }
+// Of a surface and a convex body, or of such children of composites.
+bool contacts_of_bodies(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                        KeptSide& side, Manifold& out) {
   struct Passed {
     std::uint32_t child_a, child_b;
     Manifold contacts;
@@ -217,6 +206,23 @@ bool contacts_on_side(const AnyShape& a, const AnyShape& b, const Pose& ab, cons
   settle_seams(a, Pose::identity(), false, b, first, out);
   settle_seams(b, ab, true, a, first, out);
   return true;
+}
+
+}  // namespace
+
+bool contacts_on_side(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                      KeptSide& side, Manifold& out) {
+  side.after.clear();
+  if (a.has_holes() || b.has_holes()) {
+    return false;
+  }
+  if (is_surface_and_many(a.index(), b.index())) {
+    return contacts_of_many(a, b, Pose::identity(), ab, true, settings, side, out);
+  }
+  if (is_surface_and_many(b.index(), a.index())) {
+    return contacts_of_many(b, a, ab, Pose::identity(), false, settings, side, out);
+  }
+  return contacts_of_bodies(a, b, ab, settings, side, out);
 }
 
 }  // namespace abut

@@ -176,6 +176,37 @@ void add_way_back(const AnyShape& surface, const Body& body, const Pose& ab, con
   });
 }
 
+// The contacts on the side from which a body came, and the triangles that it has passed, in order.
+struct PartedBySide {
+  std::vector<ContactPoint> staying;
+  std::vector<std::size_t> passed;
+};
+inline PartedBySide parted_by_side(std::span<const TouchedPart> touched, std::span<const ContactPoint> contacts,
+                                   const SidesOfParts& sides, const SideMemory& before) {
+  PartedBySide parted;
+  std::vector<bool> is_passed(touched.size());
+  for (const ContactPoint& contact : contacts) {
+    const auto at = find_part(touched, contact.feature_a.index);
+    const Vec3 face = at ? touched[*at].triangle.normal() : Vec3{0, 0, 0};
+    const Real along = dot(contact.normal, face) * (at && sides.is_front(*at) ? 1 : -1);
+    if (!at || touched[*at].triangle.is_one_sided() || is_on_side(contact, along, before)) {
+      parted.staying.push_back(contact);
+    } else {
+      is_passed[*at] = true;
+    }
+  }
+  for (std::size_t at = 0; at < touched.size(); ++at) {
+    // A triangle that stops from its front only has no contact with what has passed it.
+    const Triangle& triangle = touched[at].triangle;
+    const Real along = dot(touched[at].normal, triangle.normal());
+    const bool has_no_contact = !before.is_empty() && triangle.is_one_sided() && sides.is_front(at) && along < 0;
+    if (is_passed[at] || (has_no_contact && is_of_face(along))) {
+      parted.passed.push_back(at);
+    }
+  }
+  return parted;
+}
+
 // Of one surface and one body that is placed by `ab` in its frame. None where the contacts without a memory stand.
 export template <class Body>
 std::optional<Manifold> contacts_of_passed(const AnyShape& surface, const Body& body, const Pose& ab,
@@ -201,29 +232,7 @@ std::optional<Manifold> contacts_of_passed(const AnyShape& surface, const Body& 
     return corners;
   });
 
-  std::vector<ContactPoint> staying;
-  std::vector<std::size_t> passed;
-  for (const ContactPoint& contact : plain) {
-    const auto at = find_part(touched, contact.feature_a.index);
-    const Vec3 face = at ? touched[*at].triangle.normal() : Vec3{0, 0, 0};
-    const Real along = dot(contact.normal, face) * (at && sides.is_front(*at) ? 1 : -1);
-    if (!at || touched[*at].triangle.is_one_sided() || is_on_side(contact, along, before)) {
-      staying.push_back(contact);
-    } else {
-      passed.push_back(*at);
-    }
-  }
-  // A triangle that stops from its front only has no contact with what has passed it.
-  for (std::size_t at = 0; at < touched.size() && !before.is_empty(); ++at) {
-    const Triangle& triangle = touched[at].triangle;
-    const Real along = dot(touched[at].normal, triangle.normal());
-    if (triangle.is_one_sided() && sides.is_front(at) && along < 0 && is_of_face(along)) {
-      passed.push_back(at);
-    }
-  }
-  std::ranges::sort(passed);
-  passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
-
+  const auto [staying, passed] = parted_by_side(touched, plain, sides, before);
   const auto ways = ways_back(touched, sides, passed, staying, noise_of_body(body, ab),
                               [&](const Vec3& direction) { return lowest_along(body, ab, direction); });
   Manifold found(staying.begin(), staying.end());
