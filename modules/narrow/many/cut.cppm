@@ -110,33 +110,22 @@ class Carver {
              holds(hole.child, point, noise_at(hole.child));
     });
   }
-  // How far the other shape is from a solid, whatever holes take of it.
-  [[nodiscard]] Real gap_to(std::uint32_t solid) {
+  // How far the other shape is from a child by itself: from a solid, whatever holes take of it, or from the walls of a
+  // hole that it lies in. Some children have no answer.
+  [[nodiscard]] std::optional<Real> gap_to(std::uint32_t number) {
     for (const auto& [known, gap] : gaps_) {
-      if (known == solid) {
+      if (known == number) {
         return gap;
       }
     }
     Distance found{};
-    const Outcome outcome = other_.distance_from(child(solid), child_pose(solid), other_pose_, {}, found);
-    return gaps_.emplace_back(solid, outcome == Outcome::ok ? found.distance : -infinity).second;
-  }
-  // How far the other shape is from the walls of a hole that it lies in; negative where it reaches beyond one.
-  [[nodiscard]] std::optional<Real> clearance_in(const Hole& hole) {
-    for (const auto& [known, clearance] : clearances_) {
-      if (known == hole.child) {
-        return clearance;
-      }
-    }
-    Distance found{};
-    const Outcome outcome = other_.distance_from(child(hole.child), child_pose(hole.child), other_pose_, {}, found);
-    const auto clearance = outcome == Outcome::ok ? std::optional(found.distance) : std::nullopt;
-    return clearances_.emplace_back(hole.child, clearance).second;
+    const Outcome outcome = other_.distance_from(child(number), child_pose(number), other_pose_, {}, found);
+    return gaps_.emplace_back(number, outcome == Outcome::ok ? std::optional(found.distance) : std::nullopt).second;
   }
   // Whether the other shape lies in a hole of a solid, other than the hole `but`.
   [[nodiscard]] bool lies_in_hole_of(std::uint32_t solid, std::uint32_t but) {
     return std::ranges::any_of(composite_.holes(), [&](const Hole& hole) {
-      return hole.child != but && hole.begin <= solid && solid < hole.end && clearance_in(hole).value_or(0) > 0;
+      return hole.child != but && hole.begin <= solid && solid < hole.end && gap_to(hole.child).value_or(0) > 0;
     });
   }
   // Whether a wall has material where a contact touches it: of a solid to which the other shape is as near. What lies
@@ -145,7 +134,7 @@ class Carver {
     for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
       if (!child(solid).is_hole() && is_in_solid(solid, contact.point_a, -noise_at(solid)) &&
           !is_in_hole_of(solid, contact.point_a, hole.child) &&
-          gap_to(solid) <= std::max(contact.distance, Real{0}) + noise_at(solid) &&
+          gap_to(solid).value_or(-infinity) <= std::max(contact.distance, Real{0}) + noise_at(solid) &&
           !(contact.distance < 0 && lies_in_hole_of(solid, hole.child))) {
         return true;
       }
@@ -160,7 +149,7 @@ class Carver {
     // One algorithm answers for walls, whatever algorithm was asked for.
     const QuerySettings own{.margin = settings.margin};
     Manifold found;
-    const std::optional<Real> clearance = clearance_in(hole);
+    const std::optional<Real> clearance = gap_to(hole.child);
     if (!clearance || other_.contacts_in(child(hole.child), placed, other_pose_, own, found) != Outcome::ok) {
       return;
     }
@@ -368,9 +357,8 @@ class Carver {
   Vec3 centre_{0, 0, 0};  // of the other shape
   Real reach_, size_;
   std::vector<RimSeed> seeds_;
-  std::vector<std::uint32_t> left_through_solid_;                          // holes out of whose walls the way is longer
-  std::vector<std::pair<std::uint32_t, Real>> gaps_;                       // to solids, as they are asked for
-  std::vector<std::pair<std::uint32_t, std::optional<Real>>> clearances_;  // in holes, as they are asked for
+  std::vector<std::uint32_t> left_through_solid_;                    // holes out of whose walls the way is longer
+  std::vector<std::pair<std::uint32_t, std::optional<Real>>> gaps_;  // to children, as they are asked for
 };
 
 // Whether a contact lies in a hole of the composite. Its normal leads from the composite to the other shape. What lies

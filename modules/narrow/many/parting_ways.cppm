@@ -105,10 +105,9 @@ class PartingWays {
   [[nodiscard]] std::optional<TouchOfPart> last_touch_deeper_than(Real least, const PartingWay& way,
                                                                   const OnTheWay& on_the_way) const {
     std::optional<TouchOfPart> last;
-    for (bool touches_more = true; touches_more;) {
-      const auto next = last_touch_from(last ? last->touch.depth : least, way, on_the_way);
-      touches_more = next.has_value();
-      last = next ? next : last;
+    for (auto next = last_touch_from(least, way, on_the_way); next;
+         next = last_touch_from(last->touch.depth, way, on_the_way)) {
+      last = next;
     }
     return last;
   }
