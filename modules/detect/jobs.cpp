@@ -5,6 +5,7 @@ import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
+import abut.pairs.routes;
 import abut.pairs.table;
 import abut.scene.options;
 import abut.detect.pairs;
@@ -12,14 +13,45 @@ import abut.scene.places;
 import abut.scene.policies;
 
 namespace abut {
+namespace {
+
+// How many jobs make a chunk. More cost threads their balance, fewer cost everyone overhead. A pair of convex shapes
+// takes less than a microsecond, one with a surface ten, and one of two surfaces hundreds.
+constexpr std::uint32_t of_convex = 64, of_one_with_parts = 16, of_two_with_parts = 2;
+
+std::uint32_t chunk_size_of(Route route) {
+  switch (route) {
+    case Route::unsupported:
+    case Route::none:
+    case Route::half_space:
+    case Route::convex:
+    case Route::hole: return of_convex;
+    case Route::half_space_of_parts:
+    case Route::parts:
+    case Route::hole_and_parts:
+    case Route::hole_of_samples:
+    case Route::half_space_of_samples:
+    case Route::sampled:
+    case Route::children: return of_one_with_parts;
+    case Route::parts_of_both:
+    case Route::scattered:
+    case Route::sampled_and_parts:
+    case Route::sampled_both: return of_two_with_parts;
+  }
+}
+
+}  // namespace
 
 JobList::JobList() {
+  chunk_sizes_.fill(of_convex);
   for (std::size_t row = 0; row < shape_kind_count; ++row) {
     for (std::size_t column = row; column < shape_kind_count; ++column) {
       supported_[run_of(row, column)] = abut::is_supported(row, column);
       gains_from_memory_[run_of(row, column)] = pair_kernels(row, column).gains_from_memory;
+      chunk_sizes_[run_of(row, column)] = chunk_size_of(pair_kernels(row, column).route);
     }
     supported_[self_run_of(row)] = meets_itself(row);
+    chunk_sizes_[self_run_of(row)] = of_two_with_parts;
   }
 }
 
@@ -38,8 +70,9 @@ void JobList::arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> 
     for (std::size_t task = 0; task < cuts.tasks(); ++task) {
       sum += std::exchange(counts_[task * run_counts_ + run], sum);
     }
+    const std::uint32_t chunk_size = chunk_sizes_[run % job_run_count];
     for (; begin < sum; begin += chunk_size) {
-      const std::uint32_t end = std::min<std::uint32_t>(begin + chunk_size, sum);
+      const std::uint32_t end = std::min(begin + chunk_size, sum);
       chunks_.push_back({static_cast<std::uint32_t>(run % job_run_count),
                          static_cast<std::uint32_t>(run / job_run_count), begin, end});
     }

@@ -73,9 +73,6 @@ struct ChunkScratch {
 
 class JobList {
  public:
-  // More jobs in a chunk cost threads their balance, fewer cost everyone overhead.
-  static constexpr std::size_t chunk_size = 64;
-
   JobList();
 
   [[nodiscard]] inline bool is_supported(std::size_t run) const { return supported_[run]; }
@@ -131,6 +128,7 @@ class JobList {
   void release_excess();
 
   std::array<bool, run_count> supported_{}, gains_from_memory_{};
+  std::array<std::uint32_t, job_run_count> chunk_sizes_{};
   std::size_t run_counts_ = 0;         // runs of all policies
   std::vector<std::uint32_t> counts_;  // of the jobs of each run, policy by policy, task by task; then where they start
   std::vector<PairJob> jobs_;
