@@ -111,6 +111,23 @@ struct FaceSearch {
   }
 };
 
+// The least overlap along the faces of a core that has few: the polytope tells its vertex for each. `own`: the corners
+// and planes of the core.
+template <Faceted A, class B, class Own>
+[[nodiscard]] inline SatResult along_few_faces(const A& a, const B& b, const Own& own, const Pose& ab) {
+  constexpr std::size_t face_count = Triangular<B> ? 2 : 6;
+  SatResult best{-infinity, {0, 0, 0}, 0, {}};
+  for (std::size_t face = 0; face < face_count; ++face) {
+    const Vec3 n = ab.rotation * face_normal(b, face);
+    const Real reach = own.planes[face / 4].reach[face % 4] + dot(n, ab.position);
+    const Real separation = dot(n, a.support(-n).point) - reach;
+    if (separation > best.separation) {
+      best = {separation, -n, 0, {{}, core_face(face)}};
+    }
+  }
+  return best;
+}
+
 // From a to b, in the frame of a. Nothing where rounding cuts arcs without end. `enough`: a face that parts both by
 // more ends the search.
 template <Faceted A, class B>
@@ -118,14 +135,23 @@ template <Faceted A, class B>
 [[nodiscard]] std::optional<SatResult> sat_of_polytopes(const A& a, const B& b, const Pose& ab, Real noise,
                                                         Real enough = infinity) {
   constexpr std::size_t capacity = vertex_capacity<B>, group_limit = capacity / 2;
-  const Pose ba = ab.inverse();
   const auto& own_of_b = corners_of(b);
-  [[clang::uninitialized]] const auto of_b = seen_from(b, own_of_b, ab);
   SatResult best{-infinity, {0, 0, 0}, 0, {}};
-  const auto take_face = [&](const LeastDepths& faces, CoreFeature CoreFeatures::* of, const auto& out) {
+  if constexpr (!Faceted<B>) {
+    if (has_planes(b)) {
+      best = along_few_faces(a, b, own_of_b, ab);
+      if (best.separation > enough) {
+        return best;
+      }
+    }
+  }
+  // Of faces that are equally deep, those of a come first.
+  const auto take_face = [&](const LeastDepths& faces, CoreFeature CoreFeatures::* of, bool wins_ties,
+                             const auto& out) {
     const std::size_t lane = faces.lane(), face = 4 * static_cast<std::size_t>(faces.which[lane]) + lane;
-    if (-faces.depth[lane] > best.separation) {
-      best.separation = -faces.depth[lane];
+    const Real separation = -faces.depth[lane];
+    if (separation > best.separation || (wins_ties && separation == best.separation)) {
+      best.separation = separation;
       best.normal = out(face);
       best.features = {};
       best.features.*of = core_face(face);
@@ -133,20 +159,21 @@ template <Faceted A, class B>
   };
   // Rounding must not make the balls larger than they are.
   constexpr Real shrunk = 0.999;
+  [[clang::uninitialized]] const auto of_b = seen_from(b, own_of_b, ab);
   const Vec3 middle_of_b = ab * own_of_b.middle;
   const Real inner_of_b = shrunk * own_of_b.inner;
   [[clang::uninitialized]] FaceSearch<group_limit> faces_of_a;
   faces_of_a.template search<true>(a.facets().planes, of_b, middle_of_b, inner_of_b, infinity);
-  take_face(faces_of_a.faces, &CoreFeatures::a, [&](std::size_t face) { return face_normal(a, face); });
-  if (best.separation > enough) {
-    return best;
-  }
-  if (has_planes(b)) {
-    [[clang::uninitialized]] const SeenCorners<capacity> of_a(a.facets().points, ba);
+  take_face(faces_of_a.faces, &CoreFeatures::a, true, [&](std::size_t face) { return face_normal(a, face); });
+  if constexpr (Faceted<B>) {
+    if (best.separation > enough) {
+      return best;
+    }
+    [[clang::uninitialized]] const SeenCorners<capacity> of_a(a.facets().points, ab.inverse());
     [[clang::uninitialized]] FaceSearch<group_limit> faces_of_b;
-    faces_of_b.template search<false>(own_of_b.planes, of_a, ba * a.facets().middle, shrunk * a.facets().inner,
+    faces_of_b.template search<false>(own_of_b.planes, of_a, ab.undo(a.facets().middle), shrunk * a.facets().inner,
                                       -best.separation);
-    take_face(faces_of_b.faces, &CoreFeatures::b,
+    take_face(faces_of_b.faces, &CoreFeatures::b, false,
               [&](std::size_t face) { return -(ab.rotation * face_normal(b, face)); });
   }
   const std::size_t planes = a.facets().planes.size() + (has_planes(b) ? own_of_b.planes.size() : 0);
