@@ -9,6 +9,7 @@ import abut.math;
 import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
 import abut.trees.eight_boxes;
+import abut.trees.slab;
 import abut.trees.volume_tree;
 import abut.trees.winding_number;
 
@@ -73,6 +74,9 @@ class Mesh {
     visit_found(box, is_wanted, visit, [&](const auto& add) {
       if (has_other_tree()) [[unlikely]] {
         visit_in_other(box, add);
+      } else if constexpr (requires { is_wanted.slab; }) {
+        const Slab slab = is_wanted.slab.from(tree().origin());
+        tree().visit_overlaps(box, add, [&](const EightBoxes& boxes) { return slab.reached_by(boxes); });
       } else {
         tree().visit_overlaps(box, add);
       }

@@ -33,8 +33,12 @@ class Bvh {
   }
 
   // Calls visit(item) for the items whose boxes overlap `query`, within rounding. visit may shrink `query`.
-  template <class Visitor>
-  void visit_overlaps(const Aabb& query, Visitor&& visit) const {
+  // filter(eight boxes) has a bit for each under which there may be items that are wanted.
+  struct WantsAll {
+    std::uint32_t operator()(const EightBoxes&) const { return 0xffu; }
+  };
+  template <class Visitor, class Filter = WantsAll>
+  void visit_overlaps(const Aabb& query, Visitor&& visit, const Filter& filter = {}) const {
     [[clang::uninitialized]] std::array<std::uint32_t, most_waiting> waiting;
     std::size_t count = 0;
     std::uint32_t at = 0;
@@ -43,7 +47,7 @@ class Bvh {
     for (;;) {
       const EightBoxes& node = nodes_[at];
       bool is_visited = false;
-      for (std::uint32_t met = node.overlapping(limits); met != 0; met &= met - 1) {
+      for (std::uint32_t met = node.overlapping(limits) & filter(node); met != 0; met &= met - 1) {
         const std::uint32_t child = node.numbers[static_cast<std::size_t>(std::countr_zero(met))];
         if (EightBoxes::is_item(child)) {
           visit(EightBoxes::item_of(child));

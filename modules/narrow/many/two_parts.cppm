@@ -6,6 +6,7 @@ import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
 import abut.narrow.many.quick_axes;
+import abut.trees.slab;
 import abut.trees.two_trees;
 
 export namespace abut {
@@ -95,6 +96,13 @@ void visit_two_parts_on_way(const A& a, const B& b, const Pose& ab, const Vec3& 
   visit_two(a, b, PassageOrder(a.origin(), b.origin(), ab, direction, slack), length, visit_items);
 }
 
+// What is within a reach of the plane of a triangle while that moves along a way, or anything: slivers have no plane.
+[[nodiscard]] inline Slab slab_around(const TriangleCorners& corners, const Vec3& normal, const Vec3& way, Real reach) {
+  const Real moved = dot(normal, way);
+  return {normal, least_along(corners, normal) + std::min(moved, Real{0}) - reach,
+          -least_along(corners, -normal) + std::max(moved, Real{0}) + reach};
+}
+
 // The same where b has few parts under a, or under a on the way back along a vector. Each of these asks the tree of a,
 // which answers for four parts at once: near(corners of parts, corners of one of b) has a bit for each. False, with
 // nothing visited, where b has many. In no order.
@@ -112,8 +120,9 @@ template <Surface A, Terrain B, class Near, class Visitor>
     const TriangleCorners placed{ab * corners[0], ab * corners[1], ab * corners[2]};
     const FourTriangles in_all = FourTriangles::all(placed);
     Aabb near_other = box_around(placed).swept({0, 0, 0}, way).inflated(around);
-    a.visit_parts(near_other, InFours{[&](const FourTriangles& parts) { return near(parts, in_all); }},
-                  [&](const Triangle& part, std::uint32_t) { visit(part, other); });
+    const auto ask = [&](const FourTriangles& parts) { return near(parts, in_all); };
+    const Slab slab = slab_around(placed, ab.rotation * other.normal(), way, around);
+    a.visit_parts(near_other, InSlab{ask, slab}, [&](const Triangle& part, std::uint32_t) { visit(part, other); });
   });
   return true;
 }
