@@ -7,6 +7,7 @@ import abut.math;
 import abut.math.four_vec3;
 import abut.math.tolerance;
 import abut.narrow.cores.core_separation;
+import abut.narrow.fan.facets;
 import abut.narrow.fan.sat;
 
 export namespace abut {
@@ -24,8 +25,8 @@ struct Reaches {
   return {minimum(minimum(a, b), c), maximum(maximum(a, b), c)};
 }
 
-// A core in the frame of a triangle that it meets: its edges and the normals of its faces, one per lane. Lanes without
-// any are zero.
+// A core in the frame of a triangle that it meets: its edges, and the normals of its faces after that of the triangle,
+// one per lane. Lanes without any are zero.
 template <class B>
 class PlacedBeside;
 
@@ -33,15 +34,16 @@ template <class B>
   requires is_box<B>
 class PlacedBeside<B> {
  public:
-  static constexpr std::size_t face_count = 3;
-
   [[gnu::always_inline]] inline PlacedBeside(const B& b, const Pose& ab) : half_(b.half()), pose_(ab) {}
 
   [[nodiscard]] [[gnu::always_inline]] inline Columns edges() const {
     const LaneMatrix rows = LaneMatrix::rows_of(pose_.rotation);
     return {rows.x, rows.y, rows.z};
   }
-  [[nodiscard]] [[gnu::always_inline]] inline Columns faces() const { return edges(); }
+  [[nodiscard]] [[gnu::always_inline]] inline Columns faces_after(const Vec3& first) const {
+    const Rotation& r = pose_.rotation;
+    return Columns::of(lanes_of(first), lanes_of(r.x), lanes_of(r.y), lanes_of(r.z));
+  }
   [[nodiscard]] [[gnu::always_inline]] inline Reaches along(const Columns& axes) const {
     const auto half_along = [&](const Vec3& axis, Real half) {
       return absolute(dot(axes, Columns::all(axis))) * all_lanes(half);
@@ -60,8 +62,6 @@ class PlacedBeside<B> {
 template <>
 class PlacedBeside<Triangle> {
  public:
-  static constexpr std::size_t face_count = 1;
-
   [[gnu::always_inline]] inline PlacedBeside(const Triangle& b, const Pose& ab)
       : corners_{ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]}, normal_(ab.rotation * b.normal()) {}
 
@@ -69,8 +69,8 @@ class PlacedBeside<Triangle> {
     const auto& [a, b, c] = corners_;
     return Columns::of(lanes_of(b - a), lanes_of(c - b), lanes_of(a - c), all_lanes(0));
   }
-  [[nodiscard]] [[gnu::always_inline]] inline Columns faces() const {
-    return {{normal_.x, 0, 0, 0}, {normal_.y, 0, 0, 0}, {normal_.z, 0, 0, 0}};
+  [[nodiscard]] [[gnu::always_inline]] inline Columns faces_after(const Vec3& first) const {
+    return {{first.x, normal_.x, 0, 0}, {first.y, normal_.y, 0, 0}, {first.z, normal_.z, 0, 0}};
   }
   [[nodiscard]] [[gnu::always_inline]] inline Reaches along(const Columns& axes) const {
     return reaches_of(corners_, axes);
@@ -85,71 +85,62 @@ class PlacedBeside<Triangle> {
 template <class A, class B>
 inline constexpr bool has_triangle_sat = std::same_as<A, Triangle> && (is_box<B> || std::same_as<B, Triangle>);
 
-// The axes of the faces of both, into `best`.
+// The axes of the faces of both, into `best`. Of equals the first one counts.
 template <class B>
 [[gnu::always_inline]] inline void take_faces(const Triangle& triangle, const PlacedBeside<B>& b, SatResult& best) {
-  const auto take = [&](const Vec3& n, Real ahead, Real behind, const CoreFeatures& of_axis,
-                        const CoreFeatures& of_opposite) {
-    const bool is_opposite = behind > ahead;
-    const Real separation = is_opposite ? behind : ahead;
-    ++best.axes;
-    if (separation > best.separation) {
-      best = {separation, is_opposite ? -n : n, best.axes, is_opposite ? of_opposite : of_axis};
-    }
-  };
-  if (triangle.has_area()) {
-    const Columns normal = Columns::all(triangle.normal());
-    const Reaches of_a = reaches_of(triangle.corners(), normal), of_b = b.along(normal);
-    take(triangle.normal(), of_b.low[0] - of_a.high[0], of_a.low[0] - of_b.high[0], {core_face(1), {}},
-         {core_face(0), {}});
-  }
-  const Columns faces = b.faces();
+  const Columns faces = b.faces_after(triangle.normal());
   const Reaches of_a = reaches_of(triangle.corners(), faces), of_b = b.along(faces);
   const Lanes ahead = of_b.low - of_a.high, behind = of_a.low - of_b.high;
-  for (std::size_t face = 0; face < PlacedBeside<B>::face_count; ++face) {
-    if (const Vec3 n = faces[face]; squared_norm(n) > 0) {
-      take(n, ahead[face], behind[face], {{}, core_face(2 * face)}, {{}, core_face(2 * face + 1)});
-    }
+  const LaneNumbers are_there = dot(faces, faces) > all_lanes(0);
+  LeastDepths least;
+  least.consider(are_there ? -maximum(ahead, behind) : all_lanes(infinity), 0);
+  best.axes = static_cast<std::uint32_t>(__builtin_popcountll(bits_of(are_there)));
+  const std::size_t lane = least.lane();
+  if (!(least.depth[lane] < infinity)) {
+    return;
   }
+  const bool is_opposite = behind[lane] > ahead[lane];
+  best.separation = -least.depth[lane];
+  best.normal = is_opposite ? -faces[lane] : faces[lane];
+  best.features = lane == 0 ? CoreFeatures{core_face(is_opposite ? 0 : 1), {}}
+                            : CoreFeatures{{}, core_face(2 * (lane - 1) + (is_opposite ? 1 : 0))};
 }
 
 // The axes across edges of both, where they beat the faces by more than `noise`. False where edges are so nearly
-// parallel that the axis across them is rounding. `enough`: as triangle_sat has it.
+// parallel that the axis across them is rounding. Of equals the first one counts.
 template <class B>
 [[nodiscard]] [[gnu::always_inline]] inline bool take_edges(const Triangle& triangle, const PlacedBeside<B>& b,
-                                                            Real noise, Real enough, SatResult& best) {
+                                                            Real noise, SatResult& best) {
   constexpr Real least_square = 1e-280;
   const Columns edges_b = b.edges();
   const Lanes squares_b = dot(edges_b, edges_b);
   const auto edges_a = triangle.edge_directions();
-  Real most = best.separation + noise;
-  std::size_t edge_a = 0, edge_b = 0;
-  bool is_found = false, is_opposite = false;
-  for (std::size_t i = 0; i < edges_a.size() && !(is_found && most > enough); ++i) {
+  LeastDepths least;
+  std::array<LaneNumbers, 3> are_opposite;
+  LaneNumbers are_clear = all_lanes(0) == all_lanes(0);
+  for (std::size_t i = 0; i < edges_a.size(); ++i) {
     const Columns axes = cross(Columns::all(edges_a[i]), edges_b);
     const Lanes square = dot(axes, axes), whole = squared_norm(edges_a[i]) * squares_b;
-    const LaneNumbers is_across = (square > slender_square * whole) & (square > all_lanes(least_square));
-    if (bits_of(is_across | (square <= parallel_square * whole)) != 15) {
-      return false;
-    }
+    const LaneNumbers are_across = (square > slender_square * whole) & (square > all_lanes(least_square));
+    are_clear &= are_across | (square <= parallel_square * whole);
     const Reaches of_a = reaches_of(triangle.corners(), axes), of_b = b.along(axes);
     const Lanes ahead = of_b.low - of_a.high, behind = of_a.low - of_b.high,
-                separation = maximum(ahead, behind) / __builtin_elementwise_sqrt(square);
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (is_across[j] != 0 && separation[j] > most) {
-        most = separation[j];
-        edge_a = i;
-        edge_b = j;
-        is_opposite = behind[j] > ahead[j];
-        is_found = true;
-      }
-    }
-    best.axes += 3;
+                depth = -maximum(ahead, behind) / __builtin_elementwise_sqrt(square);
+    are_opposite[i] = behind > ahead;
+    least.consider(are_across ? depth : all_lanes(infinity), i);
   }
-  if (is_found) {
-    const Vec3 &a = edges_a[edge_a], along_b = edges_b[edge_b], product = cross(a, along_b);
+  if (bits_of(are_clear) != 15) {
+    return false;
+  }
+  best.axes += 9;
+  const std::size_t lane = least.lane();
+  if (-least.depth[lane] > best.separation + noise) {
+    const auto edge = static_cast<std::size_t>(least.which[lane]);
+    const Vec3 &a = edges_a[edge], along_b = edges_b[lane], product = cross(a, along_b);
     const Vec3 n = unit_across_edges(a, along_b, product, squared_norm(product));
-    best = {most, is_opposite ? -n : n, best.axes, {core_edge(edge_a), core_edge(edge_b)}};
+    best.separation = -least.depth[lane];
+    best.normal = are_opposite[edge][lane] != 0 ? -n : n;
+    best.features = {core_edge(edge), core_edge(lane)};
   }
   return true;
 }
@@ -166,7 +157,7 @@ template <class A, class B>
   if (best.separation > enough) {
     return best;
   }
-  return take_edges(a, placed, noise, enough, best) && best.separation > -infinity ? std::optional(best) : std::nullopt;
+  return take_edges(a, placed, noise, best) && best.separation > -infinity ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace abut
