@@ -145,7 +145,7 @@ template <class B>
   return true;
 }
 
-// As sat does for any cores with few faces. Nothing where rounding leaves the axes in doubt. `enough`: an axis that
+// As sat does for any cores with few faces. Nothing where rounding leaves the axes in doubt. `enough`: a face that
 // parts both by more ends the search.
 template <class A, class B>
   requires has_triangle_sat<A, B>

@@ -249,32 +249,60 @@ TEST(HullSat, TrianglesInHulls) {
   EXPECT_GT(deep, 10);
 }
 
-// Larger ones are compared with the expanding polytope, which knows neither faces nor edges.
+Points on_ellipsoid(std::size_t count, test::Random& random) {
+  Points points;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec3 p = random.rotation().x;
+    points.push_back({p.x, 0.8 * p.y, 0.6 * p.z});
+  }
+  return points;
+}
+// Larger ones are compared with the expanding polytope, which knows neither faces nor edges. Whether they are deep.
+template <class A, class B>
+bool expect_depth_of_polytope(const A& a, const B& b, const Pose& ab) {
+  const std::optional<abut::SatResult> found = abut::hull_sat(a, b, ab, noise);
+  EXPECT_TRUE(found.has_value());
+  if (!found || found->separation > -1e-3) {
+    return false;
+  }
+  const abut::EpaResult expected = abut::with_difference(
+      a, b, ab, 8, [](const abut::Difference& cores) { return abut::epa(cores, 1e-12, abut::Simplex{}); });
+  EXPECT_NEAR(-found->separation, expected.depth, 1e-11);
+  return true;
+}
+
 TEST(HullSat, DepthIsThatOfTheExpandingPolytope) {
   test::Random random(305);
   int deep = 0;
   for (int i = 0; i < 1000; ++i) {
-    const auto on_ball = [&](std::size_t count) {
-      Points points;
-      for (std::size_t k = 0; k < count; ++k) {
-        const Vec3 p = random.rotation().x;
-        points.push_back({p.x, 0.8 * p.y, 0.6 * p.z});
-      }
-      return points;
-    };
-    const Hull a = hull_of(on_ball(24)), b = hull_of(on_ball(48));
-    const Pose ab{random.rotation(), random.point(1)};
-    const std::optional<abut::SatResult> found = abut::hull_sat(a, b, ab, noise);
-    ASSERT_TRUE(found.has_value());
-    if (found->separation > -1e-3) {
-      continue;
-    }
-    ++deep;
-    const abut::EpaResult expected = abut::with_difference(
-        a, b, ab, 8, [](const abut::Difference& cores) { return abut::epa(cores, 1e-12, abut::Simplex{}); });
-    EXPECT_NEAR(-found->separation, expected.depth, 1e-11) << i;
+    SCOPED_TRACE(i);
+    const Hull a = hull_of(on_ellipsoid(24, random)), b = hull_of(on_ellipsoid(48, random));
+    deep += expect_depth_of_polytope(a, b, {random.rotation(), random.point(1)}) ? 1 : 0;
   }
   EXPECT_GT(deep, 500);
+}
+
+// As many points on an ellipsoid have three edges each, but for six.
+TEST(HullSat, TakesHullsOfAThousandEdges) {
+  test::Random random(308);
+  const auto box = test::made<abut::Box>({0.4, 0.5, 0.6});
+  const auto rod = test::made<abut::Capsule>({1, 0.5});
+  int deep = 0;
+  for (int i = 0; i < 30; ++i) {
+    SCOPED_TRACE(i);
+    const Hull hull = hull_of(on_ellipsoid(343, random));
+    ASSERT_EQ(hull.facets().lines.size(), 1023u);
+    std::vector<double> numbers;
+    for (const Vec3& p : cloud(3, {1, 1, 1}, random)) {
+      numbers.insert(numbers.end(), {p.x, p.y, p.z});
+    }
+    const Pose ab{random.rotation(), random.point(1)};
+    deep += expect_depth_of_polytope(hull, box, ab) ? 1 : 0;
+    deep += expect_depth_of_polytope(hull, rod, ab) ? 1 : 0;
+    deep += expect_depth_of_polytope(test::made<abut::FreeTriangle>(numbers), hull, ab) ? 1 : 0;
+  }
+  EXPECT_GT(deep, 45);
+  EXPECT_FALSE(abut::hull_sat(hull_of(on_ellipsoid(344, random)), box, Pose::identity(), noise).has_value());
 }
 
 // Points of both bodies, and an interval that holds the depth, whatever way found them.
