@@ -32,7 +32,8 @@ class Slab {
     }
     const auto beyond = (lowest > Eight(-negated_high_)) | (negated_highest > Eight(-low_));
     using Mask = bool __attribute__((ext_vector_type(8)));
-    return ~std::bit_cast<std::uint8_t>(__builtin_convertvector(beyond, Mask)) & 0xffu;
+    const std::uint32_t mask = std::bit_cast<std::uint8_t>(__builtin_convertvector(beyond, Mask));
+    return ~mask & 0xffu;
   }
 
  private:
@@ -45,8 +46,8 @@ template <class Ask>
 struct InSlab {
   Ask ask;
   Slab slab;
+
+  InSlab(const Ask& asked, const Slab& within) : ask(asked), slab(within) {}
 };
-template <class Ask>
-InSlab(Ask, Slab) -> InSlab<Ask>;
 
 }  // namespace abut

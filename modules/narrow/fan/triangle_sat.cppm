@@ -116,7 +116,7 @@ template <class B>
   const Lanes squares_b = dot(edges_b, edges_b);
   const auto edges_a = triangle.edge_directions();
   LeastDepths least;
-  std::array<LaneNumbers, 3> are_opposite;
+  std::array<LaneNumbers, 3> are_opposite{};
   LaneNumbers are_clear = all_lanes(0) == all_lanes(0);
   for (std::size_t i = 0; i < edges_a.size(); ++i) {
     const Columns axes = cross(Columns::all(edges_a[i]), edges_b);

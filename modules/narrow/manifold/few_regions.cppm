@@ -51,7 +51,6 @@ class FewRegions {
       for (std::size_t number = 0; number < points.size(); ++number) {
         if (number % 4 == 0) {
           points_[number / 4] = Columns::all(points[number]);
-          parts_[number / 4] = LaneNumbers{};
         }
         points_[number / 4].put(number % 4, points[number]);
         parts_[number / 4][number % 4] = static_cast<std::int64_t>(part_of(static_cast<std::uint32_t>(number)));
@@ -72,11 +71,11 @@ class FewRegions {
     }
 
    private:
-    std::array<Columns, most_points / 4> points_;
-    std::array<LaneNumbers, most_points / 4> parts_;
+    std::array<Columns, most_points / 4> points_{};
+    std::array<LaneNumbers, most_points / 4> parts_{};
   };
 
-  std::array<std::uint64_t, most_points> regions_;
+  std::array<std::uint64_t, most_points> regions_{};
   std::size_t count_ = 0;
 };
 
