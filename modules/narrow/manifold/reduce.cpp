@@ -9,7 +9,6 @@ import abut.math.four_vec3;
 import abut.narrow.manifold.by_depth;
 import abut.narrow.manifold.choice;
 import abut.narrow.manifold.depth_order;
-import abut.narrow.manifold.few_regions;
 import abut.narrow.manifold.four_points;
 import abut.narrow.manifold.regions;
 
@@ -176,26 +175,18 @@ void visit_regions(const ByDepth& contacts, std::span<const std::uint32_t> patch
   for (const std::uint32_t rank : patch) {
     points.push_back(contacts.middle(rank));
   }
-  const auto take_all = [&](const auto& regions) {
-    if (regions.count() == 1) {
-      take(patch);
-      return;
-    }
-    [[clang::uninitialized]] Numbers region;
-    regions.visit([&](std::uint32_t place) { region.push_back(patch[place]); },
-                  [&] {
-                    take(region.span());
-                    region.clear();
-                  });
-  };
-  const auto part_of_place = [&](std::uint32_t place) { return part_of(patch[place]); };
-  if (patch.size() <= FewRegions::most_points) {
-    [[clang::uninitialized]] const FewRegions regions(points.span(), part_of_place);
-    take_all(regions);
-  } else {
-    [[clang::uninitialized]] const Regions regions(points.span(), part_of_place);
-    take_all(regions);
+  [[clang::uninitialized]] const Regions regions(points.span(),
+                                                 [&](std::uint32_t place) { return part_of(patch[place]); });
+  if (regions.count() == 1) {
+    take(patch);
+    return;
   }
+  [[clang::uninitialized]] Numbers region;
+  regions.visit([&](std::uint32_t place) { region.push_back(patch[place]); },
+                [&] {
+                  take(region.span());
+                  region.clear();
+                });
 }
 
 // Calls take(ranks of one patch) for each: those whose normals agree with that of the deepest one. The others follow,

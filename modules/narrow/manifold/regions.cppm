@@ -13,15 +13,6 @@ export namespace abut {
 // changes that diagonal, and there are a few regions at most, however many triangles there are.
 inline constexpr Real region_gap_share = 0.25;
 
-[[nodiscard]] inline Aabb box_around(std::span<const Vec3> points) {
-  Aabb box = Aabb::empty();
-  for (const Vec3& point : points) {
-    box.include(point);
-  }
-  return box;
-}
-[[nodiscard]] inline Real region_gap(const Aabb& box) { return region_gap_share * norm(box.high - box.low); }
-
 // Sorts points into the cells of a grid. Points of one cell hang together, so that cells are compared, by the boxes
 // around their points, and rarely the points themselves.
 class Regions {
@@ -72,8 +63,11 @@ class Regions {
   };
 
   void sort_into_cells(std::span<const Vec3> points) {
-    const Aabb box = box_around(points);
-    gap_ = region_gap(box);
+    Aabb box = Aabb::empty();
+    for (const Vec3& point : points) {
+      box.include(point);
+    }
+    gap_ = region_gap_share * norm(box.high - box.low);
     const Real per_length = gap_ > 0 ? 2 / gap_ : 0;
     // Counted from 1; 0 for cells without points.
     std::array<std::uint16_t, cells_along * cells_along * cells_along> numbers{};

@@ -11,7 +11,6 @@
 #include "../../random_boxes.hpp"
 
 import abut.math;
-import abut.narrow.manifold.few_regions;
 import abut.narrow.manifold.regions;
 
 namespace {
@@ -24,9 +23,8 @@ struct Scene {
   std::vector<Vec3> points;
   std::vector<std::uint64_t> parts;
 
-  template <class Regions>
-  [[nodiscard]] Regions regions() const {
-    return Regions(points, [&](std::uint32_t number) { return parts[number]; });
+  [[nodiscard]] abut::Regions regions() const {
+    return abut::Regions(points, [&](std::uint32_t number) { return parts[number]; });
   }
 };
 
@@ -57,14 +55,12 @@ std::set<Region> by_search(const Scene& scene, Real gap) {
   return regions;
 }
 
-// Compares the answers for up to `most_points` points.
-template <class Regions>
-void compare_with_search(Real most_points) {
+TEST(Regions, AreThoseOfASearchThroughAllPairs) {
   test::Random random(37);
   std::size_t most = 0, several = 0;
   for (int i = 0; i < 300; ++i) {
     Scene scene;
-    const auto count = static_cast<std::uint32_t>(random.uniform(1, most_points));
+    const auto count = static_cast<std::uint32_t>(random.uniform(1, 120));
     // Around the 27 points of a small grid, which are a little farther apart than a gap is wide.
     const Real jitter = random.uniform(0, 1) < 0.5 ? random.uniform(0, 0.1) : random.uniform(0, 1);
     abut::Aabb box = abut::Aabb::empty();
@@ -79,7 +75,7 @@ void compare_with_search(Real most_points) {
     const Real gap = abut::region_gap_share * norm(box.high - box.low);
     std::set<Region> found;
     Region region;
-    const auto regions = scene.regions<Regions>();
+    const abut::Regions regions = scene.regions();
     regions.visit([&](std::uint32_t number) { EXPECT_TRUE(region.insert(number).second); },
                   [&] {
                     found.insert(region);
@@ -94,19 +90,13 @@ void compare_with_search(Real most_points) {
   EXPECT_GT(several, 100u);
 }
 
-TEST(Regions, AreThoseOfASearchThroughAllPairs) { compare_with_search<abut::Regions>(120); }
-TEST(FewRegions, AreThoseOfASearchThroughAllPairs) {
-  compare_with_search<abut::FewRegions>(abut::FewRegions::most_points + 1);
-}
-
 TEST(Regions, AreOneWhereAllIsAtOnePlace) {
   Scene scene;
   for (std::uint32_t number = 0; number < 20; ++number) {
     scene.points.push_back({3, -1, 2});
     scene.parts.push_back(number);
   }
-  EXPECT_EQ(scene.regions<abut::Regions>().count(), 1u);
-  EXPECT_EQ(scene.regions<abut::FewRegions>().count(), 1u);
+  EXPECT_EQ(scene.regions().count(), 1u);
 }
 
 }  // namespace
