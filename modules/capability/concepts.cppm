@@ -162,6 +162,7 @@ concept Scattered = Bounded<S> && Convex<typename S::Part> &&
                       shape.visit_places(box, visitor);
                       shape.visit_pairs(margin, visit_two);
                       { shape.place_near(point) } -> std::convertible_to<std::uint32_t>;
+                      { shape.particle_count() } -> std::convertible_to<std::size_t>;
                       { shape.place(std::uint32_t{}) } -> std::convertible_to<Vec3>;
                       { shape.part(std::uint32_t{}) } -> std::same_as<typename S::Part>;
                     };
