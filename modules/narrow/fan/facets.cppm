@@ -69,4 +69,74 @@ struct LeastDepths {
   }
 };
 
+// The least overlap along the faces of a polytope, where other ones are the vertices of another one, which has a ball
+// inside. What the ball shows to be no less than `most` is passed over.
+template <std::size_t group_limit>
+struct FaceSearch {
+  LeastDepths faces;
+  std::array<LaneNumbers, group_limit> under;  // the vertex that lies deepest under each face
+  std::array<bool, group_limit> is_known;
+
+  // The first vertices, which lie far from each other, often show that a face is no less deep than `most`.
+  static constexpr std::size_t first_vertices = 8;
+  template <bool with_vertices, class Planes, class Others>
+  [[gnu::always_inline]] inline void look(const Planes& planes, std::size_t group, const Others& others, Real most) {
+    const Columns n{planes.x, planes.y, planes.z};
+    typename Others::Least least;
+    if constexpr (Others::are_few) {
+      others.template search<with_vertices>(n, 0, others.points.size(), least);
+      faces.consider(planes.reach - least.value, group);
+      under[group] = least.corner;
+      is_known[group] = true;
+      return;
+    }
+    const std::size_t some = others.count < first_vertices ? others.count : first_vertices;
+    others.template search<with_vertices>(n, 0, some, least);
+    if (signs_of(planes.reach - least.value - all_lanes(most)) == 0) {
+      return;
+    }
+    others.template search<with_vertices>(n, some, others.count, least);
+    faces.consider(planes.reach - least.value, group);
+    if constexpr (with_vertices) {
+      under[group] = least.corner;
+      is_known[group] = true;
+    }
+  }
+  template <bool with_vertices, class Planes, class Others>
+  [[gnu::always_inline]] inline void search(const Planes& planes, const Others& others, const Vec3& ball, Real radius,
+                                            Real most) {
+    faces = {};
+    if constexpr (Others::are_few) {
+      std::size_t each = 0;
+      for (const auto& four : planes) {
+        look<with_vertices>(four, each++, others, infinity);
+      }
+      return;
+    }
+    const Columns centre = Columns::all(ball);
+    [[clang::uninitialized]] std::array<Lanes, group_limit> bounds;
+    LeastDepths lowest;
+    std::size_t group = 0;
+    for (const auto& four : planes) {
+      const Lanes bound = four.reach - dot({four.x, four.y, four.z}, centre) + all_lanes(radius);
+      lowest.consider(bound, group);
+      is_known[group] = false;
+      bounds[group++] = bound;
+    }
+    const auto first = static_cast<std::size_t>(lowest.which[lowest.lane()]);
+    look<with_vertices>(planes[first], first, others, infinity);
+    Real least = -largest(-faces.depth);
+    least = least < most ? least : most;
+    group = 0;
+    for (const auto& four : planes) {
+      if (signs_of(bounds[group] - all_lanes(least)) != 0) {
+        look<with_vertices>(four, group, others, least);
+        const Real found = -largest(-faces.depth);
+        least = found < least ? found : least;
+      }
+      ++group;
+    }
+  }
+};
+
 }  // namespace abut

@@ -41,76 +41,6 @@ template <class Other, class Own>
   }
 }
 
-// The least overlap along the faces of a polytope, where other ones are the vertices of another one, which has a ball
-// inside. What the ball shows to be no less than `most` is passed over.
-template <std::size_t group_limit>
-struct FaceSearch {
-  LeastDepths faces;
-  std::array<LaneNumbers, group_limit> under;  // the vertex that lies deepest under each face
-  std::array<bool, group_limit> is_known;
-
-  // The first vertices, which lie far from each other, often show that a face is no less deep than `most`.
-  static constexpr std::size_t first_vertices = 8;
-  template <bool with_vertices, class Planes, class Others>
-  [[gnu::always_inline]] inline void look(const Planes& planes, std::size_t group, const Others& others, Real most) {
-    const Columns n{planes.x, planes.y, planes.z};
-    typename Others::Least least;
-    if constexpr (Others::are_few) {
-      others.template search<with_vertices>(n, 0, others.points.size(), least);
-      faces.consider(planes.reach - least.value, group);
-      under[group] = least.corner;
-      is_known[group] = true;
-      return;
-    }
-    const std::size_t some = others.count < first_vertices ? others.count : first_vertices;
-    others.template search<with_vertices>(n, 0, some, least);
-    if (signs_of(planes.reach - least.value - all_lanes(most)) == 0) {
-      return;
-    }
-    others.template search<with_vertices>(n, some, others.count, least);
-    faces.consider(planes.reach - least.value, group);
-    if constexpr (with_vertices) {
-      under[group] = least.corner;
-      is_known[group] = true;
-    }
-  }
-  template <bool with_vertices, class Planes, class Others>
-  [[gnu::always_inline]] inline void search(const Planes& planes, const Others& others, const Vec3& ball, Real radius,
-                                            Real most) {
-    faces = {};
-    if constexpr (Others::are_few) {
-      std::size_t each = 0;
-      for (const auto& four : planes) {
-        look<with_vertices>(four, each++, others, infinity);
-      }
-      return;
-    }
-    const Columns centre = Columns::all(ball);
-    [[clang::uninitialized]] std::array<Lanes, group_limit> bounds;
-    LeastDepths lowest;
-    std::size_t group = 0;
-    for (const auto& four : planes) {
-      const Lanes bound = four.reach - dot({four.x, four.y, four.z}, centre) + all_lanes(radius);
-      lowest.consider(bound, group);
-      is_known[group] = false;
-      bounds[group++] = bound;
-    }
-    const auto first = static_cast<std::size_t>(lowest.which[lowest.lane()]);
-    look<with_vertices>(planes[first], first, others, infinity);
-    Real least = -largest(-faces.depth);
-    least = least < most ? least : most;
-    group = 0;
-    for (const auto& four : planes) {
-      if (signs_of(bounds[group] - all_lanes(least)) != 0) {
-        look<with_vertices>(four, group, others, least);
-        const Real found = -largest(-faces.depth);
-        least = found < least ? found : least;
-      }
-      ++group;
-    }
-  }
-};
-
 // The least overlap along the faces of a core that has few: the polytope tells its vertex for each. `own`: the corners
 // and planes of the core.
 template <Faceted A, class B, class Own>
@@ -126,6 +56,150 @@ template <Faceted A, class B, class Own>
     }
   }
   return best;
+}
+
+// The arc of an edge of a polytope leads from its left face to its right one. The deepest vertex of the other core
+// changes on the way. Where both are equally deep no other vertex is less deep: this bounds the overlap from below.
+// Where another one is deeper, the arc is cut there. A stretch is a part of an arc between two such vertices.
+struct ArcStretch {
+  std::uint16_t line, from, to;
+};
+template <class Other>
+inline constexpr std::size_t stretch_limit = 6 * vertex_limit_of_two + (Faceted<Other> ? 0 : edge_limit);
+template <class Other>
+struct ArcStretches {
+  std::array<ArcStretch, stretch_limit<Other>> all;
+  std::size_t count;
+};
+
+// A bit for each of four arcs that may lead past a lesser overlap. None does where the edge lies higher than `needed`
+// over the middle of b along the normals of both ends: a height that is positive there falls below neither in between.
+template <class B, class Arcs, class SeenB>
+[[nodiscard]] [[gnu::always_inline]] inline std::uint64_t open_arcs(const Arcs& arcs, const SeenB& of_b,
+                                                                    const Vec3& middle, Real needed) {
+  const Columns out = Columns{arcs.from_x, arcs.from_y, arcs.from_z} - Columns::all(middle);
+  const Columns left{arcs.left_x, arcs.left_y, arcs.left_z}, right{arcs.right_x, arcs.right_y, arcs.right_z};
+  std::uint64_t open = signs_of(minimum(dot(left, out), dot(right, out)) - all_lanes(needed));
+  if constexpr (SegmentCored<B>) {
+    // Only from one side of a segment to the other does an arc lead from one end to the other.
+    const Columns along = Columns::all(vec3_of(of_b.points[1] - of_b.points[0]));
+    open &= signs_of(dot(left, along)) ^ signs_of(dot(right, along));
+  }
+  return open;
+}
+
+// The whole arcs on which the deepest vertex changes.
+template <class B, Faceted A, class SeenB, class Faces>
+[[gnu::always_inline]] inline void find_stretches(const A& a, const SeenB& of_b, const Vec3& middle_of_b, Real needed,
+                                                  Faces& faces_of_a, ArcStretches<B>& out) {
+  const auto& facets = a.facets();
+  out.count = 0;
+  for (std::size_t first = 0; first < facets.arcs.size(); first += 16) {
+    const std::size_t last = first + 16 < facets.arcs.size() ? first + 16 : facets.arcs.size();
+    std::uint64_t open = 0;
+    for (std::size_t at = first; at < last; ++at) {
+      open |= open_arcs<B>(facets.arcs[at], of_b, middle_of_b, needed) << (4 * (at - first));
+    }
+    for (; open != 0; open &= open - 1) {
+      const std::size_t line = 4 * first + static_cast<std::size_t>(std::countr_zero(open));
+      if (line >= facets.sides.size()) {
+        break;
+      }
+      const auto& sides = facets.sides[line];
+      for (const std::uint32_t side : {sides.left, sides.right}) {
+        if (!faces_of_a.is_known[side / 4]) {
+          faces_of_a.template look<true>(facets.planes[side / 4], side / 4, of_b, infinity);
+        }
+      }
+      const auto from = static_cast<std::uint16_t>(faces_of_a.under[sides.left / 4][sides.left % 4]);
+      const auto to = static_cast<std::uint16_t>(faces_of_a.under[sides.right / 4][sides.right % 4]);
+      out.all[out.count] = {static_cast<std::uint16_t>(line), from, to};
+      out.count += from != to ? 1 : 0;
+    }
+  }
+}
+
+// The normals across the edges of four stretches and the edges of b between their vertices.
+struct FourAcross {
+  Columns n;
+  Lanes reach;  // of a along each normal
+  Lanes lower;  // the depth at which both vertices of a stretch lie
+  Lanes above;  // what this has more than the least depth so far; nothing where the vertices are one for the arc
+
+  template <Faceted A, class SeenB>
+  [[gnu::always_inline]] inline FourAcross(const A& a, const SeenB& of_b, const std::array<ArcStretch, 4>& taken,
+                                           Real least) {
+    const auto line_of = [&](std::size_t i) -> const auto& { return a.facets().lines[taken[i].line]; };
+    const auto from_of = [&](std::size_t i) { return of_b.points[taken[i].from]; };
+    const auto to_of = [&](std::size_t i) { return of_b.points[taken[i].to]; };
+    const Columns start = Columns::of(line_of(0).from, line_of(1).from, line_of(2).from, line_of(3).from);
+    const Columns along = Columns::of(line_of(0).along, line_of(1).along, line_of(2).along, line_of(3).along);
+    const Columns from = Columns::of(from_of(0), from_of(1), from_of(2), from_of(3));
+    const Columns back = from - Columns::of(to_of(0), to_of(1), to_of(2), to_of(3));
+    const Columns across = cross(back, along);
+    const Lanes square = dot(across, across);
+    n = unit_across(back, along, across, square, all_lanes(1));
+    reach = dot(n, start) + maximum(dot(n, along), all_lanes(0));
+    lower = reach - dot(n, from);
+    // Vertices that lie behind each other along the edge are one for its arc.
+    above = square > parallel_square * dot(along, along) * dot(back, back) ? lower - all_lanes(least) : all_lanes(0);
+  }
+};
+
+// Takes the least overlap along normals across edges, where it beats that of faces. False where rounding cuts arcs
+// without end.
+template <Faceted A, class B, class SeenB>
+[[nodiscard]] [[gnu::always_inline]] inline bool search_stretches(const A& a, const B& b, const SeenB& of_b, Real noise,
+                                                                  ArcStretches<B>& stretches, SatResult& best) {
+  // A normal across edges must beat those of faces by more than the noise.
+  Real least_of_edges = -best.separation - noise;
+  std::optional<ArcStretch> least;
+  std::size_t& count = stretches.count;
+  while (count > 0) {
+    [[clang::uninitialized]] std::array<ArcStretch, 4> taken;
+    const std::size_t in_hand = count < 4 ? count : 4;
+    for (std::size_t i = 0; i < 4; ++i) {
+      taken[i] = stretches.all[count - 1 - (i < in_hand ? i : 0)];
+    }
+    count -= in_hand;
+    const FourAcross four(a, of_b, taken, least_of_edges);
+    if (signs_of(four.above) == 0) {
+      continue;
+    }
+    best.axes += 4;
+    const auto found = of_b.least(four.n);
+    const Lanes depth = four.reach - found.value;
+    for (std::size_t i = 0; i < in_hand; ++i) {
+      if (!(four.above[i] < 0)) {
+        continue;
+      }
+      const auto vertex = static_cast<std::uint16_t>(found.corner[i]);
+      const bool is_cut = depth[i] > four.lower[i] + noise && vertex != taken[i].from && vertex != taken[i].to;
+      if (depth[i] < least_of_edges) {
+        // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its
+        // parts: it must not be passed over as no less deep.
+        least_of_edges = is_cut ? std::fmin(least_of_edges, depth[i] + noise) : depth[i];
+        best.separation = -depth[i];
+        best.normal = four.n[i];
+        best.features = {};
+        least = is_cut ? std::nullopt : std::optional(taken[i]);
+      }
+      if (is_cut) {
+        if (count + 2 > stretches.all.size()) {
+          return false;
+        }
+        stretches.all[count++] = {taken[i].line, taken[i].from, vertex};
+        stretches.all[count++] = {taken[i].line, vertex, taken[i].to};
+      }
+    }
+  }
+  if (least) {
+    const CoreFeature edge_of_b = edge_between(b, least->from, least->to);
+    if (edge_of_b.kind == CoreFeature::Kind::edge) {
+      best.features = {core_edge(least->line), edge_of_b};
+    }
+  }
+  return true;
 }
 
 // From a to b, in the frame of a. Nothing where rounding cuts arcs without end. `enough`: a face that parts both by
@@ -178,117 +252,14 @@ template <Faceted A, class B>
   }
   const std::size_t planes = a.facets().planes.size() + (has_planes(b) ? own_of_b.planes.size() : 0);
   best.axes = static_cast<std::uint32_t>(4 * planes);
-
   if (PointCored<B> || best.separation > enough) {
     return best;  // a point has no edges
   }
-  // The arc of an edge of a leads from its left face to its right one. The deepest vertex of b changes on the way.
-  // Where both are equally deep no other vertex is less deep: this bounds the overlap from below. Where another one
-  // is deeper, the arc is cut there.
-  struct Stretch {
-    std::uint16_t line, from, to;
-  };
-  constexpr std::size_t room = 6 * vertex_limit_of_two + (Faceted<B> ? 0 : edge_limit);
-  [[clang::uninitialized]] std::array<Stretch, room> stretches;
-  std::size_t count = 0;
   // Heights of rounding at both ends of half a circle say nothing of its middle.
   const Real needed = std::fmax(noise, -best.separation - inner_of_b);
-  for (std::size_t first = 0; first < a.facets().arcs.size(); first += 16) {
-    const std::size_t last = first + 16 < a.facets().arcs.size() ? first + 16 : a.facets().arcs.size();
-    std::uint64_t open = 0;
-    for (std::size_t at = first; at < last; ++at) {
-      // Where it is positive at both ends, the height of a point falls below neither in between.
-      const auto& arcs = a.facets().arcs[at];
-      const Columns out = Columns{arcs.from_x, arcs.from_y, arcs.from_z} - Columns::all(middle_of_b);
-      const Columns left{arcs.left_x, arcs.left_y, arcs.left_z}, right{arcs.right_x, arcs.right_y, arcs.right_z};
-      std::uint64_t four = signs_of(minimum(dot(left, out), dot(right, out)) - all_lanes(needed));
-      if constexpr (SegmentCored<B>) {
-        // Only from one side of a segment to the other does an arc lead from one end to the other.
-        const Columns along = Columns::all(vec3_of(of_b.points[1] - of_b.points[0]));
-        four &= signs_of(dot(left, along)) ^ signs_of(dot(right, along));
-      }
-      open |= four << (4 * (at - first));
-    }
-    for (; open != 0; open &= open - 1) {
-      const std::size_t line = 4 * first + static_cast<std::size_t>(std::countr_zero(open));
-      if (line >= a.facets().sides.size()) {
-        break;
-      }
-      const auto& sides = a.facets().sides[line];
-      for (const std::uint32_t side : {sides.left, sides.right}) {
-        if (!faces_of_a.is_known[side / 4]) {
-          faces_of_a.template look<true>(a.facets().planes[side / 4], side / 4, of_b, infinity);
-        }
-      }
-      const auto from = static_cast<std::uint16_t>(faces_of_a.under[sides.left / 4][sides.left % 4]);
-      const auto to = static_cast<std::uint16_t>(faces_of_a.under[sides.right / 4][sides.right % 4]);
-      stretches[count] = {static_cast<std::uint16_t>(line), from, to};
-      count += from != to ? 1 : 0;
-    }
-  }
-  // A normal across edges must beat those of faces by more than the noise.
-  Real least_of_edges = -best.separation - noise;
-  std::optional<Stretch> least;
-  while (count > 0) {
-    [[clang::uninitialized]] std::array<Stretch, 4> taken;
-    const std::size_t in_hand = count < 4 ? count : 4;
-    for (std::size_t i = 0; i < 4; ++i) {
-      taken[i] = stretches[count - 1 - (i < in_hand ? i : 0)];
-    }
-    count -= in_hand;
-    const auto line_of = [&](std::size_t i) -> const auto& { return a.facets().lines[taken[i].line]; };
-    const auto from_of = [&](std::size_t i) { return of_b.points[taken[i].from]; };
-    const auto to_of = [&](std::size_t i) { return of_b.points[taken[i].to]; };
-    const Columns start = Columns::of(line_of(0).from, line_of(1).from, line_of(2).from, line_of(3).from);
-    const Columns along = Columns::of(line_of(0).along, line_of(1).along, line_of(2).along, line_of(3).along);
-    const Columns from = Columns::of(from_of(0), from_of(1), from_of(2), from_of(3));
-    const Columns back = from - Columns::of(to_of(0), to_of(1), to_of(2), to_of(3));
-    const Columns across = cross(back, along);
-    const Lanes square = dot(across, across);
-    const Columns n = unit_across(back, along, across, square, all_lanes(1));
-    const Lanes reach = dot(n, start) + maximum(dot(n, along), all_lanes(0));
-    const Lanes lower = reach - dot(n, from);
-    // Vertices that lie behind each other along the edge are one for its arc.
-    const Lanes above = square > parallel_square * dot(along, along) * dot(back, back)
-                            ? lower - all_lanes(least_of_edges)
-                            : all_lanes(0);
-    if (signs_of(above) == 0) {
-      continue;
-    }
-    best.axes += 4;
-    const auto found = of_b.least(n);
-    const Lanes depth = reach - found.value;
-    for (std::size_t i = 0; i < in_hand; ++i) {
-      if (!(above[i] < 0)) {
-        continue;
-      }
-      const auto vertex = static_cast<std::uint16_t>(found.corner[i]);
-      const bool is_cut = depth[i] > lower[i] + noise && vertex != taken[i].from && vertex != taken[i].to;
-      if (depth[i] < least_of_edges) {
-        // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its
-        // parts: it must not be passed over as no less deep.
-        least_of_edges = is_cut ? std::fmin(least_of_edges, depth[i] + noise) : depth[i];
-        best.separation = -depth[i];
-        best.normal = n[i];
-        best.features = {};
-        least = is_cut ? std::nullopt : std::optional(taken[i]);
-      }
-      if (is_cut) {
-        if (count + 2 > room) {
-          return std::nullopt;
-        }
-        stretches[count++] = {taken[i].line, taken[i].from, vertex};
-        stretches[count++] = {taken[i].line, vertex, taken[i].to};
-      }
-    }
-  }
-  if (least) {
-    const CoreFeature edge_of_b = edge_between(b, least->from, least->to);
-    if (edge_of_b.kind == CoreFeature::Kind::edge) {
-      best.features = {core_edge(least->line), edge_of_b};
-    }
-  }
-  return best;
+  [[clang::uninitialized]] ArcStretches<B> stretches;
+  find_stretches<B>(a, of_b, middle_of_b, needed, faces_of_a, stretches);
+  return search_stretches(a, b, of_b, noise, stretches, best) ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace abut
