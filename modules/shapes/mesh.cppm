@@ -99,9 +99,13 @@ class Mesh {
     const auto visit_part = [&](const TriangleCorners& of_part, std::uint32_t index) {
       visit(Triangle(of_part, index, is_one_sided(index)), index);
     };
+    const MeshNeighbours* beside = mesh.neighbours.is_made() ? &neighbours() : nullptr;
     [[clang::uninitialized]] WaitingTriangles waiting(box, read_corners, is_wanted, visit_part);
     find([&](std::uint32_t index) {
       __builtin_prefetch(&mesh.indices[3 * std::size_t{index}]);
+      if (beside != nullptr) {
+        beside->fetch_across(index);
+      }
       waiting.add(index);
     });
     waiting.visit_all();

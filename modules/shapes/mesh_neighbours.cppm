@@ -23,6 +23,8 @@ class MeshNeighbours {
       __builtin_prefetch(&around_[begin]);
     }
   }
+  // The same for what lies across the edges of a triangle.
+  inline void fetch_across(std::uint32_t triangle) const { __builtin_prefetch(&across_[3 * std::size_t{triangle}]); }
   // The corner that the neighbour across an edge of a triangle has opposite to it. Edge i leads from corner i to the
   // next one. Across a border it is the corner of the triangle itself; where several neighbours share the edge,
   // no_index.
