@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The places of things that are large to move, put in an order by numbers of theirs.
-export module abut.narrow.manifold.places_in_order;
+export module abut.math.places_in_order;
 import abut.core.standard;
 import abut.math;
 
@@ -11,6 +11,46 @@ export namespace abut {
   const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+// Writes 0 to places.size() - 1 in the order of value_of(place). Equal ones follow is_before(place, other place). There
+// are `most` at most. How many values are less is counted, and no branch depends on it: sorting branches on every
+// comparison, and the processor guesses half of these wrong. False, with nothing to keep, where a value is no number.
+template <std::size_t most, class ValueOf, class IsBefore>
+[[nodiscard]] inline bool rank_few(std::span<std::uint32_t> places, const ValueOf& value_of,
+                                   const IsBefore& is_before) {
+  static_assert(most % 4 == 0);
+  [[clang::uninitialized]] std::array<Lanes, most / 4> values;
+  const std::size_t groups = (places.size() + 3) / 4;
+  for (std::uint32_t i = 0; i < 4 * groups; ++i) {
+    values[i / 4][i % 4] = i < places.size() ? value_of(i) : infinity;
+  }
+  [[clang::uninitialized]] std::array<std::uint16_t, most> equal;  // how many of a rank there are so far
+  for (std::uint16_t& count : std::span(equal).first(places.size())) {
+    count = 0;
+  }
+  for (std::uint32_t place = 0; place < places.size(); ++place) {
+    const Lanes value = all_lanes(values[place / 4][place % 4]);
+    LaneNumbers less = 0;
+    for (std::size_t group = 0; group < groups; ++group) {
+      less -= values[group] < value;
+    }
+    const auto rank = static_cast<std::size_t>(less[0] + less[1] + less[2] + less[3]);
+    places[rank + equal[rank]++] = place;
+  }
+  for (std::size_t begin = 0; begin < places.size();) {
+    const std::size_t count = equal[begin];
+    if (count == 0) {
+      return false;
+    }
+    for (std::size_t i = begin + 1; i < begin + count; ++i) {
+      for (std::size_t j = i; j > begin && is_before(places[j], places[j - 1]); --j) {
+        std::swap(places[j], places[j - 1]);
+      }
+    }
+    begin += count;
+  }
+  return true;
 }
 
 // Keeps its memory from use to use.

@@ -4,8 +4,7 @@ export module abut.narrow.manifold.depth_order;
 import abut.capability;
 import abut.core.small_vector;
 import abut.core.standard;
-import abut.math;
-import abut.narrow.manifold.places_in_order;
+import abut.math.places_in_order;
 
 export namespace abut {
 
@@ -17,41 +16,6 @@ using Numbers = SmallVector<std::uint32_t, few_contacts>;
 
 [[nodiscard]] inline bool comes_before(const ContactPoint& a, const ContactPoint& b) {
   return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
-}
-
-// How many distances are less tells the place of each, of a few. Equal ones are put in order afterwards. False, with
-// nothing to keep, where a distance is no number.
-[[nodiscard]] inline bool rank_few(std::span<const ContactPoint> contacts, std::span<std::uint32_t> numbers) {
-  [[clang::uninitialized]] std::array<Lanes, few_contacts / 4> distances;
-  const std::size_t groups = (contacts.size() + 3) / 4;
-  for (std::size_t i = 0; i < 4 * groups; ++i) {
-    distances[i / 4][i % 4] = i < contacts.size() ? contacts[i].distance : infinity;
-  }
-  [[clang::uninitialized]] std::array<std::uint16_t, few_contacts> equal;
-  for (std::uint16_t& count : std::span(equal).first(contacts.size())) {
-    count = 0;
-  }
-  for (std::uint32_t number = 0; number < contacts.size(); ++number) {
-    LaneNumbers less = 0;
-    for (std::size_t group = 0; group < groups; ++group) {
-      less -= distances[group] < all_lanes(contacts[number].distance);
-    }
-    const auto rank = static_cast<std::size_t>(less[0] + less[1] + less[2] + less[3]);
-    numbers[rank + equal[rank]++] = number;
-  }
-  for (std::size_t begin = 0; begin < numbers.size();) {
-    const std::size_t count = equal[begin];
-    if (count == 0) {
-      return false;
-    }
-    for (std::size_t i = begin + 1; i < begin + count; ++i) {
-      for (std::size_t j = i; j > begin && contacts[numbers[j]].id < contacts[numbers[j - 1]].id; --j) {
-        std::swap(numbers[j], numbers[j - 1]);
-      }
-    }
-    begin += count;
-  }
-  return true;
 }
 
 // A number with two keys, of which the first counts more.
@@ -68,7 +32,7 @@ inline void sort_keyed(std::span<Keyed> keyed) {
   });
 }
 
-// As rank_few does, of any contacts.
+// Of any contacts.
 inline void sort_any(std::span<const ContactPoint> contacts, std::span<std::uint32_t> numbers) {
   [[clang::uninitialized]] KeyedNumbers keyed;
   for (std::uint32_t number = 0; number < contacts.size(); ++number) {
@@ -89,7 +53,9 @@ inline void sort_any(std::span<const ContactPoint> contacts, std::span<std::uint
   if (std::ranges::is_sorted(contacts, comes_before)) {
     return numbers;
   }
-  if (contacts.size() > few_contacts || !rank_few(contacts, numbers.span())) {
+  const auto distance_of = [&](std::uint32_t number) { return contacts[number].distance; };
+  const auto is_before = [&](std::uint32_t a, std::uint32_t b) { return contacts[a].id < contacts[b].id; };
+  if (contacts.size() > few_contacts || !rank_few<few_contacts>(numbers.span(), distance_of, is_before)) {
     sort_any(contacts, numbers.span());
   }
   return numbers;
