@@ -273,7 +273,7 @@ class Mesh {
     return data_->tree.get([this] { return make_tree(Workers(1)); });
   }
   [[nodiscard]] const MeshNeighbours& neighbours() const [[clang::lifetimebound]] {
-    return data_->neighbours.get([this] { return MeshNeighbours(data_->vertices.size(), data_->indices); });
+    return data_->neighbours.get([this] { return make_neighbours(Workers(1)); });
   }
   [[nodiscard]] const Inside& inside() const [[clang::lifetimebound]] {
     return data_->inside.get([this] { return make_inside(*data_); });
@@ -295,6 +295,7 @@ class Mesh {
   static void fill(Data& data, std::span<const Real> reals, std::span<const std::uint32_t> indices);
   [[nodiscard]] static Aabb box_of(const Data& data);
   [[nodiscard]] Bvh make_tree(const Workers& workers) const;
+  [[nodiscard]] MeshNeighbours make_neighbours(const Workers& workers) const;
 
   Frozen<Data> data_;
 };

@@ -67,12 +67,16 @@ Bvh Mesh::make_tree(const Workers& workers) const {
   return Bvh(data_->box, triangle_count(), [this](std::uint32_t triangle) { return present_box(triangle); }, workers);
 }
 
+MeshNeighbours Mesh::make_neighbours(const Workers& workers) const {
+  return {data_->vertices.size(), data_->indices, workers};
+}
+
 void Mesh::prepare(const Workers& workers) const {
   static_cast<void>(data_->tree.get([&] { return make_tree(workers); }));
   if (has_other_tree()) {
     static_cast<void>(other());
   }
-  static_cast<void>(neighbours());
+  static_cast<void>(data_->neighbours.get([&] { return make_neighbours(workers); }));
   if (is_solid()) {
     static_cast<void>(inside());
   }

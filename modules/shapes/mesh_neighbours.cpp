@@ -6,7 +6,7 @@ import abut.core.standard;
 namespace abut {
 
 // Sorted by counting: where the triangles of each vertex begin, then the triangles.
-MeshNeighbours::MeshNeighbours(std::size_t vertex_count, std::span<const std::uint32_t> indices)
+MeshNeighbours::MeshNeighbours(std::size_t vertex_count, std::span<const std::uint32_t> indices, const Workers& workers)
     : first_around_(vertex_count + 1, 0), around_(indices.size()), across_(indices.size()) {
   for (const std::uint32_t vertex : indices) {
     ++first_around_[vertex];
@@ -19,11 +19,15 @@ MeshNeighbours::MeshNeighbours(std::size_t vertex_count, std::span<const std::ui
   for (std::size_t i = indices.size(); i > 0; --i) {
     around_[--first_around_[indices[i - 1]]] = static_cast<std::uint32_t>((i - 1) / 3);
   }
-  for (std::uint32_t triangle = 0; triangle < indices.size() / 3; ++triangle) {
-    for (std::size_t edge = 0; edge < 3; ++edge) {
-      across_[3 * std::size_t{triangle} + edge] = across_of(indices, triangle, edge);
+  constexpr std::size_t least_of_task = 4096;
+  const Cuts cuts = workers.cut(indices.size() / 3, least_of_task);
+  workers.for_each(cuts.tasks(), [&](std::size_t task) {
+    for (std::size_t triangle = cuts.begin(task); triangle < cuts.end(task); ++triangle) {
+      for (std::size_t edge = 0; edge < 3; ++edge) {
+        across_[3 * triangle + edge] = across_of(indices, static_cast<std::uint32_t>(triangle), edge);
+      }
     }
-  }
+  });
 }
 
 std::uint32_t MeshNeighbours::across_of(std::span<const std::uint32_t> indices, std::uint32_t triangle,

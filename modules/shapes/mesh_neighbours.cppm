@@ -9,7 +9,7 @@ export namespace abut {
 
 class MeshNeighbours {
  public:
-  MeshNeighbours(std::size_t vertex_count, std::span<const std::uint32_t> indices);
+  MeshNeighbours(std::size_t vertex_count, std::span<const std::uint32_t> indices, const Workers& workers);
 
   // The triangles that have a vertex. Some of them may have been removed.
   [[nodiscard]] inline std::span<const std::uint32_t> around_vertex(std::uint32_t vertex) const
