@@ -151,21 +151,24 @@ Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab,
 
 // With holes: of all contacts however far, the one whose distance is nearest to that of the solids. Holes bring nothing
 // nearer: what is deeper is a contact of a surface, which pushes out of the whole surface and not out of one triangle.
+// Where solids overlap, so does the whole as long as any contact tells so. Of points that are equally near a hole may
+// take some and leave others. So one algorithm chooses them, whatever algorithm was asked for.
 Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                           const QuerySettings& settings, Distance& out) {
   const Pose ab = relative(pose_a, pose_b);
   Distance best{};
   Outcome outcome = distance_of_solids(a, b, ab, settings, best);
   if (outcome == Outcome::ok && (a.has_holes() || b.has_holes())) {
-    QuerySettings however_far = settings;
-    however_far.margin = infinity;
+    const QuerySettings however_far{.error_bound = settings.error_bound, .margin = infinity};
     Manifold contacts;
     outcome = append_contacts_of_children(a, b, ab, however_far, true, contacts);
     if (outcome == Outcome::ok && contacts.empty()) {
       best.upper = infinity;  // nothing of the solids is left that could be met
     } else if (outcome == Outcome::ok) {
-      const ContactPoint& left = *std::ranges::min_element(
-          contacts, {}, [&](const ContactPoint& contact) { return std::fabs(contact.distance - best.distance); });
+      const ContactPoint& left = *std::ranges::min_element(contacts, {}, [&](const ContactPoint& contact) {
+        const bool is_apart = best.distance < 0 && contact.distance > 0;
+        return std::pair(is_apart, std::fabs(contact.distance - best.distance));
+      });
       best = {left.distance,  std::min(best.lower, left.distance),
               left.distance,  left.point_a,
               left.point_b,   left.normal,
