@@ -356,13 +356,13 @@ class SurfaceContacts {
   }
 
   // The shortest way out of all parts that b meets; without end where what turned contacts claim is no deeper than the
-  // others.
+  // others. The ways of the claims themselves are no shorter, whatever rounding tells.
   template <class OnTheWay>
   [[nodiscard]] PartingWay way_out_of_whole(Real claimed, const OnTheWay& on_the_way) {
     if (claimed <= (1 + claim_blur) * depth_) {
       return {infinity, {0, 0, 0}};
     }
-    return ways_.shortest(claims_.sum_of_normals(), claimed, on_the_way);
+    return ways_.shortest(claims_.sum_of_normals(), claimed / (1 + claim_blur), on_the_way);
   }
   // No way out of all is shorter than that of a triangle. Where all contacts are less deep than one that was left to
   // neighbours, the shortest way out of all tells the depth. Where there is no contact, the deepest one left counts
