@@ -48,7 +48,7 @@ class SurfaceContacts {
     }
     const Real size = core_size(triangle, b, ab_), noise = noise_of(size),
                touching = touching_within<B>(size, settings_);
-    const bool is_touch = only_touches(b, core, touching);
+    const bool is_touch = only_touches(triangle, b, core, touching);
     if (is_touch && !is_allowed) {
       return;
     }
@@ -167,10 +167,14 @@ class SurfaceContacts {
   }
 
   // Whether the core lies beyond the plane that parts it from the triangle. What is flat there may lie on either side:
-  // a segment through an edge.
-  [[nodiscard]] bool only_touches(const B& b, const CoreSeparation& core, Real noise) const {
-    const auto lowest = [&](const Vec3& direction) { return lowest_along(b, ab_, direction) + b.radius(); };
-    return std::fabs(core.distance) <= noise && -lowest(-core.normal) - lowest(core.normal) > 2 * noise;
+  // a segment through an edge. Of two triangles one has to be wide, whichever comes first.
+  [[nodiscard]] bool only_touches(const Triangle& triangle, const B& b, const CoreSeparation& core, Real noise) const {
+    const auto is_wide = [&](const auto& side, const Pose& pose) {
+      const auto lowest = [&](const Vec3& direction) { return lowest_along(side, pose, direction) + side.radius(); };
+      return -lowest(-core.normal) - lowest(core.normal) > 2 * noise;
+    };
+    return std::fabs(core.distance) <= noise &&
+           (is_wide(b, ab_) || (Surface<Other> && is_wide(triangle, Pose::identity())));
   }
 
   // Where two are equally deep, the order in which they came has no say.
