@@ -369,32 +369,34 @@ class SurfaceContacts {
     return ways_.shortest(claims_.sum_of_normals(), claimed / (1 + claim_blur), on_the_way);
   }
   // No way out of all is shorter than that of a triangle. Where all contacts are less deep than one that was left to
-  // neighbours, the shortest way out of all tells the depth. Where there is no contact, the deepest one left counts
-  // after all. That has a number of its own: the same features may have met under the normal of the face.
+  // neighbours, the shortest way out of all tells the depth. What only touches has none. Where no contact touches, nor
+  // is as near, the deepest one left counts after all. That has a number of its own: the same features may have met
+  // under the normal of the face.
   template <class OnTheWay>
   void append_left(const OnTheWay& on_the_way) {
     if (!left_) {
       return;
     }
     const auto& b = part_of(other_, left_->part_of_b);
+    const Triangle triangle = a_.part(left_->part_of_a);
     const CoreSeparation& core = left_->found.core;
-    if (core.overlap && depth_from(first_) < b.radius() - core.distance - core.rounding) {
+    const Real gap = core.distance - b.radius(), noise = touching_within<B>(core_size(triangle, b, ab_), settings_);
+    if (core.overlap && std::max(depth_from(first_), Real{0}) < -gap - noise) {
       const PartingWay way = ways_.shortest(claims_.sum_of_normals(), infinity, on_the_way);
       if (way.depth < infinity && append_way(way, on_the_way)) {
         return;
       }
     }
-    if (out_.size() > first_) {
+    if (-depth_from(first_) <= std::max(gap, Real{0}) + noise) {
       return;
     }
-    const Triangle triangle = a_.part(left_->part_of_a);
     const std::size_t first = out_.size();
     append(triangle, b, left_->part_of_b, completed(triangle, b, ab_, left_->found), true);
     const auto found = std::span(out_).subspan(first);
     if (!found.empty()) {
       ContactPoint deepest = *std::ranges::min_element(found, {}, &ContactPoint::distance);
       deepest.id = mixed(~deepest.id);
-      if (-deepest.distance > noise_of(core_size(triangle, b, ab_))) {
+      if (-deepest.distance > noise) {
         take_normal_of_face(triangle, b, deepest);
       }
       out_.resize(first);
