@@ -162,6 +162,12 @@ class PartingWays {
     };
   }
 
+  // Lengths that differ by rounding become equal, so that the order of a and b has no say. Infinity stays.
+  [[nodiscard]] static Real without_rounding(Real length) {
+    constexpr std::uint64_t lost = (std::uint64_t{1} << 29) - 1;
+    return std::bit_cast<Real>((std::bit_cast<std::uint64_t>(length) + lost / 2 + 1) & ~lost);
+  }
+
   // Meets what b touches where a way ends, then what it touches where that is left. So it goes on up to `far_ahead`
   // times the way. Whether any is new.
   template <class OnTheWay>
@@ -183,17 +189,15 @@ class PartingWays {
         obstacles.push_back({enter, is_left ? leave : infinity, triangle.index(), number_of_part(b)});
       }
     });
-    std::ranges::sort(obstacles.span(), [](const Obstacle& one, const Obstacle& other) {
-      return std::tie(one.enter, other.leave, one.number, one.number_of_b) <
-             std::tie(other.enter, one.leave, other.number, other.number_of_b);
+    std::ranges::sort(obstacles.span(), {}, [](const Obstacle& obstacle) {
+      const auto [low, high] = std::minmax(obstacle.number, obstacle.number_of_b);
+      return std::tuple(without_rounding(obstacle.enter), -without_rounding(obstacle.leave), low, high,
+                        obstacle.number);
     });
     Real end = way.depth;
     bool is_longer = false;
     for (const Obstacle& obstacle : obstacles.span()) {
-      if (obstacle.enter > end + slack) {
-        break;
-      }
-      if (obstacle.leave > end + slack &&
+      if (obstacle.enter <= end + slack && obstacle.leave > end + slack &&
           meet(a_.part(obstacle.number), part_of(other_, obstacle.number_of_b), obstacle.leave)) {
         end = obstacle.leave;
         is_longer = true;
