@@ -43,12 +43,16 @@ class PartingWays {
       : a_(a), other_(other), ab_(ab), settings_(settings) {}
 
   // What is near: its number. `way`: the shortest one out of it alone. What is within the margin only offers none,
-  // and stands in none, so that the margin has no say.
+  // and stands in none, so that the margin has no say. Where two triangles only touch, rounding tells their way, and
+  // whether they are met without a margin.
   std::size_t add(const Triangle& triangle, const B& b, const Fronts<B>& fronts, const Vec3& way, Real gap,
                   Real touching) {
     const std::size_t part = met_.add(triangle, b, ab_, fronts, touching);
-    if (gap <= touching) {
-      met_.offer_ways(part, triangle, b, ab_, way, gap);
+    if (gap <= (Surface<Other> ? 0 : touching)) {
+      met_.offer_ways(part, triangle, b, ab_, gap);
+      if (!Surface<Other> || gap < -touching) {
+        met_.add_way(way);
+      }
     }
     return part;
   }
@@ -256,7 +260,8 @@ class PartingWays {
       const Real touching = touching_within<B>(core_size(triangle, b, ab_), settings_);
       part = met_.add(triangle, b, ab_, Fronts<B>(triangle, b, ab_), touching);
     }
-    met_.offer_ways(*part, triangle, b, ab_, core.normal, core.distance - radii);
+    met_.offer_ways(*part, triangle, b, ab_, core.distance - radii);
+    met_.add_way(core.normal);
     return true;
   }
 

@@ -143,8 +143,8 @@ class PartsMet {
     noise_ = std::max(noise_, noise);
     return size_++;
   }
-  // Takes the ways out of the faces of a part, and its own. `gap`: how far b is apart from it.
-  void offer_ways(std::size_t part, const Triangle& triangle, const B& b, const Pose& ab, const Vec3& way, Real gap) {
+  // Takes the ways out of the faces of a part. `gap`: how far b is apart from it.
+  void offer_ways(std::size_t part, const Triangle& triangle, const B& b, const Pose& ab, Real gap) {
     fours_[part / 4].gap[part % 4] = gap;
     fours_[part / 4].offers_ways[part % 4] = true;
     offering_.push_back(part);
@@ -153,7 +153,6 @@ class PartsMet {
     if constexpr (std::same_as<B, Triangle>) {
       add_face(-(ab.rotation * b.normal()), b.is_one_sided());
     }
-    add_way(way);
   }
   // The largest of those of the parts.
   [[nodiscard]] Real noise() const { return noise_; }

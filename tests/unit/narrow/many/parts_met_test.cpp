@@ -102,7 +102,8 @@ TEST(PartsMet, ABoxLeavesByTheShortestWayThatWasOffered) {
       const Triangle triangle = random_triangle(random, i);
       const Vec3 way = random_direction(random);
       const std::size_t part = met.add(triangle, box, ab, Fronts<Box>(triangle, box, ab), noise);
-      met.offer_ways(part, triangle, box, ab, way, deep);
+      met.offer_ways(part, triangle, box, ab, deep);
+      met.add_way(way);
       parts.push_back({corners_of(triangle, Pose::identity()), test::corners_of(half, ab)});
       ways.insert(ways.end(), {triangle.normal(), -triangle.normal(), way});
     }
@@ -132,7 +133,8 @@ TEST(PartsMet, TwoSurfacesLeaveByTheShortestWayThatWasOffered) {
         }
         const Vec3 way = random_direction(random), normal_of_b = ab.rotation * b.normal();
         const std::size_t part = met.add(a, b, ab, Fronts<Triangle>(a, b, ab), noise);
-        met.offer_ways(part, a, b, ab, way, deep);
+        met.offer_ways(part, a, b, ab, deep);
+        met.add_way(way);
         parts.push_back({corners_of(a, Pose::identity()), corners_of(b, ab)});
         ways.insert(ways.end(), {a.normal(), -a.normal(), normal_of_b, -normal_of_b, way});
       }
@@ -152,7 +154,8 @@ TEST(PartsMet, WhatOnlyTouchesNeedsNoWay) {
     const Vec3 point{0.1 * i, 0, 0};  // without an area, and so without ways of its own
     const Triangle triangle{point, point, point, i, false};
     const std::size_t part = met.add(triangle, box, ab, Fronts<Box>(triangle, box, ab), noise);
-    met.offer_ways(part, triangle, box, ab, ways[i], 0);
+    met.offer_ways(part, triangle, box, ab, 0);
+    met.add_way(ways[i]);
   }
   const auto lowest = [](const Vec3& direction) {
     return (1 + lifted) * direction.z - (std::fabs(direction.x) + std::fabs(direction.y) + std::fabs(direction.z));
