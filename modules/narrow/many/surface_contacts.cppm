@@ -78,7 +78,7 @@ class SurfaceContacts {
       out_.resize(first);
     }
     if (is_allowed) {
-      leave(triangle, part_of_b, found);
+      leave(triangle, part_of_b, found, touching);
     }
     if (const auto turned = turn(triangle, b, core, fronts, turns_a, turns_b)) {
       // The closest points may lie beside the face: the foot of the lowest point of the other side.
@@ -118,6 +118,7 @@ class SurfaceContacts {
     std::uint32_t part_of_a, part_of_b;
     Vec3 normal;  // of part a
     TriangleSeparation found;
+    Real noise;  // of depths
   };
 
   // Whether the deepest contact from `first` on leads out of a side, whatever lies beside its triangles.
@@ -156,7 +157,7 @@ class SurfaceContacts {
       out_.resize(first);
     }
     if (is_allowed) {
-      leave(triangle, part_of_b, found);
+      leave(triangle, part_of_b, found, noise_of(core_size(triangle, b, ab_)));
     }
     const Vec3& normal = triangle.normal();
     const bool is_in_front = triangle.is_one_sided() || dot(normal, core.normal) >= 0;
@@ -178,13 +179,13 @@ class SurfaceContacts {
   }
 
   // Where two are equally deep, the order in which they came has no say.
-  void leave(const Triangle& triangle, std::uint32_t part_of_b, const TriangleSeparation& found) {
+  void leave(const Triangle& triangle, std::uint32_t part_of_b, const TriangleSeparation& found, Real noise) {
     const auto key = [](Real distance, const Vec3& n, std::uint32_t part) {
       return std::tuple(distance, n.x, n.y, n.z, part);
     };
     if (!left_ || key(found.core.distance, triangle.normal(), part_of_b) <
                       key(left_->found.core.distance, left_->normal, left_->part_of_b)) {
-      left_ = Left{triangle.index(), part_of_b, triangle.normal(), found};
+      left_ = Left{triangle.index(), part_of_b, triangle.normal(), found, noise};
     }
   }
 
@@ -378,9 +379,8 @@ class SurfaceContacts {
       return;
     }
     const auto& b = part_of(other_, left_->part_of_b);
-    const Triangle triangle = a_.part(left_->part_of_a);
     const CoreSeparation& core = left_->found.core;
-    const Real gap = core.distance - b.radius(), noise = touching_within<B>(core_size(triangle, b, ab_), settings_);
+    const Real gap = core.distance - b.radius(), noise = left_->noise;
     if (core.overlap && std::max(depth_from(first_), Real{0}) < -gap - noise) {
       const PartingWay way = ways_.shortest(claims_.sum_of_normals(), infinity, on_the_way);
       if (way.depth < infinity && append_way(way, on_the_way)) {
@@ -390,6 +390,7 @@ class SurfaceContacts {
     if (-depth_from(first_) <= std::max(gap, Real{0}) + noise) {
       return;
     }
+    const Triangle triangle = a_.part(left_->part_of_a);
     const std::size_t first = out_.size();
     append(triangle, b, left_->part_of_b, completed(triangle, b, ab_, left_->found), true);
     const auto found = std::span(out_).subspan(first);
