@@ -188,7 +188,7 @@ class PartingWays {
     const Real least = meets_front ? -infinity : way.depth + slack;
     [[clang::uninitialized]] SmallVector<Obstacle, 64> obstacles;
     on_the_way.visit(ahead, least, slack, [&](const Triangle& triangle, const B& b, Real enter, Real leave) {
-      const bool is_left = Fronts<B>(triangle, b, ab_).nearly_allows(way.direction);
+      const bool is_left = Fronts<B>(triangle, b, ab_).allows(way.direction);
       if (!is_left || leave > way.depth + slack) {
         obstacles.push_back({enter, is_left ? leave : infinity, triangle.index(), number_of_part(b)});
       }

@@ -93,7 +93,7 @@ struct FourParts {
       lowest = along(placed.of, [](Lanes p, Lanes q) { return minimum(p, q); });
     }
     const Lanes overlaps = along(triangles, [](Lanes p, Lanes q) { return maximum(p, q); }) - lowest;
-    return (overlaps <= noise) | fronts.nearly_allow(directions) ? overlaps : all_lanes(infinity);
+    return (overlaps <= noise) | fronts.allow(directions) ? overlaps : all_lanes(infinity);
   }
 };
 

@@ -208,7 +208,7 @@ class SurfaceContacts {
     const bool is_apart = !core.overlap && fronts.allows(core.normal);
     const auto consider = [&](const Vec3& normal, bool is_of_b, const auto& distance_along) {
       for (const Vec3& direction : {normal, -normal}) {
-        if ((!is_apart || dot(core.normal, direction) >= 0) && fronts.nearly_allows(direction)) {
+        if ((!is_apart || dot(core.normal, direction) >= 0) && fronts.allows(direction)) {
           const Real distance = distance_along(direction);
           best = distance > best.distance ? Way{direction, distance, is_of_b} : best;
         }
@@ -410,7 +410,7 @@ class SurfaceContacts {
     const Vec3 normal = dot(contact.normal, triangle.normal()) < 0 ? -triangle.normal() : triangle.normal();
     const Real distance = dot(contact.point_b - contact.point_a, normal);
     const Vec3 point_a = contact.point_b - distance * normal;
-    if (triangle.has_area() && is_over(triangle, point_a) && Fronts<B>(triangle, b, ab_).nearly_allows(normal)) {
+    if (triangle.has_area() && is_over(triangle, point_a) && Fronts<B>(triangle, b, ab_).allows(normal)) {
       contact.normal = normal;
       contact.distance = distance;
       contact.point_a = point_a;

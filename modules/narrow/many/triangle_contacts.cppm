@@ -162,8 +162,8 @@ struct FourFronts {
     a.put(lane, one.a[0]);
     b.put(lane, one.b[0]);
   }
-  // For normals that are those of the sides, within rounding.
-  [[nodiscard]] [[gnu::always_inline]] inline LaneNumbers nearly_allow(const Columns& normals) const {
+  // Within rounding, as of one pair.
+  [[nodiscard]] [[gnu::always_inline]] inline LaneNumbers allow(const Columns& normals) const {
     const Lanes least = all_lanes(-1e-12);
     return (dot(normals, a) >= least) & (dot(normals, b) >= least);
   }
@@ -180,11 +180,8 @@ class Fronts {
       b_ = b.is_one_sided() ? -(ab.rotation * b.normal()) : Vec3{0, 0, 0};
     }
   }
-  [[nodiscard]] bool allows(const Vec3& normal) const { return dot(normal, a_) >= 0 && dot(normal, b_) >= 0; }
-  // For normals that are those of the sides, within rounding.
-  [[nodiscard]] bool nearly_allows(const Vec3& normal) const {
-    return dot(normal, a_) >= -1e-12 && dot(normal, b_) >= -1e-12;
-  }
+  // Within rounding: normals are those of the sides, or lie in their planes, where shapes stand straight to each other.
+  [[nodiscard]] bool allows(const Vec3& normal) const { return dot(normal, a_) >= -1e-12 && dot(normal, b_) >= -1e-12; }
   [[nodiscard]] FourFronts in_all() const { return {Columns::all(a_), Columns::all(b_)}; }
 
  private:
