@@ -70,6 +70,16 @@ template <class Other>
 struct ArcStretches {
   std::array<ArcStretch, stretch_limit<Other>> all;
   std::size_t count;
+
+  // Both parts of a stretch that another vertex cuts. False where there is no room for them.
+  [[nodiscard]] [[gnu::always_inline]] inline bool add_parts(const ArcStretch& of, std::uint16_t vertex) {
+    if (count + 2 > all.size()) {
+      return false;
+    }
+    all[count++] = {of.line, of.from, vertex};
+    all[count++] = {of.line, vertex, of.to};
+    return true;
+  }
 };
 
 // A bit for each of four arcs that may lead past a lesser overlap. None does where the edge lies higher than `needed`
@@ -121,7 +131,7 @@ template <class B, Faceted A, class SeenB, class Faces>
 
 // The normals across the edges of four stretches and the edges of b between their vertices.
 struct FourAcross {
-  Columns n;
+  Columns n{};
   Lanes reach;  // of a along each normal
   Lanes lower;  // the depth at which both vertices of a stretch lie
   Lanes above;  // what this has more than the least depth so far; nothing where the vertices are one for the arc
@@ -154,9 +164,20 @@ template <Faceted A, class B, class SeenB>
   // A normal across edges must beat those of faces by more than the noise.
   Real least_of_edges = -best.separation - noise;
   std::optional<ArcStretch> least;
+  const auto take = [&](const Vec3& normal, Real depth, const ArcStretch& stretch, bool is_cut) {
+    if (depth < least_of_edges) {
+      // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its
+      // parts: it must not be passed over as no less deep.
+      least_of_edges = is_cut ? std::fmin(least_of_edges, depth + noise) : depth;
+      best.separation = -depth;
+      best.normal = normal;
+      best.features = {};
+      least = is_cut ? std::nullopt : std::optional(stretch);
+    }
+  };
   std::size_t& count = stretches.count;
   while (count > 0) {
-    [[clang::uninitialized]] std::array<ArcStretch, 4> taken;
+    std::array<ArcStretch, 4> taken{};
     const std::size_t in_hand = count < 4 ? count : 4;
     for (std::size_t i = 0; i < 4; ++i) {
       taken[i] = stretches.all[count - 1 - (i < in_hand ? i : 0)];
@@ -175,29 +196,15 @@ template <Faceted A, class B, class SeenB>
       }
       const auto vertex = static_cast<std::uint16_t>(found.corner[i]);
       const bool is_cut = depth[i] > four.lower[i] + noise && vertex != taken[i].from && vertex != taken[i].to;
-      if (depth[i] < least_of_edges) {
-        // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its
-        // parts: it must not be passed over as no less deep.
-        least_of_edges = is_cut ? std::fmin(least_of_edges, depth[i] + noise) : depth[i];
-        best.separation = -depth[i];
-        best.normal = four.n[i];
-        best.features = {};
-        least = is_cut ? std::nullopt : std::optional(taken[i]);
-      }
-      if (is_cut) {
-        if (count + 2 > stretches.all.size()) {
-          return false;
-        }
-        stretches.all[count++] = {taken[i].line, taken[i].from, vertex};
-        stretches.all[count++] = {taken[i].line, vertex, taken[i].to};
+      take(four.n[i], depth[i], taken[i], is_cut);
+      if (is_cut && !stretches.add_parts(taken[i], vertex)) {
+        return false;
       }
     }
   }
-  if (least) {
-    const CoreFeature edge_of_b = edge_between(b, least->from, least->to);
-    if (edge_of_b.kind == CoreFeature::Kind::edge) {
-      best.features = {core_edge(least->line), edge_of_b};
-    }
+  if (const CoreFeature edge_of_b = least ? edge_between(b, least->from, least->to) : CoreFeature{};
+      edge_of_b.kind == CoreFeature::Kind::edge) {
+    best.features = {core_edge(least->line), edge_of_b};
   }
   return true;
 }
