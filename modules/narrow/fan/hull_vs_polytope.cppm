@@ -156,25 +156,32 @@ struct FourAcross {
   }
 };
 
+// The least depth along normals across edges so far, and the stretch of the edge.
+struct LeastEdge {
+  Real depth;
+  std::optional<ArcStretch> edge;
+
+  [[gnu::always_inline]] inline void take(const Vec3& normal, Real found, const ArcStretch& stretch, bool is_cut,
+                                          Real noise, SatResult& best) {
+    if (found < depth) {
+      // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its
+      // parts: it must not be passed over as no less deep.
+      depth = is_cut ? std::fmin(depth, found + noise) : found;
+      best.separation = -found;
+      best.normal = normal;
+      best.features = {};
+      edge = is_cut ? std::nullopt : std::optional(stretch);
+    }
+  }
+};
+
 // Takes the least overlap along normals across edges, where it beats that of faces. False where rounding cuts arcs
 // without end.
 template <Faceted A, class B, class SeenB>
 [[nodiscard]] [[gnu::always_inline]] inline bool search_stretches(const A& a, const B& b, const SeenB& of_b, Real noise,
                                                                   ArcStretches<B>& stretches, SatResult& best) {
   // A normal across edges must beat those of faces by more than the noise.
-  Real least_of_edges = -best.separation - noise;
-  std::optional<ArcStretch> least;
-  const auto take = [&](const Vec3& normal, Real depth, const ArcStretch& stretch, bool is_cut) {
-    if (depth < least_of_edges) {
-      // Of a stretch that is cut the vertices need not share an edge. An edge at no greater depth lies on one of its
-      // parts: it must not be passed over as no less deep.
-      least_of_edges = is_cut ? std::fmin(least_of_edges, depth + noise) : depth;
-      best.separation = -depth;
-      best.normal = normal;
-      best.features = {};
-      least = is_cut ? std::nullopt : std::optional(stretch);
-    }
-  };
+  LeastEdge least{-best.separation - noise, std::nullopt};
   std::size_t& count = stretches.count;
   while (count > 0) {
     std::array<ArcStretch, 4> taken{};
@@ -183,7 +190,7 @@ template <Faceted A, class B, class SeenB>
       taken[i] = stretches.all[count - 1 - (i < in_hand ? i : 0)];
     }
     count -= in_hand;
-    const FourAcross four(a, of_b, taken, least_of_edges);
+    const FourAcross four(a, of_b, taken, least.depth);
     if (signs_of(four.above) == 0) {
       continue;
     }
@@ -196,15 +203,15 @@ template <Faceted A, class B, class SeenB>
       }
       const auto vertex = static_cast<std::uint16_t>(found.corner[i]);
       const bool is_cut = depth[i] > four.lower[i] + noise && vertex != taken[i].from && vertex != taken[i].to;
-      take(four.n[i], depth[i], taken[i], is_cut);
+      least.take(four.n[i], depth[i], taken[i], is_cut, noise, best);
       if (is_cut && !stretches.add_parts(taken[i], vertex)) {
         return false;
       }
     }
   }
-  if (const CoreFeature edge_of_b = least ? edge_between(b, least->from, least->to) : CoreFeature{};
+  if (const CoreFeature edge_of_b = least.edge ? edge_between(b, least.edge->from, least.edge->to) : CoreFeature{};
       edge_of_b.kind == CoreFeature::Kind::edge) {
-    best.features = {core_edge(least->line), edge_of_b};
+    best.features = {core_edge(least.edge->line), edge_of_b};
   }
   return true;
 }
