@@ -166,7 +166,8 @@ class PartingWays {
     };
   }
 
-  // Lengths that differ by rounding become equal, so that the order of a and b has no say. Infinity stays.
+  // To the nearest of 2^23 numbers between two powers of two: lengths that differ by rounding mostly become equal, and
+  // the order of a and b has no say. Infinity stays.
   [[nodiscard]] static Real without_rounding(Real length) {
     constexpr std::uint64_t lost = (std::uint64_t{1} << 29) - 1;
     return std::bit_cast<Real>((std::bit_cast<std::uint64_t>(length) + lost / 2 + 1) & ~lost);

@@ -31,19 +31,31 @@ struct Waves {
   [[nodiscard]] Shape mesh() const { return make_of_kind("mesh", {0}, xyz, triangles); }
 };
 
-// The contacts of a slab across the waves, in the order in which they were found.
-std::vector<abut_contact> contacts_with_slab(const abut_shape* shape) {
-  return contacts_of(shape, identity, make_box(2.0, 1.5, 0.1), {{6.0, 5.0, 0.2}, {1.0, 0.0, 0.0, 0.0}});
+// The contacts of a slab across some of the waves, then of balls all over them, in the order in which they were found.
+// Which of its triangles a ball has contacts with, their neighbours tell.
+std::vector<abut_contact> contacts_with(const abut_shape* shape) {
+  std::vector<abut_contact> all =
+      contacts_of(shape, identity, make_box(2.0, 1.5, 0.1), {{6.0, 5.0, 0.2}, {1.0, 0.0, 0.0, 0.0}});
+  const Shape ball = make_sphere(0.3);
+  for (int j = 0; j < 50; ++j) {
+    for (int i = 0; i < 50; ++i) {
+      const double x = 0.15 + 0.25 * i, y = 0.1 + 0.25 * j;
+      const abut_pose above{{x, y, 0.4 * std::sin(1.3 * x) * std::cos(0.9 * y) + 0.25}, {1.0, 0.0, 0.0, 0.0}};
+      const std::vector<abut_contact> found = contacts_of(shape, identity, ball, above);
+      all.insert(all.end(), found.begin(), found.end());
+    }
+  }
+  return all;
 }
 
 TEST(PreparedShapes, GiveTheSameBitsForAnyNumberOfThreads) {
   const Waves waves;
-  const std::vector<abut_contact> wanted = contacts_with_slab(waves.mesh());
-  ASSERT_GT(wanted.size(), 100U);
+  const std::vector<abut_contact> wanted = contacts_with(waves.mesh());
+  ASSERT_GT(wanted.size(), 2600U);
   for (const std::uint32_t threads : {0U, 1U, 2U, 8U}) {
     const Shape shape = waves.mesh();
     ASSERT_TRUE(succeeded(abut_shape_prepare(shape, threads_of_build(threads))));
-    const std::vector<abut_contact> found = contacts_with_slab(shape);
+    const std::vector<abut_contact> found = contacts_with(shape);
     ASSERT_EQ(found.size(), wanted.size());
     EXPECT_EQ(std::memcmp(found.data(), wanted.data(), wanted.size() * sizeof(abut_contact)), 0) << threads;
   }
