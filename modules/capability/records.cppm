@@ -140,17 +140,19 @@ inline void name_particle_a(ContactPoint& contact, std::uint32_t index) {
 // The same features may touch twice in one pair, as where an edge crosses a rim. Such contacts get numbers of their
 // own, in their order.
 inline void number_apart(std::span<ContactPoint> contacts) {
-  std::uint64_t seen = 0;  // a bit for the last digits of each number
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  // A bit for each number, where its bits lead. Mostly all have bits of their own.
+  std::uint64_t seen = 0, seen_again = 0;
+  for (const ContactPoint& contact : contacts) {
+    const std::uint64_t bit = std::uint64_t{1} << ((contact.id * 0x9e3779b97f4a7c15) >> 58);
+    seen_again |= seen & bit;
+    seen |= bit;
+  }
+  for (std::size_t i = 1; seen_again != 0 && i < contacts.size(); ++i) {
     std::uint64_t& id = contacts[i].id;
-    const auto is_taken = [&] {
-      return (seen >> (id & 63) & 1) != 0 &&
-             std::ranges::any_of(contacts.first(i), [&](const ContactPoint& other) { return other.id == id; });
-    };
-    while (is_taken()) {
+    const auto has_id = [&](const ContactPoint& other) { return other.id == id; };
+    while (std::ranges::any_of(contacts.first(i), has_id)) {
       id = mixed(id);
     }
-    seen |= std::uint64_t{1} << (id & 63);
   }
 }
 

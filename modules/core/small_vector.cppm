@@ -21,6 +21,15 @@ class SmallVector {
     }
     ++size_;
   }
+  // Appends the value only where it counts. It is written in any case, so that no branch has to be guessed.
+  inline void push_back_if(const T& value, bool counts) {
+    if (size_ < N) [[likely]] {
+      inside_[size_] = value;
+      size_ += counts ? 1 : 0;
+    } else if (counts) {
+      push_back(value);
+    }
+  }
   inline void pop_back() {
     if (size_ > N) [[unlikely]] {
       outside_.pop_back();

@@ -100,10 +100,11 @@ bool Mesh::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction
   };
   const unsigned others = corners & (corners - 1);
   if (others == 0) {
-    // The neighbours across edges mostly tell.
-    const auto is_above = [&](std::uint32_t across) { return across != no_index && !is_below(across); };
-    return !is_above(neighbours.across(index, corner)) && !is_above(neighbours.across(index, (corner + 2) % 3)) &&
-           are_below(std::nullopt);
+    // The neighbours across edges mostly tell. Both are asked, as neither answer can be guessed.
+    const auto is_above = [&](std::uint32_t across) { return !is_below(across == no_index ? vertex : across); };
+    const bool is_one_above = is_above(neighbours.across(index, corner)),
+               is_other_above = is_above(neighbours.across(index, (corner + 2) % 3));
+    return (is_one_above | is_other_above) == 0 && are_below(std::nullopt);
   }
   const auto second = static_cast<std::size_t>(std::countr_zero(others));
   const std::uint32_t across = neighbours.across(index, second == corner + 1 ? corner : second);

@@ -110,9 +110,10 @@ template <Convex S>
 }
 
 // Appends the corners of the region that two supporting faces share under a given separation. Where the region misses
-// the closest points, it appends these too, unless they are known not to count.
+// the closest points, it appends these too, unless they are known not to count. Returns the least distance of what it
+// appends; infinity where that is nothing.
 template <Convex A, Convex B>
-[[gnu::always_inline]] inline void contacts_between(const A& a, const B& b, const Pose& ab, const Face& face_a,
+[[gnu::always_inline]] inline Real contacts_between(const A& a, const B& b, const Pose& ab, const Face& face_a,
                                                     const Face& face_b, const CoreSeparation& core, Real margin,
                                                     bool closest_count, Manifold& out) {
   const Real radii = a.radius() + b.radius();
@@ -155,17 +156,19 @@ template <Convex A, Convex B>
            a.radius(), b.radius());
   }
   number_apart(std::span(out).subspan(first));
+  return least;
 }
 
 // The same for what faces the normal of a separation.
 template <Convex A, Convex B>
-void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
+Real contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
                     Manifold& out) {
   if (!meet_in_a_point<A, B>(ab)) {
     [[clang::uninitialized]] const Face face_a = supporting_face(a, core.normal, core.features.a);
     [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal, core.features.b);
-    contacts_between(a, b, ab, face_a, face_b, core, margin, closest_count, out);
-  } else if (closest_count) {
+    return contacts_between(a, b, ab, face_a, face_b, core, margin, closest_count, out);
+  }
+  if (closest_count) {
     CoreSeparation closest = core;
     find_points(a, b, ab, closest);
     const Real distance = dot(closest.point_b - closest.point_a, core.normal) - (a.radius() + b.radius());
@@ -174,8 +177,10 @@ void contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation
       const Feature feature_b = supporting_feature(b, ab.rotation.undo(-core.normal));
       out.push_back({closest.point_a + a.radius() * core.normal, closest.point_b - b.radius() * core.normal,
                      core.normal, distance, feature_a, feature_b, contact_id(feature_a, feature_b)});
+      return distance;
     }
   }
+  return infinity;
 }
 
 // The separation that contacts are made from.

@@ -8,47 +8,22 @@ import abut.core.standard;
 import abut.math;
 import abut.math.four_vec3;
 import abut.narrow.manifold.depth_order;
+import abut.narrow.manifold.id_table;
 
 export namespace abut {
 
-// Some ids, each at the first free place of a table from where its bits lead. Less than half of the places are taken.
+// Some ids.
 class Ids {
  public:
-  inline explicit Ids(std::span<const std::uint64_t> ids) : is_empty_(ids.empty()) {
-    if (is_empty_) {
-      return;
-    }
-    int bits = 3;
-    while ((std::size_t{1} << bits) < 2 * ids.size() + 1) {
-      ++bits;
-    }
-    shift_ = 64 - bits;
-    for (std::size_t i = 0; i < std::size_t{1} << bits; ++i) {
-      places_.push_back({0, false});
-    }
+  inline explicit Ids(std::span<const std::uint64_t> ids) : table_(ids.size()) {
     for (const std::uint64_t id : ids) {
-      places_[place_of(id)] = {id, true};
+      table_.find_or_add(id, true);
     }
   }
-  [[nodiscard]] inline bool hold(std::uint64_t id) const { return !is_empty_ && places_[place_of(id)].is_taken; }
+  [[nodiscard]] inline bool hold(std::uint64_t id) const { return table_.has(id); }
 
  private:
-  struct Place {
-    std::uint64_t id;
-    bool is_taken;
-  };
-  // Where an id is, or may be put.
-  [[nodiscard]] inline std::size_t place_of(std::uint64_t id) const {
-    std::size_t place = (id * 0x9e3779b97f4a7c15) >> shift_;
-    while (places_[place].is_taken && places_[place].id != id) {
-      place = (place + 1) % places_.size();
-    }
-    return place;
-  }
-
-  SmallVector<Place, 256> places_;
-  int shift_ = 0;
-  bool is_empty_;
+  IdTable<bool> table_;
 };
 
 // Whether a feature holds the point. None holds the deepest point of a rim that rests on its face.
@@ -65,12 +40,15 @@ class Ids {
 class ByDepth {
  public:
   inline ByDepth(std::span<const ContactPoint> contacts, const Ids& before) : numbers_(depth_order(contacts)) {
-    for (const std::uint32_t number : numbers_.span()) {
+    const std::span<const std::uint32_t> numbers = numbers_.span();
+    for (std::size_t first = 0; first < numbers.size(); first += 4) {
+      const auto normal = [&](std::size_t i) {
+        return lanes_of(contacts[numbers[std::min(first + i, numbers.size() - 1)]].normal);
+      };
+      normals_.push_back(Columns::of(normal(0), normal(1), normal(2), normal(3)));
+    }
+    for (const std::uint32_t number : numbers) {
       const ContactPoint& contact = contacts[number];
-      if (rows_.size() % 4 == 0) {
-        normals_.push_back(Columns::all(contact.normal));
-      }
-      normals_[rows_.size() / 4].put(rows_.size() % 4, contact.normal);
       rows_.push_back(
           {0.5 * (contact.point_a + contact.point_b), contact.distance, before.hold(contact.id), is_held(contact)});
     }

@@ -18,27 +18,19 @@ using Numbers = SmallVector<std::uint32_t, few_contacts>;
   return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
 }
 
-// A number with two keys, of which the first counts more.
-struct Keyed {
-  std::uint64_t first, second;
-  std::uint32_t number;
-};
-using KeyedNumbers = SmallVector<Keyed, few_contacts>;
-
-// By keys; where these agree, by numbers.
-inline void sort_keyed(std::span<Keyed> keyed) {
-  std::ranges::sort(keyed, [](const Keyed& a, const Keyed& b) {
-    return a.first != b.first ? a.first < b.first : a.second != b.second ? a.second < b.second : a.number < b.number;
-  });
-}
-
 // Of any contacts.
 inline void sort_any(std::span<const ContactPoint> contacts, std::span<std::uint32_t> numbers) {
-  [[clang::uninitialized]] KeyedNumbers keyed;
+  struct Keyed {
+    std::uint64_t distance, id;
+    std::uint32_t number;
+  };
+  [[clang::uninitialized]] SmallVector<Keyed, few_contacts> keyed;
   for (std::uint32_t number = 0; number < contacts.size(); ++number) {
     keyed.push_back({bits_in_order(contacts[number].distance), contacts[number].id, number});
   }
-  sort_keyed(keyed.span());
+  std::ranges::sort(keyed.span(), [](const Keyed& a, const Keyed& b) {
+    return std::tie(a.distance, a.id, a.number) < std::tie(b.distance, b.id, b.number);
+  });
   for (std::size_t rank = 0; rank < numbers.size(); ++rank) {
     numbers[rank] = keyed[rank].number;
   }

@@ -53,35 +53,40 @@ class Outside {
     }
     for (std::size_t i = 0; i < 8; ++i) {
       const Vec2 &from = points[furthest[i]], way = points[furthest[(i + 1) % 8]] - from;
-      if (way.x != 0 || way.y != 0) {
-        sides_[count_++] = {from, way};
-      }
+      const bool has_length = way.x != 0 || way.y != 0;
+      is_point_ = is_point_ && !has_length;
+      FourSides& four = sides_[i / 4];
+      four.from_x[i % 4] = from.x;
+      four.from_y[i % 4] = from.y;
+      four.way_x[i % 4] = way.x;
+      four.way_y[i % 4] = way.y;
+      four.most[i % 4] = has_length ? 0 : -infinity;
     }
   }
   [[nodiscard]] inline bool has(const Vec2& point) const {
-    for (const Side& side : std::span(sides_).first(count_)) {
-      if (cross(side.way, point - side.from) <= 0) {
-        return true;
-      }
+    LaneNumbers is_beyond = 0;
+    for (const FourSides& four : sides_) {
+      const Lanes x = point.x - four.from_x, y = point.y - four.from_y;
+      is_beyond |= four.way_x * y - four.way_y * x <= four.most;
     }
-    return count_ == 0;
+    return bits_of(is_beyond) != 0 || is_point_;
   }
 
  private:
-  struct Side {
-    Vec2 from, way;
+  // Of the octagon. A point is not within it where it lies no further to the left of a side than `most`: nowhere, of a
+  // side without length.
+  struct FourSides {
+    Lanes from_x, from_y, way_x, way_y, most;
   };
-  std::array<Side, 8> sides_;
-  std::size_t count_ = 0;
+  std::array<FourSides, 2> sides_;
+  bool is_point_ = true;  // whether no side has a length
 };
 
 [[nodiscard]] inline Places places_outside(std::span<const Vec2> points) {
   [[clang::uninitialized]] const Outside outside(points);
   [[clang::uninitialized]] Places places;
   for (std::uint32_t place = 0; place < points.size(); ++place) {
-    if (outside.has(points[place])) {
-      places.push_back(place);
-    }
+    places.push_back_if(place, outside.has(points[place]));
   }
   return places;
 }

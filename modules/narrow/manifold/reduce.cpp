@@ -218,10 +218,10 @@ void visit_patches(const ByDepth& contacts, Real tie, const Take& take) {
       if (groups[group] == 0) {
         continue;
       }
-      std::uint64_t agree = groups[group] & bits_of(dot(normals[group], facing) >= all_lanes(same_patch_cosine));
+      const std::uint64_t agree = groups[group] & bits_of(dot(normals[group], facing) >= all_lanes(same_patch_cosine));
       groups[group] &= ~static_cast<std::uint32_t>(agree);
-      for (; agree != 0; agree &= agree - 1) {
-        patch.push_back(4 * group + static_cast<std::uint32_t>(std::countr_zero(agree)));
+      for (std::uint32_t lane = 0; lane < 4; ++lane) {
+        patch.push_back_if(4 * group + lane, (agree >> lane & 1) != 0);
       }
     }
     take(patch.span());

@@ -6,6 +6,7 @@ import abut.core.standard;
 import abut.math;
 import abut.math.four_vec3;
 import abut.narrow.manifold.depth_order;
+import abut.narrow.manifold.id_table;
 
 export namespace abut {
 
@@ -71,25 +72,19 @@ class Regions {
     const Real per_length = gap_ > 0 ? 2 / gap_ : 0;
     // Counted from 1; 0 for cells without points.
     std::array<std::uint16_t, cells_along * cells_along * cells_along> numbers{};
+    constexpr Vec3 furthest{infinity, infinity, infinity};
+    for (std::size_t cell = 0; cell < std::min(points.size(), numbers.size()); cell += 4) {
+      boxes_.push_back({Columns::all(furthest), Columns::all(-furthest), 0});
+    }
     for (const Vec3& point : points) {
       const Vec3 steps = per_length * (point - box.low);
       const auto x = static_cast<std::size_t>(steps.x), y = static_cast<std::size_t>(steps.y),
                  z = static_cast<std::size_t>(steps.z);
       std::uint16_t& found = numbers[(x * cells_along + y) * cells_along + z];
-      if (found == 0) {
-        found = add_cell();
-      }
+      cells_.push_back_if({none, none}, found == 0);
+      found = found == 0 ? static_cast<std::uint16_t>(cells_.size()) : found;
       add(point, found - 1u);
     }
-  }
-  // Returns how many cells there are.
-  std::uint16_t add_cell() {
-    if (cells_.size() % 4 == 0) {
-      constexpr Vec3 furthest{infinity, infinity, infinity};
-      boxes_.push_back({Columns::all(furthest), Columns::all(-furthest), 0});
-    }
-    cells_.push_back({none, none});
-    return static_cast<std::uint16_t>(cells_.size());
   }
   void add(const Vec3& point, std::uint32_t at) {
     Cell& cell = cells_[at];
@@ -104,7 +99,7 @@ class Regions {
     four.high.put(lane, box.high);
   }
 
-  [[nodiscard]] bool are_near(const Cell& a, const Cell& b) const {
+  [[nodiscard]] bool have_near_points(const Cell& a, const Cell& b) const {
     for (std::uint32_t one = a.first; one != none; one = places_[one].next) {
       for (std::uint32_t other = b.first; other != none; other = places_[other].next) {
         if (squared_norm(places_[one].at - places_[other].at) <= gap_ * gap_) {
@@ -116,47 +111,47 @@ class Regions {
   }
   // From each cell to those near it, until none is free.
   void join_near() {
-    SmallVector<std::uint32_t, few_cells> reached;
     std::size_t free = cells_.size();
-    const auto take = [&](std::uint32_t cell) {
-      cells_[cell].region = static_cast<std::uint32_t>(count_ - 1);
-      boxes_[cell / 4].free &= ~(std::uint64_t{1} << cell % 4);
-      reached.push_back(cell);
-      --free;
-    };
-    for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
+    [[clang::uninitialized]] SmallVector<std::uint32_t, few_cells> reached;
+    for (std::uint32_t cell = 0; free > 0; ++cell) {
       if (cells_[cell].region != none) {
         continue;
       }
-      roots_.push_back(static_cast<std::uint32_t>(count_++));
+      boxes_[cell / 4].free &= ~(std::uint64_t{1} << cell % 4);
       reached.clear();
-      take(cell);
-      while (!reached.empty() && free > 0) {
-        const std::uint32_t from = reached[reached.size() - 1];
-        reached.pop_back();
-        visit_near(from, take);
+      reached.push_back(cell);
+      for (std::size_t next = 0; next < reached.size() && reached.size() < free; ++next) {
+        reach_from(reached[next], reached);
       }
+      const auto region = static_cast<std::uint32_t>(count_++);
+      roots_.push_back(region);
+      for (const std::uint32_t one : reached.span()) {
+        cells_[one].region = region;
+      }
+      free -= reached.size();
     }
   }
-  // Calls take(cell) for the free cells that have a point near one of the given cell.
-  template <class Take>
-  void visit_near(std::uint32_t from, const Take& take) const {
+  // Takes the free cells that have a point near one of the given cell.
+  void reach_from(std::uint32_t from, SmallVector<std::uint32_t, few_cells>& reached) {
     const FourBoxes& its = boxes_[from / 4];
     const Columns low = Columns::all(its.low[from % 4]), high = Columns::all(its.high[from % 4]);
     const Lanes most = all_lanes(gap_ * gap_), zero = all_lanes(0);
-    for (std::uint32_t group = 0; group < boxes_.size(); ++group) {
-      const FourBoxes& four = boxes_[group];
+    for (std::uint32_t first = 0; first < cells_.size(); first += 4) {
+      FourBoxes& four = boxes_[first / 4];
       const Columns above = four.low - high, below = low - four.high;
       const Columns least{maximum(maximum(above.x, below.x), zero), maximum(maximum(above.y, below.y), zero),
                           maximum(maximum(above.z, below.z), zero)};
       const Columns up = four.high - low, down = high - four.low;
       const Columns largest{maximum(up.x, down.x), maximum(up.y, down.y), maximum(up.z, down.z)};
-      const std::uint64_t all_near = bits_of(dot(largest, largest) <= most);
-      for (std::uint64_t left = bits_of(dot(least, least) <= most) & four.free; left != 0; left &= left - 1) {
+      const std::uint64_t may_be_near = bits_of(dot(least, least) <= most) & four.free;
+      std::uint64_t are_near = may_be_near & bits_of(dot(largest, largest) <= most);
+      for (std::uint64_t left = may_be_near & ~are_near; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-        if ((all_near >> lane & 1) != 0 || are_near(cells_[from], cells_[4 * group + lane])) {
-          take(4 * group + lane);
-        }
+        are_near |= std::uint64_t{have_near_points(cells_[from], cells_[first + lane]) ? 1u : 0u} << lane;
+      }
+      four.free &= ~are_near;
+      for (std::uint32_t lane = 0; lane < 4; ++lane) {
+        reached.push_back_if(first + lane, (are_near >> lane & 1) != 0);
       }
     }
   }
@@ -168,19 +163,15 @@ class Regions {
     }
     return region;
   }
+  // Of a part that several points have, each joins its region to that of the one before.
   template <class PartOf>
   void join_parts(const PartOf& part_of) {
-    [[clang::uninitialized]] KeyedNumbers parts;
+    [[clang::uninitialized]] IdTable<std::uint32_t> regions(places_.size());
     for (std::uint32_t number = 0; number < places_.size(); ++number) {
-      parts.push_back({part_of(number), 0, region_of(number)});
-    }
-    sort_keyed(parts.span());
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-      const std::uint32_t one = root_of(parts[i - 1].number), other = root_of(parts[i].number);
-      if (parts[i].first == parts[i - 1].first && one != other) {
-        roots_[std::max(one, other)] = std::min(one, other);
-        --count_;
-      }
+      const std::uint32_t region = region_of(number);
+      const std::uint32_t one = root_of(region), other = root_of(regions.find_or_add(part_of(number), region));
+      roots_[std::max(one, other)] = std::min(one, other);
+      count_ -= one != other ? 1 : 0;
     }
   }
 

@@ -183,17 +183,12 @@ class PartsMet {
   // faces. Most that come again are known: a face has its ways out of every part, and flat surfaces have few.
   void add_way(const Vec3& way) {
     std::size_t& known = known_[place_of(way)];
-    if (known < way_count_ && ways_[known / 4][known % 4] == way) {
-      return;
-    }
-    known = way_count_;
-    const std::size_t lane = way_count_ % 4;
-    if (lane == 0) {
-      ways_.push_back(Columns::all(way));  // the last one stands in for those that lack
-    } else {
-      ways_[way_count_ / 4].put(lane, way);
-    }
-    ++way_count_;
+    const auto is_same = [&](const Vec3& other) {
+      return ((way.x == other.x) & (way.y == other.y) & (way.z == other.z)) != 0;  // no branch is guessed
+    };
+    const bool is_new = !(known < ways_.size() && is_same(ways_[known]));
+    known = is_new ? ways_.size() : known;
+    ways_.push_back_if(way, is_new);
   }
 
   [[nodiscard]] Lanes overlaps_along(std::size_t part, const Columns& directions, Lanes lowest) const {
@@ -230,8 +225,11 @@ class PartsMet {
     if (const auto between = UnitVec3::make(normals)) {
       consider(Columns::all(*between), 1);
     }
-    for (const Columns& ways : ways_.span()) {
-      consider(ways, 15);
+    const std::span<const Vec3> ways = ways_.span();
+    for (std::size_t first = 0; first < ways.size(); first += 4) {
+      // The last one stands in for those that lack.
+      const auto way = [&](std::size_t i) { return lanes_of(ways[std::min(first + i, ways.size() - 1)]); };
+      consider(Columns::of(way(0), way(1), way(2), way(3)), 15);
     }
     return best;
   }
@@ -298,12 +296,11 @@ class PartsMet {
     return depth;
   }
 
-  SmallVector<FourParts<B>, 16> fours_;
-  SmallVector<std::size_t, 64> offering_;
+  SmallVector<FourParts<B>, 24> fours_;
+  SmallVector<std::size_t, 96> offering_;
   std::size_t size_ = 0;
   Real noise_ = 0, deepest_ = 0;
-  SmallVector<Columns, 48> ways_;
-  std::size_t way_count_ = 0;
+  SmallVector<Vec3, 192> ways_;
   std::array<std::size_t, known_ways> known_{};  // numbers of ways, each where its bits lead
 };
 

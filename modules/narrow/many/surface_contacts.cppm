@@ -66,13 +66,13 @@ class SurfaceContacts {
     const std::size_t first = out_.size(),
                       part = ways_.add(triangle, b, fronts, core.normal, core.distance - radii, touching);
     if (!turns_a && !turns_b) {
-      append(triangle, b, part_of_b, completed(triangle, b, ab_, found), true);
+      const Real depth = append(triangle, b, part_of_b, completed(triangle, b, ab_, found), true);
       turns_a = !leads_out_of_a(triangle, first, touching);
       if constexpr (Surface<Other>) {
         turns_b = !leads_out_of_b(b, first, touching);
       }
       if (!turns_a && !turns_b) {
-        claim(first, false);
+        claim(first, depth, false);
         return;
       }
       out_.resize(first);
@@ -80,16 +80,17 @@ class SurfaceContacts {
     if (is_allowed) {
       leave(triangle, part_of_b, found, touching);
     }
+    Real depth = -infinity;
     if (const auto turned = turn(triangle, b, core, fronts, turns_a, turns_b)) {
       // The closest points may lie beside the face: the foot of the lowest point of the other side.
-      append(triangle, b, part_of_b, turned->separation, is_over_face(triangle, b, *turned));
+      depth = append(triangle, b, part_of_b, turned->separation, is_over_face(triangle, b, *turned));
       // What passes the plane of the triangle beside it and reaches under it is no overlap.
       if (is_allowed && (is_touch || (!core.overlap && core.distance > touching))) {
         erase_deeper(first, radii + (is_touch ? 2 * touching : 4 * core.rounding) - core.distance);
+        depth = depth_from(first);
       }
-      claim(first, true);
+      claim(first, depth, true);
     }
-    const Real depth = depth_from(first);
     turned_.push_back({first, out_.size(), part, depth, noise, depth});
   }
 
@@ -249,15 +250,16 @@ class SurfaceContacts {
 
   // Named after the parts: seen from outside, the feature of a surface is its triangle; the number of the contact still
   // tells the corners and edges of the triangle apart. After a turn the closest points may lie beside the triangle,
-  // over a neighbour that has them too.
-  void append(const Triangle& triangle, const B& b, std::uint32_t part_of_b, const CoreSeparation& core,
+  // over a neighbour that has them too. Returns the depth of the deepest of them.
+  Real append(const Triangle& triangle, const B& b, std::uint32_t part_of_b, const CoreSeparation& core,
               bool closest_count) {
     const std::size_t first = out_.size();
-    contacts_under(triangle, b, ab_, core, settings_.margin, closest_count, out_);
-    if (depth_from(first) >= 0) {
+    const Real least = contacts_under(triangle, b, ab_, core, settings_.margin, closest_count, out_);
+    if (least <= 0) {
       ways_.add_way(core.normal);
     }
     name_parts(triangle, part_of_b, first);
+    return -least;
   }
   void name_parts(const Triangle& triangle, std::uint32_t part_of_b, std::size_t first) {
     for (ContactPoint& contact : std::span(out_).subspan(first)) {
@@ -278,8 +280,7 @@ class SurfaceContacts {
     return -least;
   }
 
-  void claim(std::size_t first, bool is_turned) {
-    const Real depth = depth_from(first);
+  void claim(std::size_t first, Real depth, bool is_turned) {
     if (depth > 0) {
       claims_.add(out_[first].normal, depth, is_turned);
       depth_ = is_turned ? depth_ : std::max(depth_, depth);
@@ -426,7 +427,7 @@ class SurfaceContacts {
   Claims claims_;
   Real depth_ = 0;  // of the deepest contact that was not turned: all parts together are no less deep
   PartingWays<A, Other> ways_;
-  SmallVector<Group, 32> turned_;
+  SmallVector<Group, 96> turned_;
   std::optional<Left> left_;
 };
 

@@ -14,26 +14,23 @@ import abut.narrow.many.triangle_segment;
 
 export namespace abut {
 
-// Whether a point of the plane of a triangle lies on the triangle, within rounding.
+// Whether a point of the plane of a triangle lies on the triangle, within rounding. All is asked at once, as no branch
+// can be guessed.
 [[nodiscard]] inline bool is_over(const Triangle& triangle, const Vec3& point) {
-  const auto& corners = triangle.corners();
-  const Vec3 n = cross(corners[1] - corners[0], corners[2] - corners[0]);
-  Real size = largest_magnitude(point);
-  for (const Vec3& corner : corners) {
-    size = std::max(size, largest_magnitude(corner));
-  }
+  const auto& [a, b, c] = triangle.corners();
+  const Columns from = Columns::of(lanes_of(a), lanes_of(b), lanes_of(c), lanes_of(c)),
+                to = Columns::of(lanes_of(b), lanes_of(c), lanes_of(a), lanes_of(a)), at = Columns::all(point);
+  const Real size = std::fmax(largest(largest_magnitude(from)), largest_magnitude(point)), reach = 32 * epsilon * size;
   // Beyond a sharp corner points are outside of its edges by rounding only.
-  if (!triangle.box().inflated(32 * epsilon * size).overlaps({point, point})) {
-    return false;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 edge = corners[(i + 1) % 3] - corners[i];
-    const Real slack = 32 * epsilon * size * std::sqrt(squared_norm(n) * squared_norm(edge));
-    if (dot(n, cross(edge, point - corners[i])) < -slack) {
-      return false;
-    }
-  }
-  return true;
+  const auto is_beside = [&](Lanes corners, Real coordinate) {
+    const Real low = -largest(-corners) - reach, high = largest(corners) + reach;
+    return ((coordinate < low) | (coordinate > high)) != 0;
+  };
+  const Columns edges = to - from, n = Columns::all(cross(b - a, c - a));
+  const Lanes slack = reach * __builtin_elementwise_sqrt(dot(n, n) * dot(edges, edges));
+  const LaneNumbers is_outside = dot(n, cross(edges, at - from)) < -slack;
+  const bool x = is_beside(from.x, point.x), y = is_beside(from.y, point.y), z = is_beside(from.z, point.z);
+  return (x | y | z) == 0 && bits_of(is_outside) == 0;
 }
 
 // A point or a segment beside a triangle. False where rounding leaves the closest points in doubt.

@@ -70,13 +70,6 @@ struct Sides {
   return bits ^ block ^ block << 6;
 }
 
-template <class Visit>
-inline void for_each_bit(std::uint64_t bits, Visit&& visit) {
-  for (; bits != 0; bits &= bits - 1) {
-    visit(static_cast<std::size_t>(std::countr_zero(bits)));
-  }
-}
-
 }  // namespace
 
 bool clip_small_polygons(const Face& a, const Face& b, const Projection& projection, ClipPoints& out) {
@@ -86,27 +79,39 @@ bool clip_small_polygons(const Face& a, const Face& b, const Projection& project
   if (!(of_a.is_plane && of_b.is_plane && beside_a.are_clear && beside_b.are_clear)) {
     return false;
   }
-  const auto append = [&](Real u, Real v, const Feature& feature_a, const Feature& feature_b) {
+  const std::span<const FaceVertex> vertices_a = a.vertices.span(), vertices_b = b.vertices.span();
+  const std::uint64_t corners_a = (1u << vertices_a.size()) - 1, corners_b = (1u << vertices_b.size()) - 1;
+  // Four bits for corners of b, four for corners of a, and four for each edge of a: the edges of b that cross it. One
+  // loop takes all, as the processor guesses where a loop ends.
+  std::uint64_t region = (beside_a.inside & corners_b) | (beside_b.inside & corners_a) << 4 |
+                         (beside_a.crossed & transposed(beside_b.crossed)) << 8;
+  for (; region != 0; region &= region - 1) {
+    const auto bit = static_cast<std::size_t>(std::countr_zero(region));
+    const std::size_t group = bit / 4, j = bit % 4, end = (j + 1) % 4;
+    const bool is_of_b = group == 0, is_of_a = group == 1, is_crossing = group > 1;
+    const std::size_t i = is_crossing ? group - 2 : 0;
+    const Polygon& of = is_of_a ? of_a : of_b;
+    const Real from = beside_a.left[i][j], t = is_crossing ? from / (from - beside_a.left[i][end]) : 0;
+    const Real u = of.u[j] + t * (of.u[end] - of.u[j]), v = of.v[j] + t * (of.v[end] - of.v[j]);
+    // The edge that closes a triangle is the last one of four here.
+    const FaceVertex &vertex_a = vertices_a[std::min(is_crossing ? i : j, vertices_a.size() - 1)],
+                     &vertex_b = vertices_b[std::min(j, vertices_b.size() - 1)];
+    const Feature feature_a{is_of_b   ? FeatureKind::face
+                            : is_of_a ? FeatureKind::vertex
+                                      : FeatureKind::edge,
+                            is_of_b   ? a.index
+                            : is_of_a ? vertex_a.vertex
+                                      : vertex_a.edge};
+    const Feature feature_b{is_of_b   ? FeatureKind::vertex
+                            : is_of_a ? FeatureKind::face
+                                      : FeatureKind::edge,
+                            is_of_b   ? vertex_b.vertex
+                            : is_of_a ? b.index
+                                      : vertex_b.edge};
     const Vec3 foot = projection.base + u * projection.tangents.first + v * projection.tangents.second;
     out.push_back({foot + of_a.height_at(u, v) * projection.normal, foot + of_b.height_at(u, v) * projection.normal,
                    feature_a, feature_b});
-  };
-  const std::span<const FaceVertex> vertices_a = a.vertices.span(), vertices_b = b.vertices.span();
-  const std::uint64_t corners_a = (1u << vertices_a.size()) - 1, corners_b = (1u << vertices_b.size()) - 1;
-  for_each_bit(beside_a.inside & corners_b, [&](std::size_t i) {
-    append(of_b.u[i], of_b.v[i], {FeatureKind::face, a.index}, {FeatureKind::vertex, vertices_b[i].vertex});
-  });
-  for_each_bit(beside_b.inside & corners_a, [&](std::size_t i) {
-    append(of_a.u[i], of_a.v[i], {FeatureKind::vertex, vertices_a[i].vertex}, {FeatureKind::face, b.index});
-  });
-  for_each_bit(beside_a.crossed & transposed(beside_b.crossed), [&](std::size_t bit) {
-    const std::size_t i = bit / 4, j = bit % 4, end = (j + 1) % 4;
-    const Real t = beside_a.left[i][j] / (beside_a.left[i][j] - beside_a.left[i][end]);
-    // The edge that closes a triangle is the last one of four here.
-    const std::size_t edge_a = std::min(i, vertices_a.size() - 1), edge_b = std::min(j, vertices_b.size() - 1);
-    append(of_b.u[j] + t * (of_b.u[end] - of_b.u[j]), of_b.v[j] + t * (of_b.v[end] - of_b.v[j]),
-           {FeatureKind::edge, vertices_a[edge_a].edge}, {FeatureKind::edge, vertices_b[edge_b].edge});
-  });
+  }
   return true;
 }
 
