@@ -3,9 +3,11 @@
 // has two sides unless it is told to be one-sided.
 export module abut.capability.part_triangle;
 import abut.capability.concepts;
+import abut.capability.few_corners;
 import abut.capability.records;
 import abut.core.standard;
 import abut.math;
+import abut.math.four_vec3;
 
 export namespace abut {
 
@@ -111,6 +113,11 @@ class Triangle {
     }
     return face;
   }
+  [[nodiscard]] inline FewCorners few_corners(const Vec3& direction) const {
+    const Lanes a = lanes_of(corners_[0]), b = lanes_of(corners_[1]), c = lanes_of(corners_[2]);
+    return dot(normal_, direction) < 0 ? FewCorners{Columns::of(c, b, a, a), -normal_, 0, {2, 1, 0, 0}, {1, 0, 2, 2}}
+                                       : FewCorners{Columns::of(a, b, c, c), normal_, 0, {0, 1, 2, 2}, {0, 1, 2, 2}};
+  }
   [[nodiscard]] inline std::array<Vec3, 1> face_normals() const { return {normal_}; }
   [[nodiscard]] inline std::array<Vec3, 3> edge_directions() const {
     return {corners_[1] - corners_[0], corners_[2] - corners_[1], corners_[0] - corners_[2]};
@@ -159,6 +166,6 @@ class Triangle {
   std::uint32_t index_;
   bool one_sided_;
 };
-static_assert(FewFaced<Triangle> && RayCastable<Triangle>);
+static_assert(FewFaced<Triangle> && FewCornered<Triangle> && RayCastable<Triangle>);
 
 }  // namespace abut

@@ -5,6 +5,43 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
+
+namespace abut {
+
+[[nodiscard]] constexpr std::uint32_t edge_number_of_cube(std::uint32_t axis, std::uint32_t bits) {
+  const std::uint32_t others = axis == 0 ? bits >> 1 : axis == 1 ? (bits & 1u) | ((bits >> 1) & 2u) : bits & 3u;
+  return 4 * axis + others;
+}
+[[nodiscard]] constexpr FewCorners side_of_cube(std::uint32_t axis, bool positive) {
+  const Real sign = positive ? 1 : -1;
+  FewCorners side{
+      {}, {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0}, 2 * axis + (positive ? 1 : 0), {}, {}};
+  const std::uint32_t first = axis == 0 ? 1 : axis == 1 ? 2 : 0;   // the axes of the face, such that
+  const std::uint32_t second = axis == 0 ? 2 : axis == 1 ? 0 : 1;  // first x second = axis
+  const std::uint32_t base = positive ? 1u << axis : 0u;
+  std::array<Real, 4> x{}, y{}, z{};
+  for (std::uint32_t step = 0; step < 4; ++step) {
+    const std::uint32_t turn = positive ? step : 3 - step;
+    const std::uint32_t bits = base | (turn == 1 || turn == 2 ? 1u << first : 0u) | (turn >= 2 ? 1u << second : 0u);
+    const std::uint32_t next = positive ? (turn + 1) % 4 : (turn + 3) % 4;
+    const bool along_first = turn / 2 == next / 2 && (turn + next == 1 || turn + next == 5);
+    side.vertices[step] = bits;
+    side.edges[step] = edge_number_of_cube(along_first ? first : second, bits);
+    x[step] = (bits & 1u) != 0 ? 1 : -1;
+    y[step] = (bits & 2u) != 0 ? 1 : -1;
+    z[step] = (bits & 4u) != 0 ? 1 : -1;
+  }
+  side.at = {{x[0], x[1], x[2], x[3]}, {y[0], y[1], y[2], y[3]}, {z[0], z[1], z[2], z[3]}};
+  return side;
+}
+// Of a cube of half extents 1: -x, +x, -y, +y, -z, +z. An edge is numbered by its direction and the octant bits of the
+// two other axes: 4 * axis + bits.
+inline constexpr std::array<FewCorners, 6> sides_of_cube{side_of_cube(0, false), side_of_cube(0, true),
+                                                         side_of_cube(1, false), side_of_cube(1, true),
+                                                         side_of_cube(2, false), side_of_cube(2, true)};
+
+}  // namespace abut
 
 export namespace abut {
 
@@ -77,8 +114,6 @@ class Box {
     return {pose.position, half_.x * pose.rotation.x, half_.y * pose.rotation.y, half_.z * pose.rotation.z};
   }
 
-  // Faces 0..5 are -x, +x, -y, +y, -z, +z. An edge is numbered by its direction and the octant bits
-  // of the two other axes: 4 * axis + bits.
   [[nodiscard]] Face supporting_face(const Vec3& d) const {
     const int axis = longest_axis(d);
     const bool is_positive = d[axis] >= 0;
@@ -93,6 +128,15 @@ class Box {
                                                : 1] == 0;
     return flat_first || flat_second ? without_area(side_of(axis, is_positive), flat_first, flat_second)
                                      : side_of(axis, is_positive);
+  }
+  [[nodiscard]] inline FewCorners few_corners(const Vec3& d) const {
+    const int axis = longest_axis(d);
+    const bool is_positive = d[axis] >= 0;
+    FewCorners side = sides_of_cube[static_cast<std::size_t>(2 * axis + (is_positive ? 1 : 0))];
+    side.at = {side.at.x * half_.x, side.at.y * half_.y, side.at.z * half_.z};
+    const bool has_area = half_.x > 0 && half_.y > 0 && half_.z > 0;
+    side.normal = has_area ? side.normal : Vec3{0, 0, 0};
+    return side;
   }
   [[nodiscard]] inline Feature supporting_feature(const Vec3& d) const {
     if (half_.x > 0 && half_.y > 0 && half_.z > 0) [[likely]] {
@@ -178,19 +222,12 @@ class Box {
 
   // All four corners of a side, also where they coincide.
   [[nodiscard]] inline Face side_of(int axis, bool positive) const {
+    const FewCorners& side = sides_of_cube[static_cast<std::size_t>(2 * axis + (positive ? 1 : 0))];
     [[clang::uninitialized]] Face face;
-    face.index = static_cast<std::uint32_t>(2 * axis + (positive ? 1 : 0));
-    const Real sign = positive ? 1 : -1;
-    face.normal = {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
-    const std::uint32_t first = axis == 0 ? 1 : axis == 1 ? 2 : 0;   // the axes of the face, such that
-    const std::uint32_t second = axis == 0 ? 2 : axis == 1 ? 0 : 1;  // first x second = axis
-    const std::uint32_t base = positive ? 1u << axis : 0u;
-    for (std::uint32_t step = 0; step < 4; ++step) {
-      const std::uint32_t turn = positive ? step : 3 - step;
-      const std::uint32_t bits = base | (turn == 1 || turn == 2 ? 1u << first : 0u) | (turn >= 2 ? 1u << second : 0u);
-      const std::uint32_t next = positive ? (turn + 1) % 4 : (turn + 3) % 4;
-      const bool along_first = turn / 2 == next / 2 && (turn + next == 1 || turn + next == 5);
-      face.vertices.push_back({vertex(bits), bits, edge_number(along_first ? first : second, bits)});
+    face.index = side.index;
+    face.normal = side.normal;
+    for (std::size_t step = 0; step < 4; ++step) {
+      face.vertices.push_back({vertex(side.vertices[step]), side.vertices[step], side.edges[step]});
     }
     return face;
   }
@@ -213,13 +250,10 @@ class Box {
   [[nodiscard]] inline Vec3 vertex(std::uint32_t bits) const {
     return {bits & 1u ? half_.x : -half_.x, bits & 2u ? half_.y : -half_.y, bits & 4u ? half_.z : -half_.z};
   }
-  [[nodiscard]] static inline std::uint32_t edge_number(std::uint32_t axis, std::uint32_t bits) {
-    const std::uint32_t others = axis == 0 ? bits >> 1 : axis == 1 ? (bits & 1u) | ((bits >> 1) & 2u) : bits & 3u;
-    return 4 * axis + others;
-  }
 
   Vec3 half_;
 };
-static_assert(Shape<Box> && Placeable<Box> && BoxCored<Box> && Field<Box> && FewFaced<Box> && Triangulated<Box>);
+static_assert(Shape<Box> && FewCornered<Box> && Placeable<Box> && BoxCored<Box> && Field<Box> && FewFaced<Box> &&
+              Triangulated<Box>);
 
 }  // namespace abut

@@ -12,6 +12,7 @@ import abut.narrow.convex.settle;
 import abut.narrow.points.common_region;
 import abut.narrow.points.lane_contact;
 import abut.narrow.points.round_lift;
+import abut.narrow.points.small_polygons;
 import abut.narrow.libccd;
 export import abut.narrow.convex.separation;
 import abut.capability;
@@ -109,6 +110,14 @@ template <Convex S>
   return feature_of(face);
 }
 
+// How much less deep than a separation its deepest contact may be. What a search on curved cores found is as deep as
+// theirs within its bound only.
+template <Convex A, Convex B>
+[[nodiscard]] inline Real blur_of_contacts(const A& a, const B& b, const Pose& ab) {
+  const Real size = core_size(a, b, ab), tie = tie_share * (a.extent() < b.extent() ? a.extent() : b.extent());
+  return Curved<A> || Curved<B> ? curve_blur(size) : noise_of(size) + tie;
+}
+
 // Appends the corners of the region that two supporting faces share under a given separation. Where the region misses
 // the closest points, it appends these too, unless they are known not to count. Returns the least distance of what it
 // appends; infinity where that is nothing.
@@ -139,10 +148,8 @@ template <Convex A, Convex B>
     }
   }
   // Where the region misses the closest points, as between edges that cross, they are the contact.
-  // What a search on curved cores found is as deep as theirs within its bound only.
-  const Real size = core_size(a, b, ab), tie = tie_share * (a.extent() < b.extent() ? a.extent() : b.extent());
-  const Real blur = Curved<A> || Curved<B> ? curve_blur(size) : noise_of(size) + tie;
-  if (closest_count && (out.size() == first || least > core.distance - radii + blur)) {
+  const Real size = core_size(a, b, ab);
+  if (closest_count && (out.size() == first || least > core.distance - radii + blur_of_contacts(a, b, ab))) {
     CoreSeparation closest = core;
     if constexpr (Curved<A> || Curved<B>) {
       if (closest.points_open && !find_round_witness(a, b, ab, closest)) {
@@ -163,6 +170,16 @@ template <Convex A, Convex B>
 template <Convex A, Convex B>
 Real contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
                     Manifold& out) {
+  if constexpr (FewCornered<A> && FewCornered<B>) {
+    const ContactsWanted wanted{core.normal,  core.distance - (a.radius() + b.radius()),
+                                a.radius(),   b.radius(),
+                                margin,       blur_of_contacts(a, b, ab),
+                                closest_count};
+    const FewCorners corners_a = a.few_corners(core.normal), corners_b = placed_few_corners(b, ab, -core.normal);
+    if (const auto least = append_contacts_of(corners_a, corners_b, wanted, out)) {
+      return *least;
+    }
+  }
   if (!meet_in_a_point<A, B>(ab)) {
     [[clang::uninitialized]] const Face face_a = supporting_face(a, core.normal, core.features.a);
     [[clang::uninitialized]] const Face face_b = placed_face(b, ab, -core.normal, core.features.b);

@@ -34,12 +34,12 @@ template <Convex S>
 }
 
 // Where a point of a came out of being projected on b and back, and how far that is from it.
-struct Projection {
+struct ProjectionStep {
   Vec3 point, move;
 };
 // Where the moves end, told from the last three, the latest first: what combination of them moves least (Anderson,
 // "Iterative procedures for nonlinear integral equations", 1965).
-[[nodiscard]] inline Vec3 end_of_moves(const std::array<Projection, 3>& last, std::uint32_t count) {
+[[nodiscard]] inline Vec3 end_of_moves(const std::array<ProjectionStep, 3>& last, std::uint32_t count) {
   const auto& [one, two, three] = last;
   const Vec3 later = one.move - two.move, earlier = two.move - three.move;
   const Real square = squared_norm(later);
@@ -73,7 +73,7 @@ template <Convex A, Convex B>
   core.rounding = rounding_of(size);
   core.algorithm = Algorithm::gjk_epa;  // a search, proven by support points
 
-  std::array<Projection, 3> last{};
+  std::array<ProjectionStep, 3> last{};
   Vec3 start = nearest_in(a, placed_centre(b, ab));
   for (core.iterations = 1; core.iterations <= field_rounds; ++core.iterations) {
     core.point_b = ab * nearest_in(b, ab.undo(start));
@@ -97,7 +97,7 @@ template <Convex A, Convex B>
         return std::nullopt;
       }
     }
-    last = {Projection{core.point_a, move}, last[0], last[1]};
+    last = {ProjectionStep{core.point_a, move}, last[0], last[1]};
     start = nearest_in(a, end_of_moves(last, core.iterations));
   }
   return std::nullopt;

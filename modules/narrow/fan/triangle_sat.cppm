@@ -15,68 +15,117 @@ export namespace abut {
 template <class S>
 inline constexpr bool is_box = BoxCored<S> && !PointCored<S> && !SegmentCored<S>;
 
-// From where to where a core reaches along the axis of each lane.
-struct Reaches {
-  Lanes low, high;
+// How far another core lies beyond a triangle along the axis of each lane, and along its opposite.
+struct Gaps {
+  Lanes ahead, behind;
 };
-[[nodiscard]] [[gnu::always_inline]] inline Reaches reaches_of(const TriangleCorners& corners, const Columns& axes) {
-  const Lanes a = dot(axes, Columns::all(corners[0])), b = dot(axes, Columns::all(corners[1])),
-              c = dot(axes, Columns::all(corners[2]));
-  return {minimum(minimum(a, b), c), maximum(maximum(a, b), c)};
-}
+// The same along axes across an edge of the triangle and each edge of the other core, times the lengths of the axes,
+// and the squares of these. `whole`: of axes across edges of these lengths at a right angle.
+struct EdgeGaps {
+  Gaps gaps;
+  Lanes square, whole;
+};
 
-// A core in the frame of a triangle that it meets: its edges, and the normals of its faces after that of the triangle,
-// one per lane. Lanes without any are zero.
+// A core in the frame of a triangle that it meets. Its faces come after that of the triangle, one per lane; lanes
+// without any are zero.
 template <class B>
 class PlacedBeside;
 
+// All is told in the frame of the box. Across an edge e and an axis of the box, a point p lies at a coordinate of p x
+// e.
 template <class B>
   requires is_box<B>
 class PlacedBeside<B> {
  public:
-  [[gnu::always_inline]] inline PlacedBeside(const B& b, const Pose& ab) : half_(b.half()), pose_(ab) {}
+  [[gnu::always_inline]] inline PlacedBeside(const Triangle& triangle, const B& b, const Pose& ab)
+      : rotation_(ab.rotation), normal_(triangle.normal()), half_(lanes_of(b.half())) {
+    const LaneMatrix back = LaneMatrix::rows_of(rotation_);
+    const auto edges = triangle.edge_directions();
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners_[i] = back * (triangle.corners()[i] - ab.position);
+      edges_[i] = back * edges[i];
+    }
+  }
 
-  [[nodiscard]] [[gnu::always_inline]] inline Columns edges() const {
-    const LaneMatrix rows = LaneMatrix::rows_of(pose_.rotation);
-    return {rows.x, rows.y, rows.z};
+  [[nodiscard]] [[gnu::always_inline]] inline Columns faces() const {
+    const Rotation& r = rotation_;
+    return Columns::of(lanes_of(normal_), lanes_of(r.x), lanes_of(r.y), lanes_of(r.z));
   }
-  [[nodiscard]] [[gnu::always_inline]] inline Columns faces_after(const Vec3& first) const {
-    const Rotation& r = pose_.rotation;
-    return Columns::of(lanes_of(first), lanes_of(r.x), lanes_of(r.y), lanes_of(r.z));
+  [[nodiscard]] [[gnu::always_inline]] inline Gaps beyond_faces() const {
+    const auto& [a, b, c] = corners_;
+    const Lanes low = minimum(minimum(a, b), c), high = maximum(maximum(a, b), c);
+    const Lanes n = LaneMatrix::rows_of(rotation_) * normal_;
+    const Real of_a = dot(n, a), of_b = dot(n, b), of_c = dot(n, c), half = dot(absolute(n), half_);
+    const Real lowest = std::fmin(std::fmin(of_a, of_b), of_c), highest = std::fmax(std::fmax(of_a, of_b), of_c);
+    return {after(-highest - half, -high - half_), after(lowest - half, low - half_)};
   }
-  [[nodiscard]] [[gnu::always_inline]] inline Reaches along(const Columns& axes) const {
-    const auto half_along = [&](const Vec3& axis, Real half) {
-      return absolute(dot(axes, Columns::all(axis))) * all_lanes(half);
-    };
-    const Rotation& r = pose_.rotation;
-    const Lanes centre = dot(axes, Columns::all(pose_.position)),
-                half = half_along(r.x, half_.x) + half_along(r.y, half_.y) + half_along(r.z, half_.z);
-    return {centre - half, centre + half};
+  [[nodiscard]] [[gnu::always_inline]] inline Vec3 edge(std::size_t lane) const {
+    return lane == 0 ? rotation_.x : lane == 1 ? rotation_.y : rotation_.z;
+  }
+  [[nodiscard]] [[gnu::always_inline]] inline EdgeGaps beyond_edges(std::size_t edge) const {
+    const Lanes e = edges_[edge], wide = absolute(e), squares = e * e;
+    const Lanes of_edge = cross(corners_[edge], e), of_corner = cross(corners_[(edge + 2) % 3], e);
+    const Lanes half = half_.yzxw * wide.zxyw + half_.zxyw * wide.yzxw;
+    return {{-half - maximum(of_edge, of_corner), minimum(of_edge, of_corner) - half},
+            squares.yzxw + squares.zxyw,
+            all_lanes(sum(squares))};
   }
 
  private:
-  Vec3 half_;
-  Pose pose_;
+  [[nodiscard]] [[gnu::always_inline]] static inline Lanes cross(Lanes a, Lanes b) {
+    return a.yzxw * b.zxyw - a.zxyw * b.yzxw;
+  }
+  [[nodiscard]] [[gnu::always_inline]] static inline Lanes after(Real first, Lanes others) {
+    return __builtin_shufflevector(all_lanes(first), others, 0, 4, 5, 6);
+  }
+
+  Rotation rotation_;
+  Vec3 normal_;  // of the triangle
+  Lanes half_;
+  std::array<Lanes, 3> corners_, edges_;  // of the triangle
 };
 
 template <>
 class PlacedBeside<Triangle> {
  public:
-  [[gnu::always_inline]] inline PlacedBeside(const Triangle& b, const Pose& ab)
-      : corners_{ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]}, normal_(ab.rotation * b.normal()) {}
+  [[gnu::always_inline]] inline PlacedBeside(const Triangle& triangle, const Triangle& b, const Pose& ab)
+      : triangle_(triangle),
+        edges_(triangle.edge_directions()),
+        corners_{ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]},
+        normal_(ab.rotation * b.normal()) {}
 
-  [[nodiscard]] [[gnu::always_inline]] inline Columns edges() const {
-    const auto& [a, b, c] = corners_;
-    return Columns::of(lanes_of(b - a), lanes_of(c - b), lanes_of(a - c), all_lanes(0));
-  }
-  [[nodiscard]] [[gnu::always_inline]] inline Columns faces_after(const Vec3& first) const {
+  [[nodiscard]] [[gnu::always_inline]] inline Columns faces() const {
+    const Vec3& first = triangle_.normal();
     return {{first.x, normal_.x, 0, 0}, {first.y, normal_.y, 0, 0}, {first.z, normal_.z, 0, 0}};
   }
-  [[nodiscard]] [[gnu::always_inline]] inline Reaches along(const Columns& axes) const {
-    return reaches_of(corners_, axes);
+  [[nodiscard]] [[gnu::always_inline]] inline Gaps beyond_faces() const { return beyond(faces()); }
+  [[nodiscard]] [[gnu::always_inline]] inline Vec3 edge(std::size_t lane) const {
+    return corners_[(lane + 1) % 3] - corners_[lane];
+  }
+  [[nodiscard]] [[gnu::always_inline]] inline EdgeGaps beyond_edges(std::size_t edge) const {
+    const auto& [a, b, c] = corners_;
+    const Columns edges = Columns::of(lanes_of(b - a), lanes_of(c - b), lanes_of(a - c), all_lanes(0));
+    const Columns axes = cross(Columns::all(edges_[edge]), edges);
+    return {beyond(axes), dot(axes, axes), squared_norm(edges_[edge]) * dot(edges, edges)};
   }
 
  private:
+  struct Reaches {
+    Lanes low, high;
+  };
+  [[nodiscard]] [[gnu::always_inline]] static inline Reaches reaches_of(const TriangleCorners& corners,
+                                                                        const Columns& axes) {
+    const Lanes a = dot(axes, Columns::all(corners[0])), b = dot(axes, Columns::all(corners[1])),
+                c = dot(axes, Columns::all(corners[2]));
+    return {minimum(minimum(a, b), c), maximum(maximum(a, b), c)};
+  }
+  [[nodiscard]] [[gnu::always_inline]] inline Gaps beyond(const Columns& axes) const {
+    const Reaches of_a = reaches_of(triangle_.corners(), axes), of_b = reaches_of(corners_, axes);
+    return {of_b.low - of_a.high, of_a.low - of_b.high};
+  }
+
+  const Triangle& triangle_;
+  std::array<Vec3, 3> edges_;  // of the first triangle
   TriangleCorners corners_;
   Vec3 normal_;
 };
@@ -87,10 +136,9 @@ inline constexpr bool has_triangle_sat = std::same_as<A, Triangle> && (is_box<B>
 
 // The axes of the faces of both, into `best`. Of equals the first one counts.
 template <class B>
-[[gnu::always_inline]] inline void take_faces(const Triangle& triangle, const PlacedBeside<B>& b, SatResult& best) {
-  const Columns faces = b.faces_after(triangle.normal());
-  const Reaches of_a = reaches_of(triangle.corners(), faces), of_b = b.along(faces);
-  const Lanes ahead = of_b.low - of_a.high, behind = of_a.low - of_b.high;
+[[gnu::always_inline]] inline void take_faces(const PlacedBeside<B>& b, SatResult& best) {
+  const Columns faces = b.faces();
+  const auto [ahead, behind] = b.beyond_faces();
   const LaneNumbers are_there = dot(faces, faces) > all_lanes(0);
   LeastDepths least;
   least.consider(are_there ? -maximum(ahead, behind) : all_lanes(infinity), 0);
@@ -112,21 +160,15 @@ template <class B>
 [[nodiscard]] [[gnu::always_inline]] inline bool take_edges(const Triangle& triangle, const PlacedBeside<B>& b,
                                                             Real noise, SatResult& best) {
   constexpr Real least_square = 1e-280;
-  const Columns edges_b = b.edges();
-  const Lanes squares_b = dot(edges_b, edges_b);
-  const auto edges_a = triangle.edge_directions();
   LeastDepths least;
   std::array<LaneNumbers, 3> are_opposite{};
   LaneNumbers are_clear = all_lanes(0) == all_lanes(0);
-  for (std::size_t i = 0; i < edges_a.size(); ++i) {
-    const Columns axes = cross(Columns::all(edges_a[i]), edges_b);
-    const Lanes square = dot(axes, axes), whole = squared_norm(edges_a[i]) * squares_b;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [gaps, square, whole] = b.beyond_edges(i);
     const LaneNumbers are_across = (square > slender_square * whole) & (square > all_lanes(least_square));
     are_clear &= are_across | (square <= parallel_square * whole);
-    const Reaches of_a = reaches_of(triangle.corners(), axes), of_b = b.along(axes);
-    const Lanes ahead = of_b.low - of_a.high, behind = of_a.low - of_b.high,
-                depth = -maximum(ahead, behind) / __builtin_elementwise_sqrt(square);
-    are_opposite[i] = behind > ahead;
+    const Lanes depth = -maximum(gaps.ahead, gaps.behind) / __builtin_elementwise_sqrt(square);
+    are_opposite[i] = gaps.behind > gaps.ahead;
     least.consider(are_across ? depth : all_lanes(infinity), i);
   }
   if (bits_of(are_clear) != 15) {
@@ -136,7 +178,7 @@ template <class B>
   const std::size_t lane = least.lane();
   if (-least.depth[lane] > best.separation + noise) {
     const auto edge = static_cast<std::size_t>(least.which[lane]);
-    const Vec3 &a = edges_a[edge], along_b = edges_b[lane], product = cross(a, along_b);
+    const Vec3 a = triangle.edge_directions()[edge], along_b = b.edge(lane), product = cross(a, along_b);
     const Vec3 n = unit_across_edges(a, along_b, product, squared_norm(product));
     best.separation = -least.depth[lane];
     best.normal = are_opposite[edge][lane] != 0 ? -n : n;
@@ -151,9 +193,9 @@ template <class A, class B>
   requires has_triangle_sat<A, B>
 [[nodiscard]] inline std::optional<SatResult> triangle_sat(const A& a, const B& b, const Pose& ab, Real noise,
                                                            Real enough = infinity) {
-  const PlacedBeside<B> placed(b, ab);
+  const PlacedBeside<B> placed(a, b, ab);
   SatResult best{-infinity, {0, 0, 0}, 0, {}};
-  take_faces(a, placed, best);
+  take_faces(placed, best);
   if (best.separation > enough) {
     return best;
   }

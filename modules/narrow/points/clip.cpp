@@ -12,9 +12,6 @@ import abut.narrow.points.small_polygons;
 namespace abut {
 namespace {
 
-// A face whose normal is further than this from the contact normal is met at an edge or a vertex.
-constexpr Real steepest_cosine = 0.05;
-
 // The box of a projected face. Corners outside of edges by rounding are kept. Near a sharp corner, where edges are
 // nearly parallel, such a corner may lie well beyond it.
 class Extent {
@@ -312,12 +309,9 @@ void clip_segments(const Face& a, const Face& b, const Projection& projection, C
   return reach;
 }
 
-// Within which places of two faces tie: beside rounding of both, by the size of the smaller one.
 [[nodiscard]] Real tie_of(const Face& a, const Face& b) {
   const Vec3 &of_a = a.vertices[0].point, &of_b = b.vertices[0].point;
-  const Real size_a = reach_from(of_a, a), size_b = reach_from(of_b, b);
-  const Real reach = std::max(size_a, largest_magnitude(of_b - of_a) + size_b) + largest_magnitude(of_a);
-  return rounding_of(reach) + tie_share * std::min(size_a, size_b);
+  return tie_of_sizes(reach_from(of_a, a), reach_from(of_b, b), of_a, of_b);
 }
 
 // Faces that both look along the normal, or are edges.
@@ -330,7 +324,8 @@ void clip_facing(const Face& a, const Face& b, const Vec3& normal, Real tie, Cli
     clip_segment(a, b, projection, false, out);
   } else if (edge_b) {
     clip_segment(b, a, projection, true, out);
-  } else if (!(are_small(a, b) && clip_small_polygons(a, b, projection, out))) {
+  } else if (!(has_few_corners(a) && has_few_corners(b) &&
+               clip_small_polygons(few_corners_of(a), few_corners_of(b), projection, out))) {
     clip_polygons(a, b, projection, out);
   }
 }

@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 
 export namespace abut {
 
@@ -20,6 +21,16 @@ struct Projection {
     return {dot(d, tangents.first), dot(d, tangents.second)};
   }
 };
+
+// A face whose normal is further than this from the contact normal is met at an edge or a vertex.
+inline constexpr Real steepest_cosine = 0.05;
+
+// Within which places of two faces tie: beside rounding of both, by the size of the smaller one. Sizes are from a
+// corner of each.
+[[nodiscard]] inline Real tie_of_sizes(Real size_a, Real size_b, const Vec3& corner_a, const Vec3& corner_b) {
+  const Real reach = std::fmax(size_a, largest_magnitude(corner_b - corner_a) + size_b) + largest_magnitude(corner_a);
+  return rounding_of(reach) + tie_share * std::fmin(size_a, size_b);
+}
 
 // Lifts projected points onto a polygon: onto its plane, or, where that misses the corners, onto chords between its
 // edges. The plane of a sliver is rounding along the short way, and that of a merged face is a mean.

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.narrow.points.small_polygons;
 import abut.capability;
+import abut.core;
 import abut.core.standard;
 import abut.math;
 import abut.math.four_vec3;
+import abut.math.tolerance;
 import abut.narrow.points.clip;
+import abut.narrow.points.lane_contact;
 import abut.narrow.points.lift;
 
 namespace abut {
@@ -21,12 +24,9 @@ struct Polygon {
   Real slope_u, slope_v;   // of its plane
   bool is_plane;           // whether all corners are in that plane
 
-  Polygon(const Face& face, const Projection& projection) {
+  Polygon(const FewCorners& face, const Projection& projection) {
     const auto& [base, tangents, normal, tie] = projection;
-    const std::span<const FaceVertex> vertices = face.vertices.span();
-    const auto corner = [&](std::size_t i) { return lanes_of(vertices[i].point); };
-    const Columns from_base =
-        Columns::of(corner(0), corner(1), corner(2), corner(vertices.size() - 1)) - Columns::all(base);
+    const Columns from_base = face.at - Columns::all(base);
     u = dot(from_base, Columns::all(tangents.first));
     v = dot(from_base, Columns::all(tangents.second));
     height = dot(from_base, Columns::all(normal));
@@ -70,49 +70,98 @@ struct Sides {
   return bits ^ block ^ block << 6;
 }
 
-}  // namespace
-
-bool clip_small_polygons(const Face& a, const Face& b, const Projection& projection, ClipPoints& out) {
+// Calls take(foot in the plane across the normal, height over it of a, of b, feature of a, of b) for each corner of the
+// region. False, with nothing taken, where there is doubt.
+template <class Take>
+[[nodiscard]] [[gnu::always_inline]] inline bool visit_region(const FewCorners& a, const FewCorners& b,
+                                                              const Projection& projection, const Take& take) {
   const Polygon of_a(a, projection), of_b(b, projection);
   const Real doubt = 4 * projection.tie;
   const Sides beside_a(of_a, of_b, doubt), beside_b(of_b, of_a, doubt);
   if (!(of_a.is_plane && of_b.is_plane && beside_a.are_clear && beside_b.are_clear)) {
     return false;
   }
-  const std::span<const FaceVertex> vertices_a = a.vertices.span(), vertices_b = b.vertices.span();
-  const std::uint64_t corners_a = (1u << vertices_a.size()) - 1, corners_b = (1u << vertices_b.size()) - 1;
-  // Four bits for corners of b, four for corners of a, and four for each edge of a: the edges of b that cross it. One
-  // loop takes all, as the processor guesses where a loop ends.
-  std::uint64_t region = (beside_a.inside & corners_b) | (beside_b.inside & corners_a) << 4 |
+  // A bit for each corner of b, for each corner of a, and for each edge of a with one of b that crosses it. The last
+  // corner of a triangle stands twice, and counts once. One loop takes all, as the processor guesses where a loop ends.
+  const auto counted = [](const FewCorners& of) { return of.vertices[3] == of.vertices[2] ? 7u : 15u; };
+  std::uint64_t region = (beside_a.inside & counted(b)) | (beside_b.inside & counted(a)) << 4 |
                          (beside_a.crossed & transposed(beside_b.crossed)) << 8;
+  const Lanes first = lanes_of(projection.tangents.first), second = lanes_of(projection.tangents.second),
+              base = lanes_of(projection.base);
   for (; region != 0; region &= region - 1) {
     const auto bit = static_cast<std::size_t>(std::countr_zero(region));
     const std::size_t group = bit / 4, j = bit % 4, end = (j + 1) % 4;
     const bool is_of_b = group == 0, is_of_a = group == 1, is_crossing = group > 1;
-    const std::size_t i = is_crossing ? group - 2 : 0;
+    const std::size_t i = is_crossing ? group - 2 : j;
     const Polygon& of = is_of_a ? of_a : of_b;
     const Real from = beside_a.left[i][j], t = is_crossing ? from / (from - beside_a.left[i][end]) : 0;
     const Real u = of.u[j] + t * (of.u[end] - of.u[j]), v = of.v[j] + t * (of.v[end] - of.v[j]);
-    // The edge that closes a triangle is the last one of four here.
-    const FaceVertex &vertex_a = vertices_a[std::min(is_crossing ? i : j, vertices_a.size() - 1)],
-                     &vertex_b = vertices_b[std::min(j, vertices_b.size() - 1)];
-    const Feature feature_a{is_of_b   ? FeatureKind::face
-                            : is_of_a ? FeatureKind::vertex
-                                      : FeatureKind::edge,
-                            is_of_b   ? a.index
-                            : is_of_a ? vertex_a.vertex
-                                      : vertex_a.edge};
-    const Feature feature_b{is_of_b   ? FeatureKind::vertex
-                            : is_of_a ? FeatureKind::face
-                                      : FeatureKind::edge,
-                            is_of_b   ? vertex_b.vertex
-                            : is_of_a ? b.index
-                                      : vertex_b.edge};
-    const Vec3 foot = projection.base + u * projection.tangents.first + v * projection.tangents.second;
-    out.push_back({foot + of_a.height_at(u, v) * projection.normal, foot + of_b.height_at(u, v) * projection.normal,
-                   feature_a, feature_b});
+    const FeatureKind corner = FeatureKind::vertex, edge = FeatureKind::edge, face = FeatureKind::face;
+    take(
+        base + u * first + v * second, of_a.height_at(u, v), of_b.height_at(u, v),
+        Feature{is_of_b ? face : (is_of_a ? corner : edge), is_of_b ? a.index : (is_of_a ? a.vertices[i] : a.edges[i])},
+        Feature{is_of_b ? corner : (is_of_a ? face : edge),
+                is_of_b ? b.vertices[j] : (is_of_a ? b.index : b.edges[j])});
   }
   return true;
+}
+
+// Within which places of two faces tie: as those of any faces do.
+[[nodiscard]] inline Real tie_of(const FewCorners& a, const FewCorners& b) {
+  const auto reach_from = [](const Vec3& base, const FewCorners& face) {
+    return largest(largest_magnitude(face.at - Columns::all(base)));
+  };
+  const Vec3 of_a = a.at[0], of_b = b.at[0];
+  return tie_of_sizes(reach_from(of_a, a), reach_from(of_b, b), of_a, of_b);
+}
+
+}  // namespace
+
+bool clip_small_polygons(const FewCorners& a, const FewCorners& b, const Projection& projection, ClipPoints& out) {
+  const Lanes normal = lanes_of(projection.normal);
+  return visit_region(
+      a, b, projection, [&](Lanes foot, Real height_a, Real height_b, const Feature& of_a, const Feature& of_b) {
+        out.push_back({vec3_of(foot + height_a * normal), vec3_of(foot + height_b * normal), of_a, of_b});
+      });
+}
+
+std::optional<Real> append_contacts_of(const FewCorners& a, const FewCorners& b, const ContactsWanted& wanted,
+                                       Manifold& out) {
+  const auto& [normal, deepest, radius_a, radius_b, margin, blur, closest_count] = wanted;
+  const auto is_steep = [&](const FewCorners& face) {
+    return !(std::fabs(dot(face.normal, normal)) > steepest_cosine);
+  };
+  if (is_steep(a) || is_steep(b)) {
+    return std::nullopt;
+  }
+  const Real tie = tie_of(a, b);
+  const std::size_t first = out.size();
+  const Lanes along = lanes_of(normal);
+  Real least_of_cores = infinity, least = infinity;
+  const auto take = [&](Lanes foot, Real height_a, Real height_b, const Feature& of_a, const Feature& of_b) {
+    const Lanes point_a = foot + height_a * along, point_b = foot + height_b * along;
+    const Real of_cores = dot(vec3_of(point_b - point_a), normal), distance = of_cores - (radius_a + radius_b);
+    least_of_cores = std::fmin(least_of_cores, of_cores);
+    if (distance <= margin) {
+      least = std::fmin(least, distance);
+      append_contact(
+          {point_a + radius_a * along, point_b - radius_b * along, along, distance, of_a, of_b, contact_id(of_a, of_b)},
+          out);
+    }
+  };
+  if (!visit_region(a, b, {a.at[0], tangents_of(normal), normal, tie}, take)) {
+    return std::nullopt;
+  }
+  const Real rounding = noise_of(std::fmax(largest(largest_magnitude(a.at)), largest(largest_magnitude(b.at))));
+  const Columns normals = Columns::all(normal);
+  const Real closest = -largest(-dot(b.at, normals)) - largest(dot(a.at, normals));
+  // Corners that are too close, and closest points that the region misses, take a longer look.
+  if (least_of_cores < closest - rounding ||
+      (closest_count && (least_of_cores > closest + rounding + tie || least > deepest + blur))) {
+    out.resize(first);
+    return std::nullopt;
+  }
+  return least;
 }
 
 }  // namespace abut

@@ -125,7 +125,7 @@ TEST(SmallPolygons, ShareTheCornersThatAreInBoth) {
     const Sketch a = random_sketch(round % 2 == 0 ? 3 : 4, random), b = random_sketch(round % 3 == 0 ? 3 : 4, random);
     const Face face_a = a.face(true), face_b = b.face(false);
     abut::ClipPoints points;
-    if (!clip_small_polygons(face_a, face_b, projection_of(face_a), points)) {
+    if (!clip_small_polygons(few_corners_of(face_a), few_corners_of(face_b), projection_of(face_a), points)) {
       EXPECT_EQ(points.size(), 0u);
       continue;
     }
@@ -151,7 +151,7 @@ TEST(SmallPolygons, LeaveACornerOnAnEdgeOpen) {
   const Sketch a{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 0, 0, 0}, b{{{0, 0}, {1, 0.5}, {0, 0.7}}, 0, 0, 1};
   const Face face_a = a.face(true), face_b = b.face(false);
   abut::ClipPoints points;
-  EXPECT_FALSE(clip_small_polygons(face_a, face_b, projection_of(face_a), points));
+  EXPECT_FALSE(clip_small_polygons(few_corners_of(face_a), few_corners_of(face_b), projection_of(face_a), points));
   EXPECT_EQ(points.size(), 0u);
 }
 
@@ -161,7 +161,7 @@ TEST(SmallPolygons, LeaveAFaceThatIsNotFlatOpen) {
   const Face face_b = b.face(false);
   face_a.vertices[2].point.z += 1e-6;
   abut::ClipPoints points;
-  EXPECT_FALSE(clip_small_polygons(face_a, face_b, projection_of(face_a), points));
+  EXPECT_FALSE(clip_small_polygons(few_corners_of(face_a), few_corners_of(face_b), projection_of(face_a), points));
 }
 
 }  // namespace
