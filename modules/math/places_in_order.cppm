@@ -29,14 +29,21 @@ template <std::size_t most, class ValueOf, class IsBefore>
   for (std::uint16_t& count : std::span(equal).first(places.size())) {
     count = 0;
   }
-  for (std::uint32_t place = 0; place < places.size(); ++place) {
-    const Lanes value = all_lanes(values[place / 4][place % 4]);
-    LaneNumbers less = 0;
-    for (std::size_t group = 0; group < groups; ++group) {
-      less -= values[group] < value;
+  for (std::uint32_t first = 0; first < places.size(); first += 4) {
+    const Lanes& own = values[first / 4];
+    LaneNumbers less{}, less_than_second{}, less_than_third{}, less_than_fourth{};
+    for (const Lanes& others : std::span(values).first(groups)) {
+      less -= others < own.xxxx;
+      less_than_second -= others < own.yyyy;
+      less_than_third -= others < own.zzzz;
+      less_than_fourth -= others < own.wwww;
     }
-    const auto rank = static_cast<std::size_t>(less[0] + less[1] + less[2] + less[3]);
-    places[rank + equal[rank]++] = place;
+    const std::array<LaneNumbers, 4> of_lanes{less, less_than_second, less_than_third, less_than_fourth};
+    for (std::uint32_t lane = 0; lane < 4 && first + lane < places.size(); ++lane) {
+      const LaneNumbers& counts = of_lanes[lane];
+      const auto rank = static_cast<std::size_t>(counts[0] + counts[1] + counts[2] + counts[3]);
+      places[rank + equal[rank]++] = first + lane;
+    }
   }
   for (std::size_t begin = 0; begin < places.size();) {
     const std::size_t count = equal[begin];

@@ -61,12 +61,15 @@ class PartingWays {
     return met_.overlaps_along(part, directions, lowest);
   }
 
-  // Where b begins along a direction, unless it is made of parts: each knows its own.
-  [[nodiscard]] Real lowest_along(const Vec3& direction) const {
-    if constexpr (Surface<Other>) {
-      return 0;
+  // Where b begins along directions, unless it is made of parts: each knows its own.
+  template <class Directions>
+  [[nodiscard]] auto lowest_along(const Directions& directions) const {
+    if constexpr (!Surface<Other>) {
+      return abut::lowest_along(other_, ab_, directions);
+    } else if constexpr (std::same_as<Directions, Columns>) {
+      return all_lanes(0);
     } else {
-      return abut::lowest_along(other_, ab_, direction);
+      return Real{0};
     }
   }
 
@@ -76,7 +79,7 @@ class PartingWays {
   [[nodiscard]] PartingWay shortest(const Vec3& normals, Real most, const OnTheWay& on_the_way) {
     const auto out_of_met = [&] {
       return met_.way_out(
-          normals, most, [&](const Vec3& direction) { return lowest_along(direction); }, meets_on(on_the_way));
+          normals, most, [&](const Columns& directions) { return lowest_along(directions); }, meets_on(on_the_way));
     };
     offer_own_ways();
     PartingWay way = out_of_met();

@@ -21,10 +21,33 @@ template <Convex B>
   }
 }
 
-// Where a convex b begins along a direction.
+// Where a convex b begins along directions.
+template <Convex B>
+[[nodiscard]] [[gnu::always_inline]] inline Lanes lowest_along(const B& b, const Pose& ab, const Columns& directions) {
+  if constexpr (BoxCored<B>) {
+    const auto reach = [&](const Vec3& axis, Real half) {
+      return half * absolute(dot(directions, Columns::all(axis)));
+    };
+    const auto& [x, y, z] = ab.rotation;
+    const Vec3 half = b.half();
+    return dot(directions, Columns::all(ab.position)) -
+           (reach(x, half.x) + reach(y, half.y) + reach(z, half.z) + b.radius());
+  } else {
+    const auto placed = place(b, ab);
+    const auto lowest = [&](std::size_t lane) {
+      const Vec3 direction = directions[lane];
+      return dot(direction, placed_support(b, placed, -direction).point) - b.radius();
+    };
+    return {lowest(0), lowest(1), lowest(2), lowest(3)};
+  }
+}
 template <Convex B>
 [[nodiscard]] Real lowest_along(const B& b, const Pose& ab, const Vec3& direction) {
-  return dot(direction, placed_support(b, place(b, ab), -direction).point) - b.radius();
+  if constexpr (BoxCored<B>) {
+    return lowest_along(b, ab, Columns::all(direction))[0];
+  } else {
+    return dot(direction, placed_support(b, place(b, ab), -direction).point) - b.radius();
+  }
 }
 
 // Triangles of b in the frame of a, where b is made of such.
@@ -196,7 +219,7 @@ class PartsMet {
   }
 
   // How far b has to move, along the best of the ways and of the mean of `normals`; not more than `most`.
-  // `lowest_along`: where b begins along a direction. meets_on(parts, way) has a bit for each of four parts that b may
+  // `lowest_along`: where b begins along directions. meets_on(parts, way) has a bit for each of four parts that b may
   // meet on a way.
   template <class LowestAlong, class MeetsOn>
   [[nodiscard]] PartingWay way_out(const Vec3& normals, Real most, const LowestAlong& lowest_along,
@@ -204,8 +227,7 @@ class PartsMet {
     PartingWay best{most, {0, 0, 0}};
     LatelyInTheWay obstacles;
     const auto consider = [&](const Columns& directions, std::uint64_t lanes) {
-      const Lanes lowest{lowest_along(directions[0]), lowest_along(directions[1]), lowest_along(directions[2]),
-                         lowest_along(directions[3])};
+      const Lanes lowest = lowest_along(directions);
       Lanes overlaps = all_lanes(0);
       for (const std::size_t part : obstacles.parts()) {
         overlaps = maximum(overlaps, overlaps_along(part, directions, lowest));
@@ -240,7 +262,8 @@ class PartsMet {
   // Among the ways that are known.
   [[nodiscard]] static std::size_t place_of(const Vec3& way) {
     const auto bits = [](Real value) { return std::bit_cast<std::uint64_t>(value); };
-    return scrambled(bits(way.x) + 3 * bits(way.y) + 7 * bits(way.z)) % known_ways;
+    constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;  // Fibonacci hashing (Knuth, volume 3, section 6.4)
+    return ((bits(way.x) + 3 * bits(way.y) + 7 * bits(way.z)) * golden) >> (64 - std::bit_width(known_ways - 1));
   }
   void add_face(const Vec3& normal, bool is_one_sided) {
     if (squared_norm(normal) > 0) {

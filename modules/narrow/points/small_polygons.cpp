@@ -24,7 +24,7 @@ struct Polygon {
   Real slope_u, slope_v;   // of its plane
   bool is_plane;           // whether all corners are in that plane
 
-  Polygon(const FewCorners& face, const Projection& projection) {
+  [[gnu::always_inline]] inline Polygon(const FewCorners& face, const Projection& projection) {
     const auto& [base, tangents, normal, tie] = projection;
     const Columns from_base = face.at - Columns::all(base);
     u = dot(from_base, Columns::all(tangents.first));
@@ -48,17 +48,19 @@ struct Sides {
   std::array<Lanes, 4> left;  // of each line: how far to the left each corner is, times the length of the edge
   std::uint64_t inside = 15;  // the corners that are to the left of all lines
   std::uint64_t crossed = 0;  // four bits for each line: the edges that it crosses, each named by its first corner
-  bool are_clear = true;
+  bool are_clear;
 
-  Sides(const Polygon& lines, const Polygon& corners, Real doubt) {
+  [[gnu::always_inline]] inline Sides(const Polygon& lines, const Polygon& corners, Real doubt) {
     const Lanes least = doubt * (absolute(lines.along_u) + absolute(lines.along_v));
+    LaneNumbers clear = all_lanes(0) == all_lanes(0);
     for (std::size_t i = 0; i < 4; ++i) {
       left[i] = lines.along_u[i] * (corners.v - lines.v[i]) - lines.along_v[i] * (corners.u - lines.u[i]);
       const std::uint64_t right = signs_of(left[i]);
       inside &= ~right;
       crossed |= (right ^ next(right)) << (4 * i);
-      are_clear = are_clear && bits_of(absolute(left[i]) >= all_lanes(least[i])) == 15;
+      clear &= absolute(left[i]) >= all_lanes(least[i]);
     }
+    are_clear = bits_of(clear) == 15;
   }
 };
 
