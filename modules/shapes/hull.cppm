@@ -6,6 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
 import abut.shapes.hull_data;
 
 export namespace abut {
@@ -93,17 +94,17 @@ class Hull {
   }
   // The same where the face or the edge that lies furthest along the direction is known.
   [[nodiscard]] Face supporting_face(const Vec3& direction, const CoreFeature& feature) const {
-    const HullData& hull = *data_;
     [[clang::uninitialized]] Face face;
-    if (feature.kind == CoreFeature::Kind::face) {
-      write_face(hull.facets.faces[feature.index], face);
-    } else {
-      const auto& sides = hull.facets.sides[feature.index];
-      const auto [first, second] = std::minmax(hull.facets.faces[sides.left], hull.facets.faces[sides.right]);
-      const Real lead = dot(hull.faces[second].normal - hull.faces[first].normal, direction);
-      write_face(lead > tie_share * largest_magnitude(direction) ? second : first, face);
-    }
+    write_face(face_of(direction, feature), face);
     return face;
+  }
+  [[nodiscard]] FewCorners few_corners(const Vec3& direction) const {
+    const HullData& hull = *data_;
+    return hull.faces.empty() ? FewCorners{}
+                              : few_corners_of(hull.face_along(hull.support(direction).index, direction));
+  }
+  [[nodiscard]] FewCorners few_corners(const Vec3& direction, const CoreFeature& feature) const {
+    return few_corners_of(face_of(direction, feature));
   }
 
   // Clips the ray by the planes of all faces (Cyrus and Beck 1978).
@@ -158,6 +159,34 @@ class Hull {
   }
 
  private:
+  // The number of the face that has a feature; of an edge, of the face that looks along the direction.
+  [[nodiscard]] std::uint32_t face_of(const Vec3& direction, const CoreFeature& feature) const {
+    const HullData& hull = *data_;
+    if (feature.kind == CoreFeature::Kind::face) {
+      return hull.facets.faces[feature.index];
+    }
+    const auto& sides = hull.facets.sides[feature.index];
+    const auto [first, second] = std::minmax(hull.facets.faces[sides.left], hull.facets.faces[sides.right]);
+    const Real lead = dot(hull.faces[second].normal - hull.faces[first].normal, direction);
+    return lead > tie_share * largest_magnitude(direction) ? second : first;
+  }
+  [[nodiscard]] FewCorners few_corners_of(std::uint32_t index) const {
+    const HullData& hull = *data_;
+    const HullFace& face = hull.faces[index];
+    if (face.count > 4) {
+      return {};
+    }
+    FewCorners found{{}, face.normal, index, {}, {}};
+    std::array<Lanes, 4> at;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const std::uint32_t place = face.first + std::min(i, face.count - 1);
+      found.vertices[i] = hull.face_vertices[place];
+      found.edges[i] = hull.face_edges[place];
+      at[i] = lanes_of(hull.vertices[found.vertices[i]]);
+    }
+    found.at = Columns::of(at[0], at[1], at[2], at[3]);
+    return found;
+  }
   void write_face(std::uint32_t index, Face& out) const {
     const HullData& hull = *data_;
     const HullFace& face = hull.faces[index];
@@ -185,6 +214,6 @@ class Hull {
   explicit Hull(HullData data) : data_(std::move(data)) {}
   Frozen<HullData> data_;
 };
-static_assert(Shape<Hull> && Convex<Hull> && Triangulated<Hull>);
+static_assert(Shape<Hull> && Convex<Hull> && FewCornered<Hull> && Triangulated<Hull>);
 
 }  // namespace abut

@@ -175,7 +175,8 @@ Real contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation
                                 a.radius(),   b.radius(),
                                 margin,       blur_of_contacts(a, b, ab),
                                 closest_count};
-    const FewCorners corners_a = a.few_corners(core.normal), corners_b = placed_few_corners(b, ab, -core.normal);
+    const FewCorners corners_a = few_corners(a, core.normal, core.features.a),
+                     corners_b = placed_few_corners(b, ab, -core.normal, core.features.b);
     if (const auto least = append_contacts_of(corners_a, corners_b, wanted, out)) {
       return *least;
     }

@@ -19,8 +19,8 @@ inline constexpr bool is_box = BoxCored<S> && !PointCored<S> && !SegmentCored<S>
 struct Gaps {
   Lanes ahead, behind;
 };
-// The same along axes across an edge of the triangle and each edge of the other core, times the lengths of the axes,
-// and the squares of these. `whole`: of axes across edges of these lengths at a right angle.
+// The same along axes across an edge of the triangle and each edge of the other core, times the lengths of the axes.
+// `square`: of these lengths. `whole`: of those across edges as long that meet at a right angle.
 struct EdgeGaps {
   Gaps gaps;
   Lanes square, whole;
@@ -89,13 +89,14 @@ template <>
 class PlacedBeside<Triangle> {
  public:
   [[gnu::always_inline]] inline PlacedBeside(const Triangle& triangle, const Triangle& b, const Pose& ab)
-      : triangle_(triangle),
+      : corners_of_a_(triangle.corners()),
+        normal_of_a_(triangle.normal()),
         edges_(triangle.edge_directions()),
         corners_{ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]},
         normal_(ab.rotation * b.normal()) {}
 
   [[nodiscard]] [[gnu::always_inline]] inline Columns faces() const {
-    const Vec3& first = triangle_.normal();
+    const Vec3& first = normal_of_a_;
     return {{first.x, normal_.x, 0, 0}, {first.y, normal_.y, 0, 0}, {first.z, normal_.z, 0, 0}};
   }
   [[nodiscard]] [[gnu::always_inline]] inline Gaps beyond_faces() const { return beyond(faces()); }
@@ -120,12 +121,13 @@ class PlacedBeside<Triangle> {
     return {minimum(minimum(a, b), c), maximum(maximum(a, b), c)};
   }
   [[nodiscard]] [[gnu::always_inline]] inline Gaps beyond(const Columns& axes) const {
-    const Reaches of_a = reaches_of(triangle_.corners(), axes), of_b = reaches_of(corners_, axes);
+    const Reaches of_a = reaches_of(corners_of_a_, axes), of_b = reaches_of(corners_, axes);
     return {of_b.low - of_a.high, of_a.low - of_b.high};
   }
 
-  const Triangle& triangle_;
-  std::array<Vec3, 3> edges_;  // of the first triangle
+  TriangleCorners corners_of_a_;
+  Vec3 normal_of_a_;
+  std::array<Vec3, 3> edges_;  // of a
   TriangleCorners corners_;
   Vec3 normal_;
 };

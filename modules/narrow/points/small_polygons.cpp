@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.narrow.points.small_polygons;
 import abut.capability;
-import abut.core;
 import abut.core.standard;
 import abut.math;
 import abut.math.four_vec3;
@@ -72,8 +71,8 @@ struct Sides {
   return bits ^ block ^ block << 6;
 }
 
-// Calls take(foot in the plane across the normal, height over it of a, of b, feature of a, of b) for each corner of the
-// region. False, with nothing taken, where there is doubt.
+// Calls take(foot, height of a, height of b, feature of a, feature of b) for each corner of the region. Feet lie in the
+// plane across the normal, and heights are over it. False, with nothing taken, where there is doubt.
 template <class Take>
 [[nodiscard]] [[gnu::always_inline]] inline bool visit_region(const FewCorners& a, const FewCorners& b,
                                                               const Projection& projection, const Take& take) {

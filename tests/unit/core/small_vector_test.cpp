@@ -92,6 +92,11 @@ TEST(SmallVector, IsLikeAVectorWhateverIsDone) {
     if (random() % 9 == 0) {
       numbers.clear();
       expected.clear();
+    } else if (const bool counts = random() % 2 == 0; random() % 3 == 0) {
+      numbers.push_back_if(i, counts);
+      if (counts) {
+        expected.push_back(i);
+      }
     } else {
       numbers.push_back(i);
       expected.push_back(i);

@@ -37,6 +37,22 @@ TEST(Lanes, OperationsAreLaneByLane) {
   EXPECT_EQ(abut::dot(a, b), 5 + 12 - 21 - 32);
 }
 
+// Of one comparison, and of two that are combined.
+TEST(Lanes, EachLaneHasABit) {
+  for (unsigned bits = 0; bits < 16; ++bits) {
+    Lanes a{}, b{};
+    for (unsigned lane = 0; lane < 4; ++lane) {
+      a[lane] = (bits >> lane & 1) != 0 ? -1 : 1;
+      b[lane] = lane % 2 == 0 ? -1 : 1;
+    }
+    const Lanes zero = abut::all_lanes(0);
+    EXPECT_EQ(abut::bits_of(a < zero), bits);
+    EXPECT_EQ(abut::bits_of((a < zero) & (b < zero)), bits & 5);
+    EXPECT_EQ(abut::bits_of((a < zero) | (b < zero)), bits | 5);
+    EXPECT_EQ(abut::bits_of(~(a < zero)), ~bits & 15);
+  }
+}
+
 TEST(Lanes, LargestLooksAtEveryLane) {
   EXPECT_EQ(abut::largest(Lanes{4, -1, 2, 3}), 4);
   EXPECT_EQ(abut::largest(Lanes{-1, 4, 2, 3}), 4);

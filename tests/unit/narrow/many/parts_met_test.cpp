@@ -14,6 +14,7 @@
 
 import abut.capability;
 import abut.math;
+import abut.math.four_vec3;
 import abut.narrow.many.parts_met;
 import abut.narrow.many.triangle_contacts;
 import abut.shapes.box;
@@ -42,6 +43,14 @@ Real highest(const std::vector<Vec3>& corners, const Vec3& direction) {
 struct Part {
   std::vector<Vec3> of_a, of_b;
 };
+
+// Answers for four directions what is told for one.
+template <class OfOne>
+auto for_four(const OfOne& of_one) {
+  return [of_one](const abut::Columns& directions) {
+    return abut::Lanes{of_one(directions[0]), of_one(directions[1]), of_one(directions[2]), of_one(directions[3])};
+  };
+}
 
 Real depth_along(const std::vector<Part>& parts, const Vec3& direction) {
   Real depth = 0;
@@ -108,7 +117,7 @@ TEST(PartsMet, ABoxLeavesByTheShortestWayThatWasOffered) {
       ways.insert(ways.end(), {triangle.normal(), -triangle.normal(), way});
     }
     const auto lowest = [&](const Vec3& direction) { return -highest(test::corners_of(half, ab), -direction); };
-    expect_shortest(met, lowest, least_depth(parts, ways), parts);
+    expect_shortest(met, for_four(lowest), least_depth(parts, ways), parts);
   }
 }
 
@@ -139,7 +148,7 @@ TEST(PartsMet, TwoSurfacesLeaveByTheShortestWayThatWasOffered) {
         ways.insert(ways.end(), {a.normal(), -a.normal(), normal_of_b, -normal_of_b, way});
       }
     }
-    expect_shortest(met, [](const Vec3&) { return 0.0; }, least_depth(parts, ways), parts);
+    expect_shortest(met, for_four([](const Vec3&) { return 0.0; }), least_depth(parts, ways), parts);
   }
 }
 
@@ -160,7 +169,7 @@ TEST(PartsMet, WhatOnlyTouchesNeedsNoWay) {
   const auto lowest = [](const Vec3& direction) {
     return (1 + lifted) * direction.z - (std::fabs(direction.x) + std::fabs(direction.y) + std::fabs(direction.z));
   };
-  const abut::PartingWay found = met.way_out({0, 0, 1}, 1, lowest, meets_none);
+  const abut::PartingWay found = met.way_out({0, 0, 1}, 1, for_four(lowest), meets_none);
   EXPECT_EQ(found.depth, 0);
   EXPECT_EQ(found.direction, (Vec3{0, 0, 1}));
 }

@@ -164,4 +164,74 @@ TEST(SmallPolygons, LeaveAFaceThatIsNotFlatOpen) {
   EXPECT_FALSE(clip_small_polygons(few_corners_of(face_a), few_corners_of(face_b), projection_of(face_a), points));
 }
 
+abut::ContactsWanted wanted_of(const Face& a, const Face& b, double margin) {
+  double top = -abut::infinity, bottom = abut::infinity;
+  for (const abut::FaceVertex& vertex : a.vertices.span()) {
+    top = std::max(top, vertex.point.z);
+  }
+  for (const abut::FaceVertex& vertex : b.vertices.span()) {
+    bottom = std::min(bottom, vertex.point.z);
+  }
+  return {up, bottom - top, 0, 0, margin, 1e-12, true};
+}
+
+// Contacts are the corners of the region: at the same places, with the same features, up to a distance.
+TEST(SmallPolygons, HaveContactsAtTheCornersOfTheirRegion) {
+  test::Random random(4);
+  std::size_t found = 0, without_closest = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const Face face_a = random_sketch(round % 2 == 0 ? 3 : 4, random).face(true),
+               face_b = random_sketch(round % 3 == 0 ? 3 : 4, random).face(false);
+    abut::ContactsWanted wanted = wanted_of(face_a, face_b, random.uniform(-1, 1));
+    wanted.closest_count = round % 5 == 0;
+    wanted.radius_a = random.uniform(0, 0.1);
+    wanted.radius_b = random.uniform(0, 0.1);
+    abut::ClipPoints points;
+    clip_faces(face_a, face_b, up, points, wanted.closest_count);
+    abut::Manifold contacts(1);
+    const auto least = append_contacts_of(few_corners_of(face_a), few_corners_of(face_b), wanted, contacts);
+    if (!least) {
+      EXPECT_EQ(contacts.size(), 1u);
+      without_closest += wanted.closest_count ? 1 : 0;
+      continue;
+    }
+    ++found;
+    std::size_t next = 1;
+    double expected_least = abut::infinity;
+    for (const abut::ClipPoint& point : points.span()) {
+      const double distance = point.point_b.z - point.point_a.z - wanted.radius_a - wanted.radius_b;
+      if (distance > wanted.margin) {
+        continue;
+      }
+      expected_least = std::min(expected_least, distance);
+      ASSERT_LT(next, contacts.size());
+      const abut::ContactPoint& contact = contacts[next++];
+      EXPECT_LT(norm(contact.point_a - (point.point_a + wanted.radius_a * up)), rounding);
+      EXPECT_LT(norm(contact.point_b - (point.point_b - wanted.radius_b * up)), rounding);
+      EXPECT_NEAR(contact.distance, distance, rounding);
+      EXPECT_EQ(contact.normal, up);
+      EXPECT_EQ(contact.feature_a, point.feature_a);
+      EXPECT_EQ(contact.feature_b, point.feature_b);
+      EXPECT_EQ(contact.id, contact_id(point.feature_a, point.feature_b));
+    }
+    EXPECT_EQ(next, contacts.size());
+    EXPECT_TRUE(*least == expected_least || std::fabs(*least - expected_least) < rounding);
+  }
+  EXPECT_GT(found, 3000u);
+  EXPECT_GT(without_closest, 100u);
+}
+
+TEST(SmallPolygons, LeaveAFaceThatStandsSteepOpen) {
+  const Sketch a{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 0, 0, 0}, b{{{0, 0}, {0.5, 0}, {0, 0.7}}, 0, 0, 1};
+  const Face face_a = a.face(true), face_b = b.face(false);
+  abut::Manifold contacts;
+  EXPECT_TRUE(append_contacts_of(few_corners_of(face_a), few_corners_of(face_b), wanted_of(face_a, face_b, 2), contacts)
+                  .has_value());
+  EXPECT_EQ(contacts.size(), 3u);
+  abut::FewCorners steep = few_corners_of(face_b);
+  steep.normal = {1, 0, 0};
+  EXPECT_FALSE(append_contacts_of(few_corners_of(face_a), steep, wanted_of(face_a, face_b, 2), contacts).has_value());
+  EXPECT_EQ(contacts.size(), 3u);
+}
+
 }  // namespace
