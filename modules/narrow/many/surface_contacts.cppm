@@ -35,7 +35,12 @@ class SurfaceContacts {
 
   // `part_of_b`: the number of b where it is a part itself.
   void add(const Triangle& triangle, const B& b, std::uint32_t part_of_b) {
-    const Real radii = b.radius(), limit = settings_.margin + radii + edge_slack(b, ab_);
+    const Real size = core_size(triangle, b, ab_), noise = noise_of(size),
+               touching = touching_within<B>(size, settings_);
+    // What only touches offers ways, on whichever side of the margin rounding puts it.
+    const bool may_touch = !Surface<Other> && !PointCored<B> && settings_.margin >= 0;
+    const Real radii = b.radius(), margin = may_touch ? std::max(settings_.margin, touching) : settings_.margin,
+               limit = margin + radii + edge_slack(b, ab_);
     const TriangleSeparation found = begin_separation(triangle, b, ab_, settings_, limit);
     const CoreSeparation& core = found.core;
     if (core.beyond || core.distance > limit) {
@@ -46,8 +51,6 @@ class SurfaceContacts {
     if (!is_allowed && !counts_from_behind(triangle, b, ab_, core)) {
       return;
     }
-    const Real size = core_size(triangle, b, ab_), noise = noise_of(size),
-               touching = touching_within<B>(size, settings_);
     const bool is_touch = only_touches(triangle, b, core, touching);
     if (is_touch && !is_allowed) {
       return;

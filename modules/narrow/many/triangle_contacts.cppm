@@ -101,7 +101,7 @@ template <Convex B>
         return separate_by_axes(triangle, b, ab, size, core);
       }
     };
-    if (limit <= 0 && is_separated()) {
+    if (limit <= noise && is_separated()) {
       core.beyond = core.distance > noise;
       core.overlap = !core.beyond;
       return core.beyond || core.distance < -noise;
