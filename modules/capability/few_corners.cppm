@@ -52,7 +52,7 @@ template <FewCornered S>
   }
   return shape.few_corners(direction);
 }
-// The same of a shape under a pose, with the roundings of the corners one by one.
+// The same of a shape under a pose, with corners that are rounded as each by itself.
 template <FewCornered S>
 [[nodiscard]] [[gnu::always_inline]] inline FewCorners placed_few_corners(const S& shape, const Pose& pose,
                                                                           const Vec3& direction,

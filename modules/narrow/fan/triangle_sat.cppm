@@ -31,8 +31,8 @@ struct EdgeGaps {
 template <class B>
 class PlacedBeside;
 
-// All is told in the frame of the box. Across an edge e and an axis of the box, a point p lies at a coordinate of p x
-// e.
+// All is told in the frame of the box. The heights of a point p across an edge e and the axes are the coordinates of
+// p x e.
 template <class B>
   requires is_box<B>
 class PlacedBeside<B> {
