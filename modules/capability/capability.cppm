@@ -5,7 +5,6 @@ export import abut.capability.checks;
 export import abut.capability.concepts;
 export import abut.capability.core_of;
 export import abut.capability.edits;
-export import abut.capability.few_corners;
 export import abut.capability.four_triangles;
 export import abut.capability.frames;
 export import abut.capability.part_ball;

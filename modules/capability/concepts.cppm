@@ -43,6 +43,12 @@ concept FewFaced = Convex<S> && requires(const S& shape) {
   { S::is_symmetric } -> std::convertible_to<bool>;  // about its centre
 };
 
+// A shape that knows at once whether the face that looks furthest along a direction is such a one.
+template <class S>
+concept FewCornered = Convex<S> && requires(const S& shape, const Vec3& direction) {
+  { shape.few_corners(direction) } -> std::same_as<FewCorners>;
+};
+
 // A core that is a box around the origin along the axes of the shape's own frame: a whole one, a segment
 // along z (core_axes == 1), or a point.
 template <class S>

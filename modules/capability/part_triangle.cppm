@@ -3,7 +3,6 @@
 // has two sides unless it is told to be one-sided.
 export module abut.capability.part_triangle;
 import abut.capability.concepts;
-import abut.capability.few_corners;
 import abut.capability.records;
 import abut.core.standard;
 import abut.math;

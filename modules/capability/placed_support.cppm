@@ -6,6 +6,7 @@ import abut.capability.core_feature;
 import abut.capability.records;
 import abut.core.standard;
 import abut.math;
+import abut.math.four_vec3;
 
 export namespace abut {
 
@@ -55,6 +56,30 @@ template <Convex S>
   for (FaceVertex& vertex : face.vertices.span()) {
     vertex.point = pose * vertex.point;
   }
+  face.normal = pose.rotation * face.normal;
+  return face;
+}
+
+// `feature`: of a core that knows its features, what lies furthest along the direction; else none.
+template <FewCornered S>
+[[nodiscard]] [[gnu::always_inline]] inline FewCorners few_corners(const S& shape, const Vec3& direction,
+                                                                   const CoreFeature& feature) {
+  if constexpr (Faceted<S>) {
+    if (feature.kind != CoreFeature::Kind::none && shape.facets().is_closed) {
+      return shape.few_corners(direction, feature);
+    }
+  }
+  return shape.few_corners(direction);
+}
+// The same of a shape under a pose, with corners that are rounded as each by itself.
+template <FewCornered S>
+[[nodiscard]] [[gnu::always_inline]] inline FewCorners placed_few_corners(const S& shape, const Pose& pose,
+                                                                          const Vec3& direction,
+                                                                          const CoreFeature& feature) {
+  FewCorners face = few_corners(shape, pose.rotation.undo(direction), feature);
+  const auto& [x, y, z] = pose.rotation;
+  face.at = face.at.x * Columns::all(x) + face.at.y * Columns::all(y) + face.at.z * Columns::all(z) +
+            Columns::all(pose.position);
   face.normal = pose.rotation * face.normal;
   return face;
 }

@@ -5,6 +5,7 @@ export module abut.capability.records;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.four_vec3;
 
 export namespace abut {
 
@@ -38,6 +39,31 @@ struct Face {
   Vec3 normal{0, 0, 0};  // outward unit normal of a polygon, zero for an edge or a vertex
   std::uint32_t index = no_index;
 };
+
+// A face of three or four corners in vector registers, a corner per lane. The last corner of a triangle stands twice.
+struct FewCorners {
+  Columns at;
+  Vec3 normal;  // zero where there is no such face, or none with an area
+  std::uint32_t index;
+  std::array<std::uint32_t, 4> vertices, edges;
+};
+
+[[nodiscard]] inline bool has_few_corners(const Face& face) {
+  return face.vertices.size() == 3 || face.vertices.size() == 4;
+}
+// Of a face that has few.
+[[nodiscard]] inline FewCorners few_corners_of(const Face& face) {
+  const std::span<const FaceVertex> vertices = face.vertices.span();
+  const FaceVertex &first = vertices[0], &second = vertices[1], &third = vertices[2],
+                   &fourth = vertices[vertices.size() - 1];
+  return {
+      Columns::of(lanes_of(first.point), lanes_of(second.point), lanes_of(third.point), lanes_of(fourth.point)),
+      face.normal,
+      face.index,
+      {first.vertex, second.vertex, third.vertex, fourth.vertex},
+      {first.edge, second.edge, third.edge, fourth.edge},
+  };
+}
 
 struct RayHit {
   Real distance;

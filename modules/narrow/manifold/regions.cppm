@@ -5,8 +5,8 @@ import abut.core.small_vector;
 import abut.core.standard;
 import abut.math;
 import abut.math.four_vec3;
+import abut.narrow.manifold.by_depth;
 import abut.narrow.manifold.depth_order;
-import abut.narrow.manifold.id_table;
 
 export namespace abut {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <random>
 
-import abut.narrow.manifold.id_table;
+import abut.narrow.manifold.by_depth;
 
 namespace {
 
