@@ -52,7 +52,7 @@ struct FewCorners {
   return face.vertices.size() == 3 || face.vertices.size() == 4;
 }
 // Of a face that has few.
-[[nodiscard]] inline FewCorners few_corners_of(const Face& face) {
+[[nodiscard]] [[gnu::noinline]] inline FewCorners few_corners_of(const Face& face) {
   const std::span<const FaceVertex> vertices = face.vertices.span();
   const FaceVertex &first = vertices[0], &second = vertices[1], &third = vertices[2],
                    &fourth = vertices[vertices.size() - 1];

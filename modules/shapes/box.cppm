@@ -13,14 +13,16 @@ namespace abut {
   const std::uint32_t others = axis == 0 ? bits >> 1 : axis == 1 ? (bits & 1u) | ((bits >> 1) & 2u) : bits & 3u;
   return 4 * axis + others;
 }
-[[nodiscard]] constexpr FewCorners side_of_cube(std::uint32_t axis, bool positive) {
-  const Real sign = positive ? 1 : -1;
-  FewCorners side{
-      {}, {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0}, 2 * axis + (positive ? 1 : 0), {}, {}};
+// A side of a cube of half extents 1 by its numbers. An edge is numbered by its direction and the octant bits of the
+// two other axes: 4 * axis + bits.
+struct SideOfCube {
+  std::array<std::uint32_t, 4> vertices, edges;
+};
+[[nodiscard]] constexpr SideOfCube side_of_cube(std::uint32_t axis, bool positive) {
+  SideOfCube side{};
   const std::uint32_t first = axis == 0 ? 1 : axis == 1 ? 2 : 0;   // the axes of the face, such that
   const std::uint32_t second = axis == 0 ? 2 : axis == 1 ? 0 : 1;  // first x second = axis
   const std::uint32_t base = positive ? 1u << axis : 0u;
-  std::array<Real, 4> x{}, y{}, z{};
   for (std::uint32_t step = 0; step < 4; ++step) {
     const std::uint32_t turn = positive ? step : 3 - step;
     const std::uint32_t bits = base | (turn == 1 || turn == 2 ? 1u << first : 0u) | (turn >= 2 ? 1u << second : 0u);
@@ -28,18 +30,24 @@ namespace abut {
     const bool along_first = turn / 2 == next / 2 && (turn + next == 1 || turn + next == 5);
     side.vertices[step] = bits;
     side.edges[step] = edge_number_of_cube(along_first ? first : second, bits);
-    x[step] = (bits & 1u) != 0 ? 1 : -1;
-    y[step] = (bits & 2u) != 0 ? 1 : -1;
-    z[step] = (bits & 4u) != 0 ? 1 : -1;
   }
-  side.at = {{x[0], x[1], x[2], x[3]}, {y[0], y[1], y[2], y[3]}, {z[0], z[1], z[2], z[3]}};
   return side;
 }
-// Of a cube of half extents 1: -x, +x, -y, +y, -z, +z. An edge is numbered by its direction and the octant bits of the
-// two other axes: 4 * axis + bits.
-inline constexpr std::array<FewCorners, 6> sides_of_cube{side_of_cube(0, false), side_of_cube(0, true),
+// -x, +x, -y, +y, -z, +z.
+inline constexpr std::array<SideOfCube, 6> sides_of_cube{side_of_cube(0, false), side_of_cube(0, true),
                                                          side_of_cube(1, false), side_of_cube(1, true),
                                                          side_of_cube(2, false), side_of_cube(2, true)};
+// The corners of the sides, one per lane.
+[[nodiscard]] constexpr Lanes signs_along(std::uint32_t axis, const SideOfCube& side) {
+  const auto sign = [&](std::size_t i) { return (side.vertices[i] >> axis & 1u) != 0 ? Real{1} : Real{-1}; };
+  return {sign(0), sign(1), sign(2), sign(3)};
+}
+[[nodiscard]] constexpr Columns corners_of_side(const SideOfCube& side) {
+  return {signs_along(0, side), signs_along(1, side), signs_along(2, side)};
+}
+inline constexpr std::array<Columns, 6> corners_of_cube{
+    corners_of_side(sides_of_cube[0]), corners_of_side(sides_of_cube[1]), corners_of_side(sides_of_cube[2]),
+    corners_of_side(sides_of_cube[3]), corners_of_side(sides_of_cube[4]), corners_of_side(sides_of_cube[5])};
 
 }  // namespace abut
 
@@ -132,11 +140,15 @@ class Box {
   [[nodiscard]] inline FewCorners few_corners(const Vec3& d) const {
     const int axis = longest_axis(d);
     const bool is_positive = d[axis] >= 0;
-    FewCorners side = sides_of_cube[static_cast<std::size_t>(2 * axis + (is_positive ? 1 : 0))];
-    side.at = {side.at.x * half_.x, side.at.y * half_.y, side.at.z * half_.z};
+    const auto number = static_cast<std::uint32_t>(2 * axis + (is_positive ? 1 : 0));
+    const SideOfCube& side = sides_of_cube[number];
+    const auto& [x, y, z] = corners_of_cube[number];
     const bool has_area = half_.x > 0 && half_.y > 0 && half_.z > 0;
-    side.normal = has_area ? side.normal : Vec3{0, 0, 0};
-    return side;
+    return {{x * half_.x, y * half_.y, z * half_.z},
+            has_area ? normal_of_side(axis, is_positive) : Vec3{0, 0, 0},
+            number,
+            side.vertices,
+            side.edges};
   }
   [[nodiscard]] inline Feature supporting_feature(const Vec3& d) const {
     if (half_.x > 0 && half_.y > 0 && half_.z > 0) [[likely]] {
@@ -220,12 +232,16 @@ class Box {
     return {p + below[axis] * normal, normal, -below[axis]};
   }
 
+  [[nodiscard]] static inline Vec3 normal_of_side(int axis, bool positive) {
+    const Real sign = positive ? 1 : -1;
+    return {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
+  }
   // All four corners of a side, also where they coincide.
   [[nodiscard]] inline Face side_of(int axis, bool positive) const {
-    const FewCorners& side = sides_of_cube[static_cast<std::size_t>(2 * axis + (positive ? 1 : 0))];
     [[clang::uninitialized]] Face face;
-    face.index = side.index;
-    face.normal = side.normal;
+    face.index = static_cast<std::uint32_t>(2 * axis + (positive ? 1 : 0));
+    face.normal = normal_of_side(axis, positive);
+    const SideOfCube& side = sides_of_cube[face.index];
     for (std::size_t step = 0; step < 4; ++step) {
       face.vertices.push_back({vertex(side.vertices[step]), side.vertices[step], side.edges[step]});
     }

@@ -170,7 +170,7 @@ template <Convex A, Convex B>
 template <Convex A, Convex B>
 Real contacts_under(const A& a, const B& b, const Pose& ab, const CoreSeparation& core, Real margin, bool closest_count,
                     Manifold& out) {
-  if constexpr (FewCornered<A> && FewCornered<B>) {
+  if constexpr (FewCornered<A> && FewCornered<B> && !have_closed_contacts<A, B>) {
     const ContactsWanted wanted{core.normal,  core.distance - (a.radius() + b.radius()),
                                 a.radius(),   b.radius(),
                                 margin,       blur_of_contacts(a, b, ab),

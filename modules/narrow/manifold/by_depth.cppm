@@ -58,13 +58,13 @@ class Ids {
  public:
   inline explicit Ids(std::span<const std::uint64_t> ids) : table_(ids.size()) {
     for (const std::uint64_t id : ids) {
-      table_.find_or_add(id, true);
+      table_.find_or_add(id, 0);
     }
   }
   [[nodiscard]] inline bool hold(std::uint64_t id) const { return table_.has(id); }
 
  private:
-  IdTable<bool> table_;
+  IdTable<std::uint32_t> table_;
 };
 
 // Whether a feature holds the point. None holds the deepest point of a rim that rests on its face.

@@ -29,7 +29,7 @@ inline void sort_any(std::span<const ContactPoint> contacts, std::span<std::uint
     keyed.push_back({bits_in_order(contacts[number].distance), contacts[number].id, number});
   }
   std::ranges::sort(keyed.span(), [](const Keyed& a, const Keyed& b) {
-    return std::tie(a.distance, a.id, a.number) < std::tie(b.distance, b.id, b.number);
+    return a.distance != b.distance ? a.distance < b.distance : a.id != b.id ? a.id < b.id : a.number < b.number;
   });
   for (std::size_t rank = 0; rank < numbers.size(); ++rank) {
     numbers[rank] = keyed[rank].number;

@@ -23,7 +23,7 @@ struct Polygon {
   Real slope_u, slope_v;   // of its plane
   bool is_plane;           // whether all corners are in that plane
 
-  [[gnu::always_inline]] inline Polygon(const FewCorners& face, const Projection& projection) {
+  Polygon(const FewCorners& face, const Projection& projection) {
     const auto& [base, tangents, normal, tie] = projection;
     const Columns from_base = face.at - Columns::all(base);
     u = dot(from_base, Columns::all(tangents.first));
@@ -49,7 +49,7 @@ struct Sides {
   std::uint64_t crossed = 0;  // four bits for each line: the edges that it crosses, each named by its first corner
   bool are_clear;
 
-  [[gnu::always_inline]] inline Sides(const Polygon& lines, const Polygon& corners, Real doubt) {
+  Sides(const Polygon& lines, const Polygon& corners, Real doubt) {
     const Lanes least = doubt * (absolute(lines.along_u) + absolute(lines.along_v));
     LaneNumbers clear = all_lanes(0) == all_lanes(0);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -71,11 +71,23 @@ struct Sides {
   return bits ^ block ^ block << 6;
 }
 
-// Calls take(foot, height of a, height of b, feature of a, feature of b) for each corner of the region. Feet lie in the
-// plane across the normal, and heights are over it. False, with nothing taken, where there is doubt.
-template <class Take>
-[[nodiscard]] [[gnu::always_inline]] inline bool visit_region(const FewCorners& a, const FewCorners& b,
-                                                              const Projection& projection, const Take& take) {
+// The corners of a region: their feet in the plane across the normal, and the heights of both polygons over these.
+// There is room for all corners of both polygons and for every crossing of two edges.
+struct RegionCorners {
+  struct Corner {
+    Lanes foot;
+    Real height_a, height_b;
+    Feature of_a, of_b;
+  };
+  std::array<Corner, 24> all;
+  std::size_t count = 0;
+
+  [[nodiscard]] std::span<const Corner> span() const [[clang::lifetimebound]] { return std::span(all).first(count); }
+};
+
+// False, with nothing found, where there is doubt.
+[[nodiscard]] bool find_region(const FewCorners& a, const FewCorners& b, const Projection& projection,
+                               RegionCorners& out) {
   const Polygon of_a(a, projection), of_b(b, projection);
   const Real doubt = 4 * projection.tie;
   const Sides beside_a(of_a, of_b, doubt), beside_b(of_b, of_a, doubt);
@@ -98,11 +110,11 @@ template <class Take>
     const Real from = beside_a.left[i][j], t = is_crossing ? from / (from - beside_a.left[i][end]) : 0;
     const Real u = of.u[j] + t * (of.u[end] - of.u[j]), v = of.v[j] + t * (of.v[end] - of.v[j]);
     const FeatureKind corner = FeatureKind::vertex, edge = FeatureKind::edge, face = FeatureKind::face;
-    take(
+    out.all[out.count++] = {
         base + u * first + v * second, of_a.height_at(u, v), of_b.height_at(u, v),
         Feature{is_of_b ? face : (is_of_a ? corner : edge), is_of_b ? a.index : (is_of_a ? a.vertices[i] : a.edges[i])},
         Feature{is_of_b ? corner : (is_of_a ? face : edge),
-                is_of_b ? b.vertices[j] : (is_of_a ? b.index : b.edges[j])});
+                is_of_b ? b.vertices[j] : (is_of_a ? b.index : b.edges[j])}};
   }
   return true;
 }
@@ -119,11 +131,14 @@ template <class Take>
 }  // namespace
 
 bool clip_small_polygons(const FewCorners& a, const FewCorners& b, const Projection& projection, ClipPoints& out) {
+  [[clang::uninitialized]] RegionCorners region;
+  const bool is_clear = find_region(a, b, projection, region);
   const Lanes normal = lanes_of(projection.normal);
-  return visit_region(
-      a, b, projection, [&](Lanes foot, Real height_a, Real height_b, const Feature& of_a, const Feature& of_b) {
-        out.push_back({vec3_of(foot + height_a * normal), vec3_of(foot + height_b * normal), of_a, of_b});
-      });
+  for (const auto& corner : region.span()) {
+    out.push_back({vec3_of(corner.foot + corner.height_a * normal), vec3_of(corner.foot + corner.height_b * normal),
+                   corner.of_a, corner.of_b});
+  }
+  return is_clear;
 }
 
 std::optional<Real> append_contacts_of(const FewCorners& a, const FewCorners& b, const ContactsWanted& wanted,
@@ -137,21 +152,22 @@ std::optional<Real> append_contacts_of(const FewCorners& a, const FewCorners& b,
   }
   const Real tie = tie_of(a, b);
   const std::size_t first = out.size();
+  [[clang::uninitialized]] RegionCorners region;
+  if (!find_region(a, b, {a.at[0], tangents_of(normal), normal, tie}, region)) {
+    return std::nullopt;
+  }
   const Lanes along = lanes_of(normal);
   Real least_of_cores = infinity, least = infinity;
-  const auto take = [&](Lanes foot, Real height_a, Real height_b, const Feature& of_a, const Feature& of_b) {
-    const Lanes point_a = foot + height_a * along, point_b = foot + height_b * along;
+  for (const auto& corner : region.span()) {
+    const Lanes point_a = corner.foot + corner.height_a * along, point_b = corner.foot + corner.height_b * along;
     const Real of_cores = dot(vec3_of(point_b - point_a), normal), distance = of_cores - (radius_a + radius_b);
     least_of_cores = std::fmin(least_of_cores, of_cores);
     if (distance <= margin) {
       least = std::fmin(least, distance);
-      append_contact(
-          {point_a + radius_a * along, point_b - radius_b * along, along, distance, of_a, of_b, contact_id(of_a, of_b)},
-          out);
+      append_contact({point_a + radius_a * along, point_b - radius_b * along, along, distance, corner.of_a, corner.of_b,
+                      contact_id(corner.of_a, corner.of_b)},
+                     out);
     }
-  };
-  if (!visit_region(a, b, {a.at[0], tangents_of(normal), normal, tie}, take)) {
-    return std::nullopt;
   }
   const Real rounding = noise_of(std::fmax(largest(largest_magnitude(a.at)), largest(largest_magnitude(b.at))));
   const Columns normals = Columns::all(normal);
@@ -159,7 +175,7 @@ std::optional<Real> append_contacts_of(const FewCorners& a, const FewCorners& b,
   // Corners that are too close, and closest points that the region misses, take a longer look.
   if (least_of_cores < closest - rounding ||
       (closest_count && (least_of_cores > closest + rounding + tie || least > deepest + blur))) {
-    out.resize(first);
+    out.erase(out.begin() + static_cast<std::ptrdiff_t>(first), out.end());
     return std::nullopt;
   }
   return least;
