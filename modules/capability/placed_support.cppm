@@ -39,11 +39,20 @@ template <Convex S>
   }
 }
 
+// Whether a core tells the face that has a feature.
+template <Convex S>
+[[nodiscard]] inline bool tells_face_of(const S& shape, const CoreFeature& feature) {
+  if constexpr (Faceted<S>) {
+    return feature.kind != CoreFeature::Kind::none && shape.facets().is_closed;
+  } else {
+    return false;
+  }
+}
 // `feature`: of a core that knows its features, what lies furthest along the direction; else none.
 template <Convex S>
 [[nodiscard]] inline Face supporting_face(const S& shape, const Vec3& direction, const CoreFeature& feature) {
   if constexpr (Faceted<S>) {
-    if (feature.kind != CoreFeature::Kind::none && shape.facets().is_closed) {
+    if (tells_face_of(shape, feature)) {
       return shape.supporting_face(direction, feature);
     }
   }
@@ -65,7 +74,7 @@ template <FewCornered S>
 [[nodiscard]] [[gnu::always_inline]] inline FewCorners few_corners(const S& shape, const Vec3& direction,
                                                                    const CoreFeature& feature) {
   if constexpr (Faceted<S>) {
-    if (feature.kind != CoreFeature::Kind::none && shape.facets().is_closed) {
+    if (tells_face_of(shape, feature)) {
       return shape.few_corners(direction, feature);
     }
   }

@@ -51,7 +51,7 @@ struct FewCorners {
 [[nodiscard]] inline bool has_few_corners(const Face& face) {
   return face.vertices.size() == 3 || face.vertices.size() == 4;
 }
-// Of a face that has few.
+// Of a face that has few. Not inlined: it is large, and rarely called.
 [[nodiscard]] [[gnu::noinline]] inline FewCorners few_corners_of(const Face& face) {
   const std::span<const FaceVertex> vertices = face.vertices.span();
   const FaceVertex &first = vertices[0], &second = vertices[1], &third = vertices[2],
@@ -129,6 +129,11 @@ struct ContactPoint {
   return value ^ (value >> 31);
 }
 
+// A number of so many bits that all bits of a value have a part in: Fibonacci hashing (Knuth, volume 3, section 6.4).
+[[nodiscard]] inline constexpr std::uint64_t spread(std::uint64_t value, int bits) {
+  return (value * 0x9e3779b97f4a7c15) >> (64 - bits);
+}
+
 // The number of a contact depends on the features that touch and on nothing else. It is packed where their indices fit:
 //   bit 63: 0, bit 62: 1, bits 59 to 61: kind of a, 31 to 58: index of a, 28 to 30: kind of b, 0 to 27: index of b.
 // Else, and where more than the features tells contacts apart, it is hashed, and bit 63 is 1.
@@ -169,7 +174,7 @@ inline void number_apart(std::span<ContactPoint> contacts) {
   // A bit for each number, where its bits lead. Mostly all have bits of their own.
   std::uint64_t seen = 0, seen_again = 0;
   for (const ContactPoint& contact : contacts) {
-    const std::uint64_t bit = std::uint64_t{1} << ((contact.id * 0x9e3779b97f4a7c15) >> 58);
+    const std::uint64_t bit = std::uint64_t{1} << spread(contact.id, 6);
     seen_again |= seen & bit;
     seen |= bit;
   }

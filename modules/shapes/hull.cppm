@@ -176,16 +176,15 @@ class Hull {
     if (face.count > 4) {
       return {};
     }
-    FewCorners found{{}, face.normal, index, {}, {}};
-    std::array<Lanes, 4> at;
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const std::uint32_t place = face.first + std::min(i, face.count - 1);
-      found.vertices[i] = hull.face_vertices[place];
-      found.edges[i] = hull.face_edges[place];
-      at[i] = lanes_of(hull.vertices[found.vertices[i]]);
-    }
-    found.at = Columns::of(at[0], at[1], at[2], at[3]);
-    return found;
+    const auto place = [&](std::uint32_t i) { return face.first + std::min(i, face.count - 1); };
+    const auto vertex = [&](std::uint32_t i) { return hull.face_vertices[place(i)]; };
+    const auto edge = [&](std::uint32_t i) { return hull.face_edges[place(i)]; };
+    const auto at = [&](std::uint32_t i) { return lanes_of(hull.vertices[vertex(i)]); };
+    return {Columns::of(at(0), at(1), at(2), at(3)),
+            face.normal,
+            index,
+            {vertex(0), vertex(1), vertex(2), vertex(3)},
+            {edge(0), edge(1), edge(2), edge(3)}};
   }
   void write_face(std::uint32_t index, Face& out) const {
     const HullData& hull = *data_;

@@ -38,14 +38,11 @@ template <class B>
 class PlacedBeside<B> {
  public:
   [[gnu::always_inline]] inline PlacedBeside(const Triangle& triangle, const B& b, const Pose& ab)
-      : rotation_(ab.rotation), normal_(triangle.normal()), half_(lanes_of(b.half())) {
-    const LaneMatrix back = LaneMatrix::rows_of(rotation_);
-    const auto edges = triangle.edge_directions();
-    for (std::size_t i = 0; i < 3; ++i) {
-      corners_[i] = back * (triangle.corners()[i] - ab.position);
-      edges_[i] = back * edges[i];
-    }
-  }
+      : rotation_(ab.rotation),
+        normal_(triangle.normal()),
+        half_(lanes_of(b.half())),
+        corners_(in_box(triangle.corners(), ab.position)),
+        edges_(in_box(triangle.edge_directions(), {0, 0, 0})) {}
 
   [[nodiscard]] [[gnu::always_inline]] inline Columns faces() const {
     const Rotation& r = rotation_;
@@ -72,6 +69,11 @@ class PlacedBeside<B> {
   }
 
  private:
+  [[nodiscard]] [[gnu::always_inline]] inline std::array<Lanes, 3> in_box(const std::array<Vec3, 3>& vectors,
+                                                                          const Vec3& from) const {
+    const LaneMatrix back = LaneMatrix::rows_of(rotation_);
+    return {back * (vectors[0] - from), back * (vectors[1] - from), back * (vectors[2] - from)};
+  }
   [[nodiscard]] [[gnu::always_inline]] static inline Lanes cross(Lanes a, Lanes b) {
     return a.yzxw * b.zxyw - a.zxyw * b.yzxw;
   }

@@ -20,9 +20,8 @@ class IdTable {
     if (most_ids == 0) {
       return;
     }
-    const auto bits = static_cast<int>(std::bit_width(2 * most_ids));
-    shift_ = 64 - bits;
-    for (std::size_t i = 0; i < std::size_t{1} << bits; ++i) {
+    bits_ = static_cast<int>(std::bit_width(2 * most_ids));
+    for (std::size_t i = 0; i < std::size_t{1} << bits_; ++i) {
       places_.push_back({0, {}, false});
     }
   }
@@ -42,7 +41,7 @@ class IdTable {
   };
   // Where an id is, or may be put.
   [[nodiscard]] inline std::size_t place_of(std::uint64_t id) const {
-    std::size_t place = (id * 0x9e3779b97f4a7c15) >> shift_;
+    std::size_t place = spread(id, bits_);
     while (places_[place].is_taken && places_[place].id != id) {
       place = (place + 1) % places_.size();
     }
@@ -50,7 +49,7 @@ class IdTable {
   }
 
   SmallVector<Place, 256> places_;
-  int shift_ = 0;
+  int bits_ = 0;  // of a place
 };
 
 // Some ids.

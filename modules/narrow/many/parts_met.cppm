@@ -262,8 +262,7 @@ class PartsMet {
   // Among the ways that are known.
   [[nodiscard]] static std::size_t place_of(const Vec3& way) {
     const auto bits = [](Real value) { return std::bit_cast<std::uint64_t>(value); };
-    constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;  // Fibonacci hashing (Knuth, volume 3, section 6.4)
-    return ((bits(way.x) + 3 * bits(way.y) + 7 * bits(way.z)) * golden) >> (64 - std::bit_width(known_ways - 1));
+    return spread(bits(way.x) + 3 * bits(way.y) + 7 * bits(way.z), std::bit_width(known_ways - 1));
   }
   void add_face(const Vec3& normal, bool is_one_sided) {
     if (squared_norm(normal) > 0) {

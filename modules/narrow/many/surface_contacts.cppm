@@ -37,10 +37,7 @@ class SurfaceContacts {
   void add(const Triangle& triangle, const B& b, std::uint32_t part_of_b) {
     const Real size = core_size(triangle, b, ab_), noise = noise_of(size),
                touching = touching_within<B>(size, settings_);
-    // What only touches offers ways, on whichever side of the margin rounding puts it.
-    const bool may_touch = !Surface<Other> && !PointCored<B> && settings_.margin >= 0;
-    const Real radii = b.radius(), margin = may_touch ? std::max(settings_.margin, touching) : settings_.margin,
-               limit = margin + radii + edge_slack(b, ab_);
+    const Real radii = b.radius(), limit = reach_beyond(touching) + radii + edge_slack(b, ab_);
     const TriangleSeparation found = begin_separation(triangle, b, ab_, settings_, limit);
     const CoreSeparation& core = found.core;
     if (core.beyond || core.distance > limit) {
@@ -125,6 +122,11 @@ class SurfaceContacts {
     Real noise;  // of depths
   };
 
+  // How far apart what is met may be. What only touches offers ways, on whichever side of the margin rounding puts it.
+  [[nodiscard]] Real reach_beyond(Real touching) const {
+    const bool may_touch = !Surface<Other> && !PointCored<B> && settings_.margin >= 0;
+    return may_touch ? std::max(settings_.margin, touching) : settings_.margin;
+  }
   // Whether the deepest contact from `first` on leads out of a side, whatever lies beside its triangles.
   [[nodiscard]] bool leads_out_of_a(const Triangle& triangle, std::size_t first, Real noise) const {
     const ContactPoint* deepest = deepest_from(first);

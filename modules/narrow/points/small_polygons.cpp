@@ -80,22 +80,31 @@ struct RegionCorners {
     Feature of_a, of_b;
   };
   std::array<Corner, 24> all;
-  std::size_t count = 0;
+  std::size_t count;
 
   [[nodiscard]] std::span<const Corner> span() const [[clang::lifetimebound]] { return std::span(all).first(count); }
 };
 
+// What a polygon is at a corner of the region: its own corner or its face there, or its edge where two edges cross.
+[[nodiscard]] inline Feature feature_there(const FewCorners& polygon, std::size_t number, bool is_own,
+                                           bool is_crossing) {
+  const FeatureKind kind = is_crossing ? FeatureKind::edge : (is_own ? FeatureKind::vertex : FeatureKind::face);
+  const std::uint32_t at_corner = is_own ? polygon.vertices[number] : polygon.index;
+  return {kind, is_crossing ? polygon.edges[number] : at_corner};
+}
+
 // False, with nothing found, where there is doubt.
 [[nodiscard]] bool find_region(const FewCorners& a, const FewCorners& b, const Projection& projection,
                                RegionCorners& out) {
+  out.count = 0;
   const Polygon of_a(a, projection), of_b(b, projection);
   const Real doubt = 4 * projection.tie;
   const Sides beside_a(of_a, of_b, doubt), beside_b(of_b, of_a, doubt);
   if (!(of_a.is_plane && of_b.is_plane && beside_a.are_clear && beside_b.are_clear)) {
     return false;
   }
-  // A bit for each corner of b, for each corner of a, and for each edge of a with one of b that crosses it. The last
-  // corner of a triangle stands twice, and counts once. One loop takes all, as the processor guesses where a loop ends.
+  // A bit for each corner of b, then of a, then for each pair of edges that cross. The last corner of a triangle stands
+  // twice, and counts once. One loop takes all, as the processor guesses where a loop ends.
   const auto counted = [](const FewCorners& of) { return of.vertices[3] == of.vertices[2] ? 7u : 15u; };
   std::uint64_t region = (beside_a.inside & counted(b)) | (beside_b.inside & counted(a)) << 4 |
                          (beside_a.crossed & transposed(beside_b.crossed)) << 8;
@@ -104,17 +113,13 @@ struct RegionCorners {
   for (; region != 0; region &= region - 1) {
     const auto bit = static_cast<std::size_t>(std::countr_zero(region));
     const std::size_t group = bit / 4, j = bit % 4, end = (j + 1) % 4;
-    const bool is_of_b = group == 0, is_of_a = group == 1, is_crossing = group > 1;
+    const bool is_of_a = group == 1, is_crossing = group > 1;
     const std::size_t i = is_crossing ? group - 2 : j;
     const Polygon& of = is_of_a ? of_a : of_b;
     const Real from = beside_a.left[i][j], t = is_crossing ? from / (from - beside_a.left[i][end]) : 0;
     const Real u = of.u[j] + t * (of.u[end] - of.u[j]), v = of.v[j] + t * (of.v[end] - of.v[j]);
-    const FeatureKind corner = FeatureKind::vertex, edge = FeatureKind::edge, face = FeatureKind::face;
-    out.all[out.count++] = {
-        base + u * first + v * second, of_a.height_at(u, v), of_b.height_at(u, v),
-        Feature{is_of_b ? face : (is_of_a ? corner : edge), is_of_b ? a.index : (is_of_a ? a.vertices[i] : a.edges[i])},
-        Feature{is_of_b ? corner : (is_of_a ? face : edge),
-                is_of_b ? b.vertices[j] : (is_of_a ? b.index : b.edges[j])}};
+    out.all[out.count++] = {base + u * first + v * second, of_a.height_at(u, v), of_b.height_at(u, v),
+                            feature_there(a, i, is_of_a, is_crossing), feature_there(b, j, !is_of_a, is_crossing)};
   }
   return true;
 }

@@ -31,7 +31,7 @@ struct Waves {
   [[nodiscard]] Shape mesh() const { return make_of_kind("mesh", {0}, xyz, triangles); }
 };
 
-// The contacts of a slab across some of the waves, then of balls all over them, in the order in which they were found.
+// The contacts of a slab across some of the waves, then of balls all over them, as they were found.
 // Which of its triangles a ball has contacts with, their neighbours tell.
 std::vector<abut_contact> contacts_with(const abut_shape* shape) {
   std::vector<abut_contact> all =
