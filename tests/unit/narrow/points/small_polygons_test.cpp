@@ -237,16 +237,20 @@ TEST(SmallPolygons, HaveContactsAtTheCornersOfTheirRegion) {
   EXPECT_LT(in_doubt, 100u);
 }
 
+// Cosines between the faces and the normal are 0.1 and 0.03.
 TEST(SmallPolygons, LeaveAFaceThatStandsSteepOpen) {
-  const FewCorners a = few_corners_of(square.face(true)), b = few_corners_of(triangle_within.face(false));
-  const abut::ContactsWanted wanted = wanted_of(square, triangle_within, 2);
+  const auto take = [](const Sketch& a, const Sketch& b, abut::Manifold& contacts) {
+    const FewCorners face_a = few_corners_of(a.face(true)), face_b = few_corners_of(b.face(false));
+    return append_contacts_of(face_a, face_b, wanted_of(a, b, 100), contacts).has_value();
+  };
+  const Sketch slope{triangle_within.corners, 10, 0, 1}, steep{triangle_within.corners, 30, 0, 1};
   abut::Manifold contacts;
-  EXPECT_TRUE(append_contacts_of(a, b, wanted, contacts).has_value());
-  EXPECT_EQ(contacts.size(), 3u);
-  FewCorners steep = b;
-  steep.normal = {1, 0, 0};
-  EXPECT_FALSE(append_contacts_of(a, steep, wanted, contacts).has_value());
-  EXPECT_EQ(contacts.size(), 3u);
+  EXPECT_TRUE(take(square, slope, contacts));
+  EXPECT_TRUE(take(slope, square, contacts));
+  EXPECT_EQ(contacts.size(), 6u);
+  EXPECT_FALSE(take(square, steep, contacts));
+  EXPECT_FALSE(take(steep, square, contacts));
+  EXPECT_EQ(contacts.size(), 6u);
 }
 
 }  // namespace
