@@ -65,16 +65,22 @@ template <Convex S>
   }
 }
 
-template <Convex A, Convex B>
-[[nodiscard]] [[gnu::always_inline]] inline PairSecondOrder pair_second_order(const A& a, const B& b, const Pose& ab,
+template <Convex B>
+[[nodiscard]] [[gnu::always_inline]] inline PairSecondOrder pair_second_order(const SecondOrder& a, const B& b,
+                                                                              const Pose& ab,
                                                                               const DirectionFrame& frame) {
   const DirectionFrame frame_b{ab.rotation.undo(-frame.n), ab.rotation.undo(-frame.x), ab.rotation.undo(-frame.y)};
   PairSecondOrder near;
-  near.a = second_order_of(a, frame);
+  near.a = a;
   near.b = second_order_of(b, frame_b);
   const InFrame &on_a = near.a.point, &on_b = near.b.point, offset = in_frame(frame, ab.position);
   near.point = {on_a.n + on_b.n - offset.n, on_a.x + on_b.x - offset.x, on_a.y + on_b.y - offset.y};
   return near;
+}
+template <Convex A, Convex B>
+[[nodiscard]] [[gnu::always_inline]] inline PairSecondOrder pair_second_order(const A& a, const B& b, const Pose& ab,
+                                                                              const DirectionFrame& frame) {
+  return pair_second_order(second_order_of(a, frame), b, ab, frame);
 }
 
 [[nodiscard]] inline DirectionFrame frame_along(const Vec3& n) {

@@ -3,14 +3,20 @@
 // deeper.
 export module abut.narrow.many.parting_ways;
 import abut.capability;
+import abut.capability.second_order;
 import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.four_vec3;
+import abut.narrow.apart.wide_gjk;
 import abut.narrow.convex;
+import abut.narrow.cores.difference;
+import abut.narrow.cores.direction_cover;
+import abut.narrow.cores.second_order_of_pair;
 import abut.narrow.many.last_touch;
 import abut.narrow.many.parts_met;
 import abut.narrow.many.triangle_contacts;
+import abut.narrow.polytope.epa;
 
 export namespace abut {
 
@@ -42,21 +48,17 @@ class PartingWays {
   PartingWays(const A& a, const Other& other, const Pose& ab, const QuerySettings& settings)
       : a_(a), other_(other), ab_(ab), settings_(settings) {}
 
-  // What is near: its number. `way`: the shortest one out of it alone. What is within the margin only offers none,
-  // and stands in none, so that the margin has no say. Where two triangles only touch, rounding tells their way, and
-  // whether they are met without a margin.
+  // What is near: its number. `way`: the shortest one out of it alone. What is within the margin only stands in no way,
+  // so that the margin has no say. Where two triangles only touch, rounding tells their way, and whether they are met
+  // without a margin.
   std::size_t add(const Triangle& triangle, const B& b, const Fronts<B>& fronts, const Vec3& way, Real gap,
                   Real touching) {
     const std::size_t part = met_.add(triangle, b, ab_, fronts, touching);
     if (gap <= (Surface<Other> ? 0 : touching)) {
-      met_.offer_ways(part, triangle, b, ab_, gap);
-      if (!Surface<Other> || gap < -touching) {
-        met_.add_way(way);
-      }
+      met_.put_in_the_way(part, gap, way);
     }
     return part;
   }
-  void add_way(const Vec3& way) { met_.add_way(way); }
   [[nodiscard]] Lanes overlaps_along(std::size_t part, const Columns& directions, Lanes lowest) const {
     return met_.overlaps_along(part, directions, lowest);
   }
@@ -73,26 +75,13 @@ class PartingWays {
     }
   }
 
-  // The best of the known ways and of the mean of `normals`, if shorter than `most`. `on_the_way`: what b may meet on a
-  // way.
+  // The shortest way out of all, if shorter than `most`. `on_the_way`: what b may meet on a way.
   template <class OnTheWay>
-  [[nodiscard]] PartingWay shortest(const Vec3& normals, Real most, const OnTheWay& on_the_way) {
-    const auto out_of_met = [&] {
-      return met_.way_out(
-          normals, most, [&](const Columns& directions) { return lowest_along(directions); }, meets_on(on_the_way));
-    };
-    offer_own_ways();
-    PartingWay way = out_of_met();
-    // Where no way is shorter, and no part by itself is nearly as deep, one may lie over an edge of both.
-    if (!(way.depth < most) && most > much_deeper * met_.deepest()) {
-      offer_ways_over_edges();
-      way = out_of_met();
-    }
-    // The way out of what is met may lead into what is not met yet. Then another may be shorter that lies over an edge
-    // of both; where nothing stands in the way, that is too rare to look for.
+  [[nodiscard]] PartingWay shortest(Real most, const OnTheWay& on_the_way) {
+    PartingWay way = out_of_met(most, on_the_way);
+    // It may lead into what is not met yet. Then another may be shorter.
     while (way.depth < most && prolong(way, most, on_the_way)) {
-      offer_ways_over_edges();
-      way = out_of_met();
+      way = out_of_met(most, on_the_way);
     }
     return way;
   }
@@ -157,7 +146,79 @@ class PartingWays {
   }
 
   // A longer look costs more where the way ends soon, a shorter one takes more of them.
-  static constexpr Real far_ahead = 2, much_deeper = 4;
+  static constexpr Real far_ahead = 2;
+  // How far what is behind a front goes on, by the size of both shapes: no way is as long.
+  static constexpr Real far_behind = 16;
+
+  // The shortest way out of what is met. No way is shorter than the one out of the hull of what b overlaps. Only where
+  // something that b does not overlap stands in that way, others may be as short: the one out of the hull of all that
+  // is met, and those of faces and of single parts.
+  template <class OnTheWay>
+  [[nodiscard]] PartingWay out_of_met(Real most, const OnTheWay& on_the_way) const {
+    PartingWay best{most, {0, 0, 0}};
+    const auto consider = [&](std::span<const Vec3> ways) {
+      best = met_.shortest(
+          ways, best, [&](const Columns& directions) { return lowest_along(directions); }, meets_on(on_the_way));
+    };
+    const auto shortest = way_out_of_hull(false, most);
+    if (!shortest) {
+      return best;
+    }
+    consider(std::span(&shortest->direction, 1));
+    if (best.depth <= shortest->depth + met_.noise()) {
+      return best;
+    }
+    if (const auto way = way_out_of_hull(true, best.depth)) {
+      consider(std::span(&way->direction, 1));
+    }
+    consider(met_.ways().span());
+    consider(own_ways().span());
+    return best;
+  }
+
+  // The least way out of a hull of parts, if shorter than `most`.
+  [[nodiscard]] std::optional<PartingWay> way_out_of_hull(bool has_all, Real most) const {
+    Real extent = met_.extent(), radius = 0;
+    if constexpr (!Surface<Other>) {
+      extent += other_.extent() + largest_magnitude(placed_centre(other_, ab_));
+      radius = other_.radius();
+    }
+    const Real size = 2 * extent, error = std::max(touching_distance(size), met_.noise());
+    const PartsHull hull{has_all, a_.has_fronts() || Surface<Other>, far_behind * size};
+    const auto support = [&](const Vec3& direction) {
+      return met_.support_pair(hull, direction, [&](const Vec3& along) {
+        if constexpr (Surface<Other>) {
+          return along;
+        } else {
+          return placed_support(other_, place(other_, ab_), -along).point;
+        }
+      });
+    };
+    Difference difference;
+    difference.support = [&support](const Vec3& direction) { return support(direction); };
+    difference.size = size;
+    difference.is_curved = Curved<B>;
+    const auto second_order = [&](const DirectionFrame& frame) {
+      if constexpr (Curved<B>) {
+        const Vec3 top = support(frame.n).a;
+        return pair_second_order(met_.second_order(hull, frame, top), other_, ab_, frame);
+      } else {
+        return PairSecondOrder{};
+      }
+    };
+    if constexpr (Curved<B>) {
+      difference.second_order = [&second_order](const DirectionFrame& frame) { return second_order(frame); };
+      difference.add_balls = [](Real, DirectionCover&) {};
+    }
+    if (radius > 0) {
+      const WideGjkResult apart = wide_gjk(difference, {0, 0, 1}, error, infinity, error);
+      if (!apart.gjk.overlap) {
+        return PartingWay{radius - apart.gjk.upper, apart.gjk.normal};
+      }
+    }
+    const auto least = least_overlap_below(most - radius, difference, error);
+    return least ? std::optional(PartingWay{radius + least->depth, least->normal}) : std::nullopt;
+  }
 
   // A bit for each of four parts that b may meet on a way: no further from it than the way is long, and within what b
   // sweeps.
@@ -214,45 +275,27 @@ class PartingWays {
     return is_longer;
   }
 
-  // Along the sides and edges of b, when it is one body.
-  void offer_own_ways() {
+  // Along the sides of b, or its edges where it has none, when it is one body.
+  [[nodiscard]] SmallVector<Vec3, 8> own_ways() const {
+    SmallVector<Vec3, 8> ways;
     if constexpr (FewFaced<Other> && !std::same_as<Other, Triangle>) {
-      const auto offer = [&](const Vec3& local) {
+      const auto add = [&](const Vec3& local) {
         const Vec3 way = ab_.rotation * local;
-        met_.add_way(way);
-        met_.add_way(-way);
+        ways.push_back(way);
+        ways.push_back(-way);
       };
-      std::ranges::for_each(other_.face_normals(), offer);
+      std::ranges::for_each(other_.face_normals(), add);
       if (other_.face_normals().empty()) {
-        std::ranges::for_each(other_.edge_directions(), offer);
+        std::ranges::for_each(other_.edge_directions(), add);
       }
     }
-  }
-
-  // Across an edge of b and one of a triangle, for each part that offers ways since the last call.
-  void offer_ways_over_edges() {
-    if constexpr (FewFaced<B>) {
-      for (; with_edges_offered_ < met_.offering().size(); ++with_edges_offered_) {
-        const auto numbers = met_.numbers(met_.offering()[with_edges_offered_]);
-        const B& b = part_of(other_, numbers.of_b);
-        const Triangle triangle = a_.part(numbers.of_a);
-        for (const Vec3& local : b.edge_directions()) {
-          const Vec3 along = ab_.rotation * local;
-          for (const Vec3& edge : triangle.edge_directions()) {
-            if (const auto way = UnitVec3::make(cross(edge, along))) {
-              met_.add_way(*way);
-              met_.add_way(-*way);
-            }
-          }
-        }
-      }
-    }
+    return ways;
   }
 
   // A part that stands in a way of some length. Whether it is new.
   bool meet(const Triangle& triangle, const B& b, Real depth) {
     std::optional<std::size_t> part = met_.find(triangle.index(), number_of_part(b));
-    if (part && met_.offers_ways(*part)) {
+    if (part && met_.is_in_the_way(*part)) {
       return false;
     }
     const Real radii = b.radius();
@@ -264,8 +307,7 @@ class PartingWays {
       const Real touching = touching_within<B>(core_size(triangle, b, ab_), settings_);
       part = met_.add(triangle, b, ab_, Fronts<B>(triangle, b, ab_), touching);
     }
-    met_.offer_ways(*part, triangle, b, ab_, core.distance - radii);
-    met_.add_way(core.normal);
+    met_.put_in_the_way(*part, core.distance - radii, core.normal);
     return true;
   }
 
@@ -274,7 +316,6 @@ class PartingWays {
   const Pose& ab_;
   const QuerySettings& settings_;
   PartsMet<B> met_;
-  std::size_t with_edges_offered_ = 0;
 };
 
 }  // namespace abut

@@ -3,10 +3,12 @@
 // be parted from all.
 export module abut.narrow.many.parts_met;
 import abut.capability;
+import abut.capability.second_order;
 import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.four_vec3;
+import abut.narrow.cores.difference;
 import abut.narrow.many.triangle_contacts;
 
 export namespace abut {
@@ -66,11 +68,10 @@ struct FourParts {
   Lanes gap;    // how far both are apart; not positive where they overlap
   Lanes noise;  // how far both may overlap that only touch
   [[no_unique_address]] PlacedTriangles<B> placed;
-  std::array<bool, 4> offers_ways;
 
   [[nodiscard]] static FourParts all(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts,
                                      Real gap, Real noise) {
-    FourParts parts{FourTriangles::all(triangle.corners()), fronts.in_all(), all_lanes(gap), all_lanes(noise), {}, {}};
+    FourParts parts{FourTriangles::all(triangle.corners()), fronts.in_all(), all_lanes(gap), all_lanes(noise), {}};
     parts.triangles.numbers.fill(triangle.index());
     if constexpr (std::same_as<B, Triangle>) {
       parts.placed.of = FourTriangles::all({ab * b.corners()[0], ab * b.corners()[1], ab * b.corners()[2]});
@@ -81,7 +82,7 @@ struct FourParts {
   // The same of one of them, four times.
   [[nodiscard]] [[gnu::always_inline]] inline FourParts all_of(std::size_t lane) const {
     FourParts parts{
-        FourTriangles::all(triangles[lane]), fronts.all_of(lane), all_lanes(gap[lane]), all_lanes(noise[lane]), {}, {}};
+        FourTriangles::all(triangles[lane]), fronts.all_of(lane), all_lanes(gap[lane]), all_lanes(noise[lane]), {}};
     if constexpr (std::same_as<B, Triangle>) {
       parts.placed.of = FourTriangles::all(placed.of[lane]);
     }
@@ -99,7 +100,6 @@ struct FourParts {
     fronts.put(lane, one.fronts);
     gap[lane] = one.gap[0];
     noise[lane] = one.noise[0];
-    offers_ways[lane] = false;
     if constexpr (std::same_as<B, Triangle>) {
       placed.of.put(lane, one.placed.of);
     }
@@ -109,14 +109,18 @@ struct FourParts {
   // have to pass through the front of a side. `lowest`: where b begins along the direction, unless it is a triangle, or
   // a point of b that tells no more than that.
   [[nodiscard]] [[gnu::always_inline]] inline Lanes overlaps_along(const Columns& directions, Lanes lowest) const {
+    const Lanes overlaps = reach_along(directions, lowest);
+    return (overlaps <= noise) | fronts.allow(directions) ? overlaps : all_lanes(infinity);
+  }
+  // The same whatever the fronts.
+  [[nodiscard]] [[gnu::always_inline]] inline Lanes reach_along(const Columns& directions, Lanes lowest) const {
     const auto along = [&](const FourTriangles& t, const auto& better) {
       return better(better(dot(directions, t.a), dot(directions, t.b)), dot(directions, t.c));
     };
     if constexpr (std::same_as<B, Triangle>) {
       lowest = along(placed.of, [](Lanes p, Lanes q) { return minimum(p, q); });
     }
-    const Lanes overlaps = along(triangles, [](Lanes p, Lanes q) { return maximum(p, q); }) - lowest;
-    return (overlaps <= noise) | fronts.allow(directions) ? overlaps : all_lanes(infinity);
+    return along(triangles, [](Lanes p, Lanes q) { return maximum(p, q); }) - lowest;
   }
 };
 
@@ -151,10 +155,18 @@ class LatelyInTheWay {
   std::size_t count_ = 0;
 };
 
+// The hull of the Minkowski differences of parts, each of them its triangle less b: what a way leaves soonest parts
+// all. Behind a front a difference goes on without end, as no way leads there; `far` stands in for that.
+struct PartsHull {
+  bool has_all;     // those too that b does not overlap, but may meet
+  bool has_fronts;  // whether any has one
+  Real far;
+};
+
 template <Convex B>
 class PartsMet {
  public:
-  // The number of the new part. It offers no ways yet, and stands in none.
+  // The number of the new part. It stands in no way yet.
   std::size_t add(const Triangle& triangle, const B& b, const Pose& ab, const Fronts<B>& fronts, Real noise) {
     const FourParts<B> one = FourParts<B>::all(triangle, b, ab, fronts, infinity, noise);
     const std::size_t lane = size_ % 4;
@@ -166,67 +178,118 @@ class PartsMet {
     noise_ = std::max(noise_, noise);
     return size_++;
   }
-  // Takes the ways out of the faces of a part. `gap`: how far b is apart from it.
-  void offer_ways(std::size_t part, const Triangle& triangle, const B& b, const Pose& ab, Real gap) {
+  // From now on a part stands in ways. `gap`: how far b is apart from it. `way`: the least one out of it alone.
+  void put_in_the_way(std::size_t part, Real gap, const Vec3& way) {
     fours_[part / 4].gap[part % 4] = gap;
-    fours_[part / 4].offers_ways[part % 4] = true;
-    offering_.push_back(part);
-    deepest_ = std::max(deepest_, -gap);
-    add_face(triangle.normal(), triangle.is_one_sided());
-    if constexpr (std::same_as<B, Triangle>) {
-      add_face(-(ab.rotation * b.normal()), b.is_one_sided());
-    }
+    ways_.push_back(way);
   }
+  [[nodiscard]] bool is_in_the_way(std::size_t part) const { return fours_[part / 4].gap[part % 4] < infinity; }
   // The largest of those of the parts.
   [[nodiscard]] Real noise() const { return noise_; }
-  // How deep the deepest part is by itself.
-  [[nodiscard]] Real deepest() const { return deepest_; }
-  // The parts that offer ways.
-  [[nodiscard]] std::span<const std::size_t> offering() const { return offering_.span(); }
-  // Of a part: which triangle of the surface, and of b where b is made of such.
-  struct Numbers {
-    std::uint32_t of_a, of_b;
-  };
-  [[nodiscard]] Numbers numbers(std::size_t part) const {
-    const FourParts<B>& four = fours_[part / 4];
-    return {four.triangles.numbers[part % 4], four.number_of_b(part % 4)};
-  }
   // Which part is of a triangle of the surface, by its number, and of that of b where b is one itself.
   [[nodiscard]] std::optional<std::size_t> find(std::uint32_t number, std::uint32_t number_of_b) const {
     for (std::size_t part = 0; part < size_; ++part) {
-      const Numbers found = numbers(part);
-      if (found.of_a == number && found.of_b == number_of_b) {
+      const FourParts<B>& four = fours_[part / 4];
+      if (four.triangles.numbers[part % 4] == number && four.number_of_b(part % 4) == number_of_b) {
         return part;
       }
     }
     return std::nullopt;
   }
-  [[nodiscard]] bool offers_ways(std::size_t part) const { return fours_[part / 4].offers_ways[part % 4]; }
-  // Directions that might part the whole: the normals of contacts, the least ways out of parts, and the ways out of
-  // faces. Most that come again are known: a face has its ways out of every part, and flat surfaces have few.
-  void add_way(const Vec3& way) {
-    std::size_t& known = known_[place_of(way)];
-    const auto is_same = [&](const Vec3& other) {
-      return ((way.x == other.x) & (way.y == other.y) & (way.z == other.z)) != 0;  // no branch is guessed
-    };
-    const bool is_new = !(known < ways_.size() && is_same(ways_[known]));
-    known = is_new ? ways_.size() : known;
-    ways_.push_back_if(way, is_new);
-  }
-
   [[nodiscard]] Lanes overlaps_along(std::size_t part, const Columns& directions, Lanes lowest) const {
     return fours_[part / 4].all_of(part % 4).overlaps_along(directions, lowest);
   }
 
-  // How far b has to move, along the best of the ways and of the mean of `normals`; not more than `most`.
-  // `lowest_along`: where b begins along directions. meets_on(parts, way) has a bit for each of four parts that b may
-  // meet on a way.
+  // The largest magnitude of a coordinate of a triangle that stands in ways.
+  [[nodiscard]] Real extent() const {
+    Lanes most = all_lanes(0);
+    for (const FourParts<B>& four : fours_.span()) {
+      Lanes size = four.triangles.size();
+      if constexpr (std::same_as<B, Triangle>) {
+        size = maximum(size, four.placed.of.size());
+      }
+      most = maximum(most, four.gap < all_lanes(infinity) ? size : all_lanes(0));
+    }
+    return largest(most);
+  }
+  // The support points of a hull, for EPA. `support_of_b`: that of b against a direction, unless it is a triangle.
+  template <class SupportOfB>
+  [[nodiscard]] SupportPair support_pair(const PartsHull& hull, const Vec3& direction,
+                                         const SupportOfB& support_of_b) const {
+    const Columns directions = Columns::all(direction);
+    Lanes best = all_lanes(-infinity);
+    LaneNumbers places = 0;
+    for (std::size_t place = 0; place < fours_.size(); ++place) {
+      const Lanes reach = reach_in(hull, fours_[place], directions);
+      const LaneNumbers is_better = reach > best;
+      best = is_better ? reach : best;
+      places = is_better ? LaneNumbers(static_cast<std::int64_t>(place)) : places;
+    }
+    const auto lane = static_cast<std::size_t>(std::countr_zero(bits_of(best == all_lanes(largest(best)))));
+    const FourParts<B>& four = fours_[static_cast<std::size_t>(places[lane])];
+    SupportPair pair{extreme(four.triangles[lane], direction), {0, 0, 0}, no_index, no_index};
+    if constexpr (std::same_as<B, Triangle>) {
+      pair.b = extreme(four.placed.of[lane], -direction);
+    } else {
+      pair.b = support_of_b(direction);
+    }
+    if (hull.has_fronts && has_fronts(hull, four)[lane] != 0) {
+      for (const Vec3& front : {four.fronts.a[lane], four.fronts.b[lane]}) {
+        if (dot(direction, front) < 0) {
+          pair.a = pair.a - hull.far * front;
+        }
+      }
+    }
+    return pair;
+  }
+  // How the support function of a hull runs near a direction, but for what b has to do with it: to the corners across
+  // the nearest creases. `top`: the support point.
+  [[nodiscard]] SecondOrder second_order(const PartsHull& hull, const DirectionFrame& frame, const Vec3& top) const {
+    SecondOrder near = second_order_of_point(in_frame(frame, top));
+    near.is_sum = false;
+    std::array<Real, 3> angles{infinity, infinity, infinity};
+    const auto offer = [&](const Vec3& corner) {
+      const InFrame edge = in_frame(frame, corner - top);
+      const Real angle = -edge.n / std::hypot(edge.x, edge.y);
+      std::size_t at = near.edge_count;
+      const auto is_same = [&](const InFrame& other) { return other.x == edge.x && other.y == edge.y; };
+      if (!(angle < angles.back()) || std::ranges::any_of(std::span(near.edges).first(at), is_same)) {
+        return;
+      }
+      at = std::min(at, angles.size() - 1);
+      for (; at > 0 && angle < angles[at - 1]; --at) {
+        angles[at] = angles[at - 1];
+        near.edges[at] = near.edges[at - 1];
+      }
+      angles[at] = angle;
+      near.edges[at] = edge;
+      near.edge_count = std::min(near.edge_count + 1, angles.size());
+    };
+    for (std::size_t part = 0; part < size_; ++part) {
+      const FourParts<B>& four = fours_[part / 4];
+      const std::size_t lane = part % 4;
+      if (!(reach_in(hull, four, Columns::all(frame.n))[lane] > -infinity)) {
+        continue;
+      }
+      const Vec3 front = four.fronts.a[lane];
+      for (const Vec3& corner : four.triangles[lane]) {
+        offer(corner);
+        if (squared_norm(front) > 0 && has_fronts(hull, four)[lane] != 0) {
+          offer(corner - hull.far * front);
+        }
+      }
+    }
+    return near;
+  }
+
+  // How far b has to move along the best of some ways, if less far than along the best one so far. `lowest_along`:
+  // where b begins along directions. meets_on(parts, way) has a bit for each of four parts that b may meet on a way.
   template <class LowestAlong, class MeetsOn>
-  [[nodiscard]] PartingWay way_out(const Vec3& normals, Real most, const LowestAlong& lowest_along,
-                                   const MeetsOn& meets_on) const {
-    PartingWay best{most, {0, 0, 0}};
+  [[nodiscard]] PartingWay shortest(std::span<const Vec3> ways, PartingWay best, const LowestAlong& lowest_along,
+                                    const MeetsOn& meets_on) const {
     LatelyInTheWay obstacles;
-    const auto consider = [&](const Columns& directions, std::uint64_t lanes) {
+    const auto consider = [&](const Columns& directions) {
+      std::uint64_t lanes = all_four;
       const Lanes lowest = lowest_along(directions);
       Lanes overlaps = all_lanes(0);
       for (const std::size_t part : obstacles.parts()) {
@@ -243,34 +306,57 @@ class PartsMet {
         best = depth < best.depth ? PartingWay{depth, direction} : best;
       }
     };
-    // Over a crest the way between the faces is shorter than out of any one of them.
-    if (const auto between = UnitVec3::make(normals)) {
-      consider(Columns::all(*between), 1);
-    }
-    const std::span<const Vec3> ways = ways_.span();
     for (std::size_t first = 0; first < ways.size(); first += 4) {
       // The last one stands in for those that lack.
       const auto way = [&](std::size_t i) { return lanes_of(ways[std::min(first + i, ways.size() - 1)]); };
-      consider(Columns::of(way(0), way(1), way(2), way(3)), 15);
+      consider(Columns::of(way(0), way(1), way(2), way(3)));
     }
     return best;
   }
-
- private:
-  static constexpr std::size_t known_ways = 64;
-
-  // Among the ways that are known.
-  [[nodiscard]] static std::size_t place_of(const Vec3& way) {
-    const auto bits = [](Real value) { return std::bit_cast<std::uint64_t>(value); };
-    return spread(bits(way.x) + 3 * bits(way.y) + 7 * bits(way.z), std::bit_width(known_ways - 1));
-  }
-  void add_face(const Vec3& normal, bool is_one_sided) {
-    if (squared_norm(normal) > 0) {
-      add_way(normal);
-      if (!is_one_sided) {
-        add_way(-normal);
+  // The least ways out of parts that stand in ways, and those out of their faces.
+  [[nodiscard]] SmallVector<Vec3, 96> ways() const {
+    SmallVector<Vec3, 96> ways = ways_;
+    const auto add_face = [&](const TriangleCorners& corners) {
+      if (const auto normal = UnitVec3::make(cross(corners[1] - corners[0], corners[2] - corners[0]))) {
+        ways.push_back(*normal);
+        ways.push_back(-*normal);
+      }
+    };
+    for (std::size_t part = 0; part < size_; ++part) {
+      const FourParts<B>& four = fours_[part / 4];
+      if (!is_in_the_way(part)) {
+        continue;
+      }
+      add_face(four.triangles[part % 4]);
+      if constexpr (std::same_as<B, Triangle>) {
+        add_face(four.placed.of[part % 4]);
       }
     }
+    return ways;
+  }
+
+ private:
+  static constexpr std::uint64_t all_four = 15;
+
+  [[nodiscard]] static Vec3 extreme(const TriangleCorners& corners, const Vec3& direction) {
+    const Real a = dot(direction, corners[0]), b = dot(direction, corners[1]), c = dot(direction, corners[2]);
+    return a >= b && a >= c ? corners[0] : b >= c ? corners[1] : corners[2];
+  }
+  // What b only touches may lie behind a front.
+  [[nodiscard]] static LaneNumbers has_fronts(const PartsHull& hull, const FourParts<B>& four) {
+    return hull.has_all ? four.gap < all_lanes(infinity) : four.gap < -four.noise;
+  }
+  // How far parts reach along a direction in a hull. Those that are not in it reach nowhere.
+  [[nodiscard]] [[gnu::always_inline]] static inline Lanes reach_in(const PartsHull& hull, const FourParts<B>& four,
+                                                                    const Columns& directions) {
+    Lanes reach = four.reach_along(directions, all_lanes(0));
+    if (hull.has_fronts) {
+      const auto behind = [&](const Columns& fronts) { return minimum(dot(directions, fronts), all_lanes(0)); };
+      const Lanes stretch = hull.far * (behind(four.fronts.a) + behind(four.fronts.b));
+      reach -= has_fronts(hull, four) ? stretch : all_lanes(0);
+    }
+    const LaneNumbers is_in = hull.has_all ? four.gap < all_lanes(infinity) : four.gap <= four.noise;
+    return is_in ? reach : all_lanes(-infinity);
   }
 
   // How far b has to move to be parted from those of four parts that it meets already.
@@ -319,11 +405,9 @@ class PartsMet {
   }
 
   SmallVector<FourParts<B>, 24> fours_;
-  SmallVector<std::size_t, 96> offering_;
   std::size_t size_ = 0;
-  Real noise_ = 0, deepest_ = 0;
-  SmallVector<Vec3, 192> ways_;
-  std::array<std::size_t, known_ways> known_{};  // numbers of ways, each where its bits lead
+  Real noise_ = 0;
+  SmallVector<Vec3, 96> ways_;
 };
 
 }  // namespace abut

@@ -260,9 +260,6 @@ class SurfaceContacts {
               bool closest_count) {
     const std::size_t first = out_.size();
     const Real least = contacts_under(triangle, b, ab_, core, settings_.margin, closest_count, out_);
-    if (least <= 0) {
-      ways_.add_way(core.normal);
-    }
     name_parts(triangle, part_of_b, first);
     return -least;
   }
@@ -373,7 +370,7 @@ class SurfaceContacts {
     if (claimed <= (1 + claim_blur) * depth_) {
       return {infinity, {0, 0, 0}};
     }
-    return ways_.shortest(claims_.sum_of_normals(), claimed / (1 + claim_blur), on_the_way);
+    return ways_.shortest(claimed / (1 + claim_blur), on_the_way);
   }
   // No way out of all is shorter than that of a triangle. Where all contacts are less deep than one that was left to
   // neighbours, the shortest way out of all tells the depth. What only touches has none. Where no contact touches, nor
@@ -388,7 +385,7 @@ class SurfaceContacts {
     const CoreSeparation& core = left_->found.core;
     const Real gap = core.distance - b.radius(), noise = left_->noise;
     if (core.overlap && std::max(depth_from(first_), Real{0}) < -gap - noise) {
-      const PartingWay way = ways_.shortest(claims_.sum_of_normals(), infinity, on_the_way);
+      const PartingWay way = ways_.shortest(infinity, on_the_way);
       if (way.depth < infinity && append_way(way, on_the_way)) {
         return;
       }

@@ -32,16 +32,46 @@ class DepthSearch {
  public:
   inline DepthSearch(const Difference& cores, Real error) : cores_(cores), error_(error), noise_(cores.noise()) {}
 
-  // Grows a polytope until its least face without a proof lies on the boundary, or it is full.
   [[nodiscard]] EpaResult run(const Simplex& start) {
+    [[clang::uninitialized]] Polytope polytope;
+    if (const FlatDifference flat = grow(polytope, start); flat.is_flat) {
+      return answer_across(flat.normal);
+    }
+    return is_at_minimum() ? answer_at_minimum() : answer_under(polytope);
+  }
+  [[nodiscard]] std::optional<LeastOverlap> run_below(Real most) {
+    result_.upper = most;
+    [[clang::uninitialized]] Polytope polytope;
+    LeastOverlap found{};
+    if (const FlatDifference flat = grow(polytope, around()); flat.is_flat) {
+      const EpaResult across = answer_across(flat.normal);
+      found = {across.depth, across.normal};
+    } else if (is_at_minimum()) {
+      found = {minima_[best_].depth, minima_[best_].normal};
+    } else {
+      found = {result_.upper, result_.normal};
+    }
+    return found.depth < most ? std::optional(found) : std::nullopt;
+  }
+
+ private:
+  // Support points all around, which mostly hold the origin.
+  [[nodiscard]] Simplex around() const {
+    Simplex simplex;
+    for (const Vec3& direction : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
+      simplex.push(cores_.vertex_toward(direction));
+    }
+    return simplex;
+  }
+  // Grows a polytope until its least face without a proof lies on the boundary, or it is full.
+  [[nodiscard]] FlatDifference grow(Polytope& polytope, const Simplex& start) {
     if (cores_.is_curved) {
       cores_.add_balls(noise_, proven_);
     }
-    [[clang::uninitialized]] Polytope polytope;
     polytope.reset();
     const FlatDifference flat = polytope.start(start, noise_, cores_);
     if (flat.is_flat) {
-      return answer_across(flat.normal);
+      return flat;
     }
     while (result_.iterations < Polytope::vertex_limit && push_out(polytope)) {
     }
@@ -49,10 +79,8 @@ class DepthSearch {
     if (cores_.is_curved && (is_open() || is_sliver)) [[unlikely]] {
       descend_from_faces(polytope);
     }
-    return is_at_minimum() ? answer_at_minimum() : answer_under(polytope);
+    return flat;
   }
-
- private:
   [[nodiscard]] inline bool is_open() const { return result_.upper - result_.lower > error_; }
   [[nodiscard]] inline Real least_minimum() const { return minima_.empty() ? infinity : minima_[best_].upper; }
   [[nodiscard]] inline bool is_at_minimum() const { return least_minimum() <= result_.upper + error_; }
@@ -244,6 +272,10 @@ class DepthSearch {
 
 EpaResult epa(const Difference& cores, Real error, const Simplex& start) {
   return DepthSearch(cores, error).run(start);
+}
+
+std::optional<LeastOverlap> least_overlap_below(Real most, const Difference& cores, Real error) {
+  return DepthSearch(cores, error).run_below(most);
 }
 
 }  // namespace abut

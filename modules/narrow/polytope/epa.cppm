@@ -30,4 +30,11 @@ struct EpaResult {
 
 [[nodiscard]] EpaResult epa(const Difference& cores, Real error, const Simplex& start);
 
+// The depth and the normal alone. Nothing where the depth is surely no less than `most`, which mostly shows sooner.
+struct LeastOverlap {
+  Real depth;
+  Vec3 normal;
+};
+[[nodiscard]] std::optional<LeastOverlap> least_overlap_below(Real most, const Difference& cores, Real error);
+
 }  // namespace abut
