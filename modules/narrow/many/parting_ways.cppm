@@ -151,8 +151,8 @@ class PartingWays {
   static constexpr Real far_behind = 16;
 
   // The shortest way out of what is met. No way is shorter than the one out of the hull of what b overlaps. Only where
-  // something that b does not overlap stands in that way, others may be as short: the one out of the hull of all that
-  // is met, and those of faces and of single parts.
+  // something else stands in that way, others may be as short: the one out of the hull of that too, and those of faces
+  // and of single parts.
   template <class OnTheWay>
   [[nodiscard]] PartingWay out_of_met(Real most, const OnTheWay& on_the_way) const {
     PartingWay best{most, {0, 0, 0}};
@@ -160,31 +160,40 @@ class PartingWays {
       best = met_.shortest(
           ways, best, [&](const Columns& directions) { return lowest_along(directions); }, meets_on(on_the_way));
     };
-    const auto shortest = way_out_of_hull(false, most);
-    if (!shortest) {
-      return best;
-    }
-    consider(std::span(&shortest->direction, 1));
-    if (best.depth <= shortest->depth + met_.noise()) {
-      return best;
-    }
-    if (const auto way = way_out_of_hull(true, best.depth)) {
-      consider(std::span(&way->direction, 1));
+    [[clang::uninitialized]] PartsHull hull = met_.hull(Surface<Other> || a_.has_fronts(), far_behind * size_of_hull());
+    for (bool is_first = true;; is_first = false) {
+      const auto way = way_out_of(hull, best.depth);
+      if (way) {
+        consider(std::span(&way->direction, 1));
+      }
+      const bool is_free = !way || best.depth <= way->depth + met_.noise();
+      if (is_free && is_first) {
+        return best;
+      }
+      if (is_free || !met_.take_in(hull, *way, lowest_along(way->direction), meets_on(on_the_way))) {
+        break;
+      }
     }
     consider(met_.ways().span());
     consider(own_ways().span());
     return best;
   }
 
-  // The least way out of a hull of parts, if shorter than `most`.
-  [[nodiscard]] std::optional<PartingWay> way_out_of_hull(bool has_all, Real most) const {
-    Real extent = met_.extent(), radius = 0;
+  // Bounds the coordinates of what is met, and of b.
+  [[nodiscard]] Real size_of_hull() const {
+    Real extent = met_.extent();
     if constexpr (!Surface<Other>) {
       extent += other_.extent() + largest_magnitude(placed_centre(other_, ab_));
+    }
+    return 2 * extent;
+  }
+  // The shortest way out of a hull of parts, if shorter than `most`.
+  [[nodiscard]] std::optional<PartingWay> way_out_of(const PartsHull& hull, Real most) const {
+    const Real size = size_of_hull(), error = std::max(touching_distance(size), met_.noise());
+    Real radius = 0;
+    if constexpr (!Surface<Other>) {
       radius = other_.radius();
     }
-    const Real size = 2 * extent, error = std::max(touching_distance(size), met_.noise());
-    const PartsHull hull{has_all, a_.has_fronts() || Surface<Other>, far_behind * size};
     const auto support = [&](const Vec3& direction) {
       return met_.support_pair(hull, direction, [&](const Vec3& along) {
         if constexpr (Surface<Other>) {

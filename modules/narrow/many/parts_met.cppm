@@ -155,11 +155,11 @@ class LatelyInTheWay {
   std::size_t count_ = 0;
 };
 
-// The hull of the Minkowski differences of parts, each of them its triangle less b: what a way leaves soonest parts
-// all. Behind a front a difference goes on without end, as no way leads there; `far` stands in for that.
+// The hull of the Minkowski differences of some parts, each of them its triangle less b: the way that leaves it soonest
+// parts them all. Behind a front a difference goes on without end, as no way leads there; `far` stands in for that.
 struct PartsHull {
-  bool has_all;     // those too that b does not overlap, but may meet
-  bool has_fronts;  // whether any has one
+  SmallVector<LaneNumbers, 24> parts, fronts;  // whether they and their fronts are in it, four by four
+  bool has_fronts;                             // whether any part may have one
   Real far;
 };
 
@@ -212,6 +212,36 @@ class PartsMet {
     }
     return largest(most);
   }
+  // Of what b overlaps. What b only touches may lie behind a front.
+  [[nodiscard]] PartsHull hull(bool has_fronts, Real far) const {
+    [[clang::uninitialized]] PartsHull hull;
+    hull.has_fronts = has_fronts;
+    hull.far = far;
+    for (const FourParts<B>& four : fours_.span()) {
+      hull.parts.push_back(four.gap <= four.noise);
+      hull.fronts.push_back(four.gap < -four.noise);
+    }
+    return hull;
+  }
+  // Takes into a hull what else b meets on a way, and fronts that it touches. Whether there is any.
+  template <class MeetsOn>
+  [[nodiscard]] bool take_in(PartsHull& hull, const PartingWay& way, Real lowest, const MeetsOn& meets_on) const {
+    bool is_any = false;
+    const auto take = [&](std::size_t place, std::uint64_t lanes) {
+      for (; lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        is_any = is_any || hull.fronts[place][lane] == 0;
+        hull.parts[place][lane] = hull.fronts[place][lane] = -1;
+      }
+    };
+    for (std::size_t place = 0; place < fours_.size(); ++place) {
+      take(place, bits_of(touching_overlaps(place, way.direction, lowest) == all_lanes(infinity)));
+    }
+    Real depth = way.depth;
+    while (depth < infinity && prolong(depth, way.direction, lowest, meets_on, take)) {
+    }
+    return is_any;
+  }
   // The support points of a hull, for EPA. `support_of_b`: that of b against a direction, unless it is a triangle.
   template <class SupportOfB>
   [[nodiscard]] SupportPair support_pair(const PartsHull& hull, const Vec3& direction,
@@ -220,20 +250,21 @@ class PartsMet {
     Lanes best = all_lanes(-infinity);
     LaneNumbers places = 0;
     for (std::size_t place = 0; place < fours_.size(); ++place) {
-      const Lanes reach = reach_in(hull, fours_[place], directions);
+      const Lanes reach = reach_in(hull, place, directions);
       const LaneNumbers is_better = reach > best;
       best = is_better ? reach : best;
       places = is_better ? LaneNumbers(static_cast<std::int64_t>(place)) : places;
     }
     const auto lane = static_cast<std::size_t>(std::countr_zero(bits_of(best == all_lanes(largest(best)))));
-    const FourParts<B>& four = fours_[static_cast<std::size_t>(places[lane])];
+    const auto place = static_cast<std::size_t>(places[lane]);
+    const FourParts<B>& four = fours_[place];
     SupportPair pair{extreme(four.triangles[lane], direction), {0, 0, 0}, no_index, no_index};
     if constexpr (std::same_as<B, Triangle>) {
       pair.b = extreme(four.placed.of[lane], -direction);
     } else {
       pair.b = support_of_b(direction);
     }
-    if (hull.has_fronts && has_fronts(hull, four)[lane] != 0) {
+    if (hull.has_fronts && hull.fronts[place][lane] != 0) {
       for (const Vec3& front : {four.fronts.a[lane], four.fronts.b[lane]}) {
         if (dot(direction, front) < 0) {
           pair.a = pair.a - hull.far * front;
@@ -268,13 +299,13 @@ class PartsMet {
     for (std::size_t part = 0; part < size_; ++part) {
       const FourParts<B>& four = fours_[part / 4];
       const std::size_t lane = part % 4;
-      if (!(reach_in(hull, four, Columns::all(frame.n))[lane] > -infinity)) {
+      if (hull.parts[part / 4][lane] == 0) {
         continue;
       }
       const Vec3 front = four.fronts.a[lane];
       for (const Vec3& corner : four.triangles[lane]) {
         offer(corner);
-        if (squared_norm(front) > 0 && has_fronts(hull, four)[lane] != 0) {
+        if (squared_norm(front) > 0 && hull.fronts[part / 4][lane] != 0) {
           offer(corner - hull.far * front);
         }
       }
@@ -342,21 +373,17 @@ class PartsMet {
     const Real a = dot(direction, corners[0]), b = dot(direction, corners[1]), c = dot(direction, corners[2]);
     return a >= b && a >= c ? corners[0] : b >= c ? corners[1] : corners[2];
   }
-  // What b only touches may lie behind a front.
-  [[nodiscard]] static LaneNumbers has_fronts(const PartsHull& hull, const FourParts<B>& four) {
-    return hull.has_all ? four.gap < all_lanes(infinity) : four.gap < -four.noise;
-  }
   // How far parts reach along a direction in a hull. Those that are not in it reach nowhere.
-  [[nodiscard]] [[gnu::always_inline]] static inline Lanes reach_in(const PartsHull& hull, const FourParts<B>& four,
-                                                                    const Columns& directions) {
+  [[nodiscard]] [[gnu::always_inline]] inline Lanes reach_in(const PartsHull& hull, std::size_t place,
+                                                             const Columns& directions) const {
+    const FourParts<B>& four = fours_[place];
     Lanes reach = four.reach_along(directions, all_lanes(0));
     if (hull.has_fronts) {
       const auto behind = [&](const Columns& fronts) { return minimum(dot(directions, fronts), all_lanes(0)); };
       const Lanes stretch = hull.far * (behind(four.fronts.a) + behind(four.fronts.b));
-      reach -= has_fronts(hull, four) ? stretch : all_lanes(0);
+      reach -= hull.fronts[place] ? stretch : all_lanes(0);
     }
-    const LaneNumbers is_in = hull.has_all ? four.gap < all_lanes(infinity) : four.gap <= four.noise;
-    return is_in ? reach : all_lanes(-infinity);
+    return hull.parts[place] ? reach : all_lanes(-infinity);
   }
 
   // How far b has to move to be parted from those of four parts that it meets already.
@@ -386,22 +413,27 @@ class PartsMet {
       }
       are_some_apart = are_some_apart || bits_of(fours_[place].gap > fours_[place].noise) != 0;
     }
-    for (bool has_grown = are_some_apart; has_grown;) {
-      has_grown = false;
-      for (const FourParts<B>& four : fours_.span()) {
-        const Lanes overlaps = four.overlaps_along(Columns::all(direction), all_lanes(lowest));
-        std::uint64_t met = bits_of((four.gap > four.noise) & (overlaps > all_lanes(depth)));
-        met = met == 0 ? 0 : met & meets_on(four, PartingWay{depth, direction});
-        for (; met != 0; met &= met - 1) {
-          depth = std::max(depth, overlaps[static_cast<std::size_t>(std::countr_zero(met))]);
-          has_grown = true;
-        }
-        if (!(depth < enough)) {
-          return depth;
-        }
-      }
+    while (are_some_apart && depth < enough && prolong(depth, direction, lowest, meets_on, [](auto&&...) {})) {
     }
     return depth;
+  }
+  // Makes a way longer where b enters parts on it that it does not overlap. Whether it did. `on_met` is told which.
+  template <class MeetsOn, class OnMet>
+  [[nodiscard]] bool prolong(Real& depth, const Vec3& direction, Real lowest, const MeetsOn& meets_on,
+                             const OnMet& on_met) const {
+    bool has_grown = false;
+    for (std::size_t place = 0; place < fours_.size(); ++place) {
+      const FourParts<B>& four = fours_[place];
+      const Lanes overlaps = four.overlaps_along(Columns::all(direction), all_lanes(lowest));
+      std::uint64_t met = bits_of((four.gap > four.noise) & (overlaps > all_lanes(depth)));
+      met = met == 0 ? 0 : met & meets_on(four, PartingWay{depth, direction});
+      on_met(place, met);
+      for (; met != 0; met &= met - 1) {
+        depth = std::max(depth, overlaps[static_cast<std::size_t>(std::countr_zero(met))]);
+        has_grown = true;
+      }
+    }
+    return has_grown;
   }
 
   SmallVector<FourParts<B>, 24> fours_;
