@@ -189,6 +189,20 @@ class PartingWays {
   }
   // The shortest way out of a hull of parts, if shorter than `most`.
   [[nodiscard]] std::optional<PartingWay> way_out_of(const PartsHull& hull, Real most) const {
+    auto way = least_overlap_of(hull, most);
+    PartsHull along = hull;
+    while (way && along.along.size() < 2) {
+      const auto front = met_.front_against(hull, way->direction);
+      if (!front) {
+        break;
+      }
+      along.along.push_back(*front);
+      way = least_overlap_of(along, most);
+    }
+    return way;
+  }
+  // The same, but it may lead a little against fronts.
+  [[nodiscard]] std::optional<PartingWay> least_overlap_of(const PartsHull& hull, Real most) const {
     const Real size = size_of_hull(), error = std::max(touching_distance(size), met_.noise());
     Real radius = 0;
     if constexpr (!Surface<Other>) {

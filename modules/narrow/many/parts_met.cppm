@@ -161,6 +161,7 @@ struct PartsHull {
   SmallVector<LaneNumbers, 24> parts, fronts;  // whether they and their fronts are in it, four by four
   bool has_fronts;                             // whether any part may have one
   Real far;
+  SmallVector<Vec3, 2> along;  // fronts along which all ways lead
 };
 
 template <Convex B>
@@ -264,6 +265,9 @@ class PartsMet {
     } else {
       pair.b = support_of_b(direction);
     }
+    for (const Vec3& front : hull.along.span()) {
+      pair.a = pair.a + std::copysign(hull.far, dot(direction, front)) * front;
+    }
     if (hull.has_fronts && hull.fronts[place][lane] != 0) {
       for (const Vec3& front : {four.fronts.a[lane], four.fronts.b[lane]}) {
         if (dot(direction, front) < 0) {
@@ -272,6 +276,21 @@ class PartsMet {
       }
     }
     return pair;
+  }
+  // The front in a hull against which a way leads most, if any: as `far` has an end, some ways seem short that do.
+  [[nodiscard]] std::optional<Vec3> front_against(const PartsHull& hull, const Vec3& way) const {
+    Vec3 most{0, 0, 0};
+    for (std::size_t part = 0; hull.has_fronts && part < size_; ++part) {
+      const FourParts<B>& four = fours_[part / 4];
+      const std::size_t lane = part % 4;
+      if (hull.fronts[part / 4][lane] == 0) {
+        continue;
+      }
+      for (const Vec3& front : {four.fronts.a[lane], four.fronts.b[lane]}) {
+        most = dot(way, front) < std::min(dot(way, most), -least_sine) ? front : most;
+      }
+    }
+    return most == Vec3{0, 0, 0} ? std::nullopt : std::optional(most);
   }
   // How the support function of a hull runs near a direction, but for what b has to do with it: to the corners across
   // the nearest creases. `top`: the support point.
@@ -309,6 +328,9 @@ class PartsMet {
           offer(corner - hull.far * front);
         }
       }
+    }
+    for (const Vec3& front : hull.along.span()) {
+      offer(top - 2 * std::copysign(hull.far, dot(frame.n, front)) * front);
     }
     return near;
   }
@@ -368,6 +390,7 @@ class PartsMet {
 
  private:
   static constexpr std::uint64_t all_four = 15;
+  static constexpr Real least_sine = 1e-12;  // as of fronts that allow a way, within rounding
 
   [[nodiscard]] static Vec3 extreme(const TriangleCorners& corners, const Vec3& direction) {
     const Real a = dot(direction, corners[0]), b = dot(direction, corners[1]), c = dot(direction, corners[2]);
