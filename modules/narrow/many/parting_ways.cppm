@@ -198,6 +198,13 @@ class PartingWays {
       }
       along.along.push_back(*front);
       way = least_overlap_of(along, most);
+      // The search leaves a part across them that is rounding, but forbidden.
+      for (const Vec3& held : along.along.span()) {
+        if (way) {
+          way->direction = UnitVec3::make(way->direction - dot(way->direction, held) * held)
+                               .value_or(UnitVec3::from_unit_unchecked(way->direction));
+        }
+      }
     }
     return way;
   }
