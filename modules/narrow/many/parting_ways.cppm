@@ -3,20 +3,15 @@
 // deeper.
 export module abut.narrow.many.parting_ways;
 import abut.capability;
-import abut.capability.second_order;
 import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.four_vec3;
-import abut.narrow.apart.wide_gjk;
 import abut.narrow.convex;
-import abut.narrow.cores.difference;
-import abut.narrow.cores.direction_cover;
-import abut.narrow.cores.second_order_of_pair;
 import abut.narrow.many.last_touch;
+import abut.narrow.many.parts_hull;
 import abut.narrow.many.parts_met;
 import abut.narrow.many.triangle_contacts;
-import abut.narrow.polytope.epa;
 
 export namespace abut {
 
@@ -147,8 +142,6 @@ class PartingWays {
 
   // A longer look costs more where the way ends soon, a shorter one takes more of them.
   static constexpr Real far_ahead = 2;
-  // How far what is behind a front goes on, by the size of both shapes: no way is as long.
-  static constexpr Real far_behind = 16;
 
   // The shortest way out of what is met. No way is shorter than the one out of the hull of what b overlaps. Only where
   // something else stands in that way, others may be as short: the one out of the hull of that too, and those of faces
@@ -160,9 +153,9 @@ class PartingWays {
       best = met_.shortest(
           ways, best, [&](const Columns& directions) { return lowest_along(directions); }, meets_on(on_the_way));
     };
-    [[clang::uninitialized]] PartsHull hull = met_.hull(Surface<Other> || a_.has_fronts(), far_behind * size_of_hull());
+    [[clang::uninitialized]] PartsHull<B> hull(met_.fours(), extent_of_other(), Surface<Other> || a_.has_fronts());
     for (bool is_first = true;; is_first = false) {
-      const auto way = way_out_of(hull, best.depth);
+      const auto way = hull.way_out(other_, ab_, best.depth, met_.noise());
       if (way) {
         consider(std::span(&way->direction, 1));
       }
@@ -170,7 +163,7 @@ class PartingWays {
       if (is_free && is_first) {
         return best;
       }
-      if (is_free || !met_.take_in(hull, *way, lowest_along(way->direction), meets_on(on_the_way))) {
+      if (is_free || !take_in_the_way(*way, on_the_way, hull)) {
         break;
       }
     }
@@ -179,75 +172,20 @@ class PartingWays {
     return best;
   }
 
-  // Bounds the coordinates of what is met, and of b.
-  [[nodiscard]] Real size_of_hull() const {
-    Real extent = met_.extent();
-    if constexpr (!Surface<Other>) {
-      extent += other_.extent() + largest_magnitude(placed_centre(other_, ab_));
-    }
-    return 2 * extent;
+  // Takes into a hull what else stands in a way. Whether there is any.
+  template <class OnTheWay>
+  [[nodiscard]] bool take_in_the_way(const PartingWay& way, const OnTheWay& on_the_way, PartsHull<B>& hull) const {
+    bool is_any = false;
+    met_.visit_in_the_way(way, lowest_along(way.direction), meets_on(on_the_way),
+                          [&](std::size_t place, std::uint64_t lanes) { is_any = hull.take(place, lanes) || is_any; });
+    return is_any;
   }
-  // The shortest way out of a hull of parts, if shorter than `most`.
-  [[nodiscard]] std::optional<PartingWay> way_out_of(const PartsHull& hull, Real most) const {
-    auto way = least_overlap_of(hull, most);
-    PartsHull along = hull;
-    while (way && along.along.size() < 2) {
-      const auto front = met_.front_against(hull, way->direction);
-      if (!front) {
-        break;
-      }
-      along.along.push_back(*front);
-      way = least_overlap_of(along, most);
-      // The search leaves a part across them that is rounding, but forbidden.
-      for (const Vec3& held : along.along.span()) {
-        if (way) {
-          way->direction = UnitVec3::make(way->direction - dot(way->direction, held) * held)
-                               .value_or(UnitVec3::from_unit_unchecked(way->direction));
-        }
-      }
+  [[nodiscard]] Real extent_of_other() const {
+    if constexpr (Surface<Other>) {
+      return 0;
+    } else {
+      return other_.extent() + largest_magnitude(placed_centre(other_, ab_));
     }
-    return way;
-  }
-  // The same, but it may lead a little against fronts.
-  [[nodiscard]] std::optional<PartingWay> least_overlap_of(const PartsHull& hull, Real most) const {
-    const Real size = size_of_hull(), error = std::max(touching_distance(size), met_.noise());
-    Real radius = 0;
-    if constexpr (!Surface<Other>) {
-      radius = other_.radius();
-    }
-    const auto support = [&](const Vec3& direction) {
-      return met_.support_pair(hull, direction, [&](const Vec3& along) {
-        if constexpr (Surface<Other>) {
-          return along;
-        } else {
-          return placed_support(other_, place(other_, ab_), -along).point;
-        }
-      });
-    };
-    Difference difference;
-    difference.support = [&support](const Vec3& direction) { return support(direction); };
-    difference.size = size;
-    difference.is_curved = Curved<B>;
-    const auto second_order = [&](const DirectionFrame& frame) {
-      if constexpr (Curved<B>) {
-        const Vec3 top = support(frame.n).a;
-        return pair_second_order(met_.second_order(hull, frame, top), other_, ab_, frame);
-      } else {
-        return PairSecondOrder{};
-      }
-    };
-    if constexpr (Curved<B>) {
-      difference.second_order = [&second_order](const DirectionFrame& frame) { return second_order(frame); };
-      difference.add_balls = [](Real, DirectionCover&) {};
-    }
-    if (radius > 0) {
-      const WideGjkResult apart = wide_gjk(difference, {0, 0, 1}, error, infinity, error);
-      if (!apart.gjk.overlap) {
-        return PartingWay{radius - apart.gjk.upper, apart.gjk.normal};
-      }
-    }
-    const auto least = least_overlap_below(most - radius, difference, error);
-    return least ? std::optional(PartingWay{radius + least->depth, least->normal}) : std::nullopt;
   }
 
   // A bit for each of four parts that b may meet on a way: no further from it than the way is long, and within what b

@@ -3,12 +3,10 @@
 // be parted from all.
 export module abut.narrow.many.parts_met;
 import abut.capability;
-import abut.capability.second_order;
 import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.four_vec3;
-import abut.narrow.cores.difference;
 import abut.narrow.many.triangle_contacts;
 
 export namespace abut {
@@ -155,15 +153,6 @@ class LatelyInTheWay {
   std::size_t count_ = 0;
 };
 
-// The hull of the Minkowski differences of some parts, each of them its triangle less b: the way that leaves it soonest
-// parts them all. Behind a front a difference goes on without end, as no way leads there; `far` stands in for that.
-struct PartsHull {
-  SmallVector<LaneNumbers, 24> parts, fronts;  // whether they and their fronts are in it, four by four
-  bool has_fronts;                             // whether any part may have one
-  Real far;
-  SmallVector<Vec3, 2> along;  // fronts along which all ways lead
-};
-
 template <Convex B>
 class PartsMet {
  public:
@@ -201,139 +190,7 @@ class PartsMet {
     return fours_[part / 4].all_of(part % 4).overlaps_along(directions, lowest);
   }
 
-  // The largest magnitude of a coordinate of a triangle that stands in ways.
-  [[nodiscard]] Real extent() const {
-    Lanes most = all_lanes(0);
-    for (const FourParts<B>& four : fours_.span()) {
-      Lanes size = four.triangles.size();
-      if constexpr (std::same_as<B, Triangle>) {
-        size = maximum(size, four.placed.of.size());
-      }
-      most = maximum(most, four.gap < all_lanes(infinity) ? size : all_lanes(0));
-    }
-    return largest(most);
-  }
-  // Of what b overlaps. What b only touches may lie behind a front.
-  [[nodiscard]] PartsHull hull(bool has_fronts, Real far) const {
-    [[clang::uninitialized]] PartsHull hull;
-    hull.has_fronts = has_fronts;
-    hull.far = far;
-    for (const FourParts<B>& four : fours_.span()) {
-      hull.parts.push_back(four.gap <= four.noise);
-      hull.fronts.push_back(four.gap < -four.noise);
-    }
-    return hull;
-  }
-  // Takes into a hull what else b meets on a way, and fronts that it touches. Whether there is any.
-  template <class MeetsOn>
-  [[nodiscard]] bool take_in(PartsHull& hull, const PartingWay& way, Real lowest, const MeetsOn& meets_on) const {
-    bool is_any = false;
-    const auto take = [&](std::size_t place, std::uint64_t lanes) {
-      for (; lanes != 0; lanes &= lanes - 1) {
-        const int lane = std::countr_zero(lanes);
-        is_any = is_any || hull.fronts[place][lane] == 0;
-        hull.parts[place][lane] = hull.fronts[place][lane] = -1;
-      }
-    };
-    for (std::size_t place = 0; place < fours_.size(); ++place) {
-      take(place, bits_of(touching_overlaps(place, way.direction, lowest) == all_lanes(infinity)));
-    }
-    Real depth = way.depth;
-    while (depth < infinity && prolong(depth, way.direction, lowest, meets_on, take)) {
-    }
-    return is_any;
-  }
-  // The support points of a hull, for EPA. `support_of_b`: that of b against a direction, unless it is a triangle.
-  template <class SupportOfB>
-  [[nodiscard]] SupportPair support_pair(const PartsHull& hull, const Vec3& direction,
-                                         const SupportOfB& support_of_b) const {
-    const Columns directions = Columns::all(direction);
-    Lanes best = all_lanes(-infinity);
-    LaneNumbers places = 0;
-    for (std::size_t place = 0; place < fours_.size(); ++place) {
-      const Lanes reach = reach_in(hull, place, directions);
-      const LaneNumbers is_better = reach > best;
-      best = is_better ? reach : best;
-      places = is_better ? LaneNumbers(static_cast<std::int64_t>(place)) : places;
-    }
-    const auto lane = static_cast<std::size_t>(std::countr_zero(bits_of(best == all_lanes(largest(best)))));
-    const auto place = static_cast<std::size_t>(places[lane]);
-    const FourParts<B>& four = fours_[place];
-    SupportPair pair{extreme(four.triangles[lane], direction), {0, 0, 0}, no_index, no_index};
-    if constexpr (std::same_as<B, Triangle>) {
-      pair.b = extreme(four.placed.of[lane], -direction);
-    } else {
-      pair.b = support_of_b(direction);
-    }
-    for (const Vec3& front : hull.along.span()) {
-      pair.a = pair.a + std::copysign(hull.far, dot(direction, front)) * front;
-    }
-    if (hull.has_fronts && hull.fronts[place][lane] != 0) {
-      for (const Vec3& front : {four.fronts.a[lane], four.fronts.b[lane]}) {
-        if (dot(direction, front) < 0) {
-          pair.a = pair.a - hull.far * front;
-        }
-      }
-    }
-    return pair;
-  }
-  // The front in a hull against which a way leads most, if any: as `far` has an end, some ways seem short that do.
-  [[nodiscard]] std::optional<Vec3> front_against(const PartsHull& hull, const Vec3& way) const {
-    Vec3 most{0, 0, 0};
-    for (std::size_t part = 0; hull.has_fronts && part < size_; ++part) {
-      const FourParts<B>& four = fours_[part / 4];
-      const std::size_t lane = part % 4;
-      if (hull.fronts[part / 4][lane] == 0) {
-        continue;
-      }
-      for (const Vec3& front : {four.fronts.a[lane], four.fronts.b[lane]}) {
-        most = dot(way, front) < std::min(dot(way, most), -least_sine) ? front : most;
-      }
-    }
-    return most == Vec3{0, 0, 0} ? std::nullopt : std::optional(most);
-  }
-  // How the support function of a hull runs near a direction, but for what b has to do with it: to the corners across
-  // the nearest creases. `top`: the support point.
-  [[nodiscard]] SecondOrder second_order(const PartsHull& hull, const DirectionFrame& frame, const Vec3& top) const {
-    SecondOrder near = second_order_of_point(in_frame(frame, top));
-    near.is_sum = false;
-    std::array<Real, 3> angles{infinity, infinity, infinity};
-    const auto offer = [&](const Vec3& corner) {
-      const InFrame edge = in_frame(frame, corner - top);
-      const Real angle = -edge.n / std::hypot(edge.x, edge.y);
-      std::size_t at = near.edge_count;
-      const auto is_same = [&](const InFrame& other) { return other.x == edge.x && other.y == edge.y; };
-      if (!(angle < angles.back()) || std::ranges::any_of(std::span(near.edges).first(at), is_same)) {
-        return;
-      }
-      at = std::min(at, angles.size() - 1);
-      for (; at > 0 && angle < angles[at - 1]; --at) {
-        angles[at] = angles[at - 1];
-        near.edges[at] = near.edges[at - 1];
-      }
-      angles[at] = angle;
-      near.edges[at] = edge;
-      near.edge_count = std::min(near.edge_count + 1, angles.size());
-    };
-    for (std::size_t part = 0; part < size_; ++part) {
-      const FourParts<B>& four = fours_[part / 4];
-      const std::size_t lane = part % 4;
-      if (hull.parts[part / 4][lane] == 0) {
-        continue;
-      }
-      const Vec3 front = four.fronts.a[lane];
-      for (const Vec3& corner : four.triangles[lane]) {
-        offer(corner);
-        if (squared_norm(front) > 0 && hull.fronts[part / 4][lane] != 0) {
-          offer(corner - hull.far * front);
-        }
-      }
-    }
-    for (const Vec3& front : hull.along.span()) {
-      offer(top - 2 * std::copysign(hull.far, dot(frame.n, front)) * front);
-    }
-    return near;
-  }
+  [[nodiscard]] std::span<const FourParts<B>> fours() const [[clang::lifetimebound]] { return fours_.span(); }
 
   // How far b has to move along the best of some ways, if less far than along the best one so far. `lowest_along`:
   // where b begins along directions. meets_on(parts, way) has a bit for each of four parts that b may meet on a way.
@@ -366,6 +223,17 @@ class PartsMet {
     }
     return best;
   }
+  // Calls visit(place, lanes) with what stands in a way beside what b overlaps, by its four and a bit for each: parts
+  // that it meets there, and fronts that it touches.
+  template <class MeetsOn, class Visit>
+  void visit_in_the_way(const PartingWay& way, Real lowest, const MeetsOn& meets_on, const Visit& visit) const {
+    for (std::size_t place = 0; place < fours_.size(); ++place) {
+      visit(place, bits_of(touching_overlaps(place, way.direction, lowest) == all_lanes(infinity)));
+    }
+    Real depth = way.depth;
+    while (depth < infinity && prolong(depth, way.direction, lowest, meets_on, visit)) {
+    }
+  }
   // The least ways out of parts that stand in ways, and those out of their faces.
   [[nodiscard]] SmallVector<Vec3, 96> ways() const {
     SmallVector<Vec3, 96> ways = ways_;
@@ -390,24 +258,6 @@ class PartsMet {
 
  private:
   static constexpr std::uint64_t all_four = 15;
-  static constexpr Real least_sine = 1e-12;  // as of fronts that allow a way, within rounding
-
-  [[nodiscard]] static Vec3 extreme(const TriangleCorners& corners, const Vec3& direction) {
-    const Real a = dot(direction, corners[0]), b = dot(direction, corners[1]), c = dot(direction, corners[2]);
-    return a >= b && a >= c ? corners[0] : b >= c ? corners[1] : corners[2];
-  }
-  // How far parts reach along a direction in a hull. Those that are not in it reach nowhere.
-  [[nodiscard]] [[gnu::always_inline]] inline Lanes reach_in(const PartsHull& hull, std::size_t place,
-                                                             const Columns& directions) const {
-    const FourParts<B>& four = fours_[place];
-    Lanes reach = four.reach_along(directions, all_lanes(0));
-    if (hull.has_fronts) {
-      const auto behind = [&](const Columns& fronts) { return minimum(dot(directions, fronts), all_lanes(0)); };
-      const Lanes stretch = hull.far * (behind(four.fronts.a) + behind(four.fronts.b));
-      reach -= hull.fronts[place] ? stretch : all_lanes(0);
-    }
-    return hull.parts[place] ? reach : all_lanes(-infinity);
-  }
 
   // How far b has to move to be parted from those of four parts that it meets already.
   [[nodiscard]] [[gnu::always_inline]] inline Lanes touching_overlaps(std::size_t place, const Vec3& direction,
