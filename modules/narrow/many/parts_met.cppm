@@ -223,15 +223,13 @@ class PartsMet {
     }
     return best;
   }
-  // Calls visit(place, lanes) with what stands in a way beside what b overlaps, by its four and a bit for each: parts
-  // that it meets there, and fronts that it touches.
+  // Calls visit(place, lanes) with what b meets on a way and is not parted from at its end, beside what it overlaps: by
+  // the place of four parts, and a bit for each. Fronts that it touches stand in the way too.
   template <class MeetsOn, class Visit>
   void visit_in_the_way(const PartingWay& way, Real lowest, const MeetsOn& meets_on, const Visit& visit) const {
     for (std::size_t place = 0; place < fours_.size(); ++place) {
       visit(place, bits_of(touching_overlaps(place, way.direction, lowest) == all_lanes(infinity)));
-    }
-    Real depth = way.depth;
-    while (depth < infinity && prolong(depth, way.direction, lowest, meets_on, visit)) {
+      visit(place, met_beyond(place, way, lowest, meets_on).lanes);
     }
   }
   // The least ways out of parts that stand in ways, and those out of their faces.
@@ -286,27 +284,33 @@ class PartsMet {
       }
       are_some_apart = are_some_apart || bits_of(fours_[place].gap > fours_[place].noise) != 0;
     }
-    while (are_some_apart && depth < enough && prolong(depth, direction, lowest, meets_on, [](auto&&...) {})) {
+    for (bool has_grown = are_some_apart; has_grown && depth < enough;) {
+      has_grown = false;
+      for (std::size_t place = 0; place < fours_.size(); ++place) {
+        const MetBeyond beyond = met_beyond(place, {depth, direction}, lowest, meets_on);
+        has_grown = has_grown || beyond.lanes != 0;
+        depth = std::max(depth, beyond.depth);
+      }
     }
     return depth;
   }
-  // Makes a way longer where b enters parts on it that it does not overlap. Whether it did. `on_met` is told which.
-  template <class MeetsOn, class OnMet>
-  [[nodiscard]] bool prolong(Real& depth, const Vec3& direction, Real lowest, const MeetsOn& meets_on,
-                             const OnMet& on_met) const {
-    bool has_grown = false;
-    for (std::size_t place = 0; place < fours_.size(); ++place) {
-      const FourParts<B>& four = fours_[place];
-      const Lanes overlaps = four.overlaps_along(Columns::all(direction), all_lanes(lowest));
-      std::uint64_t met = bits_of((four.gap > four.noise) & (overlaps > all_lanes(depth)));
-      met = met == 0 ? 0 : met & meets_on(four, PartingWay{depth, direction});
-      on_met(place, met);
-      for (; met != 0; met &= met - 1) {
-        depth = std::max(depth, overlaps[static_cast<std::size_t>(std::countr_zero(met))]);
-        has_grown = true;
-      }
+  // Of four parts those that b does not overlap, but meets on a way and is not parted from at its end: by bit, and the
+  // furthest end of them.
+  struct MetBeyond {
+    std::uint64_t lanes;
+    Real depth;
+  };
+  template <class MeetsOn>
+  [[nodiscard]] MetBeyond met_beyond(std::size_t place, const PartingWay& way, Real lowest,
+                                     const MeetsOn& meets_on) const {
+    const FourParts<B>& four = fours_[place];
+    const Lanes overlaps = four.overlaps_along(Columns::all(way.direction), all_lanes(lowest));
+    const std::uint64_t beyond = bits_of((four.gap > four.noise) & (overlaps > all_lanes(way.depth)));
+    MetBeyond met{beyond == 0 ? 0 : beyond & meets_on(four, way), 0};
+    for (std::uint64_t lanes = met.lanes; lanes != 0; lanes &= lanes - 1) {
+      met.depth = std::max(met.depth, overlaps[std::countr_zero(lanes)]);
     }
-    return has_grown;
+    return met;
   }
 
   SmallVector<FourParts<B>, 24> fours_;
