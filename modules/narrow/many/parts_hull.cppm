@@ -37,6 +37,7 @@ class PartsHull {
       most = maximum(most, four.gap < all_lanes(infinity) ? size : all_lanes(0));
     }
     size_ = 2 * (largest(most) + extent);
+    far_ = 16 * size_;
   }
 
   // Takes in some of four parts with their fronts, by bit. Whether any is new.
@@ -56,7 +57,13 @@ class PartsHull {
   template <class Other>
   [[nodiscard]] std::optional<PartingWay> way_out(const Other& other, const Pose& ab, Real most, Real noise) const {
     auto way = least_overlap(other, ab, most, noise);
+    if (!way || !front_against(way->direction)) {
+      return way;
+    }
+    // The way leads a little against fronts. Where these go on further, it leads against those alone that bound it.
     PartsHull held = *this;
+    held.far_ *= 1000;
+    way = held.least_overlap(other, ab, most, noise);
     while (way && held.held_.size() < 2) {
       const auto front = front_against(way->direction);
       if (!front) {
@@ -97,13 +104,11 @@ class PartsHull {
     } else {
       pair.b = support_of_b(direction);
     }
-    for (const Vec3& front : held_.span()) {
-      pair.a = pair.a + std::copysign(far(), dot(direction, front)) * front;
-    }
+    pair.a = pair.a + end_along_held(direction);
     if (has_fronts_ && fronts_[place][lane] != 0) {
       for (const Vec3& front : {four.fronts.a[lane], four.fronts.b[lane]}) {
         if (dot(direction, front) < 0) {
-          pair.a = pair.a - far() * front;
+          pair.a = pair.a - far_ * front;
         }
       }
     }
@@ -132,17 +137,18 @@ class PartsHull {
       near.edges[at] = edge;
       near.edge_count = std::min(near.edge_count + 1, tangents.size());
     };
+    const Vec3 along_held = end_along_held(frame.n);
     visit_parts([&](const FourParts<B>& four, std::size_t lane, bool has_front) {
       const Vec3 front = four.fronts.a[lane];
       for (const Vec3& corner : four.triangles[lane]) {
-        offer(corner);
+        offer(corner + along_held);
         if (has_front && squared_norm(front) > 0) {
-          offer(corner - far() * front);
+          offer(corner + along_held - far_ * front);
         }
       }
     });
     for (const Vec3& front : held_.span()) {
-      offer(top - 2 * std::copysign(far(), dot(frame.n, front)) * front);
+      offer(top - 2 * std::copysign(far_, dot(frame.n, front)) * front);
     }
     return near;
   }
@@ -150,9 +156,14 @@ class PartsHull {
  private:
   static constexpr Real least_sine = 1e-12;  // fronts allow ways against them within rounding
 
-  // How far what is behind a front goes on here: no way is as long. More would cost digits.
-  [[nodiscard]] Real far() const { return 16 * size_; }
-
+  // All parts go on as far both ways along fronts that are held: any way across is long.
+  [[nodiscard]] Vec3 end_along_held(const Vec3& direction) const {
+    Vec3 end{0, 0, 0};
+    for (const Vec3& front : held_.span()) {
+      end = end + std::copysign(far_, dot(direction, front)) * front;
+    }
+    return end;
+  }
   [[nodiscard]] static Vec3 extreme(const TriangleCorners& corners, const Vec3& direction) {
     const Real a = dot(direction, corners[0]), b = dot(direction, corners[1]), c = dot(direction, corners[2]);
     return a >= b && a >= c ? corners[0] : b >= c ? corners[1] : corners[2];
@@ -163,7 +174,7 @@ class PartsHull {
     Lanes reach = four.reach_along(directions, all_lanes(0));
     if (has_fronts_) {
       const auto behind = [&](const Columns& fronts) { return minimum(dot(directions, fronts), all_lanes(0)); };
-      const Lanes stretch = far() * (behind(four.fronts.a) + behind(four.fronts.b));
+      const Lanes stretch = far_ * (behind(four.fronts.a) + behind(four.fronts.b));
       reach -= fronts_[place] ? stretch : all_lanes(0);
     }
     return parts_[place] ? reach : all_lanes(-infinity);
@@ -229,8 +240,8 @@ class PartsHull {
     }
     if (radius > 0) {
       const WideGjkResult apart = wide_gjk(difference, {0, 0, 1}, error, infinity, error);
-      if (!apart.gjk.overlap) {
-        return PartingWay{radius - apart.gjk.upper, apart.gjk.normal};
+      if (const Real depth = radius - apart.gjk.upper; !apart.gjk.overlap) {
+        return depth < most ? std::optional(PartingWay{depth, apart.gjk.normal}) : std::nullopt;
       }
     }
     const auto least = least_overlap_below(most - radius, difference, error);
@@ -241,6 +252,7 @@ class PartsHull {
   SmallVector<LaneNumbers, 24> parts_, fronts_;  // whether they and their fronts are in it, four by four
   SmallVector<Vec3, 2> held_;                    // fronts along which all ways lead
   Real size_;                                    // bounds all coordinates
+  Real far_;                                     // how far what is behind a front goes on here: no way is as long
   bool has_fronts_;                              // whether any part may have one
 };
 

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shortest of some ways out of all parts, and the hull of what parts and another shape have in common: all corners,
-// asked one by one, judge both.
+// The shortest of some ways out of all parts, and what stands in a way: all corners, asked one by one, judge both.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "../../made.hpp"
 #include "../../random_boxes.hpp"
 
 import abut.capability;
-import abut.capability.second_order;
 import abut.math;
 import abut.math.four_vec3;
-import abut.narrow.cores.difference;
-import abut.narrow.cores.second_order_of_pair;
 import abut.narrow.many.parts_met;
 import abut.narrow.many.triangle_contacts;
 import abut.shapes.box;
@@ -180,96 +175,6 @@ TEST(PartsMet, WhatOnlyTouchesNeedsNoWay) {
   const abut::PartingWay found = met.shortest(ways, {1, no_way}, for_four(lowest), meets_none);
   EXPECT_EQ(found.depth, 0);
   EXPECT_EQ(found.direction, (Vec3{0, 0, 1}));
-}
-
-// What b overlaps, what it only touches and what lies ahead, with fronts and without.
-TEST(PartsMet, AHullReachesAsFarAsTheFurthestOfItsParts) {
-  constexpr Real far = 100, ahead = 0.5;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE(seed);
-    test::Random random(seed);
-    const Pose ab{random.rotation(), random.point(0.5)};
-    abut::PartsMet<Triangle> met;
-    struct Reach {
-      Part part;
-      Real gap;
-      std::vector<Vec3> fronts;  // none leads against them
-    };
-    std::vector<Reach> parts;
-    for (std::uint32_t i = 0; i <= seed % 11; ++i) {
-      const auto one_sided = [&](const Triangle& t, bool is_one_sided) {
-        return Triangle{t.corners()[0], t.corners()[1], t.corners()[2], i, is_one_sided};
-      };
-      const bool has_front_a = random.uniform(0, 1) < 0.5, has_front_b = random.uniform(0, 1) < 0.5;
-      const Triangle a = one_sided(random_triangle(random, i), has_front_a);
-      const Triangle b = one_sided(random_triangle(random, i), has_front_b);
-      const Real gap = std::vector<Real>{deep, 0, ahead, abut::infinity}[i == 0 ? 0 : seed / 11 * i % 4];
-      const std::size_t part = met.add(a, b, ab, Fronts<Triangle>(a, b, ab), noise);
-      if (gap < abut::infinity) {
-        met.put_in_the_way(part, gap, no_way);
-      }
-      EXPECT_EQ(met.is_in_the_way(part), gap < abut::infinity);
-      std::vector<Vec3> fronts;
-      if (has_front_a) {
-        fronts.push_back(a.normal());
-      }
-      if (has_front_b) {
-        fronts.push_back(-(ab.rotation * b.normal()));
-      }
-      parts.push_back({{corners_of(a, Pose::identity()), corners_of(b, ab)}, gap, fronts});
-    }
-    for (const bool has_all : {false, true}) {
-      const Vec3 direction = random_direction(random);
-      Real most = -abut::infinity;
-      for (const Reach& part : parts) {
-        if (part.gap <= (has_all ? ahead : 0)) {
-          Real reach = highest(part.part.of_a, direction) + highest(part.part.of_b, -direction);
-          for (const Vec3& front : part.fronts) {
-            reach += has_all || part.gap < 0 ? far * std::fmax(0, -dot(direction, front)) : 0;
-          }
-          most = std::fmax(most, reach);
-        }
-      }
-      const abut::SupportPair pair = met.support_pair({has_all, true, far}, direction, [](const Vec3& v) { return v; });
-      EXPECT_NEAR(dot(direction, pair.a - pair.b), most, noise);
-    }
-  }
-}
-
-// To second order a hull has a support point, and edges over the nearest creases. Support points of directions beside
-// it lie at the ends of these edges.
-TEST(PartsMet, CreasesOfAHullLeadToTheSupportPointsBeside) {
-  const Box box = test::made<Box>(std::vector<Real>{1, 1, 1});
-  std::size_t beside = 0;
-  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    SCOPED_TRACE(seed);
-    test::Random random(seed);
-    abut::PartsMet<Box> met;
-    for (std::uint32_t i = 0; i < 8; ++i) {
-      const Triangle triangle = random_triangle(random, i);
-      const std::size_t part =
-          met.add(triangle, box, Pose::identity(), Fronts<Box>(triangle, box, Pose::identity()), noise);
-      met.put_in_the_way(part, deep, no_way);
-    }
-    const abut::PartsHull hull{false, false, 0};
-    const auto support = [&](const Vec3& d) { return met.support_pair(hull, d, [](const Vec3&) { return no_way; }).a; };
-    const abut::DirectionFrame frame = abut::frame_along(random_direction(random));
-    const Vec3 top = support(frame.n);
-    const abut::SecondOrder near = met.second_order(hull, frame, top);
-    EXPECT_EQ(near.edge_count, 3u);
-    for (const Real angle : {0.01, 0.03, 0.1}) {
-      const Vec3 across = random_direction(random);
-      const Vec3 next = support(frame.n + angle * (across - dot(across, frame.n) * frame.n));
-      const abut::InFrame edge = abut::in_frame(frame, next - top);
-      const auto is_known = [&](const abut::InFrame& known) {
-        return std::fabs(known.x - edge.x) + std::fabs(known.y - edge.y) + std::fabs(known.n - edge.n) < noise;
-      };
-      const bool is_other = norm(next - top) > noise;
-      beside += is_other ? 1u : 0u;
-      EXPECT_TRUE(!is_other || std::ranges::any_of(std::span(near.edges), is_known));
-    }
-  }
-  EXPECT_GT(beside, 50u);
 }
 
 }  // namespace
