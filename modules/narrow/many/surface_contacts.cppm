@@ -35,8 +35,7 @@ class SurfaceContacts {
 
   // `part_of_b`: the number of b where it is a part itself.
   void add(const Triangle& triangle, const B& b, std::uint32_t part_of_b) {
-    const Real size = core_size(triangle, b, ab_), noise = noise_of(size),
-               touching = touching_within<B>(size, settings_);
+    const Real touching = touching_within<B>(core_size(triangle, b, ab_), settings_);
     const Real radii = b.radius(), limit = reach_beyond(touching) + radii + edge_slack(b, ab_);
     const TriangleSeparation found = begin_separation(triangle, b, ab_, settings_, limit);
     const CoreSeparation& core = found.core;
@@ -91,7 +90,7 @@ class SurfaceContacts {
       }
       claim(first, depth, true);
     }
-    turned_.push_back({first, out_.size(), part, depth, noise, depth});
+    turned_.push_back({first, out_.size(), part, depth, touching, depth});
   }
 
   // To be called after the last part. `on_the_way`: what b may meet on a way. `add_more`: adds parts that were passed
