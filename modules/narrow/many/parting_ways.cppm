@@ -155,7 +155,7 @@ class PartingWays {
     };
     [[clang::uninitialized]] PartsHull<B> hull(met_.fours(), extent_of_other(), Surface<Other> || a_.has_fronts());
     for (bool is_first = true;; is_first = false) {
-      const auto way = hull.way_out(other_, ab_, best.depth, met_.noise());
+      const auto way = hull.way_out(met_.fours(), other_, ab_, best.depth, met_.noise());
       if (way) {
         consider(std::span(&way->direction, 1));
       }

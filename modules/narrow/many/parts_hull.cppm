@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hull of the Minkowski differences of parts, each of them a triangle less b. Its support function is the largest
-// one of the parts, so the way that leaves it soonest is the shortest that parts b from them all:
-//   h(d) = max over parts of h_part(d),  least depth = min over d of h(d)
+// The hull of the Minkowski differences of parts, each of them a triangle less b. The way that leaves the hull soonest
+// is the shortest that parts b from all of them. Of all directions d it has the least value of the support function
+//   h(d) = max h_part(d).
 // Behind a front a difference goes on without end, as no way leads there.
 export module abut.narrow.many.parts_hull;
 import abut.capability;
@@ -23,9 +23,11 @@ export namespace abut {
 template <Convex B>
 class PartsHull {
  public:
+  // All parts that are met. Each call takes the same.
+  using Fours = std::span<const FourParts<B>>;
+
   // Of what b overlaps; what b only touches may lie behind a front. `extent`: of b, 0 where that is a triangle.
-  PartsHull(std::span<const FourParts<B>> fours, Real extent, bool has_fronts)
-      : fours_(fours), has_fronts_(has_fronts) {
+  PartsHull(Fours fours, Real extent, bool has_fronts) : has_fronts_(has_fronts) {
     Lanes most = all_lanes(0);
     for (const FourParts<B>& four : fours) {
       parts_.push_back(four.gap <= four.noise);
@@ -55,22 +57,23 @@ class PartsHull {
 
   // The shortest way out, if shorter than `most`. `other`: b, or what is made of such; `noise`: of depths.
   template <class Other>
-  [[nodiscard]] std::optional<PartingWay> way_out(const Other& other, const Pose& ab, Real most, Real noise) const {
-    auto way = least_overlap(other, ab, most, noise);
-    if (!way || !front_against(way->direction)) {
+  [[nodiscard]] std::optional<PartingWay> way_out(Fours fours, const Other& other, const Pose& ab, Real most,
+                                                  Real noise) const {
+    auto way = least_overlap(fours, other, ab, most, noise);
+    if (!way || !front_against(fours, way->direction)) {
       return way;
     }
     // The way leads a little against fronts. Where these go on further, it leads against those alone that bound it.
     PartsHull held = *this;
     held.far_ *= 1000;
-    way = held.least_overlap(other, ab, most, noise);
+    way = held.least_overlap(fours, other, ab, most, noise);
     while (way && held.held_.size() < 2) {
-      const auto front = front_against(way->direction);
+      const auto front = front_against(fours, way->direction);
       if (!front) {
         break;
       }
       held.hold(*front);
-      way = held.least_overlap(other, ab, most, noise);
+      way = held.least_overlap(fours, other, ab, most, noise);
       // The search leaves a part across them that is rounding, but forbidden.
       for (const Vec3& along : held.held_.span()) {
         if (way) {
@@ -85,19 +88,19 @@ class PartsHull {
   // The points of a part and of b that reach furthest toward each other. `support_of_b`: that of b against a direction,
   // unless b is a triangle.
   template <class SupportOfB>
-  [[nodiscard]] SupportPair support_pair(const Vec3& direction, const SupportOfB& support_of_b) const {
+  [[nodiscard]] SupportPair support_pair(Fours fours, const Vec3& direction, const SupportOfB& support_of_b) const {
     const Columns directions = Columns::all(direction);
     Lanes best = all_lanes(-infinity);
     LaneNumbers places = 0;
-    for (std::size_t place = 0; place < fours_.size(); ++place) {
-      const Lanes reach = reach_along(directions, place);
+    for (std::size_t place = 0; place < fours.size(); ++place) {
+      const Lanes reach = reach_along(fours[place], place, directions);
       const LaneNumbers is_better = reach > best;
       best = is_better ? reach : best;
       places = is_better ? LaneNumbers(static_cast<std::int64_t>(place)) : places;
     }
     const auto lane = static_cast<std::size_t>(std::countr_zero(bits_of(best == all_lanes(largest(best)))));
     const auto place = static_cast<std::size_t>(places[lane]);
-    const FourParts<B>& four = fours_[place];
+    const FourParts<B>& four = fours[place];
     SupportPair pair{extreme(four.triangles[lane], direction), {0, 0, 0}, no_index, no_index};
     if constexpr (std::same_as<B, Triangle>) {
       pair.b = extreme(four.placed.of[lane], -direction);
@@ -116,7 +119,7 @@ class PartsHull {
   }
   // How the support function runs near a direction, but for what b has to do with it: to the corners across the nearest
   // creases. `top`: the support point.
-  [[nodiscard]] SecondOrder second_order(const DirectionFrame& frame, const Vec3& top) const {
+  [[nodiscard]] SecondOrder second_order(Fours fours, const DirectionFrame& frame, const Vec3& top) const {
     SecondOrder near = second_order_of_point(in_frame(frame, top));
     near.is_sum = false;
     std::array<Real, 3> tangents{infinity, infinity, infinity};  // of the angles between the direction and creases
@@ -138,7 +141,7 @@ class PartsHull {
       near.edge_count = std::min(near.edge_count + 1, tangents.size());
     };
     const Vec3 along_held = end_along_held(frame.n);
-    visit_parts([&](const FourParts<B>& four, std::size_t lane, bool has_front) {
+    visit_parts(fours, [&](const FourParts<B>& four, std::size_t lane, bool has_front) {
       const Vec3 front = four.fronts.a[lane];
       for (const Vec3& corner : four.triangles[lane]) {
         offer(corner + along_held);
@@ -169,8 +172,8 @@ class PartsHull {
     return a >= b && a >= c ? corners[0] : b >= c ? corners[1] : corners[2];
   }
   // How far four parts reach. Those that are not in the hull reach nowhere.
-  [[nodiscard]] [[gnu::always_inline]] inline Lanes reach_along(const Columns& directions, std::size_t place) const {
-    const FourParts<B>& four = fours_[place];
+  [[nodiscard]] [[gnu::always_inline]] inline Lanes reach_along(const FourParts<B>& four, std::size_t place,
+                                                                const Columns& directions) const {
     Lanes reach = four.reach_along(directions, all_lanes(0));
     if (has_fronts_) {
       const auto behind = [&](const Columns& fronts) { return minimum(dot(directions, fronts), all_lanes(0)); };
@@ -181,20 +184,20 @@ class PartsHull {
   }
   // Calls visit(four, lane, has_front) for each part of the hull.
   template <class Visit>
-  void visit_parts(const Visit& visit) const {
-    for (std::size_t place = 0; place < fours_.size(); ++place) {
+  void visit_parts(Fours fours, const Visit& visit) const {
+    for (std::size_t place = 0; place < fours.size(); ++place) {
       for (std::size_t lane = 0; lane < 4; ++lane) {
         if (parts_[place][lane] != 0) {
-          visit(fours_[place], lane, has_fronts_ && fronts_[place][lane] != 0);
+          visit(fours[place], lane, has_fronts_ && fronts_[place][lane] != 0);
         }
       }
     }
   }
   // The front against which a way leads most, if any: as `far` has an end, some ways seem short that do.
-  [[nodiscard]] std::optional<Vec3> front_against(const Vec3& way) const {
+  [[nodiscard]] std::optional<Vec3> front_against(Fours fours, const Vec3& way) const {
     std::optional<Vec3> most;
     Real least = -least_sine;
-    visit_parts([&](const FourParts<B>& four, std::size_t lane, bool has_front) {
+    visit_parts(fours, [&](const FourParts<B>& four, std::size_t lane, bool has_front) {
       for (const Vec3& front : {four.fronts.a[lane], four.fronts.b[lane]}) {
         if (has_front && dot(way, front) < least) {
           least = dot(way, front);
@@ -207,10 +210,10 @@ class PartsHull {
 
   // The shortest way out, which may lead a little against fronts.
   template <class Other>
-  [[nodiscard]] std::optional<PartingWay> least_overlap(const Other& other, const Pose& ab, Real most,
+  [[nodiscard]] std::optional<PartingWay> least_overlap(Fours fours, const Other& other, const Pose& ab, Real most,
                                                         Real noise) const {
     const auto support = [&](const Vec3& direction) {
-      return support_pair(direction, [&](const Vec3& along) {
+      return support_pair(fours, direction, [&](const Vec3& along) {
         if constexpr (std::same_as<B, Triangle>) {
           return along;
         } else {
@@ -220,7 +223,7 @@ class PartsHull {
     };
     const auto second_order_near = [&](const DirectionFrame& frame) {
       if constexpr (Curved<B>) {
-        return pair_second_order(second_order(frame, support(frame.n).a), other, ab, frame);
+        return pair_second_order(second_order(fours, frame, support(frame.n).a), other, ab, frame);
       } else {
         return PairSecondOrder{};
       }
@@ -248,7 +251,6 @@ class PartsHull {
     return least ? std::optional(PartingWay{radius + least->depth, least->normal}) : std::nullopt;
   }
 
-  std::span<const FourParts<B>> fours_;
   SmallVector<LaneNumbers, 24> parts_, fronts_;  // whether they and their fronts are in it, four by four
   SmallVector<Vec3, 2> held_;                    // fronts along which all ways lead
   Real size_;                                    // bounds all coordinates

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shortest way out of the hull of parts: no direction of those tried all over the sphere has less depth, and the
-// way itself has the depth that is told, by the corners of all triangles.
+// The shortest way out of the hull of parts. Directions all over the sphere are tried, and none has less depth. The
+// corners of all triangles tell the depth.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,7 +129,9 @@ int expect_shortest_ways(const B& b, const ReachOfB& reach_in_its_frame, Real er
     }
     const Real extent = b.extent() + largest_magnitude(ab.position);
     const abut::PartsHull<B> hull(met.fours(), extent, seed % 2 == 0);
-    judged += expect_shortest([&](Real most) { return hull.way_out(b, ab, most, noise); }, parts, error) > 0 ? 1 : 0;
+    judged +=
+        expect_shortest([&](Real most) { return hull.way_out(met.fours(), b, ab, most, noise); }, parts, error) > 0 ? 1
+                                                                                                                    : 0;
   }
   return judged;
 }
@@ -175,7 +177,7 @@ TEST(PartsHull, TwoSurfacesLeaveByTheShortestWay) {
     }
     const abut::PartsHull<Triangle> hull(met.fours(), 0, true);
     const auto way_out = [&](Real most) {
-      return hull.way_out(Triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0, false), ab, most, noise);
+      return hull.way_out(met.fours(), Triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0, false), ab, most, noise);
     };
     judged += expect_shortest(way_out, parts, 1e-9) > 0 ? 1 : 0;
   }
@@ -197,7 +199,9 @@ TEST(PartsHull, TakesInWhatLiesAhead) {
   add(floor_at(0, false), deep);
   add(floor_at(2, false), ahead);
   add(floor_at(0.1, true), 0);
-  const auto way_out = [&](const abut::PartsHull<abut::Box>& hull) { return hull.way_out(box, ab, 100, noise); };
+  const auto way_out = [&](const abut::PartsHull<abut::Box>& hull) {
+    return hull.way_out(met.fours(), box, ab, 100, noise);
+  };
   abut::PartsHull<abut::Box> hull(met.fours(), 2, true);
   EXPECT_NEAR(way_out(hull).value_or(no_way).depth, 0.6, 1e-9);  // above what is touched
   EXPECT_TRUE(hull.take(0, 2));
@@ -226,10 +230,12 @@ TEST(PartsHull, TheNearestCreaseLeadsToTheNextSupportPoint) {
     if (seed % 3 == 0) {
       hull.hold(random_direction(random));
     }
-    const auto support = [&](const Vec3& d) { return hull.support_pair(d, [](const Vec3&) { return Vec3{}; }).a; };
+    const auto support = [&](const Vec3& d) {
+      return hull.support_pair(met.fours(), d, [](const Vec3&) { return Vec3{}; }).a;
+    };
     const abut::DirectionFrame frame = abut::frame_along(random_direction(random));
     const Vec3 top = support(frame.n);
-    const abut::SecondOrder near = hull.second_order(frame, top);
+    const abut::SecondOrder near = hull.second_order(met.fours(), frame, top);
     ASSERT_EQ(near.edge_count, 3u);
     const auto tangent = [&](std::size_t i) { return -near.edges[i].n / std::hypot(near.edges[i].x, near.edges[i].y); };
     EXPECT_LE(tangent(0), tangent(1));
