@@ -125,7 +125,8 @@ class PartsHull {
     std::array<Real, 3> tangents{infinity, infinity, infinity};  // of the angles between the direction and creases
     const auto offer = [&](const Vec3& corner) {
       const InFrame edge = in_frame(frame, corner - top);
-      const Real tangent = -edge.n / std::sqrt(edge.x * edge.x + edge.y * edge.y);
+      const Real across = std::sqrt(edge.x * edge.x + edge.y * edge.y);
+      const Real tangent = across > 0 ? -edge.n / across : infinity;
       std::size_t at = near.edge_count;
       const auto is_same = [&](const InFrame& other) { return other.x == edge.x && other.y == edge.y; };
       if (!(tangent < tangents.back()) || std::ranges::any_of(std::span(near.edges).first(at), is_same)) {
