@@ -16,6 +16,14 @@ using TriangleCorners = std::array<Vec3, 3>;
   return {minimum(minimum(corners[0], corners[1]), corners[2]), maximum(maximum(corners[0], corners[1]), corners[2])};
 }
 
+[[nodiscard]] inline SupportPoint support_of(const TriangleCorners& corners, const Vec3& direction) {
+  const Real a = dot(corners[0], direction), b = dot(corners[1], direction), c = dot(corners[2], direction);
+  if (a >= b && a >= c) {
+    return {corners[0], 0};
+  }
+  return b >= c ? SupportPoint{corners[1], 1} : SupportPoint{corners[2], 2};
+}
+
 // Of their lowest point along a direction.
 [[nodiscard]] inline Real least_along(const TriangleCorners& corners, const Vec3& direction) {
   return std::min(std::min(dot(direction, corners[0]), dot(direction, corners[1])), dot(direction, corners[2]));
@@ -94,13 +102,7 @@ class Triangle {
   [[nodiscard]] inline Real extent() const {
     return largest_magnitude(maximum(absolute(corners_[1] - corners_[0]), absolute(corners_[2] - corners_[0])));
   }
-  [[nodiscard]] inline SupportPoint support(const Vec3& direction) const {
-    const Real a = dot(corners_[0], direction), b = dot(corners_[1], direction), c = dot(corners_[2], direction);
-    if (a >= b && a >= c) {
-      return {corners_[0], 0};
-    }
-    return b >= c ? SupportPoint{corners_[1], 1} : SupportPoint{corners_[2], 2};
-  }
+  [[nodiscard]] inline SupportPoint support(const Vec3& direction) const { return support_of(corners_, direction); }
   [[nodiscard]] inline Face supporting_face(const Vec3& direction) const {
     [[clang::uninitialized]] Face face;
     face.index = 0;

@@ -25,7 +25,6 @@ class Claims {
   template <class LowestAlong>
   void settle(const LowestAlong& lowest_along) {
     count_ = 0;
-    sum_of_normals_ = {0, 0, 0};
     [[clang::uninitialized]] const Places order = in_order();
     for (const std::uint32_t place : order.span()) {
       if (count_ == most_claims) {
@@ -36,9 +35,6 @@ class Claims {
       }
     }
   }
-
-  // Of the claims that count.
-  [[nodiscard]] const Vec3& sum_of_normals() const [[clang::lifetimebound]] { return sum_of_normals_; }
 
   // The depth along a normal that a triangle may claim. Its contacts there are as deep as `depth`.
   // `overlaps_along` tells how far b has to move along four directions to be parted from the triangle, from where b
@@ -118,14 +114,12 @@ class Claims {
     four.depth[lane] = claim.depth;
     four.lowest[lane] = lowest;
     four.judged_above[lane] = claim.is_turned ? claim.depth : -infinity;
-    sum_of_normals_ = sum_of_normals_ + claim.normal;
     ++count_;
   }
 
   SmallVector<Claim, few_claims> claims_;
   std::array<Four, most_claims / 4> fours_;
   std::size_t count_ = 0;
-  Vec3 sum_of_normals_{0, 0, 0};
 };
 
 }  // namespace abut

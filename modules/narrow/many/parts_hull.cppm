@@ -16,6 +16,7 @@ import abut.narrow.cores.difference;
 import abut.narrow.cores.direction_cover;
 import abut.narrow.cores.second_order_of_pair;
 import abut.narrow.many.parts_met;
+import abut.narrow.many.triangle_contacts;
 import abut.narrow.polytope.epa;
 
 export namespace abut {
@@ -101,9 +102,9 @@ class PartsHull {
     const auto lane = static_cast<std::size_t>(std::countr_zero(bits_of(best == all_lanes(largest(best)))));
     const auto place = static_cast<std::size_t>(places[lane]);
     const FourParts<B>& four = fours[place];
-    SupportPair pair{extreme(four.triangles[lane], direction), {0, 0, 0}, no_index, no_index};
+    SupportPair pair{support_of(four.triangles[lane], direction).point, {0, 0, 0}, no_index, no_index};
     if constexpr (std::same_as<B, Triangle>) {
-      pair.b = extreme(four.placed.of[lane], -direction);
+      pair.b = support_of(four.placed.of[lane], -direction).point;
     } else {
       pair.b = support_of_b(direction);
     }
@@ -158,8 +159,6 @@ class PartsHull {
   }
 
  private:
-  static constexpr Real least_sine = 1e-12;  // fronts allow ways against them within rounding
-
   // All parts go on as far both ways along fronts that are held: any way across is long.
   [[nodiscard]] Vec3 end_along_held(const Vec3& direction) const {
     Vec3 end{0, 0, 0};
@@ -167,10 +166,6 @@ class PartsHull {
       end = end + std::copysign(far_, dot(direction, front)) * front;
     }
     return end;
-  }
-  [[nodiscard]] static Vec3 extreme(const TriangleCorners& corners, const Vec3& direction) {
-    const Real a = dot(direction, corners[0]), b = dot(direction, corners[1]), c = dot(direction, corners[2]);
-    return a >= b && a >= c ? corners[0] : b >= c ? corners[1] : corners[2];
   }
   // How far four parts reach. Those that are not in the hull reach nowhere.
   [[nodiscard]] [[gnu::always_inline]] inline Lanes reach_along(const FourParts<B>& four, std::size_t place,
@@ -197,7 +192,7 @@ class PartsHull {
   // The front against which a way leads most, if any: as `far` has an end, some ways seem short that do.
   [[nodiscard]] std::optional<Vec3> front_against(Fours fours, const Vec3& way) const {
     std::optional<Vec3> most;
-    Real least = -least_sine;
+    Real least = least_cosine_of_front;
     visit_parts(fours, [&](const FourParts<B>& four, std::size_t lane, bool has_front) {
       for (const Vec3& front : {four.fronts.a[lane], four.fronts.b[lane]}) {
         if (has_front && dot(way, front) < least) {

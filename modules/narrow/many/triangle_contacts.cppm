@@ -148,6 +148,10 @@ template <Convex B>
   return completed(triangle, b, ab, begin_separation(triangle, b, ab, settings, limit));
 }
 
+// Between the normal of a front and a way that it allows, within rounding: normals are those of the sides, or lie in
+// their planes, where shapes stand straight to each other.
+inline constexpr Real least_cosine_of_front = -1e-12;
+
 // The fronts of four pairs, one per lane.
 struct FourFronts {
   Columns a, b;
@@ -161,7 +165,7 @@ struct FourFronts {
   }
   // Within rounding, as of one pair.
   [[nodiscard]] [[gnu::always_inline]] inline LaneNumbers allow(const Columns& normals) const {
-    const Lanes least = all_lanes(-1e-12);
+    const Lanes least = all_lanes(least_cosine_of_front);
     return (dot(normals, a) >= least) & (dot(normals, b) >= least);
   }
 };
@@ -177,8 +181,9 @@ class Fronts {
       b_ = b.is_one_sided() ? -(ab.rotation * b.normal()) : Vec3{0, 0, 0};
     }
   }
-  // Within rounding: normals are those of the sides, or lie in their planes, where shapes stand straight to each other.
-  [[nodiscard]] bool allows(const Vec3& normal) const { return dot(normal, a_) >= -1e-12 && dot(normal, b_) >= -1e-12; }
+  [[nodiscard]] bool allows(const Vec3& normal) const {
+    return dot(normal, a_) >= least_cosine_of_front && dot(normal, b_) >= least_cosine_of_front;
+  }
   [[nodiscard]] FourFronts in_all() const { return {Columns::all(a_), Columns::all(b_)}; }
 
  private:

@@ -177,4 +177,46 @@ TEST(PartsMet, WhatOnlyTouchesNeedsNoWay) {
   EXPECT_EQ(found.direction, (Vec3{0, 0, 1}));
 }
 
+// Of floors above each other, those that are met before the end of a way and not left there; of fronts that are
+// touched, those against which it leads.
+TEST(PartsMet, WhatStandsInAWayIsToldByItsLane) {
+  const Box box = test::made<Box>(std::vector<Real>{1, 1, 1});
+  const Pose ab = Pose::identity();
+  struct Floor {
+    Real height, gap;
+    bool is_upside_down;
+    bool stands_in_the_way;
+  };
+  // The box begins at -1, and a way of 2 leads up.
+  const std::vector<Floor> floors{{0.9, deep, false, false}, {1.5, 0.5, false, true},
+                                  {0.5, 0.5, false, false},  {2.5, 1.5, false, true},
+                                  {3.5, 2.5, false, false},  {1, 0, true, true},
+                                  {1, 0, false, false},      {1.8, abut::infinity, false, false}};
+  abut::PartsMet<Box> met;
+  for (const Floor& floor : floors) {
+    const Vec3 p{-9, -9, floor.height}, q{9, -9, floor.height}, r{0, 9, floor.height};
+    const Triangle triangle{p, floor.is_upside_down ? r : q, floor.is_upside_down ? q : r, 0, true};
+    const std::size_t part = met.add(triangle, box, ab, Fronts<Box>(triangle, box, ab), noise);
+    if (floor.gap < abut::infinity) {
+      met.put_in_the_way(part, floor.gap, {0, 0, 1});
+    }
+  }
+  // What is no further away than the way is long.
+  const auto meets_on = [](const auto& parts, const abut::PartingWay& way) {
+    return abut::bits_of(parts.gap <= abut::all_lanes(way.depth));
+  };
+  std::vector<bool> found(floors.size(), false);
+  met.visit_in_the_way({2, {0, 0, 1}}, -1, meets_on, [&](std::size_t place, std::uint64_t lanes) {
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      if ((lanes >> lane & 1u) != 0) {
+        EXPECT_FALSE(found[4 * place + lane]);
+        found[4 * place + lane] = true;
+      }
+    }
+  });
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    EXPECT_EQ(found[i], floors[i].stands_in_the_way) << i;
+  }
+}
+
 }  // namespace

@@ -21,6 +21,7 @@ import abut.shapes.box;
 namespace {
 
 using abut::Pose;
+using abut::Real;
 using abut::Vec3;
 
 abut::Box box(const Vec3& half) { return test::made<abut::Box>({half.x, half.y, half.z}); }
@@ -55,6 +56,43 @@ TEST(Epa, DepthOfRandomBoxesIsThatOfTheirAxes) {
     EXPECT_TRUE(test::is_inside(half_b, ab.undo(found.point_b), 1e-10));
   }
   EXPECT_GT(deep, 1000);
+}
+
+// The depth alone, where it is less than a limit, also without volume.
+TEST(Epa, DepthBelowALimitIsThatOfTheAxes) {
+  test::Random random(67);
+  const auto least_below = [](Real most, const Vec3& half_a, const Vec3& half_b, const Pose& ab) {
+    return abut::with_difference(box(half_a), box(half_b), ab, 10, [&](const abut::Difference& cores) {
+      return abut::least_overlap_below(most, cores, 1e-12);
+    });
+  };
+  int deep = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 half_a = abut::absolute(random.point(1)) + Vec3{0.05, 0.05, 0.05};
+    const Vec3 half_b = abut::absolute(random.point(1)) + Vec3{0.05, 0.05, i % 10 == 0 ? 0 : 0.05};
+    const Pose ab{random.rotation(), random.point(1)};
+    const abut::SatResult expected = abut::sat_of_boxes(half_a, half_b, ab, 0, abut::infinity);
+    const Real depth = -expected.separation;
+    if (depth < 1e-6) {
+      continue;
+    }
+    ++deep;
+    for (const Real most : {1.001 * depth, abut::infinity}) {
+      const auto found = least_below(most, half_a, half_b, ab);
+      ASSERT_TRUE(found.has_value()) << i;
+      EXPECT_NEAR(found->depth, depth, 1e-11) << i;
+      const Real reach = dot(half_a, abut::absolute(found->normal)) +
+                         dot(half_b, abut::absolute(ab.rotation.undo(found->normal))) - dot(ab.position, found->normal);
+      EXPECT_NEAR(reach, depth, 1e-11) << i;
+    }
+    EXPECT_FALSE(least_below(0.999 * depth, half_a, half_b, ab).has_value()) << i;
+  }
+  EXPECT_GT(deep, 300);
+  const Pose beside{abut::Rotation::identity(), {0.5, 0.5, 0}};
+  const auto flat = least_below(1, {1, 1, 0}, {1, 1, 0}, beside);
+  ASSERT_TRUE(flat.has_value());
+  EXPECT_EQ(flat->depth, 0);
+  EXPECT_NEAR(std::fabs(flat->normal.z), 1, 1e-12);
 }
 
 TEST(Epa, ConcentricBoxes) {
