@@ -2,7 +2,9 @@
 // A convex core in a sampled field: values at its points, and the way from there to the surface.
 //
 // A descent leads from any point of the core to a point of least value nearby: steps against the gradient, each
-// projected back onto the core (Goldstein 1964), with the length of Barzilai and Borwein (1988).
+// projected back onto the core (Goldstein 1964), with the length of Barzilai and Borwein (1988). Between cells
+// gradients jump. Where a step leads up, the gradient there joins the slope: their shortest mean leads along the crease
+// (Wolfe, A method of conjugate subgradients, 1975).
 export module abut.narrow.many.field_core;
 import abut.capability.core_feature;
 import abut.capability;
@@ -81,32 +83,13 @@ class CoreInField {
   template <class Condition>
   [[nodiscard]] std::optional<FieldPoint> descend_while(const Vec3& start, Real stride, Real longest,
                                                         Condition&& is_met) const {
-    FieldPoint best = at(start);
-    if constexpr (!PointCored<B>) {
-      constexpr int most_steps = 32;
-      constexpr Real end_share = 1e-5;  // of a cell
-      Real step = stride;
-      for (int i = 0; i < most_steps; ++i) {
-        const FieldPoint next = at(nearest(best.point - step * best.field.gradient));
-        const Vec3 way = next.point - best.point, turn = next.field.gradient - best.field.gradient;
-        const Real moved = squared_norm(way);
-        if (!(moved > squared(end_share * field_.finest()))) {
-          break;
-        }
-        const Real bend = dot(way, turn);
-        const Real next_step = std::min(bend > 0 ? std::min(moved / bend, 4 * step) : 2 * step, longest);
-        if (next.field.value < best.field.value) {
-          best = next;
-          step = next_step;
-          if (!is_met(best.point)) {
-            return std::nullopt;
-          }
-        } else {
-          step = std::min(next_step, 0.25 * step);
-        }
-      }
+    if constexpr (PointCored<B>) {
+      return at(start);
+    } else {
+      return downhill(
+          at(start), stride, longest, [&](const Vec3& point) { return std::optional(nearest(point)); },
+          [&](const Vec3& point) { return at(point); }, is_met);
     }
-    return best;
   }
 
   // Where a point of the core is as it lies in the field, and what is nearest to it on the surface there.
@@ -138,30 +121,19 @@ class CoreInField {
     }
     return {placed, normal, start.value, false};
   }
-  // The point of the surface that is nearest to a point, from one that is close. It slides along the tangent
-  // plane as long as that leads nearer.
+  // The point of the surface that is nearest to a point, from one that is close. It slides along tangent planes as long
+  // as they lead nearer.
   [[nodiscard]] Vec3 nearest_on_surface(const Vec3& point, const Vec3& start) const {
-    constexpr int most_steps = 24;
-    constexpr Real end_share = 1e-4;  // of a cell
-    Vec3 best = start;
-    Real share = 1;
-    for (int i = 0; i < most_steps; ++i) {
-      const auto normal = UnitVec3::make(field_.value_at(best).gradient);
-      if (!normal) {
-        break;
-      }
-      const Vec3 between = point - best, aside = between - dot(between, *normal) * normal->vec();
-      if (share * norm(aside) <= end_share * field_.finest()) {
-        break;
-      }
-      const std::optional<Vec3> next = surface_below(best + share * aside);
-      if (next && squared_norm(point - *next) < squared_norm(between)) {
-        best = *next;
-      } else {
-        share *= 0.25;
-      }
-    }
-    return best;
+    const auto square_there = [&](const Vec3& there) {
+      const Vec3 between = point - there;
+      const auto normal = UnitVec3::make(field_.value_at(there).gradient);
+      const Vec3 aside = normal ? between - dot(between, *normal) * normal->vec() : Vec3{0, 0, 0};
+      return FieldPoint{there, {0.5 * squared_norm(between), -aside}};
+    };
+    return downhill(
+               square_there(start), 1, infinity, [&](const Vec3& there) { return surface_below(there); }, square_there,
+               [](const Vec3&) { return true; })
+        ->point;
   }
   // A point of the surface, down or up the gradient from a point in the frame of the field.
   [[nodiscard]] std::optional<Vec3> surface_below(const Vec3& start) const {
@@ -185,7 +157,77 @@ class CoreInField {
 
  private:
   static constexpr Real surface_share = 1e-6;  // of a cell
+
+  // Which way is down, and how far to go against it.
+  struct Slope {
+    static constexpr int most_joined = 3;
+
+    Vec3 mean;                   // of the gradients: the shortest one
+    Real step;                   // a way is the mean times this
+    int joined = 0;              // gradients beside the own one
+    Real short_step = infinity;  // where the last step by the own gradient should have ended
+
+    // `flat`: the step after which the gradient along the way would vanish.
+    void go_on(const Vec3& gradient, Real flat, Real longest) {
+      step = std::min(joined > 0 || flat == infinity ? 2 * step : std::min(flat, 4 * step), longest);
+      // Along a crease the mean stays.
+      mean = joined > 0 ? mean : gradient;
+    }
+    void join(const Vec3& own, const Vec3& other, Real flat) {
+      short_step = joined > 0 ? short_step : std::min(flat, step);
+      const Vec3 between = other - own;
+      const Real share = -dot(own, between) / squared_norm(between);
+      mean = own + std::min(share > 0 ? share : 0, Real{1}) * between;
+      ++joined;
+    }
+    void restart(const Vec3& gradient) {
+      step = std::min(short_step, 0.25 * step);
+      mean = gradient;
+      joined = 0;
+    }
+  };
   [[nodiscard]] static Real squared(Real value) { return value * value; }
+  // Downhill from a point, while a condition is met. onto(point) brings a point back to where it may be, or tells
+  // nothing; look(point) tells the value and the gradient there.
+  template <class Onto, class Look, class Condition>
+  [[nodiscard]] std::optional<FieldPoint> downhill(FieldPoint best, Real stride, Real longest, const Onto& onto,
+                                                   const Look& look, const Condition& is_met) const {
+    constexpr int most_steps = 128;
+    constexpr Real end_share = 1e-5;  // of a cell
+    const Real end = squared(end_share * field_.finest());
+    Slope slope{best.field.gradient, stride};
+    for (int i = 0; i < most_steps; ++i) {
+      const std::optional<Vec3> point = onto(best.point - slope.step * slope.mean);
+      const Vec3 way = point.value_or(best.point) - best.point;
+      const Real moved = squared_norm(way);
+      if (!(moved > end)) {
+        if (slope.joined == 0 && point) {
+          break;
+        }
+        slope.restart(best.field.gradient);
+        continue;
+      }
+      const FieldPoint next = look(*point);
+      const Real bend = dot(way, next.field.gradient - best.field.gradient), flat = bend > 0 ? moved / bend : infinity;
+      if (next.field.value < best.field.value) {
+        slope.go_on(next.field.gradient, flat, longest);
+        best = next;
+        if (!is_met(best.point)) {
+          return std::nullopt;
+        }
+        continue;
+      }
+      // What a gradient leads to is seen where points may be.
+      const std::optional<Vec3> other =
+          slope.joined < Slope::most_joined ? onto(best.point - slope.step * next.field.gradient) : std::nullopt;
+      if (other) {
+        slope.join((-1 / slope.step) * way, (1 / slope.step) * (best.point - *other), flat);
+      } else {
+        slope.restart(best.field.gradient);
+      }
+    }
+    return best;
+  }
   // Where the gradient vanishes.
   [[nodiscard]] UnitVec3 away(const Vec3& point) const {
     const Real sign = field_.is_inside_out() ? -1 : 1;

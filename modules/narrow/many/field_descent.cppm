@@ -15,6 +15,16 @@ struct SpaceBox {
   Vec3 centre, half;
 
   [[nodiscard]] Real radius() const { return norm(half); }
+  // The middles of its sides, and its corners.
+  template <class Visitor>
+  void visit_ends(Visitor&& visit) const {
+    for (const Vec3& way :
+         {Vec3{half.x, 0, 0}, Vec3{0, half.y, 0}, Vec3{0, 0, half.z}, half, Vec3{-half.x, half.y, half.z},
+          Vec3{half.x, -half.y, half.z}, Vec3{half.x, half.y, -half.z}}) {
+      visit(centre + way);
+      visit(centre - way);
+    }
+  }
   // Its pieces, cut across all but its short sides.
   template <class Visitor>
   void visit_pieces(Visitor&& visit) const {
@@ -103,7 +113,7 @@ template <SampledSolid F, Convex B>
     SpaceBox box;
     Real lower;
   };
-  constexpr std::uint32_t most_boxes = 256, boxes_of_descents = 64;
+  constexpr std::uint32_t most_boxes = 256, boxes_of_descents = 16;
   constexpr Real end_share = 0.01;  // of a cell
   const CoreInField<F, B> core(field, b, pose);
   const SpaceBox whole = space_of(box_of_core(b));
@@ -113,6 +123,13 @@ template <SampledSolid F, Convex B>
     out.lower = least_there();
     return out;
   }
+  const auto descend_from = [&](const Vec3& point, Real stride) {
+    if (const FieldPoint found = core.descend(point, stride); found.field.value < out.point.field.value) {
+      out.point = found;
+    }
+  };
+  // What sticks out may be deepest, and few boxes lie there.
+  whole.visit_ends([&](const Vec3& end) { descend_from(core.nearest(end), 0.5 * whole.radius()); });
   std::vector<Open> open{{whole, least_nearby(field, core.at(whole.centre).field.value, whole.radius())}};
   for (;;) {
     const auto least = open.empty() ? open.end() : std::ranges::min_element(open, {}, &Open::lower);
@@ -135,10 +152,7 @@ template <SampledSolid F, Convex B>
         return;
       }
       if (out.boxes <= boxes_of_descents || core.at(*nearest).field.value < out.point.field.value) {
-        const FieldPoint found = core.descend(*nearest, radius);
-        if (found.field.value < out.point.field.value) {
-          out.point = found;
-        }
+        descend_from(*nearest, radius);
       }
       open.push_back({piece, lower});
     });
