@@ -59,14 +59,15 @@ std::optional<std::vector<Piece>> pieces_of(const Scene& scene) {
 Real depth_along(const Scene& scene, const std::vector<Piece>& pieces, const Vec3& direction) {
   const Real lowest =
       dot(direction, scene.ab.position) - reach_along(scene.b, -scene.ab.rotation.undo(direction)).value_or(0);
-  const Real noise = tolerance(scene);
+  // A front that is entered by more than rounding is no way out, though it be within the tolerance.
+  const Real noise = tolerance(scene), rounding = 16 * std::numeric_limits<Real>::epsilon() * scene.size;
   Real depth = 0;
   for (bool has_grown = true; has_grown;) {
     has_grown = false;
     for (const Piece& piece : pieces) {
       const auto& [a, b, c] = piece.corners;
       const Real own = std::max({dot(direction, a), dot(direction, b), dot(direction, c)}) - lowest;
-      if (piece.near.distance > depth + noise || own <= noise) {
+      if (piece.near.distance > depth + noise || own <= rounding) {
         continue;
       }
       if (!piece.has_back && dot(direction, piece.normal) < -1e-12) {

@@ -229,6 +229,27 @@ TEST(FuzzOracle, RefusesContactsDeeperThanWhatPartsASurface) {
   }
 }
 
+// A plate between two walls that face each other, 0.5e-10 deep in each: within the tolerance, and beyond rounding. Of
+// the ways that both walls leave, the shortest one slides the plate out between them. Walls without fronts leave the
+// way through them.
+TEST(FuzzOracle, KnowsNoWayThroughAFront) {
+  const auto mesh = find_kind(std::string_view("mesh"));
+  if (!mesh) GTEST_SKIP() << "this build lacks meshes";
+  const Real gap = 3e-10;
+  const std::array<Real, 18> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, gap, 0, 1, gap, 1, 0, gap};
+  const std::array<std::uint32_t, 6> triangles{0, 1, 2, 3, 4, 5};
+  const AnyShape plate = make_shape(box(), std::array{0.25, 0.25, 2e-10}, {}, {}).value();
+  const Pose between{Rotation::identity(), {0.25, 0.25, 0.5 * gap}};
+  const auto bound = [&](Real is_one_sided) {
+    const AnyShape walls = make_shape(*mesh, std::array{is_one_sided}, corners, triangles).value();
+    const Manifold along_x{
+        {.point_a = {}, .point_b = {}, .normal = {-1, 0, 0}, .distance = 0, .feature_a = {}, .feature_b = {}, .id = 0}};
+    return depth_bound({walls, plate, between, 0, 1}, along_x).value_or(0);
+  };
+  EXPECT_NEAR(bound(1), 0.5, 1e-9);
+  EXPECT_NEAR(bound(0), 0, 1e-9);
+}
+
 // The same box. Its contacts are less deep than it is in each triangle, or there are none.
 TEST(FuzzOracle, RefusesContactsLessDeepThanTwoParts) {
   const auto mesh = find_kind(std::string_view("mesh"));

@@ -12,6 +12,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.apart.gjk;
+import abut.narrow.cores.simplex;
 import abut.narrow.many.triangle_point;
 
 export namespace abut {
@@ -160,11 +161,12 @@ class CoreInField {
 
   // Which way is down, and how far to go against it.
   struct Slope {
-    static constexpr int most_joined = 3;
+    static constexpr int most_joined = 4;
 
     Vec3 mean;                   // of the gradients: the shortest one
     Real step;                   // a way is the mean times this
     int joined = 0;              // gradients beside the own one
+    Vec3 last{0, 0, 0};          // that joined
     Real short_step = infinity;  // where the last step by the own gradient should have ended
 
     // `flat`: the step after which the gradient along the way would vanish.
@@ -173,11 +175,19 @@ class CoreInField {
       // Along a crease the mean stays.
       mean = joined > 0 ? mean : gradient;
     }
+    // `own`: the mean as the way showed it.
     void join(const Vec3& own, const Vec3& other, Real flat) {
-      short_step = joined > 0 ? short_step : std::min(flat, step);
-      const Vec3 between = other - own;
-      const Real share = -dot(own, between) / squared_norm(between);
-      mean = own + std::min(share > 0 ? share : 0, Real{1}) * between;
+      Simplex gradients{};
+      const auto add = [&](const Vec3& gradient) { gradients.push({gradient, gradient, no_index, no_index}); };
+      add(own);
+      if (joined > 0) {
+        add(last);
+      } else {
+        short_step = std::min(flat, step);
+      }
+      add(other);
+      mean = closest_to_origin(gradients).point;
+      last = other;
       ++joined;
     }
     void restart(const Vec3& gradient) {
