@@ -113,7 +113,7 @@ template <SampledSolid F, Convex B>
     SpaceBox box;
     Real lower;
   };
-  constexpr std::uint32_t most_boxes = 256, boxes_of_descents = 16;
+  constexpr std::uint32_t most_boxes = 256, boxes_of_descents = 8;
   constexpr Real end_share = 0.01;  // of a cell
   const CoreInField<F, B> core(field, b, pose);
   const SpaceBox whole = space_of(box_of_core(b));
