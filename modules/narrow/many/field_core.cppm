@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A convex core in a sampled field: values at its points, and the way from there to the surface.
 //
-// A descent leads from any point of the core to a point of least value nearby: steps against the gradient, each
-// projected back onto the core (Goldstein 1964), with the length of Barzilai and Borwein (1988). Between cells
-// gradients jump. Where a step leads up, the gradient there joins the slope: their shortest mean leads along the crease
-// (Wolfe, A method of conjugate subgradients, 1975).
+// A descent leads from any point of the core to a point of least value nearby.
 export module abut.narrow.many.field_core;
 import abut.capability.core_feature;
 import abut.capability;
@@ -12,7 +9,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.apart.gjk;
-import abut.narrow.cores.simplex;
+export import abut.narrow.many.downhill;
 import abut.narrow.many.triangle_point;
 
 export namespace abut {
@@ -54,11 +51,6 @@ template <Convex B>
   return {minimum(whole.low + r, middle), maximum(whole.high - r, middle)};
 }
 
-struct FieldPoint {
-  Vec3 point;  // of the core, in its own frame
-  FieldValue field;
-};
-
 // A convex core in a field, seen from the frame of the core.
 template <SampledSolid F, Convex B>
 class CoreInField {
@@ -88,7 +80,8 @@ class CoreInField {
       return at(start);
     } else {
       return downhill(
-          at(start), stride, longest, [&](const Vec3& point) { return std::optional(nearest(point)); },
+          at(start), {stride, longest, end_of_steps()},
+          [&](const Vec3& point) { return std::optional(nearest(point)); },
           [&](const Vec3& point) { return at(point); }, is_met);
     }
   }
@@ -132,8 +125,8 @@ class CoreInField {
       return FieldPoint{there, {0.5 * squared_norm(between), -aside}};
     };
     return downhill(
-               square_there(start), 1, infinity, [&](const Vec3& there) { return surface_below(there); }, square_there,
-               [](const Vec3&) { return true; })
+               square_there(start), {1, infinity, end_of_steps()},
+               [&](const Vec3& there) { return surface_below(there); }, square_there, [](const Vec3&) { return true; })
         ->point;
   }
   // A point of the surface, down or up the gradient from a point in the frame of the field.
@@ -159,85 +152,9 @@ class CoreInField {
  private:
   static constexpr Real surface_share = 1e-6;  // of a cell
 
-  // Which way is down, and how far to go against it.
-  struct Slope {
-    static constexpr int most_joined = 4;
-
-    Vec3 mean;                   // of the gradients: the shortest one
-    Real step;                   // a way is the mean times this
-    int joined = 0;              // gradients beside the own one
-    Vec3 last{0, 0, 0};          // that joined
-    Real short_step = infinity;  // where the last step by the own gradient should have ended
-
-    // `flat`: the step after which the gradient along the way would vanish.
-    void go_on(const Vec3& gradient, Real flat, Real longest) {
-      step = std::min(joined > 0 || flat == infinity ? 2 * step : std::min(flat, 4 * step), longest);
-      // Along a crease the mean stays.
-      mean = joined > 0 ? mean : gradient;
-    }
-    // `own`: the mean as the way showed it.
-    void join(const Vec3& own, const Vec3& other, Real flat) {
-      Simplex gradients{};
-      const auto add = [&](const Vec3& gradient) { gradients.push({gradient, gradient, no_index, no_index}); };
-      add(own);
-      if (joined > 0) {
-        add(last);
-      } else {
-        short_step = std::min(flat, step);
-      }
-      add(other);
-      mean = closest_to_origin(gradients).point;
-      last = other;
-      ++joined;
-    }
-    void restart(const Vec3& gradient) {
-      step = std::min(short_step, 0.25 * step);
-      mean = gradient;
-      joined = 0;
-    }
-  };
   [[nodiscard]] static Real squared(Real value) { return value * value; }
-  // Downhill from a point, while a condition is met. onto(point) brings a point back to where it may be, or tells
-  // nothing; look(point) tells the value and the gradient there.
-  template <class Onto, class Look, class Condition>
-  [[nodiscard]] std::optional<FieldPoint> downhill(FieldPoint best, Real stride, Real longest, const Onto& onto,
-                                                   const Look& look, const Condition& is_met) const {
-    constexpr int most_steps = 128;
-    constexpr Real end_share = 1e-5;  // of a cell
-    const Real end = squared(end_share * field_.finest());
-    Slope slope{best.field.gradient, stride};
-    for (int i = 0; i < most_steps; ++i) {
-      const std::optional<Vec3> point = onto(best.point - slope.step * slope.mean);
-      const Vec3 way = point.value_or(best.point) - best.point;
-      const Real moved = squared_norm(way);
-      if (!(moved > end)) {
-        if (slope.joined == 0 && point) {
-          break;
-        }
-        slope.restart(best.field.gradient);
-        continue;
-      }
-      const FieldPoint next = look(*point);
-      const Real bend = dot(way, next.field.gradient - best.field.gradient), flat = bend > 0 ? moved / bend : infinity;
-      if (next.field.value < best.field.value) {
-        slope.go_on(next.field.gradient, flat, longest);
-        best = next;
-        if (!is_met(best.point)) {
-          return std::nullopt;
-        }
-        continue;
-      }
-      // What a gradient leads to is seen where points may be.
-      const std::optional<Vec3> other =
-          slope.joined < Slope::most_joined ? onto(best.point - slope.step * next.field.gradient) : std::nullopt;
-      if (other) {
-        slope.join((-1 / slope.step) * way, (1 / slope.step) * (best.point - *other), flat);
-      } else {
-        slope.restart(best.field.gradient);
-      }
-    }
-    return best;
-  }
+  // Where a descent ends.
+  [[nodiscard]] Real end_of_steps() const { return 1e-5 * field_.finest(); }
   // Where the gradient vanishes.
   [[nodiscard]] UnitVec3 away(const Vec3& point) const {
     const Real sign = field_.is_inside_out() ? -1 : 1;
