@@ -156,7 +156,7 @@ TEST(FieldDescent, NoPointOfAnEllipsoidIsDeeper) {
 TEST(FieldDescent, NoPointOfTheSurfaceNearbyIsNearer) {
   const abut::Box box = test::made<abut::Box>({1, 1, 1});
   test::Random random(4);
-  constexpr int most_early = 7;
+  constexpr int most_early = 2;
   constexpr Real most_left = 2e-3 * longest_cell;
   int judged = 0, early = 0;
   for (int scene = 0; scene < 200; ++scene) {
