@@ -18,9 +18,10 @@ struct FieldPoint {
   FieldValue field;
 };
 
-// How long steps are: the first one, the longest one, and those that end the way.
+// How long steps are: the first one, the longest one, and those that end the way. So does one that promises to gain
+// no more than `least_gain`.
 struct Steps {
-  Real first, longest, end;
+  Real first, longest, end, least_gain;
 };
 
 // Which way is down, and how far to go against it.
@@ -73,7 +74,7 @@ template <class Onto, class Look, class Condition>
     const std::optional<Vec3> point = onto(best.point - slope.step * slope.mean);
     const Vec3 way = point.value_or(best.point) - best.point;
     const Real moved = squared_norm(way);
-    if (!(moved > end)) {
+    if (!(moved > end && moved > steps.least_gain * slope.step)) {
       if (slope.joined == 0 && point) {
         break;
       }

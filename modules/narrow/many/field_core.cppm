@@ -80,7 +80,7 @@ class CoreInField {
       return at(start);
     } else {
       return downhill(
-          at(start), {stride, longest, end_of_steps()},
+          at(start), {stride, longest, 1e-5 * field_.finest(), 1e-7 * field_.finest()},
           [&](const Vec3& point) { return std::optional(nearest(point)); },
           [&](const Vec3& point) { return at(point); }, is_met);
     }
@@ -116,8 +116,9 @@ class CoreInField {
     return {placed, normal, start.value, false};
   }
   // The point of the surface that is nearest to a point, from one that is close. It slides along tangent planes as long
-  // as they lead nearer.
+  // as they lead nearer by a ten-thousandth of a cell.
   [[nodiscard]] Vec3 nearest_on_surface(const Vec3& point, const Vec3& start) const {
+    const Real cell = field_.finest();
     const auto square_there = [&](const Vec3& there) {
       const Vec3 between = point - there;
       const auto normal = UnitVec3::make(field_.value_at(there).gradient);
@@ -125,7 +126,7 @@ class CoreInField {
       return FieldPoint{there, {0.5 * squared_norm(between), -aside}};
     };
     return downhill(
-               square_there(start), {1, infinity, end_of_steps()},
+               square_there(start), {1, infinity, 1e-3 * cell, 1e-4 * cell * norm(point - start)},
                [&](const Vec3& there) { return surface_below(there); }, square_there, [](const Vec3&) { return true; })
         ->point;
   }
@@ -153,8 +154,6 @@ class CoreInField {
   static constexpr Real surface_share = 1e-6;  // of a cell
 
   [[nodiscard]] static Real squared(Real value) { return value * value; }
-  // Where a descent ends.
-  [[nodiscard]] Real end_of_steps() const { return 1e-5 * field_.finest(); }
   // Where the gradient vanishes.
   [[nodiscard]] UnitVec3 away(const Vec3& point) const {
     const Real sign = field_.is_inside_out() ? -1 : 1;
