@@ -59,7 +59,7 @@ std::optional<std::vector<Piece>> pieces_of(const Scene& scene) {
 Real depth_along(const Scene& scene, const std::vector<Piece>& pieces, const Vec3& direction) {
   const Real lowest =
       dot(direction, scene.ab.position) - reach_along(scene.b, -scene.ab.rotation.undo(direction)).value_or(0);
-  // A front that is entered by more than rounding is no way out, though it be within the tolerance.
+  // No way leads through a front that is entered by more than rounding, even where that is less than the tolerance.
   const Real noise = tolerance(scene), rounding = 16 * std::numeric_limits<Real>::epsilon() * scene.size;
   Real depth = 0;
   for (bool has_grown = true; has_grown;) {

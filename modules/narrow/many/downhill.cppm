@@ -2,7 +2,7 @@
 // The way down to a point of least value nearby, where gradients may jump.
 //
 // Steps lead against the gradient, each brought back to where points may be (Goldstein 1964), with the length of
-// Barzilai and Borwein (1988). Where a step leads up, the gradient there joins the slope: their shortest mean leads
+// Barzilai and Borwein (1988). Where a step leads up, the gradient there joins those so far: their shortest mean leads
 // along the crease (Wolfe, A method of conjugate subgradients, 1975).
 export module abut.narrow.many.downhill;
 import abut.capability;
@@ -25,7 +25,7 @@ struct Steps {
 };
 
 // Which way is down, and how far to go against it.
-struct Slope {
+struct WayDown {
   static constexpr int most_joined = 4;
 
   Vec3 mean;                   // of the gradients: the shortest one
@@ -42,16 +42,8 @@ struct Slope {
   }
   // `own`: the mean as the way showed it.
   void join(const Vec3& own, const Vec3& other, Real flat) {
-    Simplex gradients{};
-    const auto add = [&](const Vec3& gradient) { gradients.push({gradient, gradient, no_index, no_index}); };
-    add(own);
-    if (joined > 0) {
-      add(last);
-    } else {
-      short_step = std::min(flat, step);
-    }
-    add(other);
-    mean = closest_to_origin(gradients).point;
+    short_step = joined > 0 ? short_step : std::min(flat, step);
+    mean = (joined > 0 ? closest_on_triangle(own, last, other, 1, 2, 4) : closest_on_segment(own, other, 1, 2)).point;
     last = other;
     ++joined;
   }
@@ -69,22 +61,22 @@ template <class Onto, class Look, class Condition>
                                                  const Look& look, const Condition& is_met) {
   constexpr int most_steps = 128;
   const Real end = steps.end * steps.end;
-  Slope slope{best.field.gradient, steps.first};
+  WayDown down{best.field.gradient, steps.first};
   for (int i = 0; i < most_steps; ++i) {
-    const std::optional<Vec3> point = onto(best.point - slope.step * slope.mean);
+    const std::optional<Vec3> point = onto(best.point - down.step * down.mean);
     const Vec3 way = point.value_or(best.point) - best.point;
     const Real moved = squared_norm(way);
-    if (!(moved > end && moved > steps.least_gain * slope.step)) {
-      if (slope.joined == 0 && point) {
+    if (!(moved > end && moved > steps.least_gain * down.step)) {
+      if (down.joined == 0 && point) {
         break;
       }
-      slope.restart(best.field.gradient);
+      down.restart(best.field.gradient);
       continue;
     }
     const FieldPoint next = look(*point);
     const Real bend = dot(way, next.field.gradient - best.field.gradient), flat = bend > 0 ? moved / bend : infinity;
     if (next.field.value < best.field.value) {
-      slope.go_on(next.field.gradient, flat, steps.longest);
+      down.go_on(next.field.gradient, flat, steps.longest);
       best = next;
       if (!is_met(best.point)) {
         return std::nullopt;
@@ -93,11 +85,11 @@ template <class Onto, class Look, class Condition>
     }
     // What a gradient leads to is seen where points may be.
     const std::optional<Vec3> other =
-        slope.joined < Slope::most_joined ? onto(best.point - slope.step * next.field.gradient) : std::nullopt;
+        down.joined < WayDown::most_joined ? onto(best.point - down.step * next.field.gradient) : std::nullopt;
     if (other) {
-      slope.join((-1 / slope.step) * way, (1 / slope.step) * (best.point - *other), flat);
+      down.join((-1 / down.step) * way, (1 / down.step) * (best.point - *other), flat);
     } else {
-      slope.restart(best.field.gradient);
+      down.restart(best.field.gradient);
     }
   }
   return best;

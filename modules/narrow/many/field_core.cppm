@@ -76,14 +76,10 @@ class CoreInField {
   template <class Condition>
   [[nodiscard]] std::optional<FieldPoint> descend_while(const Vec3& start, Real stride, Real longest,
                                                         Condition&& is_met) const {
-    if constexpr (PointCored<B>) {
-      return at(start);
-    } else {
-      return downhill(
-          at(start), {stride, longest, 1e-5 * field_.finest(), 1e-7 * field_.finest()},
-          [&](const Vec3& point) { return std::optional(nearest(point)); },
-          [&](const Vec3& point) { return at(point); }, is_met);
-    }
+    const Real cell = field_.finest(), end = 1e-5 * cell, least_gain = 1e-7 * cell;
+    return downhill(
+        at(start), {stride, longest, end, least_gain}, [&](const Vec3& point) { return std::optional(nearest(point)); },
+        [&](const Vec3& point) { return at(point); }, is_met);
   }
 
   // Where a point of the core is as it lies in the field, and what is nearest to it on the surface there.
@@ -118,16 +114,18 @@ class CoreInField {
   // The point of the surface that is nearest to a point, from one that is close. It slides along tangent planes as long
   // as they lead nearer by a ten-thousandth of a cell.
   [[nodiscard]] Vec3 nearest_on_surface(const Vec3& point, const Vec3& start) const {
-    const Real cell = field_.finest();
-    const auto square_there = [&](const Vec3& there) {
+    const Real cell = field_.finest(), end = 1e-3 * cell, least_gain = 1e-4 * cell * norm(point - start);
+    // Half the square of the distance, and its gradient along the surface.
+    const auto half_square_at = [&](const Vec3& there) {
       const Vec3 between = point - there;
       const auto normal = UnitVec3::make(field_.value_at(there).gradient);
       const Vec3 aside = normal ? between - dot(between, *normal) * normal->vec() : Vec3{0, 0, 0};
       return FieldPoint{there, {0.5 * squared_norm(between), -aside}};
     };
     return downhill(
-               square_there(start), {1, infinity, 1e-3 * cell, 1e-4 * cell * norm(point - start)},
-               [&](const Vec3& there) { return surface_below(there); }, square_there, [](const Vec3&) { return true; })
+               half_square_at(start), {1, infinity, end, least_gain},
+               [&](const Vec3& there) { return surface_below(there); }, half_square_at,
+               [](const Vec3&) { return true; })
         ->point;
   }
   // A point of the surface, down or up the gradient from a point in the frame of the field.
@@ -152,7 +150,6 @@ class CoreInField {
 
  private:
   static constexpr Real surface_share = 1e-6;  // of a cell
-
   [[nodiscard]] static Real squared(Real value) { return value * value; }
   // Where the gradient vanishes.
   [[nodiscard]] UnitVec3 away(const Vec3& point) const {

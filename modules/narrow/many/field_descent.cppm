@@ -128,8 +128,16 @@ template <SampledSolid F, Convex B>
       out.point = found;
     }
   };
-  // What sticks out may be deepest, and few boxes lie there.
-  whole.visit_ends([&](const Vec3& end) { descend_from(core.nearest(end), 0.5 * whole.radius()); });
+  // What sticks out may be deepest, and few boxes lie there. A thin core has one point for several ends.
+  SmallVector<Vec3, 16> begun;
+  begun.push_back(core.nearest(whole.centre));
+  whole.visit_ends([&](const Vec3& end) {
+    const Vec3 point = core.nearest(end);
+    if (std::ranges::find(begun.span(), point) == begun.span().end()) {
+      begun.push_back(point);
+      descend_from(point, 0.5 * whole.radius());
+    }
+  });
   std::vector<Open> open{{whole, least_nearby(field, core.at(whole.centre).field.value, whole.radius())}};
   for (;;) {
     const auto least = open.empty() ? open.end() : std::ranges::min_element(open, {}, &Open::lower);
