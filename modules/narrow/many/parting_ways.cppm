@@ -140,6 +140,8 @@ class PartingWays {
     return last;
   }
 
+  // Hulls tell their ways to less than this share: what ends as soon stands in none.
+  static constexpr Real way_blur = 1e-9;
   // A longer look costs more where the way ends soon, a shorter one takes more of them.
   static constexpr Real far_ahead = 2;
 
@@ -155,9 +157,10 @@ class PartingWays {
     };
     [[clang::uninitialized]] PartsHull<B> hull(met_.fours(), extent_of_other(), Surface<Other> || a_.has_fronts());
     for (bool is_first = true;; is_first = false) {
-      const auto way = hull.way_out(met_.fours(), other_, ab_, best.depth, met_.noise());
+      auto way = hull.way_out(met_.fours(), other_, ab_, best.depth, met_.noise());
       if (way) {
         consider(std::span(&way->direction, 1));
+        way->depth *= 1 + way_blur;
       }
       const bool is_free = !way || best.depth <= way->depth + met_.noise();
       if (is_free && is_first) {
@@ -214,7 +217,7 @@ class PartingWays {
       std::uint32_t number, number_of_b;
     };
     // What b touches there may seem to lie beyond it, by rounding.
-    const Real slack = 2 * met_.noise();
+    const Real slack = 2 * met_.noise() + way_blur * way.depth;
     // What is left before the end is no obstacle, but for a front.
     const bool meets_front = on_the_way.meets_front(way, slack);
     const Stretch ahead{way.direction, meets_front ? 0 : way.depth, std::min(most, far_ahead * way.depth)};

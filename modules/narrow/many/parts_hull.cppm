@@ -226,7 +226,8 @@ class PartsHull {
     };
     Difference difference;
     difference.support = [&support](const Vec3& direction) { return support(direction); };
-    difference.size = size_;
+    // Its corners are as far off as what goes on behind fronts, and so is their rounding.
+    difference.size = has_fronts_ ? 2 * far_ + size_ : size_;
     difference.is_curved = Curved<B>;
     if constexpr (Curved<B>) {
       difference.second_order = [&second_order_near](const DirectionFrame& frame) { return second_order_near(frame); };

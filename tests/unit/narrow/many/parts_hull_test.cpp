@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "../../least_overlap.hpp"
@@ -156,16 +158,17 @@ TEST(PartsHull, ARoundBodyLeavesByTheShortestWay) {
     EXPECT_GT(expect_shortest_ways(test::made<abut::Capsule>({radius, 0.5}), reach, 1e-8), 20);
   }
 }
+struct ReachOfCorners {
+  std::vector<Vec3> corners;
+  Real operator()(const Vec3& d) const { return highest(corners, d); }
+};
+
 TEST(PartsHull, TwoSurfacesLeaveByTheShortestWay) {
   int judged = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
     const Pose ab{random.rotation(), random.point(0.3)};
-    struct ReachOfCorners {
-      std::vector<Vec3> corners;
-      Real operator()(const Vec3& d) const { return highest(corners, d); }
-    };
     abut::PartsMet<Triangle> met;
     std::vector<Part<ReachOfCorners>> parts;
     for (std::uint32_t i = 0; i < 3 + seed % 7; ++i) {
@@ -182,6 +185,32 @@ TEST(PartsHull, TwoSurfacesLeaveByTheShortestWay) {
     judged += expect_shortest(way_out, parts, 1e-9) > 0 ? 1 : 0;
   }
   EXPECT_GT(judged, 40);
+}
+
+// Behind the fronts of two slopes a hull goes on far, and its faces are as far off as their corners are.
+TEST(PartsHull, LeavesFromBehindTwoSlopesByTheShortestWay) {
+  const Pose ab{abut::Rotation::identity(), {-0.65382350679516754, 1.2807815236349616, -0.67428998915253457}};
+  const Real x = 0.55565429156393209, y = 0.8588363248113513, z = 0.43285887740144613;
+  const Real wide = 0.80069801087188774, long_side = 0.60783872468134414;
+  const Vec3 top{x, y, 2 * z};
+  const std::array<Triangle, 2> slope{Triangle{top, {2 * x, y, z}, {2 * x, 2 * y, -2 * z}, 0, true},
+                                      Triangle{top, {2 * x, 2 * y, -2 * z}, {x, 2 * y, -z}, 1, true}};
+  const auto flat = [&](Real begin, bool is_near) {
+    const Vec3 corner{begin * wide, 0, 0}, across{(begin + 1) * wide, long_side, 0};
+    const Vec3 side = is_near ? Vec3{across.x, 0, 0} : Vec3{corner.x, across.y, 0};
+    return Triangle{corner, is_near ? side : across, is_near ? across : side, 0, true};
+  };
+  const std::array<std::pair<Triangle, Triangle>, 4> pairs{
+      {{slope[1], flat(2, false)}, {slope[0], flat(2, false)}, {slope[1], flat(1, true)}, {slope[0], flat(2, true)}}};
+  abut::PartsMet<Triangle> met;
+  std::vector<Part<ReachOfCorners>> parts;
+  for (const auto& [a, b] : pairs) {
+    met.put_in_the_way(met.add(a, b, ab, Fronts<Triangle>(a, b, ab), noise), deep, {0, 0, 1});
+    parts.push_back({corners_of(a, Pose::identity()), {corners_of(b, ab)}, {a.normal(), -b.normal()}});
+  }
+  const abut::PartsHull<Triangle> hull(met.fours(), 0, true);
+  const auto way_out = [&](Real most) { return hull.way_out(met.fours(), slope[0], ab, most, noise); };
+  EXPECT_NEAR(expect_shortest(way_out, parts, 1e-9), 0.400672034, 1e-6);
 }
 
 // What lies ahead is no part until it is taken in. What b only touches is one, but its front is none until then.
