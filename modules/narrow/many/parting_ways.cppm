@@ -146,8 +146,8 @@ class PartingWays {
   static constexpr Real far_ahead = 2;
 
   // The shortest way out of what is met. No way is shorter than the one out of the hull of what b overlaps. Only where
-  // something else stands in that way, others may be as short: the one out of the hull of that too, and those of faces
-  // and of single parts.
+  // something else stands in that way, others may be as short: the one out of the hull of that too, those of faces,
+  // along edges and of single parts.
   template <class OnTheWay>
   [[nodiscard]] PartingWay out_of_met(Real most, const OnTheWay& on_the_way) const {
     PartingWay best{most, {0, 0, 0}};

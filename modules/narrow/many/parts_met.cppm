@@ -232,13 +232,19 @@ class PartsMet {
       visit(place, met_beyond(place, way, lowest, meets_on).lanes);
     }
   }
-  // The least ways out of parts that stand in ways, and those out of their faces.
+  // The least ways out of parts that stand in ways, and those out of their faces and along their edges.
   [[nodiscard]] SmallVector<Vec3, 96> ways() const {
     SmallVector<Vec3, 96> ways = ways_;
-    const auto add_face = [&](const TriangleCorners& corners) {
-      if (const auto normal = UnitVec3::make(cross(corners[1] - corners[0], corners[2] - corners[0]))) {
-        ways.push_back(*normal);
-        ways.push_back(-*normal);
+    const auto add = [&](const Vec3& along) {
+      if (const auto way = UnitVec3::make(along)) {
+        ways.push_back(*way);
+        ways.push_back(-*way);
+      }
+    };
+    const auto add_ways_of = [&](const TriangleCorners& corners) {
+      const Vec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+      for (const Vec3& along : {cross(ab, ac), ab, ac, corners[2] - corners[1]}) {
+        add(along);
       }
     };
     for (std::size_t part = 0; part < size_; ++part) {
@@ -246,9 +252,9 @@ class PartsMet {
       if (!is_in_the_way(part)) {
         continue;
       }
-      add_face(four.triangles[part % 4]);
+      add_ways_of(four.triangles[part % 4]);
       if constexpr (std::same_as<B, Triangle>) {
-        add_face(four.placed.of[part % 4]);
+        add_ways_of(four.placed.of[part % 4]);
       }
     }
     return ways;

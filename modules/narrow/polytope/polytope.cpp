@@ -174,6 +174,7 @@ FlatDifference Polytope::start(const Simplex& simplex, Real noise, const Differe
 
   const Vec3 origin = vertices_[0].w;
   const Real wide = 1e3 * noise;  // extents that leave the digits of a normal in order
+  const Real thick = 16 * noise;  // across such a normal: what is thinner tells no faces apart
   if (!grow([&](const Vec3& w) { return norm(w - origin); },
             std::array<Vec3, 3>{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, wide)) {
     return {true, {0, 0, 1}};
@@ -188,7 +189,7 @@ FlatDifference Polytope::start(const Simplex& simplex, Real noise, const Differe
   }
   const Vec3 normal =
       UnitVec3::make(cross(vertices_[1].w - origin, vertices_[2].w - origin)).value_or(UnitVec3::axis_z());
-  if (!grow([&](const Vec3& w) { return std::fabs(dot(normal, w - origin)); }, std::array<Vec3, 1>{normal}, wide)) {
+  if (!grow([&](const Vec3& w) { return std::fabs(dot(normal, w - origin)); }, std::array<Vec3, 1>{normal}, thick)) {
     return {true, normal};
   }
   const bool above = dot(normal, vertices_[3].w - origin) > 0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two coarse sheets through each other are equally deep whatever the margin is, and whichever comes first. The ways out
-// that are tried do not always hold the shortest: two scenes differ by their order.
+// Two coarse sheets through each other are equally deep whatever the margin is, and whichever comes first.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "../../made.hpp"
@@ -14,15 +14,20 @@
 import abut.capability;
 import abut.math;
 import abut.narrow.many.two_surfaces;
+import abut.shapes.height_field;
 import abut.shapes.mesh;
 
 namespace {
 
+using abut::HeightField;
 using abut::Mesh;
 using abut::Pose;
 using abut::Real;
+using abut::Vec3;
 
 constexpr int scenes = 2000;
+
+Vec3 unit(const Vec3& v) { return (1 / norm(v)) * v; }
 
 // Squares of a length of one, two triangles each.
 Mesh random_sheet(test::Random& random) {
@@ -41,7 +46,8 @@ Mesh random_sheet(test::Random& random) {
   return test::made<Mesh>(std::vector<Real>{0}, vertices, indices);
 }
 
-Real deepest(const Mesh& a, const Mesh& b, const Pose& ab, Real margin) {
+template <class Sheet>
+Real deepest(const Sheet& a, const Sheet& b, const Pose& ab, Real margin) {
   abut::Manifold contacts;
   EXPECT_EQ(surfaces_contacts(a, b, ab, {.margin = margin}, contacts), abut::Outcome::ok);
   return contacts.empty() ? 0 : std::min(std::ranges::min(contacts, {}, &abut::ContactPoint::distance).distance, 0.0);
@@ -71,9 +77,24 @@ TEST(TwoSheets, AreAsDeepInAnyOrderAndWithAnyMargin) {
     by_margin.add(std::fabs(deepest(a, b, ab, 0.4) - depth));
   }
   EXPECT_GT(through, scenes / 4);
-  EXPECT_LE(by_order.count, 2);
-  EXPECT_LE(by_order.largest, 0.06);
-  EXPECT_EQ(by_margin.count, 0);
+  EXPECT_EQ(by_order.count, 0) << by_order.largest;
+  EXPECT_EQ(by_margin.count, 0) << by_margin.largest;
+}
+
+// A narrow strip stands in a floor, near a border. The shortest way out is level: over the border, along an edge of the
+// floor. No face and no single triangle shows it.
+TEST(TwoSheets, LeaveAlongAnEdge) {
+  constexpr Real narrow = 0.0123;
+  const HeightField floor = test::made<HeightField>({5, 3, 1.22, 1.457}, std::vector<Real>(15, 0.0));
+  std::vector<Real> heights(15, 0.0);
+  heights[2] = std::numeric_limits<Real>::quiet_NaN();
+  const HeightField strip = test::made<HeightField>({3, 5, narrow, 1.31}, heights);
+  const Vec3 x = unit({0.258, 0.117, 0.959}), z = unit(cross(x, {0.927, 0.247, -0.28})), y = cross(z, x);
+  const Pose ab{{x, y, z}, {0.1022, -0.0936, 0.6432}};
+  // Where a long side of the strip passes the floor.
+  const Vec3 begin = ab * Vec3{2 * narrow, 0, 0}, through = begin - (begin.z / y.z) * y;
+  EXPECT_NEAR(deepest(floor, strip, ab, 0), -through.y, 1e-9);
+  EXPECT_NEAR(deepest(strip, floor, ab.inverse(), 0), -through.y, 1e-9);
 }
 
 }  // namespace

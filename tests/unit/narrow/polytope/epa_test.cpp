@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -106,6 +107,33 @@ TEST(Epa, DifferenceWithoutVolume) {
   const abut::EpaResult found = depth_of({1, 1, 0}, {1, 1, 0}, {abut::Rotation::identity(), {0.5, 0.5, 0}});
   EXPECT_EQ(found.depth, 0);
   EXPECT_NEAR(std::fabs(found.normal.z), 1, 1e-12);
+}
+
+// A wedge hardly thicker than rounding, whose slope is above the origin: the depth is that of the slope, whatever the
+// ends of the wedge reach.
+TEST(Epa, ThinWedge) {
+  constexpr Real rise = 1.5e-13;  // from the middle to an end
+  std::vector<Vec3> corners;
+  for (const Real x : {-1.0, 1.0}) {
+    for (const Real y : {-1.0, 1.0}) {
+      corners.push_back({x, y, -3e-13});
+      corners.push_back({x, y, 2e-13 + x * rise});
+    }
+  }
+  abut::Difference wedge;
+  wedge.support = [&](const Vec3& direction) {
+    std::uint32_t best = 0;
+    for (std::uint32_t i = 1; i < corners.size(); ++i) {
+      best = dot(direction, corners[i]) > dot(direction, corners[best]) ? i : best;
+    }
+    return abut::SupportPair{corners[best], {0, 0, 0}, best, 0};
+  };
+  wedge.size = 1;
+  wedge.is_curved = false;
+  const auto found = abut::least_overlap_below(1, wedge, 1e-15);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->depth, 2e-13, 2e-15);
+  EXPECT_NEAR(found->normal.x, -rise, 2e-15);
 }
 
 }  // namespace
