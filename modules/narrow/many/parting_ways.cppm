@@ -151,9 +151,9 @@ class PartingWays {
   template <class OnTheWay>
   [[nodiscard]] PartingWay out_of_met(Real most, const OnTheWay& on_the_way) const {
     PartingWay best{most, {0, 0, 0}};
+    const auto lowest = [&](const Columns& directions) { return lowest_along(directions); };
     const auto consider = [&](std::span<const Vec3> ways) {
-      best = met_.shortest(
-          ways, best, [&](const Columns& directions) { return lowest_along(directions); }, meets_on(on_the_way));
+      best = met_.shortest(ways, best, lowest, meets_on(on_the_way));
     };
     [[clang::uninitialized]] PartsHull<B> hull(met_.fours(), extent_of_other(), Surface<Other> || a_.has_fronts());
     for (bool is_first = true;; is_first = false) {
@@ -170,7 +170,7 @@ class PartingWays {
         break;
       }
     }
-    consider(met_.ways().span());
+    best = met_.shortest_of_parts(best, lowest, meets_on(on_the_way));
     consider(own_ways().span());
     return best;
   }

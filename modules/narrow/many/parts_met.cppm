@@ -195,9 +195,41 @@ class PartsMet {
   // How far b has to move along the best of some ways, if less far than along the best one so far. `lowest_along`:
   // where b begins along directions. meets_on(parts, way) has a bit for each of four parts that b may meet on a way.
   template <class LowestAlong, class MeetsOn>
-  [[nodiscard]] PartingWay shortest(std::span<const Vec3> ways, PartingWay best, const LowestAlong& lowest_along,
+  [[nodiscard]] PartingWay shortest(std::span<const Vec3> ways, const PartingWay& best, const LowestAlong& lowest_along,
                                     const MeetsOn& meets_on) const {
     LatelyInTheWay obstacles;
+    return shortest(ways, best, obstacles, lowest_along, meets_on);
+  }
+  // The same of all ways that parts in the way show: the least one out of each, those out of its faces and along its
+  // edges.
+  template <class LowestAlong, class MeetsOn>
+  [[nodiscard]] PartingWay shortest_of_parts(PartingWay best, const LowestAlong& lowest_along,
+                                             const MeetsOn& meets_on) const {
+    LatelyInTheWay obstacles;
+    best = shortest(ways_.span(), best, obstacles, lowest_along, meets_on);
+    for (std::size_t part = 0; part < size_; ++part) {
+      if (is_in_the_way(part)) {
+        best = shortest(ways_of_sides(part).span(), best, obstacles, lowest_along, meets_on);
+      }
+    }
+    return best;
+  }
+  // Calls visit(place, lanes) with what b meets on a way and is not parted from at its end, beside what it overlaps: by
+  // the place of four parts, and a bit for each. Fronts that it touches stand in the way too.
+  template <class MeetsOn, class Visit>
+  void visit_in_the_way(const PartingWay& way, Real lowest, const MeetsOn& meets_on, const Visit& visit) const {
+    for (std::size_t place = 0; place < fours_.size(); ++place) {
+      visit(place, bits_of(touching_overlaps(place, way.direction, lowest) == all_lanes(infinity)));
+      visit(place, met_beyond(place, way, lowest, meets_on).lanes);
+    }
+  }
+
+ private:
+  static constexpr std::uint64_t all_four = 15;
+
+  template <class LowestAlong, class MeetsOn>
+  [[nodiscard]] PartingWay shortest(std::span<const Vec3> ways, PartingWay best, LatelyInTheWay& obstacles,
+                                    const LowestAlong& lowest_along, const MeetsOn& meets_on) const {
     const auto consider = [&](const Columns& directions) {
       std::uint64_t lanes = all_four;
       const Lanes lowest = lowest_along(directions);
@@ -223,18 +255,9 @@ class PartsMet {
     }
     return best;
   }
-  // Calls visit(place, lanes) with what b meets on a way and is not parted from at its end, beside what it overlaps: by
-  // the place of four parts, and a bit for each. Fronts that it touches stand in the way too.
-  template <class MeetsOn, class Visit>
-  void visit_in_the_way(const PartingWay& way, Real lowest, const MeetsOn& meets_on, const Visit& visit) const {
-    for (std::size_t place = 0; place < fours_.size(); ++place) {
-      visit(place, bits_of(touching_overlaps(place, way.direction, lowest) == all_lanes(infinity)));
-      visit(place, met_beyond(place, way, lowest, meets_on).lanes);
-    }
-  }
-  // The least ways out of parts that stand in ways, and those out of their faces and along their edges.
-  [[nodiscard]] SmallVector<Vec3, 96> ways() const {
-    SmallVector<Vec3, 96> ways = ways_;
+  // Out of the faces of a part and along its edges.
+  [[nodiscard]] SmallVector<Vec3, 16> ways_of_sides(std::size_t part) const {
+    SmallVector<Vec3, 16> ways;
     const auto add = [&](const Vec3& along) {
       if (const auto way = UnitVec3::make(along)) {
         ways.push_back(*way);
@@ -247,21 +270,13 @@ class PartsMet {
         add(along);
       }
     };
-    for (std::size_t part = 0; part < size_; ++part) {
-      const FourParts<B>& four = fours_[part / 4];
-      if (!is_in_the_way(part)) {
-        continue;
-      }
-      add_ways_of(four.triangles[part % 4]);
-      if constexpr (std::same_as<B, Triangle>) {
-        add_ways_of(four.placed.of[part % 4]);
-      }
+    const FourParts<B>& four = fours_[part / 4];
+    add_ways_of(four.triangles[part % 4]);
+    if constexpr (std::same_as<B, Triangle>) {
+      add_ways_of(four.placed.of[part % 4]);
     }
     return ways;
   }
-
- private:
-  static constexpr std::uint64_t all_four = 15;
 
   // How far b has to move to be parted from those of four parts that it meets already.
   [[nodiscard]] [[gnu::always_inline]] inline Lanes touching_overlaps(std::size_t place, const Vec3& direction,

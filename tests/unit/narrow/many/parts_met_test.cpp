@@ -81,6 +81,14 @@ std::vector<Vec3> corners_of(const Triangle& triangle, const Pose& pose) {
   return {pose * triangle.corners()[0], pose * triangle.corners()[1], pose * triangle.corners()[2]};
 }
 
+// Out of the face of a triangle, and along its edges.
+void add_ways_of(const std::vector<Vec3>& corners, std::vector<Vec3>& ways) {
+  const Vec3 &a = corners[0], &b = corners[1], &c = corners[2];
+  for (const Vec3& along : {cross(b - a, c - a), b - a, c - b, a - c}) {
+    ways.insert(ways.end(), {(1 / norm(along)) * along, (-1 / norm(along)) * along});
+  }
+}
+
 constexpr auto meets_none = [](const auto&, const abut::PartingWay&) { return std::uint64_t{0}; };
 
 constexpr Vec3 no_way{0, 0, 0};
@@ -90,9 +98,7 @@ template <class Parts, class LowestAlong>
 void expect_shortest(const Parts& met, const LowestAlong& lowest_along, const std::vector<Vec3>& ways,
                      const std::vector<Part>& parts) {
   const Real least = least_depth(parts, ways);
-  const auto shortest = [&](Real most) {
-    return met.shortest(met.ways().span(), {most, no_way}, lowest_along, meets_none);
-  };
+  const auto shortest = [&](Real most) { return met.shortest_of_parts({most, no_way}, lowest_along, meets_none); };
   const abut::PartingWay found = shortest(abut::infinity);
   EXPECT_NEAR(found.depth, least, noise);
   EXPECT_NEAR(depth_along(parts, found.direction), least, noise);
@@ -119,7 +125,8 @@ TEST(PartsMet, ABoxLeavesByTheShortestWayThatIsKnown) {
       const std::size_t part = met.add(triangle, box, ab, Fronts<Box>(triangle, box, ab), noise);
       met.put_in_the_way(part, deep, way);
       parts.push_back({corners_of(triangle, Pose::identity()), test::corners_of(half, ab)});
-      ways.insert(ways.end(), {triangle.normal(), -triangle.normal(), way});
+      ways.push_back(way);
+      add_ways_of(parts.back().of_a, ways);
     }
     const auto lowest = [&](const Vec3& direction) { return -highest(test::corners_of(half, ab), -direction); };
     expect_shortest(met, for_four(lowest), ways, parts);
@@ -145,11 +152,13 @@ TEST(PartsMet, TwoSurfacesLeaveByTheShortestWayThatIsKnown) {
         if (random.uniform(0, 1) < 0.5) {
           continue;
         }
-        const Vec3 way = random_direction(random), normal_of_b = ab.rotation * b.normal();
+        const Vec3 way = random_direction(random);
         const std::size_t part = met.add(a, b, ab, Fronts<Triangle>(a, b, ab), noise);
         met.put_in_the_way(part, deep, way);
         parts.push_back({corners_of(a, Pose::identity()), corners_of(b, ab)});
-        ways.insert(ways.end(), {a.normal(), -a.normal(), normal_of_b, -normal_of_b, way});
+        ways.push_back(way);
+        add_ways_of(parts.back().of_a, ways);
+        add_ways_of(parts.back().of_b, ways);
       }
     }
     expect_shortest(met, for_four([](const Vec3&) { return 0.0; }), ways, parts);
