@@ -11,7 +11,6 @@
 namespace property {
 
 inline constexpr auto extreme_shortfalls = std::to_array<Shortfall>({
-    {"faces parallel to 1e-12 rad (by support points) the oracle's distance <= upper", 2, 6.5e-14},
     {"faces parallel to 1e-9 rad (by support points) error within the limit of the row", 1, 1.5e-14},
     {"hulls of 10000 points error within the limit of the row", 1, 3.1e-16},
 });
