@@ -76,10 +76,11 @@ class CoreInField {
   template <class Condition>
   [[nodiscard]] std::optional<FieldPoint> descend_while(const Vec3& start, Real stride, Real longest,
                                                         Condition&& is_met) const {
-    const Real cell = field_.finest(), end = 1e-5 * cell, least_gain = 1e-7 * cell;
+    const Real least_gain = 1e-7 * field_.finest();
     return downhill(
-        at(start), {stride, longest, end, least_gain}, [&](const Vec3& point) { return std::optional(nearest(point)); },
-        [&](const Vec3& point) { return at(point); }, is_met);
+        at(start), {stride, longest, end_of_steps(), least_gain},
+        [&](const Vec3& point) { return std::optional(nearest(point)); }, [&](const Vec3& point) { return at(point); },
+        is_met);
   }
 
   // Where a point of the core is as it lies in the field, and what is nearest to it on the surface there.
@@ -112,9 +113,8 @@ class CoreInField {
     return {placed, normal, start.value, false};
   }
   // The point of the surface that is nearest to a point, from one that is close. It slides along tangent planes as long
-  // as they lead nearer by a ten-thousandth of a cell.
+  // as they lead nearer.
   [[nodiscard]] Vec3 nearest_on_surface(const Vec3& point, const Vec3& start) const {
-    const Real cell = field_.finest(), end = 1e-3 * cell, least_gain = 1e-4 * cell * norm(point - start);
     // Half the square of the distance, and its gradient along the surface.
     const auto half_square_at = [&](const Vec3& there) {
       const Vec3 between = point - there;
@@ -123,7 +123,7 @@ class CoreInField {
       return FieldPoint{there, {0.5 * squared_norm(between), -aside}};
     };
     return downhill(
-               half_square_at(start), {1, infinity, end, least_gain},
+               half_square_at(start), {1, infinity, end_of_steps(), 0},
                [&](const Vec3& there) { return surface_below(there); }, half_square_at,
                [](const Vec3&) { return true; })
         ->point;
@@ -151,6 +151,8 @@ class CoreInField {
  private:
   static constexpr Real surface_share = 1e-6;  // of a cell
   [[nodiscard]] static Real squared(Real value) { return value * value; }
+  // Where a descent ends.
+  [[nodiscard]] Real end_of_steps() const { return 1e-5 * field_.finest(); }
   // Where the gradient vanishes.
   [[nodiscard]] UnitVec3 away(const Vec3& point) const {
     const Real sign = field_.is_inside_out() ? -1 : 1;
