@@ -25,10 +25,11 @@ namespace {
 
 // See shortfalls.hpp for what the numbers mean, and docs/testing.md for the reasons.
 constexpr auto shortfalls = std::to_array<property::Shortfall>({
-    {"mesh and convex: no contact deeper than a way out", 1, 0.012},
+    {"mesh and convex: no contact deeper than a way out", 1, 0.011},
     {"mesh and mesh: no contact deeper than a way out", 3, 0.039},
+    {"mesh front and convex: no contact deeper than a way out", 1, 1.4e-6},
     {"mesh solid and convex: a normal of the surface", 1, 0.96},
-    {"uv_grid and convex: no contact deeper than a way out", 1, 0.025},
+    {"uv_grid and convex: no contact deeper than a way out", 5, 0.0057},
 });
 
 }  // namespace
@@ -83,7 +84,8 @@ std::vector<abut_contact> contacts_of(const Played& played, double margin) {
   return contacts;
 }
 
-void check_distance(const Played& played, const Meeting& meeting, std::span<const oracle::Touch> touches) {
+void check_distance(const Played& played, const Side& a, const Side& b, const Meeting& meeting,
+                    std::span<const oracle::Touch> touches) {
   abut_distance found{};
   ASSERT_EQ(
       abut_pair_distance(played.a.shape.get(), &played.scene.a, played.b.shape.get(), &played.scene.b, nullptr, &found),
@@ -99,10 +101,22 @@ void check_distance(const Played& played, const Meeting& meeting, std::span<cons
     expect_at_most("an upper bound above the distance", truth - found.upper);
     return;
   }
-  // What is met from behind may be deeper than all contacts.
-  double deepest = truth;
+  if (b.is_surface) {
+    double deepest = truth;
+    for (const oracle::Touch& touch : touches) deepest = std::min(deepest, touch.distance);
+    expect_at_most("a depth of contacts, or of two parts where that is deeper", std::abs(found.distance - deepest));
+    return;
+  }
+  // In a valley no contact is as deep as the whole. Parts with one side that are met from behind may be deeper.
+  double deepest = a.is_one_sided || b.is_one_sided ? 0 : truth;
   for (const oracle::Touch& touch : touches) deepest = std::min(deepest, touch.distance);
-  expect_at_most("a depth of contacts, or of two parts where that is deeper", std::abs(found.distance - deepest));
+  expect_at_most("a depth of at least each contact and each two parts", found.distance - deepest);
+  expect_at_most("a bound that no two parts are deeper than", -found.upper - std::abs(truth));
+  if (found.distance < 0) {
+    const Vec move = property::vec_of(found.normal) * quad(-found.distance);
+    const double left = static_cast<double>(distance_after(a, b, move, quad(played.magnitude.size_b), false));
+    expect_at_most("nothing overlapped after a move by the depth", -left);
+  }
 }
 
 // The inside of a solid, by the winding number of the triangles around a point relative to the origin of the sides.
@@ -214,7 +228,7 @@ void check(const SceneShape& a, const SceneShape& b, Random& random, std::uint64
   if (a.is_solid) {
     check_solid(play, side_a, side_b, meeting, solid, touches);
   } else {
-    check_distance(play, meeting, touches);
+    check_distance(play, side_a, side_b, meeting, touches);
   }
   check_exactly(play, side_a, side_b, meeting);
   property::record().add(a.kind + "/" + b.kind + " " + scene.name, "seed " + std::to_string(seed), 0, 0,

@@ -180,6 +180,13 @@ class Carver {
         deepest_solid = std::min(deepest_solid, contact.distance);
       }
     }
+    // Contacts of a surface name some of the triangles that overlap.
+    if (solids.empty()) {
+      for (std::uint32_t solid = hole.begin; solid < hole.end; ++solid) {
+        deepest_solid =
+            child(solid).is_hole() ? deepest_solid : std::min(deepest_solid, gap_to(solid).value_or(infinity));
+      }
+    }
     // A touch counts, so that rounding does not decide whether the wall has material.
     const bool overlap_both = deepest_solid <= noise_at(hole.child) && deepest_wall < 0;
     if (overlap_both && deepest_wall < deepest_solid) {

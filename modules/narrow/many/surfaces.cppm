@@ -7,17 +7,14 @@ import abut.core;
 import abut.math;
 import abut.math.tolerance;
 import abut.narrow.convex;
-import abut.narrow.many.four_nearest;
-import abut.narrow.many.fronts_ahead;
 export import abut.narrow.many.half_space_surfaces;
 import abut.narrow.many.nearest_of_parts;
-import abut.narrow.many.parts_met;
-import abut.narrow.many.point_ghosts;
 import abut.narrow.many.quick_axes;
 import abut.narrow.many.solid_contacts;
 import abut.narrow.many.solid_depth;
-import abut.narrow.many.surface_contacts;
+import abut.narrow.many.surface_kernels;
 import abut.narrow.many.triangle_contacts;
+import abut.narrow.many.triangle_source;
 
 export namespace abut {
 
@@ -74,7 +71,21 @@ bool nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
 
 template <Surface A, Convex B>
 [[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                     Manifold& out);
+                                     Manifold& out) {
+  if (!parts_support(settings.algorithm)) {
+    return Outcome::unsupported;
+  }
+  const std::size_t first = out.size();
+  surface_contacts(SourceOf<A>(a), b, ab, settings, out);
+  if constexpr (Enclosing<A>) {
+    if (a.is_solid()) {
+      keep_leading_out(a, first, out);
+      settle_depth(solid_depth(a, b, ab, settings), first, settings.margin, out);
+    }
+  }
+  return Outcome::ok;
+}
+
 // A triangle by itself may have a way out that leads into a neighbour, or through a front. Contacts know better. What a
 // round shape meets from behind has none, and may be deeper.
 inline void take_depth_of(const Manifold& contacts, Real noise, Distance& out) {
@@ -105,100 +116,21 @@ template <Surface A, Convex B>
       return Outcome::ok;
     }
   }
+  if (surface_depth(SourceOf<A>(a), b, ab, settings, out)) {
+    return Outcome::ok;
+  }
   out = no_distance();
   std::uint32_t nearest = 0;
   nearest_part(a, b, ab, settings, out, nearest);
   const Triangle triangle = a.part(nearest);
-  const Real size = core_size(triangle, b, ab), noise = noise_of(size);
+  const Real noise = noise_of(core_size(triangle, b, ab));
   // What only touches a front from behind is not pushed through it.
-  const auto is_before = [&] {
-    return Fronts<B>(triangle, b, ab).allows(out.normal) ||
-           dot(triangle.normal(), placed_centre(b, ab) - triangle.corners()[0]) >= 0;
-  };
-  if (out.distance < -noise || (out.distance <= noise && is_before())) {
+  const bool is_before = Fronts<B>(triangle, b, ab).allows(out.normal) ||
+                         dot(triangle.normal(), placed_centre(b, ab) - triangle.corners()[0]) >= 0;
+  if (std::fabs(out.distance) <= noise && is_before) {
     Manifold contacts;
     static_cast<void>(parts_contacts(a, b, ab, without_margin(settings), contacts));
     take_depth_of(contacts, noise, out);
-  }
-  return Outcome::ok;
-}
-
-// What a convex shape may meet of a surface on a way.
-template <Surface A, Convex B>
-class OnTheWay {
- public:
-  OnTheWay(const A& a, const B& b, const Pose& ab, const QuickAxes<B>& axes)
-      : a_(a), b_(b), ab_(ab), box_(b.aabb(ab)), radius_(b.radius()), axes_(axes) {}
-
-  // A bit for each part that it may meet.
-  [[nodiscard]] std::uint64_t meets(const FourParts<B>& parts, const PartingWay& way) const {
-    return axes_.near_on_way(parts.triangles, way.depth * way.direction, radius_);
-  }
-  // Whether it may run into a front on a way.
-  [[nodiscard]] bool meets_front(const PartingWay& way, Real slack) const {
-    return has_front_against(a_, swept({way.direction, 0, way.depth}, slack), way.direction);
-  }
-  // Calls visit(triangle, b, no later than where they meet, where they part) for what it may meet on a stretch of a
-  // way. What parts no later than `least` is passed over.
-  template <class Visitor>
-  void visit(const Stretch& on, Real least, Real slack, const Visitor& visit) const {
-    const Vec3 end = on.end * on.direction;
-    Aabb query = swept(on, slack);
-    const auto may_meet = [&](const FourTriangles& triangles) {
-      return axes_.near_on_way(triangles, end, radius_ + slack);
-    };
-    const Real lowest = lowest_along(b_, ab_, on.direction);
-    a_.visit_parts(query, InFours{may_meet}, [&](const Triangle& triangle, std::uint32_t) {
-      const Real leave = -least_along(triangle.corners(), -on.direction) - lowest;
-      if (leave > least) {
-        visit(triangle, b_, on.begin, leave);
-      }
-    });
-  }
-
- private:
-  [[nodiscard]] Aabb swept(const Stretch& on, Real slack) const {
-    return box_.swept(on.begin * on.direction, on.end * on.direction).inflated(slack);
-  }
-
-  const A& a_;
-  const B& b_;
-  const Pose& ab_;
-  Aabb box_;
-  Real radius_;
-  const QuickAxes<B>& axes_;
-};
-
-template <Surface A, Convex B>
-[[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
-                                     Manifold& out) {
-  if (!parts_support(settings.algorithm)) {
-    return Outcome::unsupported;
-  }
-  const std::size_t first = out.size();
-  SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
-  const Real slack = edge_slack(b, ab), limit = settings.margin + b.radius() + slack;
-  Aabb query = b.aabb(ab).inflated(std::max(settings.margin, Real{0}) + slack);
-  const QuickAxes<B> axes(b, ab);
-  const auto add = [&](const typename A::Part& part, std::uint32_t) { contacts.add(part, b, 0); };
-  const OnTheWay on_the_way(a, b, ab, axes);
-  if constexpr (PointCored<B>) {
-    [[clang::uninitialized]] PointGhosts<A> ghosts(a, placed_centre(b, ab));
-    const auto ask = [&](const FourTriangles& triangles) {
-      const FourNearest nearest = axes.nearest_of(triangles);
-      return ghosts.without(triangles, nearest, axes.near(triangles, nearest, limit));
-    };
-    a.visit_parts(query, InFours{ask}, add);
-    contacts.finish(on_the_way, [&] { ghosts.visit(add); });
-  } else {
-    a.visit_parts(query, InFours{[&](const FourTriangles& triangles) { return axes.near(triangles, limit); }}, add);
-    contacts.finish(on_the_way, [] {});
-  }
-  if constexpr (Enclosing<A>) {
-    if (a.is_solid()) {
-      keep_leading_out(a, first, out);
-      settle_depth(solid_depth(a, b, ab, settings), first, settings.margin, out);
-    }
   }
   return Outcome::ok;
 }

@@ -176,6 +176,24 @@ void add_way_back(const AnyShape& surface, const Body& body, const Pose& ab, con
   });
 }
 
+// The touched triangle that a contact is of. Contacts of a plane may lie over triangles of it that are not touched:
+// those are of any touched one in the plane.
+inline std::optional<std::size_t> part_of_contact(std::span<const TouchedPart> touched, const ContactPoint& contact) {
+  constexpr Real same_normal = 1 - 1e-9;
+  if (const auto at = find_part(touched, contact.feature_a.index)) {
+    return at;
+  }
+  for (std::size_t at = 0; at < touched.size(); ++at) {
+    const Triangle& triangle = touched[at].triangle;
+    const Real height = dot(triangle.normal(), contact.point_a - triangle.corners()[0]);
+    if (std::fabs(dot(triangle.normal(), contact.normal)) > same_normal &&
+        std::fabs(height) <= noise_of(largest_magnitude(contact.point_a) + triangle.extent())) {
+      return at;
+    }
+  }
+  return std::nullopt;
+}
+
 // The contacts on the side from which a body came, and the triangles that it has passed, in order.
 struct PartedBySide {
   std::vector<ContactPoint> staying;
@@ -186,7 +204,7 @@ inline PartedBySide parted_by_side(std::span<const TouchedPart> touched, std::sp
   PartedBySide parted;
   std::vector<bool> is_passed(touched.size());
   for (const ContactPoint& contact : contacts) {
-    const auto at = find_part(touched, contact.feature_a.index);
+    const auto at = part_of_contact(touched, contact);
     const Vec3 face = at ? touched[*at].triangle.normal() : Vec3{0, 0, 0};
     const Real along = dot(contact.normal, face) * (at && sides.is_front(*at) ? 1 : -1);
     if (!at || touched[*at].triangle.is_one_sided() || is_on_side(contact, along, before)) {

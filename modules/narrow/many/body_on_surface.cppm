@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A convex shape on a surface: how deep it is, and where it touches.
+export module abut.narrow.many.body_on_surface;
+export import abut.capability;
+import abut.core.standard;
+import abut.core;
+export import abut.math;
+import abut.narrow.many.contacts_under_planes;
+import abut.narrow.many.nearest_of_parts;
+import abut.narrow.many.separating_translation;
+export import abut.narrow.many.triangle_source;
+
+export namespace abut {
+
+// See surface_kernels.
+template <Convex B>
+void append_surface_contacts(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings,
+                             Manifold& out) {
+  const std::size_t first = out.size();
+  [[clang::uninitialized]] SurfaceSearch<B> search(surface, b, ab, settings, settings.margin, surface.has_fronts());
+  const SeparatingTranslation* translation = search.is_overlapped() ? &search.find() : nullptr;
+  translation = translation == nullptr || translation->touches.empty() ? nullptr : translation;
+  ContactsUnderPlanes<B>(surface, b, ab, settings, search, out).append(translation);
+  number_apart(std::span(out).subspan(first));
+}
+
+template <Convex B>
+[[nodiscard]] bool find_surface_depth(const TriangleSource& surface, const B& b, const Pose& ab,
+                                      const QuerySettings& settings, bool has_fronts, Distance& out) {
+  [[clang::uninitialized]] SurfaceSearch<B> search(surface, b, ab, settings, 0, has_fronts);
+  if (!search.is_overlapped()) {
+    return false;
+  }
+  const SeparatingTranslation& found = search.find();
+  if (found.touches.empty()) {
+    return false;
+  }
+  out = no_distance();
+  out.distance = -found.length;
+  out.lower = -found.length - search.tolerance();
+  out.upper = -std::min(search.least(), found.length) + search.tolerance();
+  out.normal = found.direction;
+  out.point_b = search.last_point(found);
+  out.point_a = out.point_b + found.length * found.direction;
+  out.iterations = 1;
+  return true;
+}
+// What is met from the backs of fronts alone has no contact, and the depth that it has in a sheet.
+template <Convex B>
+[[nodiscard]] bool find_surface_depth(const TriangleSource& surface, const B& b, const Pose& ab,
+                                      const QuerySettings& settings, Distance& out) {
+  return find_surface_depth(surface, b, ab, settings, surface.has_fronts(), out) ||
+         (surface.has_fronts() && find_surface_depth(surface, b, ab, settings, false, out));
+}
+
+}  // namespace abut

@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contacts of a convex shape with a surface, under the planes that hold the shape: those that it touches after the
+// separating translation, and those of faces and features that it overlaps and that look the same way. A normal lies in
+// the cone of normals of the whole surface by construction: where a neighbour reaches further, the shape would still
+// overlap it.
+export module abut.narrow.many.contacts_under_planes;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.math.four_vec3;
+import abut.narrow.convex;
+import abut.narrow.many.least_translation;
+import abut.narrow.many.leaving;
+import abut.narrow.many.separating_translation;
+import abut.narrow.many.triangle_contacts;
+import abut.narrow.many.triangle_source;
+import abut.narrow.many.way_out;
+
+export namespace abut {
+
+// Whether the contact lies in the face of its triangle, on an edge or at a corner of it, which lie flat between two
+// triangles: those are where the surface is cut, and no part of its shape.
+[[nodiscard]] bool is_on_a_cut(const TriangleSource& surface, const Triangle& triangle, const Vec3& normal,
+                               const Feature& feature, Real noise) {
+  const auto is_flat = [&](std::uint32_t edge) {
+    const Vec3 &from = triangle.corners()[edge], &to = triangle.corners()[(edge + 1) % 3];
+    const unsigned ends = 1u << edge | 1u << ((edge + 1) % 3);
+    const auto outward = UnitVec3::make(cross(to - from, triangle.normal()));
+    return outward && surface.is_crest(triangle.index(), ends, normal, noise) &&
+           surface.is_crest(triangle.index(), ends, -normal, noise) &&
+           !surface.is_crest(triangle.index(), ends, *outward, noise);
+  };
+  if (feature.kind == FeatureKind::edge) {
+    return is_flat(feature.index);
+  }
+  return feature.kind == FeatureKind::vertex && is_flat(feature.index) && is_flat((feature.index + 2) % 3);
+}
+
+template <Convex B>
+class ContactsUnderPlanes {
+ public:
+  ContactsUnderPlanes(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings,
+                      SurfaceSearch<B>& search, Manifold& out)
+      : surface_(surface), b_(b), ab_(ab), settings_(settings), search_(search), out_(out), first_(out.size()) {}
+
+  // `translation`: the one found where something is overlapped.
+  void append(const SeparatingTranslation* translation) {
+    if (translation != nullptr) {
+      most_ = translation->length;
+      add_touches(*translation);
+      add_overlapped(*translation);
+    }
+    add_apart(translation != nullptr);
+    // In the order of the triangles that lend them: depths that tie change places with each jitter.
+    std::ranges::sort(planes_.span(), {}, &Plane::number);
+    for (std::uint32_t i = 0; i < planes_.size(); ++i) {
+      append_under(planes_[i], i);
+    }
+    if (translation != nullptr && !surface_.is_solid() && !does_part(*translation)) {
+      append_whole(*translation);
+    }
+  }
+
+ private:
+  struct Plane {
+    Vec3 normal;
+    CoreSeparation core;  // along the normal, of the triangle that lends it
+    NearPlace at;
+    std::uint32_t number;  // of that triangle
+    bool has_closest;      // whether the points of the separation are the closest ones of that triangle
+  };
+
+  static constexpr Real same_normal = 1 - 1e-9;
+  static constexpr Real same_direction = 1e-12;  // of unit vectors
+
+  void add(const Vec3& normal, const CoreSeparation& core, const NearPlace& at, bool has_closest) {
+    if (std::ranges::none_of(planes_.span(),
+                             [&](const Plane& known) { return dot(known.normal, normal) > same_normal; })) {
+      planes_.push_back({normal, core, at, search_.fours()[at.four].triangles.numbers[at.lane], has_closest});
+    }
+  }
+
+  // What a touch after the translation says of the shape before it.
+  [[nodiscard]] CoreSeparation separation_before(const SurfaceTouch& touch, const Vec3& move) const {
+    const Triangle triangle = search_.triangle_at(touch.at);
+    CoreSeparation core = separate_along(triangle, touch.normal);
+    if (!is_along(touch.normal, triangle.normal())) {
+      const CoreSeparation after = separate_outside(triangle, b_, {ab_.rotation, ab_.position + move}, settings_);
+      CoreSeparation closest = after;
+      find_points(triangle, b_, {ab_.rotation, ab_.position + move}, closest);
+      core.point_b = closest.point_b - move;
+      core.point_a = core.point_b - core.distance * core.normal;
+      core.points_open = false;
+    }
+    return core;
+  }
+  [[nodiscard]] CoreSeparation separate_along(const Triangle& triangle, const Vec3& normal) const {
+    CoreSeparation core{};
+    core.normal = normal;
+    core.point_b = placed_support(b_, place(b_, ab_), -normal).point;
+    core.distance = core.lower = core.upper = dot(normal, core.point_b - triangle.support(normal).point);
+    core.point_a = core.point_b - core.distance * normal;
+    core.overlap = core.distance < 0;
+    core.algorithm = Algorithm::gjk_epa;
+    return core;
+  }
+
+  void add_touches(const SeparatingTranslation& translation) {
+    const Vec3 move = translation.length * translation.direction;
+    for (const SurfaceTouch& touch : translation.touches.span()) {
+      const NearFour& four = search_.find_planes(touch.at.four);
+      const bool is_one_sided = (four.one_sided >> touch.at.lane & 1u) != 0;
+      // A feature that is touched after a translation aslant lies beside the shape before it.
+      const Vec3 aslant = touch.normal - translation.direction;
+      const bool is_face = is_along(touch.normal, four.normals[touch.at.lane]);
+      if ((is_face || largest_magnitude(aslant) <= same_direction) &&
+          (!is_one_sided || dot(four.normals[touch.at.lane], touch.normal) >= least_cosine_of_front)) {
+        add(touch.normal, separation_before(touch, move), touch.at, !is_face);
+      }
+      if (!is_face) {
+        add_face_touched(touch, translation);
+      }
+    }
+  }
+  // A corner on the border of a face touches both.
+  void add_face_touched(const SurfaceTouch& touch, const SeparatingTranslation& translation) {
+    constexpr Real near_share = 1e-7;
+    const Triangle triangle = search_.triangle_at(touch.at);
+    const Real along = dot(triangle.normal(), translation.direction);
+    if (!triangle.has_area() || (triangle.is_one_sided() && along < 0)) {
+      return;
+    }
+    const Vec3 normal = along < 0 ? -triangle.normal() : triangle.normal();
+    const Real before = dot(normal, triangle.corners()[0]) - lowest_point_along(b_, ab_, normal);
+    if (std::fabs(before - std::fabs(along) * translation.length) <= near_share * (b_.extent() + b_.radius())) {
+      add(normal, separate_along(triangle, normal), touch.at, false);
+    }
+  }
+
+  // The planes of faces under the lowest point of the shape, and the ways out of single triangles that lead out of the
+  // surface.
+  void add_overlapped(const SeparatingTranslation& translation) {
+    constexpr Real least_along = 1e-6;
+    for (const NearTriangle& near : search_.near()) {
+      if (!near.is_overlapped) {
+        continue;
+      }
+      const NearFour& four = search_.fours()[near.at.four];
+      const Triangle triangle = search_.triangle_at(near.at);
+      const Real along = dot(triangle.normal(), translation.direction);
+      if (triangle.has_area() && (triangle.is_one_sided() ? along > least_along : std::fabs(along) > least_along)) {
+        const Vec3 normal = along > 0 ? triangle.normal() : -triangle.normal();
+        const Real depth = along > 0 ? four.behind[near.at.lane] : four.before[near.at.lane];
+        if (depth <= most_ * (1 + 1e-9) + search_.tolerance()) {
+          const CoreSeparation core = along_face(triangle, b_, ab_, near.found.core, normal);
+          if (is_over(triangle, core.point_a)) {
+            add(normal, core, near.at, true);
+          }
+        }
+      }
+      const CoreSeparation& own = near.found.core;
+      if (dot(own.normal, translation.direction) > least_along && !is_along(own.normal, triangle.normal()) &&
+          Fronts<B>(triangle, b_, ab_).allows(own.normal) && is_of_surface(triangle, near)) {
+        add(own.normal, completed(triangle, b_, ab_, near.found), near.at, true);
+      }
+    }
+  }
+  // Of what is not overlapped, or by no more than ends a search.
+  void add_apart(bool is_overlapped) {
+    for (const NearTriangle& near : search_.near()) {
+      const Triangle triangle = search_.triangle_at(near.at);
+      if (!(is_overlapped && near.is_overlapped) && Fronts<B>(triangle, b_, ab_).allows(near.found.core.normal) &&
+          is_of_surface(triangle, near)) {
+        add(near.found.core.normal, completed(triangle, b_, ab_, near.found), near.at, true);
+      }
+    }
+  }
+  // Whether no neighbour reaches further along the normal of a separation.
+  [[nodiscard]] bool is_of_surface(const Triangle& triangle, const NearTriangle& near) const {
+    const CoreSeparation& core = near.found.core;
+    const Real noise = noise_of(core_size(triangle, b_, ab_));
+    if (!triangle.has_area() || is_along(core.normal, triangle.normal())) {
+      return true;
+    }
+    const unsigned corners = outermost_corners(triangle.corners(), core.normal, noise);
+    if (corners != 7 && !surface_.is_crest(triangle.index(), corners, core.normal, noise)) {
+      return false;
+    }
+    const CoreSeparation whole = completed(triangle, b_, ab_, near.found);
+    return !surface_.goes_on(whole.point_a, core.normal, std::min(triangle.extent(), b_.extent() + b_.radius()));
+  }
+
+  void append_under(const Plane& plane, std::uint32_t ordinal) {
+    const Triangle lender = search_.triangle_at(plane.at);
+    const bool is_face = is_along(plane.normal, lender.normal());
+    if constexpr (PointCored<B>) {
+      if (!is_face) {
+        append_from(plane, lender, plane.core, true, ordinal);
+        return;
+      }
+    } else if (!is_face) {
+      append_from_feature(plane, lender, ordinal);
+    }
+    append_faces(plane, ordinal);
+    if constexpr (!PointCored<B>) {
+      append_features(plane, ordinal);
+    }
+  }
+
+  // Whether the shortest translation that leaves the planes of all contacts parts the shape from the surface, as far as
+  // its length tells.
+  [[nodiscard]] bool does_part(const SeparatingTranslation& translation) const {
+    constexpr std::size_t most_planes = 8;
+    SmallVector<HalfSpaceToLeave, most_planes> planes;
+    Real deepest = 0;
+    for (const ContactPoint& contact : std::span(out_).subspan(first_)) {
+      deepest = std::max(deepest, -contact.distance);
+      bool is_known = false;
+      for (HalfSpaceToLeave& known : planes.span()) {
+        if (dot(known.normal, contact.normal) > same_normal) {
+          known.least = std::max(known.least, -contact.distance);
+          is_known = true;
+        }
+      }
+      if (!is_known && contact.distance < 0 && planes.size() < most_planes) {
+        planes.push_back({contact.normal, -contact.distance});
+      }
+    }
+    const Real enough = translation.length * (1 - 1e-9) - 2 * search_.tolerance();
+    if (deepest >= enough) {
+      return true;
+    }
+    const auto move = planes.empty() ? std::nullopt : least_translation(planes.span());
+    return move && norm(*move) >= enough;
+  }
+  // The touch after the translation, as a contact along it.
+  void append_whole(const SeparatingTranslation& translation) {
+    if (!(-translation.length <= settings_.margin) || translation.touches.empty()) {
+      return;
+    }
+    const Triangle triangle = search_.triangle_at(last_touch(translation).at);
+    const Vec3 move = translation.length * translation.direction;
+    const Vec3 point_b = search_.last_point(translation);
+    const Feature feature_a{FeatureKind::face, triangle.index()},
+        feature_b = supporting_feature(b_, ab_.rotation.undo(-translation.direction));
+    out_.push_back({point_b + move, point_b, translation.direction, -translation.length, feature_a, feature_b,
+                    mixed(~contact_id({FeatureKind::whole, 0}, {FeatureKind::whole, 0}))});
+  }
+
+  // Of all triangles in planes of this normal.
+  void append_faces(const Plane& plane, std::uint32_t ordinal) {
+    const Real lowest = lowest_point_along(b_, ab_, plane.normal);
+    const Columns normal = Columns::all(plane.normal);
+    const Real reach = std::max(settings_.margin, Real{0}) + search_.tolerance();
+    Aabb box = b_.aabb(ab_).inflated(reach);
+    for (std::size_t i = 0; i < search_.fours().size(); ++i) {
+      std::uint64_t left = search_.fours()[i].present & search_.fours()[i].triangles.overlapping(box);
+      if (left == 0) {
+        continue;
+      }
+      const NearFour& four = search_.find_planes(i);
+      const Lanes along = dot(four.normals, normal);
+      left &= bits_of(absolute(along) > all_lanes(same_normal)) & ~(four.one_sided & bits_of(along < all_lanes(0)));
+      for (; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        const Real height = along[lane] > 0 ? four.heights[lane] : -four.heights[lane], depth = height - lowest;
+        if (depth < -reach || depth > most_ * (1 + 1e-9) + search_.tolerance()) {
+          continue;
+        }
+        const Triangle triangle = search_.triangle_at({i, lane});
+        if (plane.has_closest && triangle.index() == plane.number) {
+          append_from(plane, triangle, plane.core, true, ordinal);
+          continue;
+        }
+        const CoreSeparation core =
+            along_face(triangle, b_, ab_, plane.core, along[lane] > 0 ? triangle.normal() : -triangle.normal());
+        append_from(plane, triangle, core, is_over(triangle, core.point_a), ordinal);
+      }
+    }
+  }
+  void append_from(const Plane& plane, const Triangle& triangle, const CoreSeparation& core, bool closest_count,
+                   std::uint32_t ordinal) {
+    const std::size_t first = out_.size();
+    contacts_under(triangle, b_, ab_, core, settings_.margin, closest_count, out_);
+    const bool is_face = is_along(plane.normal, triangle.normal());
+    keep(first, triangle, is_face, ordinal);
+  }
+
+  // Edges and vertices of what is overlapped that are outermost of the surface along the normal, beside the triangle
+  // that lends it.
+  void append_features(const Plane& plane, std::uint32_t ordinal) {
+    for (const NearTriangle& near : search_.near()) {
+      const NearFour& four = search_.fours()[near.at.four];
+      if (!near.is_overlapped || four.triangles.numbers[near.at.lane] == plane.number) {
+        continue;
+      }
+      const Triangle triangle = search_.triangle_at(near.at);
+      const Real along = dot(triangle.normal(), plane.normal);
+      if ((triangle.has_area() && along > same_normal) || (triangle.is_one_sided() && along < least_cosine_of_front)) {
+        continue;
+      }
+      append_from_feature(plane, triangle, ordinal);
+    }
+  }
+  void append_from_feature(const Plane& plane, const Triangle& triangle, std::uint32_t ordinal) {
+    const Real noise = noise_of(core_size(triangle, b_, ab_));
+    const unsigned corners = outermost_corners(triangle.corners(), plane.normal, noise);
+    const bool is_lender = triangle.index() == plane.number;
+    CoreSeparation core = is_lender ? plane.core : separate_along(triangle, plane.normal);
+    if (-core.distance + b_.radius() > most_ * (1 + 1e-9) + search_.tolerance() ||
+        core.distance - b_.radius() > std::max(settings_.margin, Real{0})) {
+      return;
+    }
+    if (!is_lender && (corners == 7 || !surface_.is_crest(triangle.index(), corners, plane.normal, noise))) {
+      return;
+    }
+    [[clang::uninitialized]] Face face;
+    face.index = 0;
+    face.normal = {0, 0, 0};
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      if ((corners >> corner & 1u) != 0) {
+        const std::uint32_t next = (corner + 1) % 3;
+        face.vertices.push_back({triangle.corners()[corner], corner, (corners >> next & 1u) != 0 ? corner : next});
+      }
+    }
+    if (face.vertices.size() == 2) {
+      // The edge that leads from one of them to the other.
+      const std::uint32_t edge = corners == 3 ? 0 : corners == 6 ? 1 : 2;
+      face.vertices[0].edge = face.vertices[1].edge = edge;
+    }
+    const std::size_t first = out_.size();
+    const Face other = placed_face(b_, ab_, -plane.normal);
+    contacts_between(triangle, b_, ab_, face, other, core, settings_.margin, is_lender, out_);
+    if (is_lender && !core.points_open) {
+      settle_closest(first, core, feature_of(face), closest_feature(b_, other, ab_.rotation.undo(-core.normal)));
+    }
+    keep(first, triangle, false, ordinal);
+  }
+  // The corners of a region come near the closest points within ties of features. The closest points are exact.
+  void settle_closest(std::size_t first, const CoreSeparation& core, const Feature& of_a, const Feature& of_b) {
+    const Real distance = core.distance - b_.radius();
+    if (!(distance <= settings_.margin)) {
+      return;
+    }
+    const ContactPoint closest{
+        core.point_a,          core.point_b - b_.radius() * core.normal, core.normal, distance, of_a, of_b,
+        contact_id(of_a, of_b)};
+    ContactPoint* nearest = nullptr;
+    for (ContactPoint& contact : std::span(out_).subspan(first)) {
+      nearest = nearest == nullptr || contact.distance < nearest->distance ? &contact : nearest;
+    }
+    if (nearest == nullptr) {
+      out_.push_back(closest);
+    } else if (nearest->distance > distance) {
+      const bool is_same = is_same_place(*nearest, closest);
+      if (!is_same && nearest->distance > distance + noise_of(size_of_b())) {
+        out_.push_back(closest);
+      } else if (is_same) {
+        nearest->point_a = closest.point_a;
+        nearest->point_b = closest.point_b;
+        nearest->distance = distance;
+      }
+    }
+  }
+  [[nodiscard]] Real size_of_b() const { return largest_magnitude(ab_.position) + b_.extent() + b_.radius(); }
+  [[nodiscard]] bool is_same_place(const ContactPoint& one, const ContactPoint& other) const {
+    constexpr Real same_place = 1e-7;  // of the size of b
+    const Real reach = same_place * (b_.extent() + b_.radius());
+    return squared_norm(one.point_b - other.point_b) <= reach * reach;
+  }
+
+  // Names the contacts from `first` on, and takes out those that another triangle has told, or that lie where the
+  // surface is cut.
+  void keep(std::size_t first, const Triangle& triangle, bool is_face, std::uint32_t ordinal) {
+    const Real size = core_size(triangle, b_, ab_), noise = noise_of(size);
+    std::size_t kept = first;
+    for (std::size_t i = first; i < out_.size(); ++i) {
+      ContactPoint contact = out_[i];
+      if (-contact.distance > most_ * (1 + 1e-9) + search_.tolerance() ||
+          (is_face && is_on_a_cut(surface_, triangle, contact.normal, contact.feature_a, noise)) ||
+          is_told(contact, kept)) {
+        continue;
+      }
+      const bool is_in_face =
+          contact.feature_a.kind == FeatureKind::face || contact.feature_a.kind == FeatureKind::whole;
+      contact.id = is_in_face ? contact_id_of_part(contact_id({FeatureKind::face, 0}, contact.feature_b), ordinal)
+                              : contact_id_of_part(contact.id, triangle.index());
+      contact.feature_a = {FeatureKind::face, triangle.index()};
+      out_[kept++] = contact;
+    }
+    out_.resize(kept, ContactPoint{});
+  }
+  // Whether one of the first contacts is at the same place, and then the deeper one of both.
+  [[nodiscard]] bool is_told(const ContactPoint& contact, std::size_t count) {
+    for (ContactPoint& known : std::span(out_).subspan(first_, count - first_)) {
+      if (dot(known.normal, contact.normal) > same_normal && is_same_place(contact, known)) {
+        if (contact.distance < known.distance) {
+          known.point_a = contact.point_a;
+          known.point_b = contact.point_b;
+          known.normal = contact.normal;
+          known.distance = contact.distance;
+        }
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const TriangleSource& surface_;
+  const B& b_;
+  const Pose& ab_;
+  const QuerySettings& settings_;
+  SurfaceSearch<B>& search_;
+  Manifold& out_;
+  std::size_t first_;
+  Real most_ = infinity;  // how deep a contact may be
+  SmallVector<Plane, 12> planes_;
+};
+
+}  // namespace abut

@@ -1,0 +1,591 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shortest translation found after which a convex shape overlaps nothing of a surface.
+//
+// The length of a translation along a direction depends on the surface as a set of points only: it ends where the shape
+// overlaps no triangle, whether it did at the start or not. So the answer does not depend on how a surface is cut into
+// triangles, and is never too short. Starts are normals of what is overlapped; from each the search goes on along the
+// shortest translation that leaves all planes touched so far (after Je et al., "PolyDepth: real-time penetration depth
+// computation using iterative contact-space projection", 2012).
+export module abut.narrow.many.separating_translation;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.math.four_vec3;
+import abut.narrow.convex;
+import abut.narrow.many.least_translation;
+import abut.narrow.many.leaving;
+import abut.narrow.many.leaving_four;
+export import abut.narrow.many.near_triangles;
+import abut.narrow.many.quick_axes;
+import abut.narrow.many.triangle_contacts;
+
+export namespace abut {
+
+// What a shape touches after a translation.
+struct SurfaceTouch {
+  Vec3 normal;  // unit, from the surface
+  Real length;  // of the translation
+  NearPlace at;
+};
+
+struct SeparatingTranslation {
+  Real length = infinity;
+  Vec3 direction{0, 0, 1};
+  SmallVector<SurfaceTouch, 8> touches;
+};
+
+[[nodiscard]] inline const SurfaceTouch& last_touch(const SeparatingTranslation& translation [[clang::lifetimebound]]) {
+  return *std::ranges::min_element(translation.touches.span(), {},
+                                   [](const SurfaceTouch& touch) { return -touch.length; });
+}
+
+template <Convex B>
+class SurfaceSearch : public NearTriangles<B> {
+ public:
+  using Near = NearTriangles<B>;
+  using Near::Near;
+  using Near::find_planes, Near::triangle_at;
+
+  // To be called where something is overlapped.
+  [[nodiscard]] const SeparatingTranslation& find() [[clang::lifetimebound]] {
+    improve(deepest_way_, infinity);
+    if (!is_settled()) {
+      try_starts();
+    }
+    constexpr int most_polishes = 3;
+    for (int i = 0; i < most_polishes && best_.length < infinity && !is_settled(); ++i) {
+      const Real before = best_.length;
+      improve(best_.direction, 1.5);
+      if (!(best_.length < before * (1 - 1e-12))) {
+        break;
+      }
+    }
+    if (!(best_.length < infinity)) {
+      // No way ends in front of all: what is jammed between fronts is told the shortest way that ends behind one.
+      allows_back_ = true;
+      improve(deepest_way_, infinity);
+      try_starts();
+    }
+    if (!is_settled() && best_.length < infinity) {
+      find_last_touches();
+    }
+    return best_;
+  }
+
+  // The point of b, where it is, that is last to leave the surface.
+  [[nodiscard]] Vec3 last_point(const SeparatingTranslation& translation) const {
+    const SurfaceTouch& touch = last_touch(translation);
+    const Triangle triangle = triangle_at(touch.at);
+    const Vec3 move = translation.length * translation.direction;
+    Vec3 last = placed_support(b_, place(b_, ab_), -touch.normal).point;
+    if (std::fabs(dot(touch.normal, triangle.normal())) < 1 - 1e-12) {
+      const Pose after{ab_.rotation, ab_.position + move};
+      CoreSeparation core = separate_outside(triangle, b_, after, settings_);
+      find_points(triangle, b_, after, core);
+      last = core.point_b - move;
+    }
+    return last - b_.radius() * touch.normal;
+  }
+
+ private:
+  using Near::ab_, Near::b_, Near::deepest_way_, Near::fours_, Near::least_, Near::near_;
+  using Near::settings_, Near::size_, Near::tolerance_;
+
+  struct Start {
+    Vec3 direction;
+    Real estimate;
+  };
+  struct Exit {
+    Real length = 0;
+    bool is_stopped = false;
+    SmallVector<SurfaceTouch, 8> touches;
+    SmallVector<Vec3, 4> backs;  // normals of fronts that are left last, and through their backs
+  };
+  [[nodiscard]] bool is_settled() const { return best_.length <= least_ * (1 + 1e-12) + tolerance_; }
+
+  // Looks no further than `enough`.
+  [[nodiscard]] Exit exit_along(const Vec3& direction, Real enough) {
+    Exit exit;
+    const Real lowest = lowest_point_along(b_, ab_, direction);
+    if (is_blocked_again(direction, lowest, enough, exit)) {
+      return exit;
+    }
+    set_bounds(direction, lowest);
+    constexpr int most_rounds = 64;
+    for (int round = 0; round < most_rounds; ++round) {
+      if (!leave_overlapped(direction, enough, exit)) {
+        return exit;
+      }
+      const Real before = exit.length;
+      if (!leave_those_ahead(direction, lowest, enough, exit)) {
+        return exit;
+      }
+      if (!(exit.length > before)) {
+        break;
+      }
+    }
+    if (!exit.touches.empty()) {
+      last_blocker_ = exit.touches[exit.touches.size() - 1].at;
+    }
+    return exit;
+  }
+
+  [[nodiscard]] static Real reach_of(const NearFour& four, std::size_t lane, const Vec3& direction) {
+    return -least_along(four.triangles[lane], -direction);
+  }
+  // What stood in the way lately mostly does again.
+  [[nodiscard]] bool is_blocked_again(const Vec3& direction, Real lowest, Real enough, Exit& exit) {
+    if (!last_blocker_ || !(enough < infinity)) {
+      return false;
+    }
+    const Real bound = reach_of(fours_[last_blocker_->four], last_blocker_->lane, direction) - lowest;
+    if (!(bound >= enough - tolerance_)) {
+      return false;
+    }
+    const bool is_met = (fours_[last_blocker_->four].overlapped >> last_blocker_->lane & 1u) != 0;
+    if (!is_met) {
+      return false;
+    }
+    const Leaving found = leave_one(*last_blocker_, direction, bound, -infinity);
+    return found.length >= enough - tolerance_ && stop(*last_blocker_, found, exit);
+  }
+  [[nodiscard]] Leaving leave_one(const NearPlace& at, const Vec3& direction, Real bound, Real least) {
+    if constexpr (leaves_in_fours<B>) {
+      if (takes_closed_forms(settings_.algorithm)) {
+        const FourStretches found = stretches_of(find_planes(at.four), b_, ab_, direction);
+        if (found.end[at.lane] > -infinity) {
+          return leaving_of(at, found, direction);
+        }
+      }
+    }
+    return leave(triangle_at(at), b_, ab_, direction, settings_, bound, least, tolerance_);
+  }
+  [[nodiscard]] Leaving leaving_of(const NearPlace& at, const FourStretches& found, const Vec3& direction) const {
+    const Real length = found.end[at.lane];
+    if constexpr (is_box<B>) {
+      return {length, normal_at_end(fours_[at.four], at.lane, ab_, direction, found.axis[at.lane])};
+    } else {
+      const Pose after{ab_.rotation, ab_.position + length * direction};
+      return {length, separate_outside(triangle_at(at), b_, after, settings_).normal};
+    }
+  }
+  [[nodiscard]] bool stop(const NearPlace& at, const Leaving& found, Exit& exit) {
+    exit.length = found.length;
+    exit.is_stopped = true;
+    exit.touches.clear();
+    exit.backs.clear();
+    exit.touches.push_back({found.normal, found.length, at});
+    last_blocker_ = at;
+    return true;
+  }
+
+  // No triangle that is overlapped is left later than it ends along the direction, nor than its plane is.
+  void set_bounds(const Vec3& direction, Real lowest) {
+    const Columns along = Columns::all(direction);
+    const Lanes none = all_lanes(-infinity), far = all_lanes(infinity);
+    for (NearFour& four : fours_.span()) {
+      four.bounds = none;
+      if (four.overlapped == 0) {
+        continue;
+      }
+      const FourTriangles& t = four.triangles;
+      const Lanes ends = maximum(maximum(dot(along, t.a), dot(along, t.b)), dot(along, t.c)) - lowest;
+      const Lanes slope = dot(four.normals, along);
+      const Lanes of_plane = slope > all_lanes(1e-9)    ? four.behind / slope
+                             : slope < all_lanes(-1e-9) ? four.before / -slope
+                                                        : far;
+      const Lanes bounds = minimum(ends, of_plane);
+      for (std::uint64_t left = four.overlapped; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        four.bounds[lane] = bounds[lane];
+      }
+    }
+  }
+
+  // A search ends where planes are left within its tolerance of each other. Which of them count must not depend on
+  // rounding.
+  void find_last_touches() {
+    constexpr Real near_share = 1e-7;
+    tie_ = near_share * size_;
+    const Exit exit = exit_along(best_.direction, infinity);
+    if (!exit.touches.empty()) {
+      best_.length = exit.length;
+      best_.touches = exit.touches;
+    }
+    tie_ = 0;
+  }
+
+  // Takes what is left at a length into account.
+  void note(const NearPlace& at, const Leaving& found, const Vec3& direction, Exit& exit) {
+    const Real tie = std::max(4 * tolerance_, tie_);
+    if (found.length < exit.length - tie) {
+      return;
+    }
+    if (found.length > exit.length + tie) {
+      exit.touches.clear();
+      exit.backs.clear();
+    }
+    const auto is_alike = [&](const SurfaceTouch& touch) { return dot(touch.normal, found.normal) > 1 - 1e-9; };
+    if (exit.touches.size() < 8 && std::ranges::none_of(exit.touches.span(), is_alike)) {
+      exit.touches.push_back({found.normal, found.length, at});
+    }
+    const NearFour& four = find_planes(at.four);
+    if ((four.one_sided >> at.lane & 1u) != 0 && dot(four.normals[at.lane], direction) < -1e-9) {
+      exit.backs.push_back(four.normals[at.lane]);
+    }
+    exit.length = std::max(exit.length, found.length);
+  }
+
+  // Leaves what is overlapped at the start, what may be left last first. False where that is no nearer than `enough`.
+  [[nodiscard]] bool leave_overlapped(const Vec3& direction, Real enough, Exit& exit) {
+    for (;;) {
+      Real top = exit.length + tolerance_ - tie_;
+      std::optional<NearPlace> last;
+      for (std::size_t i = 0; i < fours_.size(); ++i) {
+        if (bits_of(fours_[i].bounds > all_lanes(top)) != 0) {
+          for (std::size_t lane = 0; lane < 4; ++lane) {
+            if (fours_[i].bounds[lane] > top) {
+              top = fours_[i].bounds[lane];
+              last = NearPlace{i, lane};
+            }
+          }
+        }
+      }
+      if (!last) {
+        return true;
+      }
+      if constexpr (leaves_in_fours<B>) {
+        if (takes_closed_forms(settings_.algorithm)) {
+          if (!leave_four(last->four, direction, enough, exit)) {
+            return false;
+          }
+          continue;
+        }
+      }
+      const Leaving found = leave_one(*last, direction, top, exit.length - 2 * std::max(4 * tolerance_, tie_));
+      fours_[last->four].bounds[last->lane] = -infinity;
+      if (found.length > 0) {
+        if (found.length >= enough - tolerance_) {
+          static_cast<void>(stop(*last, found, exit));
+          return false;
+        }
+        note(*last, found, direction, exit);
+      }
+    }
+  }
+  // All of four at once that are overlapped at the start.
+  [[nodiscard]] bool leave_four(std::size_t place, const Vec3& direction, Real enough, Exit& exit) {
+    NearFour& four = fours_[place];
+    const FourStretches found = stretches_of(four, b_, ab_, direction);
+    std::uint64_t left = four.overlapped & bits_of(four.bounds > all_lanes(-infinity)) &
+                         bits_of(found.end >= all_lanes(exit.length - std::max(4 * tolerance_, tie_)));
+    four.bounds = all_lanes(-infinity);
+    for (; left != 0; left &= left - 1) {
+      const NearPlace at{place, static_cast<std::size_t>(std::countr_zero(left))};
+      if (found.end[at.lane] > 0) {
+        const Leaving one = leaving_of(at, found, direction);
+        if (one.length >= enough - tolerance_) {
+          static_cast<void>(stop(at, one, exit));
+          return false;
+        }
+        note(at, one, direction, exit);
+      }
+    }
+    return true;
+  }
+
+  // Leaves what is not overlapped at the start, but after the translation so far. False as above.
+  [[nodiscard]] bool leave_those_ahead(const Vec3& direction, Real lowest, Real enough, Exit& exit) {
+    const Pose at{ab_.rotation, ab_.position + exit.length * direction};
+    const Aabb box = b_.aabb(at);
+    this->cover(box);
+    const QuickAxes<B> axes(b_, at);
+    for (std::size_t i = 0; i < fours_.size(); ++i) {
+      const NearFour& four = fours_[i];
+      std::uint64_t left = four.present & ~four.overlapped & four.triangles.overlapping(box);
+      left = left == 0 ? 0 : left & axes.near(four.triangles, b_.radius());
+      if constexpr (leaves_in_fours<B>) {
+        if (left != 0 && takes_closed_forms(settings_.algorithm)) {
+          const FourStretches found = stretches_of(find_planes(i), b_, ab_, direction);
+          left &= bits_of((found.begin < all_lanes(exit.length)) & (found.end > all_lanes(exit.length + tolerance_)));
+        }
+      }
+      for (; left != 0; left &= left - 1) {
+        const NearPlace place{i, static_cast<std::size_t>(std::countr_zero(left))};
+        const Real bound = reach_of(four, place.lane, direction) - lowest;
+        if (!(bound > exit.length + 2 * tolerance_) || !is_overlapped_at(place, at)) {
+          continue;
+        }
+        const Leaving found = leave_one(place, direction, bound, -infinity);
+        if (found.length > exit.length + tolerance_) {
+          if (found.length >= enough - tolerance_) {
+            static_cast<void>(stop(place, found, exit));
+            return false;
+          }
+          note(place, found, direction, exit);
+        }
+      }
+    }
+    return true;
+  }
+  // Whether the triangle counts as overlapped there, by more than what ends a search.
+  [[nodiscard]] bool is_overlapped_at(const NearPlace& place, const Pose& at) const {
+    const Triangle triangle = triangle_at(place);
+    const CoreSeparation core = begin_separation(triangle, b_, at, settings_, b_.radius()).core;
+    return !core.beyond && core.distance - b_.radius() < -2 * tolerance_ &&
+           (Fronts<B>(triangle, b_, at).allows(core.normal) || counts_from_behind(triangle, b_, at, core));
+  }
+
+  // Along a direction, then along the shortest translation that leaves all planes touched so far. Goes no further along
+  // one than the best so far times `most`.
+  void improve(Vec3 direction, Real most) {
+    constexpr int most_steps = 8;
+    constexpr std::size_t most_planes = 7;
+    SmallVector<HalfSpaceToLeave, most_planes> planes;
+    for (int step = 0; step < most_steps; ++step) {
+      const Exit exit = exit_along(direction, best_.length < infinity ? best_.length * most : infinity);
+      const bool is_allowed = exit.backs.empty() || allows_back_;
+      if (!exit.is_stopped && is_allowed && exit.length < best_.length) {
+        best_.length = exit.length;
+        best_.direction = direction;
+        best_.touches = exit.touches;
+        if (is_settled()) {
+          return;
+        }
+      }
+      if (exit.touches.empty() || (exit.is_stopped && most > 1.01)) {
+        return;
+      }
+      // A front is left along its plane at best.
+      for (const Vec3& front : exit.backs.span()) {
+        if (!allows_back_) {
+          add_plane({front, 0}, planes);
+        }
+      }
+      constexpr std::size_t most_touches = 3;
+      for (const SurfaceTouch& touch : exit.touches.span().first(std::min(most_touches, exit.touches.size()))) {
+        add_plane({touch.normal, dot(touch.normal, direction) * touch.length}, planes);
+      }
+      const auto move = least_translation(planes.span());
+      if (!move || !(norm(*move) < best_.length - tolerance_)) {
+        return;
+      }
+      const auto next = UnitVec3::make(*move);
+      if (!next || dot(*next, direction) > 1 - 1e-14) {
+        return;
+      }
+      direction = *next;
+    }
+  }
+  template <std::size_t Most>
+  static void add_plane(const HalfSpaceToLeave& plane, SmallVector<HalfSpaceToLeave, Most>& planes) {
+    for (HalfSpaceToLeave& known : planes.span()) {
+      if (dot(known.normal, plane.normal) > 1 - 1e-12) {
+        known.least = std::max(known.least, plane.least);
+        return;
+      }
+    }
+    if (planes.size() == Most) {
+      std::ranges::copy(planes.span().subspan(1), planes.span().begin());
+      planes.pop_back();
+    }
+    planes.push_back(plane);
+  }
+
+  static constexpr std::size_t most_starts = 48;
+  using Starts = SmallVector<Start, most_starts>;
+
+  static void add_start(const Vec3& direction, Real estimate, Starts& starts) {
+    for (Start& known : starts.span()) {
+      if (dot(known.direction, direction) > 1 - 1e-10) {
+        known.estimate = std::max(known.estimate, estimate);
+        return;
+      }
+    }
+    if (starts.size() < most_starts) {
+      starts.push_back({direction, estimate});
+    }
+  }
+
+  void try_starts() {
+    constexpr std::size_t most_of_many = 8;
+    Starts starts;
+    const bool are_few = add_planes(starts);
+    if (!are_few) {
+      starts.clear();
+      add_mean_normals(starts);
+    }
+    add_own_directions(are_few, starts);
+    try_all(starts, are_few ? starts.size() : most_of_many);
+    // Where triangles pass through each other, or stand alone, planes tell little.
+    // A triangle may slide out along itself.
+    constexpr Real far = leaves_by_axes<B> && !is_box<B> ? 1 : 1.25;
+    if (best_.length > far * least_ + tolerance_) {
+      starts.clear();
+      add_single_ways(starts);
+      try_all(starts, starts.size());
+      try_even_directions();
+      try_around_best();
+    }
+  }
+  void try_all(Starts& starts, std::size_t most) {
+    std::ranges::sort(starts.span(), [](const Start& a, const Start& b) {
+      const auto key = [](const Start& s) {
+        return std::tuple(s.estimate, s.direction.x, s.direction.y, s.direction.z);
+      };
+      return key(a) < key(b);
+    });
+    for (const Start& start : starts.span().first(std::min(most, starts.size()))) {
+      if (is_settled()) {
+        return;
+      }
+      improve(start.direction, 2);
+    }
+  }
+  // The ways out of single triangles, deeper ones first.
+  void add_single_ways(Starts& starts) {
+    constexpr std::size_t most_ways = 16;
+    for (const NearTriangle& near : near_.span()) {
+      if (near.is_overlapped && starts.size() < most_ways) {
+        add_start(near.found.core.normal, near.gap, starts);
+      }
+    }
+  }
+  // Points of a spiral around the sphere, about evenly spread.
+  void try_even_directions() {
+    constexpr int count = 128;
+    constexpr Real golden_cosine = -0.7373688780783197, golden_sine = 0.6754902942615238;  // of the golden angle
+    Real cosine = 1, sine = 0;
+    for (int i = 0; i < count && !is_settled(); ++i) {
+      const Real z = 1 - (2 * i + 1) / Real(count), across = std::sqrt(1 - z * z);
+      improve({across * cosine, across * sine, z}, 1.5);
+      const Real next = golden_cosine * cosine - golden_sine * sine;
+      sine = golden_sine * cosine + golden_cosine * sine;
+      cosine = next;
+    }
+  }
+
+  // Beside the best direction so far, nearer and nearer to it.
+  void try_around_best() {
+    constexpr Real first = 0.2, last = 1e-8;
+    for (Real aside = first; aside > last && best_.length < infinity && !is_settled();) {
+      const Real before = best_.length;
+      const Vec3 direction = best_.direction;
+      for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        for (const Real step : {-aside, aside}) {
+          improve(UnitVec3::make(direction + step * axis).value_or(UnitVec3::from_unit_unchecked(direction)), 1.5);
+        }
+      }
+      aside = best_.length < before * (1 - 1e-6) ? aside : 0.5 * aside;
+    }
+  }
+
+  // The planes of what is overlapped, each with how far it is left. False where there are many.
+  [[nodiscard]] bool add_planes(Starts& starts) {
+    constexpr std::size_t most_planes = 16;
+    for (const NearFour& four : fours_.span()) {
+      for (std::uint64_t left = four.overlapped; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        const Vec3 normal = four.normals[lane];
+        if (squared_norm(normal) > 0) {
+          add_start(normal, four.behind[lane], starts);
+          if ((four.one_sided >> lane & 1u) == 0 || allows_back_) {
+            add_start(-normal, four.before[lane], starts);
+          }
+        }
+        if (starts.size() > most_planes) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // Of many: the mean normals in cells of the sphere of directions, weighted by area, but no more than b can reach.
+  void add_mean_normals(Starts& starts) {
+    constexpr int cells = 4;  // along each side of a cube
+    struct Cell {
+      Vec3 sum{0, 0, 0};
+      Real weight = 0;
+    };
+    std::array<Cell, 6 * cells * cells> of_cells{};
+    const auto cell_of = [](const Vec3& n) {
+      const Vec3 size = absolute(n);
+      const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+      const auto along = [&](Real coordinate) {
+        return std::min(cells - 1, static_cast<int>((coordinate / size[axis] * 0.5 + 0.5) * cells));
+      };
+      const int side = 2 * axis + (n[axis] > 0 ? 0 : 1);
+      return static_cast<std::size_t>((side * cells + along(n[axis == 0 ? 1 : 0])) * cells +
+                                      along(n[axis == 2 ? 1 : 2]));
+    };
+    for (const NearFour& four : fours_.span()) {
+      for (std::uint64_t left = four.overlapped; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        const Vec3 normal = four.normals[lane];
+        if (!(squared_norm(normal) > 0)) {
+          continue;
+        }
+        const TriangleCorners corners = four.triangles[lane];
+        const Real area = 0.5 * norm(cross(corners[1] - corners[0], corners[2] - corners[0]));
+        const Real weight = std::min(area, size_ * size_);
+        const auto add = [&](const Vec3& n) {
+          Cell& cell = of_cells[cell_of(n)];
+          cell.sum += weight * n;
+          cell.weight += weight;
+        };
+        add(normal);
+        if ((four.one_sided >> lane & 1u) == 0 || allows_back_) {
+          add(-normal);
+        }
+      }
+    }
+    for (const Cell& cell : of_cells) {
+      if (const auto mean = UnitVec3::make(cell.sum); mean && cell.weight > 0) {
+        add_start(*mean, -cell.weight, starts);
+      }
+    }
+  }
+
+  // Normals of the faces of b, and what is across its axis. They come last.
+  void add_own_directions(bool are_few, Starts& starts) {
+    const Real last = are_few ? 10 * size_ : Real{0};
+    if constexpr (leaves_by_axes<B>) {
+      for (const Vec3& face : b_.face_normals()) {
+        if (squared_norm(face) > 0) {
+          add_start(ab_.rotation * face, last, starts);
+          add_start(-(ab_.rotation * face), last, starts);
+        }
+      }
+      for (const Vec3& edge : b_.edge_directions()) {
+        if (const auto along = UnitVec3::make(ab_.rotation * edge)) {
+          add_start(*along, last, starts);
+          add_start(-*along, last, starts);
+        }
+      }
+    } else if constexpr (SegmentCored<B> || Rimmed<B>) {
+      constexpr Real least_across = 0.05;
+      const Vec3& axis = ab_.rotation.z;
+      const std::size_t count = starts.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto [direction, estimate] = starts[i];
+        const Vec3 across = direction - dot(direction, axis) * axis;
+        if (norm(across) > least_across) {
+          add_start(*UnitVec3::make(across), are_few ? estimate + size_ : 0.1 * estimate, starts);
+        }
+      }
+      if constexpr (Rimmed<B>) {
+        add_start(axis, last, starts);
+        add_start(-axis, last, starts);
+      }
+    }
+  }
+
+  Real tie_ = 0;  // of lengths that count as one, beyond the tolerance
+  bool allows_back_ = false;
+  std::optional<NearPlace> last_blocker_;
+  SeparatingTranslation best_;
+};
+
+}  // namespace abut

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface as searches see it: a source of triangles, four at a time. Searches are compiled once for each kind of
+// body, and not again for each kind of surface.
+export module abut.narrow.many.triangle_source;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.narrow.many.continuation;
+
+export namespace abut {
+
+class TriangleSource {
+ public:
+  // Four triangles, with a bit for each that counts.
+  using TakeFour = std::function<void(const FourTriangles&, std::uint64_t)>;
+
+  TriangleSource() = default;
+  TriangleSource(const TriangleSource&) = delete;
+  TriangleSource& operator=(const TriangleSource&) = delete;
+  virtual ~TriangleSource() = default;
+
+  // Hands over every triangle whose box overlaps another one, once.
+  virtual void visit(const Aabb& box, const TakeFour& take) const = 0;
+  [[nodiscard]] virtual Triangle part(std::uint32_t number) const = 0;
+  // Of four triangles a bit for each that has a front only.
+  [[nodiscard]] virtual std::uint64_t one_sided(const FourTriangles& four) const = 0;
+  [[nodiscard]] virtual bool has_fronts() const = 0;
+  // Whether what the surface encloses is inside: then a way out of the surface need not lead out of the whole.
+  [[nodiscard]] virtual bool is_solid() const = 0;
+  // See Surface.
+  [[nodiscard]] virtual bool is_crest(std::uint32_t number, unsigned corners, const Vec3& direction,
+                                      Real height) const = 0;
+  // Whether a triangle that shares no corner with those at a point of the surface rises there: at a crack or a
+  // T-junction. `size`: of the smaller one of the triangle there and of what touches it.
+  [[nodiscard]] virtual bool goes_on(const Vec3& point, const Vec3& direction, Real size) const = 0;
+};
+
+template <Surface S>
+class SourceOf final : public TriangleSource {
+ public:
+  explicit SourceOf(const S& surface) : surface_(surface) {}
+
+  void visit(const Aabb& box, const TakeFour& take) const override {
+    Aabb query = box;
+    const auto ask = [&](const FourTriangles& four) -> std::uint64_t {
+      // One of them stands in for those that lack, and a sample that is missing has no height.
+      std::uint64_t present = four.overlapping(box);
+      for (std::size_t lane = 1; lane < 4; ++lane) {
+        present &= four.numbers[lane] == four.numbers[lane - 1] ? ~(std::uint64_t{1} << lane) : ~std::uint64_t{0};
+      }
+      const Lanes heights = four.a.z + four.b.z + four.c.z;
+      present &= bits_of(heights == heights);
+      if (present != 0) {
+        take(four, present);
+      }
+      return 0;
+    };
+    surface_.visit_parts(query, InFours{ask}, [](const Triangle&, std::uint32_t) {});
+  }
+  Triangle part(std::uint32_t number) const override { return surface_.part(number); }
+  std::uint64_t one_sided(const FourTriangles& four) const override {
+    if (!surface_.has_fronts()) {
+      return 0;
+    }
+    std::uint64_t bits = 0;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      bits |= std::uint64_t{is_one_sided(four.numbers[lane]) ? 1u : 0u} << lane;
+    }
+    return bits;
+  }
+  bool has_fronts() const override { return surface_.has_fronts(); }
+  bool is_solid() const override {
+    if constexpr (Enclosing<S>) {
+      return surface_.is_solid();
+    } else {
+      return false;
+    }
+  }
+  bool is_crest(std::uint32_t number, unsigned corners, const Vec3& direction, Real height) const override {
+    return surface_.is_crest(number, corners, direction, height);
+  }
+  bool goes_on(const Vec3& point, const Vec3& direction, Real size) const override {
+    if constexpr (Terrain<S>) {
+      return false;  // its triangles share all corners
+    } else {
+      return abut::goes_on(surface_, point, direction, size);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_one_sided(std::uint32_t number) const {
+    if constexpr (Terrain<S>) {
+      return true;
+    } else {
+      return surface_.part(number).is_one_sided();
+    }
+  }
+
+  const S& surface_;
+};
+
+}  // namespace abut
