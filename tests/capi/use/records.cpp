@@ -117,6 +117,52 @@ TEST(ContactRecord, IsValidAndItsRoomIsZero) {
   }
 }
 
+// Points near the origin do not tell how large the shapes are that touch there.
+TEST(ContactRecord, IsValidNearTheOrigin) {
+  const std::vector<Shape> shapes = make_one_of_each_kind();
+  const auto seed = std::random_device()();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  std::size_t count = 0;
+  for (const Shape& a : shapes) {
+    for (const Shape& b : shapes) {
+      std::uint32_t is_supported = 0;
+      require(abut_pair_support(abut_shape_kind_of(a), abut_shape_kind_of(b), ABUT_QUERY_CONTACTS, &is_supported));
+      for (int i = 0; is_supported == 1 && i < 20; ++i) {
+        abut_pose pose_a = random_pose(random, 0.5), pose_b = random_pose(random, 0.5);
+        const std::vector<abut_contact> found = contacts_of(a, pose_a, b, pose_b);
+        if (found.empty()) continue;
+        // Until they touch, and then both to where they do at the origin.
+        const abut_contact deepest = *std::ranges::min_element(found, {}, &abut_contact::distance);
+        const auto shift = [](abut_pose& pose, double times, const abut_vec3& by) {
+          pose.position.x += times * by.x;
+          pose.position.y += times * by.y;
+          pose.position.z += times * by.z;
+        };
+        shift(pose_b, -deepest.distance, deepest.normal);
+        shift(pose_a, -1, deepest.point_a);
+        shift(pose_b, -1, deepest.point_a);
+        for (const abut_contact& contact : contacts_of(a, pose_a, b, pose_b, 1e-9)) {
+          EXPECT_TRUE(succeeded(abut_contact_validate(&contact)));
+          ++count;
+        }
+      }
+    }
+  }
+  EXPECT_GT(count, 300U);
+}
+
+// Balls that touch at the origin: all of it is rounding.
+TEST(ContactRecord, IsValidWhereItsPointsAreRounding) {
+  const Shape ball = make_sphere(1), block = make_box(1, 1, 1);
+  for (const abut_shape* other : {static_cast<abut_shape*>(ball), static_cast<abut_shape*>(block)}) {
+    for (const double x : {-1.0, -0.99999999999999989, -0.9999999999999}) {
+      for (const abut_contact& contact : contacts_of(ball, {{x, 1e-17, 0}, {0.8, 0, 0.6, 0}}, other, at(1, 0, 0), 1e-9))
+        EXPECT_TRUE(succeeded(abut_contact_validate(&contact))) << x;
+    }
+  }
+}
+
 TEST(ContactRecord, LocalPointsLieAtThePointsWhenPlaced) {
   const Shape block = make_box(1, 0.5, 0.8), ball = make_sphere(0.7);
   std::mt19937_64 random(13);
