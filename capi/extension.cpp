@@ -60,17 +60,24 @@ abut_status abut_universe_attach(const abut_universe* universe, const char* name
     const abut_status status = check_name(name);
     if (status == ABUT_OK) {
       its.extensions.attach(name);
+      its.owners.fetch_add(1, std::memory_order_relaxed);
     }
     return status;
   });
 }
 
+// Not behind the guard of a universe: one that has failed has to go as well, with its last owner.
 abut_status abut_universe_detach(const abut_universe* universe, const char* name) {
-  return guard(universe, [&](const abut_universe& its) {
-    const abut_status status = check_name(name);
-    if (status != ABUT_OK || its.extensions.detach(name)) {
+  return guard([&] {
+    abut_status status = check_not_null("universe", universe);
+    status = status != ABUT_OK ? status : check_name(name);
+    if (status != ABUT_OK) {
       return status;
     }
-    return refuse(ABUT_UNKNOWN_VALUE, "name is \"" + std::string(name) + "\"; no extension of that name is attached");
+    if (!universe->extensions.detach(name)) {
+      return refuse(ABUT_UNKNOWN_VALUE, "name is \"" + std::string(name) + "\"; no extension of that name is attached");
+    }
+    let_go(*universe);
+    return abut_status{ABUT_OK};
   });
 }

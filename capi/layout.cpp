@@ -27,7 +27,7 @@ static_assert(is_plain<abut_geometry_id>(8));
 static_assert(is_plain<abut_feature>(8));
 static_assert(is_plain<abut_hull_report>(48));
 static_assert(is_plain<abut_mesh_options>(32));
-static_assert(is_plain<abut_mesh_report>(112));
+static_assert(is_plain<abut_mesh_report>(120));
 static_assert(is_plain<abut_uv_grid_options>(40));
 static_assert(is_plain<abut_distance_field_desc>(80));
 static_assert(is_plain<abut_distance_field_options>(32));
@@ -128,6 +128,7 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_mesh_report, twisted_patches),
     ABUT_FIELD(abut_mesh_report, components),
     ABUT_FIELD(abut_mesh_report, merge_error),
+    ABUT_FIELD(abut_mesh_report, volume),
     ABUT_STRUCT(abut_uv_grid_options),
     ABUT_FIELD(abut_uv_grid_options, struct_size),
     ABUT_FIELD(abut_uv_grid_options, sides),

@@ -73,7 +73,7 @@ abut_status describe_mesh(const Faces& faces, const abut_mesh_options& options, 
   write_struct({sizeof(abut_mesh_report), 0, found.triangles, found.vertices, source.merged().vertices,
                 source.merged().collapsed, found.duplicate_vertices, found.duplicate_triangles, found.slivers,
                 found.open_edges, found.non_manifold_edges, found.reversed_triangles, found.twisted_patches,
-                found.components, source.merged().error},
+                found.components, source.merged().error, found.volume},
                out);
   return ABUT_OK;
 }

@@ -6,7 +6,9 @@
 
 import abut.core;
 import abut.pairs.any_shape;
+import abut.pairs.any_shape.sides;
 import abut.pairs.registry;
+import abut.triangles.volume;
 
 namespace abut::capi {
 namespace {
@@ -26,12 +28,28 @@ Error renamed(Error error) {
   return error;
 }
 
+// A solid mesh has an inside.
+abut_status check_winding(const AnyShape& shape) {
+  if (sides_of(shape) != SurfaceSides::solid) {
+    return ABUT_OK;
+  }
+  const EnclosedVolume enclosed = enclosed_volume(*triangles_of(shape));
+  return !enclosed.is_inside_out()
+             ? static_cast<abut_status>(ABUT_OK)
+             : refuse(ABUT_INVALID_ARGUMENT,
+                      "the triangles of a solid mesh enclose a volume of " + to_text(enclosed.volume) +
+                          "; it must not be negative: they are counter-clockwise seen from outside, so turn them all");
+}
+
 }  // namespace
 
 abut_status create(std::size_t place, const Numbers& numbers, abut_shape** out, Door door) {
   Result<AnyShape> made = make_shape(place, numbers.parameters, numbers.reals, numbers.indices);
   if (!made) {
     return refuse(door == Door::generic ? renamed(made.error()) : made.error());
+  }
+  if (const abut_status status = check_winding(made.value()); status != ABUT_OK) {
+    return status;
   }
   *out = std::make_unique<abut_shape>(ShapeHandle(std::move(made).value())).release();
   return ABUT_OK;

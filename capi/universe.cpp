@@ -99,6 +99,13 @@ abut_status explain(const abut_universe* universe, Words words, char* text, std:
 abut_universe::abut_universe(const abut::UniverseOptions& options, std::uint32_t number) : universe(options, number) {}
 abut_universe::~abut_universe() = default;
 
+void abut::capi::let_go(const abut_universe& universe) noexcept {
+  // The last owner has to see what all others have done with it.
+  if (universe.owners.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+    const std::unique_ptr<const abut_universe> last(&universe);
+  }
+}
+
 std::uint32_t abut::capi::next_universe_number() {
   static constinit std::atomic<std::uint32_t> next{1};
   return next.fetch_add(1, std::memory_order_relaxed);
@@ -117,8 +124,8 @@ abut_status abut_universe_create(const abut_universe_options* options, abut_univ
 
 void abut_universe_destroy(abut_universe* universe) {
   const bool is_in_use = universe != nullptr && universe->universe.is_stepping();
-  if (!is_in_use) {
-    const std::unique_ptr<abut_universe> last(universe);
+  if (universe != nullptr && !is_in_use) {
+    let_go(*universe);
   }
 }
 
@@ -162,6 +169,21 @@ abut_status abut_universe_counters(const abut_universe* universe, const uint64_t
       *poses = &revision.poses;
     }
     return status;
+  });
+}
+
+abut_status abut_universe_changes(const abut_universe* universe, const abut_revision* since,
+                                  abut_geometry_id* geometries, size_t capacity, size_t* count, uint32_t* is_known) {
+  return guard(universe, [&](const abut_universe& its) {
+    std::span<abut_geometry_id> out;
+    abut_status status = check_none_null<3>({{{"since", since}, {"count", count}, {"is_known", is_known}}});
+    status = status != ABUT_OK ? status : read_span("geometries", geometries, "capacity", capacity, out);
+    if (status != ABUT_OK) {
+      return status;
+    }
+    const auto found = its.universe.changed_since({since->geometries, since->poses});
+    *is_known = found ? 1 : 0;
+    return write_ids(found.value_or(std::vector<abut::GeometryId>{}), out, count, from_geometry);
   });
 }
 

@@ -68,9 +68,14 @@ struct abut_universe {
   abut::capi::Lent<abut_part_id> island_parts;
   // Changed by [const] calls, together with others.
   mutable abut::capi::Extensions extensions;
+  // The creator, and each object of an extension library.
+  mutable std::atomic<std::size_t> owners{1};
 };
 
 namespace abut::capi {
+
+// Takes an owner away. The last one destroys the universe, also where a [const] call does so.
+void let_go(const abut_universe& universe) noexcept;
 
 // Tells the ids of one universe from those of the others.
 [[nodiscard]] std::uint32_t next_universe_number();

@@ -20,6 +20,8 @@ static_assert(static_cast<abut_finding_code>(abut::FindingCode::exclusion_in_com
 static_assert(static_cast<abut_finding_code>(abut::FindingCode::filter_keeps_none) == ABUT_FINDING_FILTER_KEEPS_NONE);
 static_assert(static_cast<abut_finding_code>(abut::FindingCode::all_parked) == ABUT_FINDING_ALL_PARKED);
 static_assert(static_cast<abut_finding_code>(abut::FindingCode::all_on_one_part) == ABUT_FINDING_ALL_ON_ONE_PART);
+static_assert(static_cast<abut_finding_code>(abut::FindingCode::inside_out) == ABUT_FINDING_INSIDE_OUT);
+static_assert(static_cast<abut_finding_code>(abut::FindingCode::hollow) == ABUT_FINDING_HOLLOW);
 
 namespace {
 

@@ -135,6 +135,7 @@ const (
 	ApartByBoxes     ApartReasons = C.ABUT_APART_BOXES
 	ApartByPolicy    ApartReasons = C.ABUT_APART_POLICY
 	ApartByDetection ApartReasons = C.ABUT_APART_DETECTION
+	ApartBySide      ApartReasons = C.ABUT_APART_SIDE
 )
 
 // WhyApart tells why two geometries are not examined; 0 where they are, so that the distance of their shapes decides.

@@ -160,6 +160,7 @@ typedef struct abut_mesh_report {
   uint64_t twisted_patches;
   uint64_t components;
   double merge_error;
+  double volume;
 } abut_mesh_report;
 void abut_mesh_report_init(abut_mesh_report *report, uint32_t struct_size);
 abut_status abut_mesh_describe(const double *xyz, size_t vertex_count, const uint32_t *triangles,
@@ -649,6 +650,9 @@ typedef struct abut_revision {
 abut_status abut_universe_revision(const abut_universe *universe, abut_revision *out);
 abut_status abut_universe_counters(const abut_universe *universe, const uint64_t **geometries,
                                             const uint64_t **poses);
+abut_status abut_universe_changes(const abut_universe *universe, const abut_revision *since,
+                                           abut_geometry_id *geometries, size_t capacity, size_t *count,
+                                           uint32_t *is_known);
 typedef uint32_t abut_collidable_kind;
 enum abut_collidable_kind_value {
   ABUT_COLLIDABLE_GEOMETRY = 0,
@@ -816,7 +820,8 @@ enum abut_apart_reasons_value {
   ABUT_APART_KINDS = 128,
   ABUT_APART_BOXES = 256,
   ABUT_APART_POLICY = 512,
-  ABUT_APART_DETECTION = 1024
+  ABUT_APART_DETECTION = 1024,
+  ABUT_APART_SIDE = 2048
 };
 abut_status abut_universe_why_apart(const abut_universe *universe, abut_geometry_id geometry_a,
                                              abut_geometry_id geometry_b, abut_apart_reasons *out);
@@ -832,7 +837,9 @@ enum abut_finding_code_value {
   ABUT_FINDING_EXCLUSION_IN_COMMON = 7,
   ABUT_FINDING_FILTER_KEEPS_NONE = 8,
   ABUT_FINDING_ALL_PARKED = 9,
-  ABUT_FINDING_ALL_ON_ONE_PART = 10
+  ABUT_FINDING_ALL_ON_ONE_PART = 10,
+  ABUT_FINDING_INSIDE_OUT = 11,
+  ABUT_FINDING_HOLLOW = 12
 };
 typedef struct abut_finding {
   abut_finding_code code;

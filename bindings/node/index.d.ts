@@ -177,7 +177,7 @@ export function pairCasts(
 
 /** What keeps two geometries from being examined. */
 export type ApartReason = 'part' | 'motion' | 'parking' | 'exclusion' | 'layers' | 'rule' | 'filter' | 'kinds' | 'boxes' |
-  'policy' | 'detection';
+  'policy' | 'detection' | 'side';
 
 export interface UniverseOptions {
   broadphase?: 'auto' | 'brute' | 'tree' | 'sweepAndPrune' | 'hashGrid';

@@ -24,7 +24,7 @@ function collidable(what) {
 
 // Why two geometries are not examined, bit by bit.
 const reasons = [
-  'part', 'motion', 'parking', 'exclusion', 'layers', 'rule', 'filter', 'kinds', 'boxes', 'policy', 'detection',
+  'part', 'motion', 'parking', 'exclusion', 'layers', 'rule', 'filter', 'kinds', 'boxes', 'policy', 'detection', 'side',
 ];
 
 const forgotten = new FinalizationRegistry(free);

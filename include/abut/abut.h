@@ -219,7 +219,7 @@ enum abut_feature_kind_value ABUT_ENUM(uint32_t) {
   ABUT_FEATURE_VERTEX = 1,
   ABUT_FEATURE_EDGE = 2,
   ABUT_FEATURE_FACE = 3,   /**< of a mesh or a height field: the triangle */
-  ABUT_FEATURE_CELL = 4,   /**< of a grid. Reserved: nothing of this version reports it */
+  ABUT_FEATURE_CELL = 4,   /**< of a distance field: the cell in which the surface is met */
   ABUT_FEATURE_PARTICLE = 5 /**< one of many, by its number */
 };
 
@@ -376,6 +376,8 @@ ABUT_API void abut_mesh_options_init(abut_mesh_options *options, uint32_t struct
  *                        as segments or points, but not by rays. One that names a vertex three times counts as
  *                        removed: see abut_geometry_remove_triangles
  * @param options         may be null.
+ * ABUT_INVALID_ARGUMENT for a solid that is wound inside out, which has no inside: its volume is negative about every
+ * point of its box. An edit may turn one inside out later: see ABUT_FINDING_INSIDE_OUT.
  * Vertices are merged in the order of their numbers: each stays, or gives way to the nearest within the distance that
  * stayed. All keep their numbers; those that gave way belong to no triangle. Triangles keep theirs. One of which two
  * corners are one vertex counts as removed. ABUT_EMPTY where none is left.
@@ -401,6 +403,8 @@ typedef struct abut_mesh_report {
   uint64_t twisted_patches;     /**< that no turning makes alike, as a Moebius strip; edges of two connect a patch */
   uint64_t components;          /**< that have no vertex in common with each other */
   double merge_error;           /**< how far a corner of a triangle has moved at most */
+  double volume;                /**< enclosed by the triangles; negative where they are wound inside out. That of an
+                                     open surface is the one about the centre of its box */
 } abut_mesh_report;
 
 ABUT_API void abut_mesh_report_init(abut_mesh_report *report, uint32_t struct_size);
@@ -453,7 +457,10 @@ enum abut_diagonal_value ABUT_ENUM(uint32_t) {
 typedef uint32_t abut_below;
 enum abut_below_value ABUT_ENUM(uint32_t) {
   ABUT_BELOW_OPEN = 0, /**< nothing: what has fallen through is apart */
-  ABUT_BELOW_SOLID = 1 /**< ground: what has fallen through is pushed up. The floor is as deep as the field is long */
+  ABUT_BELOW_SOLID = 1 /**< ground: what has fallen through is pushed up. Ground is below the triangles, and ends
+                            at their border, at holes, and as far below the lowest sample as the longer side of the
+                            field. Only the triangles are its surface: distances from beside the field or from
+                            below are those to the triangles */
 };
 
 /**
@@ -827,9 +834,10 @@ typedef struct abut_contact {
  * Checks one record, such as one that went through a file or was made by hand:
  *  - coordinates are finite and within the limit of coordinates, `toi` lies in [0, 1], `reserved` is zero;
  *  - `normal` and `tangent` are unit and at right angles, within 1e-9;
- *  - `distance` is dot(point_b - point_a, normal), within 1e-9 of |point_a| + |point_b|;
+ *  - `distance` is dot(point_b - point_a, normal), within 1e-9 of |point_a| + |point_b|, or of 1 where that is less;
  *  - kinds of features and flags are known.
- * The message names the first field that is wrong, and its value. Every contact that abut reports passes. [any]
+ * The message names the first field that is wrong, and its value. Every contact that abut reports passes, of shapes of
+ * sizes up to 10^6. [any]
  */
 ABUT_API abut_status abut_contact_validate(const abut_contact *contact);
 
@@ -1104,8 +1112,9 @@ ABUT_API void abut_universe_options_init(abut_universe_options *options, uint32_
 ABUT_API abut_status abut_universe_create(const abut_universe_options *options, abut_universe **out);
 
 /**
- * Destroys a universe and everything in it. Null is allowed. From a callback of the universe it does nothing.
- * [exclusive]
+ * Destroys a universe and everything in it. Null is allowed. From a callback of the universe it does nothing. Where
+ * objects of extension libraries stand on it (abut_universe_attach), such as pickers, it goes with the last of them; no
+ * other call may name it from now on. [exclusive]
  */
 ABUT_API void abut_universe_destroy(abut_universe *universe);
 
@@ -1226,6 +1235,7 @@ ABUT_API void abut_sleep_init(abut_sleep *sleep, uint32_t struct_size);
  * or detection, with all dynamic parts that it touches, directly or through others, when
  *  - its pose changes in any way, or its motion, its thresholds, or the geometries that it has, their shapes or
  *  options;
+ *  - the surface of an animated or static part changes where its box reaches;
  *  - a touch of it begins or ends, by moving, parking, destruction, filters or anything else: removing a support wakes
  *  what it carried;
  *  - an animated or static part that it touches moves, or changes its motion or geometries;
@@ -1551,6 +1561,19 @@ ABUT_API abut_status abut_universe_revision(const abut_universe *universe, abut_
  */
 ABUT_API abut_status abut_universe_counters(const abut_universe *universe, const uint64_t **geometries,
                                             const uint64_t **poses);
+
+/**
+ * Which geometries have changed since a revision, for tools that follow a universe, by count-then-fill and ordered by
+ * slot: those that came, moved, were parked or given options or another shape, and those whose shape has changed. Of
+ * one that has gone the generation is 0. A universe remembers the last 512 changes of geometries.
+ * @param since     what abut_universe_revision told
+ * @param is_known  receives 1; 0 where more has changed than is remembered. Then all geometries are to be looked at,
+ *                  count becomes 0 and nothing is written
+ * Complexity O(changes). [const]
+ */
+ABUT_API abut_status abut_universe_changes(const abut_universe *universe, const abut_revision *since,
+                                           abut_geometry_id *geometries, size_t capacity, size_t *count,
+                                           uint32_t *is_known);
 
 /** What a rule speaks of. */
 typedef uint32_t abut_collidable_kind;
@@ -1899,8 +1922,10 @@ enum abut_apart_reasons_value ABUT_ENUM(uint32_t) {
   ABUT_APART_KINDS = 128,    /**< their kinds have no algorithm */
   ABUT_APART_BOXES = 256,    /**< their boxes do not overlap */
   ABUT_APART_POLICY = 512,   /**< a policy asks about their boxes only: events without contacts */
-  ABUT_APART_DETECTION = 1024 /**< the last detection has not looked at them as they are now: something has changed
-                                   since, or its scope or a policy with a period left them out */
+  ABUT_APART_DETECTION = 1024, /**< the last detection has not looked at them as they are now: something has changed
+                                    since, or its scope or a policy with a period left them out */
+  ABUT_APART_SIDE = 2048       /**< they were examined: one is a surface of one side, and the other overlaps it from
+                                    the back, where it stops nothing */
 };
 
 /**
@@ -1910,7 +1935,8 @@ enum abut_apart_reasons_value ABUT_ENUM(uint32_t) {
  * Options, rules, motions and parking are the present ones. Boxes are those of the last step or refresh, as queries see
  * them. The filter is not called: its last answer counts. The order of the two does not matter. They may be one
  * geometry.
- * Complexity O(log pairs + log rules). [const]
+ * Complexity O(log pairs + log rules), and O(triangles) where a surface of one side was examined without a contact.
+ * [const]
  */
 ABUT_API abut_status abut_universe_why_apart(const abut_universe *universe, abut_geometry_id geometry_a,
                                              abut_geometry_id geometry_b, abut_apart_reasons *out);
@@ -1929,7 +1955,10 @@ enum abut_finding_code_value ABUT_ENUM(uint32_t) {
   ABUT_FINDING_FILTER_KEEPS_NONE = 8,   /**< the filter has said no each time, since it was set or all pairs were to be
                                              asked about again */
   ABUT_FINDING_ALL_PARKED = 9,          /**< every geometry is parked */
-  ABUT_FINDING_ALL_ON_ONE_PART = 10     /**< geometries of one part never meet each other */
+  ABUT_FINDING_ALL_ON_ONE_PART = 10,    /**< geometries of one part never meet each other */
+  ABUT_FINDING_INSIDE_OUT = 11,         /**< a solid mesh has been turned inside out by edits: it has no inside */
+  ABUT_FINDING_HOLLOW = 12              /**< a geometry lies inside of a closed mesh of ABUT_SIDES_BOTH, which is a
+                                             hollow sheet; told once for each mesh */
 };
 
 typedef struct abut_finding {
@@ -1942,7 +1971,7 @@ typedef struct abut_finding {
 
 /**
  * Looks for what is odd about a scene, by count-then-fill; ordered by code, then by slots. An empty answer means that
- * nothing was found. Complexity O(geometries + kinds squared). [const]
+ * nothing was found. Complexity O(n log n) in geometries and in triangles of meshes, and O(kinds squared). [const]
  */
 ABUT_API abut_status abut_universe_validate(const abut_universe *universe, abut_finding *findings, size_t capacity,
                                             size_t *count);
@@ -2154,14 +2183,18 @@ ABUT_API abut_status abut_universe_advance_to_first_impact(abut_universe *univer
  * --------------------------------------------------------------------------------------------- */
 
 /**
- * For extension libraries: an object of such a library, for example a picker, now stands on a universe. Objects are
- * counted by name; abut_universe_explain tells the counts, and nothing else depends on them.
+ * For extension libraries: an object of such a library, for example a picker, now stands on a universe. The universe
+ * stays until the object is detached, also after abut_universe_destroy. Objects are counted by name;
+ * abut_universe_explain tells the counts.
  * @param name  1 to 63 letters, digits, '_', '-' or '.'; copied
  * Complexity O(log names). [const]
  */
 ABUT_API abut_status abut_universe_attach(const abut_universe *universe, const char *name);
 
-/** Takes one such object back; ABUT_UNKNOWN_VALUE when none of that name is attached. [const] */
+/**
+ * Takes one such object back; ABUT_UNKNOWN_VALUE when none of that name is attached. After abut_universe_destroy the
+ * last one destroys the universe. [const]
+ */
 ABUT_API abut_status abut_universe_detach(const abut_universe *universe, const char *name);
 
 /* ------------------------------------------------------------------------------------------------

@@ -145,6 +145,7 @@ void Scene::load(ByteReader& in, const Workers& workers) {
     places_.infos[at].patch = its.patch;
     places_.infos[at].is_box_stale = its.is_box_stale;
   });
+  journal_.forget(Journal::time_of(revision_));
   restore_changes(presences);
   space_.restore(workers, places_, kind, presences);
 }

@@ -35,6 +35,28 @@ void Scene::patch(GeometryId geometry, const Aabb& changed) {
   its.compact_box = compact(its.box, options_.origin);
 }
 
+namespace {
+
+// Where an edit changes a shape at most, in the frame of the shape, but for what it adds to the box; everywhere where
+// that is not known. A new box moves the origin of all queries, so more than this is examined anew.
+Aabb place_of(const Edit& edit, const AnyShape& shape) {
+  const auto* heights = std::get_if<HeightEdit>(&edit);
+  if (heights == nullptr) {
+    return Aabb::everything();
+  }
+  const std::vector<Real> parameters = parameters_of(shape);
+  const Real across = parameters[2], along = parameters[3];
+  const Real column = heights->column, row = heights->row;
+  Aabb out = aabb_of(shape, Pose::identity());
+  out.low.x = across * (column - 1);
+  out.low.y = along * (row - 1);
+  out.high.x = across * (column + heights->columns);
+  out.high.y = along * (row + heights->rows);
+  return out;
+}
+
+}  // namespace
+
 // Of checked ids and edits. What needs memory comes first, so that nothing has changed when there is none.
 void Scene::apply_edits(std::span<const GeometryId> geometries, std::span<const Edit> edits) {
   make_room(changes_.changed_geometries, geometries.size());
@@ -42,15 +64,43 @@ void Scene::apply_edits(std::span<const GeometryId> geometries, std::span<const 
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     own_shape(places_.shapes[geometries[i].slot - 1], edits[i]);
   }
+  std::vector<Aabb> places;
+  for (std::size_t i = 0; sleep_.is_used() && i < geometries.size(); ++i) {
+    places.push_back(place_of(edits[i], shape_at(geometries[i].slot - 1)));
+  }
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     const std::uint32_t place = geometries[i].slot - 1;
-    patch(geometries[i], apply_edit(places_.shapes[place], edits[i]));
+    const Aabb changed = apply_edit(places_.shapes[place], edits[i]);
+    patch(geometries[i], changed);
     places_.note(place, happened_to_surface);
     places_.infos[place].is_box_stale = true;
     enlist(geometries[i]);
-    disturb(geometries_.at(geometries[i]).part);
+    if (!places.empty()) {
+      Aabb& its = places[i];
+      const Aabb box = aabb_of(shape_at(place), Pose::identity());
+      its.low.z = std::min(its.low.z, box.low.z);
+      its.high.z = std::max(its.high.z, box.high.z);
+      disturb_by_edit(geometries[i], changed.is_bounded() ? changed : its);
+    }
   }
-  revision_.geometries += geometries.empty() ? 0 : 1;
+  count_change(geometries, {1, 0});
+}
+
+// What is not dynamic wakes what lies where it has changed, by the boxes of the last refresh: what has moved since is
+// awake.
+void Scene::disturb_by_edit(GeometryId geometry, const Aabb& changed) {
+  const Geometry& its = geometries_.at(geometry);
+  const PlaceInfo& info = places_.infos[geometry.slot - 1];
+  if (info.is_dynamic || !changed.is_bounded()) {
+    disturb(its.part);
+    return;
+  }
+  const Real reach = reach_of(info, options_.tolerance_mode, meetings_.policies.largest_tolerance());
+  visit(transformed(changed, world_of(its).pose()).inflated(reach), [&](std::uint32_t place) {
+    if (places_.infos[place].is_dynamic) {
+      sleep_.wake(places_.infos[place].part.slot);
+    }
+  });
 }
 
 Result<void> Scene::edit_shape(GeometryId geometry, const Edit& edit) {

@@ -49,7 +49,7 @@ void Scene::settle_parking(GeometryId geometry, Parking parking) {
   }
   parked_count_ += (parking != Parking::none ? 1 : 0);
   parked_count_ -= (before != Parking::none ? 1 : 0);
-  ++revision_.geometries;
+  count_change({&geometry, 1}, {1, 0});
   if (parking == Parking::none) {
     change(geometry);
   } else if (parking == Parking::long_term) {
@@ -166,7 +166,7 @@ Result<std::vector<GeometryId>> Scene::create_geometries(std::span<const PartId>
     throw;
   }
   std::ranges::for_each(parts, [&](PartId part) { disturb(part); });
-  revision_.geometries += parts.empty() ? 0 : 1;
+  count_change(created, {1, 0});
   return created;
 }
 
@@ -197,7 +197,7 @@ Result<void> Scene::destroy_geometries(std::span<const GeometryId> geometries) {
     std::erase(parts_.at(geometries_.at(geometry).part).geometries, geometry);
     forget_geometry(geometry);
   }
-  revision_.geometries += geometries.size();
+  count_change(geometries, {geometries.size(), 0});
   return {};
 }
 
@@ -216,7 +216,7 @@ Result<void> Scene::set_shapes(std::span<const GeometryId> geometries, std::span
     change(geometries[i]);
     disturb(geometries_.at(geometries[i]).part);
   }
-  revision_.geometries += geometries.empty() ? 0 : 1;
+  count_change(geometries, {1, 0});
   return {};
 }
 
@@ -247,8 +247,7 @@ Result<void> Scene::set_options(std::span<const GeometryId> geometries, std::spa
     change(geometries[i]);
     disturb(geometries_.at(geometries[i]).part);
   }
-  revision_.geometries += geometries.empty() ? 0 : 1;
-  revision_.poses += geometries.empty() ? 0 : 1;
+  count_change(geometries, {1, 1});
   return {};
 }
 

@@ -164,17 +164,18 @@ struct RuleVerdict {
 
 // What keeps two geometries from being examined.
 enum ApartReason : std::uint32_t {
-  apart_by_part = 1,         // they are on one part, or are one that does not meet itself
-  apart_by_motion = 2,       // neither part is dynamic
-  apart_by_parking = 4,      // one of them is parked
-  apart_by_exclusion = 8,    // they have a bit in common
-  apart_by_layers = 16,      // the layers of one do not meet the mask of the other
-  apart_by_rule = 32,        // the rule that counts disables them
-  apart_by_filter = 64,      // the filter has said no
-  apart_by_kinds = 128,      // no algorithm
-  apart_by_boxes = 256,      // their boxes do not overlap
-  apart_by_policy = 512,     // their boxes are all that a policy asks about
-  apart_by_detection = 1024  // the last one has not looked at them as they are
+  apart_by_part = 1,          // they are on one part, or are one that does not meet itself
+  apart_by_motion = 2,        // neither part is dynamic
+  apart_by_parking = 4,       // one of them is parked
+  apart_by_exclusion = 8,     // they have a bit in common
+  apart_by_layers = 16,       // the layers of one do not meet the mask of the other
+  apart_by_rule = 32,         // the rule that counts disables them
+  apart_by_filter = 64,       // the filter has said no
+  apart_by_kinds = 128,       // no algorithm
+  apart_by_boxes = 256,       // their boxes do not overlap
+  apart_by_policy = 512,      // their boxes are all that a policy asks about
+  apart_by_detection = 1024,  // the last one has not looked at them as they are
+  apart_by_side = 2048        // only the back of a one-sided surface is there
 };
 
 // How much of a pair is found.
@@ -208,6 +209,8 @@ enum class FindingCode : std::uint32_t {
   filter_keeps_none,    // the filter was asked, and has said no each time
   all_parked,           // every geometry is parked
   all_on_one_part,      // geometries of one part never meet each other
+  inside_out,           // a solid mesh that is wound clockwise seen from outside
+  hollow,               // a closed mesh with two sides lies around a geometry
 };
 struct Finding {
   FindingCode code;

@@ -52,7 +52,7 @@ Result<void> Scene::destroy_parts(std::span<const PartId> parts) {
     for (const GeometryId geometry : parts_.at(part).geometries) {
       forget_geometry(geometry);
     }
-    revision_.geometries += parts_.at(part).geometries.size();
+    count_change(parts_.at(part).geometries, {parts_.at(part).geometries.size(), 0});
     if (!meetings_.rules.is_empty()) {
       meetings_.rules.forget({CollidableKind::part, part.slot, part.generation});
     }
@@ -88,7 +88,7 @@ Result<void> Scene::set_poses(std::span<const PartId> parts, std::span<const Pla
       changes_.moved_parts.push_back(parts[i]);
     }
   }
-  revision_.poses += parts.empty() ? 0 : 1;
+  count_moves(parts);
   return {};
 }
 

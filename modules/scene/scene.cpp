@@ -7,6 +7,7 @@ import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
 import abut.scene.checks;
+import abut.scene.journal;
 import abut.scene.meetings;
 import abut.scene.policies;
 
@@ -37,6 +38,53 @@ Scene::Scene(const UniverseOptions& options, std::uint32_t number)
       places_(ShapeHandle(AnyShape(Shapes::At<0>::samples().front()))) {}
 
 void Scene::end_detection() { is_stepping_ = false; }
+
+void Scene::count_change(std::span<const GeometryId> geometries, const Revision& by) {
+  if (geometries.empty()) {
+    return;
+  }
+  revision_.geometries += by.geometries;
+  revision_.poses += by.poses;
+  const std::uint64_t time = Journal::time_of(revision_);
+  if (!Journal::holds(geometries.size())) {
+    journal_.forget(time);
+    return;
+  }
+  for (const GeometryId geometry : geometries) {
+    journal_.note(geometry.slot, time);
+  }
+}
+
+void Scene::count_moves(std::span<const PartId> parts) {
+  if (parts.empty()) {
+    return;
+  }
+  ++revision_.poses;
+  const std::uint64_t time = Journal::time_of(revision_);
+  if (!Journal::holds(parts.size())) {
+    journal_.forget(time);
+    return;
+  }
+  for (const PartId part : parts) {
+    for (const GeometryId geometry : parts_.at(part).geometries) {
+      journal_.note(geometry.slot, time);
+    }
+  }
+}
+
+std::optional<std::vector<GeometryId>> Scene::changed_since(const Revision& since) const {
+  const auto slots = journal_.slots_after(Journal::time_of(since));
+  if (!slots) {
+    return std::nullopt;
+  }
+  std::vector<GeometryId> out;
+  out.reserve(slots->size());
+  for (const std::uint32_t slot : *slots) {
+    const GeometryId id = places_.id_at(slot - 1);
+    out.push_back(geometries_.contains(id) ? id : GeometryId{slot, 0});
+  }
+  return out;
+}
 
 // Of filters that have parked geometries.
 void Scene::apply_deferred_parking() {

@@ -12,6 +12,7 @@ import abut.pairs.registry;
 import abut.scene.changes;
 export import abut.scene.focus;
 import abut.scene.focus_tags;
+import abut.scene.journal;
 export import abut.scene.materials;
 import abut.scene.meetings;
 export import abut.scene.options;
@@ -84,6 +85,9 @@ class Scene {
   [[nodiscard]] std::vector<PartId> parts() const;
   [[nodiscard]] std::vector<GeometryId> geometries() const;
   [[nodiscard]] inline const Revision& revision() const [[clang::lifetimebound]] { return revision_; }
+  // The geometries that have changed since a revision, or have moved, ordered by slot; one that has gone has the
+  // generation 0. None where more has changed than is remembered.
+  [[nodiscard]] std::optional<std::vector<GeometryId>> changed_since(const Revision& since) const;
 
   // Who meets whom. A geometry with self pairs meets itself, however its part moves, unless a rule or the filter keeps
   // it. Two never meet that are of one part, of which neither is dynamic, or one is parked. Nor do two that have
@@ -222,6 +226,9 @@ class Scene {
   void check_parts(ByteReader& in) const;
   void restore_changes(std::span<std::uint8_t> presences);
   void find_what_hides_all(std::vector<Finding>& findings) const;
+  void find_odd_meshes(std::vector<Finding>& findings) const;
+  void count_change(std::span<const GeometryId> geometries, const Revision& by);
+  void count_moves(std::span<const PartId> parts);
   void forget_geometry(GeometryId geometry);
   void change(GeometryId geometry);
   void enlist(GeometryId geometry);
@@ -233,9 +240,11 @@ class Scene {
   void set_sweeping(std::uint32_t place, Sweeping sweeping);
   void set_keeps_side(std::uint32_t place, bool keeps_it);
   void disturb(PartId part);
+  void disturb_by_edit(GeometryId geometry, const Aabb& changed);
   [[nodiscard]] Placement world_of(const Geometry& geometry) const;
 
   Revision revision_;
+  Journal journal_;
   std::size_t list_bytes_ = 0;  // of the lists of geometries of the parts
   bool is_stepping_ = false;
   std::vector<std::pair<GeometryId, Parking>> deferred_parking_;

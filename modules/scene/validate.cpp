@@ -140,6 +140,7 @@ std::vector<Finding> Scene::validate() const {
     }
   });
   find_unsupported(seen, findings);
+  find_odd_meshes(findings);
   std::ranges::sort(findings, {},
                     [](const Finding& its) { return std::tuple(its.code, its.geometry.slot, its.other.slot); });
   return findings;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.triangles.report;
+import abut.capability;
 import abut.core.joined_sets;
 import abut.core.standard;
 import abut.math;
 import abut.triangles.buffers;
 import abut.triangles.edges;
+import abut.triangles.volume;
 
 namespace abut {
 namespace {
@@ -112,6 +114,7 @@ TriangleReport report_triangles(std::span<const Real> xyz, std::span<const std::
   count_vertices(places, present, out);
   count_triangles(places, present, out);
   count_edges(present, out);
+  out.volume = enclosed_volume({std::move(places), present}).volume;
   return out;
 }
 

@@ -17,6 +17,7 @@ struct TriangleReport {
   std::uint64_t reversed_triangles = 0;   // the least number to be turned so that neighbours agree
   std::uint64_t twisted_patches = 0;      // that no turning makes agree, as a Moebius strip
   std::uint64_t components = 0;           // that share no vertex with each other
+  Real volume = 0;                        // that they enclose
 };
 
 // Of triangles without faults. A patch is what edges of two triangles connect.

@@ -116,6 +116,7 @@ class Universe : public Scene {
   [[nodiscard]] std::size_t bytes() const;
   [[nodiscard]] Plan plan(std::span<const Plan::Extension> extensions) const;
   [[nodiscard]] std::uint32_t why_apart_at(std::uint32_t low, std::uint32_t high) const;
+  [[nodiscard]] bool is_behind(std::uint32_t low, std::uint32_t high) const;
   [[nodiscard]] const Pair* find_pair(std::uint32_t low, std::uint32_t high) const;
   [[nodiscard]] bool has_filter_refused(const Pair& pair) const;
   [[nodiscard]] bool is_parked(std::uint32_t place) const;

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Why two geometries are not examined, from what the stages of a detection go by.
 module abut.universe;
+import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.detect.jobs;
 import abut.detect.pairs;
+import abut.math;
+import abut.pairs.any_shape;
+import abut.pairs.any_shape.sides;
+import abut.pairs.registry;
 import abut.scene.checks;
 import abut.scene.meetings;
 import abut.scene.places;
@@ -41,6 +46,41 @@ bool Universe::has_filter_refused(const Pair& pair) const {
          !places_.has_happened(pair.low, asks_again) && !places_.has_happened(pair.high, asks_again);
 }
 
+namespace {
+
+// Whether a surface would be met if it had both sides.
+bool has_triangle_near(const AnyShape& surface, const Pose& pose, const AnyShape& other, const Pose& other_pose,
+                       Real margin) {
+  std::optional<Triangles> triangles = triangles_of(surface);
+  if (sides_of(surface) != SurfaceSides::front || !triangles) {
+    return false;
+  }
+  const Aabb near = aabb_of(other, pose.inverse() * other_pose).inflated(margin);
+  const std::vector<std::uint32_t> all = std::exchange(triangles->indices, {});
+  for (std::size_t i = 0; i + 2 < all.size(); i += 3) {
+    Aabb box = Aabb::empty();
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.include(triangles->vertices[all[i + k]]);
+    }
+    if (box.overlaps(near)) {
+      triangles->indices.insert(triangles->indices.end(), {all[i], all[i + 1], all[i + 2]});
+    }
+  }
+  const std::optional<AnyShape> sheet = make_sheet(*triangles);
+  Distance found;
+  return sheet && pair_distance(*sheet, other, pose, other_pose, {}, found) == Outcome::ok && found.distance <= margin;
+}
+
+}  // namespace
+
+// Of a pair that was examined and has no contact.
+bool Universe::is_behind(std::uint32_t low, std::uint32_t high) const {
+  const Real margin = places_.infos[low].tolerance + places_.infos[high].tolerance;
+  const AnyShape &a = shape_at(low), &b = shape_at(high);
+  return has_triangle_near(a, world_at(low), b, world_at(high), margin) ||
+         has_triangle_near(b, world_at(high), a, world_at(low), margin);
+}
+
 std::uint32_t Universe::why_apart_at(std::uint32_t low, std::uint32_t high) const {
   const PlaceInfo &a = places_.infos[low], &b = places_.infos[high];
   const Pair* const pair = find_pair(low, high);
@@ -59,8 +99,10 @@ std::uint32_t Universe::why_apart_at(std::uint32_t low, std::uint32_t high) cons
   const bool have_boxes = space_.is_shown(low) && space_.is_shown(high) && !has_path;
   reasons |= bit_if(have_boxes && !places_.boxes[low].overlaps(places_.boxes[high]), apart_by_boxes);
   const bool is_overdue = pair == nullptr ? reasons == 0 : pair->is_admitted && pair->is_stale;
-  return reasons |
-         bit_if(is_overdue || has_changed(low) || has_changed(high) || meetings_.must_ask_again, apart_by_detection);
+  reasons |=
+      bit_if(is_overdue || has_changed(low) || has_changed(high) || meetings_.must_ask_again, apart_by_detection);
+  const bool is_examined = reasons == 0 && pair != nullptr && pair->contact_count == 0 && low != high;
+  return reasons | bit_if(is_examined && is_behind(low, high), apart_by_side);
 }
 
 Result<std::uint32_t> Universe::why_apart(GeometryId a, GeometryId b) const {

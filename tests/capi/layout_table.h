@@ -45,7 +45,7 @@
   FIELD(abut_mesh_options, merge_distance, 16, 8)            \
   FIELD(abut_mesh_options, tree, 24, 4)                      \
   FIELD(abut_mesh_options, reserved, 28, 4)                  \
-  TYPE(abut_mesh_report, 112)                                \
+  TYPE(abut_mesh_report, 120)                                \
   FIELD(abut_mesh_report, struct_size, 0, 4)                 \
   FIELD(abut_mesh_report, reserved, 4, 4)                    \
   FIELD(abut_mesh_report, triangles, 8, 8)                   \
@@ -61,6 +61,7 @@
   FIELD(abut_mesh_report, twisted_patches, 88, 8)            \
   FIELD(abut_mesh_report, components, 96, 8)                 \
   FIELD(abut_mesh_report, merge_error, 104, 8)               \
+  FIELD(abut_mesh_report, volume, 112, 8)                    \
   TYPE(abut_uv_grid_options, 40)                             \
   FIELD(abut_uv_grid_options, struct_size, 0, 4)             \
   FIELD(abut_uv_grid_options, sides, 4, 4)                   \

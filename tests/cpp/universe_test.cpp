@@ -228,6 +228,8 @@ TEST(Geometries, Change) {
   room.universe.park({room.box}, ABUT_PARKING_SHORT_TERM);
   EXPECT_EQ(room.universe.describe(room.ball).parking, ABUT_PARKING_LONG_TERM);
   EXPECT_EQ(room.universe.revision().geometries, *room.universe.counters().geometries);
+  EXPECT_TRUE(room.universe.changes(room.universe.revision())->empty());
+  EXPECT_FALSE(room.universe.changes(abut::Revision{})->empty());
 }
 
 TEST(Rules, DecideWhoMeetsWhom) {

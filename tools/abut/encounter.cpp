@@ -93,7 +93,11 @@ Encounter Encounters::between(std::size_t a, std::size_t b) const {
   its.contacts = found == contacts_.end() ? 0 : found->second;
   const auto closed = std::ranges::find(its.answers, false, &GateAnswer::is_open);
   its.touches = its.contacts > 0 || (boxes_only && closed == its.answers.end());
-  if (!its.touches && closed == its.answers.end()) {
+  if (!its.touches && closed == its.answers.end() && (world_->why_apart(a, b) & ABUT_APART_SIDE) != 0) {
+    its.answers.push_back(
+        {"side", false, "one is a surface of one side; the other overlaps it from the back, where it stops nothing"});
+    its.stopped_by = "side";
+  } else if (!its.touches && closed == its.answers.end()) {
     const std::string rate = "; a policy finds them anew once in " + std::to_string(policy.period) + " steps";
     its.answers.push_back(
         {"detection", false, "the universe has no contact of theirs" + (policy.period > 1 ? rate : "")});

@@ -157,7 +157,7 @@ namespace Abut
     public enum ApartReasons : uint
     {
         None = 0, Part = 1, Motion = 2, Parking = 4, Exclusion = 8, Layers = 16, Rule = 32, Filter = 64, Kinds = 128,
-        Boxes = 256, Policy = 512, Detection = 1024
+        Boxes = 256, Policy = 512, Detection = 1024, Side = 2048
     }
 
     /// <summary>How a part moves. Pairs of parts of which neither is dynamic are never examined.</summary>

@@ -72,6 +72,8 @@ pub struct ApartReasons {
     pub policy: bool,
     /// The last detection has not looked at them as they are now.
     pub detection: bool,
+    /// One is a surface of one side, and the other overlaps it from the back.
+    pub side: bool,
 }
 
 impl ApartReasons {
@@ -89,6 +91,7 @@ impl ApartReasons {
             boxes: has(raw::ABUT_APART_BOXES),
             policy: has(raw::ABUT_APART_POLICY),
             detection: has(raw::ABUT_APART_DETECTION),
+            side: has(raw::ABUT_APART_SIDE),
         }
     }
 }

@@ -287,6 +287,7 @@ pub struct abut_mesh_report {
     pub twisted_patches: u64,
     pub components: u64,
     pub merge_error: f64,
+    pub volume: f64,
 }
 extern "C" {
     pub fn abut_mesh_report_init(report: *mut abut_mesh_report, struct_size: u32);
@@ -1359,6 +1360,16 @@ extern "C" {
         poses: *mut *const u64,
     ) -> abut_status;
 }
+extern "C" {
+    pub fn abut_universe_changes(
+        universe: *const abut_universe,
+        since: *const abut_revision,
+        geometries: *mut abut_geometry_id,
+        capacity: usize,
+        count: *mut usize,
+        is_known: *mut u32,
+    ) -> abut_status;
+}
 pub type abut_collidable_kind = u32;
 pub const ABUT_COLLIDABLE_GEOMETRY: abut_collidable_kind_value = 0;
 pub const ABUT_COLLIDABLE_PART: abut_collidable_kind_value = 1;
@@ -1676,6 +1687,7 @@ pub const ABUT_APART_KINDS: abut_apart_reasons_value = 128;
 pub const ABUT_APART_BOXES: abut_apart_reasons_value = 256;
 pub const ABUT_APART_POLICY: abut_apart_reasons_value = 512;
 pub const ABUT_APART_DETECTION: abut_apart_reasons_value = 1024;
+pub const ABUT_APART_SIDE: abut_apart_reasons_value = 2048;
 pub type abut_apart_reasons_value = ::std::os::raw::c_uint;
 extern "C" {
     pub fn abut_universe_why_apart(
@@ -1697,6 +1709,8 @@ pub const ABUT_FINDING_EXCLUSION_IN_COMMON: abut_finding_code_value = 7;
 pub const ABUT_FINDING_FILTER_KEEPS_NONE: abut_finding_code_value = 8;
 pub const ABUT_FINDING_ALL_PARKED: abut_finding_code_value = 9;
 pub const ABUT_FINDING_ALL_ON_ONE_PART: abut_finding_code_value = 10;
+pub const ABUT_FINDING_INSIDE_OUT: abut_finding_code_value = 11;
+pub const ABUT_FINDING_HOLLOW: abut_finding_code_value = 12;
 pub type abut_finding_code_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]

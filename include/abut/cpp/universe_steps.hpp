@@ -98,6 +98,24 @@ class UniverseSteps : public UniverseRules {
   }
   Answer<Counters> counters() const&& = delete;
 
+  // The geometries that have changed since a revision; one that has gone has the generation 0. None where more has
+  // changed than the universe remembers: then all are to be looked at.
+  [[nodiscard]] Answer<std::optional<std::vector<GeometryId>>> changes(const Revision& since) const {
+    std::vector<GeometryId> found(8);
+    std::size_t count = 0;
+    std::uint32_t is_known = 0;
+    const auto fill = [&] {
+      return abut_universe_changes(get(), &since, found.data(), found.size(), &count, &is_known);
+    };
+    abut_status status = fill();
+    if (status == ABUT_OK && count > found.size()) {
+      found.resize(count);
+      status = fill();
+    }
+    found.resize(status == ABUT_OK ? count : 0);
+    return detail::answer_if_found(status, is_known, found);
+  }
+
   // For libraries that stand on a universe.
   Answer<void> attach(const std::string& name) const {
     return detail::answer(abut_universe_attach(get(), name.c_str()));

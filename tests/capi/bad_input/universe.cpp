@@ -153,6 +153,31 @@ TEST(UniverseCounters, RefusesNullPointers) {
   EXPECT_TRUE(poses.is_untouched());
 }
 
+TEST(UniverseChanges, RefusesNullPointersAndOverflow) {
+  const Scene scene;
+  const abut_revision since{};
+  Out<std::size_t> count;
+  Out<std::uint32_t> is_known;
+  OutArray<abut_geometry_id> changed(4);
+  EXPECT_TRUE(refused(abut_universe_changes(nullptr, &since, changed.data(), 4, count.address(), is_known.address()),
+                      ABUT_NULL_ARGUMENT, {"universe", "null"}));
+  EXPECT_TRUE(
+      refused(abut_universe_changes(scene.universe, nullptr, changed.data(), 4, count.address(), is_known.address()),
+              ABUT_NULL_ARGUMENT, {"since", "null"}));
+  EXPECT_TRUE(refused(abut_universe_changes(scene.universe, &since, nullptr, 4, count.address(), is_known.address()),
+                      ABUT_NULL_ARGUMENT, {"geometries", "null"}));
+  EXPECT_TRUE(refused(abut_universe_changes(scene.universe, &since, changed.data(), 4, nullptr, is_known.address()),
+                      ABUT_NULL_ARGUMENT, {"count", "null"}));
+  EXPECT_TRUE(refused(abut_universe_changes(scene.universe, &since, changed.data(), 4, count.address(), nullptr),
+                      ABUT_NULL_ARGUMENT, {"is_known", "null"}));
+  EXPECT_TRUE(refused(abut_universe_changes(scene.universe, &since, changed.data(), ~std::size_t{0}, count.address(),
+                                            is_known.address()),
+                      ABUT_SIZE_OVERFLOW, {"capacity"}));
+  EXPECT_TRUE(count.is_untouched());
+  EXPECT_TRUE(is_known.is_untouched());
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
 TEST(UniverseContacts, RefusesNullPointers) {
   const Scene scene;
   Out<const abut_contact*> contacts;

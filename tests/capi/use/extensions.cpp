@@ -61,6 +61,27 @@ TEST(Extensions, AreCountedByManyThreadsAtOnce) {
   EXPECT_TRUE(tells(universe, "\nextensions: " + std::to_string(4 * rounds) + " two\n"));
 }
 
+// What stands on a universe may go after its creator has let go of it, on any thread.
+TEST(Extensions, KeepTheirUniverse) {
+  constexpr std::uint64_t words = 2048;  // of messages that are kept
+  std::uint64_t bytes = 0, before = 0, blocks = 0;
+  require(abut_memory_in_use(&before, &blocks));
+  abut_universe* universe = nullptr;
+  require(abut_universe_create(nullptr, &universe));
+  constexpr int count = 8;
+  for (int i = 0; i < count; ++i) require(abut_universe_attach(universe, "response"));
+  abut_universe_destroy(universe);
+  EXPECT_TRUE(refused(abut_universe_detach(universe, "picking"), ABUT_UNKNOWN_VALUE, {"name", "picking"}));
+  require(abut_memory_in_use(&bytes, &blocks));
+  EXPECT_GT(bytes, before + words) << "it is there";
+  std::vector<std::thread> threads;
+  for (int i = 0; i < count; ++i)
+    threads.emplace_back([universe] { require(abut_universe_detach(universe, "response")); });
+  for (std::thread& thread : threads) thread.join();
+  require(abut_memory_in_use(&bytes, &blocks));
+  EXPECT_LE(bytes, before + words) << "the last one has destroyed it";
+}
+
 // Times are there in the step after the first question, and not before.
 TEST(Extensions, TimesOfPairsComeAfterTheFirstQuestion) {
   Universe universe;

@@ -230,4 +230,41 @@ TEST(Sleep, DestroyedPartsLeaveNothingToTheirSlots) {
   EXPECT_EQ(room.asleep(), 1U);
 }
 
+// An edit of a field wakes what lies on the samples that change.
+TEST(Sleep, AnEditOfTerrainWakesWhatLiesThere) {
+  constexpr std::uint32_t samples = 41;
+  for (const bool raises : {false, true}) {
+    Room room;
+    const Shape flat =
+        make_of_kind("height_field", {samples, samples, 1, 1, 0, 1}, std::vector<double>(samples * samples, 5.0));
+    const abut_geometry_id ground = room.universe.add(flat, identity, ABUT_MOTION_STATIC);
+    const abut_part_id near = room.add_box(at(10.5, 10.5, 5.49)), on_top = room.add_box(at(10.5, 10.5, 6.48));
+    const abut_part_id beside = room.add_box(at(14.5, 10.5, 5.49)), far = room.add_box(at(35.5, 35.5, 5.49));
+    room.step(until_asleep);
+    ASSERT_EQ(room.asleep(), 4U);
+    const std::vector<double> heights(4, raises ? 5.001 : 4);
+    require(abut_geometry_set_heights(room.universe, ground, 10, 10, 2, 2, heights.data()));
+    room.step();
+    EXPECT_FALSE(room.is_asleep(near));
+    EXPECT_FALSE(room.is_asleep(on_top)) << "through what it stands on";
+    EXPECT_TRUE(room.is_asleep(beside));
+    EXPECT_TRUE(room.is_asleep(far));
+    room.step(until_asleep);
+    EXPECT_EQ(room.asleep(), 4U);
+  }
+}
+
+TEST(Sleep, AnEditOfTerrainThatADetectionHasSeenWakes) {
+  Room room;
+  const Shape flat = make_of_kind("height_field", {11, 11, 1, 1, 0, 1}, std::vector<double>(121, 5.0));
+  const abut_geometry_id ground = room.universe.add(flat, identity, ABUT_MOTION_STATIC);
+  const abut_part_id near = room.add_box(at(2.5, 2.5, 5.49)), far = room.add_box(at(8.5, 8.5, 5.49));
+  room.step(until_asleep);
+  const std::vector<double> heights(4, 5.001);
+  require(abut_geometry_set_heights(room.universe, ground, 2, 2, 2, 2, heights.data()));
+  require(abut_universe_detect_changed(room.universe));
+  EXPECT_FALSE(room.is_asleep(near));
+  EXPECT_TRUE(room.is_asleep(far));
+}
+
 }  // namespace

@@ -283,7 +283,8 @@ TEST(WhyApart, IsNothingExactlyForThePairsThatADetectionExamines) {
       for (std::size_t j = i; j < scene.geometries().size(); ++j) {
         const abut_geometry_id a = scene.geometries()[i], b = scene.geometries()[j];
         const bool is_one = is_examined(universe, a, b);
-        const abut_apart_reasons reasons = why_apart(universe, a, b);
+        // A side is a reason of those that are examined.
+        const abut_apart_reasons reasons = why_apart(universe, a, b) & ~abut_apart_reasons{ABUT_APART_SIDE};
         EXPECT_EQ(reasons == 0, is_one) << "pair " << i << ", " << j << ": " << reasons;
         meeting += reasons == 0 ? 1 : 0;
         for (abut_apart_reasons bit = 1; bit <= reasons; bit *= 2) seen[bit] += (reasons & bit) != 0 ? 1 : 0;
@@ -294,6 +295,36 @@ TEST(WhyApart, IsNothingExactlyForThePairsThatADetectionExamines) {
   }
   for (const abut_apart_reasons reason : {0U, 1U, 2U, 4U, 8U, 16U, 32U, 64U, 128U, 256U, 512U})
     EXPECT_GT(seen[reason], 30U) << "reason " << reason;
+}
+
+// A sheet of one side from -1 to 1, with its front up.
+Shape one_sided(const char* kind) {
+  if (kind == std::string_view("height_field"))
+    return make_of_kind(kind, {3, 3, 1, 1, 0, 0}, std::vector<double>(9, 0.0));
+  const std::vector<double> parameters =
+      kind == std::string_view("mesh") ? std::vector<double>{1} : std::vector<double>{1, 0, 1, 0, 0};
+  return make_of_kind(kind, parameters, {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0}, {0, 1, 2, 0, 2, 3});
+}
+
+TEST(WhyApart, TellsOfTheBackOfASurfaceOfOneSide) {
+  for (const char* kind : {"mesh", "uv_grid", "height_field"}) {
+    SCOPED_TRACE(kind);
+    Universe universe;
+    const Shape sheet = one_sided(kind), ball = make_sphere(0.5);
+    const abut_geometry_id ground = universe.add(sheet, identity, ABUT_MOTION_STATIC);
+    const abut_part_id part = universe.add_part(at(0.9, 0.8, 0.4));
+    const abut_geometry_id its = universe.add_geometry(part, ball);
+    EXPECT_EQ(universe.step().size(), 1U) << "in front of it";
+    EXPECT_EQ(why_apart(universe, ground, its), 0U);
+    universe.move(part, at(0.9, 0.8, -0.4));
+    EXPECT_TRUE(universe.step().empty()) << "behind it";
+    EXPECT_EQ(why_apart(universe, ground, its), abut_apart_reasons{ABUT_APART_SIDE});
+    universe.move(part, at(0.9, 0.8, 0.4));
+    universe.step();
+    universe.move(part, at(0.9, 0.8, -0.55));
+    EXPECT_TRUE(universe.step().empty()) << "and does not reach it";
+    EXPECT_EQ(why_apart(universe, ground, its) & ABUT_APART_SIDE, 0U);
+  }
 }
 
 }  // namespace

@@ -189,6 +189,8 @@ FUNCTIONS = {
     "abut_universe_geometries": (Status, [c_void_p, POINTER(GeometryId), c_size_t, POINTER(c_size_t)]),
     "abut_universe_revision": (Status, [c_void_p, POINTER(Revision)]),
     "abut_universe_counters": (Status, [c_void_p, POINTER(POINTER(c_uint64)), POINTER(POINTER(c_uint64))]),
+    "abut_universe_changes": (Status, [c_void_p, POINTER(Revision), POINTER(GeometryId), c_size_t, POINTER(c_size_t),
+                                       POINTER(c_uint32)]),
     "abut_universe_validate": (Status, [c_void_p, POINTER(Finding), c_size_t, POINTER(c_size_t)]),
     "abut_contact_material_init": (None, [POINTER(ContactMaterial), c_uint32]),
     "abut_material_pair_set": (Status, [c_void_p, c_uint32, c_uint32, POINTER(ContactMaterial)]),

@@ -46,6 +46,7 @@ class MeshReport(Struct):
     twisted_patches: UInt64
     components: UInt64
     merge_error: Double
+    volume: Double
 
 
 @struct
