@@ -45,6 +45,10 @@ abut_status check_query_options(const abut_query_options& options) {
 }
 
 abut_status refuse_outcome(Outcome outcome, const abut_shape* a, const abut_shape* b, Algorithm algorithm) {
+  // Before words, whose memory may be refused: an answer has been given.
+  if (outcome == Outcome::ok) {
+    return ABUT_OK;
+  }
   const std::string pair =
       std::string(kind_name(shape_of(a).index())) + " and " + std::string(kind_name(shape_of(b).index()));
   const std::string with(algorithm_names[static_cast<std::size_t>(algorithm)]);

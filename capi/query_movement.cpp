@@ -62,12 +62,18 @@ abut_status cast_movements(const abut_universe& its, const PlacedShapes& placed,
       paths.push_back(*path);
     }
   }
-  for (std::size_t i = 0; status == ABUT_OK && i < paths.size(); ++i) {
+  if (status != ABUT_OK) {
+    return status;
+  }
+  // Handed over at once, when nothing can fail any more.
+  std::vector<abut_impact_hit> found(paths.size());
+  for (std::size_t i = 0; i < paths.size(); ++i) {
     const auto hits = abut::cast_movement(its.universe, *placed.shapes[i], paths[i], query.impact.options,
                                           query.filter.filter, abut::HitMode::nearest);
-    out[i] = hits.empty() ? abut_impact_hit{} : from_contact(hits.front());
+    found[i] = hits.empty() ? abut_impact_hit{} : from_contact(hits.front());
   }
-  return status;
+  std::ranges::copy(found, out.begin());
+  return ABUT_OK;
 }
 
 }  // namespace

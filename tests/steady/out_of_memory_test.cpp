@@ -287,4 +287,43 @@ TEST_P(RefusedChange, ChangesNothing) {
 INSTANTIATE_TEST_SUITE_P(Every, RefusedChange, testing::Range(std::size_t{0}, changes().size()),
                          [](const auto& each) { return std::string(changes().at(each.param).name); });
 
+// A query that fails for lack of memory writes nothing.
+template <class Answer, class Ask>
+void expect_untouched(std::size_t least, const Ask& ask) {
+  for (std::size_t refused = 0;; ++refused) {
+    OutArray<Answer> out(3);
+    abut_status status = ABUT_OK;
+    {
+      RefusedAllocation refusal(refused);
+      status = ask(out.data());
+    }
+    if (status == ABUT_OK) {
+      EXPECT_GE(refused, least) << "requests";
+      return;
+    }
+    ASSERT_EQ(status, ABUT_OUT_OF_MEMORY);
+    EXPECT_TRUE(out.is_untouched()) << "after " << refused << " requests";
+  }
+}
+
+TEST(OutOfMemory, LeavesTheAnswersOfMovementsAlone) {
+  if (abut_has_feature("motion") == 0) GTEST_SKIP() << "needs the feature motion";
+  const Shape first = make_of_kind("cylinder", {0.5, 0.5}), second = make_of_kind("ellipsoid", {1, 2, 3});
+  const abut_pose from = at(-9, 0, 0);
+  const abut_movement ahead{{9, 0, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, still{};
+  expect_untouched<abut_impact>(0, [&](abut_impact* out) {
+    return abut_pair_time_of_impact(first, &from, &ahead, second, &identity, &still, 1, nullptr, out);
+  });
+  Universe universe;
+  for (int i = 0; i < 3; ++i) universe.add(second, at(0, 10 * i, 0));
+  require(abut_universe_refresh(universe));
+  const std::array<const abut_shape*, 3> shapes{first, first, first};
+  const std::array<abut_pose, 3> poses{at(-9, 0, 0), at(-9, 10, 0), at(-9, 20, 0)};
+  const std::array<abut_movement, 3> movements{ahead, ahead, ahead};
+  expect_untouched<abut_impact_hit>(3, [&](abut_impact_hit* out) {
+    return abut_universe_cast_movements(universe, shapes.data(), poses.data(), movements.data(), 3, 1, nullptr, nullptr,
+                                        out);
+  });
+}
+
 }  // namespace
