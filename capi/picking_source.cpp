@@ -30,6 +30,9 @@ abut_status UniverseShape::bounds(const abut_pose& pose, abut_aabb& out) const {
 
 abut_status UniverseShape::triangle_count(std::size_t& out) const {
   std::size_t vertices = 0;
+  out = 0;
+  // Its triangles are near its surface, but rays meet that itself.
+  if (kind() == "distance_field") return ABUT_OK;
   const std::string message = abut_last_error_message();
   const abut_status status = abut_shape_triangles(shape_.get(), nullptr, 0, &vertices, nullptr, 0, &out);
   if (status != ABUT_UNSUPPORTED) return status;
@@ -52,10 +55,10 @@ abut_status UniverseShape::triangles(picking::TriangleList& out) const {
                               &triangles);
 }
 
-// The faces of a hull have several triangles each. A ray at the middle of a triangle tells which face that is.
+// The faces of a hull or a box have several triangles each. A ray at the middle of a triangle tells which face that is.
 abut_status UniverseShape::faces(const picking::TriangleList& list, std::vector<std::uint32_t>& out) const {
   out.clear();
-  if (kind() != "hull") return ABUT_OK;
+  if (kind() != "hull" && kind() != "box") return ABUT_OK;
   constexpr abut_pose unmoved{.position = {0, 0, 0}, .orientation = {1, 0, 0, 0}};
   for (std::size_t i = 0; i < list.indices.size() / 3; ++i) {
     const auto hit = cast(unmoved, picking::ray_at_triangle(list, i));
@@ -108,6 +111,22 @@ abut_status borrow_counters(const abut_universe* universe, picking::Counters& ou
   const abut_status status = abut_universe_counters(universe, &geometries, &poses);
   out.geometries.reset(geometries);
   out.poses.reset(poses);
+  return status;
+}
+
+abut_status UniverseSource::changes(std::uint64_t geometries, std::uint64_t poses, std::vector<abut_geometry_id>& out,
+                                    bool& is_known) const {
+  const abut_revision since{geometries, poses};
+  std::size_t count = 0;
+  std::uint32_t known = 0;
+  out.resize(64);
+  abut_status status = abut_universe_changes(universe_.get(), &since, out.data(), out.size(), &count, &known);
+  if (status == ABUT_OK && count > out.size()) {
+    out.resize(count);
+    status = abut_universe_changes(universe_.get(), &since, out.data(), out.size(), &count, &known);
+  }
+  out.resize(status == ABUT_OK ? count : 0);
+  is_known = known == 1;
   return status;
 }
 

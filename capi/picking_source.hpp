@@ -54,6 +54,8 @@ class UniverseSource final : public picking::Source {
  public:
   explicit UniverseSource(const abut_universe* universe) noexcept : universe_(universe) {}
 
+  [[nodiscard]] abut_status changes(std::uint64_t geometries, std::uint64_t poses, std::vector<abut_geometry_id>& out,
+                                    bool& is_known) const override;
   [[nodiscard]] abut_status geometries(std::vector<abut_geometry_id>& out) const override;
   [[nodiscard]] abut_status describe(abut_geometry_id id, picking::GeometryView& out) const override;
   [[nodiscard]] abut_status poses(std::span<const abut_geometry_id> ids, std::vector<abut_pose>& out) const override;

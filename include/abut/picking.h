@@ -8,12 +8,13 @@
  * A picker follows its universe. Each query compares the universe's change counters with those it has
  * seen, and brings the scene of rays up to date when they differ: geometries that came, went, moved,
  * were parked, reshaped or given other options. Poses are those that are set now, without a step or a
- * refresh. Queries of one picker may run together, and count as [const] calls on its universe. The
- * universe must outlive the picker.
+ * refresh. Queries of one picker may run together, and count as [const] calls on its universe. A picker keeps
+ * its universe: after abut_universe_destroy it goes on to see the universe as it was, which goes with its last picker.
  *
  * Rays meet what they meet in abut_universe_cast_ray, with the same feature, child and normal. Which
- * surface is first is decided in single precision for meshes, height fields and large hulls, and in
- * double for all other shapes; the hit itself is computed in double, on the triangle that was found.
+ * surface is first is decided in single precision for meshes, height fields and large hulls. It is
+ * decided in double for all other shapes, such as distance fields. The hit itself is computed in double,
+ * on the triangle that was found.
  *
  * A world far from zero costs no digits: the scene of rays lies around what is in it, so there is no origin to set.
  *
@@ -101,7 +102,8 @@ ABUT_API abut_status abut_picker_cast_rays(abut_picker *picker, const abut_ray *
 
 /**
  * Everything that a ray meets, nearest first, by count-then-fill. Each crossing of a surface counts, also those of one
- * geometry, its children and its particles; edges and corners between faces count once. [const]
+ * geometry, its children and its particles. A ray through an edge or a corner of triangles crosses what a ray beside it
+ * would cross: closed surfaces are left as often as they are entered. [const]
  */
 ABUT_API abut_status abut_picker_cast_ray_all(abut_picker *picker, const abut_ray *ray, const abut_query_filter *filter,
                                               abut_pick *picks, size_t capacity, size_t *count);

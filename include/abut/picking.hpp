@@ -41,7 +41,7 @@ struct Camera : Defaulted<Camera, abut_camera, abut_camera_init> {
   }
 };
 
-// Follows its universe, which has to live longer than the picker. Queries may run on many threads at once.
+// Follows its universe, and keeps it. Queries may run on many threads at once.
 class Picker {
  public:
   [[nodiscard]] static Answer<Picker> create(Universe& universe) {

@@ -14,6 +14,8 @@ module;
 #include <vector>
 
 module abut.picking:entry;
+import :box_scene;
+import :crossing;
 import :source;
 import :surface;
 import :vector;
@@ -30,8 +32,9 @@ enum class Role : std::uint8_t { baked, instance, exact, apart };
 struct Entry {
   abut_geometry_id id{};
   std::uint32_t shape = nowhere;
-  std::uint32_t place = nowhere;  // in baked_, moving_ or apart_
+  std::uint32_t place = nowhere;  // in baked_, in a level of moving_, or in apart_
   Role role = Role::exact;
+  std::uint8_t level = 0;   // of those with a box
   std::uint64_t epoch = 0;  // when it was last listed
   Traits traits{};
   abut_pose pose{};
@@ -66,10 +69,13 @@ struct ShapeRecord {
   std::size_t triangle_count = 0;
   bool is_surface = false;
   bool is_paired = false;            // a surface whose triangles come in pairs
+  bool is_steep = false;             // of these, one that is there twice
   abut_aabb local_box = empty_box;   // of a surface
   std::vector<std::uint32_t> faces;  // of its triangles, of a surface; empty when they are the faces
   std::optional<RoundedSegment> rounded;
   std::unique_ptr<Instanced> instanced;  // made when first needed
+  // The same, by a query: under the lock of the tracer.
+  mutable std::unique_ptr<const CrossedSurface> crossed;
 
   [[nodiscard]] bool is_thin() const noexcept { return rounded && rounded->radius == 0; }
 };
@@ -80,6 +86,7 @@ struct alignas(32) Baked {
   std::uint32_t entry = nowhere;
   std::uint32_t first_face = nowhere;  // in the faces of the still scene; nowhere when its triangles are the faces
   bool has_quads = false;              // of two triangles each
+  std::uint8_t shift = 0;              // 1 where each triangle is there twice
   std::size_t first_plane = 0;         // in the planes of the still scene
 };
 static_assert(sizeof(Baked) == 32);
@@ -88,13 +95,24 @@ static_assert(sizeof(Baked) == 32);
 // on its second one.
 [[nodiscard]] [[gnu::always_inline]] inline std::uint32_t triangle_of(const Baked& baked, std::uint32_t primitive,
                                                                       float u, float v) {
-  return baked.has_quads ? 2 * primitive + (u + v > 1 ? 1u : 0u) : primitive;
+  return baked.has_quads ? 2 * primitive + (u + v > 1 ? 1u : 0u) : primitive >> baked.shift;
 }
 
 struct MovingBox {
-  std::array<float, 3> lower;
-  std::array<float, 3> upper;
-  std::uint32_t entry;
+  FloatBox box;
+  std::uint32_t entry;  // nowhere where it has left
+};
+
+// Boxes of geometries that are traced one by one. Which of several such scenes a box is in is its level.
+struct MovingScene {
+  Space space;
+  embree::Geometry geometry;
+  embree::Scene scene;
+  std::vector<MovingBox> boxes;
+  std::size_t left = 0;  // boxes without an entry
+  bool is_changed = false;
+
+  [[nodiscard]] inline bool is_empty() const noexcept { return boxes.size() == left; }
 };
 
 }  // namespace abut::picking

@@ -74,7 +74,7 @@ abut_status Picker::cast_ray_all(const abut_ray& ray, const abut_query_filter* f
                                  std::vector<abut_pick>& out) noexcept {
   return guarded([&]() -> abut_status {
     if (const abut_status status = tracer_->follow(); status != ABUT_OK) return status;
-    return tracer_->trace_all(ray, filter, out) ? ABUT_OK : ABUT_OUT_OF_MEMORY;
+    return tracer_->trace_all(ray, filter, out);
   });
 }
 

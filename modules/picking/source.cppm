@@ -103,6 +103,10 @@ class Source {
   Source& operator=(const Source&) = delete;
   virtual ~Source() = default;
 
+  // The geometries that have changed in any way since the counters were these; of one that has gone the generation is
+  // 0. `is_known` is false where too much has changed to tell.
+  [[nodiscard]] virtual abut_status changes(std::uint64_t geometries, std::uint64_t poses,
+                                            std::vector<abut_geometry_id>& out, bool& is_known) const = 0;
   // All geometries, ordered by slot.
   [[nodiscard]] virtual abut_status geometries(std::vector<abut_geometry_id>& out) const = 0;
   [[nodiscard]] virtual abut_status describe(abut_geometry_id id, GeometryView& out) const = 0;

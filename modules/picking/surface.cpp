@@ -10,6 +10,7 @@ module;
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 module abut.picking;
@@ -27,6 +28,9 @@ namespace {
 constexpr double growth = 16;
 // A sharp corner moves by at most this many times the growth.
 constexpr double longest_miter = 4;
+
+// Where the halves of a quad are folded by more than the angle of this cosine, it cannot be grown.
+constexpr double least_fold_cosine = 0.9;
 
 using Corners = std::array<abut_vec3, 3>;
 
@@ -96,6 +100,18 @@ struct Quad {
   return subtract(corner, scale(add(a, b), miter));
 }
 
+void write_corner(const abut_vec3& corner, const Space& space, std::size_t at, std::span<float> out) {
+  const abut_vec3 local = subtract(corner, space.origin);
+  out[at] = static_cast<float>(local.x);
+  out[at + 1] = static_cast<float>(local.y);
+  out[at + 2] = static_cast<float>(local.z);
+}
+
+[[nodiscard]] Corners grown(const Corners& corners, double distance) {
+  return {grown(corners[0], corners[1], corners[2], distance), grown(corners[1], corners[2], corners[0], distance),
+          grown(corners[2], corners[0], corners[1], distance)};
+}
+
 }  // namespace
 
 abut_ray ray_at_triangle(const TriangleList& list, std::size_t triangle) {
@@ -117,20 +133,18 @@ void add_planes(const TriangleList& list, Surface& out) {
   }
 }
 
-void write_outlines(const TriangleList& list, const Space& space, std::span<float> out) {
+void write_outlines(const TriangleList& list, const Space& space, Outlines outlines, std::span<float> out) {
   const double distance = growth * 0x1p-24 * space.extent;
+  std::size_t at = 0;
+  const auto write = [&](const Corners& corners) {
+    for (const abut_vec3& corner : corners) write_corner(corner, space, std::exchange(at, at + 3), out);
+  };
   for (std::size_t i = 0; i < list.indices.size() / 3; ++i) {
     const Corners corners = corners_of(list, i);
     const bool has_area = largest_component(area_vector(corners)) != 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const abut_vec3 moved =
-          has_area ? grown(corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3], distance) : corners[0];
-      const abut_vec3 local = subtract(moved, space.origin);
-      const std::size_t at = 9 * i + 3 * k;
-      out[at] = static_cast<float>(local.x);
-      out[at + 1] = static_cast<float>(local.y);
-      out[at + 2] = static_cast<float>(local.z);
-    }
+    const Corners exact = has_area ? corners : Corners{corners[0], corners[0], corners[0]};
+    if (outlines == Outlines::both) write(exact);
+    write(has_area ? grown(corners, distance) : exact);
   }
 }
 
@@ -143,18 +157,20 @@ bool is_paired(const TriangleList& list) {
   return true;
 }
 
+bool is_steep(const TriangleList& list) {
+  for (std::size_t i = 0; i < list.indices.size() / 6; ++i) {
+    const std::optional<Quad> quad = quad_of(list, i);
+    if (quad && dot(quad->normals[0], quad->normals[1]) < least_fold_cosine) return true;
+  }
+  return false;
+}
+
 void write_quads(const TriangleList& list, const Space& space, std::span<float> out) {
   const double distance = growth * 0x1p-24 * space.extent;
   for (std::size_t i = 0; i < list.indices.size() / 6; ++i) {
     const std::optional<Quad> quad = quad_of(list, i);
     const std::array<abut_vec3, 4> corners = quad ? grown(*quad, distance) : std::array<abut_vec3, 4>{};
-    for (std::size_t k = 0; k < 4; ++k) {
-      const abut_vec3 local = subtract(corners[k], space.origin);
-      const std::size_t at = 12 * i + 3 * k;
-      out[at] = static_cast<float>(local.x);
-      out[at + 1] = static_cast<float>(local.y);
-      out[at + 2] = static_cast<float>(local.z);
-    }
+    for (std::size_t k = 0; k < 4; ++k) write_corner(corners[k], space, 12 * i + 3 * k, out);
   }
 }
 

@@ -3,10 +3,14 @@
 //
 // Single precision leaves cracks between neighbouring triangles; Embree's robust mode has fewer, at a
 // quarter of its speed. So the outlines that Embree sees are grown a little beyond the triangles,
-// which leaves none and costs nothing; the hit itself is computed on the plane of the true triangle.
+// which costs nothing; the hit itself is computed on the plane of the true triangle. A ray that runs nearly
+// along both triangles of an edge sees little of that growth: there cracks may stay.
 //
 // Grids become quads of two triangles each: half as many boxes and a smaller scene, which pays for the
 // robust mode. It is needed there, since the halves of a quad cannot be grown apart from each other.
+// Where halves are folded, growing would turn them away from the edges. So triangles of steep grids are
+// there twice: once as they are, which leaves no crack along edges in the robust mode, and once grown,
+// which leaves none at corners.
 module;
 
 #include <abut/abut.h>
@@ -55,13 +59,17 @@ using Surface = std::vector<Facet>;
 // Adds the planes of a list.
 void add_planes(const TriangleList& list, Surface& out);
 
-// Outlines in single precision relative to the space, nine numbers for each triangle. Those of
-// triangles without area have none either: no ray meets them.
-void write_outlines(const TriangleList& list, const Space& space, std::span<float> out);
+// Outlines in single precision relative to the space, nine numbers for each triangle, or eighteen: as it is and
+// grown. Those of triangles without area have none either: no ray meets them.
+enum class Outlines : unsigned char { grown, both };
+void write_outlines(const TriangleList& list, const Space& space, Outlines outlines, std::span<float> out);
 
 // Whether the triangles come in pairs that share an edge, as those of grids and height fields do,
 // and all have an area.
 [[nodiscard]] bool is_paired(const TriangleList& list);
+
+// Whether two triangles of a pair are folded too much for a quad.
+[[nodiscard]] bool is_steep(const TriangleList& list);
 
 // As write_outlines, for quads of two triangles each: twelve numbers for each pair. The first half
 // of a quad, its corners 0, 1 and 3, is the first triangle of the pair.

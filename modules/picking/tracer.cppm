@@ -5,7 +5,9 @@
 //             meet them at Embree's own speed.
 //  - moving:  one box per remaining geometry. A surface has an Embree scene of its own, in the frame
 //             of its shape, that rays enter after their transformation in double: far from the
-//             origin costs no digits. Any other shape is asked in double.
+//             origin costs no digits. Any other shape is asked in double. The boxes are in scenes of
+//             several levels: what came or moved last is in a small one, which is built anew with each
+//             change. When a level is full, all in it go up to the next one.
 //  - apart:   shapes without bounds, or too far for single precision, asked one after the other.
 //
 // What no query can meet is in none of them: parked geometries, and those without a layer or a mask.
@@ -16,6 +18,7 @@ module;
 
 #include "embree.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -28,7 +31,9 @@ module;
 #include <vector>
 
 module abut.picking:tracer;
+import :box_scene;
 import :camera;
+import :crossing;
 import :entry;
 import :source;
 import :surface;
@@ -36,8 +41,14 @@ import :vector;
 
 namespace abut::picking {
 
+// How many scenes hold what moves.
+inline constexpr std::uint8_t level_count = 3;
+// A counter that no world has: nothing was seen yet.
+inline constexpr std::uint64_t never = ~std::uint64_t{0};
 // How many planes are asked for on each side of one that was hit: two lines of the cache.
 inline constexpr std::size_t planes_beside = 4;
+
+class Tracer;
 
 // Context of a query; says which of the types below it is.
 struct Trace : embree::Query {
@@ -47,13 +58,14 @@ struct Trace : embree::Query {
       : embree::Query(are_neighbours), collects(collects_all), wanted(given) {}
 };
 
-// The first hit of one ray in the moving scene.
+// The first hit of one ray in a moving scene.
 struct FirstHit : Trace {
+  std::unique_ptr<const Tracer, Borrowed> tracer;
   abut_ray ray;          // unit direction
   double advance = 0;    // where the float ray starts, from the origin of the ray
   abut_ray_hit exact{};  // when the hit is one of a shape asked in double
-  FirstHit(const abut_ray& unit_ray, const abut_query_filter* given) noexcept
-      : Trace(false, false, given), ray(unit_ray) {}
+  FirstHit(const Tracer& its, const abut_ray& unit_ray, const abut_query_filter* given) noexcept
+      : Trace(false, false, given), tracer(&its), ray(unit_ray) {}
 };
 
 // Filter function of the still scene.
@@ -66,18 +78,16 @@ struct StillHit : Trace {
 
 // Collects everything that one ray meets.
 struct AllHits : Trace {
-  abut_ray ray;
-  abut_ray local_ray;             // in the frame of `entry`
-  double extent = 0;              // of the space that is being traced
-  std::uint32_t entry = nowhere;  // nowhere while the still scene is traced
+  abut_ray ray;                    // unit direction
+  std::vector<std::uint32_t> met;  // entries of moving scenes with a box on the way
   bool out_of_memory = false;
   struct Crossing {
     abut_pick pick;
-    double blur;  // two crossings of equal facing closer than this are one, on the edge of neighbours
+    double blur;  // two crossings of equal facing closer than this are one; negative: all count
   };
   std::vector<Crossing> crossings;
-  double advance = 0;  // where the float ray starts
-  AllHits(const abut_ray& unit_ray, const abut_query_filter* given) noexcept;
+  AllHits(const abut_ray& unit_ray, const abut_query_filter* given) noexcept
+      : Trace(false, true, given), ray(unit_ray) {}
 };
 
 class Tracer {
@@ -97,8 +107,8 @@ class Tracer {
                         std::span<abut_pick> out) const;
   void trace_unrelated(std::span<const abut_ray> rays, const abut_query_filter* filter, std::span<abut_pick> out) const;
   void render(const abut_camera& camera, const abut_query_filter* filter, std::span<abut_pick> out) const;
-  // False when memory ran out.
-  [[nodiscard]] bool trace_all(const abut_ray& ray, const abut_query_filter* filter, std::vector<abut_pick>& out) const;
+  [[nodiscard]] abut_status trace_all(const abut_ray& ray, const abut_query_filter* filter,
+                                      std::vector<abut_pick>& out) const;
   [[nodiscard]] abut_status pick_pixel(const Aim& aim, const abut_query_filter* filter, abut_pick& out) const;
 
  private:
@@ -109,6 +119,10 @@ class Tracer {
   // tracer_follow.cpp
   [[nodiscard]] abut_status catch_up();
   [[nodiscard]] abut_status synchronize();
+  [[nodiscard]] abut_status follow_changes(bool& is_known);
+  [[nodiscard]] abut_status follow_one(abut_geometry_id id);
+  [[nodiscard]] abut_status move_entry(std::uint32_t index, const abut_pose& pose);
+  [[nodiscard]] std::uint32_t entry_in_slot(std::uint32_t slot) const;
   [[nodiscard]] abut_status list_geometries();
   [[nodiscard]] abut_status add_entry(abut_geometry_id id, const GeometryView& view);
   [[nodiscard]] abut_status take_place(std::uint32_t index);
@@ -118,13 +132,14 @@ class Tracer {
   [[nodiscard]] abut_status place_box(Entry& entry) const;
   void remove_entry(std::uint32_t index);
   void leave_place(Entry& entry);
+  void leave_moving(MovingScene& moving, bool is_first, std::uint32_t place);
   void release_shape(std::uint32_t index);
   void forget_everything();
   // tracer_build.cpp, tracer_build_moving.cpp
   [[nodiscard]] abut_status build();
   [[nodiscard]] abut_status make_device();
   [[nodiscard]] abut_status build_still();
-  [[nodiscard]] embree::Scene make_still(RTCDevice device, bool with_quads);
+  [[nodiscard]] embree::Scene make_still(RTCDevice device, bool is_robust);
   [[nodiscard]] bool attach(RTCDevice device, RTCScene scene, std::size_t place, const TriangleList& list);
   [[nodiscard]] abut_status build_moving();
   [[nodiscard]] abut_status make_instanced(ShapeRecord& shape);
@@ -133,26 +148,30 @@ class Tracer {
   template <class Write>
   [[nodiscard]] embree::Geometry make_polygons(RTCDevice device, std::size_t count, std::size_t sides,
                                                const Write& write);
-  [[nodiscard]] embree::Geometry make_triangles(RTCDevice device, const TriangleList& list, const Space& space);
+  [[nodiscard]] embree::Geometry make_triangles(RTCDevice device, const TriangleList& list, const Space& space,
+                                                Outlines outlines);
   [[nodiscard]] embree::Geometry make_quads(RTCDevice device, const TriangleList& list, const Space& space);
   [[nodiscard]] bool prefers_quads() const;
-  void settle_moving_space();
+  void move_up(std::uint8_t level);
+  [[nodiscard]] abut_status commit(MovingScene& moving);
   void settle_still_space();
   void settle_usual_rays();
-  void write_box(MovingBox& box) const;
   static void report_bounds(const RTCBoundsFunctionArguments* arguments);
   // tracer_meet.cpp
   static void report_hits(const RTCIntersectFunctionNArguments* arguments);
-  static void collect_hit(const RTCFilterFunctionNArguments* arguments);
-  static void collect(RTCScene scene, AllHits& query, const Entrance& entrance, const abut_vec3& direction);
   [[nodiscard]] bool is_nearer(const abut_ray_hit& hit, const Entry& entry, const FirstHit& query,
                                std::uint32_t present, double limit) const;
-  void meet(FirstHit& query, const RTCIntersectFunctionNArguments& arguments) const;
-  void meet_all(AllHits& query, std::uint32_t index) const;
-  void cross_exact(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
-  void cross_surface(AllHits& query, std::uint32_t index, const Instanced& instanced) const;
+  void meet(FirstHit& query, const MovingScene& moving, const RTCIntersectFunctionNArguments& arguments) const;
+  void meet_moving(FirstHit& query, const MovingScene& moving, abut_pick& out, bool& is_exact) const;
+  // tracer_all.cpp
+  [[nodiscard]] abut_status cross(AllHits& query, std::uint32_t index) const;
+  [[nodiscard]] abut_status cross_surface(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
+  static void cross_exact(AllHits& query, const Entry& entry, const ShapeRecord& shape);
+  [[nodiscard]] abut_status make_crossed(const ShapeRecord& shape) const;
   // tracer_trace.cpp
-  [[nodiscard]] inline bool has_moving() const noexcept { return !moving_.empty() || !apart_.empty(); }
+  [[nodiscard]] inline bool has_moving() const noexcept {
+    return !apart_.empty() || !std::ranges::all_of(moving_, &MovingScene::is_empty);
+  }
   void trace_moving(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) const;
   // tracer_near.cpp
   [[nodiscard]] bool pick_thin(const Aim& aim, const abut_query_filter* filter, abut_pick& out) const;
@@ -203,8 +222,8 @@ class Tracer {
   std::unique_ptr<Source> source_;
   Counters counters_;
   std::mutex mutex_;
-  std::atomic<std::uint64_t> seen_geometries_{~std::uint64_t{0}};
-  std::atomic<std::uint64_t> seen_poses_{~std::uint64_t{0}};
+  std::atomic<std::uint64_t> seen_geometries_{never};
+  std::atomic<std::uint64_t> seen_poses_{never};
 
   std::uint64_t epoch_ = 0;
   std::vector<Entry> entries_;
@@ -226,14 +245,10 @@ class Tracer {
   std::vector<std::uint32_t> still_faces_;  // of triangles that are not faces themselves
   Four usual_reach_ = -1;                   // of the coordinates of a usual ray in the space; none when negative
   bool still_changed_ = false;
-  Space moving_space_;
-  embree::Geometry moving_geometry_;
-  embree::Scene moving_scene_;
-  std::vector<MovingBox> moving_;
-  std::vector<std::uint32_t> moved_;  // entries in moving_ whose box changed
-  bool moving_changed_ = false;
+  std::array<MovingScene, level_count> moving_;
   std::vector<std::uint32_t> apart_;
   std::size_t thin_count_ = 0;  // entries that are points or segments
+  mutable std::mutex crossed_mutex_;
 };
 
 template <std::size_t Width>

@@ -30,6 +30,8 @@ namespace {
 // outlines, which is in proportion to the space, then stays below 2^-16 of the diagonal.
 constexpr double farthest_baked = 16;
 
+[[nodiscard]] Outlines outlines_of(bool is_steep) { return is_steep ? Outlines::both : Outlines::grown; }
+
 }  // namespace
 
 // Embree follows single rays faster with registers of 256 bits than of 512, by a twentieth, and packets the other
@@ -63,9 +65,7 @@ abut_status Tracer::build() {
     entries_[index].role = Role::instance;
     if (const abut_status status = become_moving(index); status != ABUT_OK) return status;
   }
-  if (moving_changed_) {
-    if (const abut_status status = build_moving(); status != ABUT_OK) return status;
-  }
+  if (const abut_status status = build_moving(); status != ABUT_OK) return status;
   settle_usual_rays();
   return embree_status();
 }
@@ -79,6 +79,7 @@ void Tracer::settle_usual_rays() {
 // the whole still scene anew, so few arrivals do not get it when much is there already: the sum of
 // all builds stays in proportion to the triangles.
 void Tracer::settle_still_space() {
+  if (arrivals_.empty() && !still_changed_) return;
   std::size_t arrived = 0;
   std::size_t present = 0;
   for (const Baked& baked : baked_) present += shapes_[entries_[baked.entry].shape].triangle_count;
@@ -125,8 +126,11 @@ abut_status Tracer::build_still() {
   still_faces_.clear();
   if (baked_.empty()) return ABUT_OK;
   const bool with_quads = prefers_quads();
-  still_ = make_still(device_.get(), with_quads);
-  single_still_ = single_device_ ? make_still(single_device_.get(), with_quads) : embree::Scene(still_.get());
+  const bool is_robust = with_quads || std::ranges::any_of(baked_, [&](const Baked& baked) {
+                           return shapes_[entries_[baked.entry].shape].is_steep;
+                         });
+  still_ = make_still(device_.get(), is_robust);
+  single_still_ = single_device_ ? make_still(single_device_.get(), is_robust) : embree::Scene(still_.get());
   if (!still_ || !single_still_) return ABUT_OUT_OF_MEMORY;
   if (!single_device_) rtcRetainScene(still_.get());
   still_planes_.resize(planes_beside);
@@ -144,7 +148,8 @@ abut_status Tracer::build_still() {
       list.xyz[at + 1] = p.y;
       list.xyz[at + 2] = p.z;
     }
-    baked.has_quads = with_quads && shapes_[entry.shape].is_paired;
+    baked.has_quads = with_quads && shapes_[entry.shape].is_paired && !shapes_[entry.shape].is_steep;
+    baked.shift = shapes_[entry.shape].is_steep ? 1 : 0;
     baked.first_plane = still_planes_.size();
     const std::vector<std::uint32_t>& faces = shapes_[entry.shape].faces;
     baked.first_face = faces.empty() ? nowhere : static_cast<std::uint32_t>(still_faces_.size());
@@ -159,17 +164,18 @@ abut_status Tracer::build_still() {
   return embree_status();
 }
 
-embree::Scene Tracer::make_still(RTCDevice device, bool with_quads) {
+embree::Scene Tracer::make_still(RTCDevice device, bool is_robust) {
   embree::Scene scene(rtcNewScene(device));
   if (scene)
-    rtcSetSceneFlags(scene.get(), with_quads ? embree::filtered_scene | RTC_SCENE_FLAG_ROBUST : embree::filtered_scene);
+    rtcSetSceneFlags(scene.get(), is_robust ? embree::filtered_scene | RTC_SCENE_FLAG_ROBUST : embree::filtered_scene);
   return scene;
 }
 
 bool Tracer::attach(RTCDevice device, RTCScene scene, std::size_t place, const TriangleList& list) {
   const Space around{{0, 0, 0}, still_space_.extent};
-  const embree::Geometry geometry =
-      baked_[place].has_quads ? make_quads(device, list, around) : make_triangles(device, list, around);
+  const embree::Geometry geometry = baked_[place].has_quads
+                                        ? make_quads(device, list, around)
+                                        : make_triangles(device, list, around, outlines_of(baked_[place].shift != 0));
   if (geometry) rtcAttachGeometryByID(scene, geometry.get(), static_cast<unsigned>(place));
   return geometry != nullptr;
 }
@@ -180,7 +186,7 @@ bool Tracer::prefers_quads() const {
   std::size_t all = 0;
   for (const Baked& baked : baked_) {
     const ShapeRecord& shape = shapes_[entries_[baked.entry].shape];
-    paired += shape.is_paired ? shape.triangle_count : 0;
+    paired += shape.is_paired && !shape.is_steep ? shape.triangle_count : 0;
     all += shape.triangle_count;
   }
   return 2 * paired > all;
@@ -213,9 +219,11 @@ embree::Geometry Tracer::make_polygons(RTCDevice device, std::size_t count, std:
   return geometry;
 }
 
-embree::Geometry Tracer::make_triangles(RTCDevice device, const TriangleList& list, const Space& space) {
-  return make_polygons(device, list.indices.size() / 3, 3,
-                       [&](std::span<float> out) { write_outlines(list, space, out); });
+embree::Geometry Tracer::make_triangles(RTCDevice device, const TriangleList& list, const Space& space,
+                                        Outlines outlines) {
+  const std::size_t count = list.indices.size() / 3;
+  return make_polygons(device, outlines == Outlines::both ? 2 * count : count, 3,
+                       [&](std::span<float> out) { write_outlines(list, space, outlines, out); });
 }
 
 embree::Geometry Tracer::make_quads(RTCDevice device, const TriangleList& list, const Space& space) {
@@ -232,8 +240,8 @@ abut_status Tracer::make_instanced(ShapeRecord& shape) {
   add_planes(list, made->surface);
   made->scene = embree::Scene(rtcNewScene(device_.get()));
   if (!made->scene) return ABUT_OUT_OF_MEMORY;
-  rtcSetSceneFlags(made->scene.get(), embree::filtered_scene);
-  const embree::Geometry geometry = make_triangles(device_.get(), list, made->space);
+  rtcSetSceneFlags(made->scene.get(), shape.is_steep ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+  const embree::Geometry geometry = make_triangles(device_.get(), list, made->space, outlines_of(shape.is_steep));
   if (!geometry) return ABUT_OUT_OF_MEMORY;
   rtcAttachGeometryByID(made->scene.get(), geometry.get(), 0);
   rtcCommitScene(made->scene.get());

@@ -8,14 +8,16 @@ module;
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 module abut.picking;
+import :box_scene;
 import :entry;
 import :source;
+import :surface;
 import :tracer;
 import :vector;
 
@@ -23,20 +25,16 @@ namespace abut::picking {
 
 namespace {
 
-// Boxes of the moving scene are widened by this part of the extent: rays start within 3 * sqrt(3)
-// extents, and the rounding of their points, 2^-24 each, and of the slab test stay below it.
-constexpr double widening = 0x1p-20;
-
 // Smaller scenes are traced in a space of this size, where their boxes are wider than they are, but no subnormals.
 constexpr double least_extent = 1e-15;
 
-[[nodiscard]] float rounded_down(double value) {
-  const float nearest = static_cast<float>(value);
-  return static_cast<double>(nearest) <= value ? nearest
-                                               : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
+// How many boxes a level takes, beside so many in all: a change costs building the first level, and building each
+// further one in proportion to its size, divided by the size of the one before.
+[[nodiscard]] std::size_t capacity_of(std::uint8_t level, std::size_t all) {
+  constexpr std::size_t few = 48;
+  const double power = std::cbrt(static_cast<double>(all));
+  return level == 0 ? few : few + static_cast<std::size_t>(power * power);
 }
-
-[[nodiscard]] float rounded_up(double value) { return -rounded_down(-value); }
 
 }  // namespace
 
@@ -45,74 +43,72 @@ abut_status Tracer::become_moving(std::uint32_t index) {
   if (entry.role == Role::instance) {
     if (const abut_status status = make_instanced(shapes_[entry.shape]); status != ABUT_OK) return status;
   }
-  entry.place = static_cast<std::uint32_t>(moving_.size());
-  moving_.push_back({.lower = {}, .upper = {}, .entry = index});
-  moved_.push_back(index);
-  moving_changed_ = true;
+  MovingScene& first = moving_.front();
+  entry.place = static_cast<std::uint32_t>(first.boxes.size());
+  entry.level = 0;
+  first.boxes.push_back({.box = {}, .entry = index});
+  first.is_changed = true;
   return ABUT_OK;
 }
 
-// Keeps the space of the moving scene while it fits; otherwise centres it anew, with room to move.
-void Tracer::settle_moving_space() {
-  abut_aabb box = empty_box;
-  for (const MovingBox& moving : moving_) {
-    extend(box, entries_[moving.entry].box.minimum);
-    extend(box, entries_[moving.entry].box.maximum);
+// Empties a level into the next one, where what has left goes as well.
+void Tracer::move_up(std::uint8_t level) {
+  MovingScene& from = moving_[level];
+  MovingScene& to = moving_[level + 1u];
+  to.boxes.insert(to.boxes.end(), from.boxes.begin(), from.boxes.end());
+  std::erase_if(to.boxes, [](const MovingBox& its) { return its.entry == nowhere; });
+  from.boxes.clear();
+  from.left = to.left = 0;
+  for (std::size_t place = 0; place < to.boxes.size(); ++place) {
+    Entry& entry = entries_[to.boxes[place].entry];
+    entry.place = static_cast<std::uint32_t>(place);
+    entry.level = static_cast<std::uint8_t>(level + 1);
   }
-  const double reach = reach_of(box, moving_space_.origin);
-  Space tight = space_around(box);
-  tight.extent = std::max(tight.extent, least_extent);
-  if (reach <= moving_space_.extent && 8 * tight.extent >= moving_space_.extent) return;
-  moving_space_ = {tight.origin, 2 * tight.extent};
-  moved_.clear();
-  for (const MovingBox& moving : moving_) moved_.push_back(moving.entry);
-}
-
-void Tracer::write_box(MovingBox& moving) const {
-  const abut_aabb& box = entries_[moving.entry].box;
-  const double margin = widening * moving_space_.extent;
-  const abut_vec3 low = subtract(box.minimum, moving_space_.origin);
-  const abut_vec3 high = subtract(box.maximum, moving_space_.origin);
-  moving.lower = {rounded_down(low.x - margin), rounded_down(low.y - margin), rounded_down(low.z - margin)};
-  moving.upper = {rounded_up(high.x + margin), rounded_up(high.y + margin), rounded_up(high.z + margin)};
+  to.is_changed = true;
 }
 
 abut_status Tracer::build_moving() {
-  moving_changed_ = false;
-  if (moving_.empty()) {
-    moved_.clear();
-    return ABUT_OK;
+  std::size_t all = 0;
+  for (const MovingScene& moving : moving_) all += moving.boxes.size();
+  for (std::uint8_t level = 0; level + 1 < level_count; ++level) {
+    if (moving_[level].boxes.size() > capacity_of(level, all)) move_up(level);
   }
-  settle_moving_space();
-  for (const std::uint32_t index : std::exchange(moved_, {})) {
-    const std::uint32_t place = entries_[index].place;
-    if (place < moving_.size() && moving_[place].entry == index) write_box(moving_[place]);
+  // Rays that meet boxes of what has left look at them in vain.
+  if (2 * moving_.back().left > moving_.back().boxes.size()) move_up(level_count - 2);
+  for (MovingScene& moving : moving_) {
+    if (const abut_status status = commit(moving); status != ABUT_OK) return status;
   }
-  if (!moving_scene_) {
-    moving_geometry_ = embree::Geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
-    moving_scene_ = embree::Scene(rtcNewScene(device_.get()));
-    if (!moving_geometry_ || !moving_scene_) return ABUT_OUT_OF_MEMORY;
-    rtcSetGeometryUserData(moving_geometry_.get(), this);
-    rtcSetGeometryBoundsFunction(moving_geometry_.get(), report_bounds, this);
-    rtcSetGeometryIntersectFunction(moving_geometry_.get(), report_hits);
-    rtcAttachGeometryByID(moving_scene_.get(), moving_geometry_.get(), 0);
+  return ABUT_OK;
+}
+
+abut_status Tracer::commit(MovingScene& moving) {
+  if (!std::exchange(moving.is_changed, false) || moving.boxes.empty()) return ABUT_OK;
+  abut_aabb box = empty_box;
+  for (const MovingBox& its : moving.boxes) {
+    extend(box, entries_[its.entry].box.minimum);
+    extend(box, entries_[its.entry].box.maximum);
   }
-  rtcSetGeometryUserPrimitiveCount(moving_geometry_.get(), static_cast<unsigned>(moving_.size()));
-  rtcCommitGeometry(moving_geometry_.get());
-  rtcCommitScene(moving_scene_.get());
+  moving.space = space_around(box);
+  moving.space.extent = std::max(moving.space.extent, least_extent);
+  for (MovingBox& its : moving.boxes) its.box = widened_box(entries_[its.entry].box, moving.space);
+  if (!moving.scene) {
+    moving.geometry = embree::Geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
+    moving.scene = embree::Scene(rtcNewScene(device_.get()));
+    if (!moving.geometry || !moving.scene) return ABUT_OUT_OF_MEMORY;
+    rtcSetGeometryUserData(moving.geometry.get(), &moving);
+    rtcSetGeometryBoundsFunction(moving.geometry.get(), report_bounds, nullptr);
+    rtcSetGeometryIntersectFunction(moving.geometry.get(), report_hits);
+    rtcAttachGeometryByID(moving.scene.get(), moving.geometry.get(), 0);
+  }
+  rtcSetGeometryUserPrimitiveCount(moving.geometry.get(), static_cast<unsigned>(moving.boxes.size()));
+  rtcCommitGeometry(moving.geometry.get());
+  rtcCommitScene(moving.scene.get());
   return embree_status();
 }
 
 void Tracer::report_bounds(const RTCBoundsFunctionArguments* arguments) {
-  const auto& self = *static_cast<const Tracer*>(arguments->geometryUserPtr);
-  const MovingBox& box = self.moving_[arguments->primID];
-  RTCBounds& out = *arguments->bounds_o;
-  out.lower_x = box.lower[0];
-  out.lower_y = box.lower[1];
-  out.lower_z = box.lower[2];
-  out.upper_x = box.upper[0];
-  out.upper_y = box.upper[1];
-  out.upper_z = box.upper[2];
+  const auto& moving = *static_cast<const MovingScene*>(arguments->geometryUserPtr);
+  write_bounds(moving.boxes[arguments->primID].box, *arguments->bounds_o);
 }
 
 }  // namespace abut::picking

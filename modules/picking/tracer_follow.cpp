@@ -83,16 +83,55 @@ abut_status Tracer::catch_up() {
 
 abut_status Tracer::synchronize() {
   if (const abut_status status = make_device(); status != ABUT_OK) return status;
-  if (seen_geometries_.load(std::memory_order_relaxed) != *counters_.geometries) {
+  bool is_known = false;
+  if (const abut_status status = follow_changes(is_known); status != ABUT_OK) return status;
+  if (!is_known && seen_geometries_.load(std::memory_order_relaxed) != *counters_.geometries) {
     if (const abut_status status = list_geometries(); status != ABUT_OK) return status;
   }
-  if (seen_poses_.load(std::memory_order_relaxed) != *counters_.poses) {
+  if (!is_known && seen_poses_.load(std::memory_order_relaxed) != *counters_.poses) {
     if (const abut_status status = follow_poses(); status != ABUT_OK) return status;
   }
   if (const abut_status status = build(); status != ABUT_OK) return status;
   seen_geometries_.store(*counters_.geometries, std::memory_order_release);
   seen_poses_.store(*counters_.poses, std::memory_order_release);
   return ABUT_OK;
+}
+
+// Where the world still knows what has changed, nothing else is looked at.
+abut_status Tracer::follow_changes(bool& is_known) {
+  const std::uint64_t geometries = seen_geometries_.load(std::memory_order_relaxed);
+  const std::uint64_t poses = seen_poses_.load(std::memory_order_relaxed);
+  is_known = false;
+  if (geometries == never || poses == never) return ABUT_OK;
+  std::vector<abut_geometry_id> changed;
+  if (const abut_status status = source_->changes(geometries, poses, changed, is_known); status != ABUT_OK)
+    return status;
+  ++epoch_;
+  for (const abut_geometry_id id : changed) {
+    if (const abut_status status = follow_one(id); status != ABUT_OK) return status;
+  }
+  return ABUT_OK;
+}
+
+std::uint32_t Tracer::entry_in_slot(std::uint32_t slot) const {
+  return slot < entry_of_slot_.size() ? entry_of_slot_[slot] : nowhere;
+}
+
+abut_status Tracer::follow_one(abut_geometry_id id) {
+  const std::uint32_t index = entry_in_slot(id.slot);
+  GeometryView view{};
+  if (id.generation != 0) {
+    if (const abut_status status = source_->describe(id, view); status != ABUT_OK) return status;
+  }
+  const bool is_there = id.generation != 0 && is_met(view);
+  const bool is_same = is_there && index != nowhere && entries_[index].id.generation == id.generation &&
+                       shapes_[entries_[index].shape].key == view.shape_key;
+  if (is_same) {
+    entries_[index].traits = view.traits;
+    return move_entry(index, view.pose);
+  }
+  if (index != nowhere) remove_entry(index);
+  return is_there ? add_entry(id, view) : static_cast<abut_status>(ABUT_OK);
 }
 
 abut_status Tracer::list_geometries() {
@@ -108,8 +147,7 @@ abut_status Tracer::list_geometries() {
     GeometryView view{};
     if (const abut_status status = source_->describe(id, view); status != ABUT_OK) return status;
     if (!is_met(view)) continue;
-    if (id.slot >= entry_of_slot_.size()) entry_of_slot_.resize(std::size_t{id.slot} + 1, nowhere);
-    const std::uint32_t index = entry_of_slot_[id.slot];
+    const std::uint32_t index = entry_in_slot(id.slot);
     if (index != nowhere && entries_[index].id.generation == id.generation &&
         shapes_[entries_[index].shape].key == view.shape_key) {
       entries_[index].epoch = epoch_;
@@ -139,6 +177,7 @@ abut_status Tracer::add_entry(abut_geometry_id id, const GeometryView& view) {
   entry.traits = view.traits;
   entry.pose = view.pose;
   entry.frame = frame_of(view.pose);
+  if (id.slot >= entry_of_slot_.size()) entry_of_slot_.resize(std::size_t{id.slot} + 1, nowhere);
   entry_of_slot_[id.slot] = index;
   thin_count_ += shapes_[shape].is_thin() ? 1 : 0;
   if (const abut_status status = place_box(entry); status != ABUT_OK) return status;
@@ -189,6 +228,7 @@ abut_status Tracer::describe_surface(ShapeRecord& record) const {
   record.is_surface = size >= smallest_surface && size <= largest_surface;
   if (!record.is_surface) return ABUT_OK;
   record.is_paired = is_paired(list);
+  record.is_steep = record.is_paired && is_steep(list);
   return record.access->faces(list, record.faces);
 }
 
@@ -219,23 +259,26 @@ abut_status Tracer::follow_poses() {
   std::vector<abut_pose> poses;
   if (const abut_status status = source_->poses(ids, poses); status != ABUT_OK) return status;
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    Entry& entry = entries_[indices[i]];
-    if (equal(entry.pose.position, poses[i].position) && equal(entry.pose.orientation, poses[i].orientation)) continue;
-    entry.pose = poses[i];
-    entry.frame = frame_of(poses[i]);
-    if (const abut_status status = place_box(entry); status != ABUT_OK) return status;
-    if (entry.place == nowhere) continue;
-    const bool is_apart = entry.role == Role::apart;
-    if (is_apart && !is_traceable(entry.box)) continue;
-    if (is_apart || entry.role == Role::baked || !is_traceable(entry.box)) {
-      leave_place(entry);
-      if (const abut_status status = take_place(indices[i]); status != ABUT_OK) return status;
-    } else {
-      moved_.push_back(indices[i]);
-      moving_changed_ = true;
-    }
+    if (const abut_status status = move_entry(indices[i], poses[i]); status != ABUT_OK) return status;
   }
   return ABUT_OK;
+}
+
+abut_status Tracer::move_entry(std::uint32_t index, const abut_pose& pose) {
+  Entry& entry = entries_[index];
+  if (equal(entry.pose.position, pose.position) && equal(entry.pose.orientation, pose.orientation)) return ABUT_OK;
+  entry.pose = pose;
+  entry.frame = frame_of(pose);
+  if (const abut_status status = place_box(entry); status != ABUT_OK) return status;
+  if (entry.place == nowhere) return ABUT_OK;
+  const bool is_moving = entry.role == Role::instance || entry.role == Role::exact;
+  if (entry.role == Role::apart && !is_traceable(entry.box)) return ABUT_OK;
+  if (is_moving && entry.level == 0 && is_traceable(entry.box)) {
+    moving_.front().is_changed = true;
+    return ABUT_OK;
+  }
+  leave_place(entry);
+  return take_place(index);
 }
 
 void Tracer::remove_entry(std::uint32_t index) {
@@ -247,6 +290,21 @@ void Tracer::remove_entry(std::uint32_t index) {
   release_shape(entry.shape);
   free_entries_.push_back(index);
   entry = Entry{};
+}
+
+// Only the first level is built anew with each change.
+void Tracer::leave_moving(MovingScene& moving, bool is_first, std::uint32_t place) {
+  if (!is_first) {
+    moving.boxes[place].entry = nowhere;
+    ++moving.left;
+    return;
+  }
+  if (place + 1 != moving.boxes.size()) {
+    moving.boxes[place] = moving.boxes.back();
+    entries_[moving.boxes[place].entry].place = place;
+  }
+  moving.boxes.pop_back();
+  moving.is_changed = true;
 }
 
 void Tracer::leave_place(Entry& entry) {
@@ -264,14 +322,7 @@ void Tracer::leave_place(Entry& entry) {
       still_changed_ = true;
       return;
     case Role::instance:
-    case Role::exact:
-      if (place + 1 != moving_.size()) {
-        moving_[place] = moving_.back();
-        entries_[moving_[place].entry].place = place;
-      }
-      moving_.pop_back();
-      moving_changed_ = true;
-      return;
+    case Role::exact: leave_moving(moving_[entry.level], entry.level == 0, place); return;
     case Role::apart:
       // Kept in order, so that equal distances are always decided alike.
       apart_.erase(apart_.begin() + static_cast<std::ptrdiff_t>(place));
@@ -289,16 +340,17 @@ void Tracer::release_shape(std::uint32_t index) {
 }
 
 void Tracer::forget_everything() {
-  seen_geometries_.store(~std::uint64_t{0}, std::memory_order_release);
-  seen_poses_.store(~std::uint64_t{0}, std::memory_order_release);
-  moving_scene_.reset();
-  moving_geometry_.reset();
+  seen_geometries_.store(never, std::memory_order_release);
+  seen_poses_.store(never, std::memory_order_release);
   still_.reset();
   single_still_.reset();
   baked_.clear();
   still_planes_.clear();
-  moving_.clear();
-  moved_.clear();
+  for (MovingScene& moving : moving_) {
+    moving.boxes.clear();
+    moving.left = 0;
+    moving.is_changed = false;
+  }
   apart_.clear();
   thin_count_ = 0;
   still_faces_.clear();
@@ -311,9 +363,7 @@ void Tracer::forget_everything() {
   free_shapes_.clear();
   still_space_ = {};
   usual_reach_ = -1;
-  moving_space_ = {};
   still_changed_ = false;
-  moving_changed_ = false;
 }
 
 }  // namespace abut::picking

@@ -6,6 +6,7 @@ module;
 
 #include "embree.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -67,22 +68,38 @@ void Tracer::trace(const abut_ray& any_ray, const abut_query_filter* filter, abu
 
 // Looks for something nearer than `out` holds.
 void Tracer::trace_moving(const abut_ray& ray, const abut_query_filter* filter, abut_pick& out) const {
-  FirstHit query(ray, filter);
+  FirstHit query(*this, ray, filter);
   if (out.geometry.slot != 0) query.ray.max_distance = out.distance;
   meet_apart(filter, query.ray, out);
+  bool is_exact = false;
+  for (const MovingScene& moving : moving_) meet_moving(query, moving, out, is_exact);
+}
+
+// Shortens the ray to what it meets. `is_exact`: what `out` holds was met in double, in another moving scene.
+void Tracer::meet_moving(FirstHit& query, const MovingScene& moving, abut_pick& out, bool& is_exact) const {
   Entrance entrance{};
-  if (moving_.empty() || !enter(moving_space_, ray.origin, ray.direction, query.ray.max_distance, entrance)) return;
+  if (moving.is_empty() ||
+      !enter(moving.space, query.ray.origin, query.ray.direction, query.ray.max_distance, entrance))
+    return;
   query.advance = entrance.advance;
   [[clang::uninitialized]] RTCRayHit hit;
-  write_ray(hit, entrance.point, ray.direction, query.ray.max_distance - entrance.advance);
-  embree::intersect(moving_scene_.get(), query, hit);
+  write_ray(hit, entrance.point, query.ray.direction, query.ray.max_distance - entrance.advance);
+  embree::intersect(moving.scene.get(), query, hit);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
   const Entry& entry = entries_[hit.hit.geomID & ~entry_flag];
   if (entry.role == Role::instance) {
     resolve_instance(query.ray, entry, hit.hit.primID, query.advance + static_cast<double>(hit.ray.tfar), out);
-  } else if (query.exact.distance <= query.ray.max_distance) {
+    is_exact = is_exact && out.geometry.slot != entry.id.slot;
+  } else {
+    // Of what is equally near in double, the lower slot counts.
+    const bool is_first =
+        query.exact.distance < query.ray.max_distance ||
+        (query.exact.distance == query.ray.max_distance && !(is_exact && out.geometry.slot < entry.id.slot));
+    if (!is_first) return;
     out = pick_of(entry.id, query.exact);
+    is_exact = true;
   }
+  if (out.geometry.slot != 0) query.ray.max_distance = std::min(query.ray.max_distance, out.distance);
 }
 
 // Shortens the ray to what it meets.

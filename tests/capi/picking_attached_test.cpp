@@ -40,4 +40,33 @@ TEST(PickerAttached, IsToldWhileItIsThere) {
   EXPECT_NE(explain(universe.get()).find("extensions: none attached\n"), std::string::npos);
 }
 
+std::uint64_t memory_in_use() {
+  std::uint64_t bytes = 0;
+  std::uint64_t blocks = 0;
+  EXPECT_EQ(abut_memory_in_use(&bytes, &blocks), ABUT_OK);
+  return blocks;
+}
+
+// Whoever collects garbage may destroy the universe first.
+TEST(PickerAttached, OutlivesWhatTheCallerOwnsOfItsUniverse) {
+  const std::uint64_t before = memory_in_use();
+  {
+    abut_universe* created = nullptr;
+    ASSERT_EQ(abut_universe_create(nullptr, &created), ABUT_OK);
+    abut_part_id part{};
+    abut_geometry_id geometry{};
+    ASSERT_EQ(abut_part_create(created, nullptr, &part), ABUT_OK);
+    ASSERT_EQ(abut_geometry_create(created, part, sphere(1).get(), nullptr, &geometry), ABUT_OK);
+    PickerHandle first = picker_on(created);
+    const PickerHandle second = picker_on(created);
+    abut_universe_destroy(created);
+    first.reset();
+    abut_pick pick{};
+    ASSERT_EQ(abut_picker_cast_ray(second.get(), &along_x, nullptr, &pick), ABUT_OK) << abut_last_error_message();
+    EXPECT_TRUE(same(pick.geometry, geometry)) << "the world as it was";
+    EXPECT_DOUBLE_EQ(pick.distance, 9);
+  }
+  EXPECT_EQ(memory_in_use(), before) << "the universe has gone with its last picker";
+}
+
 }  // namespace

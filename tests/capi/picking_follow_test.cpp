@@ -29,7 +29,7 @@ class Editor {
   }
 
   void edit() {
-    for (int i = 0; i < 12; ++i) edit_one(random_.below(7));
+    for (int i = 0; i < 12; ++i) edit_one(random_.below(9));
     EXPECT_EQ(abut_universe_refresh(world_.universe()), ABUT_OK);
   }
 
@@ -74,6 +74,34 @@ class Editor {
   }
   void add_plane() { placed_.push_back(world_.add(plane({0.1, 0.2, 1}, -6), {0, 0, 0})); }
 
+  // Changes the shape of a geometry in place, where it is of a kind that can.
+  void edit_shape(abut_geometry_id geometry) {
+    abut_geometry_info info;
+    abut_geometry_info_init(&info, sizeof info);
+    ASSERT_EQ(abut_geometry_describe(world_.universe(), geometry, &info), ABUT_OK);
+    const std::string kind = abut_shape_kind_name(abut_shape_kind_of(info.shape));
+    abut_universe* const universe = world_.universe();
+    const abut_vec3 place = random_.point(0.8);
+    const std::array numbers{random_.in(0.2, 0.8), random_.in(0.2, 0.8), random_.in(0.2, 0.8)};
+    if (kind == "uv_grid") {
+      // Only along Z.
+      const abut_vec3 lifted{2.0 / 7 - 1, -1, random_.in(-0.4, 0.4)};
+      EXPECT_EQ(abut_geometry_set_vertices(universe, geometry, 1, &lifted.x, 1), ABUT_OK) << abut_last_error_message();
+    } else if (kind == "mesh") {
+      EXPECT_EQ(abut_geometry_set_vertices(universe, geometry, 1, &place.x, 1), ABUT_OK) << abut_last_error_message();
+    } else if (kind == "height_field") {
+      EXPECT_EQ(abut_geometry_set_heights(universe, geometry, 3, 4, 3, 1, numbers.data()), ABUT_OK);
+    } else if (kind == "distance_field") {
+      EXPECT_EQ(abut_geometry_set_field_values(universe, geometry, 2, 3, 4, 3, 1, 1, numbers.data()), ABUT_OK);
+    } else if (kind == "particles") {
+      EXPECT_EQ(abut_geometry_set_particles(universe, geometry, 2, &place.x, nullptr, 1), ABUT_OK);
+    } else if (kind == "box" || kind == "ellipsoid") {
+      EXPECT_EQ(abut_geometry_set_parameters(universe, geometry, numbers.data(), 3), ABUT_OK);
+    } else if (kind == "capsule" || kind == "cylinder" || kind == "cone") {
+      EXPECT_EQ(abut_geometry_set_parameters(universe, geometry, numbers.data(), 2), ABUT_OK);
+    }
+  }
+
   void edit_one(std::size_t kind) {
     const std::size_t index = random_.below(placed_.size());
     const Placed chosen = placed_[index];
@@ -93,6 +121,8 @@ class Editor {
         EXPECT_EQ(abut_geometry_set_shape(universe, chosen.geometry, shapes_[random_.below(shapes_.size())].get()),
                   ABUT_OK);
         return;
+      case 6:
+      case 7: edit_shape(chosen.geometry); return;
       default: EXPECT_EQ(abut_geometry_set_options(universe, chosen.geometry, &its), ABUT_OK); return;
     }
   }

@@ -4,6 +4,7 @@
 
 #include "picking_support.hpp"
 
+#include <algorithm>
 #include <random>
 #include <span>
 #include <string>
@@ -68,6 +69,48 @@ inline Shape prism(int count) {
   return hull(corners);
 }
 
+// Terrain whose triangles are found by a grid of cells.
+inline Shape uv_grid(double half, std::uint32_t count, double wave) {
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t j = 0; j <= count; ++j) {
+    for (std::uint32_t i = 0; i <= count; ++i) {
+      const double x = half * (2.0 * i / count - 1), y = half * (2.0 * j / count - 1);
+      xyz.insert(xyz.end(), {x, y, wave * std::cos(3 * x) * std::sin(2 * y)});
+    }
+  }
+  for (std::uint32_t j = 0; j < count; ++j) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t a = j * (count + 1) + i;
+      triangles.insert(triangles.end(), {a, a + 1, a + count + 2, a, a + count + 2, a + count + 1});
+    }
+  }
+  return shape_from([&](abut_shape** out) {
+    return abut_uv_grid_create(xyz.data(), xyz.size() / 3, triangles.data(), triangles.size() / 3, nullptr, out);
+  });
+}
+
+// Two balls of clay that flow together, on a coarse grid.
+inline Shape distance_field() {
+  constexpr std::uint32_t count = 9;
+  std::vector<double> values;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    for (std::uint32_t j = 0; j < count; ++j) {
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const abut_vec3 p{-1 + 0.25 * i, -1 + 0.25 * j, -1 + 0.25 * k};
+        values.push_back(std::min(length(p - abut_vec3{0.3, 0, 0}), length(p + abut_vec3{0.3, 0.2, 0})) - 0.5);
+      }
+    }
+  }
+  abut_distance_field_desc desc;
+  abut_distance_field_desc_init(&desc, sizeof desc);
+  desc.columns = desc.rows = desc.layers = count;
+  desc.spacing = {0.25, 0.25, 0.25};
+  desc.origin = {-1, -1, -1};
+  desc.values = values.data();
+  return shape_from([&](abut_shape** out) { return abut_distance_field_create(&desc, out); });
+}
+
 // One shape of every kind at least; about as large as 1.
 inline std::vector<Shape> shapes_of_every_kind(Random& random) {
   std::vector<double> many;
@@ -94,6 +137,8 @@ inline std::vector<Shape> shapes_of_every_kind(Random& random) {
   shapes.push_back(shape_of_kind("cone", std::array{0.6, 0.5}));
   shapes.push_back(shape_of_kind("ellipsoid", std::array{0.7, 0.4, 0.2}));
   shapes.push_back(shape_from([&](abut_shape** out) { return abut_particles_create(centres.data(), 10, 0.15, out); }));
+  shapes.push_back(uv_grid(1, 7, 0.3));
+  shapes.push_back(distance_field());
   const Shape drill = shape_of_kind("cylinder_hole", std::array{0.2, 2.0, 3.0});
   const abut_pose here{{0, 0, 0}, no_turn};
   const abut_pose aside{{0.8, 0.2, 0.1}, random.turn()};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace {
@@ -30,6 +31,14 @@ TEST(Picker, FollowsItsUniverse) {
   EXPECT_THROW(picker.cast_rays({ray}, out), abut::Error);
   stage.universe.destroy(stage.ball);
   EXPECT_TRUE(abut::is_null(picker.cast_ray(ray).geometry));
+}
+
+TEST(Picker, KeepsItsUniverse) {
+  auto stage = std::make_unique<Stage>();
+  const abut::Picker picker(stage->universe);
+  const abut::GeometryId ball = stage->ball;
+  stage.reset();
+  EXPECT_EQ(picker.cast_ray({{-3, 0, 0}, {1, 0, 0}, INFINITY}).geometry, ball);
 }
 
 TEST(Camera, SeesThroughItsPixels) {
