@@ -21,6 +21,10 @@ class Owner:
             raise ValueError(f"this {type(self).__name__.lower()} is closed")
         return self._pointer
 
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        # What copy and pickle would do on their own: two owners of one pointer.
+        raise TypeError(f"a {type(self).__name__} cannot be copied or pickled")
+
     def __enter__(self):
         return self
 

@@ -35,7 +35,7 @@ def camera(eye: Any = None, target: Any = None, up: Any = (0.0, 0.0, 1.0), **fie
 
 
 class Picker(Owner):
-    """Rays against a universe; keeps the universe alive. The keywords are the fields of QueryFilter."""
+    """Rays against a universe, which it keeps alive. The keywords are the fields of QueryFilter."""
 
     def __init__(self, universe: Universe) -> None:
         _expect_picking()

@@ -304,10 +304,39 @@ class Shape(Owner):
         library.abut_shape_cast_ray(self.pointer, byref(place), byref(line), byref(hit), byref(found))
         return hit if found.value else None
 
+    def __copy__(self) -> Shape:
+        pointer = self.pointer
+        library.abut_shape_retain(pointer)
+        return type(self)(c_void_p(pointer.value))
+
+    def __deepcopy__(self, memo: Any) -> Shape:
+        # Nothing changes a shape, so both may be one.
+        return self.__copy__()
+
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        return _unpickled, (type(self), _bytes_of(self))
+
     def __repr__(self) -> str:
         if not self._pointer:
             return "<Shape, closed>"
         return f"<Shape {' '.join([self.kind, *(f'{name}={value:g}' for name, value in self.parameters.items())])}>"
+
+
+# Only universes have bytes, so a shape travels as the one geometry of a universe.
+def _bytes_of(shape):
+    # Here, because universes import shapes.
+    from .universe import Universe
+    with Universe() as carrier:
+        carrier.add_geometry(carrier.add_part(), shape)
+        return carrier.save()
+
+
+def _unpickled(cls, data):
+    from .universe import Universe
+    with Universe.load(data) as carrier:
+        found = carrier.shape_of(carrier.geometries()[0])
+    pointer, found._pointer = found._pointer, None
+    return cls(pointer)
 
 
 def _kind_of(argument, name):

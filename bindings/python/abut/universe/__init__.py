@@ -46,6 +46,15 @@ class Universe(Parts, Geometries, Detection, Queries):
         """All of it but the filter, for files and for going back."""
         return bytes(answers.filled(c_ubyte, lambda *rest: self._read(library.abut_universe_save, *rest), 1 << 16))
 
+    def __copy__(self) -> Universe:
+        return type(self).load(self.save())
+
+    def __deepcopy__(self, memo: Any) -> Universe:
+        return self.__copy__()
+
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        return type(self).load, (self.save(),)
+
     def close(self) -> None:
         """Destroys it with everything in it, and closes its pickers before."""
         for picker in list(self._pickers):
