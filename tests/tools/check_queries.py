@@ -73,6 +73,19 @@ class Check(program.Case):
         self.assertEqual(found["answers"][-1]["says"], "without holes their distance would be -1.2")
         self.assertTrue(self.why(json.loads((program.SCENES / "peg.json").read_text()), "plate", "standing")["touch"])
 
+    def test_the_back_of_a_surface_is_named(self):
+        for shape in ({"kind": "mesh", "sides": 1, "vertices": [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]],
+                       "triangles": [[0, 1, 2], [0, 2, 3]]},
+                      {"kind": "height_field", "spacing_x": 1, "spacing_y": 1, "heights": [[0, 0, 0]] * 3}):
+            for height, stopped_by in ((0.5, None), (-0.5, "side"), (-1.5, "distance")):
+                with self.subTest(kind=shape["kind"], height=height):
+                    document = scene_of(motions=("static", "dynamic"), pose={"position": [0.9, 0.8, height]})
+                    document["parts"][0]["geometries"][0]["shape"] = shape
+                    found = self.why(document)
+                    self.assertEqual((found["touch"], found["stopped_by"] or None), (stopped_by is None, stopped_by))
+                    if stopped_by == "side":
+                        self.assertIn("from the back", found["answers"][-1]["says"])
+
     def test_tolerances_and_modes_count(self):
         document = scene_of(geometry={"tolerance": 0.6})
         self.assertEqual(self.why(document)["stopped_by"], "distance")
