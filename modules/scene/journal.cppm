@@ -32,8 +32,8 @@ class Journal {
 
   std::vector<std::uint32_t> slots_;
   std::vector<std::uint64_t> times_;
-  std::size_t next_ = 0;         // where the next one goes
-  std::size_t count_ = 0;        // of those in the ring
+  std::size_t next_ = 0;          // where the next one goes
+  std::size_t count_ = 0;         // of those in the ring
   std::uint64_t known_from_ = 0;  // all later changes are in the ring
 };
 
