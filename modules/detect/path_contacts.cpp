@@ -160,7 +160,8 @@ void report_touch(const PathScene& scene, const Sides& sides, const Impact& impa
   const bool is_ahead = impact.state == ImpactState::touches;
   const Moment moment = moment_at(sides, is_undecided ? impact.lower : is_ahead ? impact.upper : 0);
   if (!is_undecided) {
-    const Real margin = touching + (is_ahead ? depth_of_touch * size_of(sides) : 0);
+    const bool is_apart = is_ahead || impact.contact.distance > touching;
+    const Real margin = touching + (is_apart ? depth_of_touch * size_of(sides) : 0);
     find_points(scene.places, sides, moment, scene.policies.at(pair.policy), margin, scratch.points);
   }
   if (scratch.points.size() == first) {

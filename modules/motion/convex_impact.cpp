@@ -284,6 +284,30 @@ Real free_until(const PassingPart& a, const PassingPart& b, Real margin) {
   return share * span.end;
 }
 
+Real gap_along_at(const MovingPair& pair, const Vec3& normal, Real time) {
+  const Placed placed = placed_at(pair, time);
+  return gap_along(pair.a.part, pair.b.part, placed.a, placed.b, normal) - pair.settings.margin;
+}
+
+// The gap may shrink by a share of the tolerance, which is more than rounding takes from it.
+std::optional<Real> parting_time(const MovingPair& pair, const Vec3& normal, const TimeSpan& span) {
+  constexpr int most_halvings = 60;
+  constexpr Real spare_share = 0.25;
+  const Real tolerance = pair.settings.tolerance, begin = gap_along_at(pair, normal, span.begin);
+  const Real spare = std::max(-begin, Real{0}) + spare_share * tolerance;
+  const Real bend = bend_of_still(pair, normal, span);
+  Real end = span.end;
+  for (int i = 0; i < most_halvings && end > span.begin; ++i) {
+    const Real gap = gap_along_at(pair, normal, end);
+    const bool has_parted = gap > tolerance || end == span.end;
+    if (has_parted && free_share(begin + spare, gap + spare, bend, end - span.begin) >= 1) {
+      return end;
+    }
+    end = span.begin + 0.5 * (end - span.begin);
+  }
+  return std::nullopt;
+}
+
 Impact convex_impact(const MovingPair& pair, const TimeSpan& span) {
   const ConvexPart &a = pair.a.part, &b = pair.b.part;
   const ImpactSettings& settings = pair.settings;

@@ -53,6 +53,14 @@ struct PassingPart {
 // Within a span of time, in the frame of the paths. Of parts that overlap at its begin the contact says nothing.
 [[nodiscard]] Impact convex_impact(const MovingPair& pair, const TimeSpan& span);
 
+// From a time at which two parts touch, or overlap within rounding, with the plane across a unit vector between them: a
+// time up to which they certainly do not overlap any further. The parts are further apart than the tolerance then, or
+// it is the end of the span. Nothing where the parts approach.
+[[nodiscard]] std::optional<Real> parting_time(const MovingPair& pair, const Vec3& normal, const TimeSpan& span);
+
+// How far b is from a along a unit vector at a time, less the margin.
+[[nodiscard]] Real gap_along_at(const MovingPair& pair, const Vec3& normal, Real time);
+
 // How much of a time is certainly free, from 0 to 1, by a gap that is positive at its begin. The way of every point is
 // bent by at most `bend`. So the gap is above the straight line between its ends less bend / 2 * t * (length - t).
 [[nodiscard]] Real free_share(Real at_begin, Real at_end, Real bend, Real length);

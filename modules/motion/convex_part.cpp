@@ -91,6 +91,11 @@ Aabb ConvexPart::aabb(const Pose& pose) const {
              : visit_convex<Aabb>(*std::get<const AnyShape*>(core_), [&](const auto& s) { return s.aabb(pose); });
 }
 
+bool ConvexPart::is_curved() const {
+  const AnyShape* const* shape = std::get_if<const AnyShape*>(&core_);
+  return shape != nullptr && visit_convex<bool>(**shape, []<class S>(const S&) { return Curved<S>; });
+}
+
 std::optional<Vec3> ConvexPart::only_front() const {
   if (const Triangle* triangle = std::get_if<Triangle>(&core_)) {
     return triangle->is_one_sided() ? std::optional(triangle->normal()) : std::nullopt;

@@ -32,6 +32,8 @@ class ConvexPart {
   [[nodiscard]] Vec3 centre() const;
   [[nodiscard]] Real extent() const;
   [[nodiscard]] Aabb aabb(const Pose& pose) const;
+  // Whether searches for its nearest points come nearer step by step.
+  [[nodiscard]] bool is_curved() const;
   // The side that a triangle lets nothing through; nothing for all that has no such side.
   [[nodiscard]] std::optional<Vec3> only_front() const;
 

@@ -16,6 +16,7 @@ import abut.motion.path;
 import abut.motion.relative_motion;
 import abut.motion.whole_impact;
 import abut.pairs.any_shape;
+import abut.pairs.any_shape.starting_touch;
 import abut.pairs.registry;
 
 namespace abut {
@@ -160,20 +161,30 @@ void meet(const Subject& a, const Subject& b, Search& search) {
 // Shapes whose contacts at the start say more than a distance: which of their parts overlap, and on which side.
 bool is_made_of_parts(const AnyShape& shape) { return traits_of(shape).has_parts || traits_of(shape).is_assembly; }
 
-// The deepest contact where the search begins.
-Outcome meet_at_start(const Subject& a, const Subject& b, Search& search) {
-  const Real begin = search.begin;
-  Manifold contacts;
-  const QuerySettings settings{.margin = search.settings.margin};
-  const Outcome outcome = pair_contacts(a.shape, b.shape, a.on.at(begin), b.on.at(begin), settings, contacts);
-  if (outcome == Outcome::ok && !contacts.empty()) {
-    const ContactPoint& deepest = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
-    const Distance contact{deepest.distance, deepest.distance, deepest.distance,   deepest.point_a,
-                           deepest.point_b,  deepest.normal,   settings.algorithm, 0};
-    search.add(outcome, {ImpactState::starts_together, begin, begin, 0, contact, 0, 0}, deepest.child_a,
-               deepest.child_b);
-  }
-  return outcome;
+// How fast b parts from a at a contact, relative to how fast both move there.
+Real parting_speed(const Subject& a, const Subject& b, const ContactPoint& contact, Real time) {
+  const auto velocity_of = [&](const Path& path, const Vec3& point) {
+    return path.velocity_at(time) + cross(path.turning_at(time), point - path.centre_at(time));
+  };
+  const Vec3 of_a = velocity_of(a.on.path, contact.point_a), of_b = velocity_of(b.on.path, contact.point_b);
+  const Real speed = norm(of_a) + norm(of_b);
+  return speed > 0 ? dot(contact.normal, of_b - of_a) / speed : 0;
+}
+
+bool is_still(const Subject& its) { return its.on.path.motion() == Motion{}; }
+
+Outcome meet_at_start(const Subject& a, const Subject& b, const Search& search, StartingTouch& out) {
+  const ImpactSettings& its = search.settings;
+  const StartSettings settings{{.margin = its.margin}, its.tolerance, its.tolerance, is_still(a) && is_still(b)};
+  return find_starting_touch(
+      a.shape, b.shape, a.on.at(search.begin), b.on.at(search.begin), settings,
+      [&](const ContactPoint& contact) { return parting_speed(a, b, contact, search.begin); }, out);
+}
+
+Impact impact_at_start(const ContactPoint& its, Real begin, std::uint32_t rounds) {
+  const Distance contact{its.distance, its.distance, its.distance,         its.point_a,
+                         its.point_b,  its.normal,   Algorithm::automatic, 0};
+  return {ImpactState::starts_together, begin, begin, rounds, contact, its.child_a, its.child_b};
 }
 
 // Without the motion of a, and around where it starts: so that no digits are lost to what both have in common.
@@ -211,14 +222,20 @@ Outcome impact_in_order(const MovingShape& moving_a, const MovingShape& moving_b
       b{moving_b.shape, {frame.b, Pose::identity()}, 0, moving_b.box};
   Search search{settings_of(a, b, options), options.begin, BestImpact(frame.a.duration())};
   const bool is_whole = is_asked_as_a_whole(a.shape) || is_asked_as_a_whole(b.shape);
+  StartingTouch start;
   if (!is_whole && (is_made_of_parts(a.shape) || is_made_of_parts(b.shape))) {
     const Aabb near_a = aabb_of(a.shape, a.on.at(options.begin)).inflated(search.slack());
     if (near_a.overlaps(aabb_of(b.shape, b.on.at(options.begin)))) {
-      search.outcome = meet_at_start(a, b, search);
+      search.outcome = meet_at_start(a, b, search, start);
     }
   }
-  if (search.outcome == Outcome::ok && !search.best.is_at_start()) {
+  if (search.outcome == Outcome::ok && !start.stops) {
     meet(a, b, search);
+  }
+  if (start.contact && (start.stops || search.best.is_at_start())) {
+    const Impact impact = impact_at_start(*start.contact, options.begin, search.best.result().rounds);
+    search.best = BestImpact(frame.a.duration());
+    search.add(Outcome::ok, impact, impact.child_a, impact.child_b);
   }
   if (search.outcome != Outcome::ok && !search.has_answer) {
     return search.outcome;

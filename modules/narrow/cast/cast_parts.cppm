@@ -8,6 +8,7 @@ import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
 import abut.narrow.cast.cast_search;
+import abut.narrow.cast.front_touch;
 import abut.narrow.cast.linear_cast;
 import abut.narrow.cast.parts_in_order;
 import abut.narrow.convex;
@@ -19,28 +20,48 @@ export namespace abut {
   return {UnitVec3::from_unit_unchecked(ab.rotation.undo(-motion.direction)), motion.length};
 }
 
-// Whether a touch is on a side that stops. Of one-sided triangles in which a shape starts, the contacts have told
-// already whether it came from the front. `outward`: the normal before the touch, from the part.
+// The side from which a part stops what touches it, as a direction from the first part to the second; nothing where
+// all sides stop. `turned`: how the part is turned.
 template <class Part>
-[[nodiscard]] bool stops(const Part& part, const FirstTouch& touch, const Vec3& outward) {
+[[nodiscard]] std::optional<Vec3> front_of([[maybe_unused]] const Part& part, [[maybe_unused]] const Rotation& turned,
+                                           [[maybe_unused]] Real sign) {
   if constexpr (requires { part.is_one_sided(); }) {
-    // Rounding must not open edges of triangles that stand upright.
-    return !part.is_one_sided() || (touch.travelled > 0 && dot(part.normal(), outward) > -noise_of(1));
+    return part.is_one_sided() ? std::optional(sign * (turned * part.normal())) : std::nullopt;
   } else {
-    return true;
+    return std::nullopt;
   }
+}
+
+// How far two parts that touch may reach beyond the plane between them.
+template <Convex A, Convex B>
+[[nodiscard]] Real slack_of_planes(const A& a, const B& b, const Pose& ab, const CastSearch& search) {
+  constexpr Real bounds = Curved<A> || Curved<B> ? 8 : 0;
+  return rounding_of(search.size()) + bounds * bound_of_curves(search.settings()) * core_size(a, b, ab);
 }
 
 template <Convex A, Convex B>
 void cast_part(CastSearch& search, const A& part, const B& b, const Pose& ab, const LinearMotion& motion,
                const Pose& frame, bool swapped, const CastNames& names) {
   std::optional<FirstTouch> touch;
+  const Real margin = search.settings().margin;
+  const auto gap_along = [&](const Vec3& normal) {
+    return -reach(b, ab, -normal) - reach(part, Pose::identity(), normal);
+  };
   const Outcome outcome = first_touch(
-      {motion.direction, search.limit()}, search.size(), search.settings().margin,
+      {motion.direction, search.limit()}, search.size(), margin,
       [&](Real way, Distance& out) { return convex_distance(part, b, moved(ab, motion, way), search.settings(), out); },
-      [&](const Vec3& normal) { return -reach(b, ab, -normal) - reach(part, Pose::identity(), normal); }, touch);
+      gap_along, touch);
+  const auto is_stopped_by = [&](const std::optional<Vec3>& front) {
+    if (!front) {
+      return true;
+    }
+    const bool is_later = touch->travelled > 0;
+    const Vec3& normal = is_later ? touch->normal_before : touch->contact.normal;
+    return stops({*front, normal, gap_along(*front) - margin, gap_along(normal) - margin, is_later}, motion.direction,
+                 slack_of_planes(part, b, ab, search));
+  };
   if (touch &&
-      !(stops(part, *touch, touch->normal_before) && stops(b, *touch, ab.rotation.undo(-touch->normal_before)))) {
+      !(is_stopped_by(front_of(part, Rotation::identity(), 1)) && is_stopped_by(front_of(b, ab.rotation, -1)))) {
     touch.reset();
   }
   search.add(outcome, touch, frame, swapped, names);

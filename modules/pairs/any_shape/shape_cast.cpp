@@ -6,10 +6,12 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.cast.cast_search;
 import abut.narrow.cast.linear_cast;
 import abut.narrow.cast.parts_in_order;
 import abut.pairs.any_shape;
+import abut.pairs.any_shape.starting_touch;
 import abut.pairs.registry;
 
 namespace abut {
@@ -173,18 +175,10 @@ void cast(const AnyShape& a, const Pose& pose_a, const AnyShape& b, const Pose& 
 // Shapes whose contacts at the start say more than a distance: which of their parts overlap, and on which side.
 bool is_made_of_parts(const AnyShape& shape) { return traits_of(shape).has_parts || traits_of(shape).is_assembly; }
 
-// The deepest contact before the motion, in the frame of a.
-Outcome touch_at_start(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
-                       std::optional<ShapeCastHit>& out) {
-  Manifold contacts;
-  const Outcome outcome = pair_contacts(a, b, ab, settings, contacts);
-  if (outcome == Outcome::ok && !contacts.empty()) {
-    const ContactPoint& deepest = *std::ranges::min_element(contacts, {}, &ContactPoint::distance);
-    const Distance contact{deepest.distance, deepest.distance, deepest.distance,   deepest.point_a,
-                           deepest.point_b,  deepest.normal,   settings.algorithm, 0};
-    out = ShapeCastHit{0, contact, deepest.feature_a, deepest.feature_b, deepest.child_a, deepest.child_b};
-  }
-  return outcome;
+ShapeCastHit hit_of(const ContactPoint& found, Algorithm algorithm) {
+  const Distance contact{found.distance, found.distance, found.distance, found.point_a,
+                         found.point_b,  found.normal,   algorithm,      0};
+  return {0, contact, found.feature_a, found.feature_b, found.child_a, found.child_b};
 }
 
 }  // namespace
@@ -200,27 +194,37 @@ Outcome cast_shapes(const AnyShape& a, const Pose& pose_a, const Vec3& displacem
   const Real length = norm(displacement);
   const LinearMotion motion{UnitVec3::make(displacement).value_or(UnitVec3::axis_z()), most * length};
   const Aabb box_a = aabb_of(a, Pose::identity());
-  std::optional<ShapeCastHit> hit;
-  if ((is_made_of_parts(a) || is_made_of_parts(b)) &&
-      box_a.overlaps(aabb_of(b, ab).inflated(std::max(settings.margin, Real{0})))) {
-    if (const Outcome outcome = touch_at_start(a, b, ab, settings, hit); outcome != Outcome::ok) {
+  const Real size = size_of(box_a, aabb_of(b, Pose::identity()), ab);
+  const Real near = std::max(settings.margin, Real{0}) + rounding_of(size);
+  StartingTouch start;
+  if ((is_made_of_parts(a) || is_made_of_parts(b)) && box_a.overlaps(aabb_of(b, ab).inflated(near))) {
+    const StartSettings its{settings, rounding_of(size), touching_distance(size), length == 0};
+    const auto speed_along = [&](const ContactPoint& contact) { return dot(motion.direction, contact.normal); };
+    const Outcome outcome = find_starting_touch(a, b, Pose::identity(), ab, its, speed_along, start);
+    if (outcome != Outcome::ok) {
       return outcome;
     }
   }
-  if (!hit) {
-    CastSearch search(settings, motion, size_of(box_a, aabb_of(b, Pose::identity()), ab));
+  std::optional<ShapeCastHit> hit;
+  if (start.contact) {
+    hit = hit_of(*start.contact, settings.algorithm);
+  }
+  if (!start.stops) {
+    CastSearch search(settings, motion, size);
     cast(a, Pose::identity(), b, ab, {}, search);
     if (search.outcome() != Outcome::ok || !search.best()) {
       return search.outcome();
     }
     const CastNames& names = search.names();
     const Real travelled = search.best()->travelled;
-    hit = ShapeCastHit{travelled > 0 ? std::min(travelled / length, most) : 0,
-                       search.best()->contact,
-                       names.feature_a,
-                       names.feature_b,
-                       names.child_a,
-                       names.child_b};
+    if (travelled > 0 || !hit) {
+      hit = ShapeCastHit{travelled > 0 ? std::min(travelled / length, most) : 0,
+                         search.best()->contact,
+                         names.feature_a,
+                         names.feature_b,
+                         names.child_a,
+                         names.child_b};
+    }
   }
   move_by(hit->contact, {pose_a.rotation, pose_a.position + hit->fraction * displacement_a});
   out = hit;
