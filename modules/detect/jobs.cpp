@@ -84,7 +84,6 @@ void JobList::arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> 
     scratch_.resize(chunks_.size());
   }
   release_excess();
-  const Real sign = mode == ToleranceMode::margin ? 1 : -1;
   workers.for_each(jobs_.empty() ? 0 : cuts.tasks(), [&](std::size_t task) {
     const std::span<std::uint32_t> starts = counts_of(task);
     const std::span<PairJob> jobs(jobs_);
@@ -95,8 +94,7 @@ void JobList::arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> 
         continue;
       }
       const PlaceInfo &low = infos[pair.low], &high = infos[pair.high];
-      const Real tolerance = policies.at(pair.policy).tolerance;
-      const Real margin = sign * (tolerance < 0 ? low.tolerance + high.tolerance : tolerance);
+      const Real margin = margin_of(mode, policies.at(pair.policy), low, high);
       pair.job = starts[run_of_pair(pair)]++;
       jobs[pair.job] = low.kind <= high.kind ? PairJob{pair.low, pair.high, margin, pair.memory}
                                              : PairJob{pair.high, pair.low, margin, pair.memory};

@@ -51,6 +51,13 @@ inline constexpr std::size_t job_run_count = run_count + 1;
   return kind_low <= kind_high ? run_of(kind_low, kind_high) : run_of(kind_high, kind_low);
 }
 
+// Up to which distance two geometries have contacts: negative in a dead band.
+[[nodiscard]] inline Real margin_of(ToleranceMode mode, const Policy& policy, const PlaceInfo& low,
+                                    const PlaceInfo& high) {
+  const Real tolerance = policy.tolerance < 0 ? low.tolerance + high.tolerance : policy.tolerance;
+  return mode == ToleranceMode::margin ? tolerance : -tolerance;
+}
+
 // Where the contacts of a job lie in the points of its chunk, after reduction and in the world.
 struct JobResult {
   std::uint32_t chunk = 0, first = 0, count = 0;

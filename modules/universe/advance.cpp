@@ -6,6 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.detect.continuous;
+import abut.detect.jobs;
 import abut.detect.paths;
 import abut.detect.touches;
 import abut.math;
@@ -37,13 +38,16 @@ StepImpact Universe::first_impact(Real dt) {
   StepImpact first = no_impact;
   for (const auto& [low, high] : sweeps_.pairs()) {
     const PlaceInfo &a = places_.infos[low], &b = places_.infos[high];
+    const Policy& policy = meetings_.policies.of(a.tag, b.tag);
     const bool holds_up = (a.sweeping == Sweeping::impacts || b.sweeping == Sweeping::impacts) && !a.is_sensor &&
-                          !b.is_sensor && meetings_.policies.of(a.tag, b.tag).detail != Detail::box;
+                          !b.is_sensor && policy.detail != Detail::box;
     if (!holds_up || !meetings_.admits(places_, low, high)) {
       continue;
     }
     const Path path_low = its_paths.of(low), path_high = its_paths.of(high);
-    const auto impact = first_touch_on_way({{*places_.shapes[low], path_low}, {*places_.shapes[high], path_high}, 0});
+    const Real touching = std::max<Real>(margin_of(options_.tolerance_mode, policy, a, b), 0);
+    const auto impact =
+        first_touch_on_way({{*places_.shapes[low], path_low}, {*places_.shapes[high], path_high}, touching});
     if (impact && impact->lower < first.lower) {
       first = {.geometry_a = places_.id_at(low),
                .geometry_b = places_.id_at(high),
