@@ -118,9 +118,9 @@ struct Passage {
 }
 
 // The same for shapes that are not convex, on a part of the way that begins without a touch: no step is longer than the
-// distance, nor shorter than a stride. A stride that ends in a touch is halved until rounding is left. A touch that
-// comes and goes within a stride is not seen. An upper bound of infinity says that nothing is there that could be
-// touched, and then the distance is only a lower bound.
+// lower bound of the distance, nor shorter than a stride. A stride that ends in a touch is halved until rounding is
+// left. A touch that comes and goes within a stride is not seen. An upper bound of infinity says that nothing is there
+// that could be touched, and then the distance is only a lower bound.
 inline constexpr int most_halvings = 64;
 
 template <class DistanceAt>
@@ -143,7 +143,7 @@ template <class DistanceAt>
       return Outcome::ok;
     }
     before = travelled;
-    travelled = std::min(travelled + std::max(found.distance - margin, stride), passage.leave);
+    travelled = std::min(travelled + std::max(found.lower - margin, stride), passage.leave);
   }
   Real after = travelled;
   for (int halving = 0; halving < most_halvings && after - before > touching; ++halving) {
