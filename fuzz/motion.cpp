@@ -87,7 +87,7 @@ std::string fault(std::string_view what, Real got, Real expected) {
   return std::string(what) + ": got " + to_text(got) + ", expected " + to_text(expected);
 }
 
-// Lets through what comes from behind: there a distance says less than a touch.
+// Lets through what comes from behind: there a distance says less than a touch. Solid meshes do not.
 bool has_one_side(const AnyShape& shape) {
   if (kind_name(shape.index()) == "height_field") {
     return true;
@@ -97,7 +97,7 @@ bool has_one_side(const AnyShape& shape) {
         if constexpr (Assembly<S>) {
           return std::ranges::any_of(s.children(), [](const auto& child) { return has_one_side(*child.shape); });
         } else if constexpr (requires { s.triangle_count(); }) {
-          return s.parameters()[0] != 0;
+          return s.parameters()[0] == 1;
         } else {
           return false;
         }
@@ -288,9 +288,10 @@ Verdict judge_impact(const MovingScene& moving, const Impact& found) {
     }
   }
   if (found.state == ImpactState::touches || found.state == ImpactState::starts_together) {
+    // A lower bound may know less than the shape, and is no touch.
     const Result<Distance> gap = distance_at(moving, found.upper);
-    if (gap && !(gap.value().lower <= noise)) {
-      return fault("gap at the time of impact", gap.value().lower, noise);
+    if (gap && !(gap.value().upper <= noise)) {
+      return fault("gap at the time of impact", gap.value().upper, noise);
     }
     if (!is_finite(found.contact.point_a) || !is_finite(found.contact.point_b)) {
       return "a touch at no point";

@@ -992,7 +992,7 @@ enum abut_impact_state_value ABUT_ENUM(uint32_t) {
   ABUT_IMPACT_APART = 0,           /**< they do not touch within the time */
   ABUT_IMPACT_TOUCHES = 1,         /**< they come to touch */
   ABUT_IMPACT_STARTS_TOGETHER = 2, /**< they touch at the start */
-  ABUT_IMPACT_UNDECIDED = 3        /**< apart before `lower`; what comes then is not known */
+  ABUT_IMPACT_UNDECIDED = 3        /**< apart before `lower`; what comes then is not proven */
 };
 
 /** Options of times of impact. Fill with abut_impact_options_init, then change fields. */
@@ -1009,8 +1009,8 @@ ABUT_API void abut_impact_options_init(abut_impact_options *options, uint32_t st
 
 /**
  * When two shapes first touch. Before `lower` they are further apart than the margin, proven with rounding. At `upper`
- * they are no further apart than margin + tolerance; of a distance field, than contact.upper. `upper` is the duration
- * where it is undecided. Where shapes stay apart, both are the duration.
+ * they are no further apart than margin + tolerance. `upper` is the duration where it is undecided. Where shapes stay
+ * apart, both are the duration. Less may be proven of distance fields and holes: `lower` may be too early then.
  */
 typedef struct abut_impact {
   abut_impact_state state;
@@ -1025,7 +1025,7 @@ typedef struct abut_impact {
 /**
  * When two shapes that move and turn first touch, from time 0 to `duration`. Shapes that are less apart than the
  * tolerance at the start start together. Meshes with ABUT_SIDES_FRONT and height fields let through what comes from
- * behind.
+ * behind. Within the tolerance of their front a body starts together with them only where it moves into them.
  *
  * ABUT_OUT_OF_RANGE for a motion of more than 16 revolutions within the duration. ABUT_UNSUPPORTED for pairs that have
  * no distance, and in a build without the feature motion.
@@ -2149,9 +2149,11 @@ ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const 
 /**
  * Moves all parts along their paths through dt, until the first of the fast geometries would touch: for those who stop
  * the world there. Up to `lower` of the impact, which is where the parts are then, no fast geometry touches anything,
- * which is proven. Pairs that touch at the start hold nothing up until they have parted, as above. Sensors hold nothing
- * up, nor do pairs that a policy treats as boxes. Velocities stay as they are. It brings boxes up to date as
- * abut_universe_refresh does, finds velocities that are measured, and may ask the filter. It detects no contacts.
+ * which is proven. They touch as in a step: in ABUT_TOLERANCE_MARGIN at the tolerance. A step with time that follows
+ * has the contacts of that touch; a detection has those of the present poses. Pairs that touch at the start hold
+ * nothing up until they have parted, as above. Sensors hold nothing up, nor do pairs that a policy treats as boxes.
+ * Velocities stay as they are. It brings boxes up to date as abut_universe_refresh does, finds velocities that are
+ * measured, and may ask the filter. It detects no contacts.
  * @param dt   as in abut_universe_step
  * @param out  the impact, without contacts. Where there is none, the geometries are null, and `lower` and `upper` 1
  * Complexity as a step for the fast geometries. [exclusive]
@@ -2270,7 +2272,8 @@ ABUT_API abut_status abut_universe_cast_rays(const abut_universe *universe, cons
 /**
  * Where a moving shape (a) first touches another (b). It does not touch before `fraction`, and there it is no further
  * away than contact.upper. Shapes that touch at the start have fraction 0 and the deepest contact. Meshes with
- * ABUT_SIDES_FRONT and height fields let through what comes from behind.
+ * ABUT_SIDES_FRONT and height fields let through what comes from behind. What touches their front within rounding is
+ * stopped where it moves into them; else it moves off or along them freely.
  */
 typedef struct abut_cast_hit {
   abut_geometry_id geometry; /**< what is met (b); null for two shapes alone, and in a batch where nothing is met */

@@ -46,9 +46,11 @@ Real certain_gap(const Distance& found, bool are_convex) {
   return are_convex ? found.distance : std::max<Real>(found.distance, 0);
 }
 
-// The first of some times, one soon after the other, at which they are apart by so much.
+// The first of some times, one soon after the other, at which they are apart by so much. Most part at once, and may
+// meet again soon: what leaves one wall in a corner is at the next one. So the first times follow each other sooner.
 std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real approach, bool are_convex, Real begin) {
-  Real time = begin;
+  constexpr Real first_share = 1. / 64;
+  Real time = begin, shortest = first_share * shortest_parting;
   for (;;) {
     Distance found{};
     if (pair_distance(pair.a.shape, pair.b.shape, pair.a.path.at(time), pair.b.path.at(time), {}, found) !=
@@ -59,7 +61,8 @@ std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real appr
       return time;
     }
     const Real wait = (wanted - certain_gap(found, are_convex)) / approach;
-    time += std::max(wait, shortest_parting);
+    time += std::max(wait, shortest);
+    shortest = std::min(2 * shortest, shortest_parting);
     if (!(time < 1)) {
       return std::nullopt;
     }
@@ -71,6 +74,9 @@ std::optional<Real> time_of_parting(const PathPair& pair, Real wanted, Real appr
 Outcome find_touch(const PathPair& pair, Real begin, Impact& out) {
   const Outcome outcome =
       time_of_impact(pair.a, pair.b, {.margin = pair.margin, .begin = begin, .wants_depth = false}, out);
+  if (out.is_seen_free) {
+    out.state = ImpactState::apart;
+  }
   // They were apart before.
   if (out.state == ImpactState::starts_together && begin > 0) {
     out.state = ImpactState::touches;

@@ -21,7 +21,8 @@ struct PathPair {
   Real margin;
 };
 
-// From a time on, at which they are apart or which is the start. Not ok where the two kinds do not meet.
+// From a time on, at which they are apart or which is the start. What is not proven, but shows no touch at times that
+// are near each other, counts as apart. Not ok where the two kinds do not meet.
 [[nodiscard]] Outcome find_touch(const PathPair& pair, Real begin, Impact& out);
 
 // The next touch of two that touch at a time: after they have parted. Nothing where there is none.

@@ -20,6 +20,7 @@ class BestImpact {
     rounds_ += impact.rounds;
     if (impact.state == ImpactState::undecided) {
       undecided_ = std::min(undecided_, impact.lower);
+      are_seen_free_ = are_seen_free_ && impact.is_seen_free;
     } else if (impact.state != ImpactState::apart && !(best_ && best_->upper <= impact.upper)) {
       best_ = impact;
       end_ = std::min(end_, impact.upper);
@@ -32,6 +33,7 @@ class BestImpact {
     if (!best_) {
       out.state = undecided_ < infinity ? ImpactState::undecided : ImpactState::apart;
       out.lower = out.upper = duration_;
+      out.is_seen_free = out.state == ImpactState::undecided && are_seen_free_;
     }
     out.lower = std::min(out.lower, undecided_);
     out.rounds = rounds_;
@@ -41,6 +43,7 @@ class BestImpact {
  private:
   Real end_, duration_;
   Real undecided_ = infinity;
+  bool are_seen_free_ = true;
   std::optional<Impact> best_;
   std::uint32_t rounds_ = 0;
 };

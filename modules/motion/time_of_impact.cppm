@@ -27,6 +27,8 @@ struct Impact {
   // In the world, at `upper`, of shapes that touch. A depth at the start is one of the whole shapes.
   Distance contact{};
   std::uint32_t child_a = 0, child_b = 0;  // of a composite; else 0
+  // Of what is undecided: not proven to be apart, but distances at times that are near each other show no touch.
+  bool is_seen_free = false;
 };
 
 struct ImpactOptions {

@@ -21,8 +21,7 @@ Reach reach_of(const AnyShape& shape, const Carrier& on) {
   return on.path.reach_of(aabb_of(shape, on.local).inflated(part ? -part->radius() : 0));
 }
 
-// Writes the answer that a distance at a time gives by itself. Whether it gives one. The interval of a distance may be
-// wider than the tolerance, as with a distance field. What may be a touch then is one.
+// Writes the answer that a distance at a time gives by itself. Whether it gives one.
 bool ends(const Distance& found, Real time, const TimeSpan& span, const ImpactSettings& settings, Impact& out) {
   out.lower = out.upper = time;
   out.contact = found;
@@ -39,9 +38,124 @@ Impact undecided_from(Real time, Real end, std::uint32_t rounds) {
   return {ImpactState::undecided, time, end, rounds, {}, 0, 0};
 }
 
+// Of a shape on its own; infinite where it has no bounds.
+Real extent_of(const AnyShape& shape) {
+  const Aabb box = aabb_of(shape, Pose::identity());
+  return box.is_bounded() ? largest_magnitude(box.high - box.low) : infinity;
+}
+
 Vec3 velocity_of(const Path& path, const Vec3& point, Real time) {
   return path.velocity_at(time) + cross(path.turning_at(time), point - path.centre_at(time));
 }
+
+// Steps are as long as the lower bound of the distance proves, and no shorter than a stride. The lower bound may know
+// less than the shape, as of what holes leave of a solid, so it tells no touch. Nothing is proven after a stride that
+// is longer than the proof.
+class DistanceSearch {
+ public:
+  DistanceSearch(const AnyShape& a [[clang::lifetimebound]], const Carrier& on_a [[clang::lifetimebound]],
+                 const AnyShape& b [[clang::lifetimebound]], const Carrier& on_b [[clang::lifetimebound]],
+                 const TimeSpan& span, const ImpactSettings& settings)
+      : a_(a),
+        b_(b),
+        on_a_(on_a),
+        on_b_(on_b),
+        span_(span),
+        settings_(settings),
+        radius_a_(reach_of(a, on_a).radius),
+        radius_b_(reach_of(b, on_b).radius),
+        proven_(span.begin) {
+    const Real extent = std::min(extent_of(a), extent_of(b)), speed = approach_from(span.begin);
+    const Real by_size = extent < infinity && speed > 0 ? extent / (strides_of_shape * speed) : 0;
+    stride_ = std::max(by_size, span.length() / most_strides);
+  }
+
+  [[nodiscard]] WholeImpact find() {
+    Real time = span_.begin, before = time;
+    Distance found{};
+    while (ask(time, found)) {
+      if (touches(found)) {
+        look_back(before, time, found);
+        return out_;
+      }
+      const Real speed = approach_from(time), gap = found.lower - settings_.margin - rounding_of(settings_.size);
+      const Real certain = !(gap > 0) ? 0 : speed > 0 ? inward * gap / speed : infinity;
+      proven_ = is_proven_ ? std::min(time + certain, span_.end) : proven_;
+      if (!(speed > 0) || time + certain >= span_.end) {
+        out_.impact = proven_ >= span_.end ? apart_until(span_.end, rounds_) : seen_free();
+        return out_;
+      }
+      // Bounds that are near each other come as near to a touch as the tolerance.
+      constexpr Real near_share = 0.5;
+      const bool are_near = gap > 0 && found.upper - found.lower <= std::max(settings_.tolerance, near_share * gap);
+      is_proven_ = is_proven_ && (are_near || certain >= stride_);
+      before = time;
+      time = std::min(time + (are_near ? certain : std::max(certain, stride_)), span_.end);
+      if (!(time > before)) {
+        break;
+      }
+    }
+    out_.impact = undecided_from(proven_, span_.end, rounds_);
+    return out_;
+  }
+
+ private:
+  static constexpr Real strides_of_shape = 64, most_strides = 512, inward = 1 - 1e-14;
+
+  [[nodiscard]] Real approach_from(Real time) const {
+    return largest_approach(on_a_.path, radius_a_, on_b_.path, radius_b_, {time, span_.end});
+  }
+  // Whether there is an answer, and a round was left for it.
+  [[nodiscard]] bool ask(Real time, Distance& found) {
+    if (rounds_ >= settings_.most_rounds) {
+      return false;
+    }
+    ++rounds_;
+    out_.outcome = pair_distance(a_, b_, on_a_.at(time), on_b_.at(time), {}, found);
+    return out_.outcome == Outcome::ok;
+  }
+  // An upper bound of infinity says that nothing is there that could be touched.
+  [[nodiscard]] bool touches(const Distance& found) const {
+    return found.upper < infinity && found.upper <= settings_.margin + settings_.tolerance;
+  }
+  [[nodiscard]] Impact seen_free() const {
+    Impact impact = undecided_from(proven_, span_.end, rounds_);
+    impact.is_seen_free = true;
+    return impact;
+  }
+  // From a touch that a stride has led to, toward a time at which there was none.
+  void look_back(Real before, Real time, Distance found) {
+    Distance between{};
+    while (!is_proven_ && (time - before) * approach_from(before) > settings_.tolerance) {
+      const Real middle = 0.5 * (before + time);
+      if (!(middle > before && middle < time) || !ask(middle, between)) {
+        break;
+      }
+      if (touches(between)) {
+        time = middle;
+        found = between;
+      } else {
+        before = middle;
+      }
+    }
+    out_.impact.state = time > span_.begin ? ImpactState::touches : ImpactState::starts_together;
+    out_.impact.lower = is_proven_ ? time : std::min(proven_, time);
+    out_.impact.upper = time;
+    out_.impact.rounds = rounds_;
+    out_.impact.contact = found;
+  }
+
+  const AnyShape &a_, &b_;
+  const Carrier &on_a_, &on_b_;
+  TimeSpan span_;
+  ImpactSettings settings_;
+  Real radius_a_, radius_b_;
+  Real proven_;  // they are apart before it
+  Real stride_ = 0;
+  bool is_proven_ = true;  // up to the time at which the search is
+  std::uint32_t rounds_ = 0;
+  WholeImpact out_;
+};
 
 }  // namespace
 
@@ -107,36 +221,7 @@ WholeImpact half_space_impact(const AnyShape& half_space, const Carrier& on_a, c
 
 WholeImpact distance_impact(const AnyShape& a, const Carrier& on_a, const AnyShape& b, const Carrier& on_b,
                             const TimeSpan& span, const ImpactSettings& settings) {
-  const Real radius_a = reach_of(a, on_a).radius, radius_b = reach_of(b, on_b).radius;
-  WholeImpact out;
-  Real time = span.begin;
-  std::uint32_t round = 0;
-  while (round++ < settings.most_rounds) {
-    Distance found{};
-    out.outcome = pair_distance(a, b, on_a.at(time), on_b.at(time), {}, found);
-    if (out.outcome != Outcome::ok) {
-      return out;
-    }
-    out.impact.rounds = round;
-    // An upper bound of infinity says that nothing is there that could be touched.
-    if (found.upper < infinity && ends(found, time, span, settings, out.impact)) {
-      return out;
-    }
-    const Real speed = largest_approach(on_a.path, radius_a, on_b.path, radius_b, {time, span.end});
-    const Real gap = found.lower - settings.margin - rounding_of(settings.size);
-    if (speed * (span.end - time) < gap || speed == 0) {
-      out.impact = apart_until(span.end, round);
-      return out;
-    }
-    constexpr Real inward = 1 - 1e-14;
-    const Real next = time + inward * gap / speed;
-    if (!(next > time)) {
-      break;
-    }
-    time = next;
-  }
-  out.impact = undecided_from(time, span.end, round);
-  return out;
+  return DistanceSearch(a, on_a, b, on_b, span, settings).find();
 }
 
 }  // namespace abut

@@ -30,7 +30,7 @@ struct WholeImpact {
 [[nodiscard]] WholeImpact half_space_impact(const AnyShape& half_space, const Carrier& a, const AnyShape& b,
                                             const Carrier& on_b, const TimeSpan& span, const ImpactSettings& settings);
 
-// Whatever has a distance: no step is longer than it over the largest speed of approach.
+// Whatever has a distance: steps are as long as its lower bound over the largest speed of approach, or a stride.
 [[nodiscard]] WholeImpact distance_impact(const AnyShape& a, const Carrier& on_a, const AnyShape& b,
                                           const Carrier& on_b, const TimeSpan& span, const ImpactSettings& settings);
 

@@ -76,6 +76,33 @@ void visit_outermost(const RoundWall& wall, const B& b, const Pose& ab, Visitor&
   }
 }
 
+// No point of a core lies further from the middle of a round wall. Around an axis: lines across directions all around
+// it support the core, so it lies within the polygon between them, which is 0.12 % larger than a disc at most.
+template <Convex B>
+[[nodiscard]] Real most_outward(const RoundWall& wall, const B& b, const Pose& ab) {
+  const Aabb box = b.aabb(Pose::identity());
+  const Real by_box = norm(wall.radial(ab * box.centre())) + 0.5 * norm(box.high - box.low);
+  if (!wall.is_along_z) {
+    return by_box;
+  }
+  constexpr int directions = 64;
+  constexpr Real angle = 2 * std::numbers::pi / directions;
+  const Real sine = std::sin(angle), cosine = std::cos(angle);
+  const auto support_at = [&](int i) {
+    const Vec3 along{std::cos(i * angle), std::sin(i * angle), 0};
+    return dot(along, ab * b.support(ab.rotation.undo(along)).point) + b.radius();
+  };
+  const Real first = support_at(0);
+  Real before = first, square = 0;
+  for (int i = 1; i <= directions; ++i) {
+    const Real next = i < directions ? support_at(i) : first;
+    const Real across = (next - cosine * before) / sine;
+    square = std::max(square, before * before + across * across);
+    before = next;
+  }
+  return std::min(by_box, std::sqrt(square));
+}
+
 // One point of a core against a round wall, as a contact from the wall to the rounded core.
 [[nodiscard]] inline ContactPoint contact_at(const RoundWall& wall, const Vec3& core_point, Real radius,
                                              const Feature& feature) {
@@ -128,8 +155,7 @@ template <Convex B>
     });
     if constexpr (Curved<B>) {
       // Climbs may miss the furthest point. No point is further out than this.
-      const Real furthest = norm(wall->radial(placed_centre(b, ab))) + std::sqrt(Real{3}) * 2 * b.extent() + b.radius();
-      out.lower = std::min(out.lower, wall->radius - furthest);
+      out.lower = std::min(out.lower, wall->radius - most_outward(*wall, b, ab));
     }
   }
   return out.distance < infinity ? Outcome::ok : Outcome::unsupported;

@@ -147,6 +147,50 @@ Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab,
   return outcomes.outcome();
 }
 
+// The holes that cut a child of a shape, and where they are.
+template <class Visitor>
+void visit_holes_of(const AnyShape& shape, const Pose& pose, std::uint32_t child, Visitor&& visit) {
+  std::visit(
+      [&]<class S>(const S& s) {
+        if constexpr (Assembly<S>) {
+          for (const auto& hole : s.holes()) {
+            if (hole.begin <= child && child < hole.end) {
+              visit(*s.children()[hole.child].shape, pose * s.children()[hole.child].pose);
+            }
+          }
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
+}
+
+// A lower bound of the distance that knows holes. What a hole leaves of a solid lies around the cavity. So it is as far
+// away as the walls of the cavity at least, whatever the solid is.
+Real least_gap(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings) {
+  Real least = infinity;
+  visit_pairs_of_children(
+      a, b, ab, least,
+      [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b, const Pose& pose_b,
+          std::uint32_t child_b) {
+        Distance found{};
+        Real lower = -infinity;
+        if (distance_of_pair(of_a, of_b, pose_a, pose_b, settings, found) == Outcome::ok) {
+          lower = found.lower;
+        }
+        const auto add_walls = [&](const AnyShape& hole, const Pose& hole_pose, const AnyShape& other,
+                                   const Pose& other_pose) {
+          if (lower < least && distance_of_pair(hole, other, hole_pose, other_pose, settings, found) == Outcome::ok) {
+            lower = std::max(lower, found.lower);
+          }
+        };
+        visit_holes_of(a, Pose::identity(), child_a,
+                       [&](const AnyShape& hole, const Pose& pose) { add_walls(hole, pose, of_b, pose_b); });
+        visit_holes_of(b, ab, child_b,
+                       [&](const AnyShape& hole, const Pose& pose) { add_walls(hole, pose, of_a, pose_a); });
+        least = std::min(least, lower);
+      });
+  return least;
+}
+
 }  // namespace
 
 // With holes: of all contacts however far, the one whose distance is nearest to that of the solids. Holes bring nothing
@@ -161,6 +205,7 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
   if (outcome == Outcome::ok && (a.has_holes() || b.has_holes())) {
     const QuerySettings however_far{.error_bound = settings.error_bound, .margin = infinity};
     Manifold contacts;
+    best.lower = std::max(best.lower, least_gap(a, b, ab, {}));
     outcome = append_contacts_of_children(a, b, ab, however_far, true, contacts);
     if (outcome == Outcome::ok && contacts.empty()) {
       best.upper = infinity;  // nothing of the solids is left that could be met

@@ -88,19 +88,24 @@ Ground made_of(const char* name, const char* kind, const std::vector<double>& pa
   return {name, make_of_kind(kind, parameters, xyz, indices)};
 }
 
+// Its top is at z = 0.
+Shape make_solid_cube() {
+  const std::vector<double> cube{-3, -3, -2, 3, -3, -2, -3, 3, -2, 3, 3, -2, -3, -3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0};
+  const std::vector<std::uint32_t> faces{0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                         1, 3, 7, 1, 7, 5, 3, 2, 6, 3, 6, 7, 2, 0, 4, 2, 4, 6};
+  return make_of_kind("mesh", {2}, cube, faces);
+}
+
 std::vector<Ground> make_grounds() {
   std::vector<Ground> grounds;
   const auto field = [](double below) {
     return make_of_kind("height_field", {5, 5, 1.5, 1.5, 0, below}, std::vector(25, 0.0));
   };
-  const std::vector<double> cube{-3, -3, -2, 3, -3, -2, -3, 3, -2, 3, 3, -2, -3, -3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0};
-  const std::vector<std::uint32_t> faces{0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
-                                         1, 3, 7, 1, 7, 5, 3, 2, 6, 3, 6, 7, 2, 0, 4, 2, 4, 6};
   grounds.push_back({"height field", make_composite({field(0)}, {at(-3, -3, 0)})});
   grounds.push_back({"solid height field", make_composite({field(1)}, {at(-3, -3, 0)})});
   grounds.push_back(made_of("front mesh", "mesh", {1}));
   grounds.push_back(made_of("front grid", "uv_grid", {1, 0, 1, 2, 2}));
-  grounds.push_back({"solid mesh", make_of_kind("mesh", {2}, cube, faces)});
+  grounds.push_back({"solid mesh", make_solid_cube()});
   grounds.push_back(
       {"mesh and ball", make_composite({made_of("", "mesh", {1}).shape, make_sphere(0.1)}, {identity, at(0, 0, -5)})});
   return grounds;
@@ -272,16 +277,41 @@ TEST(TouchingGround, KeepsTheContactOfAnAdvance) {
   });
 }
 
-TEST(TouchingGround, StopsABallAtOneRoundingAboveAHeightField) {
-  const Shape ball = make_sphere(0.5), field = make_of_kind("height_field", {3, 3, 1, 1}, std::vector(9, 0.0));
-  const abut_pose above = at(1, 1, 0.5000000000000001);
+TEST(TouchingGround, StopsABallAtOneRoundingAboveIt) {
+  const Shape ball = make_sphere(0.5), field = make_of_kind("height_field", {3, 3, 1, 1}, std::vector(9, 0.0)),
+              cube = make_solid_cube();
   const abut_vec3 down{0, 0, -1}, none{0, 0, 0};
-  abut_cast_hit hit{};
-  std::uint32_t found = 0;
-  require(abut_pair_cast(ball, &above, &down, field, &identity, &none, nullptr, &hit, &found));
-  ASSERT_EQ(found, 1U);
-  EXPECT_EQ(hit.fraction, 0);
-  EXPECT_EQ(hit.contact.normal.z, -1);
+  for (const auto& [ground, pose] : {std::pair{static_cast<abut_shape*>(field), at(1, 1, 0.5000000000000001)},
+                                     std::pair{static_cast<abut_shape*>(cube), at(0, 0, 0.5000000000000001)}}) {
+    abut_cast_hit hit{};
+    std::uint32_t found = 0;
+    require(abut_pair_cast(ball, &pose, &down, ground, &identity, &none, nullptr, &hit, &found));
+    ASSERT_EQ(found, 1U);
+    EXPECT_EQ(hit.fraction, 0);
+    EXPECT_EQ(hit.contact.normal.z, -1);
+  }
+  if (abut_has_feature("motion") == 0) return;
+  const abut_pose above = at(1, 1, 0.500000000001);
+  abut_movement falling{}, still{};
+  falling.velocity = down;
+  abut_impact impact{};
+  require(abut_pair_time_of_impact(ball, &above, &falling, field, &identity, &still, 1, nullptr, &impact));
+  EXPECT_TRUE(impact.state == ABUT_IMPACT_STARTS_TOGETHER || impact.state == ABUT_IMPACT_TOUCHES);
+  EXPECT_LE(impact.upper, 2e-12);
+}
+
+TEST(TouchingGround, HoldsABallThatFellOntoIt) {
+  ABUT_NEEDS_MOTION();
+  const Shape ball = make_sphere(0.5), field = make_of_kind("height_field", {3, 3, 1, 1}, std::vector(9, 0.0));
+  Universe universe;
+  universe.add(field, identity, ABUT_MOTION_STATIC);
+  add_moving(universe, ball, {at(1, 1, 4), {{0, 0, -10}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}, ABUT_GEOMETRY_FAST);
+  abut_step_impact first{};
+  require(abut_universe_advance_to_first_impact(universe, 1, &first));
+  EXPECT_NEAR(first.lower, 0.35, 1e-9);
+  require(abut_universe_step(universe, 1.0 / 60));
+  ASSERT_EQ(universe.contacts().size(), 1U);
+  EXPECT_EQ(universe.contacts()[0].toi, 0);
 }
 
 }  // namespace
