@@ -40,6 +40,25 @@ CompactAabb inflated(const CompactAabb& box, Real by) {
   return by == 0 ? box : compact(widened(box, {0, 0, 0}).inflated(by), {0, 0, 0});
 }
 
+// Most are in order already, since little changes from step to step.
+void sort_again(std::vector<std::pair<float, std::uint32_t>>& sides) {
+  constexpr std::size_t most_moves = 8;
+  std::size_t moves = 0;
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const std::pair<float, std::uint32_t> its = sides[i];
+    std::size_t at = i;
+    for (; at > 0 && its < sides[at - 1]; --at) {
+      sides[at] = sides[at - 1];
+    }
+    sides[at] = its;
+    moves += i - at;
+    if (moves > most_moves * sides.size()) {
+      std::ranges::sort(sides);
+      return;
+    }
+  }
+}
+
 // Of what a mover meets in a span of time.
 template <class Mover>
 Aabb box_within(const Mover& its, const TimeSpan& span, const Places& places) {
@@ -74,29 +93,95 @@ void Sweeps::add_mover(const Paths& paths, const BoxFrame& frame, std::uint32_t 
 
 // First those with a sweeping, then the quick ones: those that get further than the mean size of the former. So no
 // quick one makes the others ask far around.
-void Sweeps::find_movers(const Paths& paths, const BoxFrame& frame, const Space& space,
-                         std::span<const std::uint32_t> swept_places, Places& places) {
-  movers_.clear();
-  mover_at_.assign(places.infos.size(), no_index);
+void Sweeps::find_candidates(const Paths& paths, const BoxFrame& frame, const Space& space,
+                             std::span<const std::uint32_t> swept_places, Places& places) {
+  candidates_.clear();
+  is_candidate_.assign(places.infos.size(), false);
+  const auto way_of = [&](std::uint32_t at) { return paths.farthest(at, widened(places.boxes[at], frame.origin)); };
+  const auto add = [&](std::uint32_t at, Real way, bool has_sweeping) {
+    candidates_.push_back({at, has_sweeping, false, inflated(places.boxes[at], way)});
+    is_candidate_[at] = true;
+  };
   Real size = 0;
   for (const std::uint32_t at : swept_places) {
     if (space.is_shown(at)) {
       places.note(at, happened_on_path);
-      add_mover(paths, frame, at, places);
-      size += movers_.back().size;
+      add(at, way_of(at), true);
+      size += largest_side(widened(places.boxes[at], frame.origin));
     }
   }
+  swept_ = candidates_.size();
   slow_way_ = 0;
-  const Real most = movers_.empty() ? 0 : size / static_cast<Real>(movers_.size());
-  for (std::uint32_t at = 0; !movers_.empty() && at < places.infos.size(); ++at) {
-    if (paths.is_still(at) || mover_at_[at] != no_index || !space.is_shown(at)) {
+  has_others_ = false;
+  const Real most = swept_ == 0 ? 0 : size / static_cast<Real>(swept_);
+  for (std::uint32_t at = 0; swept_ > 0 && at < places.infos.size(); ++at) {
+    if (is_candidate_[at] || !space.is_shown(at)) {
       continue;
     }
-    const Real way = paths.farthest(at, widened(places.boxes[at], frame.origin));
+    has_others_ = true;
+    if (paths.is_still(at)) {
+      continue;
+    }
+    const Real way = way_of(at);
     if (way <= most) {
       slow_way_ = std::max(slow_way_, way);
     } else {
-      add_mover(paths, frame, at, places);
+      add(at, way, false);
+    }
+  }
+}
+
+void Sweeps::pair_candidates(const Places& places) {
+  side_boxes_.clear();
+  coarse_pairs_.clear();
+  if (by_side_.size() != candidates_.size()) {
+    by_side_.clear();
+    for (std::uint32_t number = 0; number < candidates_.size(); ++number) {
+      by_side_.emplace_back(0, number);
+    }
+  }
+  for (auto& [low, number] : by_side_) {
+    low = candidates_[number].box.low[0];
+  }
+  sort_again(by_side_);
+  for (const auto& [low, number] : by_side_) {
+    side_boxes_.push_back(candidates_[number].box);
+  }
+  for (std::size_t i = 0; i < by_side_.size(); ++i) {
+    const CompactAabb box = side_boxes_[i];
+    for (std::size_t j = i + 1; j < by_side_.size() && side_boxes_[j].low[0] <= box.high[0]; ++j) {
+      if (!box.overlaps(side_boxes_[j])) {
+        continue;
+      }
+      Candidate &a = candidates_[by_side_[i].second], &b = candidates_[by_side_[j].second];
+      if ((a.has_sweeping || b.has_sweeping) && may_pair(places.infos[a.place], places.infos[b.place])) {
+        a.is_mover = b.is_mover = true;
+        coarse_pairs_.push_back({a.place, b.place});
+      }
+    }
+  }
+}
+
+// Those that may meet another candidate, or what is slow.
+void Sweeps::find_movers(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
+                         const Places& places) {
+  movers_.clear();
+  mover_at_.assign(places.infos.size(), no_index);
+  const Cuts cuts = workers.cut(swept_, least_of_task);
+  workers.for_each(has_others_ ? cuts.tasks() : 0, [&](std::size_t number) {
+    for (std::size_t i = cuts.begin(number); i < cuts.end(number); ++i) {
+      Candidate& its = candidates_[i];
+      if (!its.is_mover) {
+        const PlaceInfo& info = places.infos[its.place];
+        space.visit(inflated(its.box, slow_way_), [&](std::uint32_t met) {
+          its.is_mover = its.is_mover || (!is_candidate_[met] && may_pair(info, places.infos[met]));
+        });
+      }
+    }
+  });
+  for (const Candidate& its : candidates_) {
+    if (its.is_mover) {
+      add_mover(paths, frame, its.place, places);
     }
   }
 }
@@ -128,7 +213,7 @@ void Sweeps::halve(std::uint32_t number, const TimeSpan& span, std::size_t first
   }
 }
 
-// Those that are no movers.
+// Those that are no candidates.
 void Sweeps::meet_slow(std::uint32_t number, const Paths& paths, const BoxFrame& frame, const Space& space,
                        const Places& places, Task& task) const {
   const Mover& its = movers_[number];
@@ -142,7 +227,7 @@ void Sweeps::meet_slow(std::uint32_t number, const Paths& paths, const BoxFrame&
     const CompactAabb box = compact(exact, frame.origin);
     task.near.clear();
     space.visit(inflated(box, slow_way_), [&](std::uint32_t met) {
-      if (mover_at_[met] != no_index || task.seen_by[met] == number || !may_pair(info, places.infos[met])) {
+      if (is_candidate_[met] || task.seen_by[met] == number || !may_pair(info, places.infos[met])) {
         return;
       }
       const CompactAabb& there = places.boxes[met];
@@ -172,22 +257,10 @@ bool Sweeps::may_meet(const Mover& a, const Mover& b, const TimeSpan& span, int 
 }
 
 void Sweeps::meet_movers(const Places& places) {
-  by_side_.clear();
-  for (std::uint32_t number = 0; number < movers_.size(); ++number) {
-    by_side_.push_back(number);
-  }
-  std::ranges::sort(by_side_, [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(movers_[a].box.low.x, a) < std::pair(movers_[b].box.low.x, b);
-  });
-  for (std::size_t i = 0; i < by_side_.size(); ++i) {
-    const Mover& a = movers_[by_side_[i]];
-    for (std::size_t j = i + 1; j < by_side_.size() && movers_[by_side_[j]].box.low.x <= a.box.high.x; ++j) {
-      const Mover& b = movers_[by_side_[j]];
-      if ((a.has_sweeping || b.has_sweeping) && a.box.overlaps(b.box) &&
-          may_pair(places.infos[a.place], places.infos[b.place]) &&
-          may_meet(a, b, a.path.whole(), most_halvings, places)) {
-        pairs_.push_back({std::min(a.place, b.place), std::max(a.place, b.place)});
-      }
+  for (const ProxyPair& pair : coarse_pairs_) {
+    const Mover &a = movers_[mover_at_[pair.low]], &b = movers_[mover_at_[pair.high]];
+    if (a.box.overlaps(b.box) && may_meet(a, b, a.path.whole(), most_halvings, places)) {
+      pairs_.push_back({std::min(a.place, b.place), std::max(a.place, b.place)});
     }
   }
 }
@@ -196,7 +269,9 @@ bool Sweeps::run(const Workers& workers, const Paths& paths, const BoxFrame& fra
                  std::span<const std::uint32_t> swept_places, Places& places) {
   pairs_before_.swap(pairs_);
   pairs_.clear();
-  find_movers(paths, frame, space, swept_places, places);
+  find_candidates(paths, frame, space, swept_places, places);
+  pair_candidates(places);
+  find_movers(workers, paths, frame, space, places);
   const auto is_swept = [](const Mover& its) { return its.has_sweeping; };
   const auto swept = static_cast<std::size_t>(std::ranges::count_if(movers_, is_swept));
   const Cuts cuts = workers.cut(swept, least_of_task);
@@ -242,10 +317,14 @@ std::span<const ProxyPair> Sweeps::with(std::span<const ProxyPair> near) {
 }
 
 std::size_t Sweeps::bytes() const {
-  std::size_t sum =
-      movers_.capacity() * sizeof(Mover) + by_side_.capacity() * sizeof(std::uint32_t) +
-      (mover_at_.capacity() + numbers_.capacity()) * sizeof(std::uint32_t) + tasks_.capacity() * sizeof(Task) +
-      (pairs_.capacity() + pairs_before_.capacity() + joined_.capacity() + scratch_.capacity()) * sizeof(ProxyPair);
+  std::size_t sum = movers_.capacity() * sizeof(Mover) + candidates_.capacity() * sizeof(Candidate) +
+                    side_boxes_.capacity() * sizeof(CompactAabb) + is_candidate_.capacity() / 8 +
+                    by_side_.capacity() * sizeof(by_side_[0]) +
+                    (mover_at_.capacity() + numbers_.capacity()) * sizeof(std::uint32_t) +
+                    tasks_.capacity() * sizeof(Task) +
+                    (coarse_pairs_.capacity() + pairs_.capacity() + pairs_before_.capacity() + joined_.capacity() +
+                     scratch_.capacity()) *
+                        sizeof(ProxyPair);
   for (const Task& task : tasks_) {
     sum += task.pairs.capacity() * sizeof(ProxyPair) + task.near.capacity() * sizeof(Near) +
            task.seen_by.capacity() * sizeof(std::uint32_t);

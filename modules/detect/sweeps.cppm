@@ -19,11 +19,12 @@ export namespace abut {
 // geometry with a sweeping asks the broad phase for whom its swept box meets, grown by how far slow ones get. Whoever
 // is quicker is in a list of movers, which are tried with each other.
 //
-// A long way is halved again and again, and those met are asked again by each half: a long diagonal motion does not
-// meet all that is in its box.
+// A coarse box of the way is tried first: where it meets nothing, as of most that fly through open space, no path is
+// made. A long way is halved again and again, and those met are asked again by each half: a long diagonal motion does
+// not meet all that is in its box.
 class Sweeps {
  public:
-  // A geometry that has a sweeping, or gets far.
+  // A geometry that has a sweeping, or gets far, and whose coarse box meets another one.
   struct Mover {
     std::uint32_t place;
     bool has_sweeping;
@@ -56,6 +57,12 @@ class Sweeps {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  // A geometry that has a sweeping, or gets far.
+  struct Candidate {
+    std::uint32_t place;
+    bool has_sweeping, is_mover;
+    CompactAabb box;  // coarse, of its whole way
+  };
   struct Near {
     std::uint32_t place;
     CompactAabb box;  // of all its path
@@ -68,8 +75,11 @@ class Sweeps {
   };
 
   void add_mover(const Paths& paths, const BoxFrame& frame, std::uint32_t place, const Places& places);
-  void find_movers(const Paths& paths, const BoxFrame& frame, const Space& space,
-                   std::span<const std::uint32_t> swept_places, Places& places);
+  void find_candidates(const Paths& paths, const BoxFrame& frame, const Space& space,
+                       std::span<const std::uint32_t> swept_places, Places& places);
+  void pair_candidates(const Places& places);
+  void find_movers(const Workers& workers, const Paths& paths, const BoxFrame& frame, const Space& space,
+                   const Places& places);
   void meet_slow(std::uint32_t number, const Paths& paths, const BoxFrame& frame, const Space& space,
                  const Places& places, Task& task) const;
   void halve(std::uint32_t number, const TimeSpan& span, std::size_t first, int depth, const BoxFrame& frame,
@@ -78,10 +88,16 @@ class Sweeps {
   [[nodiscard]] bool may_meet(const Mover& a, const Mover& b, const TimeSpan& span, int depth,
                               const Places& places) const;
 
+  std::vector<Candidate> candidates_;                     // first those with a sweeping
+  std::size_t swept_ = 0;                                 // how many of these have one
+  std::vector<bool> is_candidate_;                        // by place
+  bool has_others_ = false;                               // whether anything is no candidate
+  std::vector<std::pair<float, std::uint32_t>> by_side_;  // low sides of candidates and their numbers, in order
+  std::vector<CompactAabb> side_boxes_;                   // in that order
+  std::vector<ProxyPair> coarse_pairs_;                   // places of candidates whose boxes meet
   std::vector<Mover> movers_;
-  std::vector<std::uint32_t> by_side_;   // numbers of movers, by the low side of their boxes
   std::vector<std::uint32_t> mover_at_;  // by place; no_index where there is none
-  Real slow_way_ = 0;                    // of those that are no movers
+  Real slow_way_ = 0;                    // of those that are no candidates
   std::vector<Task> tasks_;
   std::vector<ProxyPair> pairs_, pairs_before_, joined_, scratch_;
   std::vector<std::uint32_t> numbers_;
