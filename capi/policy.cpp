@@ -12,6 +12,7 @@ using namespace abut::capi;
 static_assert(static_cast<abut_detail>(abut::Detail::manifold) == ABUT_DETAIL_MANIFOLD);
 static_assert(static_cast<abut_detail>(abut::Detail::point) == ABUT_DETAIL_POINT);
 static_assert(static_cast<abut_detail>(abut::Detail::box) == ABUT_DETAIL_BOX);
+static_assert(static_cast<abut_detail>(abut::Detail::touch) == ABUT_DETAIL_TOUCH);
 
 namespace {
 
@@ -26,7 +27,7 @@ abut_status check_policy(const abut_policy& policy) {
   const Where where{"policy"};
   abut_status status = check_struct_size(where, policy);
   status = status != ABUT_OK ? status : check_value(where, ".algorithm", policy.algorithm, ABUT_ALGORITHM_LIBCCD_MPR);
-  return status != ABUT_OK ? status : check_value(where, ".detail", policy.detail, ABUT_DETAIL_BOX);
+  return status != ABUT_OK ? status : check_value(where, ".detail", policy.detail, ABUT_DETAIL_TOUCH);
 }
 
 abut::Policy to_policy(const abut_policy& policy) {

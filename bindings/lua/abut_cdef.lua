@@ -399,6 +399,11 @@ abut_status abut_pairs_contacts_with_memories(const abut_shape *a, const abut_po
                                                        size_t pair_count, const abut_query_options *options,
                                                        abut_pair_memory *memories, uint64_t *offsets,
                                                        abut_contact *contacts, size_t capacity, size_t *count);
+abut_status abut_pair_overlaps(const abut_shape *a, const abut_pose *pose_a, const abut_shape *b,
+                                        const abut_pose *pose_b, const abut_query_options *options, uint32_t *out);
+abut_status abut_pairs_overlap(const abut_shape *const *shapes_a, const abut_pose *poses_a,
+                                        const abut_shape *const *shapes_b, const abut_pose *poses_b, size_t count,
+                                        const abut_query_options *options, uint32_t *out);
 typedef struct abut_first_touch {
   uint32_t touches;
   uint32_t reserved;
@@ -689,7 +694,8 @@ typedef uint32_t abut_detail;
 enum abut_detail_value {
   ABUT_DETAIL_MANIFOLD = 0,
   ABUT_DETAIL_POINT = 1,
-  ABUT_DETAIL_BOX = 2
+  ABUT_DETAIL_BOX = 2,
+  ABUT_DETAIL_TOUCH = 3
 };
 typedef struct abut_policy {
   uint32_t struct_size;

@@ -919,6 +919,39 @@ ABUT_API abut_status abut_pairs_contacts_with_memories(const abut_shape *a, cons
                                                        abut_pair_memory *memories, uint64_t *offsets,
                                                        abut_contact *contacts, size_t capacity, size_t *count);
 
+/**
+ * Whether two shapes are within options.margin of each other; `out` becomes 1 or 0. With a margin of 0 that is whether
+ * they overlap or touch. It ends at the first separating axis or the first common point, so it costs a fraction of a
+ * distance or of contacts. Use it where depth and contacts are not needed.
+ *
+ * - The answer is 1 where abut_pair_distance is at most the margin. Within rounding of that (some 1e-14 of the largest
+ *   coordinate; 1e-9 of the size where a cylinder, a cone or an ellipsoid takes part) it may be either; shapes that
+ *   touch there mostly count as overlapping.
+ * - Surfaces count from both sides, also one-sided ones, and solid surfaces with all that they enclose. A height field
+ *   with ABUT_BELOW_SOLID is solid inside its box, sides and floor included.
+ * - Swapping a and b never changes the answer.
+ * - Composites with holes, lone holes, planes against surfaces, and distance fields near their surface are answered by
+ *   the distance, at the cost of that. So are margins below 0 that no radius covers, where the shapes do overlap.
+ *
+ * ABUT_UNSUPPORTED as for abut_pair_distance, and for an options.algorithm other than ABUT_ALGORITHM_AUTO.
+ * @param options  may be null; error_bound, max_contacts, max_pair_contacts and threads have no effect
+ * Complexity: of surfaces O(log triangles) mostly. Source: Gilbert, Johnson, Keerthi 1988; separating axes (Gottschalk,
+ * Lin, Manocha 1996). [any]
+ */
+ABUT_API abut_status abut_pair_overlaps(const abut_shape *a, const abut_pose *pose_a, const abut_shape *b,
+                                        const abut_pose *pose_b, const abut_query_options *options, uint32_t *out);
+
+/**
+ * The same for `count` pairs of shapes, each with poses of its own; a shape may be named more than once. The first
+ * failure ends it, nothing is written then.
+ * @param options  may be null; `threads` as for other batches
+ * @param out      `count` numbers, each 1 or 0
+ * [any]
+ */
+ABUT_API abut_status abut_pairs_overlap(const abut_shape *const *shapes_a, const abut_pose *poses_a,
+                                        const abut_shape *const *shapes_b, const abut_pose *poses_b, size_t count,
+                                        const abut_query_options *options, uint32_t *out);
+
 /* ------------------------------------------------------------------------------------------------
  * Vertices on straight lines: what the triangles of meshes that deform ask about each other
  * --------------------------------------------------------------------------------------------- */
@@ -1240,8 +1273,8 @@ ABUT_API void abut_sleep_init(abut_sleep *sleep, uint32_t struct_size);
  *  what it carried;
  *  - an animated or static part that it touches moves, or changes its motion or geometries;
  *  - abut_part_wake says so.
- * Touches of sensors and pairs treated as boxes count for nothing. Sleep changes no contact: detections cover sleeping
- * parts like any others. It tells the caller what need not be simulated.
+ * Touches of sensors and of pairs whose policy wants no contacts count for nothing. Sleep changes no contact:
+ * detections cover sleeping parts like any others. It tells the caller what need not be simulated.
  * Complexity of a step O(parts that may sleep + pairs). [exclusive]
  */
 ABUT_API abut_status abut_part_set_sleep(abut_universe *universe, abut_part_id part, const abut_sleep *sleep);
@@ -1649,7 +1682,9 @@ typedef uint32_t abut_detail;
 enum abut_detail_value ABUT_ENUM(uint32_t) {
   ABUT_DETAIL_MANIFOLD = 0, /**< all contacts */
   ABUT_DETAIL_POINT = 1,    /**< the deepest one */
-  ABUT_DETAIL_BOX = 2       /**< whether the boxes overlap: events without contacts */
+  ABUT_DETAIL_BOX = 2,      /**< whether the boxes overlap: events without contacts */
+  ABUT_DETAIL_TOUCH = 3     /**< whether the shapes touch, as abut_universe_overlaps finds out: events without
+                                 contacts. The algorithm and the error bound of the policy have no effect */
 };
 
 /** How the pairs of two tags are treated: their algorithm, precision and rate. */
@@ -1878,7 +1913,8 @@ typedef struct abut_step_stats {
   uint64_t filtered_pairs;         /**< pairs of overlapping boxes that the filters left out */
   uint64_t examined_pairs;         /**< candidates handed to the narrow phase */
   uint64_t kept_pairs;             /**< candidates that kept what they had */
-  uint64_t touching_pairs;         /**< pairs with at least one contact, or treated as boxes */
+  uint64_t touching_pairs;         /**< pairs with at least one contact, treated as boxes, or with ABUT_DETAIL_TOUCH
+                                        touching */
   uint64_t contacts;
   uint64_t unsupported_pairs;      /**< admitted pairs that have no algorithm, by declaration */
   uint64_t events;
@@ -1983,7 +2019,7 @@ ABUT_API abut_status abut_universe_validate(const abut_universe *universe, abut_
 /**
  * Dynamic parts that touch each other, directly or through others. A part that touches no other dynamic part is an
  * island of its own. Animated and static parts are in none, or the ground would join them all. Touches of sensors
- * and pairs that are treated as boxes join nobody.
+ * and of pairs whose policy wants no contacts join nobody.
  */
 typedef struct abut_island {
   uint64_t id;         /**< not 0, and never used again in this universe */
@@ -2333,7 +2369,9 @@ ABUT_API abut_status abut_universe_cast_movements(const abut_universe *universe,
                                                   const abut_query_filter *filter, abut_impact_hit *hits);
 
 /**
- * Geometries with which a shape has contacts up to a distance, by count-then-fill, ordered by slot.
+ * Geometries with which a shape has contacts up to a distance, by count-then-fill, ordered by slot. No contacts are
+ * made: the first common point decides, as with abut_pair_overlaps. A one-sided surface counts where the shape reaches
+ * before its front, also around its border, where there may be no contact.
  * @param filter  may be null
  * @param margin  as in abut_query_options; 0 for what touches, may be negative
  * [const]

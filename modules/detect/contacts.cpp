@@ -98,7 +98,7 @@ void ContactList::count(std::size_t begin, std::size_t end, const JobList& jobs,
       pair.job = its.chunk;
       pair.first_contact = its.first;
       pair.contact_count = its.count;
-      pair.is_touching = its.count > 0;
+      pair.is_touching = its.count > 0 || its.is_touching;
     }
     task.kept += pair.job == no_job ? pair.contact_count : 0;
     const bool is_candidate = pair.is_admitted && (pair.is_supported || pair.is_touching);

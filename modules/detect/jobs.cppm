@@ -61,6 +61,7 @@ inline constexpr std::size_t job_run_count = run_count + 1;
 // Where the contacts of a job lie in the points of its chunk, after reduction and in the world.
 struct JobResult {
   std::uint32_t chunk = 0, first = 0, count = 0;
+  bool is_touching = false;  // though contacts are not wanted
 };
 
 // Jobs next to each other of one run and one policy, and the contacts that they found.

@@ -9,6 +9,7 @@ import abut.detect.sides;
 import abut.detect.stopwatch;
 import abut.math;
 import abut.narrow.manifold;
+import abut.pairs.any_shape.overlap;
 import abut.pairs.any_shape;
 import abut.pairs.registry.seams;
 import abut.pairs.registry.self_contacts;
@@ -44,6 +45,10 @@ void finish_job(const FoundPoints& points, const UniverseOptions& options, Detai
   const PairJob& its = jobs.jobs()[points.job];
   const std::span<ContactPoint> found = std::span(scratch.points).subspan(points.first, points.count);
   const auto reported = [&](const ContactPoint& contact) { return is_reported(contact.distance, its.margin); };
+  if (detail == Detail::touch) {
+    jobs.result(points.job) = {points.chunk, 0, 0, std::ranges::any_of(found, reported)};
+    return;
+  }
   const auto surfaces = [&](const ContactPoint& contact) {
     return surfaces_of(*places.shapes[its.a], *places.shapes[its.b], contact);
   };
@@ -65,6 +70,30 @@ void finish_job(const FoundPoints& points, const UniverseOptions& options, Detai
   jobs.result(points.job) = {points.chunk, static_cast<std::uint32_t>(points.first), static_cast<std::uint32_t>(left)};
 }
 
+// What pairs that remember sides touch depends on these.
+bool has_sides(const Chunk& chunk, const SideStage& sides) {
+  bool has_any = false;
+  for (std::uint32_t job = chunk.begin; job < chunk.end; ++job) {
+    has_any = has_any || sides.has(job);
+  }
+  return has_any;
+}
+
+// Of a chunk whose contacts nobody wants.
+void find_touches(std::size_t number, const Places& places, JobList& jobs) {
+  const Chunk& chunk = jobs.chunks()[number];
+  Manifold& scratch = jobs.scratch(number).points;
+  for (std::uint32_t job = chunk.begin; job < chunk.end; ++job) {
+    const PairJob& its = jobs.jobs()[job];
+    bool is_touching = false;
+    const Outcome outcome =
+        pair_overlaps(*places.shapes[its.a], *places.shapes[its.b], places.worlds[its.a], places.worlds[its.b],
+                      its.margin, OverlapRule::of_contacts, scratch, is_touching);
+    jobs.result(job) = {static_cast<std::uint32_t>(number), 0, 0, outcome == Outcome::ok && is_touching};
+  }
+  scratch.clear();
+}
+
 void find_in_chunk(std::size_t number, const UniverseOptions& options, const PolicyTable& policies,
                    const Places& places, std::span<const ContactHistory> histories, PairStore& pairs, SideStage& sides,
                    JobList& jobs) {
@@ -78,6 +107,10 @@ void find_in_chunk(std::size_t number, const UniverseOptions& options, const Pol
     for (std::uint32_t job = chunk.begin; job < chunk.end; ++job) {
       jobs.result(job) = {static_cast<std::uint32_t>(number), 0, 0};
     }
+    return;
+  }
+  if (policy.detail == Detail::touch && !is_self_run(chunk.run) && !has_sides(chunk, sides)) {
+    find_touches(number, places, jobs);
     return;
   }
   scratch.results.resize(its_jobs.size());

@@ -97,6 +97,11 @@ void finish(const PathScene& scene, const Sides& sides, const Moment& moment, co
   const std::size_t first = result.first + result.count;
   const std::span<ContactPoint> found = std::span(scratch.points).subspan(first);
   const Detail detail = scene.policies.at(pair.policy).detail;
+  if (detail == Detail::touch) {
+    result.is_touching = result.is_touching || std::ranges::any_of(found, is_wanted);
+    scratch.points.resize(first);
+    return;
+  }
   const auto surfaces = [&](const ContactPoint& contact) {
     return surfaces_of(*scene.places.shapes[sides.job.a], *scene.places.shapes[sides.job.b], contact);
   };
@@ -140,6 +145,7 @@ void take_over(std::size_t number, JobList& jobs, JobResult& result) {
   scratch.locals.insert(scratch.locals.end(), locals.begin(), locals.end());
   scratch.locals.resize(scratch.points.size());
   result.count = before.count;
+  result.is_touching = before.is_touching;
 }
 
 void report_start(const PathScene& scene, const Sides& sides, const Pair& pair, Real touching, ChunkScratch& scratch,

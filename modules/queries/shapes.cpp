@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
+import abut.pairs.any_shape.overlap;
 import abut.pairs.any_shape;
 import abut.queries.filter;
 import abut.scene;
@@ -43,15 +44,14 @@ std::vector<GeometryId> find_overlaps(const Scene& scene, const AnyShape& shape,
                                       const QueryFilter& filter) {
   std::vector<GeometryId> found;
   Manifold contacts;
-  const QuerySettings settings{.margin = margin};
   scene.visit(aabb_of(shape, pose).inflated(std::max(margin, Real{0})), [&](std::uint32_t place) {
     if (!admits(filter, scene, place)) {
       return;
     }
-    contacts.clear();
-    const Outcome outcome =
-        pair_contacts(shape, scene.shape_at(place), pose, scene.world_at(place), settings, contacts);
-    if (outcome == Outcome::ok && !contacts.empty()) {
+    bool is_met = false;
+    const Outcome outcome = pair_overlaps(shape, scene.shape_at(place), pose, scene.world_at(place), margin,
+                                          OverlapRule::of_contacts, contacts, is_met);
+    if (outcome == Outcome::ok && is_met) {
       found.push_back(scene.id_at(place));
     }
   });

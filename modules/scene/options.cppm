@@ -183,6 +183,7 @@ enum class Detail : std::uint32_t {
   manifold,  // everything
   point,     // the deepest contact
   box,       // whether the boxes overlap: events, no contacts
+  touch,     // whether the shapes touch: events, no contacts
 };
 
 // How the pairs of two tags are treated.

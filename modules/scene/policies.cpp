@@ -46,7 +46,7 @@ Fault check_policy(const Policy& policy) {
 bool PolicyTable::is_whole() const {
   constexpr std::size_t most = std::size_t{tag_count} * tag_count;
   const auto is_policy = [](const Policy& its) {
-    return its.algorithm <= Algorithm::libccd_mpr && its.detail <= Detail::box && !check_policy(its);
+    return its.algorithm <= Algorithm::libccd_mpr && its.detail <= Detail::touch && !check_policy(its);
   };
   const bool has_numbers = numbers_.empty() || numbers_.size() == std::size_t{tag_count} * tag_count;
   return has_numbers && !policies_.empty() && policies_.size() <= most && std::ranges::all_of(policies_, is_policy) &&

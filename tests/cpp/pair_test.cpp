@@ -62,6 +62,20 @@ TEST(Pair, IsAskedAtManyPoses) {
   }
 }
 
+TEST(Pair, TellsWhetherTheyOverlap) {
+  const abut::Shape box = abut::Shape::box(1, 1, 1), ball = abut::Shape::sphere(1);
+  EXPECT_TRUE(abut::pair_overlaps(box, abut::pose(), ball, abut::pose({1.5, 0, 0})));
+  EXPECT_FALSE(abut::pair_overlaps(box, abut::pose(), ball, abut::pose({2.5, 0, 0})));
+  EXPECT_TRUE(
+      abut::pair_overlaps(box, abut::pose(), ball, abut::pose({2.5, 0, 0}), abut::QueryOptions().with_margin(0.5)));
+  const std::vector<abut::Shape> first{box, ball}, second{ball, box};
+  const std::vector<abut::Pose> here(2, abut::pose()), there{abut::pose({1.5, 0, 0}), abut::pose({2.5, 0, 0})};
+  EXPECT_EQ(std::vector<std::uint32_t>(abut::pairs_overlap(first, here, second, there)),
+            (std::vector<std::uint32_t>{1, 0}));
+  const std::vector<abut::Shape> one{box};
+  EXPECT_THROW(static_cast<void>(abut::pairs_overlap(one, here, second, there)), abut::Error);
+}
+
 TEST(Pair, HasContacts) {
   const abut::Shape box = abut::Shape::box(1, 1, 1);
   const abut::Pose low = abut::pose({0, 0, 1.75});

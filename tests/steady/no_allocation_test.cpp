@@ -214,6 +214,35 @@ TEST(SteadyPair, OfACompositeWithHolesGivesBackWhatItAsksFor) {
   EXPECT_EQ(resting.stop().calls, 0U) << "a pair that rests asks for nothing";
 }
 
+// Whether two shapes overlap, whatever their kinds but distance fields: what only a search for depths can tell is not
+// asked here.
+TEST(SteadyPair, AsksForNothingToTellWhetherTwoOverlap) {
+  std::vector<Shape> shapes = steady::make_moving_shapes();
+  shapes.push_back(make_terrain(5, 1));
+  shapes.push_back(make_of_kind("height_field", {3, 3, 1, 1, 0, 1}, std::vector<double>(9, 0)));
+  shapes.push_back(
+      make_of_kind("mesh", {2}, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
+  std::size_t overlapping = 0, all = 0;
+  const auto ask = [&](const Shape& a, const Shape& b, double offset) {
+    const abut_pose there = at(offset, 0.1, 0.2);
+    std::uint32_t answer = 0;
+    require(abut_pair_overlaps(a, &identity, b, &there, nullptr, &answer));
+    overlapping += answer;
+    ++all;
+  };
+  for (const Shape& a : shapes) {
+    for (const Shape& b : shapes) {
+      for (const double offset : {0.1, 0.9, 1.7}) ask(a, b, offset);
+      AllocationCounter counter;
+      for (const double offset : {0.1, 0.9, 1.7}) ask(a, b, offset);
+      const Allocations found = counter.stop();
+      EXPECT_EQ(found.calls, 0U) << found.first_places;
+    }
+  }
+  EXPECT_GT(overlapping, all / 5);
+  EXPECT_LT(overlapping, all);
+}
+
 // A query has no memory of its own, since many run at once: its answer is a list that it gives back when it has been
 // copied.
 TEST(SteadyQuery, GivesBackWhatItAsksFor) {

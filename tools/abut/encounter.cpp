@@ -92,7 +92,8 @@ Encounter Encounters::between(std::size_t a, std::size_t b) const {
   const auto found = contacts_.find(std::minmax(a, b));
   its.contacts = found == contacts_.end() ? 0 : found->second;
   const auto closed = std::ranges::find(its.answers, false, &GateAnswer::is_open);
-  its.touches = its.contacts > 0 || (boxes_only && closed == its.answers.end());
+  const bool has_no_contacts = boxes_only || policy.detail == ABUT_DETAIL_TOUCH;
+  its.touches = its.contacts > 0 || (has_no_contacts && closed == its.answers.end());
   if (!its.touches && closed == its.answers.end() && (world_->why_apart(a, b) & ABUT_APART_SIDE) != 0) {
     its.answers.push_back(
         {"side", false, "one is a surface of one side; the other overlaps it from the back, where it stops nothing"});

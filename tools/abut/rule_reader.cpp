@@ -12,8 +12,10 @@ namespace cli {
 namespace {
 
 constexpr std::array<Choice, 2> effects{{{"enable", ABUT_RULE_ENABLE}, {"disable", ABUT_RULE_DISABLE}}};
-constexpr std::array<Choice, 3> details{
-    {{"manifold", ABUT_DETAIL_MANIFOLD}, {"point", ABUT_DETAIL_POINT}, {"box", ABUT_DETAIL_BOX}}};
+constexpr std::array<Choice, 4> details{{{"manifold", ABUT_DETAIL_MANIFOLD},
+                                         {"point", ABUT_DETAIL_POINT},
+                                         {"box", ABUT_DETAIL_BOX},
+                                         {"touch", ABUT_DETAIL_TOUCH}}};
 
 // The parts that a name means: all copies of an entry, or one copy such as "crate[2]".
 std::vector<std::size_t> parts_named(const Node& node, const PartRanges& ranges, const Scene& scene) {

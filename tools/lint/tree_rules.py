@@ -30,6 +30,7 @@ LAYERS = [
     ("narrow/points",),
     ("narrow/warm", "narrow/convex"),
     ("narrow/many", "narrow/cast"),
+    ("narrow/overlap",),
     ("pairs", "deforming"),
     ("pairs/rows",),
     ("pairs/registry",),

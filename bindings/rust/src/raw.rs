@@ -759,6 +759,27 @@ extern "C" {
         count: *mut usize,
     ) -> abut_status;
 }
+extern "C" {
+    pub fn abut_pair_overlaps(
+        a: *const abut_shape,
+        pose_a: *const abut_pose,
+        b: *const abut_shape,
+        pose_b: *const abut_pose,
+        options: *const abut_query_options,
+        out: *mut u32,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_pairs_overlap(
+        shapes_a: *const *const abut_shape,
+        poses_a: *const abut_pose,
+        shapes_b: *const *const abut_shape,
+        poses_b: *const abut_pose,
+        count: usize,
+        options: *const abut_query_options,
+        out: *mut u32,
+    ) -> abut_status;
+}
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_first_touch {
@@ -1446,6 +1467,7 @@ pub type abut_detail = u32;
 pub const ABUT_DETAIL_MANIFOLD: abut_detail_value = 0;
 pub const ABUT_DETAIL_POINT: abut_detail_value = 1;
 pub const ABUT_DETAIL_BOX: abut_detail_value = 2;
+pub const ABUT_DETAIL_TOUCH: abut_detail_value = 3;
 pub type abut_detail_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two shapes alone: distances, contacts and casts. Forms that take a span for their answer make no vector.
+// Two shapes alone: overlaps, distances, contacts and casts. Forms that take a span for their answer make no vector.
 #ifndef ABUT_CPP_PAIR_HPP
 #define ABUT_CPP_PAIR_HPP
 
@@ -9,6 +9,7 @@
 #include <abut/cpp/shape.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -55,6 +56,36 @@ inline Answer<void> pairs_distance(const Shape& a, Span<const Pose> poses_a, con
   return detail::answer(sizes != ABUT_OK ? sizes
                                          : abut_pairs_distance(a.get(), poses_a.data(), b.get(), poses_b.data(),
                                                                poses_a.size(), options.get(), out.data()),
+                        out);
+}
+
+// Whether two shapes are within the margin of the options, by default 0.
+[[nodiscard]] inline Answer<bool> pair_overlaps(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b,
+                                                OptionalRef<abut_query_options> options = {}) {
+  std::uint32_t out = 0;
+  const abut_status status = abut_pair_overlaps(a.get(), &pose_a, b.get(), &pose_b, options.get(), &out);
+  bool answer = out == 1;
+  return detail::answer(status, answer);
+}
+
+// The same pair by pair, for as many shapes and poses on either side: 1 or 0 for each.
+[[nodiscard]] inline Answer<std::vector<std::uint32_t>> pairs_overlap(Span<const Shape> shapes_a,
+                                                                      Span<const Pose> poses_a,
+                                                                      Span<const Shape> shapes_b,
+                                                                      Span<const Pose> poses_b,
+                                                                      OptionalRef<abut_query_options> options = {}) {
+  const std::size_t count = poses_a.size();
+  const std::vector<const abut_shape*> pointers_a = Shape::pointers_of(shapes_a),
+                                       pointers_b = Shape::pointers_of(shapes_b);
+  std::vector<std::uint32_t> out(count);
+  const abut_status sizes =
+      detail::first_failure(detail::expect_as_many("shapes_a", shapes_a.size(), "poses_a", count),
+                            detail::expect_as_many("shapes_b", shapes_b.size(), "poses_a", count),
+                            detail::expect_as_many("poses_b", poses_b.size(), "poses_a", count));
+  return detail::answer(sizes != ABUT_OK
+                            ? sizes
+                            : abut_pairs_overlap(pointers_a.data(), poses_a.data(), pointers_b.data(), poses_b.data(),
+                                                 count, options.get(), out.data()),
                         out);
 }
 

@@ -89,6 +89,23 @@ TEST(Policies, OfBoxesHaveNoContacts) {
   EXPECT_EQ(scene.universe.step().size(), 4U);
 }
 
+TEST(Policies, OfTouchesHaveEventsAndNoContacts) {
+  Sinking scene;
+  abut_policy policy = default_policy();
+  policy.detail = ABUT_DETAIL_TOUCH;
+  scene.set(policy);
+  EXPECT_TRUE(scene.universe.step().empty());
+  EXPECT_EQ(letters_of(scene.universe.events()), "b");
+  EXPECT_EQ(scene.universe.stats().examined_pairs, 1U);
+  EXPECT_EQ(scene.universe.stats().touching_pairs, 1U);
+  scene.universe.move(scene.part, Sinking::pose_at(1.05));
+  EXPECT_TRUE(scene.universe.step().empty());
+  EXPECT_EQ(letters_of(scene.universe.events()), "e");
+  scene.universe.move(scene.part, Sinking::pose_at(0.99));
+  ASSERT_TRUE(succeeded(abut_policy_set(scene.universe, 2, 1, nullptr)));
+  EXPECT_EQ(scene.universe.step().size(), 4U);
+}
+
 // A pair that is found anew in every third step keeps what it has in between, and a new pair does not wait.
 TEST(Policies, APeriodKeepsContactsInBetween) {
   for (int waits = 0; waits < 3; ++waits) {

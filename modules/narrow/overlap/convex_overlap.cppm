@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether two convex cores are within a reach of each other. The first axis that parts them by more ends the search,
+// and so does the first point of both that is as near. Gaps of the size of rounding are none.
+export module abut.narrow.overlap.convex_overlap;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.narrow.overlap.convex_side;
+
+export namespace abut {
+
+// b is placed by ab in the frame of a. `reach`: not negative.
+[[nodiscard]] bool are_cores_within(const ConvexSide& a, const ConvexSide& b, const Pose& ab, Real reach);
+// A core and a triangle in its frame.
+[[nodiscard]] bool is_core_within(const ConvexSide& core, const TriangleCorners& triangle, Real reach);
+// Two triangles of one frame.
+[[nodiscard]] bool are_triangles_within(const TriangleCorners& a, const TriangleCorners& b, Real reach);
+
+// A point of a box within a reach of a core that is placed in its frame, if there is one.
+[[nodiscard]] std::optional<Vec3> point_within(const ConvexSide& core, const Pose& pose, const Aabb& box, Real reach);
+
+}  // namespace abut

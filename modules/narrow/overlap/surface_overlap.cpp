@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.narrow.overlap.surface_overlap;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.math.tolerance;
+import abut.narrow.many.quick_axes;
+import abut.narrow.overlap.convex_overlap;
+import abut.narrow.overlap.convex_side;
+import abut.narrow.overlap.surface_side;
+import abut.trees.eight_boxes;
+import abut.trees.two_trees;
+
+namespace abut {
+namespace {
+
+[[nodiscard]] Real size_of(const Aabb& box) {
+  return largest_magnitude(maximum(absolute(box.low), absolute(box.high)));
+}
+
+// The plane of a triangle, of which only the front stops.
+class Front {
+ public:
+  explicit Front(const TriangleCorners& corners)
+      : normal_(cross(corners[1] - corners[0], corners[2] - corners[0])), height_(dot(normal_, corners[0])) {}
+
+  [[nodiscard]] const Vec3& normal() const [[clang::lifetimebound]] { return normal_; }
+  [[nodiscard]] bool is_before(const Vec3& point) const { return dot(normal_, point) > height_ + noise_at(point); }
+  [[nodiscard]] bool is_behind(const Vec3& point) const { return dot(normal_, point) < height_ - noise_at(point); }
+
+ private:
+  [[nodiscard]] Real noise_at(const Vec3& point) const {
+    return noise_of(largest_magnitude(point)) * largest_magnitude(normal_);
+  }
+
+  Vec3 normal_;
+  Real height_;
+};
+
+class CoreQuestion final : public TriangleQuestion {
+ public:
+  CoreQuestion(const ConvexSide& core, const Pose& ab, Real reach, Real noise, bool has_fronts)
+      : core_(core), ab_(ab), reach_(reach), noise_(noise), has_fronts_(has_fronts) {}
+
+  [[nodiscard]] std::uint64_t near(const FourTriangles& triangles) const override {
+    return core_.near(triangles, reach_);
+  }
+  [[nodiscard]] bool is_answered_by(const TriangleCorners& corners) override {
+    if (!is_within(corners, reach_)) {
+      return false;
+    }
+    const Met met = has_fronts_ ? meets_front(corners) : Met::yes;
+    is_left_ = is_left_ || met == Met::left_to_contacts;
+    return met == Met::yes;
+  }
+  // Whether a triangle has left its answer to contacts.
+  [[nodiscard]] bool is_left() const { return is_left_; }
+
+ private:
+  [[nodiscard]] bool is_within(const TriangleCorners& corners, Real reach) const {
+    if (const std::optional<bool> answer = core_.is_within(corners, reach + noise_)) {
+      return *answer;
+    }
+    return is_core_within(core_, {ab_.undo(corners[0]), ab_.undo(corners[1]), ab_.undo(corners[2])}, reach);
+  }
+  // A core that is all before a front is pushed back by it, and one that is all behind is not.
+  [[nodiscard]] Met meets_front(const TriangleCorners& corners) const {
+    const Front front(corners);
+    const Vec3 up = ab_.rotation.undo(front.normal());
+    if (!front.is_before(ab_ * core_.support(up))) {
+      return Met::no;
+    }
+    const bool is_through = front.is_behind(ab_ * core_.support(-up));
+    return !is_through || (front.is_before(ab_ * core_.centre) && is_within(corners, 0)) ? Met::yes
+                                                                                         : Met::left_to_contacts;
+  }
+
+  const ConvexSide& core_;
+  const Pose& ab_;
+  Real reach_, noise_;
+  bool has_fronts_;
+  bool is_left_ = false;
+};
+
+// Of a shape that is near no triangle. A terrain ends at the sides of its box, where it has no triangles: all that a
+// convex shape and the box have in common is on one side of the surface.
+[[nodiscard]] bool is_inside(const SurfaceSide& surface, const ConvexSide& core, const Pose& ab) {
+  if (!surface.is_terrain()) {
+    return surface.contains(ab * core.support({0, 0, 1}));
+  }
+  const std::optional<Vec3> point = point_within(core, ab, surface.box(), core.radius);
+  return point && surface.contains(*point);
+}
+
+// The boxes of a surface as a Hierarchy.
+class TreeOfSide {
+ public:
+  explicit TreeOfSide(const SurfaceSide& surface) : surface_(surface) {}
+
+  [[nodiscard]] Vec3 origin() const { return surface_.middle(); }
+  template <class Visitor>
+  void visit_children(std::uint32_t node, Visitor&& visit) const {
+    class Visits final : public NodeVisitor {
+     public:
+      explicit Visits(Visitor& visitor) : visit_(visitor) {}
+      void visit(const EightBoxes& boxes) override { visit_(boxes); }
+
+     private:
+      Visitor& visit_;
+    };
+    Visits visits(visit);
+    surface_.visit_node(node, visits);
+  }
+
+ private:
+  const SurfaceSide& surface_;
+};
+
+// The order of two trees in which boxes come first that reach furthest into each other.
+class DeepestFirst {
+ public:
+  DeepestFirst(const Vec3& origin_a, const Vec3& origin_b, const Pose& ab) : axes_(origin_a, origin_b, ab) {}
+
+  // Along the best axis of both, how far boxes are apart at least, or how far in each other at most.
+  [[nodiscard]] [[gnu::always_inline]] inline EightWays ways(const EightBoxes& eight, const OneBox& other,
+                                                             bool are_of_b) const {
+    EightFloats gap = EightFloats(-std::numeric_limits<float>::max());
+    axes_.for_each<EightFloats>(eight, 0, other, are_of_b, [&](int, EightFloats between, EightFloats reach) {
+      const EightFloats beyond = magnitudes(between) - reach;
+      gap = beyond > gap ? beyond : gap;
+    });
+    return in_double(gap);
+  }
+  [[nodiscard]] static inline Real way_of(Real reach) { return reach; }
+
+ private:
+  BoxAxes axes_;
+};
+
+[[nodiscard]] bool has_point_inside(const SurfaceSide& surface, const SurfaceSide& other, const Pose& placing) {
+  SurfaceSide::OnePoint spare{};
+  return surface.is_solid() &&
+         std::ranges::any_of(other.pieces(spare), [&](const Vec3& piece) { return surface.contains(placing * piece); });
+}
+
+// Of two triangles that are within reach: whether the second one is pushed back by the front of the first one.
+[[nodiscard]] Met meets_front(const TriangleCorners& front, const TriangleCorners& other) {
+  const Front its(front);
+  const auto count = [&](const auto& is_there) {
+    return int{is_there(other[0])} + int{is_there(other[1])} + int{is_there(other[2])};
+  };
+  if (count([&](const Vec3& point) { return its.is_before(point); }) == 0) {
+    return Met::no;
+  }
+  return count([&](const Vec3& point) { return its.is_behind(point); }) == 0 ? Met::yes : Met::left_to_contacts;
+}
+
+}  // namespace
+
+Met meets(const SurfaceSide& surface, ConvexSide& core, const Pose& ab, Real reach, Fronts fronts) {
+  const Aabb box = core.box_at(ab), around = surface.box();
+  const Real noise = noise_of(std::fmax(size_of(box), size_of(around)));
+  const Aabb near = box.inflated(std::fmax(reach - core.radius, 0.0) + noise);
+  if (!near.overlaps(around)) {
+    return Met::no;
+  }
+  core.place_among_triangles(ab);
+  CoreQuestion question(core, ab, reach, noise, fronts == Fronts::respected && surface.has_open_fronts());
+  if (surface.ask(near, question) || (surface.is_solid() && is_inside(surface, core, ab))) {
+    return Met::yes;
+  }
+  return question.is_left() ? Met::left_to_contacts : Met::no;
+}
+
+Met meets(const SurfaceSide& a, const SurfaceSide& b, const Pose& ab, Real reach, Fronts fronts) {
+  const Aabb box_a = a.box(), box_b = b.box();
+  const Real noise = noise_of(size_of(box_a) + size_of(box_b) + largest_magnitude(ab.position));
+  if (!transformed(box_b, ab).inflated(reach + noise).overlaps(box_a)) {
+    return Met::no;
+  }
+  const bool fronts_a = fronts == Fronts::respected && a.has_open_fronts(),
+             fronts_b = fronts == Fronts::respected && b.has_open_fronts();
+  Met met = Met::no;
+  const auto visit = [&](std::uint32_t of_a, std::uint32_t of_b) {
+    const TriangleCorners first = a.corners(of_a), local = b.corners(of_b),
+                          second{ab * local[0], ab * local[1], ab * local[2]};
+    const FourTriangles of_first = FourTriangles::all(first), of_second = FourTriangles::all(second);
+    if (QuickAxes<Triangle>::near_on_way(of_first, of_second, {0, 0, 0}, reach) != 0 &&
+        are_triangles_within(first, second, reach)) {
+      const Met front_a = fronts_a ? meets_front(first, second) : Met::yes,
+                front_b = fronts_b ? meets_front(second, first) : Met::yes;
+      if (front_a == Met::yes && front_b == Met::yes) {
+        met = Met::yes;
+      } else if (front_a != Met::no && front_b != Met::no) {
+        met = Met::left_to_contacts;
+      }
+    }
+    return met == Met::yes ? -infinity : reach + noise;
+  };
+  const TreeOfSide tree_a(a), tree_b(b);
+  visit_two(tree_a, tree_b, DeepestFirst(tree_a.origin(), tree_b.origin(), ab), reach + noise, visit);
+  return met != Met::yes && (has_point_inside(a, b, ab) || has_point_inside(b, a, ab.inverse())) ? Met::yes : met;
+}
+
+}  // namespace abut
