@@ -86,6 +86,9 @@ func TestTwoShapes(t *testing.T) {
 	if found.Distance != 1.5 || found.Normal != (Vec3{1, 0, 0}) {
 		t.Error(found)
 	}
+	if must(PairOverlaps(box, here, box, At(3.5, 0, 0), 0)) || !must(PairOverlaps(box, here, box, At(3.5, 0, 0), 2)) {
+		t.Error("boxes 1.5 apart are within a margin of 2, and do not overlap")
+	}
 	if many := must(PairDistances(box, []Pose{here, here}, box, []Pose{At(3, 0, 0), At(4, 0, 0)})); many[1].Distance != 2 {
 		t.Error(many)
 	}

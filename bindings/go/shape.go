@@ -123,6 +123,21 @@ func PairDistance(a *Shape, poseA Pose, b *Shape, poseB Pose) (Distance, error) 
 	return distance(out), nil
 }
 
+// PairOverlaps tells whether two shapes are within a margin; of 0, whether they overlap or touch.
+func PairOverlaps(a *Shape, poseA Pose, b *Shape, poseB Pose, margin float64) (bool, error) {
+	defer runtime.KeepAlive(a)
+	defer runtime.KeepAlive(b)
+	atA, atB := poseA.raw(), poseB.raw()
+	var options C.abut_query_options
+	C.abut_query_options_init(&options, C.uint32_t(unsafe.Sizeof(options)))
+	options.margin = C.double(margin)
+	var out C.uint32_t
+	failure := check(func() C.abut_status {
+		return C.abut_pair_overlaps(a.pointer, &atA, b.pointer, &atB, &options, &out)
+	})
+	return out == 1, failure
+}
+
 // PairDistances asks about many pairs of poses in one call.
 func PairDistances(a *Shape, posesA []Pose, b *Shape, posesB []Pose) ([]Distance, error) {
 	if len(posesA) != len(posesB) {

@@ -73,6 +73,13 @@ function abut.distance(a, pose_a, b, pose_b, options)
   return out
 end
 
+-- Whether two shapes are within the margin of the options, by default 0.
+function abut.overlaps(a, pose_a, b, pose_b, options)
+  local out = ffi.new("uint32_t[1]")
+  check(library.abut_pair_overlaps(a, pose_a, b, pose_b, core.options("abut_query_options", options), out))
+  return out[0] == 1
+end
+
 -- A table of the abut_contact of two shapes, deepest first.
 function abut.contacts(a, pose_a, b, pose_b, options)
   local its = core.options("abut_query_options", options)

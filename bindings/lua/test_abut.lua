@@ -83,6 +83,8 @@ end
 function tests.two_boxes()
   local cube, here = abut.box(1, 1, 1), abut.pose()
   equal(abut.distance(cube, here, cube, abut.pose(3.5)).distance, 1.5)
+  equal(abut.overlaps(cube, here, cube, abut.pose(3.5)), false)
+  equal(abut.overlaps(cube, here, cube, abut.pose(3.5), {margin = 2}), true)
   local contacts = abut.contacts(cube, here, cube, abut.pose(0, 0, 1.75))
   equal(#contacts, 4)
   for _, contact in ipairs(contacts) do equal(contact.distance, -0.25) end

@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import koffi from 'koffi';
-import { AbutError, Shape, Universe, pairCast, pairCasts, pairContactLists, pairContacts, pairDistance, pairDistances, pose, version } from 'abut';
+import { AbutError, Shape, Universe, pairCast, pairCasts, pairContactLists, pairContacts, pairDistance, pairDistances, pairOverlaps, pairsOverlap,
+  pose, version } from 'abut';
 import { abut, structs } from './library.mjs';
 
 const vector = (x, y, z) => ({ x, y, z });
@@ -94,6 +95,10 @@ test('bad input is named', () => {
 test('two boxes', () => {
   const box = Shape.box(1, 1, 1);
   const apart = pairDistance(box, pose(), box, pose(3.5));
+  assert.equal(pairOverlaps(box, pose(), box, pose(3.5)), false);
+  assert.equal(pairOverlaps(box, pose(), box, pose(3.5), { margin: 2 }), true);
+  assert.deepEqual(pairsOverlap([box, box], [pose(), pose()], [box, box], [pose(1), pose(3.5)]), [true, false]);
+  refused('ABUT_INVALID_ARGUMENT', 'shapesB has 1', () => pairsOverlap([box, box], [pose(), pose()], [box], [pose(), pose()]));
   assert.equal(apart.distance, 1.5);
   assert.deepEqual(apart.normal, vector(1, 0, 0));
   const many = pairDistances(box, [pose(), pose()], box, [pose(3), pose(4)]);

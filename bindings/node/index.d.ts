@@ -154,7 +154,14 @@ export interface Contact {
 /** Signed distance of two shapes. */
 export function pairDistance(a: Shape, poseA: Pose, b: Shape, poseB: Pose, options?: QueryOptions): Distance;
 
-/** The same for many pairs of poses of two shapes, in one call. */
+/** Whether two shapes are within the margin, by default 0. */
+export function pairOverlaps(a: Shape, poseA: Pose, b: Shape, poseB: Pose, options?: QueryOptions): boolean;
+
+/** The same pair by pair, in one call: for as many shapes as poses on either side. */
+export function pairsOverlap(
+  shapesA: Shape[], posesA: Poses, shapesB: Shape[], posesB: Poses, options?: QueryOptions): boolean[];
+
+/** Signed distances for many pairs of poses of two shapes, in one call. */
 export function pairDistances(
   a: Shape, posesA: Poses, b: Shape, posesB: Poses, options?: QueryOptions): Distance[];
 

@@ -120,6 +120,24 @@ export function pairDistances(a, posesA, b, posesB, fields) {
   return out.first(first.count);
 }
 
+export function pairOverlaps(a, poseA, b, poseB, fields) {
+  const found = [0];
+  abut.abut_pair_overlaps(a.pointer, poseAt(poseA, 0), b.pointer, poseAt(poseB, 1),
+    options(structs.queryOptions, fields), found);
+  return found[0] === 1;
+}
+
+export function pairsOverlap(shapesA, posesA, shapesB, posesB, fields) {
+  const [first, second] = [posesOf('posesA', posesA), posesOf('posesB', posesB)];
+  expectAsMany('posesA', first.count, 'posesB', second.count);
+  expectAsMany('posesA', first.count, 'shapesA', shapesA.length);
+  expectAsMany('posesA', first.count, 'shapesB', shapesB.length);
+  const out = new Uint32Array(first.count);
+  abut.abut_pairs_overlap(shapesA.map((shape) => shape.pointer), first.bytes, shapesB.map((shape) => shape.pointer),
+    second.bytes, first.count, options(structs.queryOptions, fields), out);
+  return Array.from(out, (answer) => answer === 1);
+}
+
 export function pairContacts(a, poseA, b, poseB, fields) {
   const its = options(structs.queryOptions, fields);
   return codecs.contact.fill((place, capacity, count) => abut.abut_pair_contacts(

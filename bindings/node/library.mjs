@@ -146,6 +146,10 @@ const prototypes = [
 
   'int32_t abut_pair_distance(abut_shape *a, const abut_pose *pose_a, abut_shape *b, const abut_pose *pose_b, ' +
     'const abut_query_options *options, abut_distance *out)',
+  'int32_t abut_pair_overlaps(abut_shape *a, const abut_pose *pose_a, abut_shape *b, const abut_pose *pose_b, ' +
+    'const abut_query_options *options, _Out_ uint32_t *out)',
+  'int32_t abut_pairs_overlap(abut_shape **shapes_a, const abut_pose *poses_a, abut_shape **shapes_b, ' +
+    'const abut_pose *poses_b, size_t count, const abut_query_options *options, void *out)',
   'int32_t abut_pairs_distance(abut_shape *a, const abut_pose *poses_a, abut_shape *b, const abut_pose *poses_b, ' +
     'size_t count, const abut_query_options *options, void *out)',
   'int32_t abut_pair_contacts(abut_shape *a, const abut_pose *pose_a, abut_shape *b, const abut_pose *pose_b, ' +

@@ -82,6 +82,14 @@ namespace Abut
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        internal struct QueryOptions
+        {
+            public uint StructSize, Algorithm;
+            public double ErrorBound, Margin;
+            public uint MaxContacts, MaxPairContacts, Threads, Reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         internal struct LayoutEntry
         {
             public IntPtr Type, Field;
@@ -109,6 +117,9 @@ namespace Abut
 
         [DllImport(Library)] internal static extern int abut_pair_distance(
             Shape a, ref Pose poseA, Shape b, ref Pose poseB, IntPtr options, out Distance distance);
+        [DllImport(Library)] internal static extern void abut_query_options_init(out QueryOptions options, uint size);
+        [DllImport(Library)] internal static extern int abut_pair_overlaps(
+            Shape a, ref Pose poseA, Shape b, ref Pose poseB, ref QueryOptions options, out uint overlap);
         [DllImport(Library)] internal static extern int abut_pairs_distance(
             Shape a, Pose[] posesA, Shape b, Pose[] posesB, UIntPtr count, IntPtr options, [Out] Distance[] distances);
         [DllImport(Library)] internal static extern int abut_pair_contacts(

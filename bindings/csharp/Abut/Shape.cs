@@ -102,7 +102,17 @@ namespace Abut
             return distance;
         }
 
-        /// <summary>The same for many pairs of poses, in one call.</summary>
+        /// <summary>Whether they are within a margin; of 0, whether they overlap or touch.</summary>
+        public static bool Overlaps(Shape a, Pose poseA, Shape b, Pose poseB, double margin = 0)
+        {
+            Native.abut_query_options_init(
+                out Native.QueryOptions options, (uint)Marshal.SizeOf(typeof(Native.QueryOptions)));
+            options.Margin = margin;
+            Native.Check(Native.abut_pair_overlaps(a, ref poseA, b, ref poseB, ref options, out uint overlap));
+            return overlap == 1;
+        }
+
+        /// <summary>Signed distances at many pairs of poses, in one call.</summary>
         public static Distance[] Distances(Shape a, Pose[] posesA, Shape b, Pose[] posesB)
         {
             ExpectAsMany("posesA", posesA, "posesB", posesB);

@@ -115,6 +115,8 @@ namespace Abut
             using (Shape box = Shape.Box(1, 1, 1))
             {
                 Equal(1.5, Pair.Distance(box, Here, box, new Pose(3.5, 0, 0)).Value);
+                Equal(false, Pair.Overlaps(box, Here, box, new Pose(3.5, 0, 0)));
+                Equal(true, Pair.Overlaps(box, Here, box, new Pose(3.5, 0, 0), 2));
                 Distance[] many = Pair.Distances(box, new[] { Here, Here }, box, new[] { new Pose(3, 0, 0), new Pose(4, 0, 0) });
                 Equal("1 2", string.Join(" ", many.Select(each => each.Value)));
                 Contact[] contacts = Pair.Contacts(box, Here, box, new Pose(0, 0, 1.75));

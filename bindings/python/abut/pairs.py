@@ -14,8 +14,8 @@ from .shapes import Shape
 from .values import poses
 
 __all__ = [
-    "pair_cast", "pair_contacts", "pair_distance", "pair_memories", "pairs_cast", "pairs_contacts",
-    "pairs_distance", "points_distance", "validate_contact"]
+    "pair_cast", "pair_contacts", "pair_distance", "pair_memories", "pair_overlaps", "pairs_cast", "pairs_contacts",
+    "pairs_distance", "pairs_overlap", "points_distance", "validate_contact"]
 
 _NO_WAY = (0.0, 0.0, 0.0)
 
@@ -103,6 +103,29 @@ def pairs_contacts(a: Shape, poses_a: Any, b: Shape, poses_b: Any, memories: Any
         call = (pointers[0], poses_of_a, pointers[1], poses_of_b, length, query, *kept)
         parts.append(answers.groups(c.Contact, length, lambda *rest: ask(*call, *rest), 4 * length + 16))
     return answers.joined(parts)
+
+
+def pair_overlaps(a: Shape, pose_a: Any, b: Shape, pose_b: Any, **fields: Any) -> bool:
+    """Whether two shapes are within the margin, by default 0; the fields are those of QueryOptions."""
+    out = c_uint32()
+    library.abut_pair_overlaps(*_placed(a, pose_a, b, pose_b), options.query(fields), byref(out))
+    return out.value == 1
+
+
+def pairs_overlap(a: Any, poses_a: Any, b: Any, poses_b: Any, progress: Progress = None, **fields: Any) -> memoryview:
+    """Whether shapes overlap, pair by pair: a memoryview of numbers that are 1 or 0, which NumPy takes as an array.
+
+    One shape or one pose serves for all of the others. Poses are as in pairs_distance. The fields are those of
+    QueryOptions.
+    """
+    belonging = (given.shape_pointers("a", a), given.structs(c.Pose, "poses_a", poses_a),
+                 given.shape_pointers("b", b), given.structs(c.Pose, "poses_b", poses_b))
+    count, query = given.together(*belonging), options.query(fields)
+    found = (c_uint32 * count)()
+    for start, length in chunks(count, progress):
+        shapes_a, places_a, shapes_b, places_b = (part_of(each.memory, start, length) for each in belonging)
+        library.abut_pairs_overlap(shapes_a, places_a, shapes_b, places_b, length, query, part_of(found, start, length))
+    return memoryview(found).cast("B").cast("I")
 
 
 def validate_contact(contact: c.Contact) -> None:

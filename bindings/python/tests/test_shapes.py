@@ -23,6 +23,20 @@ class Queries(unittest.TestCase):
             self.assertEqual([round(each.distance, 9) for each in many], [1.0, 2.0, 3.0])
             self.assertEqual(len(abut.pair_contacts(box, abut.pose(), box, abut.pose(0, 0, 1.75), max_contacts=1)), 1)
 
+    def test_whether_two_overlap(self):
+        box, ball, here = abut.Shape.box(1, 1, 1), abut.Shape.sphere(1), abut.pose()
+        self.assertIs(abut.pair_overlaps(box, here, ball, abut.pose(1.5, 0, 0)), True)
+        self.assertIs(abut.pair_overlaps(box, here, ball, abut.pose(2.5, 0, 0)), False)
+        self.assertIs(abut.pair_overlaps(box, here, ball, abut.pose(2.5, 0, 0), margin=0.5), True)
+        there = [abut.pose(1.5, 0, 0), abut.pose(2.5, 0, 0), abut.pose(1.9, 1.9, 0)]
+        self.assertEqual(abut.pairs_overlap(box, here, ball, there).tolist(), [1, 0, 0])
+        self.assertEqual(abut.pairs_overlap([box, ball, box], here, [ball, box, box], there).tolist(), [1, 0, 1])
+        self.assertEqual(abut.pairs_overlap(box, here, ball, []).tolist(), [])
+        with self.assertRaisesRegex(ValueError, "b has 2 and poses_b has 3"):
+            abut.pairs_overlap(box, here, [ball, box], there)
+        with self.assertRaisesRegex(TypeError, "a is of type str"):
+            abut.pairs_overlap(["box"], here, ball, there)
+
     def test_memories_of_pairs_change_no_answer(self):
         corners = [x for i in range(8) for x in ((i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5)]
         with abut.Shape.hull(corners) as cube:

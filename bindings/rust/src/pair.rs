@@ -135,6 +135,44 @@ impl<'shapes> Pair<'shapes> {
         Ok(out)
     }
 
+    /// Whether they are within the margin, by default 0. Costs a fraction of a distance or of contacts.
+    pub fn overlaps(&self, pose_a: &Pose, pose_b: &Pose) -> Result<bool> {
+        let mut out = 0;
+        // SAFETY: see distance.
+        check(unsafe {
+            raw::abut_pair_overlaps(
+                self.a.as_ptr(),
+                raw_of(pose_a),
+                self.b.as_ptr(),
+                raw_of(pose_b),
+                &self.options.raw(),
+                &mut out,
+            )
+        })?;
+        Ok(out == 1)
+    }
+
+    /// The same for each pair of poses, in one call.
+    pub fn overlaps_of_each(&self, poses_a: &[Pose], poses_b: &[Pose]) -> Result<Vec<bool>> {
+        expect_as_many(("poses_a", poses_a.len()), ("poses_b", poses_b.len()))?;
+        let shapes_a = vec![self.a.as_ptr() as *const _; poses_a.len()];
+        let shapes_b = vec![self.b.as_ptr() as *const _; poses_a.len()];
+        let mut out = vec![0; poses_a.len()];
+        // SAFETY: see distance; all slices are equally long.
+        check(unsafe {
+            raw::abut_pairs_overlap(
+                shapes_a.as_ptr(),
+                raw_slice(poses_a),
+                shapes_b.as_ptr(),
+                raw_slice(poses_b),
+                poses_a.len(),
+                &self.options.raw(),
+                out.as_mut_ptr(),
+            )
+        })?;
+        Ok(out.into_iter().map(|answer| answer == 1).collect())
+    }
+
     /// Their contact points, deepest first; none when they are further apart than the margin.
     pub fn contacts(&self, pose_a: &Pose, pose_b: &Pose) -> Result<Vec<Contact>> {
         // SAFETY: see distance; fill hands in a place for `capacity` contacts.

@@ -16,6 +16,8 @@ pub enum Detail {
     Point = raw::ABUT_DETAIL_POINT,
     /// Whether the boxes overlap: events without contacts.
     Box = raw::ABUT_DETAIL_BOX,
+    /// Whether the shapes touch: events without contacts.
+    Touch = raw::ABUT_DETAIL_TOUCH,
 }
 
 /// How geometries of two tags meet.

@@ -103,6 +103,10 @@ fn batches_and_memories_change_no_answer() {
     let there: Vec<_> = (0..3).map(|i| Pose::at(2.0 + f64::from(i), 0.0, 0.0)).collect();
     let distances = |found: Vec<abut::Distance>| found.iter().map(|each| each.distance).collect::<Vec<_>>();
     assert_eq!(distances(pair.distances(&here, &there).unwrap()), [1.0, 2.0, 3.0]);
+    assert_eq!(pair.overlaps_of_each(&here, &there).unwrap(), [false; 3]);
+    let near = Pair::with_options(&cube, &cube, abut::QueryOptions { margin: 2.5, ..Default::default() });
+    assert_eq!(near.overlaps_of_each(&here, &there).unwrap(), [true, true, false]);
+    assert!(near.overlaps(&here[0], &there[0]).unwrap() && !near.overlaps(&here[0], &there[2]).unwrap());
     let mut memories = vec![PairMemory::default(); 3];
     assert_eq!(distances(pair.distances_from(&mut memories, &here, &there).unwrap()), [1.0, 2.0, 3.0]);
     let memory = &mut memories[0];

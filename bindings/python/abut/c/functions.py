@@ -115,6 +115,11 @@ FUNCTIONS = {
     "abut_pair_contacts": (Status, [
         c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(Contact),
         c_size_t, POINTER(c_size_t)]),
+    "abut_pair_overlaps": (Status, [
+        c_void_p, POINTER(Pose), c_void_p, POINTER(Pose), POINTER(QueryOptions), POINTER(c_uint32)]),
+    "abut_pairs_overlap": (Status, [
+        POINTER(c_void_p), POINTER(Pose), POINTER(c_void_p), POINTER(Pose), c_size_t, POINTER(QueryOptions),
+        POINTER(c_uint32)]),
     "abut_vertices_touch_faces": (Status, [
         POINTER(c_double), POINTER(c_double), c_size_t, c_double, c_double, POINTER(FirstTouch)]),
     "abut_edges_touch_edges": (Status, [
