@@ -113,7 +113,7 @@ template <class SupportOf>
 }
 
 // A point or a segment along Z, placed by ab, and a box around the origin.
-[[nodiscard]] Within judge_in_box(const Vec3& half, const ConvexSide& b, const Vec3& position, const Vec3& axis,
+[[nodiscard]] Within judge_in_box(const Vec3& half, const FormOfCore& b, const Vec3& position, const Vec3& axis,
                                   Real reach, Real size) {
   const NearPoints near = b.form == CoreForm::point ? near_points_of_point(half, lanes_of(position))
                                                     : near_points_of_segment(half, lanes_of(position), lanes_of(axis),
@@ -121,24 +121,23 @@ template <class SupportOf>
   return judge(near, reach + rounding_of(size));
 }
 
-[[nodiscard]] Within judge_forms(const ConvexSide& a, const ConvexSide& b, const Pose& ab, Real reach, Real size) {
-  if (a.form != CoreForm::other && b.form != CoreForm::other) {
-    if (a.form == CoreForm::box && b.form == CoreForm::box) {
-      return judge_boxes(a.half, b.half, ab, reach, size);
-    }
-    if (b.form <= a.form) {
-      return judge_in_box(a.half, b, ab.position, ab.rotation.z, reach, size);
-    }
-    const Pose back = ab.inverse();
-    return judge_in_box(b.half, a, back.position, back.rotation.z, reach, size);
+[[nodiscard]] Within judge_forms(const FormOfCore& a, const FormOfCore& b, const Pose& ab, Real reach) {
+  const Real size = 2 * (largest_magnitude(a.half) + largest_magnitude(b.half)) + largest_magnitude(ab.position);
+  if (a.form == CoreForm::box && b.form == CoreForm::box) {
+    return judge_boxes(a.half, b.half, ab, reach, size);
   }
-  if (a.form == CoreForm::point || b.form == CoreForm::point) {
-    const auto distance = a.form == CoreForm::point ? b.distance_to(ab.undo({0, 0, 0})) : a.distance_to(ab.position);
-    if (distance) {
-      return *distance <= reach + rounding_of(size) ? Within::yes : Within::no;
-    }
+  if (b.form <= a.form) {
+    return judge_in_box(a.half, b, ab.position, ab.rotation.z, reach, size);
   }
-  return Within::open;
+  const Pose back = ab.inverse();
+  return judge_in_box(b.half, a, back.position, back.rotation.z, reach, size);
+}
+
+// A point and a core that knows its nearest one.
+[[nodiscard]] std::optional<Real> distance_of_point(const ConvexSide& a, const ConvexSide& b, const Pose& ab) {
+  return a.form.form == CoreForm::point   ? b.distance_to(ab.undo({0, 0, 0}))
+         : b.form.form == CoreForm::point ? a.distance_to(ab.position)
+                                          : std::nullopt;
 }
 
 [[nodiscard]] Real size_of(const TriangleCorners& triangle) {
@@ -169,11 +168,22 @@ template <class SupportOf>
 
 }  // namespace
 
+std::optional<bool> are_forms_within(const FormOfCore& a, const FormOfCore& b, const Pose& ab, Real reach) {
+  if (a.form == CoreForm::other || b.form == CoreForm::other) {
+    return std::nullopt;
+  }
+  const Within answer = judge_forms(a, b, ab, reach);
+  return answer == Within::open ? std::nullopt : std::optional(answer == Within::yes);
+}
+
 bool are_cores_within(const ConvexSide& a, const ConvexSide& b, const Pose& ab, Real reach) {
-  const Vec3 start = a.centre - ab * b.centre;
-  const Real size = 2 * (a.extent + b.extent) + largest_magnitude(a.centre) + largest_magnitude(ab * b.centre);
-  if (const Within answer = judge_forms(a, b, ab, reach, size); answer != Within::open) {
-    return answer == Within::yes;
+  if (const std::optional<bool> answer = are_forms_within(a.form, b.form, ab, reach)) {
+    return *answer;
+  }
+  const Vec3 centre = ab * b.centre, start = a.centre - centre;
+  const Real size = 2 * (a.extent + b.extent) + largest_magnitude(a.centre) + largest_magnitude(centre);
+  if (const std::optional<Real> distance = distance_of_point(a, b, ab)) {
+    return *distance <= reach + rounding_of(size);
   }
   const auto support_of = [&](const Vec3& direction) {
     return SupportPair{a.support(direction), ab * b.support(ab.rotation.undo(-direction)), no_index, no_index};

@@ -11,6 +11,9 @@ export namespace abut {
 
 // b is placed by ab in the frame of a. `reach`: not negative.
 [[nodiscard]] bool are_cores_within(const ConvexSide& a, const ConvexSide& b, const Pose& ab, Real reach);
+// The same of cores that closed forms know, where these tell.
+[[nodiscard]] std::optional<bool> are_forms_within(const FormOfCore& a, const FormOfCore& b, const Pose& ab,
+                                                   Real reach);
 // A core and a triangle in its frame.
 [[nodiscard]] bool is_core_within(const ConvexSide& core, const TriangleCorners& triangle, Real reach);
 // Two triangles of one frame.

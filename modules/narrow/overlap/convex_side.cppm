@@ -14,15 +14,29 @@ export namespace abut {
 // Cores that closed forms know: boxes around the origin along their own axes, a segment along Z being one of them.
 enum class CoreForm : std::uint8_t { point, segment, box, other };
 
+struct FormOfCore {
+  CoreForm form;
+  Vec3 half;  // of a core that closed forms know
+  Real radius;
+};
+template <Convex B>
+[[nodiscard]] inline FormOfCore form_of_core(const B& core) {
+  if constexpr (BoxCored<B>) {
+    constexpr CoreForm form = PointCored<B> ? CoreForm::point : SegmentCored<B> ? CoreForm::segment : CoreForm::box;
+    return {form, core.half(), core.radius()};
+  } else {
+    return {CoreForm::other, {0, 0, 0}, core.radius()};
+  }
+}
+
 // All is in the frame of the shape where nothing else is said.
 class ConvexSide {
  public:
   // Of the core.
   Vec3 centre;
   Real extent;  // as in Convex
-  Vec3 half;    // of a core that closed forms know
   Real radius;
-  CoreForm form;
+  FormOfCore form;
   bool is_curved;
 
   // The point of the core that lies furthest in a direction.
@@ -40,9 +54,8 @@ class ConvexSide {
   [[nodiscard]] virtual std::optional<bool> is_within(const TriangleCorners& triangle, Real reach) const = 0;
 
  protected:
-  ConvexSide(const Vec3& its_centre, Real its_extent, const Vec3& its_half, Real its_radius, CoreForm its_form,
-             bool curved)
-      : centre(its_centre), extent(its_extent), half(its_half), radius(its_radius), form(its_form), is_curved(curved) {}
+  ConvexSide(const Vec3& its_centre, Real its_extent, const FormOfCore& its_form, bool curved)
+      : centre(its_centre), extent(its_extent), radius(its_form.radius), form(its_form), is_curved(curved) {}
   ConvexSide(const ConvexSide&) = default;
   ConvexSide& operator=(const ConvexSide&) = default;
   ~ConvexSide() = default;
@@ -65,7 +78,7 @@ template <Convex B>
 class CoreSide final : public ConvexSide {
  public:
   explicit CoreSide(const B& core)
-      : ConvexSide(core.centre(), core.extent(), half_of(core), core.radius(), form_of(), Curved<B>), core_(core) {}
+      : ConvexSide(core.centre(), core.extent(), form_of_core(core), Curved<B>), core_(core) {}
 
   [[nodiscard]] Vec3 support(const Vec3& direction) const override { return core_.support(direction).point; }
   [[nodiscard]] std::optional<Real> distance_to(const Vec3& point) const override {
@@ -98,20 +111,6 @@ class CoreSide final : public ConvexSide {
   }
 
  private:
-  [[nodiscard]] static Vec3 half_of(const B& core) {
-    if constexpr (BoxCored<B>) {
-      return core.half();
-    } else {
-      return {0, 0, 0};
-    }
-  }
-  [[nodiscard]] static consteval CoreForm form_of() {
-    return PointCored<B>     ? CoreForm::point
-           : SegmentCored<B> ? CoreForm::segment
-           : BoxCored<B>     ? CoreForm::box
-                             : CoreForm::other;
-  }
-
   const B& core_;
   Pose pose_ = Pose::identity();
   std::optional<QuickAxes<B>> axes_;

@@ -77,6 +77,18 @@ using AskSurface = std::function<bool(const SurfaceSide&)>;
       static_cast<const AnyShape::Variant&>(shape));
 }
 
+template <class S>
+[[nodiscard]] FormOfCore form_of_kind(const AnyShape& shape) {
+  if constexpr (Convex<S>) {
+    return form_of_core(*std::get_if<S>(&static_cast<const AnyShape::Variant&>(shape)));
+  } else {
+    return {CoreForm::other, {0, 0, 0}, 0};
+  }
+}
+constexpr auto forms_of_kinds = []<std::size_t... Places>(std::index_sequence<Places...>) {
+  return std::array<FormOfCore (*)(const AnyShape&), Shapes::count>{form_of_kind<Shapes::At<Places>>...};
+}(std::make_index_sequence<Shapes::count>{});
+
 class OverlapQuestion {
  public:
   OverlapQuestion(Real margin, OverlapRule rule, Manifold& scratch)
@@ -139,6 +151,14 @@ class OverlapQuestion {
   }
 
   [[nodiscard]] Outcome ask_cores(const Placed& a, const Placed& b, bool& out) const {
+    const FormOfCore form_a = forms_of_kinds[a.shape.index()](a.shape),
+                     form_b = forms_of_kinds[b.shape.index()](b.shape);
+    if (const Real reach = margin_ + (form_a.radius + form_b.radius); reach >= 0) {
+      if (const std::optional<bool> answer = are_forms_within(form_a, form_b, relative(a.pose, b.pose), reach)) {
+        out = *answer;
+        return Outcome::ok;
+      }
+    }
     bool is_covered = true;
     const auto ask_both = [&](const ConvexSide& first, const ConvexSide& second) {
       const Real reach = margin_ + (first.radius + second.radius);
