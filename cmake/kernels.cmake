@@ -10,7 +10,8 @@ set(abut_kernel_field_surfaces abut.narrow.many.field_surfaces)
 set(abut_kernel_half_space abut.narrow.many.half_space)
 set(abut_kernel_hole abut.narrow.many.hole_surfaces)
 set(abut_kernel_surfaces abut.narrow.many.two_surfaces)
-set(abut_kernels discs fields field_surfaces half_space hole surfaces)
+set(abut_kernel_overlap_of_surfaces abut.narrow.overlap.surface_overlap)
+set(abut_kernels discs fields field_surfaces half_space hole surfaces overlap_of_surfaces)
 
 # Reads what a source is and what it imports: appends to <prefix>_imports_<module> and sets <prefix>_module.
 macro(abut_read_imports file)

@@ -9,6 +9,13 @@ import abut.narrow.overlap.convex_side;
 
 export namespace abut {
 
+// What counts as an overlap of a surface with fronts: a triangle from either side, or as contacts have it only what
+// reaches before it.
+enum class Fronts : std::uint8_t { ignored, respected };
+
+// Only fronts leave an answer to contacts: of a shape that reaches through one from behind, or around its border.
+enum class Met : std::uint8_t { no, yes, left_to_contacts };
+
 // b is placed by ab in the frame of a. `reach`: not negative.
 [[nodiscard]] bool are_cores_within(const ConvexSide& a, const ConvexSide& b, const Pose& ab, Real reach);
 // The same of cores that closed forms know, where these tell.

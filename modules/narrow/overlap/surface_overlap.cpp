@@ -39,7 +39,7 @@ class Front {
 
 class CoreQuestion final : public TriangleQuestion {
  public:
-  CoreQuestion(const ConvexSide& core, const Pose& ab, Real reach, Real noise, bool has_fronts)
+  CoreQuestion(const CoreAmongTriangles& core, const Pose& ab, Real reach, Real noise, bool has_fronts)
       : core_(core), ab_(ab), reach_(reach), noise_(noise), has_fronts_(has_fronts) {}
 
   [[nodiscard]] std::uint64_t near(const FourTriangles& triangles) const override {
@@ -75,7 +75,7 @@ class CoreQuestion final : public TriangleQuestion {
                                                                                          : Met::left_to_contacts;
   }
 
-  const ConvexSide& core_;
+  const CoreAmongTriangles& core_;
   const Pose& ab_;
   Real reach_, noise_;
   bool has_fronts_;
@@ -157,14 +157,14 @@ class DeepestFirst {
 
 }  // namespace
 
-Met meets(const SurfaceSide& surface, ConvexSide& core, const Pose& ab, Real reach, Fronts fronts) {
+Met meets(const SurfaceSide& surface, CoreAmongTriangles& core, const Pose& ab, Real reach, Fronts fronts) {
   const Aabb box = core.box_at(ab), around = surface.box();
   const Real noise = noise_of(std::fmax(size_of(box), size_of(around)));
   const Aabb near = box.inflated(std::fmax(reach - core.radius, 0.0) + noise);
   if (!near.overlaps(around)) {
     return Met::no;
   }
-  core.place_among_triangles(ab);
+  core.place(ab);
   CoreQuestion question(core, ab, reach, noise, fronts == Fronts::respected && surface.has_open_fronts());
   if (surface.ask(near, question) || (surface.is_solid() && is_inside(surface, core, ab))) {
     return Met::yes;

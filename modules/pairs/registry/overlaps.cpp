@@ -8,7 +8,6 @@ import abut.math.tolerance;
 import abut.narrow.overlap.convex_overlap;
 import abut.narrow.overlap.convex_side;
 import abut.narrow.overlap.surface_overlap;
-import abut.narrow.overlap.surface_side;
 import abut.pairs.registry.children;
 import abut.pairs.registry;
 import abut.pairs.routes;
@@ -50,7 +49,6 @@ struct Placed {
 }
 
 using AskConvex = std::function<bool(ConvexSide&)>;
-using AskSurface = std::function<bool(const SurfaceSide&)>;
 
 // Calls with a shape behind functions, which live as long as the call.
 [[nodiscard]] bool ask_convex(const AnyShape& shape, const AskConvex& ask) {
@@ -65,16 +63,29 @@ using AskSurface = std::function<bool(const SurfaceSide&)>;
       },
       static_cast<const AnyShape::Variant&>(shape));
 }
-[[nodiscard]] bool ask_surface(const AnyShape& shape, const AskSurface& ask) {
+
+// Whether a surface and another one or the core of a convex shape are within reach.
+[[nodiscard]] Met ask_surface(const Placed& surface, const Placed& other, Real reach, Fronts fronts) {
+  const Pose ab = relative(surface.pose, other.pose);
   return std::visit(
-      [&]<class S>(const S& its) {
-        if constexpr (Surface<S>) {
-          return ask(SideOfSurface<S>(its));
+      [&]<class A>(const A& a) {
+        if constexpr (Surface<A>) {
+          return std::visit(
+              [&]<class B>(const B& b) {
+                if constexpr (Convex<B>) {
+                  return surface_meets(a, core_of(b), ab, reach, fronts);
+                } else if constexpr (Surface<B>) {
+                  return surface_meets(a, b, ab, reach, fronts);
+                } else {
+                  return Met::no;
+                }
+              },
+              static_cast<const AnyShape::Variant&>(other.shape));
         } else {
-          return false;
+          return Met::no;
         }
       },
-      static_cast<const AnyShape::Variant&>(shape));
+      static_cast<const AnyShape::Variant&>(surface.shape));
 }
 
 template <class S>
@@ -175,36 +186,18 @@ class OverlapQuestion {
 
   // A depth along one triangle is no deeper than that of the whole.
   [[nodiscard]] Outcome ask_surface_beside(const Placed& a, const Placed& b, bool& out) const {
-    bool is_open = false;
-    const auto ask_both = [&](const SurfaceSide& surface, ConvexSide& core) {
-      const Pose ab = relative(a.pose, b.pose);
-      const Real reach = margin_ + core.radius;
-      Met met = reach >= 0 ? meets(surface, core, ab, reach, fronts_) : Met::no;
-      if (margin_ < 0 && met == Met::no) {
-        met = meets(surface, core, ab, core.radius, fronts_) == Met::no ? Met::no : Met::left_to_contacts;
-      }
-      is_open = met == Met::left_to_contacts;
-      return met == Met::yes;
-    };
-    const auto ask_first = [&](const SurfaceSide& surface) {
-      const auto ask_second = [&](ConvexSide& core) { return ask_both(surface, core); };
-      return ask_convex(b.shape, [&ask_second](ConvexSide& core) { return ask_second(core); });
-    };
-    out = ask_surface(a.shape, [&ask_first](const SurfaceSide& surface) { return ask_first(surface); });
-    return is_open ? ask_in_full(a, b, out) : Outcome::ok;
+    const Real radius = forms_of_kinds[b.shape.index()](b.shape).radius, reach = margin_ + radius;
+    Met met = reach >= 0 ? ask_surface(a, b, reach, fronts_) : Met::no;
+    if (margin_ < 0 && met == Met::no) {
+      met = ask_surface(a, b, radius, fronts_) == Met::no ? Met::no : Met::left_to_contacts;
+    }
+    out = met == Met::yes;
+    return met == Met::left_to_contacts ? ask_in_full(a, b, out) : Outcome::ok;
   }
 
   [[nodiscard]] Outcome ask_surfaces(const Placed& a, const Placed& b, bool& out) const {
-    Met met = Met::no;
-    const auto ask_both = [&](const SurfaceSide& first, const SurfaceSide& second) {
-      met = meets(first, second, relative(a.pose, b.pose), std::fmax(margin_, 0.0), fronts_);
-      return met == Met::yes;
-    };
-    const auto ask_first = [&](const SurfaceSide& first) {
-      const auto ask_second = [&](const SurfaceSide& second) { return ask_both(first, second); };
-      return ask_surface(b.shape, [&ask_second](const SurfaceSide& second) { return ask_second(second); });
-    };
-    out = ask_surface(a.shape, [&ask_first](const SurfaceSide& first) { return ask_first(first); });
+    const Met met = ask_surface(a, b, std::fmax(margin_, 0.0), fronts_);
+    out = met == Met::yes;
     return met == Met::left_to_contacts || (out && margin_ < 0) ? ask_in_full(a, b, out) : Outcome::ok;
   }
 
@@ -301,18 +294,11 @@ class OverlapQuestion {
       };
       return ask_convex(b.shape, [&ask](ConvexSide& core) { return ask(core); });
     }
-    if (b.role() == Role::surface) {
-      const auto ask = [&](const SurfaceSide& surface) {
-        return ask_each([&](ConvexSide& part, const Pose& to_surface) {
-          // A ball is on one side of a front.
-          return meets(surface, part, to_surface.inverse(), margin_ + part.radius, fronts_) == Met::yes;
-        });
-      };
-      return ask_surface(b.shape, [&ask](const SurfaceSide& surface) { return ask(surface); });
-    }
     return std::visit(
         [&]<class O>(const O& other) {
-          if constexpr (HalfSpace<O>) {
+          if constexpr (Surface<O>) {
+            return is_any_among(many, near, other, ab);
+          } else if constexpr (HalfSpace<O>) {
             const Vec3 normal = ab.rotation * other.normal();
             const Real height = other.offset() + dot(normal, ab.position) + margin_;
             return ask_each([&](const ConvexSide& part, const Pose& to_plane) {
@@ -336,6 +322,21 @@ class OverlapQuestion {
           }
         },
         static_cast<const AnyShape::Variant&>(b.shape));
+  }
+
+  // A ball is on one side of a front.
+  template <Scattered S, Surface O>
+  [[nodiscard]] bool is_any_among(const S& many, Aabb& near, const O& surface, const Pose& ab) const {
+    bool is_found = false;
+    many.visit_places(near, [&](const Vec3& place, std::uint32_t index) {
+      if (!is_found) {
+        const auto part = many.part(index);
+        const Pose to_surface{ab.rotation, ab.position - place};
+        is_found =
+            surface_meets(surface, core_of(part), to_surface.inverse(), margin_ + part.radius(), fronts_) == Met::yes;
+      }
+    });
+    return is_found;
   }
 
   // Some children may have no answer, as two terrains; no answer at all is one of the whole. Holes take away from
