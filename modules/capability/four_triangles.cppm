@@ -57,7 +57,8 @@ struct FourTriangles {
   }
 };
 
-// A condition on triangles that answers for four at once, with a bit for each that meets it.
+// A condition on triangles that answers for four at once, with a bit for each that meets it. It may also take a bit for
+// each of the four that is asked about; the others are no triangles to visit.
 template <class Ask>
 struct InFours {
   Ask ask;
@@ -69,7 +70,9 @@ InFours(Ask) -> InFours<Ask>;
 template <class Wanted>
 [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t wanted_of(const FourTriangles& triangles, std::uint64_t some,
                                                                     const Wanted& is_wanted) {
-  if constexpr (requires { is_wanted.ask(triangles); }) {
+  if constexpr (requires { is_wanted.ask(triangles, some); }) {
+    return some == 0 ? 0 : some & is_wanted.ask(triangles, some);
+  } else if constexpr (requires { is_wanted.ask(triangles); }) {
     return some == 0 ? 0 : some & is_wanted.ask(triangles);
   } else {
     std::uint64_t wanted = 0;

@@ -7,6 +7,7 @@ import abut.core;
 import abut.math;
 import abut.math.tolerance;
 import abut.narrow.convex;
+import abut.narrow.many.flat_ground;
 export import abut.narrow.many.half_space_surfaces;
 import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.quick_axes;
@@ -75,6 +76,9 @@ template <Surface A, Convex B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
+  if (flat_contacts(a, b, ab, settings, out)) {
+    return Outcome::ok;
+  }
   const std::size_t first = out.size();
   surface_contacts(SourceOf<A>(a), b, ab, settings, out);
   if constexpr (Enclosing<A>) {
@@ -109,6 +113,9 @@ template <Surface A, Convex B>
                                      Distance& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
+  }
+  if (flat_distance(a, b, ab, settings, out)) {
+    return Outcome::ok;
   }
   if constexpr (Enclosing<A>) {
     if (const auto depth = a.is_solid() ? solid_depth(a, b, ab, settings) : std::nullopt) {
