@@ -767,7 +767,9 @@ ABUT_API void abut_query_options_init(abut_query_options *options, uint32_t stru
 
 /** Signed distance of two shapes. */
 typedef struct abut_distance {
-  double distance;          /**< negative: the depth by which they overlap, the least translation that parts them */
+  double distance;          /**< negative: the depth by which they overlap, the least translation that parts them. On a
+                               surface: the shortest one found, never too short; in a valley it is longer than the
+                               deepest contact is deep */
   double lower;             /**< the true distance lies in [lower, upper], up to rounding */
   double upper;             /**< infinite where holes have left nothing of the solids that could be met */
   abut_vec3 point_a;        /**< on the surface of a, world frame */

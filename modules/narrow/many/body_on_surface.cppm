@@ -12,22 +12,41 @@ export import abut.narrow.many.triangle_source;
 
 export namespace abut {
 
+// A rod without radius may pass between two triangles, through the edge that they share, and overlap neither. The
+// search gives it a radius that is less than 1e-9 of all answers.
+template <Convex B>
+[[nodiscard]] B searched(const B& b) {
+  if constexpr (SegmentCored<B>) {
+    constexpr Real share = 1e-10;
+    return b.radius() > 0 ? b : B(b.half().z, share * b.half().z);
+  } else {
+    return b;
+  }
+}
+
 // See surface_kernels.
 template <Convex B>
 void append_surface_contacts(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings,
                              Manifold& out) {
   const std::size_t first = out.size();
-  [[clang::uninitialized]] SurfaceSearch<B> search(surface, b, ab, settings, settings.margin, surface.has_fronts());
-  const SeparatingTranslation* translation = search.is_overlapped() ? &search.find() : nullptr;
-  translation = translation == nullptr || translation->touches.empty() ? nullptr : translation;
-  ContactsUnderPlanes<B>(surface, b, ab, settings, search, out).append(translation);
+  const B thick = searched(b);
+  [[clang::uninitialized]] SurfaceSearch<B> search(surface, thick, ab, settings, settings.margin, surface.has_fronts());
+  std::optional<SeparatingTranslation> translation;
+  if (search.is_overlapped()) {
+    const SeparatingTranslation& found = search.find();
+    if (!found.touches.empty()) {
+      translation = thick.radius() > b.radius() ? search.of_thinner(found, b) : found;
+    }
+  }
+  ContactsUnderPlanes<B>(surface, b, ab, settings, search, out).append(translation ? &*translation : nullptr);
   number_apart(std::span(out).subspan(first));
 }
 
 template <Convex B>
 [[nodiscard]] bool find_surface_depth(const TriangleSource& surface, const B& b, const Pose& ab,
                                       const QuerySettings& settings, bool has_fronts, Distance& out) {
-  [[clang::uninitialized]] SurfaceSearch<B> search(surface, b, ab, settings, 0, has_fronts);
+  const B thick = searched(b);
+  [[clang::uninitialized]] SurfaceSearch<B> search(surface, thick, ab, settings, 0, has_fronts);
   if (!search.is_overlapped()) {
     return false;
   }
@@ -36,12 +55,13 @@ template <Convex B>
     return false;
   }
   out = no_distance();
-  out.distance = -found.length;
-  out.lower = -found.length - search.tolerance();
-  out.upper = -std::min(search.least(), found.length) + search.tolerance();
+  const Real thickness = thick.radius() - b.radius(), length = found.length - thickness;
+  out.distance = -length;
+  out.lower = -length - search.tolerance();
+  out.upper = -std::min(search.least() - thickness, length) + search.tolerance();
   out.normal = found.direction;
-  out.point_b = search.last_point(found);
-  out.point_a = out.point_b + found.length * found.direction;
+  out.point_b = search.last_point(found, b);
+  out.point_a = out.point_b + length * found.direction;
   out.iterations = 1;
   return true;
 }

@@ -10,6 +10,8 @@ import abut.core;
 import abut.math;
 import abut.math.four_vec3;
 import abut.narrow.convex;
+import abut.narrow.many.continuation;
+import abut.narrow.many.four_nearest;
 import abut.narrow.many.least_translation;
 import abut.narrow.many.leaving;
 import abut.narrow.many.separating_translation;
@@ -188,7 +190,21 @@ class ContactsUnderPlanes {
       return false;
     }
     const CoreSeparation whole = completed(triangle, b_, ab_, near.found);
-    return !surface_.goes_on(whole.point_a, core.normal, std::min(triangle.extent(), b_.extent() + b_.radius()));
+    return surface_.shares_corners() || !rises_at(whole.point_a, core.normal, noise);
+  }
+  // Whether a triangle that is near holds a point of the surface and rises there: at a crack or a T-junction.
+  [[nodiscard]] bool rises_at(const Vec3& point, const Vec3& normal, Real noise) const {
+    const Columns at = Columns::all(point), along = Columns::all(normal);
+    const Lanes size = all_lanes(b_.extent() + b_.radius());
+    return std::ranges::any_of(search_.fours(), [&](const NearFour& four) {
+      const FourTriangles& t = four.triangles;
+      const Columns ab = t.b - t.a, ac = t.c - t.a;
+      const Lanes extent = maximum(largest_magnitude(ab), largest_magnitude(ac));
+      const Lanes reach = crack_share * minimum(extent, size) + noise;
+      const Lanes rise = maximum(maximum(dot(along, t.a - at), dot(along, t.b - at)), dot(along, t.c - at));
+      const std::uint64_t rising = four.present & bits_of(rise > 2 * reach);
+      return rising != 0 && (rising & bits_of(FourNearest(t, point).square <= reach * reach)) != 0;
+    });
   }
 
   void append_under(const Plane& plane, std::uint32_t ordinal) {
@@ -241,7 +257,7 @@ class ContactsUnderPlanes {
     }
     const Triangle triangle = search_.triangle_at(last_touch(translation).at);
     const Vec3 move = translation.length * translation.direction;
-    const Vec3 point_b = search_.last_point(translation);
+    const Vec3 point_b = search_.last_point(translation, b_);
     const Feature feature_a{FeatureKind::face, triangle.index()},
         feature_b = supporting_feature(b_, ab_.rotation.undo(-translation.direction));
     out_.push_back({point_b + move, point_b, translation.direction, -translation.length, feature_a, feature_b,

@@ -96,7 +96,7 @@ class NearTriangles {
   const QuerySettings& settings_;
   Real size_;  // of b
   Real tolerance_ = 0;
-  SmallVector<NearFour, 24> fours_;
+  SmallVector<NearFour, 48> fours_;
   SmallVector<NearTriangle, 32> near_;
   Real least_ = 0;
   Vec3 deepest_way_{0, 0, 1};  // out of the triangle that is the deepest by itself
@@ -224,8 +224,8 @@ class NearTriangles {
   Aabb box_, covered_;
   bool has_fronts_;
   Real touching_ = 0;
-  SmallVector<std::uint64_t, 96> order_;
-  SmallVector<TriangleCorners, 96> taken_;
+  SmallVector<std::uint64_t, 160> order_;
+  SmallVector<TriangleCorners, 160> taken_;
   std::size_t count_ = 0;  // of triangles that are overlapped
 };
 

@@ -67,25 +67,35 @@ class SurfaceSearch : public NearTriangles<B> {
       improve(deepest_way_, infinity);
       try_starts();
     }
-    if (!is_settled() && best_.length < infinity) {
-      find_last_touches();
-    }
     return best_;
   }
 
-  // The point of b, where it is, that is last to leave the surface.
-  [[nodiscard]] Vec3 last_point(const SeparatingTranslation& translation) const {
+  // The same translation for a shape that is thinner than the one that was searched for, by less than the tie.
+  [[nodiscard]] SeparatingTranslation of_thinner(const SeparatingTranslation& translation, const B& b) const {
+    SeparatingTranslation exact = translation;
+    exact.length = 0;
+    for (SurfaceTouch& touch : exact.touches.span()) {
+      const Leaving found = leave(triangle_at(touch.at), b, ab_, translation.direction, settings_, touch.length + tie(),
+                                  -infinity, tolerance_);
+      touch.length = found.length > 0 ? found.length : touch.length - (b_.radius() - b.radius());
+      touch.normal = found.length > 0 ? found.normal : touch.normal;
+      exact.length = std::max(exact.length, touch.length);
+    }
+    return exact;
+  }
+  // The point of b, where it is, that is last to leave the surface. b may be thinner than what was searched for.
+  [[nodiscard]] Vec3 last_point(const SeparatingTranslation& translation, const B& b) const {
     const SurfaceTouch& touch = last_touch(translation);
     const Triangle triangle = triangle_at(touch.at);
     const Vec3 move = translation.length * translation.direction;
-    Vec3 last = placed_support(b_, place(b_, ab_), -touch.normal).point;
+    Vec3 last = placed_support(b, place(b, ab_), -touch.normal).point;
     if (std::fabs(dot(touch.normal, triangle.normal())) < 1 - 1e-12) {
       const Pose after{ab_.rotation, ab_.position + move};
-      CoreSeparation core = separate_outside(triangle, b_, after, settings_);
-      find_points(triangle, b_, after, core);
+      CoreSeparation core = separate_outside(triangle, b, after, settings_);
+      find_points(triangle, b, after, core);
       last = core.point_b - move;
     }
-    return last - b_.radius() * touch.normal;
+    return last - b.radius() * touch.normal;
   }
 
  private:
@@ -96,12 +106,21 @@ class SurfaceSearch : public NearTriangles<B> {
     Vec3 direction;
     Real estimate;
   };
+  struct Back {
+    Vec3 normal;
+    Real length;
+  };
   struct Exit {
     Real length = 0;
     bool is_stopped = false;
     SmallVector<SurfaceTouch, 8> touches;
-    SmallVector<Vec3, 4> backs;  // normals of fronts that are left last, and through their backs
+    SmallVector<Back, 4> backs;  // fronts that are left last, and through their backs
   };
+  // Planes that are left within it of each other are touched together: else rounding would tell which of them counts.
+  [[nodiscard]] Real tie() const {
+    constexpr Real near_share = 1e-7;
+    return std::max(4 * tolerance_, near_share * size_);
+  }
   [[nodiscard]] bool is_settled() const { return best_.length <= least_ * (1 + 1e-12) + tolerance_; }
 
   // Looks no further than `enough`.
@@ -128,6 +147,7 @@ class SurfaceSearch : public NearTriangles<B> {
     if (!exit.touches.empty()) {
       last_blocker_ = exit.touches[exit.touches.size() - 1].at;
     }
+    drop_earlier_backs(exit);
     return exit;
   }
 
@@ -203,22 +223,18 @@ class SurfaceSearch : public NearTriangles<B> {
     }
   }
 
-  // A search ends where planes are left within its tolerance of each other. Which of them count must not depend on
-  // rounding.
-  void find_last_touches() {
-    constexpr Real near_share = 1e-7;
-    tie_ = near_share * size_;
-    const Exit exit = exit_along(best_.direction, infinity);
-    if (!exit.touches.empty()) {
-      best_.length = exit.length;
-      best_.touches = exit.touches;
+  // What touches within a tie of the end of a way, counts as touched, but is left through its back only if it is last.
+  void drop_earlier_backs(Exit& exit) const {
+    const auto backs = exit.backs;
+    exit.backs.clear();
+    for (const Back& back : backs.span()) {
+      exit.backs.push_back_if(back, back.length >= exit.length - 4 * tolerance_);
     }
-    tie_ = 0;
   }
 
   // Takes what is left at a length into account.
   void note(const NearPlace& at, const Leaving& found, const Vec3& direction, Exit& exit) {
-    const Real tie = std::max(4 * tolerance_, tie_);
+    const Real tie = this->tie();
     if (found.length < exit.length - tie) {
       return;
     }
@@ -226,13 +242,19 @@ class SurfaceSearch : public NearTriangles<B> {
       exit.touches.clear();
       exit.backs.clear();
     }
-    const auto is_alike = [&](const SurfaceTouch& touch) { return dot(touch.normal, found.normal) > 1 - 1e-9; };
-    if (exit.touches.size() < 8 && std::ranges::none_of(exit.touches.span(), is_alike)) {
+    bool is_known = false;
+    for (SurfaceTouch& touch : exit.touches.span()) {
+      if (dot(touch.normal, found.normal) > 1 - 1e-9) {
+        touch = found.length > touch.length ? SurfaceTouch{found.normal, found.length, at} : touch;
+        is_known = true;
+      }
+    }
+    if (!is_known && exit.touches.size() < 8) {
       exit.touches.push_back({found.normal, found.length, at});
     }
     const NearFour& four = find_planes(at.four);
     if ((four.one_sided >> at.lane & 1u) != 0 && dot(four.normals[at.lane], direction) < -1e-9) {
-      exit.backs.push_back(four.normals[at.lane]);
+      exit.backs.push_back({four.normals[at.lane], found.length});
     }
     exit.length = std::max(exit.length, found.length);
   }
@@ -240,7 +262,7 @@ class SurfaceSearch : public NearTriangles<B> {
   // Leaves what is overlapped at the start, what may be left last first. False where that is no nearer than `enough`.
   [[nodiscard]] bool leave_overlapped(const Vec3& direction, Real enough, Exit& exit) {
     for (;;) {
-      Real top = exit.length + tolerance_ - tie_;
+      Real top = exit.length + tolerance_ - tie();
       std::optional<NearPlace> last;
       for (std::size_t i = 0; i < fours_.size(); ++i) {
         if (bits_of(fours_[i].bounds > all_lanes(top)) != 0) {
@@ -263,7 +285,7 @@ class SurfaceSearch : public NearTriangles<B> {
           continue;
         }
       }
-      const Leaving found = leave_one(*last, direction, top, exit.length - 2 * std::max(4 * tolerance_, tie_));
+      const Leaving found = leave_one(*last, direction, top, exit.length - 2 * tie());
       fours_[last->four].bounds[last->lane] = -infinity;
       if (found.length > 0) {
         if (found.length >= enough - tolerance_) {
@@ -279,7 +301,7 @@ class SurfaceSearch : public NearTriangles<B> {
     NearFour& four = fours_[place];
     const FourStretches found = stretches_of(four, b_, ab_, direction);
     std::uint64_t left = four.overlapped & bits_of(four.bounds > all_lanes(-infinity)) &
-                         bits_of(found.end >= all_lanes(exit.length - std::max(4 * tolerance_, tie_)));
+                         bits_of(found.end >= all_lanes(exit.length - tie()));
     four.bounds = all_lanes(-infinity);
     for (; left != 0; left &= left - 1) {
       const NearPlace at{place, static_cast<std::size_t>(std::countr_zero(left))};
@@ -358,9 +380,9 @@ class SurfaceSearch : public NearTriangles<B> {
         return;
       }
       // A front is left along its plane at best.
-      for (const Vec3& front : exit.backs.span()) {
+      for (const Back& back : exit.backs.span()) {
         if (!allows_back_) {
-          add_plane({front, 0}, planes);
+          add_plane({back.normal, 0}, planes);
         }
       }
       constexpr std::size_t most_touches = 3;
@@ -466,10 +488,10 @@ class SurfaceSearch : public NearTriangles<B> {
     }
   }
 
-  // Beside the best direction so far, nearer and nearer to it.
+  // Beside the best direction so far, nearer and nearer to it, until the planes that are touched hold it.
   void try_around_best() {
-    constexpr Real first = 0.2, last = 1e-8;
-    for (Real aside = first; aside > last && best_.length < infinity && !is_settled();) {
+    constexpr Real first = 0.2, near = 0.02, last = 1e-8;
+    for (Real aside = first; aside > (is_held() ? near : last) && best_.length < infinity && !is_settled();) {
       const Real before = best_.length;
       const Vec3 direction = best_.direction;
       for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
@@ -479,6 +501,15 @@ class SurfaceSearch : public NearTriangles<B> {
       }
       aside = best_.length < before * (1 - 1e-6) ? aside : 0.5 * aside;
     }
+  }
+  // Whether no shorter translation leaves the planes that are touched after the best one.
+  [[nodiscard]] bool is_held() const {
+    SmallVector<HalfSpaceToLeave, 8> planes;
+    for (const SurfaceTouch& touch : best_.touches.span()) {
+      planes.push_back({touch.normal, dot(touch.normal, best_.direction) * touch.length});
+    }
+    const auto move = least_translation(planes.span());
+    return move && norm(*move) >= best_.length * (1 - 1e-9);
   }
 
   // The planes of what is overlapped, each with how far it is left. False where there are many.
@@ -582,7 +613,6 @@ class SurfaceSearch : public NearTriangles<B> {
     }
   }
 
-  Real tie_ = 0;  // of lengths that count as one, beyond the tolerance
   bool allows_back_ = false;
   std::optional<NearPlace> last_blocker_;
   SeparatingTranslation best_;

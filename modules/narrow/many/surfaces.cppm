@@ -80,7 +80,7 @@ template <Surface A, Convex B>
     return Outcome::ok;
   }
   const std::size_t first = out.size();
-  surface_contacts(SourceOf<A>(a), b, ab, settings, out);
+  surface_contacts(SourceOf<A>(a), core_of(b), ab, settings, out);
   if constexpr (Enclosing<A>) {
     if (a.is_solid()) {
       keep_leading_out(a, first, out);
@@ -123,7 +123,7 @@ template <Surface A, Convex B>
       return Outcome::ok;
     }
   }
-  if (surface_depth(SourceOf<A>(a), b, ab, settings, out)) {
+  if (surface_depth(SourceOf<A>(a), core_of(b), ab, settings, out)) {
     return Outcome::ok;
   }
   out = no_distance();

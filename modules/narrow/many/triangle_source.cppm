@@ -5,7 +5,6 @@ export module abut.narrow.many.triangle_source;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.narrow.many.continuation;
 
 export namespace abut {
 
@@ -30,9 +29,8 @@ class TriangleSource {
   // See Surface.
   [[nodiscard]] virtual bool is_crest(std::uint32_t number, unsigned corners, const Vec3& direction,
                                       Real height) const = 0;
-  // Whether a triangle that shares no corner with those at a point of the surface rises there: at a crack or a
-  // T-junction. `size`: of the smaller one of the triangle there and of what touches it.
-  [[nodiscard]] virtual bool goes_on(const Vec3& point, const Vec3& direction, Real size) const = 0;
+  // Whether triangles that meet share their corners. Others may have cracks and T-junctions.
+  [[nodiscard]] virtual bool shares_corners() const = 0;
 };
 
 template <Surface S>
@@ -79,13 +77,7 @@ class SourceOf final : public TriangleSource {
   bool is_crest(std::uint32_t number, unsigned corners, const Vec3& direction, Real height) const override {
     return surface_.is_crest(number, corners, direction, height);
   }
-  bool goes_on(const Vec3& point, const Vec3& direction, Real size) const override {
-    if constexpr (Terrain<S>) {
-      return false;  // its triangles share all corners
-    } else {
-      return abut::goes_on(surface_, point, direction, size);
-    }
-  }
+  bool shares_corners() const override { return Terrain<S>; }
 
  private:
   [[nodiscard]] bool is_one_sided(std::uint32_t number) const {

@@ -73,7 +73,8 @@ void expect_depths(const Surface& surface, const Rod& rod, Real radius, Real dee
     ASSERT_EQ(parts_distance(surface, rod, upright_at(x, y), {}, distance), abut::Outcome::ok);
     abut::Manifold contacts;
     ASSERT_EQ(parts_contacts(surface, rod, upright_at(x, y), {}, contacts), abut::Outcome::ok);
-    EXPECT_EQ(distance.distance, std::ranges::min(contacts, {}, &abut::ContactPoint::distance).distance);
+    // Found along two ways, which round differently.
+    EXPECT_NEAR(distance.distance, std::ranges::min(contacts, {}, &abut::ContactPoint::distance).distance, 1e-12);
   }
 }
 
