@@ -107,7 +107,7 @@ using Verdict = std::optional<std::string>;
 // `known`. The normals of contacts save time, and change nothing.
 [[nodiscard]] std::optional<Real> least_depth(const Scene& scene, const Manifold& found, Real known);
 
-[[nodiscard]] Verdict judge_distance(const Scene& scene, const Distance& found, const Manifold& contacts);
+[[nodiscard]] Verdict judge_distance(const Scene& scene, const Distance& found);
 [[nodiscard]] Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manifold& found);
 // Our second route must agree. libccd may be wrong; what it says counts when the gap along its own
 // normal is larger than the distance, which cannot be.

@@ -30,12 +30,24 @@ bool is_unbounded(const AnyShape& shape) { return shape.is_hole() || !aabb_of(sh
 bool is_solid(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Convex<S> || HalfSpace<S>; }, shape);
 }
+// A surface without fronts.
+bool is_two_sided(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& s) {
+        if constexpr (Surface<S>) {
+          return !s.has_fronts();
+        } else {
+          return false;
+        }
+      },
+      shape);
+}
 // Whether contacts are found from all sides.
 bool has_back(const AnyShape& shape) {
   return std::visit(
       []<class S>(const S& s) {
-        if constexpr (requires { s.triangle_count(); }) {
-          return s.parameters()[0] == 0;
+        if constexpr (Surface<S>) {
+          return !s.has_fronts();
         } else {
           return Convex<S> || HalfSpace<S> || SampledSolid<S> || Hole<S>;
         }
@@ -215,8 +227,14 @@ Verdict judge_boxes(const Scene& scene, const Distance& found) {
   return std::nullopt;
 }
 
+// Moved by its depth, a convex shape touches another one, and overlaps nothing of a surface of two sides.
 Verdict judge_parted(const Scene& scene, const Distance& found) {
-  if (!is_solid(scene.a) || !is_solid(scene.b) || found.distance >= 0) {
+  const bool is_of_surface =
+      (is_two_sided(scene.a) && is_convex(scene.b)) || (is_convex(scene.a) && is_two_sided(scene.b));
+  if (!(is_solid(scene.a) && is_solid(scene.b)) && !is_of_surface) {
+    return std::nullopt;
+  }
+  if (found.distance >= 0) {
     return std::nullopt;
   }
   Scene parted = scene;
@@ -225,7 +243,7 @@ Verdict judge_parted(const Scene& scene, const Distance& found) {
   if (distance_of(parted, Algorithm::automatic, left) != Outcome::ok) {
     return "shapes moved to touching have no answer";
   }
-  if (!(std::fabs(left.distance) <= 2 * tolerance(scene))) {
+  if (is_of_surface ? !(left.distance >= -2 * tolerance(scene)) : !(std::fabs(left.distance) <= 2 * tolerance(scene))) {
     return fault("distance after parting along the normal", left.distance, 0);
   }
   return std::nullopt;
@@ -258,20 +276,16 @@ std::optional<Real> gap_along(const Scene& scene, const Vec3& direction) {
   return a && b ? std::optional(dot(direction, scene.ab.position) - *a - *b) : std::nullopt;
 }
 
-// Whether a depth of a surface is that of a contact: one whose way out of the deepest triangle leads into a neighbour.
-// Its points lie across each other and need not be outermost.
-bool is_of_contact(const Scene& scene, const Distance& found, const Manifold& contacts) {
-  return !(is_solid(scene.a) && is_solid(scene.b)) && found.distance <= 0 &&
-         std::ranges::any_of(contacts, [&](const ContactPoint& contact) {
-           return contact.distance == found.distance && contact.normal == found.normal &&
-                  contact.point_a == found.point_a && contact.point_b == found.point_b;
-         });
+// The depth of a surface is the length of a translation that may end with several touches. Its points lie across each
+// other and need not be outermost.
+bool is_depth_of_surface(const Scene& scene, const Distance& found) {
+  return !(is_solid(scene.a) && is_solid(scene.b)) && found.distance <= 0;
 }
 
-Verdict judge_distance(const Scene& scene, const Distance& found, const Manifold& contacts) {
+Verdict judge_distance(const Scene& scene, const Distance& found) {
   // The deepest point of a solid in a field may lie below its surface.
   const bool must_be_outermost =
-      !has_holes(scene.a) && !has_holes(scene.b) && doubt_of(scene) == 0 && !is_of_contact(scene, found, contacts);
+      !has_holes(scene.a) && !has_holes(scene.b) && doubt_of(scene) == 0 && !is_depth_of_surface(scene, found);
   const Claim claim{must_be_outermost, !(found.upper < std::numeric_limits<Real>::infinity())};
   if (Verdict verdict = judge_record(scene, found.distance, found.point_a, found.point_b, found.normal, claim)) {
     return verdict;
@@ -322,11 +336,13 @@ Verdict judge_contacts(const Scene& scene, const Distance& distance, const Manif
   if (solid && !found.empty() && std::fabs(deepest - distance.distance) > noise) {
     return fault("distance of the deepest contact", deepest, distance.distance);
   }
-  if (!found.empty() && has_back(scene.a) && has_back(scene.b) && std::fabs(deepest - distance.distance) > noise) {
+  // In a valley no contact is as deep as the whole.
+  if (!found.empty() && has_back(scene.a) && has_back(scene.b) &&
+      (deepest < distance.distance - noise || (distance.distance > 0 && deepest > distance.distance + noise))) {
     return fault("distance of the deepest contact of a surface", deepest, distance.distance);
   }
   // What is proven without the library.
-  const Real known = found.empty() ? 0 : std::max(-deepest, Real{0});
+  const Real known = found.empty() ? 0 : std::max({-deepest, -distance.distance, Real{0}});
   if (const std::optional<Real> least = least_depth(scene, found, known); least && *least > known + 2 * noise) {
     return fault("distance of the deepest contact although two parts are deeper", -known, -*least);
   }
@@ -387,7 +403,7 @@ Verdict judge(std::size_t place_a, std::size_t place_b, const Record& record) {
   if (pair_contacts(scene.a, scene.b, scene.ab, {}, touching) != Outcome::ok) {
     return "the pair has no contacts query without a margin";
   }
-  if (Verdict verdict = judge_distance(scene, found, touching)) {
+  if (Verdict verdict = judge_distance(scene, found)) {
     return verdict;
   }
   if (Verdict verdict = judge_contacts(scene, found, contacts)) {

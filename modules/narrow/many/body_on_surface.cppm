@@ -13,7 +13,7 @@ export import abut.narrow.many.triangle_source;
 export namespace abut {
 
 // A rod without radius may pass between two triangles, through the edge that they share, and overlap neither. The
-// search gives it a radius that is less than 1e-9 of all answers.
+// search gives it a radius that is less than 1e-9 of all answers, and the way that it finds is measured for the rod.
 template <Convex B>
 [[nodiscard]] B searched(const B& b) {
   if constexpr (SegmentCored<B>) {
@@ -21,6 +21,16 @@ template <Convex B>
     return b.radius() > 0 ? b : B(b.half().z, share * b.half().z);
   } else {
     return b;
+  }
+}
+
+// The translation that was found, for the shape itself.
+template <Convex B>
+[[nodiscard]] SeparatingTranslation of_body(const SeparatingTranslation& found, SurfaceSearch<B>& search, const B& b) {
+  if constexpr (SegmentCored<B>) {
+    return b.radius() > 0 ? found : search.of_thinner(found, b);
+  } else {
+    return found;
   }
 }
 
@@ -35,7 +45,7 @@ void append_surface_contacts(const TriangleSource& surface, const B& b, const Po
   if (search.is_overlapped()) {
     const SeparatingTranslation& found = search.find();
     if (!found.touches.empty()) {
-      translation = thick.radius() > b.radius() ? search.of_thinner(found, b) : found;
+      translation = of_body(found, search, b);
     }
   }
   ContactsUnderPlanes<B>(surface, b, ab, settings, search, out).append(translation ? &*translation : nullptr);

@@ -62,6 +62,9 @@ class ContactsUnderPlanes {
     if (translation != nullptr && !surface_.is_solid() && !does_part(*translation)) {
       append_whole(*translation);
     }
+    if (translation == nullptr) {
+      append_nearest();
+    }
   }
 
  private:
@@ -262,6 +265,28 @@ class ContactsUnderPlanes {
         feature_b = supporting_feature(b_, ab_.rotation.undo(-translation.direction));
     out_.push_back({point_b + move, point_b, translation.direction, -translation.length, feature_a, feature_b,
                     mixed(~contact_id({FeatureKind::whole, 0}, {FeatureKind::whole, 0}))});
+  }
+
+  // Rounding may leave the nearest point in the cone of no triangle. Then the nearest triangle has a contact after all.
+  void append_nearest() {
+    const NearTriangle* nearest = nullptr;
+    for (const NearTriangle& near : search_.near()) {
+      if (Fronts<B>(search_.triangle_at(near.at), b_, ab_).allows(near.found.core.normal) &&
+          (nearest == nullptr || near.gap < nearest->gap)) {
+        nearest = &near;
+      }
+    }
+    if (nearest == nullptr) {
+      return;
+    }
+    const Triangle triangle = search_.triangle_at(nearest->at);
+    const Real noise = touching_within<B>(core_size(triangle, b_, ab_), settings_);
+    const auto is_as_near = [&](const ContactPoint& contact) { return contact.distance <= nearest->gap + noise; };
+    if (std::ranges::none_of(std::span(out_).subspan(first_), is_as_near)) {
+      const CoreSeparation core = completed(triangle, b_, ab_, nearest->found);
+      append_from({core.normal, core, nearest->at, triangle.index(), true}, triangle, core, true,
+                  static_cast<std::uint32_t>(planes_.size()));
+    }
   }
 
   // Of all triangles in planes of this normal.

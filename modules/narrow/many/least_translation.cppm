@@ -13,6 +13,22 @@ struct HalfSpaceToLeave {
   Real least;
 };
 
+// Of planes that are alike the one that is left later counts; of many the first one gives way.
+template <std::size_t Most>
+void add_plane(const HalfSpaceToLeave& plane, SmallVector<HalfSpaceToLeave, Most>& planes) {
+  for (HalfSpaceToLeave& known : planes.span()) {
+    if (dot(known.normal, plane.normal) > 1 - 1e-12) {
+      known.least = std::max(known.least, plane.least);
+      return;
+    }
+  }
+  if (planes.size() == Most) {
+    std::ranges::copy(planes.span().subspan(1), planes.span().begin());
+    planes.pop_back();
+  }
+  planes.push_back(plane);
+}
+
 // Few half-spaces, of which up to three hold the shortest translation: all sets of one, two and three planes are tried,
 // fewer planes first. Nothing where no translation leaves all.
 std::optional<Vec3> least_translation(std::span<const HalfSpaceToLeave> planes) {

@@ -125,10 +125,12 @@ template <Convex B>
     if (b.radius() > 0 || gap > tolerance) {
       found.normal = core.normal;
     }
+    const Real slope = dot(core.normal, direction);
     if (gap <= tolerance) {
+      // Along a grazing way the rest of the gap is a long step.
+      found.length -= gap > 0 && slope > least_slope ? gap / slope : 0;
       return found;
     }
-    const Real slope = dot(core.normal, direction);
     if (!(slope > least_slope)) {
       return never_met;
     }

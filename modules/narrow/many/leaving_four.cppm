@@ -142,6 +142,10 @@ template <Convex B>
              (absolute((on_axis * ee - on_edge * ea) * by_across) <= all_lanes(half * (1 + 1e-9)));
     };
     extend(found, spans & is_between(first), first, spans & is_between(last), last);
+    // Without a radius, roots of these are rounding.
+    if (!(radius > 0)) {
+      return;
+    }
     // The tube around the axis passes the corner.
     const FourChords tube(all_lanes(1 - da * da), wd - wa * da, ww - wa * wa - square);
     extend(found, tube.exist & (absolute(wa + tube.first * da) <= all_lanes(half * (1 + 1e-9))), tube.first,

@@ -53,7 +53,8 @@ class SurfaceSearch : public NearTriangles<B> {
     if (!is_settled()) {
       try_starts();
     }
-    constexpr int most_polishes = 3;
+    // Curved shapes come nearer step by step.
+    constexpr int most_polishes = Curved<B> ? 24 : 3;
     for (int i = 0; i < most_polishes && best_.length < infinity && !is_settled(); ++i) {
       const Real before = best_.length;
       improve(best_.direction, 1.5);
@@ -70,16 +71,27 @@ class SurfaceSearch : public NearTriangles<B> {
     return best_;
   }
 
-  // The same translation for a shape that is thinner than the one that was searched for, by less than the tie.
-  [[nodiscard]] SeparatingTranslation of_thinner(const SeparatingTranslation& translation, const B& b) const {
+  // The same translation for a rod that is thinner than the one that was searched for, by less than the tie.
+  [[nodiscard]] SeparatingTranslation of_thinner(const SeparatingTranslation& translation, const B& rod)
+    requires SegmentCored<B>
+  {
     SeparatingTranslation exact = translation;
     exact.length = 0;
+    for (std::size_t i = 0; i < fours_.size(); ++i) {
+      const FourStretches found = stretches_of(find_planes(i), rod, ab_, translation.direction);
+      const Lanes most = all_lanes(translation.length + tolerance_);
+      const LaneNumbers counts = (found.begin < most) & (found.end <= most);
+      for (std::uint64_t left = fours_[i].present & bits_of(counts); left != 0; left &= left - 1) {
+        exact.length = std::max(exact.length, found.end[static_cast<std::size_t>(std::countr_zero(left))]);
+      }
+    }
+    // Past a corner the rod itself may miss all.
+    const Real thickness = b_.radius() - rod.radius();
+    if (exact.length < translation.length - tie() - 4 * thickness) {
+      exact.length = translation.length - thickness;
+    }
     for (SurfaceTouch& touch : exact.touches.span()) {
-      const Leaving found = leave(triangle_at(touch.at), b, ab_, translation.direction, settings_, touch.length + tie(),
-                                  -infinity, tolerance_);
-      touch.length = found.length > 0 ? found.length : touch.length - (b_.radius() - b.radius());
-      touch.normal = found.length > 0 ? found.normal : touch.normal;
-      exact.length = std::max(exact.length, touch.length);
+      touch.length = std::min(touch.length, exact.length);
     }
     return exact;
   }
@@ -400,21 +412,6 @@ class SurfaceSearch : public NearTriangles<B> {
       direction = *next;
     }
   }
-  template <std::size_t Most>
-  static void add_plane(const HalfSpaceToLeave& plane, SmallVector<HalfSpaceToLeave, Most>& planes) {
-    for (HalfSpaceToLeave& known : planes.span()) {
-      if (dot(known.normal, plane.normal) > 1 - 1e-12) {
-        known.least = std::max(known.least, plane.least);
-        return;
-      }
-    }
-    if (planes.size() == Most) {
-      std::ranges::copy(planes.span().subspan(1), planes.span().begin());
-      planes.pop_back();
-    }
-    planes.push_back(plane);
-  }
-
   static constexpr std::size_t most_starts = 48;
   using Starts = SmallVector<Start, most_starts>;
 

@@ -79,14 +79,17 @@ template <Surface A, Convex B>
   if (flat_contacts(a, b, ab, settings, out)) {
     return Outcome::ok;
   }
-  const std::size_t first = out.size();
-  surface_contacts(SourceOf<A>(a), core_of(b), ab, settings, out);
   if constexpr (Enclosing<A>) {
     if (a.is_solid()) {
+      const std::size_t first = out.size();
+      const std::optional<SolidDepth> depth = solid_depth(a, b, ab, settings);
+      surface_contacts(SourceOf<A>(a, depth.has_value()), core_of(b), ab, settings, out);
       keep_leading_out(a, first, out);
-      settle_depth(solid_depth(a, b, ab, settings), first, settings.margin, out);
+      settle_depth(depth, first, settings.margin, out);
+      return Outcome::ok;
     }
   }
+  surface_contacts(SourceOf<A>(a), core_of(b), ab, settings, out);
   return Outcome::ok;
 }
 

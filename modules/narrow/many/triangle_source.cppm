@@ -24,7 +24,7 @@ class TriangleSource {
   // Of four triangles a bit for each that has a front only.
   [[nodiscard]] virtual std::uint64_t one_sided(const FourTriangles& four) const = 0;
   [[nodiscard]] virtual bool has_fronts() const = 0;
-  // Whether what the surface encloses is inside: then a way out of the surface need not lead out of the whole.
+  // Whether the depth is that in a solid: then a way out of the surface need not lead out of the whole.
   [[nodiscard]] virtual bool is_solid() const = 0;
   // See Surface.
   [[nodiscard]] virtual bool is_crest(std::uint32_t number, unsigned corners, const Vec3& direction,
@@ -36,7 +36,8 @@ class TriangleSource {
 template <Surface S>
 class SourceOf final : public TriangleSource {
  public:
-  explicit SourceOf(const S& surface) : surface_(surface) {}
+  // `is_solid`: whether what overlaps the surface is told how deep it is in the solid.
+  explicit SourceOf(const S& surface, bool is_solid = false) : surface_(surface), is_solid_(is_solid) {}
 
   void visit(const Aabb& box, const TakeFour& take) const override {
     Aabb query = box;
@@ -67,13 +68,7 @@ class SourceOf final : public TriangleSource {
     return bits;
   }
   bool has_fronts() const override { return surface_.has_fronts(); }
-  bool is_solid() const override {
-    if constexpr (Enclosing<S>) {
-      return surface_.is_solid();
-    } else {
-      return false;
-    }
-  }
+  bool is_solid() const override { return is_solid_; }
   bool is_crest(std::uint32_t number, unsigned corners, const Vec3& direction, Real height) const override {
     return surface_.is_crest(number, corners, direction, height);
   }
@@ -89,6 +84,7 @@ class SourceOf final : public TriangleSource {
   }
 
   const S& surface_;
+  bool is_solid_;
 };
 
 }  // namespace abut
