@@ -68,7 +68,7 @@ class SourceOf final : public TriangleSource {
     return bits;
   }
   bool has_fronts() const override { return surface_.has_fronts(); }
-  bool is_solid() const override { return is_solid_; }
+  [[nodiscard]] bool is_solid() const override { return is_solid_; }
   bool is_crest(std::uint32_t number, unsigned corners, const Vec3& direction, Real height) const override {
     return surface_.is_crest(number, corners, direction, height);
   }
