@@ -30,10 +30,11 @@ Error renamed(Error error) {
 
 // A solid mesh has an inside.
 abut_status check_winding(const AnyShape& shape) {
-  if (sides_of(shape) != SurfaceSides::solid) {
+  const auto triangles = triangles_of(shape);
+  if (!triangles || sides_of(shape) != SurfaceSides::solid) {
     return ABUT_OK;
   }
-  const EnclosedVolume enclosed = enclosed_volume(*triangles_of(shape));
+  const EnclosedVolume enclosed = enclosed_volume(*triangles);
   return !enclosed.is_inside_out()
              ? static_cast<abut_status>(ABUT_OK)
              : refuse(ABUT_INVALID_ARGUMENT,

@@ -102,16 +102,17 @@ void ContactList::count(std::size_t begin, std::size_t end, const JobList& jobs,
     }
     task.kept += pair.job == no_job ? pair.contact_count : 0;
     const bool is_candidate = pair.is_admitted && (pair.is_supported || pair.is_touching);
+    const std::uint32_t touching = pair.is_touching ? 1 : 0;
     KindTally& tally = task.tallies[pair.run];
     tally.candidates += pair.is_admitted ? 1 : 0;
     tally.examined += pair.job != no_job ? 1 : 0;
-    tally.touching += pair.is_touching ? 1 : 0;
+    tally.touching += touching;
     tally.contacts += pair.contact_count;
     task.contacts += pair.contact_count;
     task.candidates += is_candidate ? 1 : 0;
     task.filtered += pair.is_admitted ? 0 : 1;
     task.unsupported += pair.is_admitted && !is_candidate ? 1 : 0;
-    task.touching += pair.is_touching ? 1 : 0;
+    task.touching += touching;
   }
   out = task;
 }
