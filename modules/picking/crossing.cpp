@@ -54,7 +54,7 @@ int LineOfSight::side_of(const Seen& from, const Seen& to) noexcept {
   return sign(to.x, from.x);
 }
 
-std::optional<double> LineOfSight::crosses(const std::array<abut_vec3, 3>& corners) const noexcept {
+std::optional<LineOfSight::Met> LineOfSight::crosses(const std::array<abut_vec3, 3>& corners) const noexcept {
   const Seen a = seen(corners[0]), b = seen(corners[1]), c = seen(corners[2]);
   const int side = side_of(a, b);
   if (side == 0 || side_of(b, c) != side || side_of(c, a) != side) return std::nullopt;
@@ -63,7 +63,7 @@ std::optional<double> LineOfSight::crosses(const std::array<abut_vec3, 3>& corne
       cross(scale(subtract(corners[1], corners[0]), scale_), scale(subtract(corners[2], corners[0]), scale_));
   const double exact = dot(normal, subtract(corners[0], start_)) / dot(normal, direction_);
   const auto [low, high] = std::minmax({a.z / (scale_ * along_), b.z / (scale_ * along_), c.z / (scale_ * along_)});
-  return std::isfinite(exact) ? std::clamp(exact, low, high) : 0.5 * (low + high);
+  return Met{std::isfinite(exact) ? std::clamp(exact, low, high) : 0.5 * (low + high), (side > 0) != (along_ > 0)};
 }
 
 std::array<abut_vec3, 3> CrossedSurface::corners_of(std::uint32_t triangle) const {

@@ -27,8 +27,13 @@ class LineOfSight {
   // The unit direction; `size` is about that of the coordinates, relative to the start of the line.
   LineOfSight(const abut_vec3& start, const abut_vec3& direction, double size) noexcept;
 
-  // How far along the line it crosses a triangle, which may be behind its start.
-  [[nodiscard]] std::optional<double> crosses(const std::array<abut_vec3, 3>& corners) const noexcept;
+  // How far along the line it crosses a triangle, which may be behind its start, and whether through its front. A
+  // normal cannot tell that of a triangle that is seen edge-on.
+  struct Met {
+    double along;
+    bool enters;
+  };
+  [[nodiscard]] std::optional<Met> crosses(const std::array<abut_vec3, 3>& corners) const noexcept;
 
  private:
   // Across the line, and along it.

@@ -51,6 +51,16 @@ constexpr double largest_boxed = 1e9;
   return largest_component(normal) > 0 ? normalized(normal) : normal;
 }
 
+// The normal of a triangle that a ray meets, on the side that its outline shows: rounding may turn the normal of one
+// that is seen edge-on by 1e-15, and the least step is more than that.
+[[nodiscard]] abut_vec3 facing(const abut_vec3& normal, const abut_vec3& direction, bool enters) {
+  constexpr double least = 0x1p-48;
+  const double toward = enters ? -1 : 1;
+  const double rise = dot(normal, direction);
+  if (toward * rise >= least) return normal;
+  return normalized(add(normal, scale(direction, toward * least - rise)));
+}
+
 }  // namespace
 
 abut_status Tracer::trace_all(const abut_ray& ray, const abut_query_filter* filter, std::vector<abut_pick>& out) const {
@@ -118,9 +128,9 @@ abut_status Tracer::cross_surface(AllHits& query, const Entry& entry, const Shap
   const LineOfSight line(add(space.origin, entrance.point), direction, space.extent);
   const auto look_at = [&](std::uint32_t triangle) {
     const std::array<abut_vec3, 3> corners = surface.corners_of(triangle);
-    const std::optional<double> along = line.crosses(corners);
-    if (!along) return;
-    const double distance = entrance.advance + *along;
+    const std::optional<LineOfSight::Met> met = line.crosses(corners);
+    if (!met) return;
+    const double distance = entrance.advance + met->along;
     if (!(distance >= 0 && distance <= query.ray.max_distance)) return;
     query.crossings.push_back(
         {.pick = {.geometry = entry.id,
@@ -129,7 +139,8 @@ abut_status Tracer::cross_surface(AllHits& query, const Entry& entry, const Shap
                   .reserved = 0,
                   .distance = distance,
                   .point = add(query.ray.origin, scale(query.ray.direction, distance)),
-                  .normal = rotate(entry.frame, normal_of(corners, space.extent))},
+                  .normal =
+                      facing(rotate(entry.frame, normal_of(corners, space.extent)), query.ray.direction, met->enters)},
          .blur = -1});
   };
   if (!surface.boxes) {
