@@ -82,7 +82,7 @@ class ContactsUnderPlanes {
   void add(const Vec3& normal, const CoreSeparation& core, const NearPlace& at, bool has_closest) {
     if (std::ranges::none_of(planes_.span(),
                              [&](const Plane& known) { return dot(known.normal, normal) > same_normal; })) {
-      planes_.push_back({normal, core, at, search_.fours()[at.four].triangles.numbers[at.lane], has_closest});
+      planes_.push_back({normal, core, at, search_.number_at(at), has_closest});
     }
   }
 
@@ -151,12 +151,11 @@ class ContactsUnderPlanes {
       if (!near.is_overlapped) {
         continue;
       }
-      const NearFour& four = search_.fours()[near.at.four];
       const Triangle triangle = search_.triangle_at(near.at);
       const Real along = dot(triangle.normal(), translation.direction);
       if (triangle.has_area() && (triangle.is_one_sided() ? along > least_along : std::fabs(along) > least_along)) {
         const Vec3 normal = along > 0 ? triangle.normal() : -triangle.normal();
-        const Real depth = along > 0 ? four.behind[near.at.lane] : four.before[near.at.lane];
+        const Real depth = along > 0 ? near.behind : near.before;
         if (depth <= most_ * (1 + 1e-9) + search_.tolerance()) {
           const CoreSeparation core = along_face(triangle, b_, ab_, near.found.core, normal);
           if (is_over(triangle, core.point_a)) {
@@ -295,29 +294,32 @@ class ContactsUnderPlanes {
     const Columns normal = Columns::all(plane.normal);
     const Real reach = std::max(settings_.margin, Real{0}) + search_.tolerance();
     Aabb box = b_.aabb(ab_).inflated(reach);
-    for (std::size_t i = 0; i < search_.fours().size(); ++i) {
+    SmallVector<NearPlace, 128> places;
+    for (std::uint32_t i = 0; i < search_.fours().size(); ++i) {
       std::uint64_t left = search_.fours()[i].present & search_.fours()[i].triangles.overlapping(box);
       if (left == 0) {
         continue;
       }
       const NearFour& four = search_.find_planes(i);
       const Lanes along = dot(four.normals, normal);
-      left &= bits_of(absolute(along) > all_lanes(same_normal)) & ~(four.one_sided & bits_of(along < all_lanes(0)));
+      const Lanes depth = (along > all_lanes(0) ? four.heights : -four.heights) - lowest;
+      left &= bits_of((absolute(along) > all_lanes(same_normal)) & (depth >= all_lanes(-reach)) &
+                      (depth <= all_lanes(most_ * (1 + 1e-9) + search_.tolerance()))) &
+              ~(four.one_sided & bits_of(along < all_lanes(0)));
       for (; left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        const Real height = along[lane] > 0 ? four.heights[lane] : -four.heights[lane], depth = height - lowest;
-        if (depth < -reach || depth > most_ * (1 + 1e-9) + search_.tolerance()) {
-          continue;
-        }
-        const Triangle triangle = search_.triangle_at({i, lane});
-        if (plane.has_closest && triangle.index() == plane.number) {
-          append_from(plane, triangle, plane.core, true, ordinal);
-          continue;
-        }
-        const CoreSeparation core =
-            along_face(triangle, b_, ab_, plane.core, along[lane] > 0 ? triangle.normal() : -triangle.normal());
-        append_from(plane, triangle, core, is_over(triangle, core.point_a), ordinal);
+        places.push_back({i, static_cast<std::uint32_t>(std::countr_zero(left))});
       }
+    }
+    search_.sort_by_number(places.span());
+    for (const NearPlace& place : places.span()) {
+      const Triangle triangle = search_.triangle_at(place);
+      if (plane.has_closest && triangle.index() == plane.number) {
+        append_from(plane, triangle, plane.core, true, ordinal);
+        continue;
+      }
+      const Vec3 face = triangle.normal();
+      const CoreSeparation core = along_face(triangle, b_, ab_, plane.core, dot(face, plane.normal) > 0 ? face : -face);
+      append_from(plane, triangle, core, is_over(triangle, core.point_a), ordinal);
     }
   }
   void append_from(const Plane& plane, const Triangle& triangle, const CoreSeparation& core, bool closest_count,
@@ -332,8 +334,7 @@ class ContactsUnderPlanes {
   // that lends it.
   void append_features(const Plane& plane, std::uint32_t ordinal) {
     for (const NearTriangle& near : search_.near()) {
-      const NearFour& four = search_.fours()[near.at.four];
-      if (!near.is_overlapped || four.triangles.numbers[near.at.lane] == plane.number) {
+      if (!near.is_overlapped || search_.number_at(near.at) == plane.number) {
         continue;
       }
       const Triangle triangle = search_.triangle_at(near.at);

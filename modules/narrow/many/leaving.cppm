@@ -8,6 +8,7 @@ import abut.core;
 import abut.math;
 import abut.narrow.convex;
 import abut.narrow.fan.sat;
+import abut.narrow.many.leaving_portal;
 import abut.narrow.many.triangle_contacts;
 
 export namespace abut {
@@ -25,6 +26,14 @@ struct Leaving {
   Vec3 normal;
 };
 inline constexpr Leaving never_met{-infinity, {0, 0, 0}};
+
+// What is known of the end, and what is asked of it.
+struct LeavingBounds {
+  Real bound;              // no less than the end
+  Real inside = 0;         // where both overlap
+  Real least = -infinity;  // an end before it need not be exact, if it is told to be before it
+  Real enough = infinity;  // the same beyond it
+};
 
 // Cores whose separating axes are few.
 template <class B>
@@ -139,17 +148,28 @@ template <Convex B>
   return found;
 }
 
-// `bound`: no less than the end, which is not looked for below `least`.
 template <Convex B>
 [[nodiscard]] Leaving leave(const Triangle& triangle, const B& b, const Pose& ab, const Vec3& direction,
-                            const QuerySettings& settings, Real bound, Real least, Real tolerance) {
+                            const QuerySettings& settings, const LeavingBounds& bounds, Real tolerance) {
   if constexpr (leaves_by_axes<B>) {
     return leave_by_axes(triangle, b, ab, direction);
   } else {
-    if (const auto found = leave_through_face(triangle, b, ab, direction, bound, tolerance)) {
+    if (const auto found = leave_through_face(triangle, b, ab, direction, bounds.bound, tolerance)) {
       return *found;
     }
-    return leave_by_search(triangle, b, ab, direction, settings, bound, least, tolerance);
+    if constexpr (Faceted<B>) {
+      // Portals of thin shapes, and beside huge triangles, are lost in rounding.
+      constexpr Real most_tolerance_share = 1e-7;
+      if (b.radius() == 0 && tolerance <= most_tolerance_share * b.facets().inner) {
+        const Real inside = bounds.inside;
+        const Pose at{ab.rotation, ab.position + inside * direction};
+        if (const auto end =
+                leave_by_portal(triangle, b, at, direction, bounds.least - inside, bounds.enough - inside, tolerance)) {
+          return {inside + end->length, end->normal};
+        }
+      }
+    }
+    return leave_by_search(triangle, b, ab, direction, settings, bounds.bound, bounds.least, tolerance);
   }
 }
 

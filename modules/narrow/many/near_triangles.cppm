@@ -17,9 +17,6 @@ export namespace abut {
 
 // Four triangles near a shape, one per lane.
 struct NearFour : FourFaces {
-  // Of those that are overlapped: how far the shape reaches behind the plane, and in front of it.
-  Lanes behind, before;
-  Lanes bounds;              // of the length of a translation, while one is looked for
   std::uint64_t present;     // a bit for each lane with a triangle
   std::uint64_t one_sided;   // those with a front only
   std::uint64_t overlapped;  // those that count as overlapped at the start
@@ -28,7 +25,7 @@ struct NearFour : FourFaces {
 
 // A triangle near a shape.
 struct NearPlace {
-  std::size_t four, lane;
+  std::uint32_t four, lane;
 };
 
 // A triangle that is overlapped, touched or within the margin.
@@ -37,6 +34,16 @@ struct NearTriangle {
   TriangleSeparation found;
   Real gap;  // negative where it is overlapped
   bool is_overlapped;
+  Real behind, before;  // of what is overlapped: how far the shape reaches behind the plane, and in front of it
+};
+
+// Four triangles that are overlapped at the start.
+struct OverlappedFour : FourFaces {
+  Lanes behind, before;
+  Lanes bounds;       // of the length of a translation, while one is looked for
+  std::size_t count;  // of lanes with a triangle
+  std::uint64_t one_sided;
+  std::array<NearPlace, 4> places;
 };
 
 template <Convex B>
@@ -56,7 +63,7 @@ class NearTriangles {
   }
 
   [[nodiscard]] std::span<const NearTriangle> near() const [[clang::lifetimebound]] { return near_.span(); }
-  // Of fours that have triangles that are overlapped, planes are known.
+  // In the order of the tree. Of fours that have triangles that are overlapped, planes are known.
   [[nodiscard]] std::span<const NearFour> fours() const [[clang::lifetimebound]] { return fours_.span(); }
   const NearFour& find_planes(std::size_t place) [[clang::lifetimebound]] {
     NearFour& four = fours_[place];
@@ -65,8 +72,15 @@ class NearTriangles {
     }
     return four;
   }
+  [[nodiscard]] std::uint32_t number_at(const NearPlace& at) const {
+    return fours_[at.four].triangles.numbers[at.lane];
+  }
   [[nodiscard]] Triangle triangle_at(const NearPlace& at) const { return triangle_of(fours_[at.four], at.lane); }
-  [[nodiscard]] bool is_overlapped() const { return count_ > 0; }
+  // Sorts places by the numbers of their triangles, so that the form of a tree does not matter.
+  void sort_by_number(std::span<NearPlace> places) const {
+    std::ranges::sort(places, {}, [this](const NearPlace& at) { return number_at(at); });
+  }
+  [[nodiscard]] bool is_overlapped() const { return !overlapped_.empty(); }
   // Lengths below it are rounding, or less than the bound of the searches that are asked.
   [[nodiscard]] Real tolerance() const { return tolerance_; }
   // No translation that ends the overlap is shorter.
@@ -85,19 +99,18 @@ class NearTriangles {
     wider.include(box);
     const Aabb before = std::exchange(covered_, wider);
     surface_.visit(covered_, [&](const FourTriangles& four, std::uint64_t present) {
-      take(four, present & ~four.overlapping(before));
+      add(four, present & ~four.overlapping(before));
     });
-    add_taken();
   }
-
   const TriangleSource& surface_;
   const B& b_;
   const Pose& ab_;
   const QuerySettings& settings_;
   Real size_;  // of b
   Real tolerance_ = 0;
-  SmallVector<NearFour, 48> fours_;
-  SmallVector<NearTriangle, 32> near_;
+  SmallVector<NearFour, 72> fours_;
+  SmallVector<OverlappedFour, 16> overlapped_;
+  SmallVector<NearTriangle, 32> near_;  // in the order of their numbers
   Real least_ = 0;
   Vec3 deepest_way_{0, 0, 1};  // out of the triangle that is the deepest by itself
 
@@ -111,60 +124,78 @@ class NearTriangles {
   void gather(Real margin) {
     const Real wanted = std::max(margin, Real{0}) + edge_slack(b_, ab_);
     covered_ = box_.inflated(wanted + gather_share * size_);
-    surface_.visit(covered_, [this](const FourTriangles& four, std::uint64_t present) { take(four, present); });
-    add_taken();
+    surface_.visit(covered_, [this](const FourTriangles& four, std::uint64_t present) { add(four, present); });
     const QuickAxes<B> axes(b_, ab_);
-    const Real limit = margin + b_.radius() + edge_slack(b_, ab_);
-    Aabb query = box_.inflated(wanted);
-    for (std::size_t i = 0; i < fours_.size(); ++i) {
+    const Real limit = std::max(margin + b_.radius() + edge_slack(b_, ab_), touching_ + b_.radius());
+    const Aabb query = box_.inflated(wanted);
+    SmallVector<NearPlace, 128> asked;
+    for (std::uint32_t i = 0; i < fours_.size(); ++i) {
       const FourTriangles& four = fours_[i].triangles;
-      std::uint64_t asked = fours_[i].present & four.overlapping(query);
-      asked = asked == 0 ? 0 : asked & axes.near(four, std::max(limit, touching_ + b_.radius()));
-      for (; asked != 0; asked &= asked - 1) {
-        look_at({i, static_cast<std::size_t>(std::countr_zero(asked))}, margin);
+      std::uint64_t left = fours_[i].present & four.overlapping(query);
+      left = left == 0 ? 0 : left & axes.near(four, limit);
+      for (; left != 0; left &= left - 1) {
+        asked.push_back({i, static_cast<std::uint32_t>(std::countr_zero(left))});
+      }
+    }
+    sort_by_number(asked.span());
+    for (const NearPlace& at : asked.span()) {
+      look_at(at, margin);
+    }
+    for (const NearTriangle& near : near_.span()) {
+      if (near.is_overlapped) {
+        add_overlapped(near);
       }
     }
   }
 
-  void take(const FourTriangles& four, std::uint64_t present) {
-    for (std::uint64_t left = present; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      const std::uint64_t place = taken_.size();
-      order_.push_back(std::uint64_t{four.numbers[lane]} << 32 | place);
-      taken_.push_back(four[lane]);
-    }
-  }
-  // In the order of their numbers, so that the form of a tree does not matter.
-  void add_taken() {
-    std::ranges::sort(order_.span());
-    const std::span<const std::uint64_t> order = order_.span();
-    for (std::size_t first = 0; first < order.size(); first += 4) {
-      // The last one stands in for those that lack.
-      const auto at = [&](std::size_t lane) { return order[std::min(first + lane, order.size() - 1)]; };
-      const auto corners = [&](std::size_t lane) -> const TriangleCorners& { return taken_[at(lane) & 0xffffffff]; };
-      const auto number = [&](std::size_t lane) { return static_cast<std::uint32_t>(at(lane) >> 32); };
-      const std::size_t count = std::min<std::size_t>(4, order.size() - first);
-      add(FourTriangles::of(corners(0), corners(1), corners(2), corners(3),
-                            {number(0), number(1), number(2), number(3)}),
-          (std::uint64_t{1} << count) - 1);
-    }
-    order_.clear();
-    taken_.clear();
-  }
   void add(const FourTriangles& four, std::uint64_t present) {
-    [[clang::uninitialized]] NearFour near;
-    near.triangles = four;
-    near.present = present;
-    near.one_sided = has_fronts_ ? surface_.one_sided(four) : 0;
-    near.overlapped = 0;
-    near.has_planes = false;
-    near.behind = near.before = all_lanes(0);
-    near.bounds = all_lanes(-infinity);
-    const Real size = 4 * size_ + largest_magnitude(ab_.position) + 2 * largest(four.size());
+    if (present == 0) {
+      return;
+    }
+    const std::uint64_t one_sided = has_fronts_ ? surface_.one_sided(four) : 0;
+    const Lanes sizes = four.size();
+    Real largest_of_them = 0;
+    for (std::uint64_t left = present; left != 0; left &= left - 1) {
+      largest_of_them = std::max(largest_of_them, sizes[static_cast<std::size_t>(std::countr_zero(left))]);
+    }
+    const Real size = 4 * size_ + largest_magnitude(ab_.position) + 2 * largest_of_them;
     touching_ = std::max(touching_, touching_within<B>(size, settings_));
     constexpr Real usual = Curved<B> ? usual_error_of_curves : usual_error;
-    tolerance_ = std::max(touching_, 2 * (usual * 2 * size_ + noise_of(size)));
+    tolerance_ = std::max({tolerance_, touching_, 2 * (usual * 2 * size_ + noise_of(size))});
+    if (present == 15) {
+      add_four(four, one_sided);
+      return;
+    }
+    // Those of fours that lack some stand side by side.
+    for (std::uint64_t left = present; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      if (unfilled_ == fours_.size() || fours_[unfilled_].present == 15) {
+        unfilled_ = fours_.size();
+        add_four(FourTriangles::all(four[lane]), 0);
+        fours_[unfilled_].present = 0;
+      }
+      NearFour& to = fours_[unfilled_];
+      const auto free = static_cast<std::size_t>(std::countr_zero(~to.present));
+      put(four, lane, free, to.triangles);
+      to.one_sided |= (one_sided >> lane & 1u) << free;
+      to.present |= std::uint64_t{1} << free;
+      to.has_planes = false;
+    }
+  }
+  void add_four(const FourTriangles& four, std::uint64_t one_sided) {
+    [[clang::uninitialized]] NearFour near;
+    near.triangles = four;
+    near.present = 15;
+    near.one_sided = one_sided;
+    near.overlapped = 0;
+    near.has_planes = false;
     fours_.push_back(near);
+  }
+  static void put(const FourTriangles& from, std::size_t lane, std::size_t place, FourTriangles& to) {
+    to.a.put(place, from.a[lane]);
+    to.b.put(place, from.b[lane]);
+    to.c.put(place, from.c[lane]);
+    to.numbers[place] = from.numbers[lane];
   }
   // Normals of slivers are told by their triangle.
   static void set_planes(NearFour& near) {
@@ -200,33 +231,52 @@ class NearTriangles {
       return;
     }
     const bool is_overlapped = gap < -touching;
-    near_.push_back({at, found, gap, is_overlapped});
+    near_.push_back({at, found, gap, is_overlapped, 0, 0});
     if (!is_overlapped) {
       return;
     }
     four.overlapped |= std::uint64_t{1} << at.lane;
-    ++count_;
     find_planes(at.four);
-    set_reaches(at);
+    const Vec3 normal = four.normals[at.lane];
+    NearTriangle& near = near_[near_.size() - 1];
+    near.behind = four.heights[at.lane] - lowest_point_along(b_, ab_, normal);
+    near.before = -lowest_point_along(b_, ab_, -normal) - four.heights[at.lane];
     const Real depth = Curved<B> ? b_.radius() - core.upper : -gap;
     if (depth > least_) {
       least_ = depth;
       deepest_way_ = core.normal;
     }
   }
-  void set_reaches(const NearPlace& at) {
-    NearFour& four = fours_[at.four];
-    const Vec3 normal = four.normals[at.lane];
-    four.behind[at.lane] = four.heights[at.lane] - lowest_point_along(b_, ab_, normal);
-    four.before[at.lane] = -lowest_point_along(b_, ab_, -normal) - four.heights[at.lane];
+  // Side by side, so that a search asks about no others.
+  void add_overlapped(const NearTriangle& near) {
+    if (overlapped_.empty() || overlapped_[overlapped_.size() - 1].count == 4) {
+      [[clang::uninitialized]] OverlappedFour four;
+      // The first one stands in for those that lack.
+      four.triangles = FourTriangles::all(fours_[near.at.four].triangles[near.at.lane]);
+      four.normals = Columns::all({0, 0, 0});
+      four.heights = four.behind = four.before = all_lanes(0);
+      four.bounds = all_lanes(-infinity);
+      four.count = 0;
+      four.one_sided = 0;
+      four.places.fill(near.at);
+      overlapped_.push_back(four);
+    }
+    OverlappedFour& four = overlapped_[overlapped_.size() - 1];
+    const std::size_t lane = four.count++;
+    const NearFour& from = fours_[near.at.four];
+    put(from.triangles, near.at.lane, lane, four.triangles);
+    four.normals.put(lane, from.normals[near.at.lane]);
+    four.heights[lane] = from.heights[near.at.lane];
+    four.behind[lane] = near.behind;
+    four.before[lane] = near.before;
+    four.places[lane] = near.at;
+    four.one_sided |= (from.one_sided >> near.at.lane & 1u) << lane;
   }
 
   Aabb box_, covered_;
   bool has_fronts_;
   Real touching_ = 0;
-  SmallVector<std::uint64_t, 160> order_;
-  SmallVector<TriangleCorners, 160> taken_;
-  std::size_t count_ = 0;  // of triangles that are overlapped
+  std::size_t unfilled_ = 0;  // place of the four that lacks triangles, if any does
 };
 
 }  // namespace abut

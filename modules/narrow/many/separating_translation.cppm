@@ -18,6 +18,7 @@ import abut.narrow.many.leaving;
 import abut.narrow.many.leaving_four;
 export import abut.narrow.many.near_triangles;
 import abut.narrow.many.quick_axes;
+import abut.narrow.many.search_starts;
 import abut.narrow.many.triangle_contacts;
 
 export namespace abut {
@@ -45,7 +46,7 @@ class SurfaceSearch : public NearTriangles<B> {
  public:
   using Near = NearTriangles<B>;
   using Near::Near;
-  using Near::find_planes, Near::triangle_at;
+  using Near::find_planes, Near::number_at, Near::triangle_at;
 
   // To be called where something is overlapped.
   [[nodiscard]] const SeparatingTranslation& find() [[clang::lifetimebound]] {
@@ -112,12 +113,8 @@ class SurfaceSearch : public NearTriangles<B> {
 
  private:
   using Near::ab_, Near::b_, Near::deepest_way_, Near::fours_, Near::least_, Near::near_;
-  using Near::settings_, Near::size_, Near::tolerance_;
+  using Near::overlapped_, Near::settings_, Near::size_, Near::tolerance_;
 
-  struct Start {
-    Vec3 direction;
-    Real estimate;
-  };
   struct Back {
     Vec3 normal;
     Real length;
@@ -156,10 +153,10 @@ class SurfaceSearch : public NearTriangles<B> {
         break;
       }
     }
+    settle(exit);
     if (!exit.touches.empty()) {
-      last_blocker_ = exit.touches[exit.touches.size() - 1].at;
+      last_blocker_ = exit.touches[0].at;
     }
-    drop_earlier_backs(exit);
     return exit;
   }
 
@@ -179,24 +176,25 @@ class SurfaceSearch : public NearTriangles<B> {
     if (!is_met) {
       return false;
     }
-    const Leaving found = leave_one(*last_blocker_, direction, bound, -infinity);
+    const Leaving found = leave_one(*last_blocker_, direction, {.bound = bound, .enough = enough});
     return found.length >= enough - tolerance_ && stop(*last_blocker_, found, exit);
   }
-  [[nodiscard]] Leaving leave_one(const NearPlace& at, const Vec3& direction, Real bound, Real least) {
+  [[nodiscard]] Leaving leave_one(const NearPlace& at, const Vec3& direction, const LeavingBounds& bounds) {
     if constexpr (leaves_in_fours<B>) {
       if (takes_closed_forms(settings_.algorithm)) {
         const FourStretches found = stretches_of(find_planes(at.four), b_, ab_, direction);
         if (found.end[at.lane] > -infinity) {
-          return leaving_of(at, found, direction);
+          return leaving_of(fours_[at.four], at.lane, at, found, direction);
         }
       }
     }
-    return leave(triangle_at(at), b_, ab_, direction, settings_, bound, least, tolerance_);
+    return leave(triangle_at(at), b_, ab_, direction, settings_, bounds, tolerance_);
   }
-  [[nodiscard]] Leaving leaving_of(const NearPlace& at, const FourStretches& found, const Vec3& direction) const {
-    const Real length = found.end[at.lane];
+  [[nodiscard]] Leaving leaving_of(const FourFaces& four, std::size_t lane, const NearPlace& at,
+                                   const FourStretches& found, const Vec3& direction) const {
+    const Real length = found.end[lane];
     if constexpr (is_box<B>) {
-      return {length, normal_at_end(fours_[at.four], at.lane, ab_, direction, found.axis[at.lane])};
+      return {length, normal_at_end(four, lane, ab_, direction, found.axis[lane])};
     } else {
       const Pose after{ab_.rotation, ab_.position + length * direction};
       return {length, separate_outside(triangle_at(at), b_, after, settings_).normal};
@@ -215,28 +213,32 @@ class SurfaceSearch : public NearTriangles<B> {
   // No triangle that is overlapped is left later than it ends along the direction, nor than its plane is.
   void set_bounds(const Vec3& direction, Real lowest) {
     const Columns along = Columns::all(direction);
-    const Lanes none = all_lanes(-infinity), far = all_lanes(infinity);
-    for (NearFour& four : fours_.span()) {
-      four.bounds = none;
-      if (four.overlapped == 0) {
-        continue;
-      }
+    const Lanes far = all_lanes(infinity);
+    for (OverlappedFour& four : overlapped_.span()) {
       const FourTriangles& t = four.triangles;
       const Lanes ends = maximum(maximum(dot(along, t.a), dot(along, t.b)), dot(along, t.c)) - lowest;
       const Lanes slope = dot(four.normals, along);
       const Lanes of_plane = slope > all_lanes(1e-9)    ? four.behind / slope
                              : slope < all_lanes(-1e-9) ? four.before / -slope
                                                         : far;
-      const Lanes bounds = minimum(ends, of_plane);
-      for (std::uint64_t left = four.overlapped; left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        four.bounds[lane] = bounds[lane];
+      four.bounds = minimum(ends, of_plane);
+      for (std::size_t lane = four.count; lane < 4; ++lane) {
+        four.bounds[lane] = -infinity;
       }
     }
   }
 
-  // What touches within a tie of the end of a way, counts as touched, but is left through its back only if it is last.
-  void drop_earlier_backs(Exit& exit) const {
+  // What touches within a tie of the end of a way counts as touched, what is last comes first. It is left through its
+  // back only if it is last.
+  void settle(Exit& exit) const {
+    const auto touches = exit.touches;
+    exit.touches.clear();
+    for (const SurfaceTouch& touch : touches.span()) {
+      exit.touches.push_back_if(touch, touch.length >= exit.length - tie());
+    }
+    std::ranges::sort(exit.touches.span(), [this](const SurfaceTouch& a, const SurfaceTouch& b) {
+      return a.length != b.length ? a.length > b.length : number_at(a.at) < number_at(b.at);
+    });
     const auto backs = exit.backs;
     exit.backs.clear();
     for (const Back& back : backs.span()) {
@@ -244,6 +246,9 @@ class SurfaceSearch : public NearTriangles<B> {
     }
   }
 
+  [[nodiscard]] bool is_one_sided(const NearPlace& at) const {
+    return (fours_[at.four].one_sided >> at.lane & 1u) != 0;
+  }
   // Takes what is left at a length into account.
   void note(const NearPlace& at, const Leaving& found, const Vec3& direction, Exit& exit) {
     const Real tie = this->tie();
@@ -264,9 +269,11 @@ class SurfaceSearch : public NearTriangles<B> {
     if (!is_known && exit.touches.size() < 8) {
       exit.touches.push_back({found.normal, found.length, at});
     }
-    const NearFour& four = find_planes(at.four);
-    if ((four.one_sided >> at.lane & 1u) != 0 && dot(four.normals[at.lane], direction) < -1e-9) {
-      exit.backs.push_back({four.normals[at.lane], found.length});
+    if (is_one_sided(at)) {
+      const Vec3 normal = find_planes(at.four).normals[at.lane];
+      if (dot(normal, direction) < -1e-9) {
+        exit.backs.push_back({normal, found.length});
+      }
     }
     exit.length = std::max(exit.length, found.length);
   }
@@ -275,70 +282,79 @@ class SurfaceSearch : public NearTriangles<B> {
   [[nodiscard]] bool leave_overlapped(const Vec3& direction, Real enough, Exit& exit) {
     for (;;) {
       Real top = exit.length + tolerance_ - tie();
-      std::optional<NearPlace> last;
-      for (std::size_t i = 0; i < fours_.size(); ++i) {
-        if (bits_of(fours_[i].bounds > all_lanes(top)) != 0) {
+      OverlappedFour* last = nullptr;
+      std::size_t last_lane = 0;
+      for (OverlappedFour& four : overlapped_.span()) {
+        if (bits_of(four.bounds > all_lanes(top)) != 0) {
           for (std::size_t lane = 0; lane < 4; ++lane) {
-            if (fours_[i].bounds[lane] > top) {
-              top = fours_[i].bounds[lane];
-              last = NearPlace{i, lane};
+            if (four.bounds[lane] > top) {
+              top = four.bounds[lane];
+              last = &four;
+              last_lane = lane;
             }
           }
         }
       }
-      if (!last) {
+      if (last == nullptr) {
         return true;
       }
       if constexpr (leaves_in_fours<B>) {
         if (takes_closed_forms(settings_.algorithm)) {
-          if (!leave_four(last->four, direction, enough, exit)) {
+          if (!leave_four(*last, direction, enough, exit)) {
             return false;
           }
           continue;
         }
       }
-      const Leaving found = leave_one(*last, direction, top, exit.length - 2 * tie());
-      fours_[last->four].bounds[last->lane] = -infinity;
+      last->bounds[last_lane] = -infinity;
+      const NearPlace& at = last->places[last_lane];
+      const Leaving found =
+          leave_one(at, direction, {.bound = top, .least = exit.length - 2 * tie(), .enough = enough});
       if (found.length > 0) {
         if (found.length >= enough - tolerance_) {
-          static_cast<void>(stop(*last, found, exit));
+          static_cast<void>(stop(at, found, exit));
           return false;
         }
-        note(*last, found, direction, exit);
+        note(at, found, direction, exit);
       }
     }
   }
   // All of four at once that are overlapped at the start.
-  [[nodiscard]] bool leave_four(std::size_t place, const Vec3& direction, Real enough, Exit& exit) {
-    NearFour& four = fours_[place];
+  [[nodiscard]] bool leave_four(OverlappedFour& four, const Vec3& direction, Real enough, Exit& exit) {
     const FourStretches found = stretches_of(four, b_, ab_, direction);
-    std::uint64_t left = four.overlapped & bits_of(four.bounds > all_lanes(-infinity)) &
-                         bits_of(found.end >= all_lanes(exit.length - tie()));
+    const Lanes ends = four.bounds > all_lanes(-infinity) ? found.end : four.bounds;
+    const Real last = std::max(exit.length, std::max(std::max(ends[0], ends[1]), std::max(ends[2], ends[3])));
+    std::uint64_t left = bits_of((ends > all_lanes(0)) & (ends >= all_lanes(last - tie())));
     four.bounds = all_lanes(-infinity);
     for (; left != 0; left &= left - 1) {
-      const NearPlace at{place, static_cast<std::size_t>(std::countr_zero(left))};
-      if (found.end[at.lane] > 0) {
-        const Leaving one = leaving_of(at, found, direction);
-        if (one.length >= enough - tolerance_) {
-          static_cast<void>(stop(at, one, exit));
-          return false;
-        }
-        note(at, one, direction, exit);
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      const Leaving one = leaving_of(four, lane, four.places[lane], found, direction);
+      if (one.length >= enough - tolerance_) {
+        static_cast<void>(stop(four.places[lane], one, exit));
+        return false;
       }
+      note(four.places[lane], one, direction, exit);
     }
     return true;
   }
 
   // Leaves what is not overlapped at the start, but after the translation so far. False as above.
   [[nodiscard]] bool leave_those_ahead(const Vec3& direction, Real lowest, Real enough, Exit& exit) {
-    const Pose at{ab_.rotation, ab_.position + exit.length * direction};
+    const Real begin = exit.length;
+    const Pose at{ab_.rotation, ab_.position + begin * direction};
     const Aabb box = b_.aabb(at);
     this->cover(box);
     const QuickAxes<B> axes(b_, at);
-    for (std::size_t i = 0; i < fours_.size(); ++i) {
+    SmallVector<NearPlace, 128> ahead;
+    const Columns along = Columns::all(direction);
+    const Lanes least = all_lanes(lowest + exit.length + 2 * tolerance_);
+    for (std::uint32_t i = 0; i < fours_.size(); ++i) {
       const NearFour& four = fours_[i];
-      std::uint64_t left = four.present & ~four.overlapped & four.triangles.overlapping(box);
-      left = left == 0 ? 0 : left & axes.near(four.triangles, b_.radius());
+      const FourTriangles& t = four.triangles;
+      const Lanes reach = maximum(maximum(dot(along, t.a), dot(along, t.b)), dot(along, t.c));
+      std::uint64_t left = four.present & ~four.overlapped & bits_of(reach > least);
+      left = left == 0 ? 0 : left & t.overlapping(box);
+      left = left == 0 ? 0 : left & axes.near(t, b_.radius());
       if constexpr (leaves_in_fours<B>) {
         if (left != 0 && takes_closed_forms(settings_.algorithm)) {
           const FourStretches found = stretches_of(find_planes(i), b_, ab_, direction);
@@ -346,19 +362,23 @@ class SurfaceSearch : public NearTriangles<B> {
         }
       }
       for (; left != 0; left &= left - 1) {
-        const NearPlace place{i, static_cast<std::size_t>(std::countr_zero(left))};
-        const Real bound = reach_of(four, place.lane, direction) - lowest;
-        if (!(bound > exit.length + 2 * tolerance_) || !is_overlapped_at(place, at)) {
-          continue;
+        ahead.push_back({i, static_cast<std::uint32_t>(std::countr_zero(left))});
+      }
+    }
+    this->sort_by_number(ahead.span());
+    for (const NearPlace& place : ahead.span()) {
+      const Real bound = reach_of(fours_[place.four], place.lane, direction) - lowest;
+      if (!(bound > exit.length + 2 * tolerance_) || !is_overlapped_at(place, at)) {
+        continue;
+      }
+      const Leaving found = leave_one(
+          place, direction, {.bound = bound, .inside = begin, .least = exit.length - 2 * tie(), .enough = enough});
+      if (found.length > exit.length + tolerance_) {
+        if (found.length >= enough - tolerance_) {
+          static_cast<void>(stop(place, found, exit));
+          return false;
         }
-        const Leaving found = leave_one(place, direction, bound, -infinity);
-        if (found.length > exit.length + tolerance_) {
-          if (found.length >= enough - tolerance_) {
-            static_cast<void>(stop(place, found, exit));
-            return false;
-          }
-          note(place, found, direction, exit);
-        }
+        note(place, found, direction, exit);
       }
     }
     return true;
@@ -412,35 +432,20 @@ class SurfaceSearch : public NearTriangles<B> {
       direction = *next;
     }
   }
-  static constexpr std::size_t most_starts = 48;
-  using Starts = SmallVector<Start, most_starts>;
-
-  static void add_start(const Vec3& direction, Real estimate, Starts& starts) {
-    for (Start& known : starts.span()) {
-      if (dot(known.direction, direction) > 1 - 1e-10) {
-        known.estimate = std::max(known.estimate, estimate);
-        return;
-      }
-    }
-    if (starts.size() < most_starts) {
-      starts.push_back({direction, estimate});
-    }
-  }
-
   void try_starts() {
     constexpr std::size_t most_of_many = 8;
-    Starts starts;
-    const bool are_few = add_planes(starts);
+    SearchStarts starts;
+    const bool are_few = add_planes(overlapped_.span(), allows_back_, starts);
     if (!are_few) {
       starts.clear();
-      add_mean_normals(starts);
+      add_mean_normals(overlapped_.span(), size_, allows_back_, starts);
     }
-    add_own_directions(are_few, starts);
+    add_own_directions(b_, ab_, are_few, starts);
     try_all(starts, are_few ? starts.size() : most_of_many);
     // Where triangles pass through each other, or stand alone, planes tell little.
     // A triangle may slide out along itself.
     constexpr Real far = leaves_by_axes<B> && !is_box<B> ? 1 : 1.25;
-    if (best_.length > far * least_ + tolerance_) {
+    if (best_.length > far * least_ + tolerance_ && !are_ground(overlapped_.span(), best_.direction)) {
       starts.clear();
       add_single_ways(starts);
       try_all(starts, starts.size());
@@ -448,14 +453,14 @@ class SurfaceSearch : public NearTriangles<B> {
       try_around_best();
     }
   }
-  void try_all(Starts& starts, std::size_t most) {
-    std::ranges::sort(starts.span(), [](const Start& a, const Start& b) {
-      const auto key = [](const Start& s) {
+  void try_all(SearchStarts& starts, std::size_t most) {
+    std::ranges::sort(starts.span(), [](const SearchStart& a, const SearchStart& b) {
+      const auto key = [](const SearchStart& s) {
         return std::tuple(s.estimate, s.direction.x, s.direction.y, s.direction.z);
       };
       return key(a) < key(b);
     });
-    for (const Start& start : starts.span().first(std::min(most, starts.size()))) {
+    for (const SearchStart& start : starts.span().first(std::min(most, starts.size()))) {
       if (is_settled()) {
         return;
       }
@@ -463,7 +468,7 @@ class SurfaceSearch : public NearTriangles<B> {
     }
   }
   // The ways out of single triangles, deeper ones first.
-  void add_single_ways(Starts& starts) {
+  void add_single_ways(SearchStarts& starts) {
     constexpr std::size_t most_ways = 16;
     for (const NearTriangle& near : near_.span()) {
       if (near.is_overlapped && starts.size() < most_ways) {
@@ -507,107 +512,6 @@ class SurfaceSearch : public NearTriangles<B> {
     }
     const auto move = least_translation(planes.span());
     return move && norm(*move) >= best_.length * (1 - 1e-9);
-  }
-
-  // The planes of what is overlapped, each with how far it is left. False where there are many.
-  [[nodiscard]] bool add_planes(Starts& starts) {
-    constexpr std::size_t most_planes = 16;
-    for (const NearFour& four : fours_.span()) {
-      for (std::uint64_t left = four.overlapped; left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        const Vec3 normal = four.normals[lane];
-        if (squared_norm(normal) > 0) {
-          add_start(normal, four.behind[lane], starts);
-          if ((four.one_sided >> lane & 1u) == 0 || allows_back_) {
-            add_start(-normal, four.before[lane], starts);
-          }
-        }
-        if (starts.size() > most_planes) {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-  // Of many: the mean normals in cells of the sphere of directions, weighted by area, but no more than b can reach.
-  void add_mean_normals(Starts& starts) {
-    constexpr int cells = 4;  // along each side of a cube
-    struct Cell {
-      Vec3 sum{0, 0, 0};
-      Real weight = 0;
-    };
-    std::array<Cell, 6 * cells * cells> of_cells{};
-    const auto cell_of = [](const Vec3& n) {
-      const Vec3 size = absolute(n);
-      const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-      const auto along = [&](Real coordinate) {
-        return std::min(cells - 1, static_cast<int>((coordinate / size[axis] * 0.5 + 0.5) * cells));
-      };
-      const int side = 2 * axis + (n[axis] > 0 ? 0 : 1);
-      return static_cast<std::size_t>((side * cells + along(n[axis == 0 ? 1 : 0])) * cells +
-                                      along(n[axis == 2 ? 1 : 2]));
-    };
-    for (const NearFour& four : fours_.span()) {
-      for (std::uint64_t left = four.overlapped; left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        const Vec3 normal = four.normals[lane];
-        if (!(squared_norm(normal) > 0)) {
-          continue;
-        }
-        const TriangleCorners corners = four.triangles[lane];
-        const Real area = 0.5 * norm(cross(corners[1] - corners[0], corners[2] - corners[0]));
-        const Real weight = std::min(area, size_ * size_);
-        const auto add = [&](const Vec3& n) {
-          Cell& cell = of_cells[cell_of(n)];
-          cell.sum += weight * n;
-          cell.weight += weight;
-        };
-        add(normal);
-        if ((four.one_sided >> lane & 1u) == 0 || allows_back_) {
-          add(-normal);
-        }
-      }
-    }
-    for (const Cell& cell : of_cells) {
-      if (const auto mean = UnitVec3::make(cell.sum); mean && cell.weight > 0) {
-        add_start(*mean, -cell.weight, starts);
-      }
-    }
-  }
-
-  // Normals of the faces of b, and what is across its axis. They come last.
-  void add_own_directions(bool are_few, Starts& starts) {
-    const Real last = are_few ? 10 * size_ : Real{0};
-    if constexpr (leaves_by_axes<B>) {
-      for (const Vec3& face : b_.face_normals()) {
-        if (squared_norm(face) > 0) {
-          add_start(ab_.rotation * face, last, starts);
-          add_start(-(ab_.rotation * face), last, starts);
-        }
-      }
-      for (const Vec3& edge : b_.edge_directions()) {
-        if (const auto along = UnitVec3::make(ab_.rotation * edge)) {
-          add_start(*along, last, starts);
-          add_start(-*along, last, starts);
-        }
-      }
-    } else if constexpr (SegmentCored<B> || Rimmed<B>) {
-      constexpr Real least_across = 0.05;
-      const Vec3& axis = ab_.rotation.z;
-      const std::size_t count = starts.size();
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto [direction, estimate] = starts[i];
-        const Vec3 across = direction - dot(direction, axis) * axis;
-        if (norm(across) > least_across) {
-          add_start(*UnitVec3::make(across), are_few ? estimate + size_ : 0.1 * estimate, starts);
-        }
-      }
-      if constexpr (Rimmed<B>) {
-        add_start(axis, last, starts);
-        add_start(-axis, last, starts);
-      }
-    }
   }
 
   bool allows_back_ = false;

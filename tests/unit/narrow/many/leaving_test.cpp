@@ -15,9 +15,11 @@ import abut.math.four_vec3;
 import abut.narrow.convex;
 import abut.narrow.many.leaving;
 import abut.narrow.many.leaving_four;
+import abut.narrow.many.leaving_portal;
 import abut.shapes.box;
 import abut.shapes.capsule;
 import abut.shapes.cylinder;
+import abut.shapes.hull;
 import abut.shapes.sphere;
 
 namespace {
@@ -58,7 +60,7 @@ void check(const B& b, std::uint64_t seed) {
     ++overlapping;
     const double bound =
         -least_along(triangle.corners(), -d) - abut::lowest_point_along(b, ab, d);  // then a plane across parts them
-    const abut::Leaving found = leave(triangle, b, ab, d, abut::QuerySettings{}, bound, -abut::infinity, tolerance);
+    const abut::Leaving found = leave(triangle, b, ab, d, abut::QuerySettings{}, {.bound = bound}, tolerance);
     const auto about = [&] { return testing::Message() << "scene " << scene << " of seed " << seed; };
     EXPECT_LE(found.length, bound + 1e-9) << about();
     EXPECT_GE(distance_after(triangle, b, ab, d, found.length), -1e-9) << about();
@@ -77,11 +79,53 @@ void check(const B& b, std::uint64_t seed) {
   EXPECT_GT(overlapping, 30) << "seed " << seed;
 }
 
+std::vector<double> random_corners(test::Random& random, int count) {
+  std::vector<double> xyz;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 p = random.point(0.5);
+    xyz.insert(xyz.end(), {p.x, p.y, p.z});
+  }
+  return xyz;
+}
+
 TEST(Leaving, EndsWhereNothingOverlaps) {
   check(core_of(test::made<abut::Sphere>({0.5})), 1);
   check(core_of(test::made<abut::Capsule>({0.2, 0.5})), 2);
   check(core_of(test::made<abut::Box>({0.5, 0.3, 0.2})), 3);
   check(core_of(test::made<abut::Cylinder>({0.3, 0.4})), 4);
+  test::Random random(5);
+  for (std::uint64_t seed = 6; seed < 12; ++seed) {
+    check(test::made<abut::Hull>({}, random_corners(random, 8 << (seed % 3))), seed);
+  }
+}
+
+TEST(Leaving, TellsOnWhichSideOfWhatIsAskedItEnds) {
+  constexpr std::uint64_t seed = 12;
+  test::Random random(seed);
+  int inexact = 0;
+  for (int scene = 0; scene < 500; ++scene) {
+    const auto hull = test::made<abut::Hull>({}, random_corners(random, 32));
+    const Triangle triangle = random_triangle(random);
+    const Pose ab{random.rotation(), random.point(0.4)};
+    const Vec3 d = random_direction(random);
+    if (!(distance_after(triangle, hull, ab, d, 0) < -1e-3)) {
+      continue;
+    }
+    const auto ask = [&](double least, double enough) {
+      return leave_by_portal(triangle, hull, ab, d, least, enough, 1e-12);
+    };
+    const auto about = [&] { return testing::Message() << "scene " << scene << " of seed " << seed; };
+    const auto exact = ask(-abut::infinity, abut::infinity);
+    ASSERT_TRUE(exact) << about();
+    const double half = 0.5 * exact->length, twice = 2 * exact->length;
+    EXPECT_GE(ask(-abut::infinity, half)->length, half) << about();
+    EXPECT_LE(ask(-abut::infinity, half)->length, exact->length + 1e-11) << about();
+    EXPECT_LT(ask(twice, abut::infinity)->length, twice) << about();
+    EXPECT_GE(ask(twice, abut::infinity)->length, exact->length - 1e-11) << about();
+    inexact += ask(twice, abut::infinity)->length > exact->length + 1e-9 ? 1 : 0;
+    inexact += ask(-abut::infinity, half)->length < exact->length - 1e-9 ? 1 : 0;
+  }
+  EXPECT_GT(inexact, 50) << "seed " << seed;  // then less was done
 }
 
 }  // namespace
