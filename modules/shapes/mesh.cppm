@@ -6,12 +6,12 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.shapes.mesh_inside;
 import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
 import abut.trees.eight_boxes;
 import abut.trees.slab;
 import abut.trees.volume_tree;
-import abut.trees.winding_number;
 
 export namespace abut {
 
@@ -158,9 +158,9 @@ class Mesh {
 
   // See Enclosing.
   [[nodiscard]] inline bool is_solid() const { return data_->sides == Sides::solid; }
-  [[nodiscard]] bool contains(const Vec3& point) const { return inside().winding.contains(point); }
+  [[nodiscard]] bool contains(const Vec3& point) const { return inside().contains(point); }
   [[nodiscard]] bool is_turned(std::uint32_t index) const { return inside().turns(index); }
-  [[nodiscard]] std::span<const Vec3> pieces() const [[clang::lifetimebound]] { return inside().pieces; }
+  [[nodiscard]] std::span<const Vec3> pieces() const [[clang::lifetimebound]] { return inside().pieces(); }
 
   // Makes what queries make when they first need it.
   void prepare(const Workers& workers) const;
@@ -187,13 +187,14 @@ class Mesh {
   }
   void place(const VertexEdit& edit);
   void take_out(std::uint32_t triangle);
-  // The tree, where two surfaces have needed one, follows a triangle that has moved or gone; settle_tree comes last.
+  // The tree, where two surfaces have needed one, follows a triangle that has moved or gone; settle comes last, after
+  // set_box.
   void follow_in_tree(std::uint32_t triangle) {
     if (std::optional<Bvh>& tree = data_.own().tree.made()) {
       tree->move(triangle, present_box(triangle));
     }
   }
-  void settle_tree();
+  void settle();
   void set_box(const Aabb& box) { data_.own().box = box; }
   // Calls visit(triangle) for all around the vertices of an edit: once each where these are a range.
   template <class Visitor>
@@ -247,25 +248,18 @@ class Mesh {
   using OtherTree = std::variant<OrientedBoxTree, SphereTree>;
   using VisitItem = std::function<void(std::uint32_t)>;
 
-  struct Inside {
-    WindingNumber winding;
-    std::vector<Vec3> pieces;
-    std::vector<bool> turned;  // for each triangle; nothing where none is
-
-    [[nodiscard]] inline bool turns(std::uint32_t index) const { return !turned.empty() && turned[index]; }
-  };
   struct Data {
-    std::vector<Vec3> vertices;
-    std::vector<std::uint32_t> indices;
+    std::vector<Vec3> vertices{};
+    std::vector<std::uint32_t> indices{};
     Sides sides;
     ChosenTree chosen;
-    Aabb box;
-    std::size_t present;  // triangles that have not gone
-    Vec3 widest;          // at least the extents of the box of each triangle
-    Lazy<Bvh> tree;
-    Lazy<MeshNeighbours> neighbours;
-    Lazy<Inside> inside;
-    Lazy<OtherTree> other;  // where one was chosen
+    Aabb box = Aabb::empty();
+    std::size_t present = 0;  // triangles that have not gone
+    Vec3 widest{0, 0, 0};     // at least the extents of the box of each triangle
+    Lazy<Bvh> tree{};
+    Lazy<MeshNeighbours> neighbours{};
+    Lazy<MeshInside> inside{};
+    Lazy<OtherTree> other{};  // where one was chosen
   };
 
   explicit Mesh(Data data) : data_(std::move(data)) {}
@@ -275,10 +269,9 @@ class Mesh {
   [[nodiscard]] const MeshNeighbours& neighbours() const [[clang::lifetimebound]] {
     return data_->neighbours.get([this] { return make_neighbours(Workers(1)); });
   }
-  [[nodiscard]] const Inside& inside() const [[clang::lifetimebound]] {
-    return data_->inside.get([this] { return make_inside(*data_); });
+  [[nodiscard]] const MeshInside& inside() const [[clang::lifetimebound]] {
+    return data_->inside.get([this] { return MeshInside(data_->vertices, data_->indices, data_->box); });
   }
-  [[nodiscard]] static Inside make_inside(const Data& data);
   [[nodiscard]] inline bool has_other_tree() const { return data_->chosen > ChosenTree::boxes; }
   [[nodiscard]] std::optional<TriangleCorners> present_corners(std::uint32_t index) const {
     return has_gone(index) ? std::nullopt : std::optional(corners(index));
@@ -292,6 +285,9 @@ class Mesh {
   void touch_in_other(std::uint32_t triangle);
   void settle_other();
   [[nodiscard]] Aabb follow(std::uint32_t touched, const Aabb& moved);
+  void follow_inside(const VertexEdit& edit);
+  [[nodiscard]] bool is_closed_around(std::uint32_t vertex) const;
+  void settle_inside();
   static void fill(Data& data, std::span<const Real> reals, std::span<const std::uint32_t> indices);
   [[nodiscard]] static Aabb box_of(const Data& data);
   [[nodiscard]] Bvh make_tree(const Workers& workers) const;

@@ -56,9 +56,7 @@ Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> 
   if (Fault fault = check_triangles("a mesh", reals, indices)) {
     return *fault;
   }
-  Data data{
-      {}, {}, static_cast<Sides>(parameters[0]), static_cast<ChosenTree>(tree), Aabb::empty(), 0, {0, 0, 0}, {}, {},
-      {}, {}};
+  Data data{.sides = static_cast<Sides>(parameters[0]), .chosen = static_cast<ChosenTree>(tree)};
   fill(data, reals, indices);
   return Mesh(std::move(data));
 }

@@ -4,6 +4,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.shapes.mesh_inside;
 import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
 import abut.triangles.buffers;
@@ -56,6 +57,9 @@ Fault Mesh::check(const RecreationEdit& edit) const { return check_triangles("a 
 // Where no query has needed the tree so far, there is nothing to follow the change.
 void Mesh::make_room_for_change() {
   make_room_in_other();
+  if (data_.own().inside.is_made()) {
+    static_cast<void>(neighbours());
+  }
   if (std::optional<Bvh>& tree = data_.own().tree.made()) {
     static_cast<void>(neighbours());
     tree->make_room();
@@ -89,6 +93,7 @@ Aabb Mesh::follow(std::uint32_t touched, const Aabb& moved) {
   // with it, which reach so much further.
   const Vec3 reach = data.widest;
   const bool has_same_box = before.low == data.box.low && before.high == data.box.high;
+  settle_inside();
   return has_same_box && !is_solid() ? Aabb{changed.low - reach, changed.high + reach} : Aabb::everything();
 }
 
@@ -114,6 +119,7 @@ Aabb Mesh::apply(const VertexEdit& edit) {
   place(edit);
   if (!data.tree.is_made()) {
     data.box = box_of(data);
+    settle_inside();
     return Aabb::everything();
   }
   Bvh& tree = *data.tree.made();
@@ -176,10 +182,10 @@ Aabb Mesh::apply(const RemovalEdit& edit) {
 
 void Mesh::place(const VertexEdit& edit) {
   Data& data = data_.own();
-  data.inside.forget();
   for (std::size_t i = 0; i < edit.xyz.size() / 3; ++i) {
     data.vertices[moved_vertex(edit, i)] = {edit.xyz[3 * i], edit.xyz[3 * i + 1], edit.xyz[3 * i + 2]};
   }
+  follow_inside(edit);
 }
 
 void Mesh::take_out(std::uint32_t triangle) {
@@ -194,10 +200,60 @@ void Mesh::take_out(std::uint32_t triangle) {
   }
 }
 
-void Mesh::settle_tree() {
+void Mesh::settle() {
   Data& data = data_.own();
   if (std::optional<Bvh>& tree = data.tree.made()) {
     static_cast<void>(tree->settle());
+  }
+  settle_inside();
+}
+
+void Mesh::follow_inside(const VertexEdit& edit) {
+  Data& data = data_.own();
+  std::optional<MeshInside>& inside = data.inside.made();
+  if (!inside) {
+    return;
+  }
+  visit_moved(edit, [&](std::uint32_t triangle) { inside->move(triangle, data.vertices, data.indices); });
+  bool is_closed = true;
+  for (std::size_t i = 0; is_closed && i < edit.xyz.size() / 3; ++i) {
+    is_closed = is_closed_around(moved_vertex(edit, i));
+  }
+  if (!is_closed) {
+    inside->change_everywhere();
+  }
+}
+
+// Whether of each edge at a vertex as many triangles lead out as in. A vertex of very many counts as open.
+bool Mesh::is_closed_around(std::uint32_t vertex) const {
+  constexpr std::size_t most = 64;
+  SmallVector<std::uint32_t, most> next, last;
+  for (const std::uint32_t triangle : neighbours().around_vertex(vertex)) {
+    const auto its = std::span(data_->indices).subspan(3 * std::size_t{triangle}, 3);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (its[corner] == vertex) {
+        if (next.size() == most) {
+          return false;
+        }
+        next.push_back(its[(corner + 1) % 3]);
+        last.push_back(its[(corner + 2) % 3]);
+      }
+    }
+  }
+  return std::ranges::all_of(next.span(), [&](std::uint32_t other) {
+    const auto is_other = [other](std::uint32_t its) { return its == other; };
+    return std::ranges::count_if(next.span(), is_other) == std::ranges::count_if(last.span(), is_other);
+  });
+}
+
+void Mesh::settle_inside() {
+  Data& data = data_.own();
+  std::optional<MeshInside>& inside = data.inside.made();
+  if (inside) {
+    inside->settle(data.vertices, data.indices, data.box);
+  }
+  if (inside && inside->is_worn()) {
+    data.inside.forget();
   }
 }
 

@@ -89,7 +89,7 @@ Aabb UvGrid::follow(const Aabb& changed) {
   }
   const Aabb before = grid.mesh.aabb(Pose::identity()), box = grid.cells.made()->bounds();
   grid.mesh.set_box(box);
-  grid.mesh.settle_tree();
+  grid.mesh.settle();
   if (grid.cells.made()->is_worn()) {
     grid.cells.forget();
   }

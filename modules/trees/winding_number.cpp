@@ -110,7 +110,8 @@ bool WindingNumber::contains(const Vec3& point) const {
       return found.number > 0.5;
     }
   }
-  return estimate(point, 0).number > 0.5;
+  // On a face it is one half, and the order of sums would tell.
+  return estimate(point, 0).number > 0.5 + rounding;
 }
 
 WindingNumber::Estimate WindingNumber::at(const Vec3& point, Real most_error) const {

@@ -25,18 +25,26 @@ class WindingNumber {
   // Three indices to a triangle; all below the number of vertices, which are finite. O(n log n).
   WindingNumber(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices);
 
-  // After vertices have moved: the same triangles are met as one, at their new places. O(n log n), a fraction of a new
-  // tree.
-  void refit(std::span<const Vec3> vertices);
+  // The corners of a triangle, as the tree has them.
+  [[nodiscard]] inline std::array<Vec3, 3> corners(std::uint32_t triangle) const {
+    const Corners& its = triangles_[places_[triangle]];
+    return {vertices_[its[0]], vertices_[its[1]], vertices_[its[2]]};
+  }
+  // A triangle takes the places that its vertices have now. settle comes after the last one. O(log n) for each.
+  void move(std::uint32_t triangle, std::span<const Vec3> vertices);
+  void settle();
+  // Whether a query costs much more than when the tree was made.
+  [[nodiscard]] bool is_worn() const;
 
-  // Whether the number exceeds one half. Any number of threads may ask at once.
+  // Whether the number exceeds one half, by more than rounding. Any number of threads may ask at once.
   [[nodiscard]] bool contains(const Vec3& point) const;
   // The number within an error of at most `most_error`.
   [[nodiscard]] Estimate at(const Vec3& point, Real most_error) const;
 
   [[nodiscard]] std::size_t bytes() const {
     return vertices_.capacity() * sizeof(Vec3) + triangles_.capacity() * sizeof(Corners) +
-           blocks_.capacity() * sizeof(Block);
+           places_.capacity() * sizeof(std::uint32_t) + blocks_.capacity() * sizeof(Block) +
+           stale_.capacity() * sizeof(std::uint64_t);
   }
 
  private:
@@ -53,10 +61,12 @@ class WindingNumber {
   struct Block {
     Columns centre{};
     Lanes radius{};                 // of a ball around the centre that holds the group
-    Lanes blur{};                   // the third moment of areas over four pi
+    Lanes blur{};                   // at least the third moment of areas over four pi
     Columns area{};                 // the sum of the vectors of areas over four pi
     std::array<Lanes, 5> first{};   // xx, yy, xy, xz, yz
     std::array<Lanes, 7> second{};  // xxx, yyy, xxy, xxz, yyx, yyz, xyz
+    Lanes size{};                   // the sum of areas over four pi
+    Lanes spread{};                 // their second moment
     std::array<Range, width> ranges{};
     std::array<std::uint32_t, width> children{no_child, no_child, no_child, no_child};  // blocks, or no_child of leaves
   };
@@ -71,14 +81,19 @@ class WindingNumber {
 
   std::uint32_t build(Range range, std::span<const Vec3> centres, std::span<std::uint32_t> order);
   void measure();
-  void measure_group(Block& block, std::size_t lane) const;
+  void measure_lane(Block& block, std::size_t lane) const;
+  // What a query costs grows with the surfaces of the balls around groups, in relation to the largest ones.
+  [[nodiscard]] Real cost() const;
 
   // Lengths are in units of a power of two, near the size of the whole, from the middle of its box.
   Vec3 origin_{0, 0, 0};
   Real scale_ = 1;
   std::vector<Vec3> vertices_;
   std::vector<Corners> triangles_;
-  std::vector<Block> blocks_;  // the first one is the root
+  std::vector<std::uint32_t> places_;  // of triangles, in that order
+  std::vector<Block> blocks_;          // the first one is the root; children come after their parents
+  std::vector<std::uint64_t> stale_;   // a bit for each lane of each block, of which triangles have moved
+  Real surface_ = 0, first_cost_ = 0;  // the squares of all radii; the cost when the tree was made
 };
 
 }  // namespace abut

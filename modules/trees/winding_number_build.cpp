@@ -22,32 +22,63 @@ void cut(std::span<std::uint32_t> order, std::size_t first, std::span<const Vec3
                    });
 }
 
-// Sums over the triangles of a group, about its centre.
+// Moments without trace are those of all, but for what no potential shows.
+using Pairs = std::array<Vec3, 3>;
+using Triples = std::array<Pairs, 3>;
+
+Pairs pairs_of(const std::array<Lanes, 5>& lanes, std::size_t lane) {
+  const Real xx = lanes[0][lane], yy = lanes[1][lane], xy = lanes[2][lane], xz = lanes[3][lane], yz = lanes[4][lane];
+  return {Vec3{xx, xy, xz}, Vec3{xy, yy, yz}, Vec3{xz, yz, -xx - yy}};
+}
+
+Triples triples_of(const std::array<Lanes, 7>& lanes, std::size_t lane) {
+  const Real xxx = lanes[0][lane], yyy = lanes[1][lane], xxy = lanes[2][lane], xxz = lanes[3][lane],
+             yyx = lanes[4][lane], yyz = lanes[5][lane], xyz = lanes[6][lane], zzx = -xxx - yyx, zzy = -xxy - yyy,
+             zzz = -xxz - yyz;
+  return {Pairs{Vec3{xxx, xxy, xxz}, Vec3{xxy, yyx, xyz}, Vec3{xxz, xyz, zzx}},
+          Pairs{Vec3{xxy, yyx, xyz}, Vec3{yyx, yyy, yyz}, Vec3{xyz, yyz, zzy}},
+          Pairs{Vec3{xxz, xyz, zzx}, Vec3{xyz, yyz, zzy}, Vec3{zzx, zzy, zzz}}};
+}
+
+// Sums over the triangles of a group, about its centre, of areas over four pi.
 struct Moments {
+  static constexpr Real share = 1 / (4 * std::numbers::pi);
   Vec3 area{0, 0, 0};
-  std::array<Vec3, 3> first{};                  // [i][j]: area i times place j
-  std::array<std::array<Vec3, 3>, 3> second{};  // [i][j][k]: area i times place j times place k
-  Real third = 0;                               // area times the cube of the distance, at most
-  Real square_of_radius = 0;
+  Pairs first{};     // [i][j]: area i times place j
+  Triples second{};  // [i][j][k]: area i times place j times place k
+  Real size = 0, spread = 0, radius = 0;
 
   // Integrals over a triangle: of places that of the middle, of their products a twelfth of those of the corners and of
-  // nine times the middle. A cube of a distance is convex: its mean is below that of the corners.
+  // nine times the middle.
   void add(const std::array<Vec3, 3>& corners) {
     const auto& [a, b, c] = corners;
-    const Vec3 vector = 0.5 * cross(b - a, c - a), middle = (1.0 / 3.0) * (a + b + c);
+    const Vec3 vector = (0.5 * share) * cross(b - a, c - a), middle = (1.0 / 3.0) * (a + b + c);
+    const Real its = norm(vector);
     area += vector;
-    Real cubes = 0;
-    for (const Vec3& corner : corners) {
-      const Real square = squared_norm(corner);
-      square_of_radius = std::max(square_of_radius, square);
-      cubes += square * std::sqrt(square);
-    }
-    third += norm(vector) * cubes / 3;
+    size += its;
+    spread += its / 12 * (9 * squared_norm(middle) + squared_norm(a) + squared_norm(b) + squared_norm(c));
+    radius = std::max({radius, norm(a), norm(b), norm(c)});
     for (int i = 0; i < 3; ++i) {
       first[static_cast<std::size_t>(i)] += vector[i] * middle;
       for (int j = 0; j < 3; ++j) {
         const Vec3 products = 9 * middle[j] * middle + a[j] * a + b[j] * b + c[j] * c;
         second[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] += (vector[i] / 12) * products;
+      }
+    }
+  }
+  // Those of a group about its own centre, which lies at `shift`. Its areas have their mean there.
+  void add(const Moments& group, const Vec3& shift) {
+    area += group.area;
+    size += group.size;
+    spread += group.spread + group.size * squared_norm(shift);
+    radius = std::max(radius, norm(shift) + group.radius);
+    for (int i = 0; i < 3; ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      first[row] += group.first[row] + group.area[i] * shift;
+      for (int j = 0; j < 3; ++j) {
+        second[row][static_cast<std::size_t>(j)] += group.second[row][static_cast<std::size_t>(j)] +
+                                                    group.first[row][j] * shift +
+                                                    shift[j] * (group.first[row] + group.area[i] * shift);
       }
     }
   }
@@ -81,11 +112,15 @@ WindingNumber::WindingNumber(std::span<const Vec3> vertices, std::span<const std
   }
   build({0, count}, centres, order);
   triangles_.reserve(count);
+  places_.resize(count);
   for (const std::uint32_t triangle : order) {
+    places_[triangle] = static_cast<std::uint32_t>(triangles_.size());
     triangles_.push_back({indices[3 * triangle], indices[3 * triangle + 1], indices[3 * triangle + 2]});
   }
   blocks_.shrink_to_fit();
+  stale_.resize((width * blocks_.size() + 63) / 64);
   measure();
+  first_cost_ = cost();
 }
 
 // Halves of halves. Cuts lie where all groups but the last one are full, so that few blocks hold them.
@@ -119,10 +154,58 @@ std::uint32_t WindingNumber::build(Range range, std::span<const Vec3> centres, s
   return block;
 }
 
-void WindingNumber::refit(std::span<const Vec3> vertices) {
-  std::copy(vertices.begin(), vertices.end(), vertices_.begin());
-  measure();
+void WindingNumber::move(std::uint32_t triangle, std::span<const Vec3> vertices) {
+  const std::uint32_t place = places_[triangle];
+  for (const std::uint32_t corner : triangles_[place]) {
+    vertices_[corner] = vertices[corner];
+  }
+  for (std::uint32_t block = 0; block != no_child;) {
+    const Block& its = blocks_[block];
+    std::uint32_t lane = 0;
+    while (place - its.ranges[lane].first >= its.ranges[lane].count) {
+      ++lane;
+    }
+    const std::size_t bit = width * std::size_t{block} + lane;
+    stale_[bit / 64] |= std::uint64_t{1} << bit % 64;
+    block = its.children[lane];
+  }
 }
+
+// Groups above others come later, as children come after their parents.
+void WindingNumber::settle() {
+  for (std::size_t word = stale_.size(); word-- > 0;) {
+    while (stale_[word] != 0) {
+      const auto last = static_cast<std::size_t>(std::bit_width(stale_[word]) - 1);
+      stale_[word] ^= std::uint64_t{1} << last;
+      Block& block = blocks_[(64 * word + last) / width];
+      const std::size_t lane = last % width;
+      const Real before = block.radius[lane];
+      measure_lane(block, lane);
+      surface_ += block.radius[lane] * block.radius[lane] - before * before;
+    }
+  }
+  // Units are those of the size of the whole, but for a few times it.
+  constexpr Real least = 0.25, most = 8;
+  Real reach = 0;
+  for (std::size_t lane = 0; lane < width && !blocks_.empty(); ++lane) {
+    const Block& root = blocks_[0];
+    reach = std::max(reach, norm({root.centre.x[lane], root.centre.y[lane], root.centre.z[lane]}) + root.radius[lane]);
+  }
+  if (!(reach >= least && reach <= most)) {
+    measure();
+  }
+}
+
+Real WindingNumber::cost() const {
+  if (blocks_.empty()) {
+    return 0;
+  }
+  const Lanes root = blocks_[0].radius * blocks_[0].radius;
+  const Real of_root = root[0] + root[1] + root[2] + root[3];
+  return of_root > 0 ? surface_ / of_root : 0;
+}
+
+bool WindingNumber::is_worn() const { return cost() > 1.5 * first_cost_; }
 
 void WindingNumber::measure() {
   Aabb box = Aabb::empty();
@@ -134,54 +217,78 @@ void WindingNumber::measure() {
   origin_ = box.centre();
   const Real size = largest_magnitude(0.5 * box.high - 0.5 * box.low);
   scale_ = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
-  for (Block& block : blocks_) {
-    for (std::size_t lane = 0; lane < width; ++lane) {
-      measure_group(block, lane);
-    }
+  surface_ = 0;
+  for (std::size_t bit = width * blocks_.size(); bit-- > 0;) {
+    Block& block = blocks_[bit / width];
+    measure_lane(block, bit % width);
+    surface_ += block.radius[bit % width] * block.radius[bit % width];
   }
 }
 
-void WindingNumber::measure_group(Block& block, std::size_t lane) const {
-  const auto group = std::span(triangles_).subspan(block.ranges[lane].first, block.ranges[lane].count);
-  const auto corners_of = [&](const Corners& corners, const Vec3& origin) {
-    return std::array{local(vertices_[corners[0]]) - origin, local(vertices_[corners[1]]) - origin,
-                      local(vertices_[corners[2]]) - origin};
-  };
-  // The middle of the areas.
-  Vec3 centre{0, 0, 0}, middle{0, 0, 0};
-  Real area = 0;
-  for (const Corners& triangle : group) {
-    const auto [a, b, c] = corners_of(triangle, {0, 0, 0});
-    const Real its = norm(cross(b - a, c - a));
-    centre += its * (a + b + c);
-    middle += a + b + c;
-    area += its;
-  }
-  centre = area > 0 ? (1 / (3 * area)) * centre : (1.0 / std::max(3.0 * static_cast<Real>(group.size()), 1.0)) * middle;
+void WindingNumber::measure_lane(Block& block, std::size_t lane) const {
   Moments moments;
-  for (const Corners& triangle : group) {
-    moments.add(corners_of(triangle, centre));
+  Vec3 centre{0, 0, 0}, middle{0, 0, 0};
+  Real sizes = 0, count = 0;
+  // The middle of the areas.
+  const auto weigh = [&](const Vec3& its, Real size) {
+    centre += size * its;
+    middle += its;
+    sizes += size;
+    count += 1;
+  };
+  const auto find_centre = [&] { centre = sizes > 0 ? (1 / sizes) * centre : (1 / std::max(count, 1.0)) * middle; };
+  if (block.children[lane] == no_child) {
+    const auto group = std::span(triangles_).subspan(block.ranges[lane].first, block.ranges[lane].count);
+    const auto corners_of = [&](const Corners& corners, const Vec3& origin) {
+      return std::array{local(vertices_[corners[0]]) - origin, local(vertices_[corners[1]]) - origin,
+                        local(vertices_[corners[2]]) - origin};
+    };
+    for (const Corners& triangle : group) {
+      const auto [a, b, c] = corners_of(triangle, {0, 0, 0});
+      weigh((1.0 / 3.0) * (a + b + c), norm(cross(b - a, c - a)));
+    }
+    find_centre();
+    for (const Corners& triangle : group) {
+      moments.add(corners_of(triangle, centre));
+    }
+  } else {
+    const Block& child = blocks_[block.children[lane]];
+    const auto centre_of = [&](std::size_t of) { return Vec3{child.centre.x[of], child.centre.y[of], child.centre.z[of]}; };
+    for (std::size_t of = 0; of < width && child.ranges[of].count > 0; ++of) {
+      weigh(centre_of(of), child.size[of]);
+    }
+    find_centre();
+    for (std::size_t of = 0; of < width && child.ranges[of].count > 0; ++of) {
+      moments.add(Moments{{child.area.x[of], child.area.y[of], child.area.z[of]},
+                          pairs_of(child.first, of),
+                          triples_of(child.second, of),
+                          child.size[of],
+                          child.spread[of],
+                          child.radius[of]},
+                  centre_of(of) - centre);
+    }
   }
-  const Real share = 1 / (4 * std::numbers::pi);
-  const Vec3 vector = share * moments.area;
   block.centre.x[lane] = centre.x;
   block.centre.y[lane] = centre.y;
   block.centre.z[lane] = centre.z;
-  block.radius[lane] = std::sqrt(moments.square_of_radius);
-  block.blur[lane] = share * moments.third;
-  block.area.x[lane] = vector.x;
-  block.area.y[lane] = vector.y;
-  block.area.z[lane] = vector.z;
+  block.radius[lane] = moments.radius;
+  block.size[lane] = moments.size;
+  block.spread[lane] = moments.spread;
+  // No place is further away than the radius.
+  block.blur[lane] = moments.radius * moments.spread;
+  block.area.x[lane] = moments.area.x;
+  block.area.y[lane] = moments.area.y;
+  block.area.z[lane] = moments.area.z;
   const std::array first{moments.pair(0, 0), moments.pair(1, 1), moments.pair(0, 1), moments.pair(0, 2),
                          moments.pair(1, 2)};
   for (std::size_t i = 0; i < first.size(); ++i) {
-    block.first[i][lane] = share * first[i];
+    block.first[i][lane] = first[i];
   }
   const std::array second{moments.triple(0, 0, 0), moments.triple(1, 1, 1), moments.triple(0, 0, 1),
                           moments.triple(0, 0, 2), moments.triple(1, 1, 0), moments.triple(1, 1, 2),
                           moments.triple(0, 1, 2)};
   for (std::size_t i = 0; i < second.size(); ++i) {
-    block.second[i][lane] = share * second[i];
+    block.second[i][lane] = second[i];
   }
 }
 

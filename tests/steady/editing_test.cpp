@@ -5,7 +5,9 @@
 #include "support.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 namespace {
@@ -56,6 +58,47 @@ TEST(EditOfASoleHolder, KeepsPrimitivesWhereTheyAre) {
   const Cost cost = cost_of(universe, [&] { return abut_geometry_set_parameters(universe, ball, &radius, 1); });
   EXPECT_LE(cost.allocations.calls, 2U) << cost.allocations.first_places;
   EXPECT_EQ(cost.bytes, 0);
+}
+
+// A tube of 159,200 triangles, bent to a ring; `sides` as in abut_mesh_options.
+Shape make_ring(double sides) {
+  constexpr std::uint32_t around = 398, across = 200;
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t i = 0; i < around; ++i) {
+    for (std::uint32_t j = 0; j < across; ++j) {
+      const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / across;
+      const double reach = 2 + 0.7 * std::cos(v);
+      xyz.insert(xyz.end(), {reach * std::cos(u), reach * std::sin(u), 0.7 * std::sin(v)});
+      const std::uint32_t next_i = (i + 1) % around, next_j = (j + 1) % across;
+      const std::uint32_t a = i * across + j, b = next_i * across + j, c = next_i * across + next_j,
+                          d = i * across + next_j;
+      triangles.insert(triangles.end(), {a, b, c, a, c, d});
+    }
+  }
+  return make_of_kind("mesh", {sides}, xyz, triangles);
+}
+
+// What is made of all triangles takes memory as well. So neither the edit nor the next step makes anything of them.
+TEST(EditOfASoleHolder, FollowsOneVertexOfASolidMesh) {
+  Universe universe;
+  const abut_geometry_id ring = universe.add(make_ring(2), identity);
+  universe.add(make_sphere(0.1), at(2.75, 0, 0));
+  double height = 0;
+  const auto edit = [&] {
+    height += 1e-3;
+    const std::array place{2.7, 0.0, height};
+    return abut_geometry_set_vertices(universe, ring, 0, place.data(), 1);
+  };
+  universe.step();
+  require(edit());
+  const Cost cost = cost_of(universe, edit);
+  EXPECT_LE(cost.allocations.calls, 2U) << cost.allocations.first_places;
+  EXPECT_EQ(cost.bytes, 0);
+  const std::size_t before = steady::live_bytes();
+  require(abut_universe_step(universe, 0));
+  EXPECT_EQ(steady::live_bytes(), before);
+  EXPECT_EQ(universe.stats().touching_pairs, 1U);
 }
 
 TEST(EditOfASharedShape, CopiesItOnce) {

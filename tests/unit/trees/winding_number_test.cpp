@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <thread>
 #include <vector>
@@ -120,6 +121,7 @@ TEST(WindingNumber, IsOneHalfOnAFace) {
   const test::Surface surface{{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}};
   const WindingNumber tree = tree_of(surface);
   EXPECT_DOUBLE_EQ(tree.at({0.25, 0.25, 0}, 0).number, 0.5);
+  EXPECT_FALSE(tree.contains({0.25, 0.25, 0}));
   EXPECT_DOUBLE_EQ(tree.at({0, 0.25, 0}, 0).number, 0.25);
   EXPECT_DOUBLE_EQ(tree.at({0, 0, 0}, 0).number, 0.125);
 }
@@ -137,18 +139,79 @@ TEST(WindingNumber, TellsTheOutsideOfSharpEdges) {
   }
 }
 
+// The tree after edits of a few vertices each, beside one that is made anew. Some throw a vertex far out, and some take
+// the whole elsewhere.
 TEST(WindingNumber, FollowsVerticesThatMove) {
+  constexpr std::uint32_t seed = 11;
+  SCOPED_TRACE(::testing::Message() << "seed " << seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> share(-1, 1);
   test::Surface surface = test::torus(2, 0.7, 40, 20);
   WindingNumber moved = tree_of(surface);
-  for (std::size_t i = 0; i < surface.xyz.size(); i += 3) {
-    surface.xyz[i] = 3 * surface.xyz[i] + 0.2 * surface.xyz[i + 1] + 5;
+  const auto follow = [&](std::size_t vertex) {
+    const std::vector<Vec3> vertices = vertices_of(surface);
+    for (std::uint32_t triangle = 0; triangle < surface.triangle_count(); ++triangle) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        if (surface.triangles[3 * triangle + corner] == vertex) {
+          moved.move(triangle, vertices);
+        }
+      }
+    }
+  };
+  const auto check = [&] {
+    moved.settle();
+    const WindingNumber anew = tree_of(surface);
+    for (const Vec3& point : points_about(surface, 60, seed)) {
+      EXPECT_EQ(moved.contains(point), anew.contains(point));
+      const auto number = static_cast<double>(true_number(surface, point));
+      for (const double most_error : {1e-2, 1e-5}) {
+        const auto [found, error] = moved.at(point, most_error);
+        EXPECT_LE(std::abs(found - number), error);
+      }
+      EXPECT_NEAR(moved.at(point, 0).number, number, 1e-8);
+    }
+  };
+  for (int edit = 0; edit < 12; ++edit) {
+    const double reach = edit % 4 == 3 ? 100 : 0.2;
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t vertex = random() % (surface.xyz.size() / 3);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        surface.xyz[3 * vertex + axis] += reach * share(random);
+      }
+      follow(vertex);
+    }
+    check();
   }
-  moved.refit(vertices_of(surface));
-  const WindingNumber anew = tree_of(surface);
-  for (const Vec3& point : points_about(surface, 120, 11)) {
-    EXPECT_EQ(moved.contains(point), anew.contains(point));
-    EXPECT_NEAR(moved.at(point, 0).number, static_cast<double>(true_number(surface, point)), 1e-8);
+  for (std::size_t vertex = 0; vertex < surface.xyz.size() / 3; ++vertex) {
+    surface.xyz[3 * vertex] = 300 * surface.xyz[3 * vertex] + 0.2 * surface.xyz[3 * vertex + 1] + 5000;
+    follow(vertex);
   }
+  check();
+}
+
+// Where all triangles change places, few groups are small any more.
+TEST(WindingNumber, NoticesThatItIsWorn) {
+  test::Surface surface = test::torus(2, 0.7, 40, 20);
+  WindingNumber tree = tree_of(surface);
+  EXPECT_FALSE(tree.is_worn());
+  const std::vector<Vec3> before = vertices_of(surface);
+  const auto place = [&](auto&& place_of) {
+    std::vector<Vec3> vertices(before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      vertices[i] = place_of(i);
+    }
+    for (std::uint32_t triangle = 0; triangle < surface.triangle_count(); ++triangle) {
+      tree.move(triangle, vertices);
+    }
+    tree.settle();
+  };
+  place([&](std::size_t i) { return 3 * before[i] + Vec3{1, 2, 3}; });
+  EXPECT_FALSE(tree.is_worn()) << "larger, but the same";
+  std::vector<std::size_t> order(before.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::shuffle(order.begin(), order.end(), std::mt19937(3));
+  place([&](std::size_t i) { return before[order[i]]; });
+  EXPECT_TRUE(tree.is_worn());
 }
 
 TEST(WindingNumber, IsReadByThreadsAtOnce) {
