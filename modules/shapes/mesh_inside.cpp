@@ -4,7 +4,6 @@ import abut.capability;
 import abut.core.joined_sets;
 import abut.core.standard;
 import abut.math;
-import abut.trees.winding_number;
 import abut.triangles.alike_triangles;
 import abut.triangles.buffers;
 

@@ -44,7 +44,7 @@ class WindingNumber {
   [[nodiscard]] std::size_t bytes() const {
     return vertices_.capacity() * sizeof(Vec3) + triangles_.capacity() * sizeof(Corners) +
            places_.capacity() * sizeof(std::uint32_t) + blocks_.capacity() * sizeof(Block) +
-           stale_.capacity() * sizeof(std::uint64_t);
+           weights_.capacity() * sizeof(Weights) + stale_.capacity() * sizeof(std::uint64_t);
   }
 
  private:
@@ -65,10 +65,13 @@ class WindingNumber {
     Columns area{};                 // the sum of the vectors of areas over four pi
     std::array<Lanes, 5> first{};   // xx, yy, xy, xz, yz
     std::array<Lanes, 7> second{};  // xxx, yyy, xxy, xxz, yyx, yyz, xyz
-    Lanes size{};                   // the sum of areas over four pi
-    Lanes spread{};                 // their second moment
     std::array<Range, width> ranges{};
     std::array<std::uint32_t, width> children{no_child, no_child, no_child, no_child};  // blocks, or no_child of leaves
+  };
+  // Of a block, for groups above it.
+  struct Weights {
+    Lanes size{};    // the sum of areas over four pi
+    Lanes spread{};  // their second moment
   };
   struct Terms {
     Lanes number, error;
@@ -81,7 +84,10 @@ class WindingNumber {
 
   std::uint32_t build(Range range, std::span<const Vec3> centres, std::span<std::uint32_t> order);
   void measure();
-  void measure_lane(Block& block, std::size_t lane) const;
+  void measure_lane(std::size_t block, std::size_t lane);
+  // Bounds that are met, where measure_lane takes balls around balls. O(triangles of the group).
+  void tighten();
+  void tighten_lane(std::size_t block, std::size_t lane);
   // What a query costs grows with the surfaces of the balls around groups, in relation to the largest ones.
   [[nodiscard]] Real cost() const;
 
@@ -92,6 +98,7 @@ class WindingNumber {
   std::vector<Corners> triangles_;
   std::vector<std::uint32_t> places_;  // of triangles, in that order
   std::vector<Block> blocks_;          // the first one is the root; children come after their parents
+  std::vector<Weights> weights_;       // of blocks
   std::vector<std::uint64_t> stale_;   // a bit for each lane of each block, of which triangles have moved
   Real surface_ = 0, first_cost_ = 0;  // the squares of all radii; the cost when the tree was made
 };

@@ -118,9 +118,11 @@ WindingNumber::WindingNumber(std::span<const Vec3> vertices, std::span<const std
     triangles_.push_back({indices[3 * triangle], indices[3 * triangle + 1], indices[3 * triangle + 2]});
   }
   blocks_.shrink_to_fit();
+  weights_.resize(blocks_.size());
   stale_.resize((width * blocks_.size() + 63) / 64);
   measure();
   first_cost_ = cost();
+  tighten();
 }
 
 // Halves of halves. Cuts lie where all groups but the last one are full, so that few blocks hold them.
@@ -171,17 +173,19 @@ void WindingNumber::move(std::uint32_t triangle, std::span<const Vec3> vertices)
   }
 }
 
-// Groups above others come later, as children come after their parents.
+// Groups above others come later, as children come after their parents. Large ones keep bounds that are wider than they
+// have to be.
 void WindingNumber::settle() {
+  constexpr std::uint32_t most_tightened = 16 * triangles_of_leaf;
   for (std::size_t word = stale_.size(); word-- > 0;) {
     while (stale_[word] != 0) {
       const auto last = static_cast<std::size_t>(std::bit_width(stale_[word]) - 1);
       stale_[word] ^= std::uint64_t{1} << last;
-      Block& block = blocks_[(64 * word + last) / width];
-      const std::size_t lane = last % width;
-      const Real before = block.radius[lane];
+      const std::size_t block = (64 * word + last) / width, lane = last % width;
       measure_lane(block, lane);
-      surface_ += block.radius[lane] * block.radius[lane] - before * before;
+      if (blocks_[block].ranges[lane].count <= most_tightened) {
+        tighten_lane(block, lane);
+      }
     }
   }
   // Units are those of the size of the whole, but for a few times it.
@@ -193,6 +197,7 @@ void WindingNumber::settle() {
   }
   if (!(reach >= least && reach <= most)) {
     measure();
+    tighten();
   }
 }
 
@@ -217,15 +222,39 @@ void WindingNumber::measure() {
   origin_ = box.centre();
   const Real size = largest_magnitude(0.5 * box.high - 0.5 * box.low);
   scale_ = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
-  surface_ = 0;
   for (std::size_t bit = width * blocks_.size(); bit-- > 0;) {
-    Block& block = blocks_[bit / width];
-    measure_lane(block, bit % width);
-    surface_ += block.radius[bit % width] * block.radius[bit % width];
+    measure_lane(bit / width, bit % width);
   }
 }
 
-void WindingNumber::measure_lane(Block& block, std::size_t lane) const {
+void WindingNumber::tighten() {
+  for (std::size_t bit = 0; bit < width * blocks_.size(); ++bit) {
+    tighten_lane(bit / width, bit % width);
+  }
+}
+
+// A cube of a distance is convex: its mean over a triangle is below that of the corners.
+void WindingNumber::tighten_lane(std::size_t number, std::size_t lane) {
+  Block& block = blocks_[number];
+  const Vec3 centre{block.centre.x[lane], block.centre.y[lane], block.centre.z[lane]};
+  Real square = 0, third = 0;
+  for (const Corners& triangle : std::span(triangles_).subspan(block.ranges[lane].first, block.ranges[lane].count)) {
+    const Vec3 a = local(vertices_[triangle[0]]) - centre, b = local(vertices_[triangle[1]]) - centre,
+               c = local(vertices_[triangle[2]]) - centre;
+    Real cubes = 0;
+    for (const Real its : {squared_norm(a), squared_norm(b), squared_norm(c)}) {
+      square = std::max(square, its);
+      cubes += its * std::sqrt(its);
+    }
+    third += norm(cross(b - a, c - a)) * cubes;
+  }
+  surface_ += square - block.radius[lane] * block.radius[lane];
+  block.radius[lane] = std::sqrt(square);
+  block.blur[lane] = Moments::share / 6 * third;
+}
+
+void WindingNumber::measure_lane(std::size_t number, std::size_t lane) {
+  Block& block = blocks_[number];
   Moments moments;
   Vec3 centre{0, 0, 0}, middle{0, 0, 0};
   Real sizes = 0, count = 0;
@@ -253,17 +282,20 @@ void WindingNumber::measure_lane(Block& block, std::size_t lane) const {
     }
   } else {
     const Block& child = blocks_[block.children[lane]];
-    const auto centre_of = [&](std::size_t of) { return Vec3{child.centre.x[of], child.centre.y[of], child.centre.z[of]}; };
+    const Weights& weights = weights_[block.children[lane]];
+    const auto centre_of = [&](std::size_t of) {
+      return Vec3{child.centre.x[of], child.centre.y[of], child.centre.z[of]};
+    };
     for (std::size_t of = 0; of < width && child.ranges[of].count > 0; ++of) {
-      weigh(centre_of(of), child.size[of]);
+      weigh(centre_of(of), weights.size[of]);
     }
     find_centre();
     for (std::size_t of = 0; of < width && child.ranges[of].count > 0; ++of) {
       moments.add(Moments{{child.area.x[of], child.area.y[of], child.area.z[of]},
                           pairs_of(child.first, of),
                           triples_of(child.second, of),
-                          child.size[of],
-                          child.spread[of],
+                          weights.size[of],
+                          weights.spread[of],
                           child.radius[of]},
                   centre_of(of) - centre);
     }
@@ -271,9 +303,10 @@ void WindingNumber::measure_lane(Block& block, std::size_t lane) const {
   block.centre.x[lane] = centre.x;
   block.centre.y[lane] = centre.y;
   block.centre.z[lane] = centre.z;
+  surface_ += moments.radius * moments.radius - block.radius[lane] * block.radius[lane];
   block.radius[lane] = moments.radius;
-  block.size[lane] = moments.size;
-  block.spread[lane] = moments.spread;
+  weights_[number].size[lane] = moments.size;
+  weights_[number].spread[lane] = moments.spread;
   // No place is further away than the radius.
   block.blur[lane] = moments.radius * moments.spread;
   block.area.x[lane] = moments.area.x;

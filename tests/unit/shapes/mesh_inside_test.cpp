@@ -14,7 +14,6 @@
 #include "surfaces.hpp"
 
 import abut.capability;
-import abut.core;
 import abut.math;
 import abut.shapes.mesh;
 
