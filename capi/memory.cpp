@@ -3,6 +3,8 @@
 #include "border.hpp"
 #include "guard.hpp"
 
+import abut.core.spare_blocks;
+
 // Those of the process. The linker knows them by these names; every other use of operator new and delete in this
 // library is a call of operator_new.cpp. An alignment passes as the number that it is.
 extern "C" {
@@ -93,8 +95,12 @@ std::int64_t signed_size(std::size_t size) noexcept { return static_cast<std::in
 
 bool is_alignment(std::size_t number) noexcept { return number != 0 && (number & (number - 1)) == 0; }
 
-// Two requests have two addresses, also where nothing is asked for.
-std::size_t size_of_block(std::size_t asked) noexcept { return std::max<std::size_t>(asked, 1); }
+// Two requests have two addresses, also where nothing is asked for. In steps blocks of one size serve each other, and
+// allocators hand out no smaller ones anyway.
+std::size_t size_of_block(std::size_t asked) noexcept {
+  constexpr std::size_t unit = 16, largest = std::numeric_limits<std::size_t>::max() / unit * unit;
+  return asked == 0 ? unit : asked > largest ? asked : (asked + (unit - 1)) / unit * unit;
+}
 
 bool is_aligned(const void* memory, std::size_t alignment) noexcept {
   return (std::bit_cast<std::uintptr_t>(memory) & (alignment - 1)) == 0;
@@ -111,6 +117,9 @@ void* abut_memory_allocate(size_t size, size_t alignment) {
   }
   const std::size_t whole = size_of_block(size);
   const std::size_t at_least = std::max(alignment, usual_alignment);
+  if (void* const spare = abut::SpareBlocks::take(whole, at_least)) {
+    return spare;
+  }
   void* const context = present_context.load(std::memory_order_relaxed);
   void* const memory = present_allocate.load(std::memory_order_acquire)(context, whole, at_least);
   if (memory == nullptr) [[unlikely]] {
@@ -128,9 +137,12 @@ void abut_memory_release(void* memory, size_t size, size_t alignment) {
   if (memory == nullptr) {
     return;
   }
-  const std::size_t whole = size_of_block(size);
+  const std::size_t whole = size_of_block(size), at_least = std::max(alignment, usual_alignment);
+  if (abut::SpareBlocks::keep(memory, whole, at_least)) {
+    return;
+  }
   void* const context = present_context.load(std::memory_order_relaxed);
-  present_release.load(std::memory_order_acquire)(context, memory, whole, std::max(alignment, usual_alignment));
+  present_release.load(std::memory_order_acquire)(context, memory, whole, at_least);
   count(-signed_size(whole), -1);
 }
 

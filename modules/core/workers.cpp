@@ -8,6 +8,7 @@ module;
 #include <sanitizer/tsan_interface.h>
 #endif
 module abut.core.workers;
+import abut.core.spare_blocks;
 import abut.core.standard;
 
 namespace abut {
@@ -62,8 +63,13 @@ Workers::~Workers() = default;
 
 void Workers::run(std::size_t count, void (*call)(void* task, std::size_t i), void* task) const {
   Order order;
+  SpareBlocks::Use* const of_caller = SpareBlocks::Use::present();
   const auto run_one = [&](std::size_t i) {
     const Turn turn(order);
+    std::optional<SpareBlocks::Use> use;
+    if (of_caller != nullptr) {
+      use.emplace(*of_caller);
+    }
     call(task, i);
   };
   arena_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, run_one, tbb::simple_partitioner()); });

@@ -3,6 +3,7 @@
 module abut.universe;
 import abut.broadphase;
 import abut.capability;
+import abut.core.spare_blocks;
 import abut.core.standard;
 import abut.core;
 import abut.detect.continuous;
@@ -84,6 +85,7 @@ Result<StepImpact> Universe::advance_to_first_impact(Real dt) {
   if (fault) {
     return *fault;
   }
+  const SpareBlocks::Use use(spare_, workers_.threads());
   refresh();
   if (dt == 0) {
     return no_impact;

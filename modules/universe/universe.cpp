@@ -3,6 +3,7 @@
 module abut.universe;
 import abut.broadphase.pair_order;
 import abut.broadphase;
+import abut.core.spare_blocks;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
@@ -161,6 +162,7 @@ void Universe::count_everything(const ContactCounts& counts) {
 }
 
 void Universe::detect(Scope scope) {
+  const SpareBlocks::Use use(spare_, workers_.threads());
   scope.step = ++step_;
   is_torn_ = true;
   begin_detection();
@@ -223,9 +225,9 @@ void Universe::run_stages(const Scope& scope) {
 std::uint64_t Universe::hash() const { return hash_of(contacts(), local_points(), events(), sleep_.changes()); }
 
 std::size_t Universe::bytes() const {
-  return sizeof(Universe) + Scene::bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) + pairs_.bytes() +
-         selection_.bytes() + jobs_.bytes() + sides_.bytes() + seams_.bytes() + sweeps_.bytes() + impacts_.bytes() +
-         contacts_.bytes() + events_.bytes() + island_links_.bytes() + islands_.bytes() +
+  return sizeof(Universe) + Scene::bytes() + spare_.bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) +
+         pairs_.bytes() + selection_.bytes() + jobs_.bytes() + sides_.bytes() + seams_.bytes() + sweeps_.bytes() +
+         impacts_.bytes() + contacts_.bytes() + events_.bytes() + island_links_.bytes() + islands_.bytes() +
          dynamic_parts_.capacity() * sizeof(PartId);
 }
 

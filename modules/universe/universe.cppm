@@ -4,6 +4,7 @@ export module abut.universe;
 import abut.broadphase;
 import abut.capability;
 import abut.core.archive;
+import abut.core.spare_blocks;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
@@ -125,6 +126,7 @@ class Universe : public Scene {
   [[nodiscard]] Plan::FocusCounts count_focus() const;
 
   Workers workers_;
+  SpareBlocks spare_;
   std::uint64_t step_ = 0;
   Refresh refresh_;
   std::vector<ProxyPair> near_;

@@ -58,12 +58,53 @@ std::vector<Shape> make_moving_shapes() {
   return shapes;
 }
 
-Crowd::Crowd(const abut_universe_options& options, const std::vector<Shape>& shapes, std::size_t side)
+std::vector<Shape> make_shapes_of_all_kinds() {
+  std::vector<Shape> shapes = make_moving_shapes();
+  // A ball of samples, a grid of four cells that bulges, and a tetrahedron.
+  std::vector<double> values, xyz;
+  for (int k = 0; k < 8; ++k) {
+    for (int j = 0; j < 8; ++j) {
+      for (int i = 0; i < 8; ++i) {
+        values.push_back(std::sqrt((i - 3.5) * (i - 3.5) + (j - 3.5) * (j - 3.5) + (k - 3.5) * (k - 3.5)) / 4 - 0.6);
+      }
+    }
+  }
+  abut_distance_field_desc field = filled_by(abut_distance_field_desc_init);
+  field.columns = field.rows = field.layers = 8;
+  field.spacing = {0.25, 0.25, 0.25};
+  field.origin = {-0.875, -0.875, -0.875};
+  field.values = values.data();
+  abut_shape* made = nullptr;
+  require(abut_distance_field_create(&field, &made));
+  shapes.emplace_back(made);
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t j = 0; j < 3; ++j) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      xyz.insert(xyz.end(), {0.7 * i - 0.7, 0.7 * j - 0.7, i == 1 && j == 1 ? 0.2 : 0.0});
+      const std::uint32_t first = 3 * j + i;
+      if (i < 2 && j < 2) {
+        triangles.insert(triangles.end(), {first, first + 1, first + 4, first, first + 4, first + 3});
+      }
+    }
+  }
+  require(abut_uv_grid_create(xyz.data(), xyz.size() / 3, triangles.data(), triangles.size() / 3, nullptr, &made));
+  shapes.emplace_back(made);
+  shapes.push_back(make_of_kind("mesh", {2}, {-0.6, -0.6, -0.5, 0.8, -0.6, -0.5, -0.6, 0.8, -0.5, 0, 0, 0.8},
+                                {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
+  shapes.push_back(make_tube());
+  return shapes;
+}
+
+Crowd::Crowd(const abut_universe_options& options, const std::vector<Shape>& shapes, std::size_t side,
+             abut_geometry_flags flags)
     : side_(side), universe_(&options) {
+  abut_geometry_options flagged = default_geometry_options();
+  flagged.flags = flags;
   std::mt19937_64 random(11);  // the same everywhere, unlike distributions
   for (std::size_t body = 0; body < side * side * side; ++body) {
     parts_.push_back(universe_.add_part(pose_of(body, 0)));
-    universe_.add_geometry(parts_.back(), shapes.at(random() % shapes.size()));
+    const Shape& shape = shapes.at(random() % shapes.size());
+    universe_.add_geometry(parts_.back(), shape, body % 4 == 0 ? flagged : default_geometry_options());
   }
   universe_.add(make_plane({0, 0, 1}, 0), at(0, 0, -0.5), ABUT_MOTION_STATIC);
   universe_.add(make_terrain(9, 0.5 * static_cast<double>(side)), at(0, 0, -0.3), ABUT_MOTION_STATIC);

@@ -13,14 +13,17 @@ namespace steady {
 std::vector<abut_test::Shape> make_moving_shapes();
 // A cylinder without its middle: a composite with a hole.
 abut_test::Shape make_tube();
+// The same, and what takes longer: a distance field, a grid, a solid mesh and that tube.
+std::vector<abut_test::Shape> make_shapes_of_all_kinds();
 
 class Crowd {
  public:
   // Frames after which all bodies are back where they were.
   static constexpr std::size_t period = 16;
 
-  // Bodies take the shapes at random, the same ones each time.
-  Crowd(const abut_universe_options& options, const std::vector<abut_test::Shape>& shapes, std::size_t side);
+  // Bodies take the shapes at random, the same ones each time. `flags`: of every fourth body.
+  Crowd(const abut_universe_options& options, const std::vector<abut_test::Shape>& shapes, std::size_t side,
+        abut_geometry_flags flags = 0);
 
   // Every body but those of each third one goes on in its orbit.
   void move(std::size_t frame);

@@ -95,9 +95,10 @@ TEST(EditOfASoleHolder, FollowsOneVertexOfASolidMesh) {
   const Cost cost = cost_of(universe, edit);
   EXPECT_LE(cost.allocations.calls, 2U) << cost.allocations.first_places;
   EXPECT_EQ(cost.bytes, 0);
-  const std::size_t before = steady::live_bytes();
+  AllocationCounter counter;
   require(abut_universe_step(universe, 0));
-  EXPECT_EQ(steady::live_bytes(), before);
+  const Allocations found = counter.stop();
+  EXPECT_EQ(found.calls, 0U) << found.first_places;
   EXPECT_EQ(universe.stats().touching_pairs, 1U);
 }
 
