@@ -68,6 +68,8 @@ class SolidExit {
         touching_(touching_of_solids(box_, b.aabb(ab))),
         corners_(corners_of_thin(b, ab)) {
     visit_overlaps_at(ab_, [&](const Triangle& part) { at_start_.push_back(part.index()); });
+    // A tree gives them in an order of its own, which edits change.
+    std::ranges::sort(at_start_.span());
   }
 
   // Lengths below this are rounding.

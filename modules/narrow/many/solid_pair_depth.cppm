@@ -53,9 +53,15 @@ class SolidPairDepthSearch {
     return best_.length - lower_ <= settled_share * best_.length + exit_.touching();
   }
 
-  // Directions out of triangles that cross: of all together, then of those that differ. Of very many triangles some
-  // tell enough, evenly taken.
+  // Directions out of triangles that cross: of all together, then of those that differ. Trees give them in an order of
+  // their own, which edits change. Of very many triangles some tell enough, evenly taken.
   void find_crossings() {
+    SmallVector<Crossing, 2 * most_crossings> all;
+    visit_two_parts(a_, b_, ab_, 0, [&](const Triangle& part, const Triangle& other) {
+      all.push_back({part.index(), other.index()});
+      return Real{0};
+    });
+    std::ranges::sort(all.span(), {}, [](const Crossing& its) { return std::pair(its.of_a, its.of_b); });
     Vec3 sum{0, 0, 0};
     SmallVector<Vec3, most_directions> apart;
     const auto add = [&](const Vec3& front, bool is_turned) {
@@ -67,29 +73,19 @@ class SolidPairDepthSearch {
         apart.push_back(outward);
       }
     };
-    std::size_t count = 0, stride = 1;
-    visit_two_parts(a_, b_, ab_, 0, [&](const Triangle& part, const Triangle& other) {
+    const std::size_t stride = all.size() / most_crossings + 1;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto& [of_a, of_b] = all[i];
       if (a_.is_solid()) {
-        add(part.normal(), a_.is_turned(part.index()));
+        add(a_.part(of_a).normal(), a_.is_turned(of_a));
       }
       if (b_.is_solid()) {
-        add(-(ab_.rotation * other.normal()), b_.is_turned(other.index()));
+        add(-(ab_.rotation * b_.part(of_b).normal()), b_.is_turned(of_b));
       }
-      if (count++ % stride == 0) {
-        if (crossings_.size() == most_crossings) {
-          // Every second one stays.
-          for (std::size_t i = 0; i < most_crossings / 2; ++i) {
-            crossings_[i] = crossings_[2 * i];
-          }
-          while (crossings_.size() > most_crossings / 2) {
-            crossings_.pop_back();
-          }
-          stride *= 2;
-        }
-        crossings_.push_back({part.index(), other.index()});
+      if (i % stride == 0) {
+        crossings_.push_back(all[i]);
       }
-      return Real{0};
-    });
+    }
     outward_.push_back(sum);
     for (const Vec3& direction : apart.span()) {
       outward_.push_back(direction);
@@ -184,16 +180,18 @@ class SolidPairDepthSearch {
     }
   }
 
-  // The corner of `of` that is last on the way out.
+  // The corner of `of` that is last on the way out; of several the least by its coordinates.
   template <class Of, class In>
   void raise_lower_by_corner(const Of& of, const In& in, const Pose& to_in, const Vec3& direction) {
-    Vec3 lowest{0, 0, 0};
+    Vec3 lowest{infinity, 0, 0};
     Real limit = infinity;
     of.visit_below(direction, limit, [&](const Triangle& part, std::uint32_t) {
-      const Vec3 corner = part.support(-direction).point;
-      if (const Real height = dot(corner, direction) - exit_.touching(); height < limit) {
-        limit = height;
-        lowest = corner;
+      for (const Vec3& corner : part.corners()) {
+        const Real height = dot(corner, direction);
+        if (std::tuple(height, corner.x, corner.y, corner.z) < std::tuple(limit, lowest.x, lowest.y, lowest.z)) {
+          limit = height;
+          lowest = corner;
+        }
       }
     });
     lower_ = std::max(lower_, depth_of_point(in, to_in * lowest));

@@ -83,10 +83,14 @@ class SolidPairExit {
     return back_from(d, std::min(out, clear));
   }
 
-  // How far b has to go along a direction until it has passed all of a.
+  // How far b has to go along a direction until it has passed all of a, rounded up to 24 bits: of parts that end nearly
+  // at one height it depends on the trees which one is asked.
   [[nodiscard]] Real clear_along(const Vec3& d) const {
+    constexpr int bits = 24;
     const Real high_a = -lowest_of(a_, -d), low_b = lowest_of(b_, ab_.rotation.undo(d)) + dot(d, ab_.position);
-    return std::max(high_a - low_b, Real{0}) + touching_;
+    const Real clear = std::max(high_a - low_b, Real{0}) + touching_;
+    const Real step = std::ldexp(1.0, std::ilogb(clear) - bits);
+    return std::ceil(clear / step) * step;
   }
 
  private:
@@ -99,13 +103,13 @@ class SolidPairExit {
     const Pose at = moved_by(length * d);
     Real travelled = length;
     WayOut out{d, length, at * b_.aabb(Pose::identity()).centre(), d, no_index};
-    std::uint32_t other = 0;
+    std::uint32_t other = no_index;
     const PassageOrder order(a_.origin(), b_.origin(), at, -d, touching_);
     visit_two(a_, b_, order, travelled, [&](std::uint32_t of_a, std::uint32_t of_b) {
       const TriangleCorners local = b_.corners(of_b);
       const TriangleCorners placed{at * local[0], at * local[1], at * local[2]};
       const auto passage = passage_of_triangles(a_.corners(of_a), placed, -d, travelled, 0);
-      if (passage && (passage->enter < travelled || (passage->enter == travelled && of_a < out.part))) {
+      if (passage && std::tuple(passage->enter, of_a, of_b) < std::tuple(travelled, out.part, other)) {
         travelled = passage->enter;
         out.part = of_a;
         out.normal = UnitVec3::make(passage->normal).value_or(UnitVec3::from_unit_unchecked(d));
