@@ -79,6 +79,11 @@ class SolidDepthSearch {
 
   // Nothing where the shape is outside.
   [[nodiscard]] std::optional<SolidDepth> find() {
+    if constexpr (PointCored<B>) {
+      if (b_.radius() == 0) {
+        return depth_of_lone_point();
+      }
+    }
     find_overlaps();
     if (outward_.empty() && !is_inside()) {
       return std::nullopt;
@@ -117,6 +122,20 @@ class SolidDepthSearch {
 
   [[nodiscard]] bool is_settled() const {
     return best_.length < infinity && best_.length - lower_ <= settled_share * best_.length + exit_.touching();
+  }
+
+  // A point is out as soon as it is on the surface. Behind an edge that bends inward it would be in again.
+  [[nodiscard]] std::optional<SolidDepth> depth_of_lone_point() const {
+    const Vec3 point = ab_ * b_.centre();
+    if (!a_.contains(point)) {
+      return std::nullopt;
+    }
+    const PointOnSurface nearest = nearest_on_surface(a_, point);
+    const Vec3 front = a_.part(nearest.part).normal(), outward = a_.is_turned(nearest.part) ? -front : front;
+    const Vec3 direction =
+        nearest.distance > exit_.touching() ? (1 / nearest.distance) * (nearest.point - point) : outward;
+    return SolidDepth{
+        {direction, nearest.distance, nearest.point, direction, nearest.part}, nearest.distance, exit_.touching()};
   }
 
   // Directions out of the triangles that are overlapped, and of all together.
