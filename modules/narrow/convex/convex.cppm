@@ -152,7 +152,8 @@ template <Convex A, Convex B>
   if (closest_count && (out.size() == first || least > core.distance - radii + blur_of_contacts(a, b, ab))) {
     CoreSeparation closest = core;
     if constexpr (Curved<A> || Curved<B>) {
-      if (closest.points_open && !find_round_witness(a, b, ab, closest)) {
+      if (closest.points_open && !find_round_witness(a, b, ab, closest) &&
+          !find_witness_over_face(face_a, face_b, closest)) {
         find_points_of_faces(face_a, face_b, points, size, closest);
       }
     } else if (closest.points_open) {
@@ -210,6 +211,12 @@ template <Convex A, Convex B>
     if (settings.algorithm == Algorithm::automatic && core.overlap && core.algorithm == Algorithm::gjk_epa) {
       const Real size = core_size(a, b, ab);
       settle_on_features(a, b, ab, size, error_of(a, b, size, settings), core);
+    }
+  }
+  if constexpr (are_side_and_polytope<A, B>) {
+    if (settings.algorithm == Algorithm::automatic && !core.beyond && !core.features.are_known()) {
+      const Real size = core_size(a, b, ab);
+      settle_on_side(a, b, ab, size, error_of(a, b, size, settings), core);
     }
   }
   return core;

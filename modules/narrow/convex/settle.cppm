@@ -202,4 +202,52 @@ template <Convex A, Convex B>
   }
 }
 
+// The normal of the side of a cylinder or a cone that leads toward a point, in its frame; nothing where it has no side.
+template <Rimmed S>
+[[nodiscard]] std::optional<UnitVec3> side_toward(const S& shape, const Vec3& point) {
+  const Discs discs = shape.discs();
+  const Sideways out = sideways_of(point);
+  const Real length = 2 * discs.half_height;
+  return length > 0 && out.length > 0 ? UnitVec3::make(Vec3{length * out.x, length * out.y, discs.bottom - discs.top})
+                                      : std::nullopt;
+}
+
+// Pairs of a round side and of a polytope.
+template <class A, class B>
+inline constexpr bool are_side_and_polytope =
+    (Rimmed<A> && !Curved<B> && !PointCored<B>) || (Rimmed<B> && !Curved<A> && !PointCored<A>);
+
+// Turns a normal to that of a side that meets a vertex, or an edge along it, where that is as good. What is proven to a
+// share of the size leaves a normal around a curve free by its root: so far the line of the side may lie beside an edge
+// that it touches all along.
+template <Convex A, Convex B>
+  requires are_side_and_polytope<A, B>
+[[gnu::noinline]] void settle_on_side(const A& a, const B& b, const Pose& ab, Real size, Real error,
+                                      CoreSeparation& core) {
+  constexpr Real furthest = 1e-3;  // from the normal: beyond the root of any error
+  std::optional<UnitVec3> side;
+  if constexpr (Rimmed<A>) {
+    side = side_toward(a, placed_support(b, place(b, ab), -core.normal).point);
+  } else {
+    side = side_toward(b, ab.undo(a.support(core.normal).point));
+  }
+  if (!side) {
+    return;
+  }
+  const Vec3 normal = Rimmed<A> ? side->vec() : -(ab.rotation * side->vec());
+  const Real off = norm(normal - core.normal), noise = noise_of(size);
+  if (!(off > rounding_of(1) && off < furthest)) {
+    return;
+  }
+  CoreSeparation along = separation_along(a, b, ab, normal, {}, size);
+  if (along.distance >= core.distance - error - noise && meets_on_face(a, b, ab, along)) {
+    along.overlap = core.overlap;
+    along.algorithm = core.algorithm;
+    along.iterations = core.iterations;
+    along.lower = std::min(core.lower, along.distance);
+    along.upper = std::max(core.upper, along.distance);
+    core = along;
+  }
+}
+
 }  // namespace abut

@@ -138,6 +138,32 @@ template <Convex A, Convex B>
   return true;
 }
 
+// Whether a point lies over the inside of a face, seen along a normal.
+[[nodiscard]] inline bool lies_over(const Face& face, const Vec3& point, const Vec3& normal) {
+  const std::span<const FaceVertex> vertices = face.vertices.span();
+  bool is_left = vertices.size() > 2, is_right = is_left;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3 &from = vertices[i].point, &to = vertices[i + 1 < vertices.size() ? i + 1 : 0].point;
+    const Real side = dot(cross(to - from, point - from), normal);
+    is_left = is_left && side > 0;
+    is_right = is_right && side < 0;
+  }
+  return is_left || is_right;
+}
+// The same by the supporting faces alone: of a core that is thin, the planes around its face are rounding.
+[[nodiscard]] inline bool find_witness_over_face(const Face& face_a, const Face& face_b, CoreSeparation& core) {
+  const Vec3 on_a = core.point_b - core.distance * core.normal, on_b = core.point_a + core.distance * core.normal;
+  if (lies_over(face_a, on_a, core.normal)) {
+    core.point_a = on_a;
+  } else if (lies_over(face_b, on_b, core.normal)) {
+    core.point_b = on_b;
+  } else {
+    return false;
+  }
+  core.points_open = false;
+  return true;
+}
+
 // Whoever asks for contacts rarely needs the points, so they are looked for on demand.
 template <Convex A, Convex B>
 void find_points(const A& a, const B& b, const Pose& ab, CoreSeparation& core) {
