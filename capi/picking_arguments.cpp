@@ -20,9 +20,6 @@ namespace {
 
 using Message = std::array<char, 200>;
 
-// A struct_size beyond this is garbage, not a later version.
-constexpr std::size_t largest_struct = 4096;
-
 [[nodiscard]] abut_status refuse_at(abut_status status, std::size_t index, const char* what) noexcept {
   Message message{};
   std::snprintf(message.data(), message.size(), "rays[%zu]: %s", index, what);
@@ -70,18 +67,6 @@ template <class Refusal>
   return ABUT_OK;
 }
 
-// Whether a struct has at least the size of this version, and zeros behind it.
-template <class Struct>
-[[nodiscard]] bool has_known_size(const Struct& given) noexcept {
-  const std::size_t size = given.struct_size;
-  if (size < sizeof(Struct) || size > largest_struct) return false;
-  // SAFETY: the caller says that the struct has this size.
-  ABUT_UNSAFE_BEGIN
-  const std::span<const unsigned char> bytes(static_cast<const unsigned char*>(static_cast<const void*>(&given)), size);
-  ABUT_UNSAFE_END
-  return std::ranges::all_of(bytes.subspan(sizeof(Struct)), [](unsigned char byte) { return byte == 0; });
-}
-
 // Null ids name nothing; any other has to be there.
 [[nodiscard]] abut_status check_ignored(const abut_universe* universe, const abut_query_filter& filter) noexcept {
   const abut_part_id& part = filter.ignore_part;
@@ -97,20 +82,6 @@ template <class Struct>
 }
 
 }  // namespace
-
-abut_status refuse(abut_status status, const char* message) noexcept { return abut_set_last_error(status, message); }
-
-abut_status refuse(abut_status status, const char* argument, double value, const char* expectation) noexcept {
-  Message message{};
-  std::snprintf(message.data(), message.size(), "%s is %.17g; %s", argument, value, expectation);
-  return refuse(status, message.data());
-}
-
-abut_status refuse_null(const char* argument) noexcept {
-  Message message{};
-  std::snprintf(message.data(), message.size(), "%s is null", argument);
-  return refuse(ABUT_NULL_ARGUMENT, message.data());
-}
 
 abut_status check_finite(const abut_vec3& vector, const char* argument) noexcept {
   if (!std::isfinite(vector.x)) return refuse(ABUT_NOT_FINITE, argument, vector.x, "its x must be finite");

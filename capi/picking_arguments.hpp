@@ -6,16 +6,12 @@
 
 #include <abut/picking.h>
 
+#include "extension_arguments.hpp"
+
 #include <cstddef>
 #include <span>
 
 namespace abut::capi {
-
-/// Refuses: "<argument> is <value>; <expectation>".
-[[nodiscard]] abut_status refuse(abut_status status, const char* argument, double value,
-                                 const char* expectation) noexcept;
-[[nodiscard]] abut_status refuse(abut_status status, const char* message) noexcept;
-[[nodiscard]] abut_status refuse_null(const char* argument) noexcept;
 
 [[nodiscard]] abut_status check_finite(const abut_vec3& vector, const char* argument) noexcept;
 /// Coordinates are finite and within what abut.h accepts.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Optional parts. A part that is left out is not compiled, not linked and not looked for.
-set(abut_known_features deforming motion libccd hull picking threads)
+set(abut_known_features deforming motion libccd hull picking response threads)
 foreach(feature IN LISTS ABUT_FEATURES)
   if(NOT feature IN_LIST abut_known_features)
     message(FATAL_ERROR "ABUT_FEATURES names '${feature}'; known are: ${abut_known_features}")

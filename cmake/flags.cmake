@@ -181,6 +181,13 @@ function(abut_wrap_memory target)
   endforeach()
 endfunction()
 
+# The same for memory of Eigen, which comes from malloc and from arrays and whose size is not told when it is given back.
+function(abut_wrap_foreign_memory target)
+  foreach(name malloc calloc realloc free _Znam _ZdaPv)
+    target_link_options(${target} PRIVATE LINKER:--wrap=${name})
+  endforeach()
+endfunction()
+
 # Rarely run, and large where calls are taken apart.
 function(abut_compile_smallest source)
   set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:MinSizeRel>:-Oz>)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Installs the C library, the picking library, the C headers, the program, the documents, and the modules as sources:
+# Installs the C library, the libraries that stand on it, the C headers, the program, the documents, and the modules as sources:
 # compiled module interfaces are not portable, so each consumer compiles them again. The C ABI is the stable product.
-# Components: library, picking, tools; dev has what a C program is compiled with, modules what a C++ one imports; docs.
+# Components: library, picking, response, tools; dev has what a C program is compiled with, modules what a C++ one imports; docs.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -18,14 +18,17 @@ endfunction()
 
 install(TARGETS abut EXPORT abut_c LIBRARY COMPONENT library NAMELINK_COMPONENT dev)
 set(abut_exports c)
-set(abut_left_out PATTERN "picking.*" EXCLUDE)
-if(TARGET abut_picking)
-  set_target_properties(abut_picking PROPERTIES EXPORT_NAME picking)
-  abut_find_libraries_in(abut_picking "$ORIGIN")
-  install(TARGETS abut_picking EXPORT abut_picking LIBRARY COMPONENT picking NAMELINK_COMPONENT dev)
-  list(APPEND abut_exports picking)
-  set(abut_left_out "")
-endif()
+set(abut_left_out "")
+foreach(extension picking response)
+  if(TARGET abut_${extension})
+    set_target_properties(abut_${extension} PROPERTIES EXPORT_NAME ${extension})
+    abut_find_libraries_in(abut_${extension} "$ORIGIN")
+    install(TARGETS abut_${extension} EXPORT abut_${extension} LIBRARY COMPONENT ${extension} NAMELINK_COMPONENT dev)
+    list(APPEND abut_exports ${extension})
+  else()
+    list(APPEND abut_left_out PATTERN "${extension}.*" EXCLUDE)
+  endif()
+endforeach()
 install(DIRECTORY include/abut DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
         FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" ${abut_left_out})
 foreach(name IN LISTS abut_exports)
@@ -40,9 +43,9 @@ install(EXPORT abut_modules NAMESPACE abut:: FILE abut-modules-targets.cmake DES
         CXX_MODULES_DIRECTORY modules COMPONENT modules)
 configure_file(cmake/installed-sources.cmake.in ${abut_generated_dir}/installed-sources.cmake @ONLY)
 install(SCRIPT ${abut_generated_dir}/installed-sources.cmake COMPONENT modules)
-# Interface units include the headers beside them. Those of picking are not installed.
+# Interface units include the headers beside them. Those of libraries that stand on the C interface are not installed.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/modules/ DESTINATION ${abut_modules_dir} COMPONENT modules
-        FILES_MATCHING PATTERN "*.hpp" PATTERN picking EXCLUDE)
+        FILES_MATCHING PATTERN "*.hpp" PATTERN picking EXCLUDE PATTERN response EXCLUDE)
 
 # What linking the static modules needs, as far as it was built: a target and the package that has it.
 set(abut_modules_need "")
@@ -74,7 +77,7 @@ install(FILES ${abut_generated_dir}/abut-modules.cmake DESTINATION ${abut_packag
 set(abut_pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH abut_prefix_from_pkgconfig /${abut_pkgconfig_dir} /)
 string(REGEX REPLACE "/$" "" abut_prefix_from_pkgconfig ${abut_prefix_from_pkgconfig})
-foreach(package abut abut_picking)
+foreach(package abut abut_picking abut_response)
   if(TARGET ${package})
     configure_file(cmake/${package}.pc.in ${abut_generated_dir}/${package}.pc @ONLY)
     install(FILES ${abut_generated_dir}/${package}.pc DESTINATION ${abut_pkgconfig_dir} COMPONENT dev)
@@ -98,7 +101,7 @@ install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT do
 
 # Builds what is installed and nothing else.
 add_custom_target(abut_product DEPENDS abut abut_modules)
-foreach(target abut_picking abut_cli)
+foreach(target abut_picking abut_response abut_cli)
   if(TARGET ${target})
     add_dependencies(abut_product ${target})
   endif()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Debian packages by CPack: libabut0.2, libabut-picking0.2, libabut-dev and abut-tools. `scripts/package` builds them.
+# Debian packages by CPack: libabut0.2, libabut-picking0.2, libabut-response0.2, libabut-dev and abut-tools. `scripts/package` builds them.
 # A runtime package has the soname in its name, so packages of two minor versions can be installed side by side.
 find_program(abut_dpkg dpkg)
 mark_as_advanced(abut_dpkg)
@@ -25,6 +25,7 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY "=")
 
 set(abut_runtime libabut${abut_soversion})
 set(abut_picking_runtime libabut-picking${abut_soversion})
+set(abut_response_runtime libabut-response${abut_soversion})
 string(TIMESTAMP abut_package_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
 # Tells the system that the list of libraries has changed.
@@ -67,6 +68,11 @@ if(TARGET abut_picking)
   abut_package(${abut_picking_runtime} picking SECTION libs DEPENDS "${abut_runtime} (= ${PROJECT_VERSION})"
                DESCRIPTION "The picking library: rays, the mouse and pictures against the universes\nof abut, through Embree.")
   string(APPEND abut_dev_depends ", ${abut_picking_runtime} (= ${PROJECT_VERSION})")
+endif()
+if(TARGET abut_response)
+  abut_package(${abut_response_runtime} response SECTION libs DEPENDS "${abut_runtime} (= ${PROJECT_VERSION})"
+               DESCRIPTION "The response library: impulses of contacts and velocities of bodies, with\nthe error of each answer.")
+  string(APPEND abut_dev_depends ", ${abut_response_runtime} (= ${PROJECT_VERSION})")
 endif()
 abut_package(libabut-dev dev modules docs SECTION libdevel DEPENDS "${abut_dev_depends}"
              SUGGESTS "cmake (>= 3.28), clang-19, clang-tools-19, ninja-build, libccd-dev, libqhull-dev, libtbb-dev"

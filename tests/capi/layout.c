@@ -2,6 +2,7 @@
 /* Every struct of the C interface has the size and the offsets of layout_table.h, and the library reports the same.
  * Compiles as C99 and as C++98. */
 #include <abut/picking.h>
+#include <abut/response.h>
 
 #include <stdio.h>
 #include <string.h>
@@ -15,6 +16,7 @@
       [offsetof(type, field) == (offset) && sizeof(((const type*)0)->field) == (size) ? 1 : -1];
 ABUT_LAYOUT(ABUT_ASSERT_TYPE, ABUT_ASSERT_FIELD)
 ABUT_PICKING_LAYOUT(ABUT_ASSERT_TYPE, ABUT_ASSERT_FIELD)
+ABUT_RESPONSE_LAYOUT(ABUT_ASSERT_TYPE, ABUT_ASSERT_FIELD)
 
 /* The report has no duplicates and as many entries as the table, so finding each of the table is equality. */
 static int abut_report_has(const char* type, const char* field, uint64_t offset, uint64_t size) {

@@ -400,4 +400,39 @@
   FIELD(abut_camera, near_distance, 80, 8) \
   FIELD(abut_camera, far_distance, 88, 8)
 
+#define ABUT_RESPONSE_LAYOUT(TYPE, FIELD)                 \
+  TYPE(abut_contact_problem, 128)                         \
+  FIELD(abut_contact_problem, struct_size, 0, 4)          \
+  FIELD(abut_contact_problem, body_count, 4, 4)           \
+  FIELD(abut_contact_problem, contact_count, 8, 4)        \
+  FIELD(abut_contact_problem, reserved, 12, 4)            \
+  FIELD(abut_contact_problem, masses, 16, 8)              \
+  FIELD(abut_contact_problem, inertias, 24, 8)            \
+  FIELD(abut_contact_problem, centres, 32, 8)             \
+  FIELD(abut_contact_problem, free_velocities, 40, 8)     \
+  FIELD(abut_contact_problem, bodies, 48, 8)              \
+  FIELD(abut_contact_problem, points, 56, 8)              \
+  FIELD(abut_contact_problem, normals, 64, 8)             \
+  FIELD(abut_contact_problem, tangents, 72, 8)            \
+  FIELD(abut_contact_problem, frictions, 80, 8)           \
+  FIELD(abut_contact_problem, compliances, 88, 8)         \
+  FIELD(abut_contact_problem, offsets, 96, 8)             \
+  FIELD(abut_contact_problem, surface_velocities, 104, 8) \
+  FIELD(abut_contact_problem, first_velocities, 112, 8)   \
+  FIELD(abut_contact_problem, first_impulses, 120, 8)     \
+  TYPE(abut_solver_options, 24)                           \
+  FIELD(abut_solver_options, struct_size, 0, 4)           \
+  FIELD(abut_solver_options, most_rounds, 4, 4)           \
+  FIELD(abut_solver_options, tolerance, 8, 8)             \
+  FIELD(abut_solver_options, speed, 16, 8)                \
+  TYPE(abut_residuals, 48)                                \
+  FIELD(abut_residuals, contact, 0, 8)                    \
+  FIELD(abut_residuals, motion, 8, 8)                     \
+  FIELD(abut_residuals, dissipation, 16, 8)               \
+  FIELD(abut_residuals, speed, 24, 8)                     \
+  FIELD(abut_residuals, rounds, 32, 4)                    \
+  FIELD(abut_residuals, newton_steps, 36, 4)              \
+  FIELD(abut_residuals, is_converged, 40, 4)              \
+  FIELD(abut_residuals, reserved, 44, 4)
+
 #endif

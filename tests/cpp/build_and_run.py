@@ -32,7 +32,7 @@ def main(way, root, folder, libraries):
     if compiler is None:
         print(f"skipped: {name} is not installed")
         return 77
-    has_picking = any("abut_picking" in library.name for library in libraries)
+    absent = [name for name in ("picking", "response") if not any(f"abut_{name}" in library.name for library in libraries)]
     # By -I, not as a system folder: warnings of the headers count here.
     options = [f"-std={standard}", *WARNINGS, f"-I{root / 'include'}"]
     tests = root / "tests" / "cpp"
@@ -42,7 +42,7 @@ def main(way, root, folder, libraries):
     for part, more in parts.items():
         # One source of all in a folder, since most of the time goes into the headers.
         together = folder / f"{part.name}.cpp"
-        sources = [source for source in sorted(part.glob("*.cpp")) if has_picking or "picking" not in source.name]
+        sources = [source for source in sorted(part.glob("*.cpp")) if not any(name in source.name for name in absent)]
         together.write_text("".join(f'#include "{source}"\n' for source in sources), encoding="utf-8")
         objects.append(str(together.with_suffix(".o")))
         if not run([compiler, *options, *more, "-c", str(together), "-o", objects[-1]]):

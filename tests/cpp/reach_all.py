@@ -4,7 +4,7 @@
 usage: reach_all.py ROOT
 
 A function is reached when its name stands in the code of a header below include/abut/cpp, or in picking.hpp for those
-of picking.h. Whoever adds a function to a C header adds a method there; the list of what is missing says which.
+of picking.h, and so for response.h. Whoever adds a function to a C header adds a method there; the list of what is missing says which.
 An option is named when a method with_... sets the field, which stands there as `C::field` or `abut_struct::field`.
 """
 
@@ -16,7 +16,7 @@ PROTOTYPE = re.compile(r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\(")
 STRUCT = re.compile(r"typedef struct (abut_\w+) \{\s*uint32_t struct_size;([^{}]*)\}")
 # What is no option: answers, and what the constructors of shapes fill in.
 NO_OPTIONS = {"abut_hull_report", "abut_distance_field_report", "abut_mesh_report", "abut_geometry_info", "abut_step_stats",
-              "abut_height_field_desc", "abut_distance_field_desc", "abut_distance_field_options", "abut_shape_desc"}
+              "abut_height_field_desc", "abut_distance_field_desc", "abut_distance_field_options", "abut_shape_desc", "abut_contact_problem"}
 # What languages call whose callbacks take no structs. C++ has the other form.
 OTHER_FORMS = {"abut_universe_set_pointer_filter"}
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
@@ -38,7 +38,8 @@ def unnamed_options(header, sources):
 
 def main(root):
     include = root / "include" / "abut"
-    rooms = {"abut.h": sorted((include / "cpp").glob("*.hpp")), "picking.h": [include / "picking.hpp"]}
+    rooms = {"abut.h": sorted((include / "cpp").glob("*.hpp")), "picking.h": [include / "picking.hpp"],
+             "response.h": [include / "response.hpp"]}
     missing, count = [], 0
     for header, sources in rooms.items():
         declared = PROTOTYPE.findall(code_of(include / header))

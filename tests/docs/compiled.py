@@ -36,7 +36,6 @@ def source_of(block, earlier):
 class Compiler:
     def __init__(self, root, folder, libraries):
         self.root, self.folder, self.libraries = root, folder, libraries
-        self.has_picking = any("abut_picking" in library.name for library in libraries)
 
     @staticmethod
     def missing(language):
@@ -46,7 +45,7 @@ class Compiler:
     def prepare(self):
         """Most of the time to compile a block of C++ goes into its headers, so they are read once."""
         header = self.folder / "headers.hpp"
-        header.write_text("#include <abut/picking.hpp>\n", encoding="utf-8")
+        header.write_text("#include <abut/picking.hpp>\n#include <abut/response.hpp>\n", encoding="utf-8")
         subprocess.run(["c++", *WAYS["cpp"][1][:-1], "c++-header", *COMMON, f"-I{self.root / 'include'}", str(header),
                         "-o", f"{header}.gch"], check=True)
 
@@ -77,8 +76,6 @@ class Compiler:
         """Of all blocks of both languages; (checked, failures)."""
         jobs = []
         for block in found:
-            if "picking" in block.page and not self.has_picking:
-                continue
             earlier = [other for other in found if (other.page, other.language) == (block.page, block.language)
                        and other.line < block.line and not is_program(other)]
             # A block that stands at file scope for others is compiled with them and alone.

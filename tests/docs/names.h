@@ -4,6 +4,7 @@
 #define _POSIX_C_SOURCE 200112L /* posix_memalign */
 #include <abut/abut.h>
 #include <abut/picking.h>
+#include <abut/response.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The names that fragments of C++ in the documents may use, and what runs a fragment.
 #include <abut/picking.hpp>
+#include <abut/response.hpp>
 
 #include <cmath>
 #include <cstdint>

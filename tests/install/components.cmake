@@ -13,13 +13,17 @@ run(${CMAKE_COMMAND} -G ${generator} ${project} -B ${work}/c ${bare} -D LANGUAGE
 run(${CMAKE_COMMAND} --build ${work}/c)
 run(${work}/c/consumer)
 expect("distance 2\n")
-if(picking)
-  run(${CMAKE_COMMAND} -G ${generator} ${project} -B ${work}/picking ${bare} -D LANGUAGES=C -D LIBRARY=abut::picking
-      -D COMPONENTS=c,picking -D PROGRAM=${source}/c/pick.c)
-  run(${CMAKE_COMMAND} --build ${work}/picking)
-  run(${work}/picking/consumer)
-  expect("distance 2\n")
-endif()
+set(program_of_picking pick)
+set(program_of_response respond)
+foreach(extension picking response)
+  if(${extension})
+    run(${CMAKE_COMMAND} -G ${generator} ${project} -B ${work}/${extension} ${bare} -D LANGUAGES=C
+        -D LIBRARY=abut::${extension} -D COMPONENTS=c,${extension} -D PROGRAM=${source}/c/${program_of_${extension}}.c)
+    run(${CMAKE_COMMAND} --build ${work}/${extension})
+    run(${work}/${extension}/consumer)
+    expect("distance 2\n")
+  endif()
+endforeach()
 
 # A project that the package is not for gets one error of one sentence.
 set(count 0)
@@ -51,7 +55,7 @@ refused("needs the property CXX_EXTENSIONS of the target consumer to be OFF" ${n
 refused("compiled as C\\+\\+20 and the target consumer as C\\+\\+23" ${ninja} ${clang} ${strict} -D STANDARD=23)
 refused("needs C\\+\\+; add CXX to the languages" ${ninja} -D LANGUAGES=C)
 refused("needs cmake_minimum_required\\(VERSION 3\\.28\\)" ${ninja} ${clang} ${strict} -D MINIMUM=3.20)
-refused("There is no component \"gpu\"; there are c, picking, modules" ${ninja} ${clang} ${strict} -D COMPONENTS=c,gpu)
+refused("There is no component \"gpu\"; there are c, picking, response, modules" ${ninja} ${clang} ${strict} -D COMPONENTS=c,gpu)
 if(threads)
   refused("needs the development files of oneTBB, which" ${ninja} ${clang} ${strict} -D CMAKE_DISABLE_FIND_PACKAGE_TBB=ON)
 endif()

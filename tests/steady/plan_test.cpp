@@ -131,6 +131,7 @@ TEST(Plan, LoadsNoEmbreeWithoutPicking) {
   EXPECT_TRUE(is_loaded("libabut.so"));
   EXPECT_FALSE(is_loaded("libabut_picking"));
   EXPECT_FALSE(is_loaded("embree"));
+  EXPECT_FALSE(is_loaded("libabut_response"));
 #ifdef ABUT_PICKING_LIBRARY
   void* picking = dlopen(ABUT_PICKING_LIBRARY, RTLD_NOW);
   ASSERT_NE(picking, nullptr) << dlerror();

@@ -6,7 +6,7 @@ from picture import Picture
 # Floors from the roof down: colour, rooms as (name, what it holds).
 FLOORS = (
     ("mark", (("programs and bindings", "C, C++, Python and others"),)),
-    ("mark", (("capi", "the C interface: abut.h"), ("picking", "Embree: picking.h"))),
+    ("mark", (("capi", "the C interface: abut.h"), ("picking", "Embree: picking.h"), ("response", "response.h"))),
     ("b", (("universe", "a step: stage by stage"), ("report", "what it did, and why"))),
     ("b", (("queries", "rays, points, casts"), ("detect", "poses to contacts, events"), ("scene", "parts, rules: no detection"))),
     ("a", (("motion", "paths and impacts"), ("pairs", "two kinds of shapes to a kernel: the table, any_shape"), ("deforming", "vertices on straight lines"))),

@@ -15,7 +15,7 @@ LICENCE = "SPDX-License-Identifier: Apache-2.0"
 
 # The only folders that may touch a library, by the name of its include folder.
 LIBRARY_OWNERS = {
-    "Eigen": ("modules/math",),
+    "Eigen": ("modules/math", "modules/response"),
     "embree[34]?": ("modules/picking", "bench"),
     "boost": ("modules/deforming",),
     "ccd": ("modules/narrow", "bench"),
@@ -123,7 +123,7 @@ def library_owner(source):
 
 def standard_include(source):
     """Modules import the standard library: of each header that they include every importer would merge a copy."""
-    if source.is_cxx and source.within("modules") and not source.within("modules/picking"):
+    if source.is_cxx and source.within("modules") and not source.within("modules/picking", "modules/response"):
         if source.path != "modules/core/standard.cppm":
             for line, match in source.find(r"^\s*#\s*include\s*<[a-z_]+>", source.bare):
                 yield line, f"{match[0].split()[-1]} included, not imported from abut.core.standard"

@@ -8,7 +8,8 @@ from imports import kernel_reach, unused_import
 
 REGISTRY = "cmake/registry.cmake"
 SHAPE_LINE = r"^\s*abut_shape\s*\(\s*(\w+)\s+(\w+)\s+(\d+)[^)]*\)"
-HEADERS = {"include/abut/abut.h": "capi/symbols.txt", "include/abut/picking.h": "capi/picking_symbols.txt"}
+HEADERS = {"include/abut/abut.h": "capi/symbols.txt", "include/abut/picking.h": "capi/picking_symbols.txt",
+           "include/abut/response.h": "capi/response_symbols.txt"}
 PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
 
 # Besides the shape's own file, which is checked by name: the typed shorthands of the C interface may name shapes.

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Both headers twice, in either order. */
+/* All headers twice, in either order. */
 #include <abut/picking.h>
+#include <abut/response.h>
 #include <abut/abut.h>
+#include <abut/response.h>
 #include <abut/picking.h>
 #include <abut/abut.h>
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the libraries that stand on abut.h refuse what callers hand to them. Each function writes this thread's message
+// and answers the status.
+#ifndef ABUT_CAPI_EXTENSION_ARGUMENTS_HPP
+#define ABUT_CAPI_EXTENSION_ARGUMENTS_HPP
+
+#include <abut/abut.h>
+
+#include "core/check.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace abut::capi {
+
+/// Refuses: "<argument> is <value>; <expectation>".
+[[nodiscard]] abut_status refuse(abut_status status, const char* argument, double value,
+                                 const char* expectation) noexcept;
+[[nodiscard]] abut_status refuse(abut_status status, const char* message) noexcept;
+[[nodiscard]] abut_status refuse_null(const char* argument) noexcept;
+
+// A struct_size beyond this is garbage, not a later version.
+inline constexpr std::size_t largest_struct = 4096;
+
+/// Whether a struct has at least the size of this version, and zeros behind it.
+template <class Struct>
+[[nodiscard]] bool has_known_size(const Struct& given) noexcept {
+  const std::size_t size = given.struct_size;
+  if (size < sizeof(Struct) || size > largest_struct) return false;
+  // SAFETY: the caller says that the struct has this size.
+  ABUT_UNSAFE_BEGIN
+  const std::span<const unsigned char> bytes(static_cast<const unsigned char*>(static_cast<const void*>(&given)), size);
+  ABUT_UNSAFE_END
+  return std::ranges::all_of(bytes.subspan(sizeof(Struct)), [](unsigned char byte) { return byte == 0; });
+}
+
+}  // namespace abut::capi
+
+#endif

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// One group of bodies and the contacts between them: unknown velocities and impulses.
+//
+// The law, for each contact with relative velocity u = J v + drift of b less a:
+//   mass * (v - free) = sum of J^T impulse
+//
+//   0 <= impulse_n, 0 <= u_n + compliance * impulse_n, one of them 0 (the offset of the gap is part of the drift)
+//   |impulse_T| <= friction * impulse_n; where it slides, impulse_T is against u_T and as large as it may be
+module;
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+export module abut.response:problem;
+import :cone;
+
+export namespace abut::response {
+
+// In the place of a body: what no impulse moves.
+inline constexpr std::uint32_t no_body = ~std::uint32_t{0};
+
+using Row = std::array<double, 6>;  // by the linear and the angular velocity of a body, world axes
+
+struct BodyMass {
+  double mass;
+  std::array<double, 9> inertia;  // symmetric, world axes, about the centre of mass
+};
+
+struct ContactRows {
+  std::uint32_t a, b;
+  std::array<Row, 3> of_a, of_b;  // along the tangents and the normal
+  Triple drift;                   // what u is where no body moves; the offset counts in the normal
+  double offset;                  // the part of drift[2] that is a gap over a step
+  double compliance;              // velocity per impulse
+  double friction;                // of the round cone; the rows of the tangents are scaled to it
+  double weight;                  // mean of the diagonal of J M^-1 J^T
+};
+
+struct Problem {
+  std::vector<BodyMass> bodies;
+  std::vector<Row> free;  // velocities without contacts
+  std::vector<ContactRows> contacts;
+};
+
+struct Solution {
+  std::vector<Row> velocities;
+  std::vector<Triple> impulses;  // on b along the rows of the contact
+};
+
+struct SolverOptions {
+  double tolerance = 1e-9;  // part of `speed`
+  double speed = 0;         // 0: the largest of the free motion
+  std::uint32_t most_rounds = 200;
+  bool is_warm = false;  // whether the solution holds a start
+};
+
+// How far a solution is from the law.
+struct Residuals {
+  double contact = 0;      // velocity: what the natural map of a contact moves its impulse by, times its weight
+  double motion = 0;       // velocity: the equation of motion of a body, by the norm of its mass
+  double dissipation = 0;  // energy: impulse times shifted velocity, summed in size; 0 for a solution
+  double excess = 0;       // the larger of contact and motion, each less what rounding alone makes of it
+};
+
+struct SolverReport {
+  Residuals residuals;
+  double speed = 0;  // that the tolerance is a part of
+  std::uint32_t rounds = 0;
+  std::uint32_t newton_steps = 0;
+  bool is_converged = false;
+  bool is_finite = true;
+};
+
+// Relative velocity of a contact along its rows.
+[[nodiscard]] Triple relative_velocity(const ContactRows& contact, const std::vector<Row>& velocities);
+// Adds J^T impulse to the sums of bodies.
+void add_impulse(const ContactRows& contact, const Triple& impulse, std::vector<Row>& sums);
+// What an impulse (or the rest of the equation of motion) changes of the velocity of a body.
+[[nodiscard]] Row velocity_of_impulse(const BodyMass& body, const Row& impulse);
+// Mean of the diagonal of J M^-1 J^T of a contact whose rows are filled in.
+[[nodiscard]] double weight_of(const ContactRows& contact, const std::vector<BodyMass>& bodies);
+
+[[nodiscard]] Residuals residuals_of(const Problem& problem, const Solution& solution);
+
+// Proximal augmented Lagrangian, Newton's method inside. O(rounds * the factors of a sparse matrix of 6 unknowns a
+// body).
+SolverReport solve(const Problem& problem, const SolverOptions& options, Solution& solution);
+
+}  // namespace abut::response

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the law is missed by. The natural map of the law with de Saxce's shift: Acary, Bremond, Huber, "On solving
+// contact problems with Coulomb friction" (2018), https://inria.hal.science/hal-01630836.
+module;
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+module abut.response;
+
+namespace abut::response {
+
+namespace {
+
+// Sums of a few numbers of one size are off by less than this part of them.
+constexpr double rounding = 1e-15;
+
+[[nodiscard]] double dot(const Row& a, const Row& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+// The larger of two, or what is no number.
+[[nodiscard]] double larger(double a, double b) { return b <= a ? a : b; }
+
+}  // namespace
+
+Triple relative_velocity(const ContactRows& contact, const std::vector<Row>& velocities) {
+  Triple u = contact.drift;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    if (contact.a != no_body) u[i] += dot(contact.of_a[i], velocities[contact.a]);
+    if (contact.b != no_body) u[i] += dot(contact.of_b[i], velocities[contact.b]);
+  }
+  return u;
+}
+
+void add_impulse(const ContactRows& contact, const Triple& impulse, std::vector<Row>& sums) {
+  const auto add = [&](const std::array<Row, 3>& rows, Row& sum) {
+    for (std::size_t i = 0; i < impulse.size(); ++i) {
+      for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += rows[i][j] * impulse[i];
+    }
+  };
+  if (contact.a != no_body) add(contact.of_a, sums[contact.a]);
+  if (contact.b != no_body) add(contact.of_b, sums[contact.b]);
+}
+
+// By the factors L D L^T of the inertia.
+Row velocity_of_impulse(const BodyMass& body, const Row& impulse) {
+  const std::array<double, 9>& m = body.inertia;
+  const double l10 = m[3] / m[0], l20 = m[6] / m[0];
+  const double d1 = m[4] - l10 * m[3], rest = m[7] - l20 * m[3], l21 = rest / d1;
+  const double d2 = m[8] - l20 * m[6] - l21 * rest;
+  const double y0 = impulse[3], y1 = impulse[4] - l10 * y0, y2 = impulse[5] - l20 * y0 - l21 * y1;
+  const double z = y2 / d2, y = y1 / d1 - l21 * z, x = y0 / m[0] - l10 * y - l20 * z;
+  return {impulse[0] / body.mass, impulse[1] / body.mass, impulse[2] / body.mass, x, y, z};
+}
+
+double weight_of(const ContactRows& contact, const std::vector<BodyMass>& bodies) {
+  double sum = 0;
+  for (std::size_t i = 0; i < contact.of_a.size(); ++i) {
+    if (contact.a != no_body) sum += dot(contact.of_a[i], velocity_of_impulse(bodies[contact.a], contact.of_a[i]));
+    if (contact.b != no_body) sum += dot(contact.of_b[i], velocity_of_impulse(bodies[contact.b], contact.of_b[i]));
+  }
+  return sum / 3;
+}
+
+Residuals residuals_of(const Problem& problem, const Solution& solution) {
+  Residuals out;
+  std::vector<Row> pushed(problem.bodies.size()), size(problem.bodies.size());
+  for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
+    const ContactRows& contact = problem.contacts[k];
+    const Triple& impulse = solution.impulses[k];
+    add_impulse(contact, impulse, pushed);
+    ContactRows sizes = contact;
+    Triple magnitudes = impulse;
+    for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+      magnitudes[i] = std::fabs(magnitudes[i]);
+      for (double& number : sizes.of_a[i]) number = std::fabs(number);
+      for (double& number : sizes.of_b[i]) number = std::fabs(number);
+    }
+    add_impulse(sizes, magnitudes, size);
+    Triple u = relative_velocity(contact, solution.velocities);
+    u[2] += contact.compliance * impulse[2] + contact.friction * std::hypot(u[0], u[1]);
+    out.dissipation += std::fabs(u[0] * impulse[0] + u[1] * impulse[1] + u[2] * impulse[2]);
+    Triple moved;
+    for (std::size_t i = 0; i < u.size(); ++i) moved[i] = impulse[i] - u[i] / contact.weight;
+    const Triple nearest = project(moved, contact.friction, 1, 1);
+    const double missed =
+        contact.weight * std::hypot(nearest[0] - impulse[0], nearest[1] - impulse[1], nearest[2] - impulse[2]);
+    out.contact = larger(out.contact, missed);
+    const double unavoidable = rounding * (std::fabs(contact.offset) + contact.compliance * impulse[2]);
+    out.excess = larger(out.excess, missed - unavoidable);
+  }
+  for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
+    const BodyMass& body = problem.bodies[i];
+    Row rest, unavoidable;
+    const Row change = velocity_of_impulse(body, pushed[i]);
+    for (std::size_t j = 0; j < rest.size(); ++j) {
+      rest[j] = solution.velocities[i][j] - problem.free[i][j] - change[j];
+      unavoidable[j] = rounding * size[i][j];
+    }
+    // |rest| in the metric of the mass, over the square root of the mass: turns count by the radius of gyration.
+    const auto speed = [&](const Row& v) {
+      double turn = 0;
+      for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t c = 0; c < 3; ++c) turn += v[3 + r] * body.inertia[3 * r + c] * v[3 + c];
+      }
+      return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + std::max(turn, 0.0) / body.mass);
+    };
+    const double missed = speed(rest);
+    out.motion = larger(out.motion, missed);
+    out.excess = larger(out.excess, missed - speed(velocity_of_impulse(body, unavoidable)));
+  }
+  return out;
+}
+
+}  // namespace abut::response
