@@ -2,6 +2,7 @@
 #include "problem_arguments.hpp"
 
 #include "extension_arguments.hpp"
+#include "response_arguments.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,13 +17,16 @@ namespace abut::capi {
 
 namespace {
 
+using response::ContactPlace;
 using response::ContactRows;
+using response::cross;
+using response::dot;
 using response::no_body;
 using response::Row;
-using response::Triple;
+using response::scale;
+using response::subtract;
 
-// Products of a few such numbers stay finite.
-constexpr double largest = 1e30, least_mass = 1e-30, largest_friction = 1e6;
+constexpr double largest_friction = 1e6;
 
 // An element of an array of the problem, by name.
 struct Element {
@@ -42,10 +46,10 @@ struct Range {
   double least, most;
   const char* expectation;
 };
-constexpr Range any_number{-largest, largest, "it must be within 1e30"};
-constexpr Range mass_range{least_mass, largest, "it must lie between 1e-30 and 1e30"};
+constexpr Range any_number{-largest_number, largest_number, "it must be within 1e30"};
+constexpr Range mass_range{least_mass, largest_number, "it must lie between 1e-30 and 1e30"};
 constexpr Range friction_range{0, largest_friction, "it must lie between 0 and 1e6"};
-constexpr Range compliance_range{0, largest, "it must lie between 0 and 1e30"};
+constexpr Range compliance_range{0, largest_number, "it must lie between 0 and 1e30"};
 
 enum class Presence : unsigned char { needed, optional };
 
@@ -75,12 +79,6 @@ enum class Presence : unsigned char { needed, optional };
 [[nodiscard]] abut_vec3 vector_at(std::span<const double> numbers, std::size_t index) {
   return {numbers[3 * index], numbers[3 * index + 1], numbers[3 * index + 2]};
 }
-[[nodiscard]] double dot(const abut_vec3& a, const abut_vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-[[nodiscard]] abut_vec3 cross(const abut_vec3& a, const abut_vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-[[nodiscard]] abut_vec3 subtract(const abut_vec3& a, const abut_vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-[[nodiscard]] abut_vec3 scale(const abut_vec3& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
 [[nodiscard]] bool is_zero(const abut_vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 // Of a vector that is not zero.
 [[nodiscard]] abut_vec3 unit(const abut_vec3& v) {
@@ -145,22 +143,8 @@ struct Arrays {
 [[nodiscard]] abut_status read_body(const Arrays& arrays, std::size_t i, PreparedProblem& out) {
   response::BodyMass body{.mass = arrays.masses[i], .inertia = {}};
   std::ranges::copy(arrays.inertias.subspan(9 * i, 9), body.inertia.begin());
-  const auto& m = body.inertia;
-  for (const auto& [row, column] : {std::pair<std::size_t, std::size_t>(0, 1), {0, 2}, {1, 2}}) {
-    const double upper = m[3 * row + column], lower = m[3 * column + row];
-    if (std::fabs(upper - lower) > 1e-12 * std::max({m[0], m[4], m[8]})) {
-      return refuse_element(ABUT_INVALID_ARGUMENT, "inertias", 9 * i + 3 * row + column, upper,
-                            "the matrix of a body must be symmetric");
-    }
-  }
-  const double d1 = m[4] - m[3] / m[0] * m[3], rest = m[7] - m[6] / m[0] * m[3];
-  const double d2 = m[8] - m[6] / m[0] * m[6] - rest / d1 * rest;
-  for (const auto& [pivot, place] : {std::pair(m[0], 0U), std::pair(d1, 4U), std::pair(d2, 8U)}) {
-    if (!(pivot >= least_mass)) {
-      return refuse_element(ABUT_OUT_OF_RANGE, "inertias", 9 * i + place, m[place],
-                            "the matrix of a body must be positive definite, by at least 1e-30");
-    }
-  }
+  if (const abut_status status = check_inertia(body.inertia, "problem.inertias", 9 * i); status != ABUT_OK)
+    return status;
   out.problem.bodies.push_back(body);
   Row& free = out.problem.free.emplace_back();
   std::ranges::copy(arrays.free_velocities.subspan(6 * i, 6), free.begin());
@@ -169,7 +153,8 @@ struct Arrays {
   return ABUT_OK;
 }
 
-[[nodiscard]] abut_status read_frame(const Arrays& arrays, std::size_t k, double& friction, ContactFrame& out) {
+// The axes and frictions of a contact.
+[[nodiscard]] abut_status read_frame(const Arrays& arrays, std::size_t k, ContactPlace& out) {
   const abut_vec3 normal = vector_at(arrays.normals, k);
   if (is_zero(normal)) return refuse_element(ABUT_ZERO_VECTOR, "normals", 3 * k, 0, "a normal must have a length");
   const abut_vec3 n = unit(normal);
@@ -189,23 +174,16 @@ struct Arrays {
     return refuse_element(ABUT_INVALID_ARGUMENT, "frictions", 2 * k + 1, sideways,
                           "both frictions of a contact must be equal where problem.tangents is null");
   }
-  friction = std::max(along, sideways);
-  const double whole = friction > 0 ? friction : 1;
-  out = {.axes = {t, cross(n, t), n}, .scales = {along / whole, sideways / whole, 1}};
+  out.axes = {t, cross(n, t), n};
+  out.frictions = {along, sideways};
   return ABUT_OK;
-}
-
-// Velocity of the point of a body along an axis: the axis, and the moment of it about the centre.
-[[nodiscard]] Row row_of(const abut_vec3& axis, double factor, const abut_vec3& arm) {
-  const abut_vec3 moment = cross(arm, axis);
-  return {factor * axis.x, factor * axis.y, factor * axis.z, factor * moment.x, factor * moment.y, factor * moment.z};
 }
 
 [[nodiscard]] abut_status read_contact(const Arrays& arrays, std::size_t k, PreparedProblem& out) {
   const std::size_t bodies = out.problem.bodies.size();
-  ContactRows contact{};
-  contact.a = arrays.bodies[2 * k];
-  contact.b = arrays.bodies[2 * k + 1];
+  ContactPlace place{};
+  place.a = arrays.bodies[2 * k];
+  place.b = arrays.bodies[2 * k + 1];
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
     const std::uint32_t body = arrays.bodies[2 * k + side];
     if (body != no_body && body >= bodies) {
@@ -213,34 +191,26 @@ struct Arrays {
                             "it must be less than problem.body_count, or ABUT_NO_BODY");
     }
   }
-  if (contact.a == contact.b) {
-    return refuse_element(ABUT_INVALID_ARGUMENT, "bodies", 2 * k + 1, contact.b,
+  if (place.a == place.b) {
+    return refuse_element(ABUT_INVALID_ARGUMENT, "bodies", 2 * k + 1, place.b,
                           "the two sides of a contact must differ");
   }
-  ContactFrame frame;
-  if (const abut_status status = read_frame(arrays, k, contact.friction, frame); status != ABUT_OK) return status;
+  if (const abut_status status = read_frame(arrays, k, place); status != ABUT_OK) return status;
   const abut_vec3 point = vector_at(arrays.points, k);
   const auto arm = [&](std::uint32_t body) {
     return body == no_body ? abut_vec3{} : subtract(point, vector_at(arrays.centres, body));
   };
-  const abut_vec3 arm_a = arm(contact.a), arm_b = arm(contact.b);
-  const abut_vec3 surface = arrays.surface_velocities.empty() ? abut_vec3{} : vector_at(arrays.surface_velocities, k);
-  Triple first{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double factor = frame.scales[i];
-    contact.of_a[i] = row_of(frame.axes[i], -factor, arm_a);
-    contact.of_b[i] = row_of(frame.axes[i], factor, arm_b);
-    contact.drift[i] = factor * dot(surface, frame.axes[i]);
-    if (!arrays.first_impulses.empty() && factor > 0)
-      first[i] = dot(vector_at(arrays.first_impulses, k), frame.axes[i]) / factor;
-  }
+  place.arm_a = arm(place.a);
+  place.arm_b = arm(place.b);
+  if (!arrays.surface_velocities.empty()) place.surface_velocity = vector_at(arrays.surface_velocities, k);
+  ContactRows contact = response::contact_rows(place);
   contact.offset = arrays.offsets.empty() ? 0 : arrays.offsets[k];
   contact.drift[2] += contact.offset;
   contact.compliance = arrays.compliances.empty() ? 0 : arrays.compliances[k];
   contact.weight = response::weight_of(contact, out.problem.bodies);
   out.problem.contacts.push_back(contact);
-  out.solution.impulses.push_back(response::project(first, contact.friction, 1, 1));
-  out.frames.push_back(frame);
+  const abut_vec3 first = arrays.first_impulses.empty() ? abut_vec3{} : vector_at(arrays.first_impulses, k);
+  out.solution.impulses.push_back(response::project(response::impulse_along(contact, first), contact.friction, 1, 1));
   return ABUT_OK;
 }
 
@@ -273,7 +243,7 @@ abut_status check_options(const abut_solver_options& options) noexcept {
   for (const auto& [name, value] :
        {std::pair("options.tolerance", options.tolerance), std::pair("options.speed", options.speed)}) {
     if (!std::isfinite(value)) return refuse(ABUT_NOT_FINITE, name, value, "it must be finite");
-    if (!(value >= 0 && value <= largest))
+    if (!(value >= 0 && value <= largest_number))
       return refuse(ABUT_OUT_OF_RANGE, name, value, "it must lie between 0 and 1e30");
   }
   return ABUT_OK;

@@ -5,23 +5,13 @@
 
 #include <abut/response.h>
 
-#include <array>
-#include <vector>
-
 import abut.response;
 
 namespace abut::capi {
 
-/// The frame that the rows of a contact stand in, and how much of a tangent impulse one of the round cone is.
-struct ContactFrame {
-  std::array<abut_vec3, 3> axes;  // t, s, n; units
-  std::array<double, 3> scales;   // of t and s: friction by that of the cone; 1 of n
-};
-
 struct PreparedProblem {
   response::Problem problem;
   response::Solution solution;  // where the search begins, if anywhere
-  std::vector<ContactFrame> frames;
   bool is_warm = false;
 };
 

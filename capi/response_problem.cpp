@@ -44,17 +44,13 @@ constexpr abut_solver_options usual_options{
   for (std::size_t i = 0; i < prepared.solution.velocities.size(); ++i) {
     std::ranges::copy(prepared.solution.velocities[i], velocities.subspan(6 * i, 6).begin());
   }
-  for (std::size_t k = 0; k < prepared.frames.size(); ++k) {
-    const abut::capi::ContactFrame& frame = prepared.frames[k];
-    const abut::response::Triple& impulse = prepared.solution.impulses[k];
+  for (std::size_t k = 0; k < prepared.solution.impulses.size(); ++k) {
+    const abut_vec3 impulse =
+        abut::response::world_impulse(prepared.problem.contacts[k], prepared.solution.impulses[k]);
     const std::span<double> place = impulses.subspan(3 * k, 3);
-    std::ranges::fill(place, 0.0);
-    for (std::size_t i = 0; i < impulse.size(); ++i) {
-      const double along = frame.scales[i] * impulse[i];
-      place[0] += along * frame.axes[i].x;
-      place[1] += along * frame.axes[i].y;
-      place[2] += along * frame.axes[i].z;
-    }
+    place[0] = impulse.x;
+    place[1] = impulse.y;
+    place[2] = impulse.z;
   }
   out = {.contact = report.residuals.contact,
          .motion = report.residuals.motion,

@@ -96,6 +96,165 @@ typedef struct abut_residuals {
 ABUT_API abut_status abut_contact_problem_solve(const abut_contact_problem *problem, const abut_solver_options *options,
                                                 double *velocities, double *impulses, abut_residuals *out);
 
+/* ------------------------------------------------------------------------------------------------
+ * Rigid bodies of a universe
+ * --------------------------------------------------------------------------------------------- */
+
+/** Mass of a solid, in the frame that is named where it is used. */
+typedef struct abut_mass_properties {
+  double mass;       /**< 1e-30 to 1e30 */
+  abut_vec3 centre;  /**< centre of mass */
+  double inertia[9]; /**< symmetric positive definite matrix about the centre of mass, row by row */
+} abut_mass_properties;
+
+/**
+ * Mass of a shape, in its own frame. Balls, boxes, capsules, cylinders, cones and ellipsoids have closed forms. Hulls,
+ * meshes and distance fields have what their triangles enclose.
+ * ABUT_UNSUPPORTED for shapes without a volume, surfaces that are not closed, and composites: there the mass is to be
+ * given.
+ * @param density  mass per volume, 1e-30 to 1e30
+ * Complexity O(triangles log triangles). [any]
+ */
+ABUT_API abut_status abut_shape_mass_properties(const abut_shape *shape, double density, abut_mass_properties *out);
+
+/** Bodies of a universe. Owned by its creator. */
+typedef struct abut_response abut_response;
+
+/** How bodies move. */
+typedef struct abut_response_options {
+  uint32_t struct_size;
+  uint32_t most_rounds; /**< of the solver, for each island; default 100, at least 1 */
+  abut_vec3 gravity;    /**< acceleration; default (0, 0, -9.81) */
+  double tolerance;     /**< of the solver, as in abut_solver_options; default 1e-9 */
+  double slop;          /**< depth that rigid contacts keep; default 1e-5, at least 0. Deeper ones are moved apart */
+} abut_response_options;
+
+/** Fills in the defaults. */
+ABUT_API void abut_response_options_init(abut_response_options *options, uint32_t struct_size);
+
+/**
+ * Creates a response without bodies. It keeps the universe, as a picker does. Calls on a response count as calls on its
+ * universe: [exclusive] ones as exclusive, [const] ones as const.
+ * @param options  may be null for the defaults
+ * [exclusive]
+ */
+ABUT_API abut_status abut_response_create(abut_universe *universe, const abut_response_options *options,
+                                          abut_response **out);
+
+/** Destroys a response; parts stay as they are. Null is allowed. [exclusive] */
+ABUT_API void abut_response_destroy(abut_response *response);
+
+/** Options from the next step on. [exclusive] */
+ABUT_API abut_status abut_response_set_options(abut_response *response, const abut_response_options *options);
+
+/** What a body weighs. */
+typedef struct abut_body_options {
+  uint32_t struct_size;
+  uint32_t reserved;         /**< zero */
+  double density;            /**< of all geometries of the part but sensors; default 1000. Not read where a mass is
+                                  given */
+  abut_mass_properties mass; /**< in the frame of the part; its mass is 0 by default, which asks for the density */
+} abut_body_options;
+
+/** Fills in the defaults. */
+ABUT_API void abut_body_options_init(abut_body_options *options, uint32_t struct_size);
+
+/**
+ * Makes bodies of dynamic parts, all or none. A part that is a body already gets the new mass. Velocities are those of
+ * abut_part_set_velocity. While a part is asleep, or not dynamic, its body stands still and pushes like a wall.
+ * ABUT_INVALID_ARGUMENT for a part that is not dynamic, and ABUT_EMPTY for one without geometries whose mass is not
+ * given. ABUT_UNSUPPORTED where a geometry has no volume.
+ * @param parts    count parts
+ * @param options  of all of them; may be null for the defaults
+ * [exclusive]
+ */
+ABUT_API abut_status abut_response_add_bodies(abut_response *response, const abut_part_id *parts, size_t count,
+                                              const abut_body_options *options);
+
+/** Ends a body; its part stays where it is. ABUT_STALE_ID where the part is none. [exclusive] */
+ABUT_API abut_status abut_response_remove_body(abut_response *response, abut_part_id part);
+
+/** Mass of a body, in the frame of its part; ABUT_STALE_ID where the part is none. [const] */
+ABUT_API abut_status abut_response_body(const abut_response *response, abut_part_id part, abut_mass_properties *out);
+
+/**
+ * Pushes a body in the next step, in addition to what pushes it already. Wakes the part.
+ * @param force  in newtons, world frame; at most 1e30
+ * @param at     point of the world; null for the centre of mass
+ * ABUT_STALE_ID where the part is no body. [exclusive]
+ */
+ABUT_API abut_status abut_response_apply_force(abut_response *response, abut_part_id part, const abut_vec3 *force,
+                                               const abut_vec3 *at);
+
+/** The same with a torque in newton metres. [exclusive] */
+ABUT_API abut_status abut_response_apply_torque(abut_response *response, abut_part_id part, const abut_vec3 *torque);
+
+/**
+ * Moves all bodies by a time. The order:
+ *  1. abut_universe_step(universe, dt) finds contacts at the present poses, and events;
+ *  2. gravity and forces change velocities; each island of bodies that touch is solved (abut_contact_problem_solve);
+ *  3. bodies move, and rigid ones that overlap are moved apart, which changes no velocity;
+ *  4. poses and velocities are set.
+ * Friction, static_scale, compliance and damping are those of abut_material_pair_get for each contact, per point.
+ * Restitution and the other numbers of a row are not applied. Sensors push nothing. A part that is no body is a wall
+ * that moves by its velocity. When a step fails, nothing has changed but the contacts of the universe.
+ * Bodies whose part was destroyed end. Complexity: the step of the universe, and each island as
+ * abut_contact_problem_solve.
+ * @param dt  above 0, at most 1e30
+ * ABUT_NOT_CONVERGED where a velocity would not be finite. [exclusive]
+ */
+ABUT_API abut_status abut_response_step(abut_response *response, double dt);
+
+/** What a contact does. */
+typedef uint32_t abut_contact_state;
+enum abut_contact_state_value ABUT_ENUM(uint32_t) {
+  ABUT_CONTACT_STATE_OPEN = 0,     /**< no impulse */
+  ABUT_CONTACT_STATE_STICKING = 1, /**< friction is less than it may be */
+  ABUT_CONTACT_STATE_SLIDING = 2   /**< friction is as large as it may be, or there is none */
+};
+
+/** A contact of the last step. World frame. */
+typedef struct abut_response_contact {
+  abut_geometry_id geometry_a;
+  abut_geometry_id geometry_b;
+  uint64_t id;              /**< of the contact of the universe */
+  abut_vec3 point;          /**< between the two surfaces, at the start of the step */
+  abut_vec3 normal;         /**< unit, from a to b */
+  abut_vec3 impulse;        /**< on b; a received the opposite */
+  abut_vec3 force;          /**< impulse over dt */
+  double distance;          /**< at the start of the step; negative: overlapping */
+  double normal_velocity;   /**< of b less a at the end of the step */
+  abut_contact_state state;
+  uint32_t island;          /**< index into abut_response_islands */
+} abut_response_contact;
+
+/** Contacts of the last step that have an awake body, in the order of the universe. Borrowed until the next
+ * [exclusive] call. [const] */
+ABUT_API abut_status abut_response_contacts(const abut_response *response, const abut_response_contact **contacts,
+                                            size_t *count);
+
+/** Bodies that touch each other, and how well they were solved. */
+typedef struct abut_response_island {
+  uint32_t body_count;
+  uint32_t contact_count;
+  abut_residuals residuals;
+} abut_response_island;
+
+/** Islands of the last step that have contacts. Borrowed until the next [exclusive] call. [const] */
+ABUT_API abut_status abut_response_islands(const abut_response *response, const abut_response_island **islands,
+                                           size_t *count);
+
+/** Sums over all bodies, as they are now. */
+typedef struct abut_energy {
+  double kinetic;
+  double potential;           /**< of gravity, 0 at the origin */
+  abut_vec3 linear_momentum;
+  abut_vec3 angular_momentum; /**< about the origin */
+} abut_energy;
+
+/** Energy and momentum of all bodies. O(bodies). [const] */
+ABUT_API abut_status abut_response_energy(const abut_response *response, abut_energy *out);
+
 #ifdef __cplusplus
 } /* extern "C" */
 #endif

@@ -9,11 +9,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace abut {
 
 using Residuals = abut_residuals;
+using MassProperties = abut_mass_properties;
+using ResponseContact = abut_response_contact;
+using ContactState = abut_contact_state_value;
+using ResponseIsland = abut_response_island;
+using Energy = abut_energy;
 
 // Two bodies that touch, or a body and what no impulse moves. The fields are those of abut_contact_problem.
 struct ProblemContact {
@@ -110,6 +116,96 @@ class ContactProblem {
   std::vector<Vec3> centres_, points_, normals_, surfaces_;
   std::vector<Velocity> free_;
   std::vector<std::uint32_t> sides_;
+};
+
+// Of a shape, in its own frame.
+[[nodiscard]] inline Answer<MassProperties> mass_properties(const Shape& shape, double density) {
+  MassProperties out{};
+  return detail::answer(abut_shape_mass_properties(shape.get(), density, &out), out);
+}
+
+struct ResponseOptions : Defaulted<ResponseOptions, abut_response_options, abut_response_options_init> {
+  using C = abut_response_options;
+  [[nodiscard]] ResponseOptions with_gravity(const Vec3& value) const { return with(&C::gravity, value); }
+  [[nodiscard]] ResponseOptions with_most_rounds(std::uint32_t value) const { return with(&C::most_rounds, value); }
+  [[nodiscard]] ResponseOptions with_tolerance(double value) const { return with(&C::tolerance, value); }
+  [[nodiscard]] ResponseOptions with_slop(double value) const { return with(&C::slop, value); }
+};
+
+struct BodyOptions : Defaulted<BodyOptions, abut_body_options, abut_body_options_init> {
+  using C = abut_body_options;
+  [[nodiscard]] BodyOptions with_density(double value) const { return with(&C::density, value); }
+  [[nodiscard]] BodyOptions with_mass(const MassProperties& value) const { return with(&C::mass, value); }
+};
+
+// Bodies of a universe, which they keep.
+class Response {
+ public:
+  [[nodiscard]] static Answer<Response> create(Universe& universe, const ResponseOptions& options = ResponseOptions()) {
+    abut_response* out = nullptr;
+    const abut_status status = abut_response_create(universe.get(), &options, &out);
+    return detail::answer_with(status, [&] { return Response(out); });
+  }
+#ifndef ABUT_NO_EXCEPTIONS
+  explicit Response(Universe& universe, const ResponseOptions& options = ResponseOptions())
+      : Response(create(universe, options)) {}
+#endif
+
+  [[nodiscard]] abut_response* get() const noexcept { return handle_.get(); }
+
+  Answer<void> set_options(const ResponseOptions& options) {
+    return detail::answer(abut_response_set_options(get(), &options));
+  }
+  Answer<void> add_bodies(Span<const PartId> parts, const BodyOptions& options = BodyOptions()) {
+    return detail::answer(abut_response_add_bodies(get(), parts.data(), parts.size(), &options));
+  }
+  Answer<void> add_body(PartId part, const BodyOptions& options = BodyOptions()) {
+    return detail::answer(abut_response_add_bodies(get(), &part, 1, &options));
+  }
+  Answer<void> remove_body(PartId part) { return detail::answer(abut_response_remove_body(get(), part)); }
+  [[nodiscard]] Answer<MassProperties> body(PartId part) const {
+    MassProperties out{};
+    return detail::answer(abut_response_body(get(), part, &out), out);
+  }
+
+  // In the next step, through the centre of mass or at a point of the world.
+  Answer<void> apply_force(PartId part, const Vec3& force) {
+    return detail::answer(abut_response_apply_force(get(), part, &force, nullptr));
+  }
+  Answer<void> apply_force(PartId part, const Vec3& force, const Vec3& at) {
+    return detail::answer(abut_response_apply_force(get(), part, &force, &at));
+  }
+  Answer<void> apply_torque(PartId part, const Vec3& torque) {
+    return detail::answer(abut_response_apply_torque(get(), part, &torque));
+  }
+
+  Answer<void> step(double dt) { return detail::answer(abut_response_step(get(), dt)); }
+
+  // Of the last step; borrowed until the next one.
+  [[nodiscard]] Answer<Span<const ResponseContact>> contacts() const {
+    const ResponseContact* first = nullptr;
+    std::size_t count = 0;
+    const abut_status status = abut_response_contacts(get(), &first, &count);
+    return detail::answer_with(status, [&] { return Span<const ResponseContact>(first, count); });
+  }
+  [[nodiscard]] Answer<Span<const ResponseIsland>> islands() const {
+    const ResponseIsland* first = nullptr;
+    std::size_t count = 0;
+    const abut_status status = abut_response_islands(get(), &first, &count);
+    return detail::answer_with(status, [&] { return Span<const ResponseIsland>(first, count); });
+  }
+  [[nodiscard]] Answer<Energy> energy() const {
+    Energy out{};
+    return detail::answer(abut_response_energy(get(), &out), out);
+  }
+
+ private:
+  explicit Response(abut_response* handle) noexcept : handle_(handle) {}
+
+  struct Destroy {
+    void operator()(abut_response* response) const noexcept { abut_response_destroy(response); }
+  };
+  std::unique_ptr<abut_response, Destroy> handle_;
 };
 
 }  // namespace ABUT_ANSWERS

@@ -8,12 +8,15 @@
 //   |impulse_T| <= friction * impulse_n; where it slides, impulse_T is against u_T and as large as it may be
 module;
 
+#include <abut/abut.h>
+
 #include <array>
 #include <cstdint>
 #include <vector>
 
 export module abut.response:problem;
 import :cone;
+import :vector;
 
 export namespace abut::response {
 
@@ -24,17 +27,29 @@ using Row = std::array<double, 6>;  // by the linear and the angular velocity of
 
 struct BodyMass {
   double mass;
-  std::array<double, 9> inertia;  // symmetric, world axes, about the centre of mass
+  Matrix inertia;  // symmetric, world axes, about the centre of mass
 };
 
+// Where a contact lies, and what rubs there.
+struct ContactPlace {
+  std::uint32_t a, b;
+  abut_vec3 arm_a, arm_b;           // to the point, from the centres of mass
+  std::array<abut_vec3, 3> axes;    // t, s, n; units
+  std::array<double, 2> frictions;  // along t and s
+  abut_vec3 surface_velocity;       // of b less a, beyond that of the bodies
+};
+
+// The rows of t and s are scaled, so that the cone of friction is round.
 struct ContactRows {
   std::uint32_t a, b;
-  std::array<Row, 3> of_a, of_b;  // along the tangents and the normal
-  Triple drift;                   // what u is where no body moves; the offset counts in the normal
+  std::array<Row, 3> of_a, of_b;  // relative velocity along t, s, n
+  Triple drift;                   // what it is where no body moves; the offset counts in the normal
   double offset;                  // the part of drift[2] that is a gap over a step
   double compliance;              // velocity per impulse
-  double friction;                // of the round cone; the rows of the tangents are scaled to it
+  double friction;                // of the round cone
   double weight;                  // mean of the diagonal of J M^-1 J^T
+  std::array<abut_vec3, 3> axes;  // t, s, n; units
+  std::array<double, 3> scales;   // of the axes
 };
 
 struct Problem {
@@ -71,6 +86,12 @@ struct SolverReport {
   bool is_converged = false;
   bool is_finite = true;
 };
+
+// Rigid and closed; the weight is still to come.
+[[nodiscard]] ContactRows contact_rows(const ContactPlace& place);
+// From impulses along the rows to those in the world, and back.
+[[nodiscard]] abut_vec3 world_impulse(const ContactRows& contact, const Triple& impulse);
+[[nodiscard]] Triple impulse_along(const ContactRows& contact, const abut_vec3& impulse);
 
 // Relative velocity of a contact along its rows.
 [[nodiscard]] Triple relative_velocity(const ContactRows& contact, const std::vector<Row>& velocities);

@@ -2,4 +2,10 @@
 // Contact response: bodies that push each other.
 export module abut.response;
 export import :cone;
+export import :island;
+export import :mass;
+export import :motion;
 export import :problem;
+export import :simulation;
+export import :source;
+export import :vector;

@@ -433,6 +433,42 @@
   FIELD(abut_residuals, rounds, 32, 4)                    \
   FIELD(abut_residuals, newton_steps, 36, 4)              \
   FIELD(abut_residuals, is_converged, 40, 4)              \
-  FIELD(abut_residuals, reserved, 44, 4)
+  FIELD(abut_residuals, reserved, 44, 4)                  \
+  TYPE(abut_mass_properties, 104)                         \
+  FIELD(abut_mass_properties, mass, 0, 8)                 \
+  FIELD(abut_mass_properties, centre, 8, 24)              \
+  FIELD(abut_mass_properties, inertia, 32, 72)            \
+  TYPE(abut_response_options, 48)                         \
+  FIELD(abut_response_options, struct_size, 0, 4)         \
+  FIELD(abut_response_options, most_rounds, 4, 4)         \
+  FIELD(abut_response_options, gravity, 8, 24)            \
+  FIELD(abut_response_options, tolerance, 32, 8)          \
+  FIELD(abut_response_options, slop, 40, 8)               \
+  TYPE(abut_body_options, 120)                            \
+  FIELD(abut_body_options, struct_size, 0, 4)             \
+  FIELD(abut_body_options, reserved, 4, 4)                \
+  FIELD(abut_body_options, density, 8, 8)                 \
+  FIELD(abut_body_options, mass, 16, 104)                 \
+  TYPE(abut_response_contact, 144)                        \
+  FIELD(abut_response_contact, geometry_a, 0, 8)          \
+  FIELD(abut_response_contact, geometry_b, 8, 8)          \
+  FIELD(abut_response_contact, id, 16, 8)                 \
+  FIELD(abut_response_contact, point, 24, 24)             \
+  FIELD(abut_response_contact, normal, 48, 24)            \
+  FIELD(abut_response_contact, impulse, 72, 24)           \
+  FIELD(abut_response_contact, force, 96, 24)             \
+  FIELD(abut_response_contact, distance, 120, 8)          \
+  FIELD(abut_response_contact, normal_velocity, 128, 8)   \
+  FIELD(abut_response_contact, state, 136, 4)             \
+  FIELD(abut_response_contact, island, 140, 4)            \
+  TYPE(abut_response_island, 56)                          \
+  FIELD(abut_response_island, body_count, 0, 4)           \
+  FIELD(abut_response_island, contact_count, 4, 4)        \
+  FIELD(abut_response_island, residuals, 8, 48)           \
+  TYPE(abut_energy, 64)                                   \
+  FIELD(abut_energy, kinetic, 0, 8)                       \
+  FIELD(abut_energy, potential, 8, 8)                     \
+  FIELD(abut_energy, linear_momentum, 16, 24)             \
+  FIELD(abut_energy, angular_momentum, 40, 24)
 
 #endif

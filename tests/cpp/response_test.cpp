@@ -31,4 +31,37 @@ TEST(ContactProblem, CarriesAStackOfTwo) {
   EXPECT_THROW(static_cast<void>(problem.solve()), abut::Error);
 }
 
+TEST(Response, CarriesABallOnTheGround) {
+  abut::Universe universe(abut::UniverseOptions().with_tolerance_mode(ABUT_TOLERANCE_MARGIN));
+  const abut::GeometryOptions touching = abut::GeometryOptions().with_tolerance(1e-3);
+  const abut::PartId ground = universe.create_part(abut::PartOptions().with_motion(ABUT_MOTION_STATIC));
+  universe.create_geometry(ground, abut::Shape::plane({0, 0, 1}, 0), touching);
+  const abut::Shape ball = abut::Shape::sphere(0.5);
+  const abut::PartId part = universe.create_part(abut::PartOptions().with_pose(abut::pose({0, 0, 0.5})));
+  universe.create_geometry(part, ball, touching);
+  abut::Response response(universe, abut::ResponseOptions().with_slop(1e-6).with_most_rounds(20).with_tolerance(1e-10));
+  const double mass = abut::mass_properties(ball, 500).mass;
+  response.add_body(part, abut::BodyOptions().with_density(500));
+  EXPECT_EQ(response.body(part).mass, mass);
+  response.step(0.01);
+  ASSERT_EQ(response.contacts().size(), 1U);
+  EXPECT_NEAR(response.contacts()[0].force.z, mass * 9.81, 1e-6 * mass);
+  EXPECT_EQ(response.islands()[0].residuals.is_converged, 1U);
+  EXPECT_NEAR(response.energy().potential, mass * 9.81 * 0.5, 1e-3);
+  response.set_options(abut::ResponseOptions().with_gravity({0, 0, 0}));
+  response.apply_force(part, {0, 0, mass});
+  response.apply_force(part, {mass, 0, 0}, {0, 0, 0.5});
+  response.apply_torque(part, {0, 0, 1});
+  response.step(1);
+  EXPECT_NEAR(universe.velocity(part).velocity.linear.z, 1, 1e-9);
+  EXPECT_NEAR(universe.velocity(part).velocity.linear.x, 1, 1e-9);
+  abut::MassProperties given = response.body(part);
+  given.mass = 3;
+  const std::vector<abut::PartId> parts{part};
+  response.add_bodies(parts, abut::BodyOptions().with_mass(given));
+  EXPECT_EQ(response.body(part).mass, 3);
+  response.remove_body(part);
+  EXPECT_THROW(response.remove_body(part), abut::Error);
+}
+
 }  // namespace

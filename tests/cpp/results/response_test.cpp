@@ -18,4 +18,16 @@ TEST(Result, IsTheAnswerOfAContactProblem) {
   EXPECT_FALSE(problem.solve(abut::SolverOptions(), &other));
 }
 
+TEST(Result, IsTheAnswerOfAResponse) {
+  auto universe = abut::Universe::create();
+  ASSERT_TRUE(universe);
+  auto response = abut::Response::create(*universe);
+  ASSERT_TRUE(response);
+  ASSERT_TRUE(response->step(0.1));
+  const auto contacts = response->contacts();
+  ASSERT_TRUE(contacts);
+  EXPECT_TRUE(contacts->empty());
+  EXPECT_FALSE(response->step(-1));
+}
+
 }  // namespace

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "response_arguments.hpp"
+
+#include "extension_arguments.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <span>
+#include <utility>
+
+namespace abut::capi {
+
+namespace {
+
+// A field or an element of an argument, by name.
+class Name {
+ public:
+  Name(const char* argument, const char* field) noexcept {
+    static_cast<void>(std::snprintf(text_.data(), text_.size(), "%s.%s", argument, field));
+  }
+  Name(const char* argument, std::size_t index) noexcept {
+    static_cast<void>(std::snprintf(text_.data(), text_.size(), "%s[%zu]", argument, index));
+  }
+  [[nodiscard]] const char* text() const noexcept { return text_.data(); }
+
+ private:
+  std::array<char, 96> text_{};
+};
+
+constexpr const char* within = "it must be within 1e30";
+
+}  // namespace
+
+abut_status check_number(double value, const char* argument, double least, double most,
+                         const char* expectation) noexcept {
+  if (!std::isfinite(value)) return refuse(ABUT_NOT_FINITE, argument, value, "it must be finite");
+  if (!(value >= least && value <= most)) return refuse(ABUT_OUT_OF_RANGE, argument, value, expectation);
+  return ABUT_OK;
+}
+
+abut_status check_vector(const abut_vec3& vector, const char* argument) noexcept {
+  for (const auto& [field, value] : {std::pair("x", vector.x), std::pair("y", vector.y), std::pair("z", vector.z)}) {
+    const abut_status status =
+        check_number(value, Name(argument, field).text(), -largest_number, largest_number, within);
+    if (status != ABUT_OK) return status;
+  }
+  return ABUT_OK;
+}
+
+abut_status check_inertia(std::span<const double, 9> m, const char* argument, std::size_t first) noexcept {
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    const abut_status status =
+        check_number(m[i], Name(argument, first + i).text(), -largest_number, largest_number, within);
+    if (status != ABUT_OK) return status;
+  }
+  // By so much of the largest number two halves of a matrix may differ.
+  constexpr double rounding = 1e-12;
+  for (const auto& [upper, lower] : {std::pair<std::size_t, std::size_t>(1, 3), {2, 6}, {5, 7}}) {
+    if (std::fabs(m[upper] - m[lower]) > rounding * std::max({m[0], m[4], m[8]})) {
+      return refuse(ABUT_INVALID_ARGUMENT, Name(argument, first + upper).text(), m[upper],
+                    "the matrix of a body must be symmetric");
+    }
+  }
+  const double d1 = m[4] - m[3] / m[0] * m[3], rest = m[7] - m[6] / m[0] * m[3];
+  const double d2 = m[8] - m[6] / m[0] * m[6] - rest / d1 * rest;
+  for (const auto& [pivot, place] : {std::pair<double, std::size_t>(m[0], 0), {d1, 4}, {d2, 8}}) {
+    if (!(pivot >= least_mass)) {
+      return refuse(ABUT_OUT_OF_RANGE, Name(argument, first + place).text(), m[place],
+                    "the matrix of a body must be positive definite, by at least 1e-30");
+    }
+  }
+  return ABUT_OK;
+}
+
+abut_status check_mass(const abut_mass_properties& mass, const char* argument) noexcept {
+  abut_status status = check_number(mass.mass, Name(argument, "mass").text(), least_mass, largest_number,
+                                    "it must lie between 1e-30 and 1e30");
+  if (status == ABUT_OK) status = check_vector(mass.centre, Name(argument, "centre").text());
+  if (status == ABUT_OK) status = check_inertia(std::span(mass.inertia), Name(argument, "inertia").text(), 0);
+  return status;
+}
+
+abut_status check_density(double density, const char* argument) noexcept {
+  return check_number(density, argument, least_mass, largest_number, "it must lie between 1e-30 and 1e30");
+}
+
+abut_status check_options(const abut_response_options& options) noexcept {
+  if (!has_known_size(options)) {
+    return refuse(ABUT_WRONG_STRUCT_SIZE, "options.struct_size", options.struct_size,
+                  "fill the options with abut_response_options_init");
+  }
+  if (options.most_rounds == 0) return refuse(ABUT_OUT_OF_RANGE, "options.most_rounds", 0, "it must be at least 1");
+  abut_status status = check_vector(options.gravity, "options.gravity");
+  for (const auto& [name, value] :
+       {std::pair("options.tolerance", options.tolerance), std::pair("options.slop", options.slop)}) {
+    if (status == ABUT_OK) status = check_number(value, name, 0, largest_number, "it must lie between 0 and 1e30");
+  }
+  return status;
+}
+
+abut_status check_options(const abut_body_options& options) noexcept {
+  if (!has_known_size(options)) {
+    return refuse(ABUT_WRONG_STRUCT_SIZE, "options.struct_size", options.struct_size,
+                  "fill the options with abut_body_options_init");
+  }
+  if (options.reserved != 0) return refuse(ABUT_INVALID_ARGUMENT, "options.reserved", options.reserved, "it must be 0");
+  return options.mass.mass == 0 ? check_density(options.density, "options.density")
+                                : check_mass(options.mass, "options.mass");
+}
+
+}  // namespace abut::capi

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+module;
+
+#include <abut/abut.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+module abut.response;
+
+namespace abut::response {
+
+namespace {
+
+// Velocity of a point of a body along an axis: the axis, and its moment about the centre of mass.
+[[nodiscard]] Row row_of(const abut_vec3& axis, double factor, const abut_vec3& arm) {
+  const abut_vec3 moment = cross(arm, axis);
+  return {factor * axis.x, factor * axis.y, factor * axis.z, factor * moment.x, factor * moment.y, factor * moment.z};
+}
+
+}  // namespace
+
+ContactRows contact_rows(const ContactPlace& place) {
+  ContactRows out{};
+  out.a = place.a;
+  out.b = place.b;
+  out.axes = place.axes;
+  out.friction = std::max(place.frictions[0], place.frictions[1]);
+  const double whole = out.friction > 0 ? out.friction : 1;
+  out.scales = {place.frictions[0] / whole, place.frictions[1] / whole, 1};
+  for (std::size_t i = 0; i < out.axes.size(); ++i) {
+    out.of_a[i] = row_of(out.axes[i], -out.scales[i], place.arm_a);
+    out.of_b[i] = row_of(out.axes[i], out.scales[i], place.arm_b);
+    out.drift[i] = out.scales[i] * dot(place.surface_velocity, out.axes[i]);
+  }
+  return out;
+}
+
+abut_vec3 world_impulse(const ContactRows& contact, const Triple& impulse) {
+  abut_vec3 out{};
+  for (std::size_t i = 0; i < impulse.size(); ++i)
+    out = add(out, scale(contact.axes[i], contact.scales[i] * impulse[i]));
+  return out;
+}
+
+Triple impulse_along(const ContactRows& contact, const abut_vec3& impulse) {
+  Triple out{};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (contact.scales[i] > 0) out[i] = dot(impulse, contact.axes[i]) / contact.scales[i];
+  }
+  return out;
+}
+
+}  // namespace abut::response

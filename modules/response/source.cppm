@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a simulation asks of the world that it moves. One implementation stands on the C interface; a test may bring
+// another one.
+module;
+
+#include <abut/response.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+export module abut.response:source;
+
+export namespace abut::response {
+
+class Source {
+ public:
+  Source() = default;
+  Source(const Source&) = delete;
+  Source& operator=(const Source&) = delete;
+  virtual ~Source() = default;
+
+  // Finds contacts of the present poses, looking ahead by `dt` where geometries ask for it.
+  [[nodiscard]] virtual abut_status detect(double dt) = 0;
+  // Those of the last detection.
+  [[nodiscard]] virtual abut_status contacts(std::vector<abut_contact>& out) const = 0;
+  [[nodiscard]] virtual abut_status part_of(abut_geometry_id geometry, abut_part_id& out) const = 0;
+  [[nodiscard]] virtual abut_status material(std::uint32_t a, std::uint32_t b, abut_contact_material& out) const = 0;
+  // Whether the world has a part; false when it was destroyed.
+  [[nodiscard]] virtual bool has(abut_part_id part) const = 0;
+  // Whether a part is to be moved by forces now: dynamic, and not asleep.
+  [[nodiscard]] virtual abut_status is_awake(abut_part_id part, bool& out) const = 0;
+  [[nodiscard]] virtual abut_status pose(abut_part_id part, abut_pose& out) const = 0;
+  [[nodiscard]] virtual abut_status velocity(abut_part_id part, abut_velocity& out) const = 0;
+  // Poses and velocities of all parts or, where it fails, of none.
+  [[nodiscard]] virtual abut_status move(std::span<const abut_part_id> parts, std::span<const abut_pose> poses,
+                                         std::span<const abut_velocity> velocities) = 0;
+};
+
+}  // namespace abut::response
