@@ -43,7 +43,9 @@ constexpr abut_response_options usual_options{.struct_size = sizeof(abut_respons
                                               .most_rounds = 100,
                                               .gravity = {0, 0, -9.81},
                                               .tolerance = 1e-9,
-                                              .slop = 1e-5};
+                                              .slop = 1e-5,
+                                              .flags = 0,
+                                              .reserved = 0};
 constexpr abut_body_options usual_body{
     .struct_size = sizeof(abut_body_options), .reserved = 0, .density = 1000, .mass = {0, {0, 0, 0}, {}}};
 

@@ -93,6 +93,11 @@ abut_status check_options(const abut_response_options& options) noexcept {
                   "fill the options with abut_response_options_init");
   }
   if (options.most_rounds == 0) return refuse(ABUT_OUT_OF_RANGE, "options.most_rounds", 0, "it must be at least 1");
+  if (options.flags > ABUT_RESPONSE_IMPACTS)
+    return refuse(ABUT_UNKNOWN_VALUE, "options.flags", options.flags, "it must be bits of abut_response_flags");
+  if (options.flags != 0 && abut_has_feature("motion") == 0)
+    return refuse(ABUT_UNSUPPORTED, "options.flags", options.flags, "impacts need a build with the feature motion");
+  if (options.reserved != 0) return refuse(ABUT_INVALID_ARGUMENT, "options.reserved", options.reserved, "it must be 0");
   abut_status status = check_vector(options.gravity, "options.gravity");
   for (const auto& [name, value] :
        {std::pair("options.tolerance", options.tolerance), std::pair("options.slop", options.slop)}) {

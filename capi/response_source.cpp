@@ -93,4 +93,26 @@ abut_status ResponseSource::move(std::span<const abut_part_id> parts, std::span<
   return abut_parts_set_velocities(universe_.get(), parts.data(), velocities.data(), parts.size());
 }
 
+abut_status ResponseSource::advance(std::span<const abut_part_id> parts, std::span<const abut_velocity> velocities,
+                                    std::span<const abut_acceleration> accelerations, double time, double& fraction,
+                                    bool& is_impact) {
+  abut_status status = ABUT_OK;
+  if (!parts.empty())
+    status = abut_parts_set_velocities(universe_.get(), parts.data(), velocities.data(), parts.size());
+  if (!parts.empty() && status == ABUT_OK)
+    status = abut_parts_set_accelerations(universe_.get(), parts.data(), accelerations.data(), parts.size());
+  if (status != ABUT_OK) return status;
+  abut_step_impact impact;
+  status = abut_universe_advance_to_first_impact(universe_.get(), time, &impact);
+  if (status != ABUT_OK) return status;
+  fraction = impact.lower;
+  is_impact = impact.geometry_a.slot != 0;
+  return ABUT_OK;
+}
+
+abut_status ResponseSource::stop_accelerating(std::span<const abut_part_id> parts) {
+  if (parts.empty()) return ABUT_OK;
+  return abut_parts_set_accelerations(universe_.get(), parts.data(), nullptr, parts.size());
+}
+
 }  // namespace abut::capi

@@ -41,6 +41,10 @@ class ResponseSource final : public response::Source {
   [[nodiscard]] abut_status velocity(abut_part_id part, abut_velocity& out) const override;
   [[nodiscard]] abut_status move(std::span<const abut_part_id> parts, std::span<const abut_pose> poses,
                                  std::span<const abut_velocity> velocities) override;
+  [[nodiscard]] abut_status advance(std::span<const abut_part_id> parts, std::span<const abut_velocity> velocities,
+                                    std::span<const abut_acceleration> accelerations, double time, double& fraction,
+                                    bool& is_impact) override;
+  [[nodiscard]] abut_status stop_accelerating(std::span<const abut_part_id> parts) override;
 
  private:
   UniversePointer universe_;

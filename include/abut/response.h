@@ -120,13 +120,23 @@ ABUT_API abut_status abut_shape_mass_properties(const abut_shape *shape, double 
 /** Bodies of a universe. Owned by its creator. */
 typedef struct abut_response abut_response;
 
+/** Bits of the flags of a response. */
+typedef uint32_t abut_response_flags;
+enum abut_response_flags_value ABUT_ENUM(uint32_t) {
+  ABUT_RESPONSE_IMPACTS = 1 /**< steps stop at each touch of geometries with ABUT_GEOMETRY_FAST, where bodies bounce by
+                                 the restitution of their materials. ABUT_UNSUPPORTED without the feature motion */
+};
+
 /** How bodies move. */
 typedef struct abut_response_options {
   uint32_t struct_size;
-  uint32_t most_rounds; /**< of the solver, for each island; default 100, at least 1 */
-  abut_vec3 gravity;    /**< acceleration; default (0, 0, -9.81) */
-  double tolerance;     /**< of the solver, as in abut_solver_options; default 1e-9 */
-  double slop;          /**< depth that rigid contacts keep; default 1e-5, at least 0. Deeper ones are moved apart */
+  uint32_t most_rounds;      /**< of the solver, for each island; default 100, at least 1 */
+  abut_vec3 gravity;         /**< acceleration; default (0, 0, -9.81) */
+  double tolerance;          /**< of the solver, as in abut_solver_options; default 1e-9 */
+  double slop;               /**< depth that rigid contacts keep; default 1e-5, at least 0. Deeper ones are moved
+                                  apart */
+  abut_response_flags flags; /**< default 0 */
+  uint32_t reserved;         /**< zero */
 } abut_response_options;
 
 /** Fills in the defaults. */
@@ -196,10 +206,16 @@ ABUT_API abut_status abut_response_apply_torque(abut_response *response, abut_pa
  *  3. bodies move, and rigid ones that overlap are moved apart, which changes no velocity;
  *  4. poses and velocities are set.
  * Friction, static_scale, compliance and damping are those of abut_material_pair_get for each contact, per point.
- * Restitution and the other numbers of a row are not applied. Sensors push nothing. A part that is no body is a wall
- * that moves by its velocity. When a step fails, nothing has changed but the contacts of the universe.
- * Bodies whose part was destroyed end. Complexity: the step of the universe, and each island as
- * abut_contact_problem_solve.
+ * Sensors push nothing. A part that is no body is a wall that moves by its velocity. Bodies whose part was destroyed
+ * end. When a step fails, nothing has changed but the contacts of the universe.
+ *
+ * With ABUT_RESPONSE_IMPACTS a step stops at each impact of fast geometries, at most 64 times. There the rigid contacts
+ * of an island bounce together: surfaces that approach by more than restitution_threshold leave by restitution times
+ * that speed (Newton's law). All that is said of a step then holds from impact to impact: abut_universe_step, so that
+ * ages and sleep count each part of it. Parts that are no bodies move by their velocities, too. A step that fails may
+ * have moved bodies up to an impact.
+ *
+ * Complexity: the steps of the universe, and each island as abut_contact_problem_solve.
  * @param dt  above 0, at most 1e30
  * ABUT_NOT_CONVERGED where a velocity would not be finite. [exclusive]
  */
@@ -240,7 +256,10 @@ typedef struct abut_response_island {
   abut_residuals residuals;
 } abut_response_island;
 
-/** Islands of the last step that have contacts. Borrowed until the next [exclusive] call. [const] */
+/**
+ * Islands of the last step that have contacts, each time that they were solved. Borrowed until the next [exclusive]
+ * call. [const]
+ */
 ABUT_API abut_status abut_response_islands(const abut_response *response, const abut_response_island **islands,
                                            size_t *count);
 

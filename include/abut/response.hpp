@@ -130,6 +130,7 @@ struct ResponseOptions : Defaulted<ResponseOptions, abut_response_options, abut_
   [[nodiscard]] ResponseOptions with_most_rounds(std::uint32_t value) const { return with(&C::most_rounds, value); }
   [[nodiscard]] ResponseOptions with_tolerance(double value) const { return with(&C::tolerance, value); }
   [[nodiscard]] ResponseOptions with_slop(double value) const { return with(&C::slop, value); }
+  [[nodiscard]] ResponseOptions with_flags(abut_response_flags value) const { return with(&C::flags, value); }
 };
 
 struct BodyOptions : Defaulted<BodyOptions, abut_body_options, abut_body_options_init> {

@@ -331,7 +331,7 @@ SolverReport Rounds::run(const SolverOptions& options, double speed) {
     for (std::size_t k = 0; k < found.size(); ++k) {
       const ContactRows& contact = problem_.contacts[k];
       const Triple &now = found[k], &before = solution_.impulses[k];
-      const double moved_by = std::hypot(now[0] - before[0], now[1] - before[1], now[2] - before[2]);
+      const double moved_by = norm_of(now[0] - before[0], now[1] - before[1], now[2] - before[2]);
       change = std::max(change, epsilon_ * contact.weight * moved_by);
       if (now[2] > 0) {
         const double shift = contact.friction * tangent_speed(relative_velocity(contact, solution_.velocities));
@@ -365,10 +365,10 @@ SolverReport Rounds::run(const SolverOptions& options, double speed) {
 // The largest speed of a body or of two surfaces in the free motion.
 [[nodiscard]] double free_speed(const Problem& problem) {
   double speed = 0;
-  for (const Row& v : problem.free) speed = std::max(speed, std::hypot(v[0], v[1], v[2]));
+  for (const Row& v : problem.free) speed = std::max(speed, norm_of(v[0], v[1], v[2]));
   for (const ContactRows& contact : problem.contacts) {
     const Triple u = relative_velocity(contact, problem.free);
-    speed = std::max(speed, std::hypot(u[0], u[1], u[2] - contact.offset));
+    speed = std::max(speed, norm_of(u[0], u[1], u[2] - contact.offset));
   }
   return speed;
 }

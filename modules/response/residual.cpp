@@ -84,13 +84,13 @@ Residuals residuals_of(const Problem& problem, const Solution& solution) {
     }
     add_impulse(sizes, magnitudes, size);
     Triple u = relative_velocity(contact, solution.velocities);
-    u[2] += contact.compliance * impulse[2] + contact.friction * std::hypot(u[0], u[1]);
+    u[2] += contact.compliance * impulse[2] + contact.friction * norm_of(u[0], u[1]);
     out.dissipation += std::fabs(u[0] * impulse[0] + u[1] * impulse[1] + u[2] * impulse[2]);
     Triple moved;
     for (std::size_t i = 0; i < u.size(); ++i) moved[i] = impulse[i] - u[i] / contact.weight;
     const Triple nearest = project(moved, contact.friction, 1, 1);
     const double missed =
-        contact.weight * std::hypot(nearest[0] - impulse[0], nearest[1] - impulse[1], nearest[2] - impulse[2]);
+        contact.weight * norm_of(nearest[0] - impulse[0], nearest[1] - impulse[1], nearest[2] - impulse[2]);
     out.contact = larger(out.contact, missed);
     const double unavoidable = rounding * (std::fabs(contact.offset) + contact.compliance * impulse[2]);
     out.excess = larger(out.excess, missed - unavoidable);

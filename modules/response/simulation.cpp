@@ -21,16 +21,6 @@ module abut.response;
 
 namespace abut::response {
 
-// A contact while a step runs.
-struct Simulation::StepContact {
-  abut_contact record{};
-  std::uint32_t a = no_body, b = no_body;
-  abut_vec3 point{};  // between the two surfaces
-  ContactRows rows{};
-  Triple impulse{}, velocity{};  // along the rows; the velocity at the end of the step
-  double gap = 0;                // at the end of the step, where nothing moves bodies apart
-};
-
 namespace {
 
 [[nodiscard]] auto key_of(const abut_part_id& part) { return std::tuple(part.slot, part.generation); }
@@ -45,19 +35,6 @@ namespace {
   return {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
 }
 
-// The inertia of a body as it lies now. Exactly symmetric.
-[[nodiscard]] Matrix world_inertia(const Matrix& inertia, const abut_quat& orientation) {
-  const Matrix turn = matrix_of(orientation);
-  Matrix out = product(product(turn, inertia), transposed(turn));
-  for (const auto& [i, j] : {std::pair(1U, 3U), std::pair(2U, 6U), std::pair(5U, 7U)}) out[i] = out[j];
-  return out;
-}
-
-// What an impulse at a point changes of a velocity there is not asked: the force goes through the centre of mass.
-[[nodiscard]] abut_vec3 accelerated(const Matrix& inertia, const abut_vec3& torque) {
-  return vector_of(velocity_of_impulse({.mass = 1, .inertia = inertia}, row_of({}, torque)), 3);
-}
-
 // Springs and dampers by implicit Euler: an impulse f = -dt (k g1 + d u) with the gap g1 = g + dt u at the end of the
 // step.
 struct Yield {
@@ -70,6 +47,17 @@ struct Yield {
 }
 
 }  // namespace
+
+Matrix world_inertia(const Matrix& inertia, const abut_quat& orientation) {
+  const Matrix turn = matrix_of(orientation);
+  Matrix out = product(product(turn, inertia), transposed(turn));
+  for (const auto& [i, j] : {std::pair(1U, 3U), std::pair(2U, 6U), std::pair(5U, 7U)}) out[i] = out[j];
+  return out;
+}
+
+abut_vec3 accelerated(const Matrix& inertia, const abut_vec3& torque) {
+  return vector_of(velocity_of_impulse({.mass = 1, .inertia = inertia}, row_of({}, torque)), 3);
+}
 
 Body* Simulation::find(abut_part_id part) {
   const auto place =
@@ -125,7 +113,7 @@ abut_status Simulation::read(const Body& body, Motion& out) const {
   out.orientation = normalized(pose.orientation);
   out.centre = add(pose.position, arm);
   out.linear = out.linear_before = add(velocity.linear, cross(velocity.angular, arm));
-  out.angular = velocity.angular;
+  out.angular = out.angular_before = velocity.angular;
   return source_->is_awake(body.part, out.is_awake);
 }
 
@@ -147,8 +135,20 @@ abut_status Simulation::read_side(abut_geometry_id geometry, const abut_vec3& po
   return ABUT_OK;
 }
 
+abut_status Simulation::look(double dt, Pass& pass) {
+  if (const abut_status status = source_->detect(dt); status != ABUT_OK) return status;
+  pass.motions.assign(bodies_.size(), {});
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (const abut_status status = read(bodies_[i], pass.motions[i]); status != ABUT_OK) return status;
+    pass.motions[i].inertia = world_inertia(bodies_[i].mass.inertia, pass.motions[i].orientation);
+  }
+  return collect(dt, pass);
+}
+
 // The contacts that have a body which is awake, with their rows.
-abut_status Simulation::collect(double dt, const std::vector<Motion>& motions, std::vector<StepContact>& out) const {
+abut_status Simulation::collect(double dt, Pass& pass) const {
+  const std::vector<Motion>& motions = pass.motions;
+  pass.contacts.clear();
   std::vector<abut_contact> found;
   if (const abut_status status = source_->contacts(found); status != ABUT_OK) return status;
   for (const abut_contact& record : found) {
@@ -185,8 +185,10 @@ abut_status Simulation::collect(double dt, const std::vector<Motion>& motions, s
     contact.rows.compliance = yield.compliance;
     contact.rows.offset = yield.offset;
     contact.rows.drift[2] += yield.offset;
-    if (was_there) contact.impulse = impulse_along(contact.rows, kept->impulse);
-    out.push_back(contact);
+    contact.restitution = material.restitution;
+    contact.slow = material.restitution_threshold;
+    if (was_there) contact.impulse = impulse_along(contact.rows, scale(kept->force, dt));
+    pass.contacts.push_back(contact);
   }
   return ABUT_OK;
 }
@@ -232,15 +234,16 @@ void renumber(ContactRows& rows, const Island& island) {
 [[nodiscard]] abut_contact_state state_of(const ContactRows& rows, const Triple& impulse) {
   if (impulse[2] <= 0) return ABUT_CONTACT_STATE_OPEN;
   constexpr double border = 1 - 1e-9;
-  const bool sticks = std::hypot(impulse[0], impulse[1]) < border * rows.friction * impulse[2];
+  const bool sticks = norm_of(impulse[0], impulse[1]) < border * rows.friction * impulse[2];
   return sticks ? ABUT_CONTACT_STATE_STICKING : ABUT_CONTACT_STATE_SLIDING;
 }
 
 }  // namespace
 
 // Velocities and impulses of an island, and a push apart. False where they are not finite.
-bool Simulation::solve_island(const Island& island, double dt, std::vector<Motion>& motions,
-                              std::vector<StepContact>& contacts, abut_response_island& report) const {
+bool Simulation::solve_island(const Island& island, double ahead, Pass& pass) const {
+  std::vector<Motion>& motions = pass.motions;
+  std::vector<StepContact>& contacts = pass.contacts;
   Problem problem;
   Solution solution;
   for (const std::uint32_t body : island.bodies) {
@@ -259,9 +262,9 @@ bool Simulation::solve_island(const Island& island, double dt, std::vector<Motio
   const SolverReport solved = solve(
       problem, {.tolerance = options_.tolerance, .speed = 0, .most_rounds = options_.most_rounds, .is_warm = is_warm},
       solution);
-  report = {.body_count = static_cast<std::uint32_t>(island.bodies.size()),
-            .contact_count = static_cast<std::uint32_t>(island.contacts.size()),
-            .residuals = residuals_of(solved)};
+  pass.islands.push_back({.body_count = static_cast<std::uint32_t>(island.bodies.size()),
+                          .contact_count = static_cast<std::uint32_t>(island.contacts.size()),
+                          .residuals = residuals_of(solved)});
   if (!solved.is_finite) return false;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     Motion& motion = motions[island.bodies[i]];
@@ -273,24 +276,23 @@ bool Simulation::solve_island(const Island& island, double dt, std::vector<Motio
     contact.impulse = solution.impulses[k];
     contact.velocity = relative_velocity(problem.contacts[k], solution.velocities);
     contact.velocity[2] -= contact.rows.offset;
-    contact.gap = contact.record.distance + dt * contact.velocity[2];
+    contact.gap = contact.record.distance + ahead * contact.velocity[2];
     for (const std::uint32_t side : {contact.a, contact.b}) {
       if (side != no_body && contact.impulse[2] > 0) motions[side].is_pushed = true;
     }
   }
-  return move_apart(island, problem, motions, contacts);
+  return move_apart(island, problem, pass);
 }
 
 // Rigid contacts that overlap at the end of the step are opened by the least moves, which change no velocity.
-bool Simulation::move_apart(const Island& island, const Problem& solved, std::vector<Motion>& motions,
-                            const std::vector<StepContact>& contacts) const {
+bool Simulation::move_apart(const Island& island, const Problem& solved, Pass& pass) const {
   Problem problem{.bodies = solved.bodies, .free = std::vector<Row>(solved.bodies.size()), .contacts = {}};
   double deepest = 0;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     ContactRows rows = solved.contacts[k];
     if (rows.compliance > 0) continue;
     rows.friction = 0;
-    rows.offset = contacts[island.contacts[k]].gap + options_.slop;
+    rows.offset = pass.contacts[island.contacts[k]].gap + options_.slop;
     rows.drift = {0, 0, rows.offset};
     deepest = std::max(deepest, -rows.offset);
     problem.contacts.push_back(rows);
@@ -302,7 +304,7 @@ bool Simulation::move_apart(const Island& island, const Problem& solved, std::ve
             {.tolerance = options_.tolerance, .speed = deepest, .most_rounds = options_.most_rounds, .is_warm = false},
             moves);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    Motion& motion = motions[island.bodies[i]];
+    Motion& motion = pass.motions[island.bodies[i]];
     motion.shift = vector_of(moves.velocities[i], 0);
     motion.tilt = vector_of(moves.velocities[i], 3);
   }
@@ -310,13 +312,13 @@ bool Simulation::move_apart(const Island& island, const Problem& solved, std::ve
 }
 
 // Bodies move, and the world is told.
-abut_status Simulation::write(double dt, std::vector<Motion>& motions) {
+abut_status Simulation::write(double dt, const Pass& pass) {
   std::vector<abut_part_id> parts;
   std::vector<abut_pose> poses;
   std::vector<abut_velocity> velocities;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Body& body = bodies_[i];
-    Motion& its = motions[i];
+    const Motion& its = pass.motions[i];
     if (!its.is_awake) continue;
     // Constant forces are exact by the mean velocity. Where contacts push, the velocity at the end is the one that they
     // allow.
@@ -332,63 +334,96 @@ abut_status Simulation::write(double dt, std::vector<Motion>& motions) {
   return source_->move(parts, poses, velocities);
 }
 
-// What is told of contacts, and what the next step begins with.
-void Simulation::keep(double dt, const std::vector<StepContact>& contacts,
-                      const std::vector<std::uint32_t>& island_of) {
-  contacts_.clear();
-  kept_.clear();
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const StepContact& contact = contacts[k];
-    const abut_vec3 impulse = world_impulse(contact.rows, contact.impulse);
-    const abut_contact_state state = state_of(contact.rows, contact.impulse);
+void Simulation::tell(const Pass& pass) {
+  const auto same = [](const abut_contact& record) {
+    return [&record](const abut_response_contact& told) {
+      return told.id == record.id && told.geometry_a.slot == record.geometry_a.slot &&
+             told.geometry_b.slot == record.geometry_b.slot;
+    };
+  };
+  const auto first_island = static_cast<std::uint32_t>(islands_.size());
+  const std::size_t earlier = contacts_.size();
+  for (std::size_t k = 0; k < pass.contacts.size(); ++k) {
+    const StepContact& contact = pass.contacts[k];
     const abut_contact& record = contact.record;
-    contacts_.push_back({.geometry_a = record.geometry_a,
-                         .geometry_b = record.geometry_b,
-                         .id = record.id,
-                         .point = contact.point,
-                         .normal = record.normal,
-                         .impulse = impulse,
-                         .force = scale(impulse, 1 / dt),
-                         .distance = record.distance,
-                         .normal_velocity = contact.velocity[2],
-                         .state = state,
-                         .island = island_of[k]});
-    kept_.push_back({record.geometry_a, record.geometry_b, record.id, impulse, state == ABUT_CONTACT_STATE_STICKING});
+    abut_response_contact its{.geometry_a = record.geometry_a,
+                              .geometry_b = record.geometry_b,
+                              .id = record.id,
+                              .point = contact.point,
+                              .normal = record.normal,
+                              .impulse = world_impulse(contact.rows, contact.impulse),
+                              .force = {},
+                              .distance = record.distance,
+                              .normal_velocity = contact.velocity[2],
+                              .state = state_of(contact.rows, contact.impulse),
+                              .island = first_island + pass.island_of[k]};
+    const std::span told = std::span(contacts_).first(earlier);
+    if (const auto before = std::ranges::find_if(told, same(record)); before != told.end()) {
+      its.impulse = add(its.impulse, before->impulse);
+      *before = its;
+    } else {
+      contacts_.push_back(its);
+    }
+  }
+  islands_.insert(islands_.end(), pass.islands.begin(), pass.islands.end());
+}
+
+void Simulation::keep(double dt, const Pass& pass) {
+  kept_.clear();
+  for (const StepContact& contact : pass.contacts) {
+    const abut_contact& record = contact.record;
+    kept_.push_back({record.geometry_a, record.geometry_b, record.id,
+                     scale(world_impulse(contact.rows, contact.impulse), 1 / dt),
+                     state_of(contact.rows, contact.impulse) == ABUT_CONTACT_STATE_STICKING});
   }
   std::ranges::sort(kept_, {}, [](const KeptContact& contact) { return key_of(contact); });
 }
 
-abut_status Simulation::step(double dt) {
-  std::erase_if(bodies_, [&](const Body& body) { return !source_->has(body.part); });
-  if (const abut_status status = source_->detect(dt); status != ABUT_OK) return status;
-  std::vector<Motion> motions(bodies_.size());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (const abut_status status = read(bodies_[i], motions[i]); status != ABUT_OK) return status;
-  }
-  std::vector<StepContact> contacts;
-  if (const abut_status status = collect(dt, motions, contacts); status != ABUT_OK) return status;
-  // Forces change momentum here; turns without torque keep it, and come when bodies move.
+void Simulation::finish(double dt) {
+  for (abut_response_contact& contact : contacts_) contact.force = scale(contact.impulse, 1 / dt);
+  for (Body& body : bodies_) body.force = body.torque = {};
+}
+
+// Forces change momentum here; turns without torque keep it, and come when bodies move.
+void Simulation::add_forces(double dt, Pass& pass) const {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Body& body = bodies_[i];
-    Motion& its = motions[i];
-    its.inertia = world_inertia(body.mass.inertia, its.orientation);
+    Motion& its = pass.motions[i];
     if (!its.is_awake) continue;
     its.linear = add(its.linear, scale(add(options_.gravity, scale(body.force, 1 / body.mass.mass)), dt));
     its.angular = add(its.angular, scale(accelerated(its.inertia, body.torque), dt));
   }
+}
+
+bool Simulation::solve_islands(double ahead, Pass& pass) const {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
-  for (const StepContact& contact : contacts) sides.emplace_back(contact.a, contact.b);
-  std::vector<abut_response_island> reports;
-  std::vector<std::uint32_t> island_of(contacts.size());
+  for (const StepContact& contact : pass.contacts) sides.emplace_back(contact.a, contact.b);
+  pass.islands.clear();
+  pass.island_of.assign(pass.contacts.size(), 0);
   for (const Island& island : islands_of(bodies_.size(), sides)) {
     if (island.contacts.empty()) continue;
-    for (const std::uint32_t k : island.contacts) island_of[k] = static_cast<std::uint32_t>(reports.size());
-    if (!solve_island(island, dt, motions, contacts, reports.emplace_back())) return ABUT_NOT_CONVERGED;
+    for (const std::uint32_t k : island.contacts) pass.island_of[k] = static_cast<std::uint32_t>(pass.islands.size());
+    if (!solve_island(island, ahead, pass)) return false;
   }
-  if (const abut_status status = write(dt, motions); status != ABUT_OK) return status;
-  keep(dt, contacts, island_of);
-  islands_ = std::move(reports);
-  for (Body& body : bodies_) body.force = body.torque = {};
+  return true;
+}
+
+abut_status Simulation::step(double dt) {
+  std::erase_if(bodies_, [&](const Body& body) { return !source_->has(body.part); });
+  return (options_.flags & ABUT_RESPONSE_IMPACTS) != 0 ? step_by_impacts(dt) : step_at_once(dt);
+}
+
+abut_status Simulation::step_at_once(double dt) {
+  Pass pass;
+  if (const abut_status status = look(dt, pass); status != ABUT_OK) return status;
+  add_forces(dt, pass);
+  if (!solve_islands(dt, pass)) return ABUT_NOT_CONVERGED;
+  if (const abut_status status = write(dt, pass); status != ABUT_OK) return status;
+  contacts_.clear();
+  islands_.clear();
+  tell(pass);
+  keep(dt, pass);
+  finish(dt);
   return ABUT_OK;
 }
 

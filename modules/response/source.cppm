@@ -35,6 +35,13 @@ class Source {
   // Poses and velocities of all parts or, where it fails, of none.
   [[nodiscard]] virtual abut_status move(std::span<const abut_part_id> parts, std::span<const abut_pose> poses,
                                          std::span<const abut_velocity> velocities) = 0;
+  // Moves the world along its paths through `time`, or up to the first touch of fast geometries. `fraction` is the part
+  // of the time that has passed.
+  [[nodiscard]] virtual abut_status advance(std::span<const abut_part_id> parts,
+                                            std::span<const abut_velocity> velocities,
+                                            std::span<const abut_acceleration> accelerations, double time,
+                                            double& fraction, bool& is_impact) = 0;
+  [[nodiscard]] virtual abut_status stop_accelerating(std::span<const abut_part_id> parts) = 0;
 };
 
 }  // namespace abut::response

@@ -25,6 +25,9 @@ using Matrix = std::array<double, 9>;  // row by row
 }
 [[nodiscard]] inline double length(const abut_vec3& a) { return std::sqrt(dot(a, a)); }
 
+// Of numbers whose squares stay finite. A square root has the same bits on any machine; std::hypot need not.
+[[nodiscard]] inline double norm_of(double a, double b, double c = 0) { return std::sqrt(a * a + b * b + c * c); }
+
 [[nodiscard]] inline abut_vec3 times(const Matrix& m, const abut_vec3& v) {
   return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[3] * v.x + m[4] * v.y + m[5] * v.z,
           m[6] * v.x + m[7] * v.y + m[8] * v.z};

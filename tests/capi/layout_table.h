@@ -438,12 +438,14 @@
   FIELD(abut_mass_properties, mass, 0, 8)                 \
   FIELD(abut_mass_properties, centre, 8, 24)              \
   FIELD(abut_mass_properties, inertia, 32, 72)            \
-  TYPE(abut_response_options, 48)                         \
+  TYPE(abut_response_options, 56)                         \
   FIELD(abut_response_options, struct_size, 0, 4)         \
   FIELD(abut_response_options, most_rounds, 4, 4)         \
   FIELD(abut_response_options, gravity, 8, 24)            \
   FIELD(abut_response_options, tolerance, 32, 8)          \
   FIELD(abut_response_options, slop, 40, 8)               \
+  FIELD(abut_response_options, flags, 48, 4)              \
+  FIELD(abut_response_options, reserved, 52, 4)           \
   TYPE(abut_body_options, 120)                            \
   FIELD(abut_body_options, struct_size, 0, 4)             \
   FIELD(abut_body_options, reserved, 4, 4)                \

@@ -82,6 +82,8 @@ TEST(BodyInput, RefusesOptionsByNameAndValue) {
   using Options = abut_response_options;
   refused([](Options& its) { its.struct_size = 3; }, ABUT_WRONG_STRUCT_SIZE, {"options.struct_size", "3"});
   refused([](Options& its) { its.most_rounds = 0; }, ABUT_OUT_OF_RANGE, {"options.most_rounds", "0"});
+  refused([](Options& its) { its.flags = 2; }, ABUT_UNKNOWN_VALUE, {"options.flags", "2"});
+  refused([](Options& its) { its.reserved = 2; }, ABUT_INVALID_ARGUMENT, {"options.reserved", "2"});
   refused([](Options& its) { its.gravity.y = nan; }, ABUT_NOT_FINITE, {"options.gravity.y"});
   refused([](Options& its) { its.gravity.z = -1e31; }, ABUT_OUT_OF_RANGE, {"options.gravity.z"});
   refused([](Options& its) { its.tolerance = -1; }, ABUT_OUT_OF_RANGE, {"options.tolerance", "-1"});
