@@ -64,14 +64,15 @@ abut_status check_inertia(std::span<const double, 9> m, const char* argument, st
                     "the matrix of a body must be symmetric");
     }
   }
+  // The pivots of Gaussian elimination. Each divides those after it, so none of them may be 0.
+  const auto refuse_pivot = [&](std::size_t place) {
+    return refuse(ABUT_OUT_OF_RANGE, Name(argument, first + place).text(), m[place],
+                  "the matrix of a body must be positive definite, by at least 1e-30");
+  };
+  if (!(m[0] >= least_mass)) return refuse_pivot(0);
   const double d1 = m[4] - m[3] / m[0] * m[3], rest = m[7] - m[6] / m[0] * m[3];
-  const double d2 = m[8] - m[6] / m[0] * m[6] - rest / d1 * rest;
-  for (const auto& [pivot, place] : {std::pair<double, std::size_t>(m[0], 0), {d1, 4}, {d2, 8}}) {
-    if (!(pivot >= least_mass)) {
-      return refuse(ABUT_OUT_OF_RANGE, Name(argument, first + place).text(), m[place],
-                    "the matrix of a body must be positive definite, by at least 1e-30");
-    }
-  }
+  if (!(d1 >= least_mass)) return refuse_pivot(4);
+  if (!(m[8] - m[6] / m[0] * m[6] - rest / d1 * rest >= least_mass)) return refuse_pivot(8);
   return ABUT_OK;
 }
 

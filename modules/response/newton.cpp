@@ -10,9 +10,8 @@
 module;
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Weverything"
-#include <Eigen/Core>
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 #pragma clang diagnostic pop
 
 #include <algorithm>
@@ -39,9 +38,9 @@ constexpr double largest_epsilon = 0.3, least_epsilon = 1e-8;
 constexpr std::uint32_t most_newton_steps = 25;
 // From this round on the shift moves half the way only, which stops it from swinging in heaps.
 constexpr std::uint32_t damped_from = 16;
-// Groups of more bodies do not take steps on the exact law: their matrix is not symmetric, and so much slower to
-// factor.
-constexpr std::size_t most_exact_bodies = 64;
+// Groups of more bodies take no steps on the exact law: its matrix is not symmetric, and is factored as a dense one.
+// SparseLU of Eigen does not notice where there is no memory.
+constexpr std::size_t most_exact_bodies = 16;
 
 [[nodiscard]] Rows matrix_of(const std::array<Row, 3>& rows) {
   Rows out;
@@ -294,10 +293,7 @@ void Rounds::step_on_exact_law(double tolerance, Residuals& residuals) {
   for (int i = 0; i < most_steps && residuals.excess > tolerance; ++i) {
     const Vector g = gradient(trial.velocities, Shift::exact);
     assemble(trial.velocities, Shift::exact);
-    Eigen::SparseLU<Sparse> factors;
-    factors.compute(blocks_.matrix());
-    if (factors.info() != Eigen::Success) break;
-    const Vector step = factors.solve(-g);
+    const Vector step = Eigen::PartialPivLU<Eigen::MatrixXd>(blocks_.matrix()).solve(-g);
     if (!step.allFinite()) break;
     trial.velocities = moved(trial.velocities, step, 1);
     trial.impulses = impulses(trial.velocities, Shift::exact);
