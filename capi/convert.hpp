@@ -92,6 +92,11 @@ static_assert(static_cast<abut_algorithm>(Algorithm::sat) == ABUT_ALGORITHM_SAT)
 static_assert(static_cast<abut_algorithm>(Algorithm::gjk_epa) == ABUT_ALGORITHM_GJK_EPA);
 static_assert(static_cast<abut_algorithm>(Algorithm::libccd_gjk) == ABUT_ALGORITHM_LIBCCD_GJK);
 static_assert(static_cast<abut_algorithm>(Algorithm::libccd_mpr) == ABUT_ALGORITHM_LIBCCD_MPR);
+static_assert(static_cast<abut_algorithm>(Algorithm::flat_ground) == ABUT_ALGORITHM_FLAT_GROUND);
+static_assert(static_cast<abut_algorithm>(Algorithm::separating_translation) == ABUT_ALGORITHM_SEPARATING_TRANSLATION);
+static_assert(static_cast<abut_algorithm>(Algorithm::solid) == ABUT_ALGORITHM_SOLID);
+static_assert(static_cast<abut_algorithm>(Algorithm::field) == ABUT_ALGORITHM_FIELD);
+static_assert(static_cast<abut_algorithm>(Algorithm::hole) == ABUT_ALGORITHM_HOLE);
 
 }  // namespace abut::capi
 

@@ -738,7 +738,13 @@ enum abut_algorithm_value ABUT_ENUM(uint32_t) {
   ABUT_ALGORITHM_SAT = 2,         /**< separating axes */
   ABUT_ALGORITHM_GJK_EPA = 3,     /**< support points, our own */
   ABUT_ALGORITHM_LIBCCD_GJK = 4,  /**< libccd's GJK and EPA */
-  ABUT_ALGORITHM_LIBCCD_MPR = 5   /**< libccd's Minkowski portal refinement; overlapping pairs only */
+  ABUT_ALGORITHM_LIBCCD_MPR = 5,  /**< libccd's Minkowski portal refinement; overlapping pairs only */
+  /* Those below are told of answers and never asked for. */
+  ABUT_ALGORITHM_FLAT_GROUND = 6, /**< a surface that is flat around the other shape, taken for a half-space */
+  ABUT_ALGORITHM_SEPARATING_TRANSLATION = 7, /**< the shortest translation found that parts a shape from a surface */
+  ABUT_ALGORITHM_SOLID = 8,       /**< the shortest way out of a solid surface */
+  ABUT_ALGORITHM_FIELD = 9,       /**< points that go down the values of a distance field */
+  ABUT_ALGORITHM_HOLE = 10        /**< the walls of a hole */
 };
 
 typedef struct abut_query_options {

@@ -84,7 +84,20 @@ struct Triangles {
   std::vector<std::uint32_t> indices;  // three per triangle
 };
 
-enum class Algorithm : std::uint32_t { automatic, analytic, sat, gjk_epa, libccd_gjk, libccd_mpr };
+// Those after libccd_mpr are told of answers and never asked for.
+enum class Algorithm : std::uint32_t {
+  automatic,
+  analytic,
+  sat,
+  gjk_epa,
+  libccd_gjk,
+  libccd_mpr,
+  flat_ground,
+  separating_translation,
+  solid,
+  field,
+  hole
+};
 
 // Whether closed forms may answer.
 [[nodiscard]] inline constexpr bool takes_closed_forms(Algorithm algorithm) {

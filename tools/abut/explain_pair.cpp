@@ -92,7 +92,7 @@ std::string table_of(const Placed& a, const Placed& b, const std::vector<Answer>
   std::string text = shown(a) + " and " + shown(b) + ": " + std::to_string(count_contacts(a, b)) + " contacts\n";
   std::array<char, 256> line{};
   const auto add = [&](int length) { text.append(line.data(), static_cast<std::size_t>(std::max(length, 0))); };
-  add(std::snprintf(line.data(), line.size(), "%-24s %-11s %-24s %-24s %10s %10s\n", "distance", "by", "lower", "upper",
+  add(std::snprintf(line.data(), line.size(), "%-24s %-22s %-24s %-24s %10s %10s\n", "distance", "by", "lower", "upper",
                     "steps", "us"));
   for (const Answer& each : answers) {
     if (!each.refusal.empty()) {
@@ -100,7 +100,7 @@ std::string table_of(const Placed& a, const Placed& b, const std::vector<Answer>
       continue;
     }
     const abut_distance& found = each.distance;
-    add(std::snprintf(line.data(), line.size(), "%-24s %-11s %-24.17g %-24.17g %10u %10.3f\n", each.name.c_str(),
+    add(std::snprintf(line.data(), line.size(), "%-24s %-22s %-24.17g %-24.17g %10u %10.3f\n", each.name.c_str(),
                       algorithm_name(found.algorithm).c_str(), found.lower, found.upper, found.iterations,
                       each.microseconds));
   }

@@ -597,6 +597,11 @@ pub const ABUT_ALGORITHM_SAT: abut_algorithm_value = 2;
 pub const ABUT_ALGORITHM_GJK_EPA: abut_algorithm_value = 3;
 pub const ABUT_ALGORITHM_LIBCCD_GJK: abut_algorithm_value = 4;
 pub const ABUT_ALGORITHM_LIBCCD_MPR: abut_algorithm_value = 5;
+pub const ABUT_ALGORITHM_FLAT_GROUND: abut_algorithm_value = 6;
+pub const ABUT_ALGORITHM_SEPARATING_TRANSLATION: abut_algorithm_value = 7;
+pub const ABUT_ALGORITHM_SOLID: abut_algorithm_value = 8;
+pub const ABUT_ALGORITHM_FIELD: abut_algorithm_value = 9;
+pub const ABUT_ALGORITHM_HOLE: abut_algorithm_value = 10;
 pub type abut_algorithm_value = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]

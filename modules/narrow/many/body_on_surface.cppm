@@ -72,6 +72,7 @@ template <Convex B>
   out.normal = found.direction;
   out.point_b = search.last_point(found, b);
   out.point_a = out.point_b + length * found.direction;
+  out.algorithm = Algorithm::separating_translation;
   out.iterations = 1;
   return true;
 }

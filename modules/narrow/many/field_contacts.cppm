@@ -41,7 +41,7 @@ template <SampledSolid F, class Touch, class LowestOf>
   out.distance = touch.distance - radius;
   out.point_b = touch.point - radius * touch.normal;
   out.point_a = touch.point - touch.distance * touch.normal;
-  out.algorithm = Algorithm::analytic;
+  out.algorithm = Algorithm::field;
   const Real least = least_core > 0 ? least_core - radius : -infinity;
   out.lower =
       least >= 0 ? std::min(least, out.distance) : std::min(out.distance, -most_depth(field, touch.normal, lowest_of));

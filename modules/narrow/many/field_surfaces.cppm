@@ -30,7 +30,7 @@ template <SampledSolid F, Surface B>
     return Outcome::unsupported;
   }
   out = no_distance();
-  out.algorithm = Algorithm::analytic;
+  out.algorithm = Algorithm::field;
   Outcome outcome = Outcome::ok;
   const Aabb around = transformed(field.solid_box(), ab.inverse());
   const auto consider = [&](const typename B::Part& part) {
@@ -135,7 +135,7 @@ template <HalfSpace A, SampledSolid F>
          point_b - distance * a.normal(),
          point_b,
          a.normal(),
-         Algorithm::analytic,
+         Algorithm::field,
          1};
   out.lower = std::min(out.lower, out.distance);
   return Outcome::ok;
@@ -222,7 +222,7 @@ template <SampledSolid F, SampledSolid G>
 [[nodiscard]] inline Distance distance_of_middles(const Aabb& a, const Aabb& b) {
   Distance out = no_distance();
   const Vec3 way = b.centre() - a.centre();
-  out.algorithm = Algorithm::analytic;
+  out.algorithm = Algorithm::field;
   out.normal = UnitVec3::make(way).value_or(UnitVec3::axis_z());
   out.distance = dot(way, out.normal);
   out.point_a = a.centre();

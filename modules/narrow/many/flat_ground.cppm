@@ -160,6 +160,7 @@ template <Surface A, Convex B>
     return false;
   }
   ground->widen(out);
+  out.algorithm = Algorithm::flat_ground;
   return true;
 }
 

@@ -134,7 +134,6 @@ template <Convex B>
   out = {};
   out.distance = out.lower = out.upper = infinity;
   out.normal = {0, 0, 1};
-  out.algorithm = Algorithm::analytic;
   const auto keep_least = [&](const Distance& found) {
     if (found.distance < out.distance) {
       out = found;
@@ -151,13 +150,14 @@ template <Convex B>
     visit_outermost(*wall, b, ab, [&](const Vec3& point, const Feature& feature) {
       const ContactPoint found = contact_at(*wall, point, b.radius(), feature);
       keep_least({found.distance, found.distance, found.distance, found.point_a, found.point_b, found.normal,
-                  Algorithm::analytic, 1});
+                  Algorithm::hole, 1});
     });
     if constexpr (Curved<B>) {
       // Climbs may miss the furthest point. No point is further out than this.
       out.lower = std::min(out.lower, wall->radius - most_outward(*wall, b, ab));
     }
   }
+  out.algorithm = Algorithm::hole;
   return out.distance < infinity ? Outcome::ok : Outcome::unsupported;
 }
 

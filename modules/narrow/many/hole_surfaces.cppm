@@ -43,7 +43,6 @@ template <class OfFlat, class OfRound>
 [[nodiscard]] Outcome nearest_of_walls(const Walls& walls, const OfFlat& of_flat, const OfRound& of_round,
                                        Distance& out) {
   out = no_distance();
-  out.algorithm = Algorithm::analytic;
   for (const FlatWall& wall : walls.flat.span()) {
     Distance found{};
     if (const Outcome outcome = of_flat(WallSolid(wall), found); outcome != Outcome::ok) {
@@ -54,6 +53,7 @@ template <class OfFlat, class OfRound>
   if (walls.round) {
     take_part(of_round(*walls.round), out);
   }
+  out.algorithm = Algorithm::hole;
   return Outcome::ok;
 }
 
@@ -155,7 +155,7 @@ template <SampledSolid F>
           at.point_b - distance * at.normal,
           at.point_b,
           at.normal,
-          Algorithm::analytic,
+          Algorithm::hole,
           1};
 }
 

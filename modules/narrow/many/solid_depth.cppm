@@ -244,7 +244,7 @@ template <Enclosing A, Convex B>
           way.point,
           way.point - way.length * way.direction,
           way.direction,
-          Algorithm::gjk_epa,
+          Algorithm::solid,
           1};
 }
 
