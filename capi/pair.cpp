@@ -4,7 +4,6 @@
 #include "pair_query.hpp"
 
 import abut.capability;
-import abut.pairs.any_shape;
 
 using namespace abut::capi;
 

@@ -50,7 +50,7 @@ abut_status refuse_outcome(Outcome outcome, const abut_shape* a, const abut_shap
     return ABUT_OK;
   }
   const std::string pair =
-      std::string(kind_name(shape_of(a).index())) + " and " + std::string(kind_name(shape_of(b).index()));
+      std::string(kind_name(kind_of(shape_of(a)))) + " and " + std::string(kind_name(kind_of(shape_of(b))));
   const std::string with(algorithm_names[static_cast<std::size_t>(algorithm)]);
   if (outcome == Outcome::unsupported && algorithm == Algorithm::automatic) {
     return refuse(ABUT_UNSUPPORTED, "there is no algorithm for " + pair);

@@ -8,7 +8,6 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape.shape_cast;
-import abut.pairs.any_shape;
 
 using namespace abut::capi;
 

@@ -9,10 +9,10 @@ import abut.pairs.registry;
 
 using namespace abut::capi;
 
-size_t abut_shape_kind_count(void) { return abut::shape_kind_count; }
+size_t abut_shape_kind_count(void) { return abut::named_kind_count; }
 
 abut_shape_kind abut_shape_kind_at(size_t index) {
-  return index < abut::shape_kind_count ? abut::Shapes::kinds[index] : abut_shape_kind{0};
+  return index < abut::named_kind_count ? abut::Shapes::kinds[index] : abut_shape_kind{0};
 }
 
 abut_shape_kind abut_shape_kind_by_name(const char* name) {
@@ -50,7 +50,7 @@ abut_status abut_pair_support(abut_shape_kind kind_a, abut_shape_kind kind_b, ab
       return refuse(abut::error_about(abut::Errc::unknown_value, "query", std::uint64_t{query}, "at most 1"));
     }
     // Whatever has a route answers both queries.
-    *out = abut::is_supported(*place_a, *place_b) ? 1 : 0;
+    *out = abut::is_supported(abut::kind_in_pairs(*place_a), abut::kind_in_pairs(*place_b)) ? 1 : 0;
     return ABUT_OK;
   });
 }

@@ -59,7 +59,7 @@ abut_status write_triangles(const abut_shape* shape, const TriangleBuffers& buff
   }
   const std::optional<abut::Triangles> found = abut::triangles_of(shape_of(shape));
   if (!found) {
-    return refuse(ABUT_UNSUPPORTED, "a " + std::string(abut::kind_name(shape_of(shape).index())) +
+    return refuse(ABUT_UNSUPPORTED, "a " + std::string(abut::kind_name(abut::kind_of(shape_of(shape)))) +
                                         " has no surface of triangles; abut_shape_cast_ray meets it exactly");
   }
   const std::size_t written = std::min(found->vertices.size(), buffers.vertex_capacity);
@@ -81,7 +81,7 @@ abut_status write_report(const abut_shape* shape, abut_hull_report* out) {
   }
   const std::optional<abut::BuildReport> report = abut::build_report_of(shape_of(shape));
   if (!report) {
-    return refuse(ABUT_UNSUPPORTED, "a " + std::string(abut::kind_name(shape_of(shape).index())) +
+    return refuse(ABUT_UNSUPPORTED, "a " + std::string(abut::kind_name(abut::kind_of(shape_of(shape)))) +
                                         " keeps what it is given; only a hull reports what it left out");
   }
   write_struct({sizeof(abut_hull_report), report->dimension, report->point_count, report->vertex_count,
@@ -146,7 +146,7 @@ abut_status cast_ray(const abut_shape* shape, const abut_pose& given_pose, const
 }  // namespace
 
 abut_shape_kind abut_shape_kind_of(const abut_shape* shape) {
-  return shape == nullptr ? abut_shape_kind{0} : abut::Shapes::kinds[shape_of(shape).index()];
+  return shape == nullptr ? abut_shape_kind{0} : abut::Shapes::kinds[abut::kind_of(shape_of(shape))];
 }
 
 abut_status abut_shape_parameters(const abut_shape* shape, double* parameters, size_t capacity, size_t* count) {

@@ -86,8 +86,8 @@ abut_status describe_field(const abut_shape* shape, abut_distance_field_report* 
   }
   const std::optional<abut::FieldReport> report = abut::field_report_of(shape_of(shape));
   if (!report) {
-    return refuse(ABUT_UNSUPPORTED,
-                  "shape is a " + std::string(abut::kind_name(shape_of(shape).index())) + ", and no distance field");
+    return refuse(ABUT_UNSUPPORTED, "shape is a " + std::string(abut::kind_name(abut::kind_of(shape_of(shape)))) +
+                                        ", and no distance field");
   }
   write_struct(
       {sizeof(abut_distance_field_report),

@@ -27,7 +27,7 @@ inline constexpr std::size_t record_size = 2 + 8 * number_count;
 
 // Bits of Record::flags. They shape the kinds that are made from buffers, and the pose.
 inline constexpr std::uint8_t flat_a = 1, doubled_a = 2, flat_b = 4, doubled_b = 8, lattice = 16, one_sided = 32,
-                              parallel = 64;
+                              parallel = 64, of_cells = 128;
 
 struct Record {
   std::uint8_t version = 1;

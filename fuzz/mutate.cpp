@@ -35,7 +35,7 @@ void mutate(std::size_t place_a, std::size_t place_b, Record& record, std::uint6
       break;
     case 3: set_number(record, field, std::copysign(std::exp2(static_cast<Real>(random.below(41)) - 20), value)); break;
     case 4: set_number(record, field, 0); break;
-    case 5: record.flags = static_cast<std::uint8_t>(record.flags ^ (1u << random.below(7))); break;
+    case 5: record.flags = static_cast<std::uint8_t>(record.flags ^ (1u << random.below(8))); break;
     default: snap_to_touching(place_a, place_b, record); break;
   }
 }
@@ -50,7 +50,7 @@ void mutate(std::size_t place_a, std::size_t place_b, MovingRecord& record, std:
     case 2: value = std::copysign(std::exp2(static_cast<Real>(random.below(26)) - 20), value); break;
     // The same number of the other body.
     case 3: value = record.motion[(field + motion_number_count / 2) % motion_number_count]; break;
-    case 4: record.aim = static_cast<std::uint8_t>(record.aim ^ (1u << random.below(7))); break;
+    case 4: record.aim = static_cast<std::uint8_t>(record.aim ^ (1u << random.below(8))); break;
     default: mutate(place_a, place_b, record.scene, random.bits()); break;
   }
 }

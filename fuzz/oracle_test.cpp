@@ -312,7 +312,7 @@ TEST(FuzzRecord, AnyBytesGiveAScene) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   for (std::size_t a = 0; a < shape_kind_count; ++a) {
     for (const Real value : {0.0, -0.0, 1e300, -1e-300, infinity, nan}) {
-      for (unsigned flags = 0; flags < 128; ++flags) {
+      for (unsigned flags = 0; flags < 256; ++flags) {
         Record record{.flags = static_cast<std::uint8_t>(flags)};
         for (std::size_t i = 0; i < number_count; ++i) {
           set_number(record, i, value);

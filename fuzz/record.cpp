@@ -57,7 +57,7 @@ std::array<std::uint8_t, record_size> bytes_of(const Record& record) {
 
 Record random_record(std::uint64_t seed) {
   Random random(seed);
-  Record record{.flags = static_cast<std::uint8_t>(random.bits() & 0x7f)};
+  Record record{.flags = static_cast<std::uint8_t>(random.bits() & 0xff)};
   // Mostly sizes and offsets near one, at times some orders of magnitude apart.
   const Real spread = random.below(4) == 0 ? 6 : 1;
   for (std::size_t i = 0; i < number_count; ++i) {

@@ -135,13 +135,13 @@ ShapeInput height_field_input(const Numbers& numbers, bool flat, bool doubled, b
   return input;
 }
 
-// Any two axes and few cells, as the mesh that it is has few triangles.
-ShapeInput uv_grid_input(const Numbers& numbers, ShapeInput mesh, bool is_one_sided) {
+// Any two axes and few cells, as meshes have few triangles.
+void put_in_cells(const Numbers& numbers, ShapeInput& mesh) {
   Random random = random_of(numbers);
   const std::size_t axis = random.below(3), other = (axis + 1 + random.below(2)) % 3;
-  mesh.parameters = {is_one_sided ? Real{1} : Real{0}, static_cast<Real>(axis), static_cast<Real>(other),
-                     static_cast<Real>(random.below(5)), static_cast<Real>(random.below(5))};
-  return mesh;
+  for (const std::size_t number : {axis, other, random.below(5), random.below(5)}) {
+    mesh.parameters.push_back(static_cast<Real>(number));
+  }
 }
 
 ShapeInput particles_input(const Numbers& numbers, bool various, bool on_lattice) {
@@ -266,7 +266,6 @@ void scale(std::string_view kind, ShapeInput& input, Real by) {
                             : kind == "height_field"   ? 2
                             : kind == "mesh"           ? 1
                             : kind == "distance_field" ? 3
-                            : kind == "uv_grid"        ? 5
                                                        : 0;
   const std::size_t end = kind == "cylinder_hole"    ? 2
                           : kind == "box_hole"       ? 3
@@ -316,10 +315,10 @@ ShapeInput shape_input(std::size_t place, const std::array<Real, 8>& raw, bool f
   if (kind == "hull") {
     return hull_input(numbers, flat, doubled, on_lattice);
   }
-  if (kind == "mesh" || kind == "uv_grid") {
+  if (kind == "mesh") {
     ShapeInput input = doubled ? tetrahedron_input(numbers, flat) : sheet_input(numbers, flat, on_lattice);
     input.parameters[0] = (flags & one_sided) != 0 ? 1 : 0;
-    return kind == "mesh" ? input : uv_grid_input(numbers, std::move(input), (flags & one_sided) != 0);
+    return input;
   }
   if (kind == "height_field") {
     return height_field_input(numbers, flat, doubled, on_lattice);
@@ -356,12 +355,16 @@ ShapeInput shape_input(std::size_t place, const std::array<Real, 8>& raw, bool f
 
 Result<Scene> make_scene(std::size_t place_a, std::size_t place_b, const Record& record, Real by) {
   const auto has = [&](std::uint8_t flag) { return (record.flags & flag) != 0; };
-  const auto shape = [&](std::size_t place, const Numbers& numbers, bool flat, bool doubled) {
-    ShapeInput input = shape_input(place, numbers, flat, doubled, record.flags);
+  const auto shape = [&](std::size_t place, const Numbers& raw, bool flat, bool doubled) {
+    ShapeInput input = shape_input(place, raw, flat, doubled, record.flags);
     if (kind_name(place) == "distance_field" && record.extra[1] != 0) {
       form_field(input, record.extra[1]);
     }
     scale(kind_name(place), input, by);
+    if (kind_name(place) == "mesh" && has(of_cells)) {
+      put_in_cells(raw, input);
+      place = find_kind("uv_grid").value();
+    }
     return make_shape(place, input.parameters, input.reals, input.indices);
   };
   Result<AnyShape> a = shape(place_a, record.a, has(flat_a), has(doubled_a));

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the committed corpus: six records for each pair of kinds of cmake/registry.cmake, and motions of some pairs.
+"""Writes the committed corpus: six records for each pair of kinds of cmake/registry.cmake, one more for each pair with a
+mesh, which is made by cells there, and motions of some pairs.
 
 usage: fuzz/seeds.py
 """
@@ -9,7 +10,7 @@ import struct
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-FLAT_A, DOUBLED_A, FLAT_B, DOUBLED_B, LATTICE, PARALLEL = 1, 2, 4, 8, 16, 64
+FLAT_A, DOUBLED_A, FLAT_B, DOUBLED_B, LATTICE, PARALLEL, OF_CELLS = 1, 2, 4, 8, 16, 64, 128
 A = (1, 0.75, 0.5, 0.25, 1.5, -0.5, 2, 3)
 B = (0.5, 1.25, 0.75, -0.5, 1, 2.5, -1, 0.125)
 TURNED = (0.9, 0.3, 0.1, 0.3)
@@ -75,6 +76,8 @@ def main():
             folder.mkdir(parents=True, exist_ok=True)
             for name, data in seeds().items():
                 (folder / name).write_bytes(data)
+            if "mesh" in (a, b):
+                (folder / "of_cells").write_bytes(record(OF_CELLS, position=(0.1, -0.05, 0.2)))
     for pair in MOVING_PAIRS:
         folder = HERE / "corpus" / f"motion_{pair}"
         folder.mkdir(parents=True, exist_ok=True)

@@ -421,7 +421,7 @@ ABUT_API abut_status abut_mesh_describe(const double *xyz, size_t vertex_count, 
 typedef uint32_t abut_axis;
 enum abut_axis_value ABUT_ENUM(uint32_t) { ABUT_AXIS_X = 0, ABUT_AXIS_Y = 1, ABUT_AXIS_Z = 2 };
 
-/** The sides of a mesh, and the grid of cells by which its triangles are found. */
+/** The sides of a mesh, and the grid of cells by which its tree is made. */
 typedef struct abut_uv_grid_options {
   uint32_t struct_size;
   abut_sides sides; /**< default ABUT_SIDES_BOTH */
@@ -437,10 +437,10 @@ typedef struct abut_uv_grid_options {
 ABUT_API void abut_uv_grid_options_init(abut_uv_grid_options *options, uint32_t struct_size);
 
 /**
- * A mesh whose triangles are found by a grid of cells across two axes: terrain with bridges, caves and walls.
- * Parameters as those of abut_mesh_create.
+ * A mesh whose tree is made by a grid of cells across two axes, in a fraction of the time: terrain with bridges, caves
+ * and walls. Parameters as those of abut_mesh_create.
  * @param options  may be null
- * Complexity O(n); its cells are filled when a query first needs them, in O(n). [any]
+ * Complexity O(n); its tree is made when a query first needs it, in O(n log n) (Kamel and Faloutsos 1993). [any]
  */
 ABUT_API abut_status abut_uv_grid_create(const double *xyz, size_t vertex_count, const uint32_t *triangles,
                                          size_t triangle_count, const abut_uv_grid_options *options, abut_shape **out);
@@ -1495,8 +1495,8 @@ ABUT_API abut_status abut_geometry_set_particles(abut_universe *universe, abut_g
  * @param count  how many move; with 0 nothing changes
  * ABUT_INDEX_OUT_OF_RANGE beyond the last vertex, ABUT_OUT_OF_RANGE for other moves in a uv_grid, ABUT_UNSUPPORTED for
  * other kinds. Complexity O(count + triangles around these vertices), and O(vertices + triangles) for the first change
- * and where the shape has other holders. The tree or the cells are fitted to what moved. Once queries cost more by a
- * half, the next one makes them anew. [exclusive]
+ * and where the shape has other holders. The tree is fitted to what moved, and made anew where queries cost more then.
+ * [exclusive]
  */
 ABUT_API abut_status abut_geometry_set_vertices(abut_universe *universe, abut_geometry_id geometry, size_t first,
                                                 const double *xyz, size_t count);

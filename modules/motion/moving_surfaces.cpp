@@ -10,7 +10,6 @@ import abut.motion.motion_order;
 import abut.motion.path;
 import abut.motion.relative_motion;
 import abut.motion.whole_impact;
-import abut.pairs.any_shape;
 import abut.pairs.registry;
 import abut.trees.two_trees;
 

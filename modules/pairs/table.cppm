@@ -19,16 +19,47 @@ struct Entry {
   static constexpr std::uint32_t kind = Kind;
 };
 
+// A kind by its name, its number and its parameters, whose shapes are of the class of another kind: F::OfClass. Its
+// pairs are those of that kind.
+template <class F, std::uint32_t Kind>
+struct Form {
+  using form = F;
+  static constexpr std::uint32_t kind = Kind;
+};
+template <class... Entries>
+struct Forms {};
+
 // `AnyOf` is derived from Variant: it has to have a name before the list of shapes is complete, since one of
 // them holds others of any kind.
-template <class AnyOf, class... Entries>
-struct Registry {
+template <class AnyOf, class ListOfForms, class... Entries>
+struct Registry;
+template <class AnyOf, class... FormEntries, class... Entries>
+struct Registry<AnyOf, Forms<FormEntries...>, Entries...> {
   static constexpr std::size_t count = sizeof...(Entries);
   using Any = AnyOf;
   using Variant = std::variant<typename Entries::shape...>;
   template <std::size_t Index>
   using At = std::variant_alternative_t<Index, Variant>;
-  static constexpr std::array<std::uint32_t, count> kinds{Entries::kind...};
+  template <class S>
+  [[nodiscard]] static consteval std::size_t place_of() {
+    const std::array is_class{std::is_same_v<S, typename Entries::shape>...};
+    std::size_t place = 0;
+    while (!is_class[place]) {
+      ++place;
+    }
+    return place;
+  }
+  // Places of kinds: those of classes, then those of forms.
+  static constexpr std::array<std::uint32_t, count + sizeof...(FormEntries)> kinds{Entries::kind...,
+                                                                                   FormEntries::kind...};
+  // Calls use.operator()<S>() for the class or the form at each place, and returns what that returns.
+  template <class Use>
+  [[nodiscard]] static constexpr auto for_each_kind(Use use) {
+    return std::array {
+      use.template operator()<typename Entries::shape>()...,
+      use.template operator()<typename FormEntries::form>()...
+    };
+  }
   template <class S>
   [[nodiscard]] static consteval std::uint32_t kind_of() {
     return ((std::is_same_v<S, typename Entries::shape> ? Entries::kind : 0) + ...);

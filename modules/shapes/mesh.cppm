@@ -9,6 +9,7 @@ import abut.math;
 import abut.shapes.mesh_inside;
 import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
+import abut.trees.cell_order;
 import abut.trees.eight_boxes;
 import abut.trees.slab;
 import abut.trees.volume_tree;
@@ -28,14 +29,8 @@ class Mesh {
 
   [[nodiscard]] static Result<Mesh> make(std::span<const Real> parameters, std::span<const Real> reals,
                                          std::span<const std::uint32_t> indices);
-  // A tree that was chosen follows the sides.
-  [[nodiscard]] std::vector<Real> parameters() const {
-    std::vector<Real> numbers{static_cast<Real>(data_->sides)};
-    if (data_->chosen != ChosenTree::automatic) {
-      numbers.push_back(static_cast<Real>(data_->chosen));
-    }
-    return numbers;
-  }
+  // The sides, and what the tree is made by where that was chosen: its kind, or the numbers of a UvGrid.
+  [[nodiscard]] std::vector<Real> parameters() const;
   [[nodiscard]] Buffers buffers() const {
     Buffers out{{}, data_->indices};
     out.reals.reserve(3 * data_->vertices.size());
@@ -60,35 +55,12 @@ class Mesh {
     return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]],
             mesh.vertices[mesh.indices[first + 2]]};
   }
-  // Of a triangle; empty where it has gone.
-  [[nodiscard]] inline Aabb present_box(std::uint32_t index) const {
-    return has_gone(index) ? Aabb::empty() : box_around(corners(index));
-  }
-  [[nodiscard]] bool has_gone(std::uint32_t index) const { return is_removed(data_->indices, index); }
   [[nodiscard]] Triangle part(std::uint32_t index) const { return {corners(index), index, is_one_sided(index)}; }
   // See Surface.
   [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
 
   template <class Wanted, class Visitor>
   void visit_parts(Aabb& box, Wanted&& is_wanted, Visitor&& visit) const {
-    visit_found(box, is_wanted, visit, [&](const auto& add) {
-      if (has_other_tree()) [[unlikely]] {
-        visit_in_other(box, add);
-      } else if constexpr (requires { is_wanted.slab; }) {
-        const Slab slab = is_wanted.slab.from(tree().origin());
-        tree().visit_overlaps(box, add, [&](const EightBoxes& boxes) { return slab.reached_by(boxes); });
-      } else {
-        tree().visit_overlaps(box, add);
-      }
-    });
-  }
-  template <class Visitor>
-  void visit_parts(Aabb& box, Visitor&& visit) const {
-    visit_parts(box, AcceptsAnyCorners{}, visit);
-  }
-  // As visit_parts, of the triangles whose numbers find(add) adds.
-  template <class Wanted, class Visitor, class Find>
-  void visit_found(const Aabb& box, const Wanted& is_wanted, Visitor&& visit, const Find& find) const {
     const Data& mesh = *data_;
     const auto read_corners = [&](std::uint32_t index, TriangleCorners& out) {
       const auto its = std::span(mesh.indices).subspan(3 * std::size_t{index}).template first<3>();
@@ -101,14 +73,26 @@ class Mesh {
     };
     const MeshNeighbours* beside = mesh.neighbours.is_made() ? &neighbours() : nullptr;
     [[clang::uninitialized]] WaitingTriangles waiting(box, read_corners, is_wanted, visit_part);
-    find([&](std::uint32_t index) {
+    const auto add = [&](std::uint32_t index) {
       __builtin_prefetch(&mesh.indices[3 * std::size_t{index}]);
       if (beside != nullptr) {
         beside->fetch_across(index);
       }
       waiting.add(index);
-    });
+    };
+    if (has_other_tree()) [[unlikely]] {
+      visit_in_other(box, add);
+    } else if constexpr (requires { is_wanted.slab; }) {
+      const Slab slab = is_wanted.slab.from(tree().origin());
+      tree().visit_overlaps(box, add, [&](const EightBoxes& boxes) { return slab.reached_by(boxes); });
+    } else {
+      tree().visit_overlaps(box, add);
+    }
     waiting.visit_all();
+  }
+  template <class Visitor>
+  void visit_parts(Aabb& box, Visitor&& visit) const {
+    visit_parts(box, AcceptsAnyCorners{}, visit);
   }
   template <class Visitor>
   void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
@@ -178,24 +162,61 @@ class Mesh {
   [[nodiscard]] Aabb apply(const RemovalEdit& edit);
   [[nodiscard]] Aabb apply(const RecreationEdit& edit);
 
-  // For shapes that find the triangles of a mesh of their own by other means: changes that no tree follows. Each is an
-  // edit or a part of one that was checked, of a mesh that is owned; neighbours have been found before.
-  void make_room_for_change();
-  void find_neighbours() { static_cast<void>(neighbours()); }
-  [[nodiscard]] const Vec3& vertex(std::uint32_t number) const [[clang::lifetimebound]] {
-    return data_->vertices[number];
+ private:
+  // What stops other shapes: both sides of triangles, their fronts, or all that is inside.
+  enum class Sides : std::uint8_t { both, front, solid };
+  // What triangles are found by. Boxes along the axes are the fastest.
+  enum class ChosenTree : std::uint8_t { automatic, boxes, oriented_boxes, balls };
+  friend struct UvGrid;
+  using OtherTree = std::variant<OrientedBoxTree, SphereTree>;
+  using VisitItem = std::function<void(std::uint32_t)>;
+
+  struct Data {
+    std::vector<Vec3> vertices{};
+    std::vector<std::uint32_t> indices{};
+    Sides sides;
+    ChosenTree chosen;
+    std::optional<CellPlan> cells;  // of a UvGrid
+    Aabb box = Aabb::empty();
+    std::size_t present = 0;  // triangles that have not gone
+    Vec3 widest{0, 0, 0};     // at least the extents of the box of each triangle
+    Lazy<Bvh> tree{};
+    Lazy<MeshNeighbours> neighbours{};
+    Lazy<MeshInside> inside{};
+    Lazy<OtherTree> other{};  // where one was chosen
+  };
+
+  explicit Mesh(Data data) : data_(std::move(data)) {}
+  [[nodiscard]] const Bvh& tree() const [[clang::lifetimebound]] {
+    return data_->tree.get([this] { return make_tree(Workers(1)); });
   }
+  [[nodiscard]] const MeshNeighbours& neighbours() const [[clang::lifetimebound]] {
+    return data_->neighbours.get([this] { return make_neighbours(Workers(1)); });
+  }
+  [[nodiscard]] const MeshInside& inside() const [[clang::lifetimebound]] {
+    return data_->inside.get([this] { return MeshInside(data_->vertices, data_->indices, data_->box); });
+  }
+  [[nodiscard]] inline bool has_other_tree() const { return data_->chosen > ChosenTree::boxes; }
+  // Of a triangle; empty where it has gone.
+  [[nodiscard]] inline Aabb present_box(std::uint32_t index) const {
+    return has_gone(index) ? Aabb::empty() : box_around(corners(index));
+  }
+  [[nodiscard]] bool has_gone(std::uint32_t index) const { return is_removed(data_->indices, index); }
+  [[nodiscard]] std::optional<TriangleCorners> present_corners(std::uint32_t index) const {
+    return has_gone(index) ? std::nullopt : std::optional(corners(index));
+  }
+  [[nodiscard]] const OtherTree& other() const [[clang::lifetimebound]];
+  void visit_in_other(const Aabb& box, const VisitItem& visit) const;
+  void visit_below_in_other(const Vec3& direction, Real& limit, const VisitItem& visit) const;
+  void visit_ray_in_other(const Vec3& origin, const Vec3& direction, Real& limit, const VisitItem& visit) const;
+  [[nodiscard]] std::uint32_t item_near_in_other(const Vec3& point) const;
+  void make_room_in_other();
+  void touch_in_other(std::uint32_t triangle);
+  void settle_other();
+  [[nodiscard]] Aabb follow(std::uint32_t touched, const Aabb& moved);
+  void make_room_for_change();
   void place(const VertexEdit& edit);
   void take_out(std::uint32_t triangle);
-  // The tree, where two surfaces have needed one, follows a triangle that has moved or gone; settle comes last, after
-  // set_box.
-  void follow_in_tree(std::uint32_t triangle) {
-    if (std::optional<Bvh>& tree = data_.own().tree.made()) {
-      tree->move(triangle, present_box(triangle));
-    }
-  }
-  void settle();
-  void set_box(const Aabb& box) { data_.own().box = box; }
   // Calls visit(triangle) for all around the vertices of an edit: once each where these are a range.
   template <class Visitor>
   void visit_moved(const VertexEdit& edit, Visitor&& visit) const {
@@ -237,57 +258,13 @@ class Mesh {
       __builtin_prefetch(&data_->vertices[data_->indices[3 * std::size_t{triangle} + corner]]);
     }
   }
-  // A box around the triangles that share a corner with one.
-  [[nodiscard]] Aabb box_beside(std::uint32_t triangle) const;
-
- private:
-  // What stops other shapes: both sides of triangles, their fronts, or all that is inside.
-  enum class Sides : std::uint8_t { both, front, solid };
-  // What triangles are found by. Boxes along the axes are the fastest.
-  enum class ChosenTree : std::uint8_t { automatic, boxes, oriented_boxes, balls };
-  using OtherTree = std::variant<OrientedBoxTree, SphereTree>;
-  using VisitItem = std::function<void(std::uint32_t)>;
-
-  struct Data {
-    std::vector<Vec3> vertices{};
-    std::vector<std::uint32_t> indices{};
-    Sides sides;
-    ChosenTree chosen;
-    Aabb box = Aabb::empty();
-    std::size_t present = 0;  // triangles that have not gone
-    Vec3 widest{0, 0, 0};     // at least the extents of the box of each triangle
-    Lazy<Bvh> tree{};
-    Lazy<MeshNeighbours> neighbours{};
-    Lazy<MeshInside> inside{};
-    Lazy<OtherTree> other{};  // where one was chosen
-  };
-
-  explicit Mesh(Data data) : data_(std::move(data)) {}
-  [[nodiscard]] const Bvh& tree() const [[clang::lifetimebound]] {
-    return data_->tree.get([this] { return make_tree(Workers(1)); });
-  }
-  [[nodiscard]] const MeshNeighbours& neighbours() const [[clang::lifetimebound]] {
-    return data_->neighbours.get([this] { return make_neighbours(Workers(1)); });
-  }
-  [[nodiscard]] const MeshInside& inside() const [[clang::lifetimebound]] {
-    return data_->inside.get([this] { return MeshInside(data_->vertices, data_->indices, data_->box); });
-  }
-  [[nodiscard]] inline bool has_other_tree() const { return data_->chosen > ChosenTree::boxes; }
-  [[nodiscard]] std::optional<TriangleCorners> present_corners(std::uint32_t index) const {
-    return has_gone(index) ? std::nullopt : std::optional(corners(index));
-  }
-  [[nodiscard]] const OtherTree& other() const [[clang::lifetimebound]];
-  void visit_in_other(const Aabb& box, const VisitItem& visit) const;
-  void visit_below_in_other(const Vec3& direction, Real& limit, const VisitItem& visit) const;
-  void visit_ray_in_other(const Vec3& origin, const Vec3& direction, Real& limit, const VisitItem& visit) const;
-  [[nodiscard]] std::uint32_t item_near_in_other(const Vec3& point) const;
-  void make_room_in_other();
-  void touch_in_other(std::uint32_t triangle);
-  void settle_other();
-  [[nodiscard]] Aabb follow(std::uint32_t touched, const Aabb& moved);
   void follow_inside(const VertexEdit& edit);
   [[nodiscard]] bool is_closed_around(std::uint32_t vertex) const;
   void settle_inside();
+  [[nodiscard]] static Fault check_sides(Real sides);
+  [[nodiscard]] static Mesh made(Sides sides, ChosenTree chosen, const std::optional<CellPlan>& cells,
+                                 std::span<const Real> reals, std::span<const std::uint32_t> indices);
+  [[nodiscard]] Fault check_stays_in_cells(const VertexEdit& edit) const;
   static void fill(Data& data, std::span<const Real> reals, std::span<const std::uint32_t> indices);
   [[nodiscard]] static Aabb box_of(const Data& data);
   [[nodiscard]] Bvh make_tree(const Workers& workers) const;
@@ -297,5 +274,17 @@ class Mesh {
 };
 static_assert(Shape<Mesh> && Surface<Mesh> && Hierarchy<Mesh> && Enclosing<Mesh> && Triangulated<Mesh> &&
               Editable<Mesh, VertexEdit> && Editable<Mesh, RemovalEdit> && Editable<Mesh, RecreationEdit>);
+
+// A mesh whose tree is made by a grid of cells across two axes, and whose vertices move along the third one alone: what
+// terrain with bridges and caves is made of. It is a kind by its name and its numbers, and a Mesh in all else.
+struct UvGrid {
+  using OfClass = Mesh;
+  static constexpr std::string_view name = "uv_grid";
+  static constexpr std::array<std::string_view, 5> parameter_names{"sides", "axis_u", "axis_v", "cells_u", "cells_v"};
+
+  [[nodiscard]] static Result<Mesh> make(std::span<const Real> parameters, std::span<const Real> reals,
+                                         std::span<const std::uint32_t> indices);
+  [[nodiscard]] static bool has_made(const Mesh& mesh) { return mesh.data_->cells.has_value(); }
+};
 
 }  // namespace abut

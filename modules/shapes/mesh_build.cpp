@@ -6,6 +6,7 @@ import abut.core;
 import abut.math;
 import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
+import abut.trees.cell_order;
 import abut.triangles.buffers;
 
 namespace abut {
@@ -45,8 +46,8 @@ Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> 
   if (Fault fault = check_count("parameter_count", parameters.size(), parameters.size() == 2 ? 2 : 1)) {
     return *fault;
   }
-  if (parameters[0] != 0 && parameters[0] != 1 && parameters[0] != 2) {
-    return error_about(Errc::unknown_value, "sides", parameters[0], "0 (both), 1 (front) or 2 (solid)");
+  if (Fault fault = check_sides(parameters[0])) {
+    return *fault;
   }
   const Real tree = parameters.size() == 2 ? parameters[1] : 0;
   if (tree != 0 && tree != 1 && tree != 2 && tree != 3) {
@@ -56,12 +57,42 @@ Result<Mesh> Mesh::make(std::span<const Real> parameters, std::span<const Real> 
   if (Fault fault = check_triangles("a mesh", reals, indices)) {
     return *fault;
   }
-  Data data{.sides = static_cast<Sides>(parameters[0]), .chosen = static_cast<ChosenTree>(tree)};
+  return made(static_cast<Sides>(parameters[0]), static_cast<ChosenTree>(tree), std::nullopt, reals, indices);
+}
+
+Fault Mesh::check_sides(Real sides) {
+  if (sides != 0 && sides != 1 && sides != 2) {
+    return error_about(Errc::unknown_value, "sides", sides, "0 (both), 1 (front) or 2 (solid)");
+  }
+  return std::nullopt;
+}
+
+Mesh Mesh::made(Sides sides, ChosenTree chosen, const std::optional<CellPlan>& cells, std::span<const Real> reals,
+                std::span<const std::uint32_t> indices) {
+  Data data{.sides = sides, .chosen = chosen, .cells = cells};
   fill(data, reals, indices);
   return Mesh(std::move(data));
 }
 
+std::vector<Real> Mesh::parameters() const {
+  std::vector<Real> numbers{static_cast<Real>(data_->sides)};
+  if (const std::optional<CellPlan>& cells = data_->cells) {
+    numbers.insert(numbers.end(), {static_cast<Real>(cells->u), static_cast<Real>(cells->v),
+                                   static_cast<Real>(cells->columns), static_cast<Real>(cells->rows)});
+  } else if (data_->chosen != ChosenTree::automatic) {
+    numbers.push_back(static_cast<Real>(data_->chosen));
+  }
+  return numbers;
+}
+
 Bvh Mesh::make_tree(const Workers& workers) const {
+  if (data_->cells) {
+    std::vector<Aabb> boxes(triangle_count());
+    for (std::uint32_t triangle = 0; triangle < boxes.size(); ++triangle) {
+      boxes[triangle] = present_box(triangle);
+    }
+    return Bvh(data_->box, boxes, ordered_by_cells(*data_->cells, data_->box, boxes));
+  }
   return Bvh(data_->box, triangle_count(), [this](std::uint32_t triangle) { return present_box(triangle); }, workers);
 }
 
@@ -110,22 +141,34 @@ bool Mesh::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction
 }
 
 std::vector<Mesh> Mesh::samples() {
-  const auto xyz = std::to_array<Real>({1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1});
+  const auto tetrahedron_xyz = std::to_array<Real>({1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1});
   const auto tetrahedron = std::to_array<std::uint32_t>({0, 1, 3, 0, 3, 2, 0, 2, 1, 1, 2, 3});
   const auto both = std::to_array<Real>({0}), front = std::to_array<Real>({1});
-  std::vector<Real> sheet_xyz;
-  std::vector<std::uint32_t> sheet;
+  std::vector<Real> xyz;
+  std::vector<std::uint32_t> triangles;
   for (std::uint32_t j = 0; j < 5; ++j) {
     for (std::uint32_t i = 0; i < 5; ++i) {
       const Real x = 0.5 * i - 1, y = 0.5 * j - 1;
-      sheet_xyz.insert(sheet_xyz.end(), {x, y, 0.3 * x * y});
+      xyz.insert(xyz.end(), {x, y, 0.3 * x * y});
       if (i < 4 && j < 4) {
         const std::uint32_t k = 5 * j + i;
-        sheet.insert(sheet.end(), {k, k + 1, k + 6, k, k + 6, k + 5});
+        triangles.insert(triangles.end(), {k, k + 1, k + 6, k, k + 6, k + 5});
       }
     }
   }
-  return {make(both, xyz, tetrahedron).value(), make(front, sheet_xyz, sheet).value()};
+  std::vector<Mesh> out{make(both, tetrahedron_xyz, tetrahedron).value(), make(front, xyz, triangles).value()};
+  // A bridge over the sheet: two layers, and walls that stand upright.
+  const auto bridge = std::to_array<Real>({-0.9, -0.25, 0,   -0.9, 0.25, 0,   -0.9, -0.25, 0.5, -0.9, 0.25, 0.5,
+                                           0.9,  -0.25, 0.5, 0.9,  0.25, 0.5, 0.9,  -0.25, 0,   0.9,  0.25, 0});
+  xyz.insert(xyz.end(), bridge.begin(), bridge.end());
+  for (std::uint32_t k = 25; k < 31; k += 2) {
+    triangles.insert(triangles.end(), {k, k + 2, k + 3, k, k + 3, k + 1});
+  }
+  const auto both_by_cells = std::to_array<Real>({0, 0, 1, 0, 0}),
+             front_by_cells = std::to_array<Real>({1, 1, 2, 3, 2});
+  out.push_back(UvGrid::make(both_by_cells, xyz, triangles).value());
+  out.push_back(UvGrid::make(front_by_cells, xyz, triangles).value());
+  return out;
 }
 
 }  // namespace abut

@@ -26,7 +26,10 @@ Fault Mesh::check(const VertexEdit& edit) const {
                          std::uint64_t{edit.vertices[i]}, "below the vertices, which are " + std::to_string(all));
     }
   }
-  return check_all_finite("xyz", edit.xyz);
+  if (Fault fault = check_all_finite("xyz", edit.xyz)) {
+    return fault;
+  }
+  return check_stays_in_cells(edit);
 }
 
 Fault Mesh::check(const RemovalEdit& edit) const {
@@ -54,11 +57,15 @@ Fault Mesh::check(const RemovalEdit& edit) const {
 
 Fault Mesh::check(const RecreationEdit& edit) const { return check_triangles("a mesh", edit.reals, edit.indices); }
 
-// Where no query has needed the tree so far, there is nothing to follow the change.
+// Where no query has needed the tree so far, there is nothing to follow the change. A grid has it soon, and mostly
+// changes here and there: what it costs to follow does not grow with all triangles then.
 void Mesh::make_room_for_change() {
   make_room_in_other();
   if (data_.own().inside.is_made()) {
     static_cast<void>(neighbours());
+  }
+  if (data_->cells) {
+    static_cast<void>(tree());
   }
   if (std::optional<Bvh>& tree = data_.own().tree.made()) {
     static_cast<void>(neighbours());
@@ -200,14 +207,6 @@ void Mesh::take_out(std::uint32_t triangle) {
   }
 }
 
-void Mesh::settle() {
-  Data& data = data_.own();
-  if (std::optional<Bvh>& tree = data.tree.made()) {
-    static_cast<void>(tree->settle());
-  }
-  settle_inside();
-}
-
 void Mesh::follow_inside(const VertexEdit& edit) {
   Data& data = data_.own();
   std::optional<MeshInside>& inside = data.inside.made();
@@ -255,16 +254,6 @@ void Mesh::settle_inside() {
   if (inside && inside->is_worn()) {
     data.inside.forget();
   }
-}
-
-Aabb Mesh::box_beside(std::uint32_t triangle) const {
-  Aabb box = Aabb::empty();
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    for (const std::uint32_t other : neighbours().around_vertex(data_->indices[3 * std::size_t{triangle} + corner])) {
-      box.include(present_box(other));
-    }
-  }
-  return box;
 }
 
 Aabb Mesh::apply(const RecreationEdit& edit) {

@@ -138,10 +138,7 @@ void Bvh::move(std::uint32_t item, const Aabb& box) {
   }
   EightBoxes& node = nodes_[place / EightBoxes::width];
   const Entry entry = entry_of(box, item);
-  BoxSides sides{};
-  for (std::size_t side = 0; side < sides.size(); ++side) {
-    sides[side] = entry.lanes[static_cast<int>(side)];
-  }
+  const BoxSides sides = entry.sides();
   changed_ = merged(changed_, merged(sides, node.sides_of_lane(place % EightBoxes::width)));
   set_lane(place, sides);
   if (entry.number() == nobody) {

@@ -20,8 +20,7 @@ class Bvh {
   // Of `count` items, of which box_of(item) tells the box; an empty box is no item. `around`: all of them. The tree
   // does not depend on the number of threads.
   template <class BoxOf>
-  Bvh(const Aabb& around, std::size_t count, const BoxOf& box_of, const Workers& workers)
-      : bounds_(around), origin_(around.is_bounded() ? around.centre() : Vec3{0, 0, 0}) {
+  Bvh(const Aabb& around, std::size_t count, const BoxOf& box_of, const Workers& workers) : Bvh(around) {
     std::vector<Entry> entries(count);
     const Cuts cuts = workers.cut(count, least_of_task);
     workers.for_each(cuts.tasks(), [&](std::size_t task) {
@@ -31,6 +30,9 @@ class Bvh {
     });
     build(std::move(entries), workers);
   }
+  // Of the items of an order in which those near each other mostly follow each other. Made in a fraction of the time,
+  // as no cuts are looked for.
+  Bvh(const Aabb& around, std::span<const Aabb> boxes, std::span<const std::uint32_t> order);
 
   // Calls visit(item) for the items whose boxes overlap `query`, within rounding. visit may shrink `query`.
   // filter(eight boxes) has a bit for each under which there may be items that are wanted.
@@ -169,7 +171,9 @@ class Bvh {
     Floats lanes;
 
     [[nodiscard]] inline std::uint32_t number() const { return std::bit_cast<std::uint32_t>(float{lanes[7]}); }
+    [[nodiscard]] inline BoxSides sides() const { return {lanes[0], lanes[1], lanes[2], lanes[3], lanes[4], lanes[5]}; }
   };
+  explicit Bvh(const Aabb& around) : bounds_(around), origin_(around.is_bounded() ? around.centre() : Vec3{0, 0, 0}) {}
   static constexpr std::size_t least_of_task = 4096;
 
   // No path is longer than most_levels (see BvhBuild); of each node on it all but one child may wait.

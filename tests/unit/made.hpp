@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shape from numbers that are known to be good.
+// A shape from numbers that are known to be good: of a class, or of a form.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,8 +9,8 @@ import abut.core;
 namespace test {
 
 template <class S>
-S made(const std::vector<double>& parameters, const std::vector<double>& reals = {},
-       const std::vector<std::uint32_t>& indices = {}) {
+auto made(const std::vector<double>& parameters, const std::vector<double>& reals = {},
+          const std::vector<std::uint32_t>& indices = {}) {
   return S::make(parameters, reals, indices).value();
 }
 

@@ -137,7 +137,7 @@ class Shape(Owner):
 
     @classmethod
     def uv_grid(cls, xyz: Any, triangles: Any = None, **fields: Any) -> Shape:
-        """A mesh whose triangles are found by a grid across two axes; given as to `mesh`.
+        """A mesh whose tree is made by a grid of cells across two axes; given as to `mesh`.
 
         The fields are those of UvGridOptions.
         """

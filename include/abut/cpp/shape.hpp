@@ -124,7 +124,7 @@ class Shape {
                                                    triangles.number_count() / width, options.get(), &out),
                           out);
   }
-  // A mesh whose triangles are found by a grid.
+  // A mesh whose tree is made by a grid of cells.
   [[nodiscard]] static Answer<Shape> uv_grid(const Points& vertices, const Triangles& triangles,
                                              OptionalRef<abut_uv_grid_options> options = {}) {
     const std::size_t width = corners_of(options);

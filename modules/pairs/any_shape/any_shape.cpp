@@ -14,19 +14,27 @@ struct KindEntry {
   std::span<const std::string_view> parameter_names;
 };
 
-template <class S>
-constexpr KindEntry kind_entry() {
-  return {S::name, S::parameter_names};
-}
+constexpr auto kind_entries = Shapes::for_each_kind([]<class S>() { return KindEntry{S::name, S::parameter_names}; });
 
-constexpr auto kind_entries = []<std::size_t... Places>(std::index_sequence<Places...>) {
-  return std::array<KindEntry, Shapes::count>{kind_entry<Shapes::At<Places>>()...};
-}(std::make_index_sequence<Shapes::count>{});
+// Of each form, the place of its class, and whether a shape of that class is of the form. Of a class, itself.
+struct FormOf {
+  std::size_t place;
+  bool (*has_made)(const AnyShape& shape);
+};
+constexpr auto forms = Shapes::for_each_kind([]<class S>() -> FormOf {
+  if constexpr (requires { typename S::OfClass; }) {
+    using Class = typename S::OfClass;
+    constexpr auto is_of_form = [](const AnyShape& shape) { return S::has_made(std::get<Class>(shape)); };
+    return {Shapes::place_of<Class>(), is_of_form};
+  } else {
+    return {Shapes::place_of<S>(), nullptr};
+  }
+});
 
 }  // namespace
 
 std::optional<std::size_t> find_kind(std::uint32_t kind) {
-  for (std::size_t place = 0; place < Shapes::count; ++place) {
+  for (std::size_t place = 0; place < named_kind_count; ++place) {
     if (Shapes::kinds[place] == kind) {
       return place;
     }
@@ -35,13 +43,24 @@ std::optional<std::size_t> find_kind(std::uint32_t kind) {
 }
 
 std::optional<std::size_t> find_kind(std::string_view name) {
-  for (std::size_t place = 0; place < Shapes::count; ++place) {
+  for (std::size_t place = 0; place < named_kind_count; ++place) {
     if (kind_entries[place].name == name) {
       return place;
     }
   }
   return std::nullopt;
 }
+
+std::size_t kind_of(const AnyShape& shape) {
+  for (std::size_t place = shape_kind_count; place < named_kind_count; ++place) {
+    if (forms[place].place == shape.index() && forms[place].has_made(shape)) {
+      return place;
+    }
+  }
+  return shape.index();
+}
+
+std::size_t kind_in_pairs(std::size_t place) { return forms[place].place; }
 
 std::string_view kind_name(std::size_t place) { return kind_entries[place].name; }
 std::size_t kind_parameter_count(std::size_t place) { return kind_entries[place].parameter_names.size(); }

@@ -13,11 +13,15 @@ export namespace abut {
 
 using ShapeHandle = Frozen<AnyShape>;
 
-inline constexpr std::size_t shape_kind_count = Shapes::count;
+// The kinds that pairs tell apart, each with a class of its own. Behind them come forms (see Form).
+inline constexpr std::size_t shape_kind_count = Shapes::count, named_kind_count = Shapes::kinds.size();
 
-// Place of a kind in the registry; nothing for a number that is no kind of this build.
+// Place of a kind or form in the registry; nothing for a number that is no kind of this build.
 [[nodiscard]] std::optional<std::size_t> find_kind(std::uint32_t kind);
 [[nodiscard]] std::optional<std::size_t> find_kind(std::string_view name);
+// Of a shape: that of its form, where it has one. Its index is the place of its class.
+[[nodiscard]] std::size_t kind_of(const AnyShape& shape);
+[[nodiscard]] std::size_t kind_in_pairs(std::size_t place);
 [[nodiscard]] std::string_view kind_name(std::size_t place);
 [[nodiscard]] std::size_t kind_parameter_count(std::size_t place);
 [[nodiscard]] std::string_view kind_parameter_name(std::size_t place, std::size_t index);

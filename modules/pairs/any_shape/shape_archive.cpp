@@ -38,7 +38,7 @@ struct SavedShape {
 
 SavedShape saved(const AnyShape& any, const ShapeList& list) {
   SavedShape out;
-  out.kind = Shapes::kinds[any.index()];
+  out.kind = Shapes::kinds[kind_of(any)];
   out.parameters = parameters_of(any);
   std::visit(
       [&]<class S>(const S& shape) {

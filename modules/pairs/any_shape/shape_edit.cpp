@@ -16,14 +16,14 @@ namespace {
 }
 
 template <class S, class E>
-Fault check_of(const S& shape, const E& edit) {
+Fault check_of(const AnyShape& any, const S& shape, const E& edit) {
   if constexpr (Editable<S, E>) {
     return shape.check(edit);
   } else if constexpr (std::is_same_v<E, ParameterEdit> && Resizable<S>) {
     const Result<S> made = S::make(edit.parameters, {}, {});
     return made ? std::nullopt : Fault(made.error());
   } else {
-    return no_such_part(S::name, E::subject);
+    return no_such_part(kind_name(kind_of(any)), E::subject);
   }
 }
 
@@ -40,7 +40,7 @@ Aabb apply_to(S& shape, const E& edit) {
 }  // namespace
 
 Fault check_edit(const AnyShape& shape, const Edit& edit) {
-  return std::visit([](const auto& its, const auto& given) { return check_of(its, given); },
+  return std::visit([&](const auto& its, const auto& given) { return check_of(shape, its, given); },
                     static_cast<const AnyShape::Variant&>(shape), edit);
 }
 

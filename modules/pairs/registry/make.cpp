@@ -11,15 +11,15 @@ namespace abut {
 Result<AnyShape> AnyShape::make(std::uint32_t kind, std::span<const Real> parameters, std::span<const Real> reals,
                                 std::span<const std::uint32_t> indices) {
   using Maker = Result<AnyShape> (*)(std::span<const Real>, std::span<const Real>, std::span<const std::uint32_t>);
-  static constexpr auto makers = []<std::size_t... Places>(std::index_sequence<Places...>) {
-    return std::array<Maker, Shapes::count>{[](std::span<const Real> own_parameters, std::span<const Real> own_reals,
-                                               std::span<const std::uint32_t> own_indices) {
-      return Shapes::At<Places>::make(own_parameters, own_reals, own_indices).transform([](Shapes::At<Places> shape) {
+  static constexpr auto makers = Shapes::for_each_kind([]<class S>() -> Maker {
+    return [](std::span<const Real> own_parameters, std::span<const Real> own_reals,
+              std::span<const std::uint32_t> own_indices) {
+      return S::make(own_parameters, own_reals, own_indices).transform([](auto shape) {
         return AnyShape(std::move(shape));
       });
-    }...};
-  }(std::make_index_sequence<Shapes::count>{});
-  for (std::size_t place = 0; place < Shapes::count; ++place) {
+    };
+  });
+  for (std::size_t place = 0; place < makers.size(); ++place) {
     if (Shapes::kinds[place] == kind) {
       return makers[place](parameters, reals, indices);
     }

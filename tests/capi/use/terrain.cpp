@@ -178,4 +178,48 @@ TEST(UvGrid, AnswersAsTheMeshOfTheSameTriangles) {
   EXPECT_GT(touching, 30);
 }
 
+// A mesh in all that it answers, and a kind by its name and numbers: also after changes, and in a saved universe.
+TEST(UvGrid, StaysOfItsKind) {
+  const abut_shape_kind kind = abut_shape_kind_by_name("uv_grid"), mesh = abut_shape_kind_by_name("mesh");
+  const auto expect_grid = [&](const abut_shape* shape) {
+    EXPECT_EQ(abut_shape_kind_of(shape), kind);
+    std::array<double, 5> parameters{};
+    std::size_t count = 0;
+    require(abut_shape_parameters(shape, parameters.data(), parameters.size(), &count));
+    EXPECT_EQ(count, 5U);
+    EXPECT_EQ(parameters, (std::array<double, 5>{1, 1, 0, 3, 0}));
+  };
+  Universe universe;
+  const abut_geometry_id ground = universe.add(
+      make_of_kind("uv_grid", {1, 1, 0, 3, 0}, {0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0}, {0, 1, 2, 0, 2, 3}), identity);
+  expect_grid(universe.describe(ground).shape);
+  EXPECT_EQ(universe.describe(ground).kind, kind);
+  constexpr std::array<double, 3> raised{4, 4, 0.5};
+  require(abut_geometry_set_vertices(universe, ground, 2, raised.data(), 1));
+  constexpr double height = 1;
+  EXPECT_EQ(abut_geometry_set_heights(universe, ground, 0, 0, 1, 1, &height), ABUT_UNSUPPORTED);
+  EXPECT_NE(std::string(abut_last_error_message()).find("geometry is a uv_grid, which has no"), std::string::npos);
+  expect_grid(universe.describe(ground).shape);
+  std::size_t size = 0;
+  require(abut_universe_save(universe, nullptr, 0, &size));
+  std::vector<unsigned char> bytes(size);
+  require(abut_universe_save(universe, bytes.data(), bytes.size(), &size));
+  abut_universe* loaded = nullptr;
+  require(abut_universe_load(bytes.data(), bytes.size(), &loaded));
+  abut_geometry_info info;
+  abut_geometry_info_init(&info, sizeof info);
+  require(abut_geometry_describe(loaded, ground, &info));
+  EXPECT_EQ(info.kind, kind);
+  expect_grid(info.shape);
+  constexpr std::array<double, 3> aside{4.5, 4, 0.5};
+  EXPECT_EQ(abut_geometry_set_vertices(loaded, ground, 2, aside.data(), 1), ABUT_OUT_OF_RANGE);
+  abut_universe_destroy(loaded);
+  for (std::size_t i = 0; i < abut_shape_kind_count(); ++i) {
+    std::uint32_t as_grid = 2, as_mesh = 2;
+    require(abut_pair_support(kind, abut_shape_kind_at(i), ABUT_QUERY_DISTANCE, &as_grid));
+    require(abut_pair_support(mesh, abut_shape_kind_at(i), ABUT_QUERY_DISTANCE, &as_mesh));
+    EXPECT_EQ(as_grid, as_mesh) << abut_shape_kind_name(abut_shape_kind_at(i));
+  }
+}
+
 }  // namespace

@@ -12,11 +12,12 @@
 import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shapes.uv_grid;
+import abut.shapes.mesh;
 
 namespace {
 
 using abut::Errc;
+using abut::Mesh;
 using abut::UvGrid;
 using abut::Vec3;
 
@@ -50,18 +51,18 @@ struct Ground {
       }
     }
   }
-  [[nodiscard]] UvGrid make() const { return test::made<UvGrid>(parameters, xyz, triangles); }
+  [[nodiscard]] Mesh make() const { return test::made<UvGrid>(parameters, xyz, triangles); }
 };
 
 template <class E>
-void change(UvGrid& grid, const E& edit) {
+void change(Mesh& grid, const E& edit) {
   ASSERT_FALSE(grid.check(edit).has_value());
   grid.own();
   grid.make_room(edit);
   static_cast<void>(grid.apply(edit));
 }
 
-void expect_as_its_triangles(const UvGrid& grid, std::uint64_t seed) {
+void expect_as_its_triangles(const Mesh& grid, std::uint64_t seed) {
   test::expect_parts(grid, {0, 0, 0.5}, {1, 1, 1.5}, seed);
   test::expect_below(grid, 3, seed + 1);
   test::expect_first_triangle(grid, {0, 0, 0.5}, {1, 1, 1}, seed + 2, 100);
@@ -78,7 +79,7 @@ TEST_P(UvGridEdits, AnswersAsItsTrianglesAfterTwoThousandChanges) {
   constexpr std::uint64_t seed = 702;
   test::Random random(seed);
   Ground ground(GetParam());
-  UvGrid grid = ground.make();
+  Mesh grid = ground.make();
   const auto vertices = static_cast<double>(ground.xyz.size() / 3), all = static_cast<double>(grid.triangle_count());
   std::size_t removed = 0;
   for (int round = 0; round < 2000; ++round) {
@@ -100,7 +101,7 @@ TEST_P(UvGridEdits, AnswersAsItsTrianglesAfterTwoThousandChanges) {
     }
   }
   EXPECT_EQ(grid.buffers().reals, ground.xyz);
-  const UvGrid anew = ground.make();
+  const Mesh anew = ground.make();
   EXPECT_EQ(grid.aabb(abut::Pose::identity()).low, anew.aabb(abut::Pose::identity()).low);
   EXPECT_EQ(grid.aabb(abut::Pose::identity()).high, anew.aabb(abut::Pose::identity()).high);
 }
@@ -108,7 +109,7 @@ TEST_P(UvGridEdits, AnswersAsItsTrianglesAfterTwoThousandChanges) {
 // Nothing outside of the box that a change answers with meets anything else.
 TEST_P(UvGridEdits, TellWhereTheyChange) {
   test::Random random(703);
-  UvGrid grid = Ground(GetParam()).make();
+  Mesh grid = Ground(GetParam()).make();
   const std::uint32_t vertex = 4 * side + 4;
   const abut::Triangles before = grid.triangles();
   const std::array place{before.vertices[vertex].x, before.vertices[vertex].y, before.vertices[vertex].z + 0.01};
@@ -126,7 +127,7 @@ TEST_P(UvGridEdits, TellWhereTheyChange) {
 
 TEST_P(UvGridEdits, RefuseMotionsAcross) {
   const Ground ground(GetParam());
-  UvGrid grid = ground.make();
+  Mesh grid = ground.make();
   const std::array places{ground.xyz[9], ground.xyz[10], 4.0, ground.xyz[12], ground.xyz[13] + 0.5, 4.0};
   const abut::Fault fault = grid.check(abut::VertexEdit{3, {}, places});
   ASSERT_TRUE(fault.has_value());
@@ -137,7 +138,7 @@ TEST_P(UvGridEdits, RefuseMotionsAcross) {
 
 // All triangles over one place, and all of the heap.
 TEST_P(UvGridEdits, EmptyCells) {
-  UvGrid grid = Ground(GetParam()).make();
+  Mesh grid = Ground(GetParam()).make();
   std::vector<std::uint32_t> going;
   abut::Aabb place{{0, 0, -5}, {0.6, 0.6, 5}};
   grid.visit_parts(place, [&](const abut::Triangle&, std::uint32_t index) { going.push_back(index); });
@@ -152,7 +153,7 @@ TEST_P(UvGridEdits, EmptyCells) {
 }
 
 TEST_P(UvGridEdits, KeepOneTriangle) {
-  UvGrid grid = Ground(GetParam()).make();
+  Mesh grid = Ground(GetParam()).make();
   std::vector<std::uint32_t> all(grid.triangle_count());
   for (std::uint32_t k = 0; k < all.size(); ++k) {
     all[k] = k;
@@ -163,7 +164,7 @@ TEST_P(UvGridEdits, KeepOneTriangle) {
 }
 
 TEST_P(UvGridEdits, MakeItAnew) {
-  UvGrid grid = Ground(GetParam()).make();
+  Mesh grid = Ground(GetParam()).make();
   const std::array<double, 9> xyz{0, 0, 1, 2, 0, 1, 0, 2, 1};
   const std::array<std::uint32_t, 3> triangle{0, 1, 2};
   change(grid, abut::RecreationEdit{xyz, triangle});
@@ -176,8 +177,8 @@ TEST_P(UvGridEdits, MakeItAnew) {
 
 // A copy is another holder: it stays as it was.
 TEST_P(UvGridEdits, LeaveCopiesAsTheyWere) {
-  UvGrid grid = Ground(GetParam()).make();
-  const UvGrid copy = grid;
+  Mesh grid = Ground(GetParam()).make();
+  const Mesh copy = grid;
   change(grid, abut::RemovalEdit{std::array{std::uint32_t{0}}});
   EXPECT_NE(grid.triangles().indices, copy.triangles().indices);
   expect_as_its_triangles(copy, 705);

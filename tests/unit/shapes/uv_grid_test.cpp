@@ -12,11 +12,12 @@
 import abut.capability;
 import abut.core;
 import abut.math;
-import abut.shapes.uv_grid;
+import abut.shapes.mesh;
 
 namespace {
 
 using abut::Errc;
+using abut::Mesh;
 using abut::UvGrid;
 using abut::Vec3;
 
@@ -69,7 +70,7 @@ constexpr Vec3 middle{0, 0, 0}, extent{1.5, 1.5, 1};
 // By axes and cells.
 class UvGridOf : public testing::TestWithParam<std::vector<double>> {
  protected:
-  [[nodiscard]] static UvGrid grid(std::uint64_t seed) {
+  [[nodiscard]] static Mesh grid(std::uint64_t seed) {
     const Buffers buffers = landscape(seed);
     return test::made<UvGrid>(GetParam(), buffers.xyz, buffers.triangles);
   }
@@ -88,7 +89,7 @@ TEST_P(UvGridOf, RaysSlipThroughNoEdgeOrVertex) { test::expect_no_gaps(grid(609)
 TEST_P(UvGridOf, BoxHoldsTheSurface) { test::expect_boxes_hold(grid(611), 612); }
 TEST_P(UvGridOf, KeepsItsParameters) { EXPECT_EQ(grid(613).parameters(), GetParam()); }
 TEST_P(UvGridOf, PartNearAPointIsNearerThanMost) {
-  const UvGrid some = grid(614);
+  const Mesh some = grid(614);
   for (std::uint32_t k = 0; k < some.triangle_count(); ++k) {
     const Vec3 centre = some.part(k).centre();
     const abut::Aabb found = some.part_near(centre).box();
@@ -115,14 +116,14 @@ TEST(UvGrid, BadInputIsRefusedByName) {
 // All triangles stand upright over one line, or are one point. A triangle that names one vertex three times is not
 // there.
 TEST(UvGrid, WithoutExtentAcrossItsAxesAnswersToo) {
-  const UvGrid wall = test::made<UvGrid>({0, 0, 1, 0, 0}, {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1}, {0, 1, 2, 1, 3, 2});
+  const Mesh wall = test::made<UvGrid>({0, 0, 1, 0, 0}, {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1}, {0, 1, 2, 1, 3, 2});
   EXPECT_TRUE(wall.cast_ray({-1, 0.5, 0.25}, abut::UnitVec3::make({1, 0, 0}).value(), 10).has_value());
-  const UvGrid point = test::made<UvGrid>({0, 0, 1, 100, 100}, {1, 2, 3, 1, 2, 3, 1, 2, 3}, {0, 1, 2});
+  const Mesh point = test::made<UvGrid>({0, 0, 1, 100, 100}, {1, 2, 3, 1, 2, 3, 1, 2, 3}, {0, 1, 2});
   abut::Aabb box{{0, 0, 0}, {4, 4, 4}};
   int parts = 0;
   point.visit_parts(box, [&](const abut::Triangle&, std::uint32_t) { ++parts; });
   EXPECT_EQ(parts, 1);
-  const UvGrid gap = test::made<UvGrid>({0, 0, 1, 0, 0}, {0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 1, 1, 1});
+  const Mesh gap = test::made<UvGrid>({0, 0, 1, 0, 0}, {0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 1, 1, 1});
   parts = 0;
   gap.visit_parts(box, [&](const abut::Triangle&, std::uint32_t) { ++parts; });
   EXPECT_EQ(parts, 1);
@@ -130,7 +131,7 @@ TEST(UvGrid, WithoutExtentAcrossItsAxesAnswersToo) {
 
 // A tetrahedron that is declared solid encloses as its mesh does.
 TEST(UvGrid, MayBeSolid) {
-  const UvGrid solid =
+  const Mesh solid =
       test::made<UvGrid>({2, 0, 1, 0, 0}, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
   EXPECT_TRUE(solid.is_solid());
   EXPECT_TRUE(solid.contains({0.2, 0.2, 0.2}));

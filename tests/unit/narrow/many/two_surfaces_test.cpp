@@ -27,7 +27,6 @@ import abut.pairs.any_shape.shape_cast;
 import abut.pairs.registry;
 import abut.shapes.height_field;
 import abut.shapes.mesh;
-import abut.shapes.uv_grid;
 
 namespace {
 
@@ -112,7 +111,7 @@ Mesh ring(double wide, double thin) {
   const test::Surface torus = test::torus(wide, thin, 12, 6);
   return test::made<Mesh>({0}, torus.xyz, torus.triangles);
 }
-UvGrid ring_in_cells() {
+Mesh ring_in_cells() {
   const test::Surface torus = test::torus(1.7, 0.5, 11, 6);
   return test::made<UvGrid>({0, 0, 1, 0, 0}, torus.xyz, torus.triangles);
 }

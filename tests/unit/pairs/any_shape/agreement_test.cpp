@@ -42,7 +42,7 @@ std::vector<std::vector<AnyShape>> samples_of_kinds(std::index_sequence<places..
   return out;
 }
 
-bool is_surface(std::string_view kind) { return kind == "mesh" || kind == "height_field" || kind == "uv_grid"; }
+bool is_surface(std::string_view kind) { return kind == "mesh" || kind == "height_field"; }
 bool is_field(std::string_view kind) { return kind == "distance_field"; }
 
 double size_of(const AnyShape& shape) {
