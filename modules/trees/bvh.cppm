@@ -30,8 +30,8 @@ class Bvh {
     });
     build(std::move(entries), workers);
   }
-  // Of the items of an order in which those near each other mostly follow each other. Made in a fraction of the time,
-  // as no cuts are looked for.
+  // Of the items of an order in which those near each other mostly follow each other. Made in half the time, as cuts
+  // are looked for between 64 items and the next alone.
   Bvh(const Aabb& around, std::span<const Aabb> boxes, std::span<const std::uint32_t> order);
 
   // Calls visit(item) for the items whose boxes overlap `query`, within rounding. visit may shrink `query`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // An order of boxes in which those near each other mostly follow each other, by a grid of cells across two axes. A tree
-// is made of it without a search for cuts.
+// is made of it with few searches for cuts.
 export module abut.trees.cell_order;
 import abut.core.standard;
 import abut.math;
