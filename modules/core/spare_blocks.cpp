@@ -7,8 +7,8 @@ import abut.core.standard;
 namespace abut {
 namespace {
 
-// Larger ones take so long to fill that asking for them is nothing. All that is spare is bounded as well.
-constexpr std::size_t most_of_block = std::size_t{1} << 20, most_of_all = std::size_t{1} << 24;
+// Larger ones are mostly what a tree is made of, once. All that is spare is bounded as well.
+constexpr std::size_t most_of_block = std::size_t{1} << 16, most_of_all = std::size_t{1} << 24;
 constexpr std::size_t unit = 16;  // of sizes, so that a kind has place for an alignment
 
 constinit thread_local SpareBlocks::Use* present_use = nullptr;

@@ -158,23 +158,25 @@ void Universe::count_everything(const ContactCounts& counts) {
   stats_.asleep = sleep_.asleep_count();
   stats_.examined_pairs = jobs_.jobs().size();
   stats_.kept_pairs = stats_.candidate_pairs - stats_.examined_pairs;
-  stats_.bytes = bytes();
 }
 
 void Universe::detect(Scope scope) {
-  const SpareBlocks::Use use(spare_, workers_.threads());
-  scope.step = ++step_;
-  is_torn_ = true;
-  begin_detection();
-  try {
-    run_stages(scope);
-  } catch (...) {
+  {
+    const SpareBlocks::Use use(spare_, workers_.threads());
+    scope.step = ++step_;
+    is_torn_ = true;
+    begin_detection();
+    try {
+      run_stages(scope);
+    } catch (...) {
+      end_detection();
+      throw;
+    }
     end_detection();
-    throw;
+    apply_deferred_parking();
+    is_torn_ = false;
   }
-  end_detection();
-  apply_deferred_parking();
-  is_torn_ = false;
+  stats_.bytes = bytes();  // with what is spare now
 }
 
 void Universe::run_stages(const Scope& scope) {

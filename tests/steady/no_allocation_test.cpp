@@ -148,9 +148,9 @@ TEST_P(SteadyStep, AllocatesNothingToTellWhatItFound) {
 // Bodies that are fast have paths, and those that speculate contacts ahead of a touch.
 TEST_P(SteadyStep, AllocatesNothingForBodiesThatAreFast) {
   for (const abut_geometry_flags flags : {ABUT_GEOMETRY_FAST, ABUT_GEOMETRY_SPECULATIVE}) {
-    Crowd crowd(options(), steady::make_moving_shapes(), 5, flags);
+    Crowd crowd(options(), steady::make_moving_shapes(), 4, flags);
     require(abut_parts_measure_velocities(crowd.universe(), crowd.parts().data(), crowd.parts().size()));
-    const Allocations found = count_frames(crowd, 4, [&](std::size_t frame) {
+    const Allocations found = count_frames(crowd, 8, [&](std::size_t frame) {
       crowd.move(frame);
       require(abut_universe_step(crowd.universe(), 0.01));
     });
