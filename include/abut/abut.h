@@ -1495,8 +1495,9 @@ ABUT_API abut_status abut_geometry_set_particles(abut_universe *universe, abut_g
  * @param count  how many move; with 0 nothing changes
  * ABUT_INDEX_OUT_OF_RANGE beyond the last vertex, ABUT_OUT_OF_RANGE for other moves in a uv_grid, ABUT_UNSUPPORTED for
  * other kinds. Complexity O(count + triangles around these vertices), and O(vertices + triangles) for the first change
- * and where the shape has other holders. The tree is fitted to what moved, and made anew where queries cost more then.
- * [exclusive]
+ * and where the shape has other holders. Of a solid each of these triangles takes O(log triangles). The tree,
+ * and what a solid encloses, are fitted to what moved. Once queries cost more by a half, the next one makes them
+ * anew. [exclusive]
  */
 ABUT_API abut_status abut_geometry_set_vertices(abut_universe *universe, abut_geometry_id geometry, size_t first,
                                                 const double *xyz, size_t count);
@@ -1517,7 +1518,8 @@ ABUT_API abut_status abut_geometry_set_vertices_at(abut_universe *universe, abut
  * @param triangles  count numbers of triangles, copied; those that have gone before, or are there twice, are no error
  * @param count      with 0 nothing changes
  * ABUT_INDEX_OUT_OF_RANGE beyond the last triangle, ABUT_EMPTY where none would be left, ABUT_UNSUPPORTED for other
- * kinds. Complexity O(count), and O(vertices + triangles) once where the shape has other holders. [exclusive]
+ * kinds. Complexity O(count), and O(vertices + triangles) once where the shape has other holders. The next query makes
+ * what a solid encloses anew, in O(triangles * log triangles). [exclusive]
  */
 ABUT_API abut_status abut_geometry_remove_triangles(abut_universe *universe, abut_geometry_id geometry,
                                                     const uint32_t *triangles, size_t count);
