@@ -100,6 +100,13 @@ template <class Action>
   return status != ABUT_OK ? status : abut::capi::check_mass(written(out), "mass by density");
 }
 
+[[nodiscard]] abut::response::Simulation::Editor editor_of(abut_contact_callback callback, void* context) {
+  return [callback, context](const abut_contact& contact, abut_contact_material& material, bool& counts) {
+    counts = callback == nullptr || callback(context, &contact, &material) != 0;
+    return counts ? abut::capi::check_material(material) : abut_status{ABUT_OK};
+  };
+}
+
 // Sets a flag while a step runs.
 class Stepping {
  public:
@@ -149,6 +156,7 @@ abut_status abut_response_create(abut_universe* universe, const abut_response_op
                                                       .universe = abut::capi::UniversePointer(universe),
                                                       .simulation = abut::response::Simulation(std::move(source))});
     response->simulation.set_options(options == nullptr ? usual_options : *options);
+    response->simulation.set_editor(editor_of(nullptr, nullptr));
     *out = response.release();
     return ABUT_OK;
   });
@@ -232,6 +240,13 @@ abut_status abut_response_apply_torque(abut_response* response, abut_part_id par
     if (!its.simulation.mass_of(part)) return refuse_no_body(part);
     if (const abut_status status = abut_part_wake(its.universe.get(), part); status != ABUT_OK) return status;
     its.simulation.twist(part, *torque);
+    return ABUT_OK;
+  });
+}
+
+abut_status abut_response_set_contact_callback(abut_response* response, abut_contact_callback callback, void* context) {
+  return guarded(response, [&](abut_response& its) -> abut_status {
+    its.simulation.set_editor(editor_of(callback, context));
     return ABUT_OK;
   });
 }

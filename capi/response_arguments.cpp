@@ -88,6 +88,26 @@ abut_status check_density(double density, const char* argument) noexcept {
   return check_number(density, argument, least_mass, largest_number, "it must lie between 1e-30 and 1e30");
 }
 
+abut_status check_material(const abut_contact_material& material) noexcept {
+  constexpr double largest_coefficient = 1e6;
+  for (const auto& [name, value] :
+       {std::pair("friction_primary", material.friction_primary),
+        std::pair("friction_secondary", material.friction_secondary), std::pair("static_scale", material.static_scale),
+        std::pair("restitution", material.restitution)}) {
+    const abut_status status =
+        check_number(value, name, 0, largest_coefficient, "of a contact it must lie between 0 and 1e6");
+    if (status != ABUT_OK) return status;
+  }
+  for (const auto& [name, value] :
+       {std::pair("compliance", material.compliance), std::pair("damping", material.damping),
+        std::pair("restitution_threshold", material.restitution_threshold)}) {
+    const abut_status status =
+        check_number(value, name, 0, largest_number, "of a contact it must lie between 0 and 1e30");
+    if (status != ABUT_OK) return status;
+  }
+  return ABUT_OK;
+}
+
 abut_status check_options(const abut_response_options& options) noexcept {
   if (!has_known_size(options)) {
     return refuse(ABUT_WRONG_STRUCT_SIZE, "options.struct_size", options.struct_size,

@@ -24,6 +24,9 @@ inline constexpr double largest_number = 1e30, least_mass = 1e-30;
 [[nodiscard]] abut_status check_mass(const abut_mass_properties& mass, const char* argument) noexcept;
 [[nodiscard]] abut_status check_density(double density, const char* argument) noexcept;
 
+/// Numbers that contacts take from materials, and from what the caller makes of these.
+[[nodiscard]] abut_status check_material(const abut_contact_material& material) noexcept;
+
 [[nodiscard]] abut_status check_options(const abut_response_options& options) noexcept;
 [[nodiscard]] abut_status check_options(const abut_body_options& options) noexcept;
 

@@ -200,12 +200,25 @@ ABUT_API abut_status abut_response_apply_force(abut_response *response, abut_par
 ABUT_API abut_status abut_response_apply_torque(abut_response *response, abut_part_id part, const abut_vec3 *torque);
 
 /**
+ * Edits a contact before a step responds to it. `material` holds what the materials of its sides say, and afterwards
+ * what counts. 0 leaves the contact out. It runs on the thread that steps, in the order of contacts, once for each of
+ * them, and again after each impact. It may make [const] calls; it must not throw.
+ */
+typedef uint32_t (*abut_contact_callback)(void *context, const abut_contact *contact,
+                                          abut_contact_material *material);
+
+/** Sets what edits contacts; null for nothing. `context` is kept and handed to it. [exclusive] */
+ABUT_API abut_status abut_response_set_contact_callback(abut_response *response, abut_contact_callback callback,
+                                                        void *context);
+
+/**
  * Moves all bodies by a time. The order:
  *  1. abut_universe_step(universe, dt) finds contacts at the present poses, and events;
  *  2. gravity and forces change velocities; each island of bodies that touch is solved (abut_contact_problem_solve);
  *  3. bodies move, and rigid ones that overlap are moved apart, which changes no velocity;
  *  4. poses and velocities are set.
  * Friction, static_scale, compliance and damping are those of abut_material_pair_get for each contact, per point.
+ * There coefficients are at most 1e6, and other numbers at most 1e30: ABUT_OUT_OF_RANGE, or ABUT_NOT_FINITE.
  * Sensors push nothing. A part that is no body is a wall that moves by its velocity. Bodies whose part was destroyed
  * end. When a step fails, nothing has changed but the contacts of the universe.
  *

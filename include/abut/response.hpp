@@ -9,7 +9,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace abut {
@@ -180,7 +183,26 @@ class Response {
     return detail::answer(abut_response_apply_torque(get(), part, &torque));
   }
 
-  Answer<void> step(double dt) { return detail::answer(abut_response_step(get(), dt)); }
+  // Edits what counts for a contact, from what its materials say; false leaves the contact out. What it throws comes
+  // out of the step when that is over, without the contacts from there on.
+  using Editor = std::function<bool(const Contact&, abut_contact_material&)>;
+  // The response keeps the function; an empty one takes it away.
+  Answer<void> set_contact_callback(Editor editor) {
+    auto kept = editor ? std::make_unique<KeptEditor>(KeptEditor{std::move(editor), nullptr}) : nullptr;
+    const abut_status status =
+        abut_response_set_contact_callback(get(), kept ? &call_editor : nullptr, kept.get());
+    if (status == ABUT_OK) editor_ = std::move(kept);
+    return detail::answer(status);
+  }
+
+  Answer<void> step(double dt) {
+    const abut_status status = abut_response_step(get(), dt);
+#ifndef ABUT_NO_EXCEPTIONS
+    if (editor_ && editor_->failure && status == ABUT_OK)
+      std::rethrow_exception(std::exchange(editor_->failure, nullptr));
+#endif
+    return detail::answer(status);
+  }
 
   // Of the last step; borrowed until the next one.
   [[nodiscard]] Answer<Span<const ResponseContact>> contacts() const {
@@ -203,9 +225,30 @@ class Response {
  private:
   explicit Response(abut_response* handle) noexcept : handle_(handle) {}
 
+  struct KeptEditor {
+    Editor editor;
+    std::exception_ptr failure;
+  };
+
+  // No exception crosses the C interface.
+  static std::uint32_t call_editor(void* context, const abut_contact* contact, abut_contact_material* material) {
+    auto* const kept = static_cast<KeptEditor*>(context);
+#ifdef ABUT_NO_EXCEPTIONS
+    return kept->editor(*contact, *material) ? 1 : 0;
+#else
+    try {
+      return !kept->failure && kept->editor(*contact, *material) ? 1 : 0;
+    } catch (...) {
+      kept->failure = std::current_exception();
+      return 0;
+    }
+#endif
+  }
+
   struct Destroy {
     void operator()(abut_response* response) const noexcept { abut_response_destroy(response); }
   };
+  std::unique_ptr<KeptEditor> editor_;
   std::unique_ptr<abut_response, Destroy> handle_;
 };
 

@@ -166,8 +166,11 @@ abut_status Simulation::collect(double dt, Pass& pass) const {
     }
     if (contact.a == contact.b) continue;
     abut_contact_material material{};
+    bool counts = true;
     status = source_->material(record.material_a, record.material_b, material);
+    if (status == ABUT_OK && edit_) status = edit_(record, material, counts);
     if (status != ABUT_OK) return status;
+    if (!counts) continue;
     const KeptContact key{record.geometry_a, record.geometry_b, record.id, {}, false};
     const auto kept =
         std::ranges::lower_bound(kept_, key_of(key), {}, [](const KeptContact& its) { return key_of(its); });

@@ -7,9 +7,11 @@ module;
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 export module abut.response:simulation;
@@ -83,6 +85,9 @@ class Simulation {
   void set_options(const abut_response_options& options) { options_ = options; }
   // Room for as many bodies, so that adding them cannot fail.
   void reserve(std::size_t count) { bodies_.reserve(count); }
+  // What a contact is like, from what its materials say; whether it counts.
+  using Editor = std::function<abut_status(const abut_contact&, abut_contact_material&, bool& counts)>;
+  void set_editor(Editor editor) { edit_ = std::move(editor); }
   // A body that is there already gets the new mass.
   void add_body(abut_part_id part, const MassProperties& mass);
   // Whether the part was a body.
@@ -131,6 +136,7 @@ class Simulation {
 
   std::unique_ptr<Source> source_;
   abut_response_options options_{};
+  Editor edit_;
   std::vector<Body> bodies_;       // in the order of their parts
   std::vector<KeptContact> kept_;  // in their order
   std::vector<abut_response_contact> contacts_;

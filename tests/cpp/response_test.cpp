@@ -60,6 +60,10 @@ TEST(Response, CarriesABallOnTheGround) {
   const std::vector<abut::PartId> parts{part};
   response.add_bodies(parts, abut::BodyOptions().with_mass(given));
   EXPECT_EQ(response.body(part).mass, 3);
+  response.set_contact_callback([](const abut::Contact&, abut_contact_material&) -> bool { throw 7; });
+  universe.set_pose(part, abut::pose({0, 0, 0.5}));
+  EXPECT_THROW(response.step(0.01), int);
+  response.set_contact_callback({});
   response.remove_body(part);
   EXPECT_THROW(response.remove_body(part), abut::Error);
 }

@@ -174,6 +174,40 @@ TEST(Bodies, MoveTheSameBitsEachTime) {
   EXPECT_EQ(run(), run());
 }
 
+struct Edits {
+  std::size_t calls = 0;
+  double friction = 0;
+  bool counts = true;
+};
+std::uint32_t edit(void* context, const abut_contact* contact, abut_contact_material* material) {
+  Edits& its = *static_cast<Edits*>(context);
+  ++its.calls;
+  EXPECT_EQ(contact->normal.z, contact->geometry_a.slot < contact->geometry_b.slot ? 1 : -1);
+  EXPECT_EQ(material->friction_primary, 0.5);
+  material->friction_primary = material->friction_secondary = its.friction;
+  return its.counts ? 1 : 0;
+}
+
+// Contacts are edited before they push: here by another friction, and then by none at all.
+TEST(Bodies, TakeContactsAsTheyAreEdited) {
+  Scene scene([](abut_response_options& its) { its.gravity = {3, 0, -gravity}; });
+  scene.material(rough);
+  scene.floor();
+  const abut_part_id part = scene.body(block(0.5, 0.5, 0.1), {{0, 0, 0.1}, no_turn}, 1);
+  Edits edits;
+  require(abut_response_set_contact_callback(scene.response(), edit, &edits));
+  scene.step(1e-2);
+  EXPECT_EQ(edits.calls, scene.contacts().size());
+  EXPECT_NEAR(scene.velocity(part).linear.x, 0.03, 1e-9);
+  edits.friction = 1;
+  scene.step(1e-2);
+  EXPECT_NEAR(scene.velocity(part).linear.x, 0, 1e-9);
+  edits.counts = false;
+  scene.step(1e-2);
+  EXPECT_NEAR(scene.velocity(part).linear.z, -gravity * 1e-2, 1e-9);
+  EXPECT_TRUE(scene.contacts().empty());
+}
+
 // But for what it takes to move bodies apart.
 TEST(Bodies, LoseEnergyWhereTheyFallOnAHeap) {
   for (const double friction : {0.0, 0.4}) {

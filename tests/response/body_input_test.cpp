@@ -51,6 +51,7 @@ TEST(BodyInput, RefusesNullPointers) {
   refused(abut_response_apply_force(scene.response(), part, nullptr, nullptr), "force");
   refused(abut_response_apply_torque(nullptr, part, &force), "response");
   refused(abut_response_apply_torque(scene.response(), part, nullptr), "torque");
+  refused(abut_response_set_contact_callback(nullptr, nullptr, nullptr), "response");
   refused(abut_response_step(nullptr, 1), "response");
   refused(abut_response_contacts(nullptr, &contacts, &count), "response");
   refused(abut_response_contacts(scene.response(), nullptr, &count), "contacts");
@@ -165,6 +166,41 @@ TEST(BodyInput, RefusesForcesAndTimesByNameAndValue) {
   expect_refused(abut_shape_mass_properties(shape.get(), 0, &mass), ABUT_OUT_OF_RANGE, {"density", "0"});
   scene.step(1);
   EXPECT_NEAR(scene.pose(part).position.z, -0.5 * gravity, 1e-12);
+}
+
+// What a material or a callback says of a contact; nothing moves.
+TEST(BodyInput, RefusesNumbersOfContactsByNameAndValue) {
+  Scene scene;
+  scene.floor();
+  const abut_part_id part = scene.body(ball(1), {{0, 0, 1}, no_turn}, 1);
+  struct Spoiled {
+    double abut_contact_material::* number;
+    double value;
+  };
+  const auto refused = [&](Spoiled spoiled, abut_status status, std::initializer_list<std::string_view> words) {
+    const abut_contact_callback edit = [](void* context, const abut_contact*,
+                                          abut_contact_material* material) -> std::uint32_t {
+      const Spoiled& its = *static_cast<const Spoiled*>(context);
+      material->*its.number = its.value;
+      return 1;
+    };
+    require(abut_response_set_contact_callback(scene.response(), edit, &spoiled));
+    expect_refused(abut_response_step(scene.response(), 1e-2), status, words);
+    EXPECT_EQ(scene.pose(part).position.z, 1);
+  };
+  using Row = abut_contact_material;
+  refused({&Row::friction_primary, -1}, ABUT_OUT_OF_RANGE, {"friction_primary", "-1"});
+  refused({&Row::friction_secondary, nan}, ABUT_NOT_FINITE, {"friction_secondary"});
+  refused({&Row::static_scale, 2e6}, ABUT_OUT_OF_RANGE, {"static_scale", "2000000"});
+  refused({&Row::compliance, infinity}, ABUT_NOT_FINITE, {"compliance"});
+  refused({&Row::damping, 2e30}, ABUT_OUT_OF_RANGE, {"damping"});
+  refused({&Row::restitution, -3}, ABUT_OUT_OF_RANGE, {"restitution", "-3"});
+  refused({&Row::restitution_threshold, nan}, ABUT_NOT_FINITE, {"restitution_threshold"});
+  require(abut_response_set_contact_callback(scene.response(), nullptr, nullptr));
+  scene.material([](Row& row) { row.friction_primary = 1e7; });
+  expect_refused(abut_response_step(scene.response(), 1e-2), ABUT_OUT_OF_RANGE, {"friction_primary", "10000000"});
+  scene.material([](Row&) {});
+  scene.step(1e-2);
 }
 
 // A filter runs while the universe steps.
