@@ -220,7 +220,7 @@ ABUT_API abut_status abut_response_set_contact_callback(abut_response *response,
  * Friction, static_scale, compliance and damping are those of abut_material_pair_get for each contact, per point.
  * There coefficients are at most 1e6, and other numbers at most 1e30: ABUT_OUT_OF_RANGE, or ABUT_NOT_FINITE.
  * Sensors push nothing. A part that is no body is a wall that moves by its velocity. Bodies whose part was destroyed
- * end. When a step fails, nothing has changed but the contacts of the universe.
+ * end. When a step fails, bodies are where they were; contacts and islands may be those of the step that failed.
  *
  * With ABUT_RESPONSE_IMPACTS a step stops at each impact of fast geometries, at most 64 times. There the rigid contacts
  * of an island bounce together: surfaces that approach by more than restitution_threshold leave by restitution times

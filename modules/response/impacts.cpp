@@ -34,10 +34,34 @@ constexpr double part_of_slow = 0.1;
 
 [[nodiscard]] std::vector<Row> velocities_of(const std::vector<Motion>& motions) {
   std::vector<Row> out;
+  out.reserve(motions.size());
   for (const Motion& its : motions) {
     out.push_back({its.linear.x, its.linear.y, its.linear.z, its.angular.x, its.angular.y, its.angular.z});
   }
   return out;
+}
+
+// Takes those out that part: they would be stopped at the end of their flight.
+[[nodiscard]] std::vector<StepContact> taken_apart(Pass& pass, const std::vector<Row>& velocities) {
+  std::vector<StepContact> parted;
+  std::erase_if(pass.contacts, [&](const StepContact& contact) {
+    const bool parts = parting_speed(contact, velocities) > part_of_slow * contact.slow;
+    if (parts) parted.push_back(contact);
+    return parts;
+  });
+  return parted;
+}
+
+// A pair that has just touched is followed again when it is apart. So a path ends where the first pair is furthest
+// apart.
+[[nodiscard]] double flight_of(const std::vector<StepContact>& parted, const std::vector<Row>& before,
+                               const std::vector<Row>& after, double rest) {
+  double time = rest;
+  for (const StepContact& contact : parted) {
+    const double speed = parting_speed(contact, before), closing = (speed - parting_speed(contact, after)) / rest;
+    if (closing > 0) time = std::min(time, speed / closing);
+  }
+  return time;
 }
 
 }  // namespace
@@ -121,53 +145,53 @@ abut_status Simulation::advance(double time, double rest, const Pass& pass, doub
   return source_->move(parts, poses, velocities);
 }
 
+// The rest of a step without impacts: paths through what is left of it are straight.
+abut_status Simulation::end_at_once(double rest) {
+  Pass pass;
+  if (const abut_status status = look(rest, pass); status != ABUT_OK) return status;
+  if (!bounce(pass)) return ABUT_NOT_CONVERGED;
+  add_forces(rest, pass);
+  if (!solve_islands(rest, pass)) return ABUT_NOT_CONVERGED;
+  tell(pass);
+  keep(rest, pass);
+  return write(rest, pass);
+}
+
+// One path, from the present to the first impact or to the end of the step. What is left of it after.
+abut_status Simulation::follow(double& rest) {
+  Pass pass;
+  if (const abut_status status = look(rest, pass); status != ABUT_OK) return status;
+  std::erase_if(pass.contacts, [](const StepContact& contact) { return contact.record.toi > 0; });
+  if (!bounce(pass)) return ABUT_NOT_CONVERGED;
+  const std::vector<Row> before = velocities_of(pass.motions);
+  const std::vector<StepContact> parted = taken_apart(pass, before);
+  add_forces(rest, pass);
+  if (!solve_islands(0, pass)) return ABUT_NOT_CONVERGED;
+  tell(pass);
+  keep(rest, pass);
+  const double time = flight_of(parted, before, velocities_of(pass.motions), rest);
+  double passed = 0;
+  bool is_impact = false;
+  if (const abut_status status = advance(time, rest, pass, passed, is_impact); status != ABUT_OK) return status;
+  const bool is_over = !is_impact && time == rest;
+  rest = is_over ? 0 : rest - passed;
+  return ABUT_OK;
+}
+
 abut_status Simulation::step_by_impacts(double dt) {
-  // With more impacts than these in a step, bodies go the rest of it without.
   constexpr int most_impacts = 64;
   contacts_.clear();
   islands_.clear();
   double rest = dt;
-  for (int impacts = 0;; ++impacts) {
-    Pass pass;
-    if (const abut_status status = look(rest, pass); status != ABUT_OK) return status;
-    const bool is_last = impacts == most_impacts;
-    if (!is_last) {
-      std::erase_if(pass.contacts, [](const StepContact& contact) { return contact.record.toi > 0; });
-    }
-    if (!bounce(pass)) return ABUT_NOT_CONVERGED;
-    // Who parts is left alone, or it would be stopped at the end of its flight.
-    std::vector<StepContact> parted;
-    const std::vector<Row> before = velocities_of(pass.motions);
-    std::erase_if(pass.contacts, [&](const StepContact& contact) {
-      const bool parts = !is_last && parting_speed(contact, before) > part_of_slow * contact.slow;
-      if (parts) parted.push_back(contact);
-      return parts;
-    });
-    add_forces(rest, pass);
-    if (!solve_islands(is_last ? rest : 0, pass)) return ABUT_NOT_CONVERGED;
-    tell(pass);
-    keep(rest, pass);
-    if (is_last) {
-      if (const abut_status status = write(rest, pass); status != ABUT_OK) return status;
-      break;
-    }
-    // A pair that has just touched is followed again when it is apart. So a path ends where the pair is furthest apart.
-    double time = rest;
-    const std::vector<Row> after = velocities_of(pass.motions);
-    for (const StepContact& contact : parted) {
-      const double speed = parting_speed(contact, before), closing = (speed - parting_speed(contact, after)) / rest;
-      if (closing > 0) time = std::min(time, speed / closing);
-    }
-    double passed = 0;
-    bool is_impact = false;
-    if (const abut_status status = advance(time, rest, pass, passed, is_impact); status != ABUT_OK) return status;
-    if (!is_impact && time == rest) break;
-    rest -= passed;
-    if (!(rest > 0)) break;
+  for (int i = 0; i < most_impacts && rest > 0; ++i) {
+    if (const abut_status status = follow(rest); status != ABUT_OK) return status;
+  }
+  if (rest > 0) {
+    if (const abut_status status = end_at_once(rest); status != ABUT_OK) return status;
   }
   finish(dt);
-  std::vector<abut_part_id> parts;
-  for (const Body& body : bodies_) parts.push_back(body.part);
+  std::vector<abut_part_id> parts(bodies_.size());
+  std::ranges::transform(bodies_, parts.begin(), [](const Body& body) { return body.part; });
   return source_->stop_accelerating(parts);
 }
 

@@ -421,11 +421,12 @@ abut_status Simulation::step_at_once(double dt) {
   if (const abut_status status = look(dt, pass); status != ABUT_OK) return status;
   add_forces(dt, pass);
   if (!solve_islands(dt, pass)) return ABUT_NOT_CONVERGED;
-  if (const abut_status status = write(dt, pass); status != ABUT_OK) return status;
   contacts_.clear();
   islands_.clear();
   tell(pass);
   keep(dt, pass);
+  // Last, because all before may fail for want of memory.
+  if (const abut_status status = write(dt, pass); status != ABUT_OK) return status;
   finish(dt);
   return ABUT_OK;
 }

@@ -131,6 +131,8 @@ class Simulation {
   [[nodiscard]] abut_status step_at_once(double dt);
   // From impact to impact.
   [[nodiscard]] abut_status step_by_impacts(double dt);
+  [[nodiscard]] abut_status follow(double& rest);
+  [[nodiscard]] abut_status end_at_once(double rest);
   [[nodiscard]] bool bounce(Pass& pass);
   [[nodiscard]] abut_status advance(double time, double rest, const Pass& pass, double& passed, bool& is_impact);
 

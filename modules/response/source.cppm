@@ -18,6 +18,8 @@ class Source {
   Source() = default;
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
+  Source(Source&&) = delete;
+  Source& operator=(Source&&) = delete;
   virtual ~Source() = default;
 
   // Finds contacts of the present poses, looking ahead by `dt` where geometries ask for it.
