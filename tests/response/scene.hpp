@@ -146,4 +146,16 @@ class Scene {
   std::unique_ptr<abut_response, Delete> response_;
 };
 
+// Blocks and balls above each other, not quite in line.
+inline std::vector<abut_part_id> drop_twelve(Scene& scene) {
+  std::vector<abut_part_id> parts;
+  for (int i = 0; i < 12; ++i) {
+    const abut_pose pose{{0.3 * (i % 3), 0.2 * (i % 2), 1.0 + 1.3 * i}, no_turn};
+    parts.push_back(scene.body(i % 2 == 0 ? block(0.4, 0.4, 0.4) : ball(0.5), pose, 1 + i % 4));
+  }
+  return parts;
+}
+
+inline double total_energy(const Scene& scene) { return scene.energy().kinetic + scene.energy().potential; }
+
 }  // namespace response_test
