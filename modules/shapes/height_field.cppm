@@ -78,14 +78,6 @@ class HeightField {
   [[nodiscard]] std::size_t triangle_count() const {
     return 2 * (std::size_t{data_->columns} - 1) * (std::size_t{data_->rows} - 1);
   }
-  // No fewer than the parts that visit_parts looks at.
-  [[nodiscard]] inline std::size_t most_parts_under(const Aabb& box) const {
-    if (!box.overlaps(data_->box)) {
-      return 0;
-    }
-    const RangePyramid::Rectangle cells = cells_under(box);
-    return 2 * std::size_t{cells.columns} * cells.rows;
-  }
   template <class Visitor>
   void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
     const Data& field = *data_;

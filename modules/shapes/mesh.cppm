@@ -11,7 +11,6 @@ import abut.shapes.mesh_neighbours;
 import abut.trees.bvh;
 import abut.trees.cell_order;
 import abut.trees.eight_boxes;
-import abut.trees.slab;
 import abut.trees.volume_tree;
 
 export namespace abut {
@@ -82,9 +81,6 @@ class Mesh {
     };
     if (has_other_tree()) [[unlikely]] {
       visit_in_other(box, add);
-    } else if constexpr (requires { is_wanted.slab; }) {
-      const Slab slab = is_wanted.slab.from(tree().origin());
-      tree().visit_overlaps(box, add, [&](const EightBoxes& boxes) { return slab.reached_by(boxes); });
     } else {
       tree().visit_overlaps(box, add);
     }

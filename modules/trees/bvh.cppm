@@ -35,12 +35,8 @@ class Bvh {
   Bvh(const Aabb& around, std::span<const Aabb> boxes, std::span<const std::uint32_t> order);
 
   // Calls visit(item) for the items whose boxes overlap `query`, within rounding. visit may shrink `query`.
-  // filter(eight boxes) has a bit for each under which there may be items that are wanted.
-  struct WantsAll {
-    std::uint32_t operator()(const EightBoxes&) const { return 0xffu; }
-  };
-  template <class Visitor, class Filter = WantsAll>
-  void visit_overlaps(const Aabb& query, Visitor&& visit, const Filter& filter = {}) const {
+  template <class Visitor>
+  void visit_overlaps(const Aabb& query, Visitor&& visit) const {
     [[clang::uninitialized]] std::array<std::uint32_t, most_waiting> waiting;
     std::size_t count = 0;
     std::uint32_t at = 0;
@@ -49,7 +45,7 @@ class Bvh {
     for (;;) {
       const EightBoxes& node = nodes_[at];
       bool is_visited = false;
-      for (std::uint32_t met = node.overlapping(limits) & filter(node); met != 0; met &= met - 1) {
+      for (std::uint32_t met = node.overlapping(limits); met != 0; met &= met - 1) {
         const std::uint32_t child = node.numbers[static_cast<std::size_t>(std::countr_zero(met))];
         if (EightBoxes::is_item(child)) {
           visit(EightBoxes::item_of(child));

@@ -43,7 +43,7 @@ void append_surface_contacts(const TriangleSource& surface, const B& b, const Po
   [[clang::uninitialized]] SurfaceSearch<B> search(surface, thick, ab, settings, settings.margin, surface.has_fronts());
   std::optional<SeparatingTranslation> translation;
   if (search.is_overlapped()) {
-    const SeparatingTranslation& found = search.find();
+    const SeparatingTranslation found = search.find();
     if (!found.touches.empty()) {
       translation = of_body(found, search, b);
     }
@@ -60,7 +60,7 @@ template <Convex B>
   if (!search.is_overlapped()) {
     return false;
   }
-  const SeparatingTranslation& found = search.find();
+  const SeparatingTranslation found = search.find();
   if (found.touches.empty()) {
     return false;
   }

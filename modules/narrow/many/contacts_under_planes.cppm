@@ -14,10 +14,10 @@ import abut.narrow.many.continuation;
 import abut.narrow.many.four_nearest;
 import abut.narrow.many.least_translation;
 import abut.narrow.many.leaving;
+import abut.narrow.many.outermost_corners;
 import abut.narrow.many.separating_translation;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.many.triangle_source;
-import abut.narrow.many.way_out;
 
 export namespace abut {
 

@@ -15,6 +15,22 @@ struct FourFaces {
   FourTriangles triangles;
   Columns normals;
   Lanes heights;
+
+  // Normals of slivers are told by their triangle.
+  void set_planes(std::uint64_t present) {
+    constexpr Real sliver_square = 1e-6;
+    const FourTriangles& t = triangles;
+    const Columns ab = t.b - t.a, ac = t.c - t.a, n = cross(ab, ac);
+    const Lanes square = dot(n, n);
+    normals = (1 / __builtin_elementwise_sqrt(square)) * n;
+    const LaneNumbers is_wide = (square > sliver_square * dot(ab, ab) * dot(ac, ac)) & (square > all_lanes(1e-200)) &
+                                (square < all_lanes(1e200));
+    for (std::uint64_t left = present & ~bits_of(is_wide); left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      normals.put(lane, Triangle(t[lane], 0, false).normal());
+    }
+    heights = dot(normals, t.a);
+  }
 };
 
 // Begins and ends of the stretches; where there is none, the end is -infinity. `axis`: of a box, the number of the one

@@ -10,6 +10,7 @@ import abut.narrow.convex;
 import abut.narrow.many.leaving;
 import abut.narrow.many.leaving_four;
 import abut.narrow.many.quick_axes;
+import abut.narrow.many.translation_search;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.many.triangle_source;
 
@@ -21,11 +22,6 @@ struct NearFour : FourFaces {
   std::uint64_t one_sided;   // those with a front only
   std::uint64_t overlapped;  // those that count as overlapped at the start
   bool has_planes;           // whether normals and heights are known
-};
-
-// A triangle near a shape.
-struct NearPlace {
-  std::uint32_t four, lane;
 };
 
 // A triangle that is overlapped, touched or within the margin.
@@ -68,7 +64,8 @@ class NearTriangles {
   const NearFour& find_planes(std::size_t place) [[clang::lifetimebound]] {
     NearFour& four = fours_[place];
     if (!four.has_planes) {
-      set_planes(four);
+      four.set_planes(four.present);
+      four.has_planes = true;
     }
     return four;
   }
@@ -197,23 +194,6 @@ class NearTriangles {
     to.c.put(place, from.c[lane]);
     to.numbers[place] = from.numbers[lane];
   }
-  // Normals of slivers are told by their triangle.
-  static void set_planes(NearFour& near) {
-    constexpr Real sliver_square = 1e-6;
-    const FourTriangles& t = near.triangles;
-    const Columns ab = t.b - t.a, ac = t.c - t.a, n = cross(ab, ac);
-    const Lanes square = dot(n, n);
-    near.normals = (1 / __builtin_elementwise_sqrt(square)) * n;
-    const LaneNumbers is_wide = (square > sliver_square * dot(ab, ab) * dot(ac, ac)) & (square > all_lanes(1e-200)) &
-                                (square < all_lanes(1e200));
-    for (std::uint64_t left = near.present & ~bits_of(is_wide); left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      near.normals.put(lane, triangle_of(near, lane).normal());
-    }
-    near.heights = dot(near.normals, t.a);
-    near.has_planes = true;
-  }
-
   void look_at(const NearPlace& at, Real margin) {
     NearFour& four = fours_[at.four];
     const Triangle triangle = triangle_of(four, at.lane);

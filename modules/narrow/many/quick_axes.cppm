@@ -37,12 +37,22 @@ class QuickAxes {
 
   // A bit for each triangle that may be nearer than a limit.
   [[nodiscard]] std::uint64_t near(const FourTriangles& triangles, Real limit) const {
-    return near(triangles, limit, centre_, Still{});
-  }
-  // The same of the core on its way along a vector.
-  [[nodiscard]] std::uint64_t near_on_way(const FourTriangles& triangles, const Vec3& way, Real limit) const {
-    const Vec3 half = 0.5 * rotation_.undo(way);
-    return near(triangles, limit, centre_ + half, Swept{half});
+    const Columns a = local(triangles.a, centre_), b = local(triangles.b, centre_), c = local(triangles.c, centre_);
+    const Span x(a.x, b.x, c.x, half_.x), y(a.y, b.y, c.y, half_.y), z(a.z, b.z, c.z, half_.z);
+    const Lanes size = maximum(maximum(x.size, y.size), z.size);
+    const Lanes reach = all_lanes(std::fmax(limit, 0) + noise_) + noise_of(size);
+    LaneNumbers beyond = maximum(maximum(x.gap, y.gap), z.gap) > reach;
+    if (others_than(beyond) == 0) {
+      return 0;
+    }
+    const Columns ab = b - a, bc = c - b, ca = a - c, normal = cross(ab, ca);
+    // The normal of a sliver is rounding, and so is how far anything lies along it.
+    const Lanes rounding = noise_of(size) * length_bound(ab) * length_bound(ca);
+    const Lanes of_box = absolute(normal.x) * half_.x + absolute(normal.y) * half_.y + absolute(normal.z) * half_.z;
+    beyond |= absolute(dot(normal, a)) - of_box > reach * length_bound(normal) + rounding;
+    beyond |=
+        are_beyond_across(ab, a, c, reach) | are_beyond_across(bc, b, a, reach) | are_beyond_across(ca, c, b, reach);
+    return others_than(beyond);
   }
 
  private:
@@ -56,49 +66,6 @@ class QuickAxes {
       size = maximum(absolute(low), absolute(high)) + half;
     }
   };
-  // What a box covers beside its centre while it moves, along an axis and across edges.
-  struct Still {
-    [[nodiscard]] [[gnu::always_inline]] inline Vec3 more() const { return {0, 0, 0}; }
-    [[nodiscard]] [[gnu::always_inline]] inline Lanes along(const Columns&) const { return all_lanes(0); }
-    [[nodiscard]] [[gnu::always_inline]] inline Columns across(const Columns&) const { return Columns::all({0, 0, 0}); }
-  };
-  struct Swept {
-    Vec3 half;  // of the way
-
-    [[nodiscard]] [[gnu::always_inline]] inline Vec3 more() const {
-      return {std::fabs(half.x), std::fabs(half.y), std::fabs(half.z)};
-    }
-    [[nodiscard]] [[gnu::always_inline]] inline Lanes along(const Columns& axis) const {
-      return absolute(dot(axis, Columns::all(half)));
-    }
-    [[nodiscard]] [[gnu::always_inline]] inline Columns across(const Columns& edge) const {
-      const Columns one = cross(edge, Columns::all(half));
-      return {absolute(one.x), absolute(one.y), absolute(one.z)};
-    }
-  };
-
-  template <class Moves>
-  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t near(const FourTriangles& triangles, Real limit,
-                                                                 const Vec3& centre, const Moves& moves) const {
-    const Columns a = local(triangles.a, centre), b = local(triangles.b, centre), c = local(triangles.c, centre);
-    const Vec3 half = half_ + moves.more();
-    const Span x(a.x, b.x, c.x, half.x), y(a.y, b.y, c.y, half.y), z(a.z, b.z, c.z, half.z);
-    const Lanes size = maximum(maximum(x.size, y.size), z.size);
-    const Lanes reach = all_lanes(std::fmax(limit, 0) + noise_) + noise_of(size);
-    LaneNumbers beyond = maximum(maximum(x.gap, y.gap), z.gap) > reach;
-    if (others_than(beyond) == 0) {
-      return 0;
-    }
-    const Columns ab = b - a, bc = c - b, ca = a - c, normal = cross(ab, ca);
-    // The normal of a sliver is rounding, and so is how far anything lies along it.
-    const Lanes rounding = noise_of(size) * length_bound(ab) * length_bound(ca);
-    const Lanes of_box = absolute(normal.x) * half_.x + absolute(normal.y) * half_.y + absolute(normal.z) * half_.z;
-    beyond |= absolute(dot(normal, a)) - (of_box + moves.along(normal)) > reach * length_bound(normal) + rounding;
-    beyond |= are_beyond_across(ab, a, c, reach, moves) | are_beyond_across(bc, b, a, reach, moves) |
-              are_beyond_across(ca, c, b, reach, moves);
-    return others_than(beyond);
-  }
-
   [[nodiscard]] [[gnu::always_inline]] inline Columns local(const Columns& corner, const Vec3& centre) const {
     const Columns d = corner - Columns::all(position_);
     return Columns{dot(Columns::all(rotation_.x), d), dot(Columns::all(rotation_.y), d),
@@ -106,18 +73,16 @@ class QuickAxes {
            Columns::all(centre);
   }
   // Across an edge and each axis of the box. `opposite`: the corner that the edge does not have.
-  template <class Moves>
   [[nodiscard]] [[gnu::always_inline]] inline LaneNumbers are_beyond_across(const Columns& edge, const Columns& corner,
-                                                                            const Columns& opposite, Lanes reach,
-                                                                            const Moves& moves) const {
-    const Columns one = cross(edge, corner), other = cross(edge, opposite), more = moves.across(edge);
+                                                                            const Columns& opposite,
+                                                                            Lanes reach) const {
+    const Columns one = cross(edge, corner), other = cross(edge, opposite);
     const Lanes x = absolute(edge.x), y = absolute(edge.y), z = absolute(edge.z), least = reach * (x + y + z);
     const auto beyond = [&](Lanes p, Lanes q, Lanes of_box) {
       return maximum(minimum(p, q), -maximum(p, q)) - of_box > least;
     };
-    return beyond(one.x, other.x, y * half_.z + z * half_.y + more.x) |
-           beyond(one.y, other.y, z * half_.x + x * half_.z + more.y) |
-           beyond(one.z, other.z, x * half_.y + y * half_.x + more.z);
+    return beyond(one.x, other.x, y * half_.z + z * half_.y) | beyond(one.y, other.y, z * half_.x + x * half_.z) |
+           beyond(one.z, other.z, x * half_.y + y * half_.x);
   }
 
   Rotation rotation_;  // of the core
@@ -135,34 +100,25 @@ class QuickAxes<Triangle> {
         c_(Columns::all(ab * b.corners()[2])) {}
 
   [[nodiscard]] std::uint64_t near(const FourTriangles& triangles, Real limit) const {
-    return near_on_way(triangles, {0, 0, 0}, limit);
+    return near(triangles, {a_, b_, c_, {}}, limit);
   }
-  [[nodiscard]] [[gnu::always_inline]] inline std::uint64_t near_on_way(const FourTriangles& triangles, const Vec3& way,
-                                                                        Real limit) const {
-    return near_on_way(triangles, {a_, b_, c_, {}}, way, limit);
-  }
-  // The same of four pairs of triangles, of which the second ones move.
-  [[nodiscard]] [[gnu::always_inline]] static inline std::uint64_t near_on_way(const FourTriangles& triangles,
-                                                                               const FourTriangles& placed,
-                                                                               const Vec3& way, Real limit) {
+  // The same of four pairs of triangles.
+  [[nodiscard]] [[gnu::always_inline]] static inline std::uint64_t near(const FourTriangles& triangles,
+                                                                        const FourTriangles& placed, Real limit) {
     const Lanes size = maximum(triangles.size(), placed.size());
     const Lanes reach = all_lanes(std::fmax(limit, 0)) + noise_of(size);
-    return others_than(are_beside(triangles, placed, reach, size, Columns::all(way)) |
-                       are_beside(placed, triangles, reach, size, Columns::all(-way)));
+    return others_than(are_beside(triangles, placed, reach, size) | are_beside(placed, triangles, reach, size));
   }
 
  private:
-  // Whether all corners of the second triangle stay on one side of the plane of the first one while they move along a
-  // way.
+  // Whether all corners of the second triangle are on one side of the plane of the first one.
   [[nodiscard]] [[gnu::always_inline]] static inline LaneNumbers are_beside(const FourTriangles& first,
                                                                             const FourTriangles& second, Lanes reach,
-                                                                            Lanes size, const Columns& way) {
+                                                                            Lanes size) {
     const Columns one = first.b - first.a, other = first.c - first.a, n = cross(one, other);
     const Lanes a = dot(n, second.a - first.a), b = dot(n, second.b - first.a), c = dot(n, second.c - first.a);
-    const Lanes moved = dot(n, way), zero = all_lanes(0);
     const Lanes least = reach * length_bound(n) + noise_of(size) * length_bound(one) * length_bound(other);
-    return (minimum(minimum(a, b), c) + minimum(moved, zero) > least) |
-           (maximum(maximum(a, b), c) + maximum(moved, zero) < -least);
+    return (minimum(minimum(a, b), c) > least) | (maximum(maximum(a, b), c) < -least);
   }
 
   Columns a_, b_, c_;
@@ -177,9 +133,6 @@ class QuickAxes<B> {
 
   [[nodiscard]] std::uint64_t near(const FourTriangles& triangles, Real limit) const {
     return near(triangles, nearest_of(triangles), limit);
-  }
-  [[nodiscard]] std::uint64_t near_on_way(const FourTriangles& triangles, const Vec3& way, Real limit) const {
-    return near(triangles, limit + norm(way));
   }
   [[nodiscard]] [[gnu::always_inline]] inline FourNearest nearest_of(const FourTriangles& triangles) const {
     return {triangles, point_};

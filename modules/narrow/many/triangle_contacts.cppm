@@ -152,24 +152,6 @@ template <Convex B>
 // their planes, where shapes stand straight to each other.
 inline constexpr Real least_cosine_of_front = -1e-12;
 
-// The fronts of four pairs, one per lane.
-struct FourFronts {
-  Columns a, b;
-
-  [[nodiscard]] [[gnu::always_inline]] inline FourFronts all_of(std::size_t lane) const {
-    return {Columns::all(a[lane]), Columns::all(b[lane])};
-  }
-  void put(std::size_t lane, const FourFronts& one) {
-    a.put(lane, one.a[0]);
-    b.put(lane, one.b[0]);
-  }
-  // Within rounding, as of one pair.
-  [[nodiscard]] [[gnu::always_inline]] inline LaneNumbers allow(const Columns& normals) const {
-    const Lanes least = all_lanes(least_cosine_of_front);
-    return (dot(normals, a) >= least) & (dot(normals, b) >= least);
-  }
-};
-
 // Which ways a pair may be parted: the front of either side, where that side is a one-sided triangle.
 template <Convex B>
 class Fronts {
@@ -184,7 +166,6 @@ class Fronts {
   [[nodiscard]] bool allows(const Vec3& normal) const {
     return dot(normal, a_) >= least_cosine_of_front && dot(normal, b_) >= least_cosine_of_front;
   }
-  [[nodiscard]] FourFronts in_all() const { return {Columns::all(a_), Columns::all(b_)}; }
 
  private:
   Vec3 a_, b_;

@@ -18,6 +18,7 @@ class TriangleSource {
   TriangleSource& operator=(const TriangleSource&) = delete;
   virtual ~TriangleSource() = default;
 
+  [[nodiscard]] virtual Aabb aabb(const Pose& pose) const = 0;
   // Hands over every triangle whose box overlaps another one, once.
   virtual void visit(const Aabb& box, const TakeFour& take) const = 0;
   [[nodiscard]] virtual Triangle part(std::uint32_t number) const = 0;
@@ -39,6 +40,7 @@ class SourceOf final : public TriangleSource {
   // `is_solid`: whether what overlaps the surface is told how deep it is in the solid.
   explicit SourceOf(const S& surface, bool is_solid = false) : surface_(surface), is_solid_(is_solid) {}
 
+  [[nodiscard]] Aabb aabb(const Pose& pose) const override { return surface_.aabb(pose); }
   void visit(const Aabb& box, const TakeFour& take) const override {
     Aabb query = box;
     const auto ask = [&](const FourTriangles& four) -> std::uint64_t {

@@ -6,7 +6,6 @@ import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
 import abut.narrow.many.quick_axes;
-import abut.trees.slab;
 import abut.trees.two_trees;
 
 export namespace abut {
@@ -74,57 +73,12 @@ void visit_two_parts(const A& a, const B& b, const Pose& ab, Real reach, Visitor
   const Real noise = noise_of_two(a, b, ab);
   const auto visit_items = [&](std::uint32_t of_a, std::uint32_t of_b) {
     const auto near = [&](const FourTriangles& part, const FourTriangles& placed) {
-      return QuickAxes<Triangle>::near_on_way(part, placed, {0, 0, 0}, reach);
+      return QuickAxes<Triangle>::near(part, placed, reach);
     };
     parts.visit(of_a, of_b, near, [&](const Triangle& part, const Triangle& other) { reach = visit(part, other); });
     return reach + noise;
   };
   visit_two(a, b, GapOrder(a.origin(), b.origin(), ab), reach + noise, visit_items, wants);
-}
-
-// The same for parts that may be within `reach` of each other while b moves along a direction, as far as `length`:
-// those of which near(corners of both in the frame of a) has a bit.
-template <Surface A, Surface B, class Near, class Visitor>
-void visit_two_parts_on_way(const A& a, const B& b, const Pose& ab, const Vec3& direction, Real length, Real reach,
-                            Near&& near, Visitor&& visit) {
-  TwoParts<A, B> parts(a, b, ab);
-  const auto visit_items = [&](std::uint32_t of_a, std::uint32_t of_b) {
-    parts.visit(of_a, of_b, near, visit);
-    return length;
-  };
-  const Real slack = std::max(reach, Real{0}) + noise_of_two(a, b, ab);
-  visit_two(a, b, PassageOrder(a.origin(), b.origin(), ab, direction, slack), length, visit_items);
-}
-
-// What is within a reach of the plane of a triangle while that moves along a way, or anything: slivers have no plane.
-[[nodiscard]] inline Slab slab_around(const TriangleCorners& corners, const Vec3& normal, const Vec3& way, Real reach) {
-  const Real moved = dot(normal, way);
-  return {normal, least_along(corners, normal) + std::min(moved, Real{0}) - reach,
-          -least_along(corners, -normal) + std::max(moved, Real{0}) + reach};
-}
-
-// The same where b has few parts under a, or under a on the way back along a vector. Each of these asks the tree of a,
-// which answers for four parts at once: near(corners of parts, corners of one of b) has a bit for each. False, with
-// nothing visited, where b has many. In no order.
-template <Surface A, Terrain B, class Near, class Visitor>
-[[nodiscard]] bool visit_parts_on(const A& a, const B& b, const Pose& ab, const Vec3& way, Real reach, Near&& near,
-                                  Visitor&& visit) {
-  constexpr std::size_t few = 2048;
-  const Real around = std::max(reach, Real{0}) + noise_of_two(a, b, ab);
-  Aabb under_a = a.aabb(ab.inverse()).swept({0, 0, 0}, -ab.rotation.undo(way)).inflated(around);
-  if (b.most_parts_under(under_a) > few) {
-    return false;
-  }
-  b.visit_parts(under_a, [&](const Triangle& other, std::uint32_t) {
-    const TriangleCorners& corners = other.corners();
-    const TriangleCorners placed{ab * corners[0], ab * corners[1], ab * corners[2]};
-    const FourTriangles in_all = FourTriangles::all(placed);
-    Aabb near_other = box_around(placed).swept({0, 0, 0}, way).inflated(around);
-    const auto ask = [&](const FourTriangles& parts) { return near(parts, in_all); };
-    const Slab slab = slab_around(placed, ab.rotation * other.normal(), way, around);
-    a.visit_parts(near_other, InSlab{ask, slab}, [&](const Triangle& part, std::uint32_t) { visit(part, other); });
-  });
-  return true;
 }
 
 }  // namespace abut

@@ -5,20 +5,16 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-import abut.math.four_vec3;
 import abut.math.tolerance;
 import abut.narrow.convex;
-import abut.narrow.many.fronts_ahead;
 import abut.narrow.many.nearest_of_parts;
-import abut.narrow.many.parts_met;
-import abut.narrow.many.passing_boxes;
-import abut.narrow.many.quick_axes;
 import abut.narrow.many.solid_contacts;
 import abut.narrow.many.solid_depth;
 import abut.narrow.many.solid_pair_depth;
-import abut.narrow.many.surface_contacts;
 export import abut.narrow.many.surfaces;
+import abut.narrow.many.triangle_source;
 import abut.narrow.many.two_parts;
+import abut.narrow.many.two_sources;
 
 export namespace abut {
 
@@ -34,71 +30,6 @@ template <Surface A, Surface B>
   return std::nullopt;
 }
 
-// What two surfaces may meet of each other on a way of the second one.
-template <Surface A, Surface B>
-class PairsOnTheWay {
- public:
-  PairsOnTheWay(const A& a, const B& b, const Pose& ab) : a_(a), b_(b), ab_(ab), boxes_(ab.rotation) {}
-
-  // A bit for each pair.
-  [[nodiscard]] std::uint64_t meets(const FourParts<Triangle>& parts, const PartingWay& way) const {
-    const Vec3 along = way.depth * way.direction;
-    const std::uint64_t near = QuickAxes<Triangle>::near_on_way(parts.triangles, parts.placed.of, along, 0);
-    return near == 0 ? 0 : near & boxes_.meet(parts.triangles, parts.placed.of, along, 0);
-  }
-  // Whether either may run into a front of the other on a way.
-  [[nodiscard]] bool meets_front(const PartingWay& way, Real slack) const {
-    const Vec3 back = -ab_.rotation.undo(way.direction);
-    const auto in_way = [&](const auto& surface, const Pose& pose, const Vec3& direction) {
-      return surface.aabb(pose).swept({0, 0, 0}, way.depth * direction).inflated(slack);
-    };
-    return has_front_against(b_, in_way(a_, ab_.inverse(), back), back) ||
-           has_front_against(a_, in_way(b_, ab_, way.direction), way.direction);
-  }
-  // Calls visit(part of a, part of b, where they meet, where they part) for what may meet on a stretch of a way. What
-  // parts no later than `least` is passed over.
-  template <class Visitor>
-  void visit(const Stretch& on, Real least, Real slack, const Visitor& visit) const {
-    const Real length = on.end - on.begin;
-    const Vec3 along = length * on.direction;
-    const Columns direction = Columns::all(on.direction);
-    const Pose begin{ab_.rotation, ab_.position + on.begin * on.direction};
-    // What was asked for last.
-    Lanes share{}, leave{};
-    std::array<std::uint32_t, 4> numbers{};
-    const auto near = [&](const FourTriangles& parts, const FourTriangles& placed) -> std::uint64_t {
-      const Lanes high = maximum(maximum(dot(direction, parts.a), dot(direction, parts.b)), dot(direction, parts.c)),
-                  low = minimum(minimum(dot(direction, placed.a), dot(direction, placed.b)), dot(direction, placed.c));
-      leave = on.begin + (high - low);
-      std::uint64_t found = bits_of(leave > all_lanes(least));
-      found = found == 0 ? 0 : found & QuickAxes<Triangle>::near_on_way(parts, placed, along, slack);
-      if (found != 0) {
-        share = boxes_.enter(parts, placed, along, slack);
-        numbers = parts.numbers;
-        found &= bits_of(share <= all_lanes(1));
-      }
-      return found;
-    };
-    const auto visit_near = [&](const Triangle& part, const Triangle& other) {
-      const auto lane = static_cast<std::size_t>(std::ranges::find(numbers, part.index()) - numbers.begin());
-      visit(part, other, on.begin + share[lane] * length, leave[lane]);
-    };
-    bool are_visited = false;
-    if constexpr (Terrain<B> && !Terrain<A>) {
-      are_visited = visit_parts_on(a_, b_, begin, along, slack, near, visit_near);
-    }
-    if (!are_visited) {
-      visit_two_parts_on_way(a_, b_, begin, on.direction, length, slack, near, visit_near);
-    }
-  }
-
- private:
-  const A& a_;
-  const B& b_;
-  const Pose& ab_;
-  PassingBoxes boxes_;
-};
-
 template <Surface A, Surface B>
 [[nodiscard]] Outcome surfaces_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                         Manifold& out) {
@@ -106,24 +37,9 @@ template <Surface A, Surface B>
     return Outcome::unsupported;
   }
   const std::size_t first = out.size();
-  SurfaceContacts<A, B> contacts(a, b, ab, settings, out);
-  const Real reach = std::max(settings.margin, Real{0});
-  const auto add = [&](const Triangle& part, const Triangle& other) {
-    contacts.add(part, other, other.index());
-    return reach;
-  };
-  bool are_visited = false;
-  if constexpr (Terrain<B> && !Terrain<A>) {
-    const auto near = [&](const FourTriangles& parts, const FourTriangles& placed) {
-      return QuickAxes<Triangle>::near_on_way(parts, placed, {0, 0, 0}, reach);
-    };
-    are_visited = visit_parts_on(a, b, ab, {0, 0, 0}, reach, near, add);
-  }
-  if (!are_visited) {
-    visit_two_parts(a, b, ab, reach, add);
-  }
-  contacts.finish(PairsOnTheWay(a, b, ab), [] {});
-  settle_depth(depth_of_solids(a, b, ab, settings), first, settings.margin, out);
+  const std::optional<SolidDepth> depth = depth_of_solids(a, b, ab, settings);
+  contacts_of_surfaces(SourceOf<A>(a, depth.has_value()), SourceOf<B>(b, depth.has_value()), ab, settings, out);
+  settle_depth(depth, first, settings.margin, out);
   return Outcome::ok;
 }
 
@@ -187,16 +103,14 @@ template <Surface A, Surface B>
       other = part_of_b;
       slab.turn(out.normal);
     }
-    return reach();
+    return out.distance < -rounding ? -infinity : reach();  // the depth is that of the whole
   };
   visit_two_parts(a, b, ab, reach(), visit,
                   [&](std::uint32_t part, bool is_of_b) { return slab.gap_of(part, is_of_b) <= reach(); });
   out.lower = out.distance > rounding ? std::min(out.lower, out.distance - rounding) : out.lower;
   const Real noise = noise_of(core_size(triangle, other, ab));
   if (out.distance < -noise) {
-    Manifold contacts;
-    static_cast<void>(surfaces_contacts(a, b, ab, without_margin(settings), contacts));
-    take_depth_of(contacts, noise, out);
+    static_cast<void>(depth_of_surfaces(SourceOf<A>(a), SourceOf<B>(b), ab, settings, out));
   }
   return Outcome::ok;
 }

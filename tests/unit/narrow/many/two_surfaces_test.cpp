@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 #include "../../damaged_meshes.hpp"
@@ -19,9 +18,6 @@
 
 import abut.capability;
 import abut.math;
-import abut.narrow.many.surface_contacts;
-import abut.narrow.many.two_parts;
-import abut.narrow.many.two_surfaces;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.shape_cast;
 import abut.pairs.registry;
@@ -185,55 +181,6 @@ TEST(TwoSurfaces, OfAGridOfCellsAnswerAsAllPairsOfTriangles) {
   test::Random random(4);
   expect_answers_of_all_pairs(ring_in_cells(), ring(2, 0.6), 4);
   expect_answers_of_all_pairs(ring_in_cells(), ground(7, 0, random), 5);
-}
-
-// Both ways find the same contacts, bit by bit: from the parts of the field, and down two trees.
-TEST(TwoSurfaces, OfAMeshOnAHeightFieldMeetAlikeByEitherWay) {
-  test::Random random(6);
-  const Mesh mesh = ring(0.8, 0.3);
-  const HeightField field = ground(12, 0.05, random);
-  std::size_t met = 0;
-  for (int turn = 0; turn < 40; ++turn) {
-    const Pose ba{random.rotation(), Vec3{2.2, 1.6, 0} + 0.7 * random.point(1)};
-    const Pose ab = ba.inverse();
-    const abut::QuerySettings settings{.margin = turn % 2 == 0 ? 0 : 0.05};
-    abut::Manifold one, other;
-    ASSERT_EQ(abut::surfaces_contacts(mesh, field, ab, settings, one), abut::Outcome::ok);
-    abut::SurfaceContacts<Mesh, HeightField> contacts(mesh, field, ab, settings, other);
-    abut::visit_two_parts(mesh, field, ab, settings.margin, [&](const abut::Triangle& a, const abut::Triangle& b) {
-      contacts.add(a, b, b.index());
-      return settings.margin;
-    });
-    contacts.finish(abut::PairsOnTheWay(mesh, field, ab), [] {});
-    const auto ids_and_places = [](const abut::Manifold& manifold) {
-      std::vector<std::tuple<std::uint64_t, double, double, double>> list;
-      for (const abut::ContactPoint& contact : manifold) {
-        list.emplace_back(contact.id, contact.distance, contact.point_a.x, contact.normal.z);
-      }
-      std::ranges::sort(list);
-      return list;
-    };
-    EXPECT_EQ(ids_and_places(one), ids_and_places(other)) << turn;
-    met += one.size();
-  }
-  EXPECT_GT(met, 400u);
-}
-
-TEST(TwoSurfaces, OfAFieldWithManyPartsVisitNoneOfThem) {
-  test::Random random(7);
-  const HeightField field = ground(40, 0, random);
-  int visited = 0;
-  const auto count = [&](const abut::Triangle&, const abut::Triangle&) { ++visited; };
-  const auto visits_on = [&](const Mesh& mesh, const abut::Vec3& at, const abut::Vec3& way) {
-    const auto near = [](const abut::FourTriangles&, const abut::FourTriangles&) { return std::uint64_t{15}; };
-    const Pose ab = Pose{abut::Rotation::identity(), at}.inverse();
-    return abut::visit_parts_on(mesh, field, ab, way, 0, near, count);
-  };
-  EXPECT_FALSE(visits_on(ring(8, 2), {8, 6, 0}, {0, 0, 0}));
-  EXPECT_FALSE(visits_on(ring(0.8, 0.3), {1, 1, 0}, {-14, -10, 0}));
-  EXPECT_EQ(visited, 0);
-  EXPECT_TRUE(visits_on(ring(0.8, 0.3), {8, 6, 0}, {0, 0, 0}));
-  EXPECT_GT(visited, 20);
 }
 
 // Of parallel surfaces all parts are as near as the nearest one.

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contacts of two surfaces, pair by pair of their triangles. Pairs that touch after the separating translation have the
+// normal of that touch, others those of their faces and edges. Such a normal counts where both surfaces lie behind the
+// plane across it, each on its side.
+module abut.narrow.many.two_sources;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.math;
+import abut.math.four_vec3;
+import abut.math.tolerance;
+import abut.narrow.convex;
+import abut.narrow.many.contacts_under_planes;
+import abut.narrow.many.continuation;
+import abut.narrow.many.crossing_surfaces;
+import abut.narrow.many.four_nearest;
+import abut.narrow.many.leaving_pairs;
+import abut.narrow.many.least_translation;
+import abut.narrow.many.outermost_corners;
+import abut.narrow.many.placed_triangles;
+import abut.narrow.many.triangle_contacts;
+import abut.narrow.many.triangle_source;
+
+namespace abut {
+namespace {
+
+constexpr Pose here = Pose::identity();
+constexpr Real same_normal = 1 - 1e-9;
+
+// Whether a triangle that is near holds a point of the surface and rises there: at a crack or a T-junction.
+bool rises_at(const PlacedTriangles& near, const Vec3& point, const Vec3& normal, Real size, Real noise) {
+  const Columns at = Columns::all(point), along = Columns::all(normal);
+  return std::ranges::any_of(near.fours(), [&](const PlacedFour& four) {
+    const FourTriangles& t = four.triangles;
+    const Lanes extent = maximum(largest_magnitude(t.b - t.a), largest_magnitude(t.c - t.a));
+    const Lanes reach = crack_share * minimum(extent, all_lanes(size)) + noise;
+    const Lanes rise = maximum(maximum(dot(along, t.a - at), dot(along, t.b - at)), dot(along, t.c - at));
+    const std::uint64_t rising = four.present & bits_of(rise > 2 * reach);
+    return rising != 0 && (rising & bits_of(FourNearest(t, point).square <= reach * reach)) != 0;
+  });
+}
+
+class Contacts {
+ public:
+  Contacts(const TriangleSource& a, const TriangleSource& b, const Pose& ab, const QuerySettings& settings,
+           CrossingSurfaces& surfaces, bool is_swapped, Manifold& out)
+      : a_(a), b_(b), ab_(ab), settings_(settings), surfaces_(surfaces), is_swapped_(is_swapped), out_(out) {}
+
+  void append() {
+    std::optional<SeparatingTranslation> translation;
+    if (surfaces_.is_overlapped()) {
+      translation = surfaces_.find();
+      most_ = translation->length * (1 + 1e-9) + surfaces_.tolerance();
+      append_touched(*translation);
+    }
+    for (const NearPair& pair : surfaces_.near()) {
+      if (pair.is_overlapped) {
+        append_overlapped(pair, *translation);
+      } else {
+        append_apart(pair);
+      }
+    }
+    if (translation && translation->ends_behind) {
+      append_jammed();
+    } else if (translation && !a_.is_solid() && !does_part(translation->length)) {
+      append_whole(*translation);
+    }
+    if (!translation) {
+      append_nearest();
+    }
+  }
+
+ private:
+  void append_touched(const SeparatingTranslation& translation) {
+    constexpr Real same_direction = 1e-12;  // of unit vectors
+    std::vector<TouchedPair> touched;
+    surfaces_.visit_touched(translation, [&](const TouchedPair& pair) { touched.push_back(pair); });
+    std::ranges::sort(touched, {}, [](const TouchedPair& pair) { return std::tuple(pair.a.number, pair.b.number); });
+    for (const TouchedPair& pair : touched) {
+      if (!last_ || pair.length > last_->length) {
+        last_ = pair;
+      }
+      const Triangle a = pair.a.part(), b = pair.b.part();
+      if (!Fronts<Triangle>(a, b, here).allows(pair.normal)) {
+        continue;
+      }
+      if (is_along(pair.normal, a.normal())) {
+        append_under_face_of_a(a, b, pair.normal);
+      } else if (is_along(pair.normal, b.normal())) {
+        append_under_face_of_b(a, b, pair.normal);
+      } else if (largest_magnitude(pair.normal - translation.direction) <= same_direction) {
+        // Features that are touched after a translation aslant lie beside each other before it.
+        CoreSeparation core = along(pair.normal, pair.length);
+        core.point_b = last_point_of(pair.a.corners, pair.b.corners, translation.direction, pair.length);
+        core.point_a = core.point_b + pair.length * pair.normal;
+        append_under(a, b, core, true);
+      }
+    }
+  }
+
+  // What is jammed between fronts is pushed to the front of each.
+  void append_overlapped(const NearPair& pair, const SeparatingTranslation& translation) {
+    const Real least_along = translation.ends_behind ? -1 : 1e-6;
+    const Vec3& direction = translation.direction;
+    const Triangle a = pair.a.part(), b = pair.b.part();
+    const Fronts<Triangle> fronts(a, b, here);
+    const auto toward = [&](const Vec3& normal) {
+      const bool is_turned = translation.ends_behind ? !fronts.allows(normal) : dot(normal, direction) < 0;
+      return is_turned ? -normal : normal;
+    };
+    const auto leads_on = [&](const Vec3& normal) {
+      return dot(normal, direction) > least_along && fronts.allows(normal);
+    };
+    if (const Vec3 normal = toward(a.normal()); leads_on(normal) && is_of_b(pair.b, normal)) {
+      append_under_face_of_a(a, b, normal);
+    }
+    if (const Vec3 normal = toward(b.normal()); leads_on(normal) && is_of_a(pair.a, normal)) {
+      append_under_face_of_b(a, b, normal);
+    }
+    const Vec3& own = pair.found.core.normal;
+    if (leads_on(own) && !is_along(own, a.normal()) && !is_along(own, b.normal())) {
+      append_own(pair);
+    }
+  }
+  void append_apart(const NearPair& pair) { append_own(pair); }
+  // The separation of two triangles, where it is one of their surfaces.
+  void append_own(const NearPair& pair) {
+    const Vec3& normal = pair.found.core.normal;
+    if (!is_of_a(pair.a, normal) || !is_of_b(pair.b, normal)) {
+      return;
+    }
+    const Triangle a = pair.a.part(), b = pair.b.part();
+    const CoreSeparation core = completed(a, b, here, pair.found);
+    const Real noise = noise_of(core_size(a, b, here));
+    const auto rises = [&](bool shares_corners, const Triangle& of, const PlacedTriangles& near, const Vec3& point,
+                           const Vec3& outward) {
+      return !shares_corners && !is_along(outward, of.normal()) &&
+             rises_at(near, point, outward, surfaces_.size(), noise);
+    };
+    if (!rises(a_.shares_corners(), a, surfaces_.triangles_of_a(), core.point_a, normal) &&
+        !rises(b_.shares_corners(), b, surfaces_.triangles_of_b(), core.point_b, -normal)) {
+      append_under(a, b, core, true);
+    }
+  }
+
+  // Whether no neighbour of a triangle reaches further along a normal. `local`: the same in the frame of the surface.
+  [[nodiscard]] bool is_of_surface(const TriangleSource& surface, const PlacedTriangle& triangle, const Vec3& normal,
+                                   const Vec3& local) const {
+    const Triangle part = triangle.part();
+    if (!part.has_area() || is_along(normal, part.normal())) {
+      return true;
+    }
+    const Real noise = surfaces_.touching();
+    const unsigned corners = outermost_corners(triangle.corners, normal, noise);
+    return corners == 7 || surface.is_crest(triangle.number, corners, local, noise);
+  }
+  [[nodiscard]] bool is_of_a(const PlacedTriangle& triangle, const Vec3& normal) const {
+    return is_of_surface(a_, triangle, normal, normal);
+  }
+  [[nodiscard]] bool is_of_b(const PlacedTriangle& triangle, const Vec3& normal) const {
+    return is_of_surface(b_, triangle, -normal, -ab_.rotation.undo(normal));
+  }
+
+  [[nodiscard]] static CoreSeparation along(const Vec3& normal, Real depth) {
+    CoreSeparation core{};
+    core.normal = normal;
+    core.distance = core.lower = core.upper = -depth;
+    core.overlap = depth > 0;
+    core.algorithm = Algorithm::gjk_epa;
+    return core;
+  }
+  void append_under_face_of_a(const Triangle& a, const Triangle& b, const Vec3& normal) {
+    const Vec3 exact = dot(normal, a.normal()) < 0 ? -a.normal() : a.normal();
+    const CoreSeparation core = along_face(a, b, here, along(normal, 0), exact);
+    append_under(a, b, core, is_over(a, core.point_a));
+  }
+  void append_under_face_of_b(const Triangle& a, const Triangle& b, const Vec3& normal) {
+    const Vec3 exact = dot(normal, b.normal()) < 0 ? -b.normal() : b.normal();
+    const CoreSeparation core = along_other_face(a, b, here, along(normal, 0), exact);
+    append_under(a, b, core, is_over(b, core.point_b));
+  }
+  void append_under(const Triangle& a, const Triangle& b, const CoreSeparation& core, bool closest_count) {
+    const std::size_t first = out_.size();
+    contacts_under(a, b, here, core, settings_.margin, closest_count, out_);
+    const Real noise = surfaces_.touching();
+    std::size_t kept = first;
+    for (std::size_t i = first; i < out_.size(); ++i) {
+      ContactPoint contact = out_[i];
+      if (-contact.distance > most_ ||
+          (is_along(contact.normal, a.normal()) && is_on_a_cut(a_, a, contact.normal, contact.feature_a, noise)) ||
+          (is_along(contact.normal, b.normal()) &&
+           is_on_a_cut(b_, local(b), ab_.rotation.undo(contact.normal), contact.feature_b, noise)) ||
+          is_told(contact, kept)) {
+        continue;
+      }
+      name(contact, a.index(), b.index());
+      out_[kept++] = contact;
+    }
+    out_.resize(kept, ContactPoint{});
+  }
+  // In the frame of its surface.
+  [[nodiscard]] Triangle local(const Triangle& b) const { return b_.part(b.index()); }
+  // As if the surfaces came in the order that was asked for.
+  void name(ContactPoint& contact, std::uint32_t number_a, std::uint32_t number_b) const {
+    const std::uint64_t features = is_swapped_ ? contact_id(contact.feature_b, contact.feature_a)
+                                               : contact_id(contact.feature_a, contact.feature_b);
+    contact.id = contact_id_of_part(contact_id_of_part(features, is_swapped_ ? number_b : number_a),
+                                    is_swapped_ ? number_a : number_b);
+    contact.feature_a = {FeatureKind::face, number_a};
+    contact.feature_b = {FeatureKind::face, number_b};
+  }
+  // Whether one of the contacts so far is at the same place, and then the deeper one of both.
+  [[nodiscard]] bool is_told(const ContactPoint& contact, std::size_t count) {
+    constexpr Real same_place = 1e-7;  // of the size
+    const Real reach = same_place * surfaces_.size();
+    for (ContactPoint& known : std::span(out_).subspan(first_, count - first_)) {
+      if (dot(known.normal, contact.normal) > same_normal &&
+          squared_norm(known.point_b - contact.point_b) <= reach * reach) {
+        if (contact.distance < known.distance) {
+          known.point_a = contact.point_a;
+          known.point_b = contact.point_b;
+          known.normal = contact.normal;
+          known.distance = contact.distance;
+        }
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Whether the shortest translation that leaves the planes of all contacts is as long as the one that was found.
+  [[nodiscard]] bool does_part(Real length) const {
+    constexpr std::size_t most_planes = 8;
+    SmallVector<HalfSpaceToLeave, most_planes> planes;
+    Real deepest = 0;
+    for (const ContactPoint& contact : std::span(out_).subspan(first_)) {
+      deepest = std::max(deepest, -contact.distance);
+      bool is_known = false;
+      for (HalfSpaceToLeave& known : planes.span()) {
+        if (dot(known.normal, contact.normal) > same_normal) {
+          known.least = std::max(known.least, -contact.distance);
+          is_known = true;
+        }
+      }
+      if (!is_known && contact.distance < 0 && planes.size() < most_planes) {
+        planes.push_back({contact.normal, -contact.distance});
+      }
+    }
+    const Real enough = length * (1 - 1e-9) - 2 * surfaces_.tolerance();
+    if (deepest >= enough) {
+      return true;
+    }
+    const auto move = planes.empty() ? std::nullopt : least_translation(planes.span());
+    return move && norm(*move) >= enough;
+  }
+  // The touch after the translation, as a contact along it.
+  void append_whole(const SeparatingTranslation& translation) {
+    if (!(-translation.length <= settings_.margin) || !last_) {
+      return;
+    }
+    const Vec3 point_b = last_point_of(last_->a.corners, last_->b.corners, translation.direction, last_->length);
+    const Feature whole{FeatureKind::whole, 0};
+    out_.push_back({point_b + translation.length * translation.direction,
+                    point_b,
+                    translation.direction,
+                    -translation.length,
+                    {FeatureKind::face, last_->a.number},
+                    {FeatureKind::face, last_->b.number},
+                    mixed(~contact_id(whole, whole))});
+  }
+  // Where no way leads to the front of all, the deepest pair that has one to the fronts of both tells its own.
+  void append_jammed() {
+    if (out_.size() > first_) {
+      return;
+    }
+    const NearPair* deepest = nullptr;
+    for (const NearPair& pair : surfaces_.near()) {
+      if (pair.is_overlapped && (deepest == nullptr || pair.gap < deepest->gap) &&
+          Fronts<Triangle>(pair.a.part(), pair.b.part(), here).allows(pair.found.core.normal)) {
+        deepest = &pair;
+      }
+    }
+    if (deepest != nullptr) {
+      const Triangle a = deepest->a.part(), b = deepest->b.part();
+      append_under(a, b, completed(a, b, here, deepest->found), true);
+    }
+  }
+  // Rounding may leave the nearest points in the cone of no triangle. Then the nearest pair has a contact after all.
+  void append_nearest() {
+    const std::span<const NearPair> near = surfaces_.near();
+    if (near.empty()) {
+      return;
+    }
+    const NearPair& nearest = *std::ranges::min_element(near, {}, &NearPair::gap);
+    const auto is_as_near = [&](const ContactPoint& contact) {
+      return contact.distance <= std::max(nearest.gap, Real{0}) + surfaces_.touching();
+    };
+    if (std::ranges::none_of(std::span(out_).subspan(first_), is_as_near)) {
+      const Triangle a = nearest.a.part(), b = nearest.b.part();
+      append_under(a, b, completed(a, b, here, nearest.found), true);
+    }
+  }
+
+  const TriangleSource& a_;
+  const TriangleSource& b_;
+  const Pose& ab_;
+  const QuerySettings& settings_;
+  CrossingSurfaces& surfaces_;
+  bool is_swapped_;
+  Manifold& out_;
+  std::size_t first_ = out_.size();
+  Real most_ = infinity;  // how deep a contact may be
+  std::optional<TouchedPair> last_;
+};
+
+void append_contacts(const TriangleSource& a, const TriangleSource& b, const Pose& ab, const QuerySettings& settings,
+                     bool is_swapped, Manifold& out) {
+  CrossingSurfaces surfaces(a, b, ab, settings, settings.margin);
+  Contacts(a, b, ab, settings, surfaces, is_swapped, out).append();
+}
+
+}  // namespace
+
+void contacts_of_surfaces(const TriangleSource& a, const TriangleSource& b, const Pose& ab,
+                          const QuerySettings& settings, Manifold& out) {
+  const std::size_t first = out.size();
+  if (!is_moved_first(a, b, ab)) {
+    append_contacts(a, b, ab, settings, false, out);
+  } else {
+    append_contacts(b, a, ab.inverse(), settings, true, out);
+    for (ContactPoint& contact : std::span(out).subspan(first)) {
+      move_by(contact, ab, true);
+    }
+  }
+  number_apart(std::span(out).subspan(first));
+}
+
+}  // namespace abut
