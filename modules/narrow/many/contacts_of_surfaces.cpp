@@ -73,10 +73,11 @@ class Contacts {
  private:
   void append_touched(const SeparatingTranslation& translation) {
     constexpr Real same_direction = 1e-12;  // of unit vectors
-    std::vector<TouchedPair> touched;
+    SmallVector<TouchedPair, 32> touched;
     surfaces_.visit_touched(translation, [&](const TouchedPair& pair) { touched.push_back(pair); });
-    std::ranges::sort(touched, {}, [](const TouchedPair& pair) { return std::tuple(pair.a.number, pair.b.number); });
-    for (const TouchedPair& pair : touched) {
+    std::ranges::sort(touched.span(), {},
+                      [](const TouchedPair& pair) { return std::tuple(pair.a.number, pair.b.number); });
+    for (const TouchedPair& pair : touched.span()) {
       if (!last_ || pair.length > last_->length) {
         last_ = pair;
       }

@@ -389,13 +389,23 @@ void CrossingSurfaces::note(const PlacedFour& a, const PlacedFour& b, std::size_
       !exit.note({normal_at_end(a, b, lane, direction, found.axis[lane]), length, {}}, tie())) {
     return;
   }
-  const Vec3 of_a = a.normals[lane], of_b = -b.normals[lane];
-  if ((a.one_sided >> lane & 1u) != 0 && dot(of_a, direction) < -least_against) {
-    exit.backs.push_back({of_a, length});
-  }
-  if ((b.one_sided >> lane & 1u) != 0 && dot(of_b, direction) < -least_against) {
-    exit.backs.push_back({of_b, length});
-  }
+  // A few fronts tell enough: those that are left last.
+  constexpr std::size_t most_backs = 4;
+  const auto pass = [&](const Vec3& front, std::uint64_t one_sided) {
+    if ((one_sided >> lane & 1u) == 0 || !(dot(front, direction) < -least_against)) {
+      return;
+    }
+    if (exit.backs.size() < most_backs) {
+      exit.backs.push_back({front, length});
+      return;
+    }
+    auto& first = *std::ranges::min_element(exit.backs.span(), {}, &SurfaceExit::Back::length);
+    if (length > first.length) {
+      first = {front, length};
+    }
+  };
+  pass(a.normals[lane], a.one_sided);
+  pass(-b.normals[lane], b.one_sided);
 }
 
 void CrossingSurfaces::visit_touched(const SeparatingTranslation& translation, const TakeTouched& take) {

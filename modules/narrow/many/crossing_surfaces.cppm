@@ -118,8 +118,8 @@ class CrossingSurfaces final : private Obstacles {
   Aabb box_a_, box_b_;
   PlacedTriangles a_, b_;
   Real reach_ = 0, size_ = 0, touching_ = 0, tolerance_ = 0;
-  SmallVector<NearPair, 16> near_;
-  SmallVector<CrossingFour, 8> crossing_;
+  SmallVector<NearPair, 64> near_;
+  SmallVector<CrossingFour, 16> crossing_;
   std::array<BlockingFour, 2> blocking_{};
   std::size_t blocking_count_ = 0;  // so far, also of those that have given way
   std::size_t count_ = 0;           // of pairs that overlap

@@ -57,7 +57,7 @@ void PlacedTriangles::gather(const TriangleSource& surface, const Pose& pose, co
     box_.include(box_around(boxes));
     count = 0;
   };
-  surface.visit(transformed(box, pose.inverse()), [&](const FourTriangles& local, std::uint64_t present) {
+  const auto take = [&](const FourTriangles& local, std::uint64_t present) {
     const FourTriangles in_frame{placed(local.a, pose), placed(local.b, pose), placed(local.c, pose), local.numbers};
     for (std::uint64_t left = present & in_frame.overlapping(box); left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
@@ -67,7 +67,10 @@ void PlacedTriangles::gather(const TriangleSource& surface, const Pose& pose, co
         add();
       }
     }
-  });
+  };
+  // What holds one reference is passed on without memory of its own.
+  surface.visit(transformed(box, pose.inverse()),
+                [&take](const FourTriangles& local, std::uint64_t present) { take(local, present); });
   if (count > 0) {
     add();
   }

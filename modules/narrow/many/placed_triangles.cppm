@@ -61,9 +61,9 @@ class PlacedTriangles {
   }
 
  private:
-  SmallVector<PlacedFour, 16> fours_;
-  SmallVector<FourBoxes, 24> nodes_;
-  SmallVector<Lanes, 24> reaches_;       // of each node
+  SmallVector<PlacedFour, 48> fours_;
+  SmallVector<FourBoxes, 72> nodes_;
+  SmallVector<Lanes, 72> reaches_;       // of each node
   SmallVector<std::size_t, 16> levels_;  // the first node of each
   Aabb box_ = Aabb::empty();
 };

@@ -278,7 +278,7 @@ class Search {
       return static_cast<std::size_t>((side * cells + along(n[axis == 0 ? 1 : 0])) * cells +
                                       along(n[axis == 2 ? 1 : 2]));
     };
-    obstacles_.visit_planes([&](const OverlappedPlane& plane) {
+    const auto take = [&](const OverlappedPlane& plane) {
       if (!(squared_norm(plane.normal) > 0)) {
         return;
       }
@@ -291,7 +291,9 @@ class Search {
       if (!plane.is_one_sided || allows_back_) {
         add(-plane.normal);
       }
-    });
+    };
+    // What holds one reference is passed on without memory of its own.
+    obstacles_.visit_planes([&take](const OverlappedPlane& plane) { take(plane); });
     for (const Cell& cell : of_cells) {
       if (const auto mean = UnitVec3::make(cell.sum); mean && cell.weight > 0) {
         add_start(*mean, -cell.weight, starts);

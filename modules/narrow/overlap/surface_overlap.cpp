@@ -185,8 +185,7 @@ Met meets(const SurfaceSide& a, const SurfaceSide& b, const Pose& ab, Real reach
     const TriangleCorners first = a.corners(of_a), local = b.corners(of_b),
                           second{ab * local[0], ab * local[1], ab * local[2]};
     const FourTriangles of_first = FourTriangles::all(first), of_second = FourTriangles::all(second);
-    if (QuickAxes<Triangle>::near(of_first, of_second, reach) != 0 &&
-        are_triangles_within(first, second, reach)) {
+    if (QuickAxes<Triangle>::near(of_first, of_second, reach) != 0 && are_triangles_within(first, second, reach)) {
       const Met front_a = fronts_a ? meets_front(first, second) : Met::yes,
                 front_b = fronts_b ? meets_front(second, first) : Met::yes;
       if (front_a == Met::yes && front_b == Met::yes) {
