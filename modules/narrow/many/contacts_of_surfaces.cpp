@@ -26,6 +26,8 @@ namespace {
 
 constexpr Pose here = Pose::identity();
 constexpr Real same_normal = 1 - 1e-9;
+// A face that leans by less than this angle, in radians, lies on another one with all its corners.
+constexpr Real lean_of_faces = 0.01;
 
 // Whether a triangle that is near holds a point of the surface and rises there: at a crack or a T-junction.
 bool rises_at(const PlacedTriangles& near, const Vec3& point, const Vec3& normal, Real size, Real noise) {
@@ -112,22 +114,65 @@ class Contacts {
     const auto leads_on = [&](const Vec3& normal) {
       return dot(normal, direction) > least_along && fronts.allows(normal);
     };
-    if (const Vec3 normal = toward(a.normal()); leads_on(normal) && is_of_b(pair.b, normal)) {
+    // Neither reaches further behind the face of the other one than the translation leads.
+    const auto is_held = [&](const Vec3& normal) {
+      return -abut::least_along(a.corners(), -normal) - abut::least_along(b.corners(), normal) <= most_;
+    };
+    if (const Vec3 normal = toward(a.normal());
+        leads_on(normal) && is_held(normal) && is_of_b(pair.b, normal, lean_of_faces)) {
       append_under_face_of_a(a, b, normal);
+      visit_beside(a_, a_.part(a.index()), surfaces_.triangles_of_a(), normal, a, b,
+                   [&](const Triangle& other) { append_under_face_of_a(other, b, normal); });
     }
-    if (const Vec3 normal = toward(b.normal()); leads_on(normal) && is_of_a(pair.a, normal)) {
+    if (const Vec3 normal = toward(b.normal());
+        leads_on(normal) && is_held(normal) && is_of_a(pair.a, normal, lean_of_faces)) {
       append_under_face_of_b(a, b, normal);
+      visit_beside(b_, local(b), surfaces_.triangles_of_b(), normal, b, a,
+                   [&](const Triangle& other) { append_under_face_of_b(a, other, normal); });
     }
     const Vec3& own = pair.found.core.normal;
     if (leads_on(own) && !is_along(own, a.normal()) && !is_along(own, b.normal())) {
       append_own(pair);
     }
   }
+  // Calls visit(triangle) for what goes on beside a face, in its plane, near a triangle of the other surface: that may
+  // lie over it without being overlapped. `local`: the face in the frame of its surface.
+  template <class Visitor>
+  void visit_beside(const TriangleSource& surface, const Triangle& local, const PlacedTriangles& near,
+                    const Vec3& normal, const Triangle& face, const Triangle& other, const Visitor& visit) const {
+    const Real noise = surfaces_.touching();
+    constexpr std::array<unsigned, 3> edges{0b011, 0b110, 0b101};
+    if (std::ranges::none_of(edges, [&](unsigned ends) {
+          return surface.is_crest(local.index(), ends, local.normal(), noise) &&
+                 surface.is_crest(local.index(), ends, -local.normal(), noise);
+        })) {
+      return;
+    }
+    const Columns along = Columns::all(normal);
+    const Real height = dot(normal, face.corners()[0]);
+    const Aabb box = other.box().inflated(most_ < infinity ? most_ : noise);
+    for (const PlacedFour& four : near.fours()) {
+      std::uint64_t left = four.present & four.triangles.overlapping(box);
+      if (left == 0) {
+        continue;
+      }
+      const Lanes cosine = dot(four.normals, along);
+      left &= bits_of((absolute(cosine) > all_lanes(same_normal)) &
+                      (absolute(dot(along, four.triangles.a) - height) <= all_lanes(noise)));
+      for (; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        const std::uint32_t number = std::span(four.triangles.numbers)[lane];
+        if (number != face.index()) {
+          visit(Triangle(four.triangles[lane], number, (four.one_sided >> lane & 1u) != 0));
+        }
+      }
+    }
+  }
   void append_apart(const NearPair& pair) { append_own(pair); }
   // The separation of two triangles, where it is one of their surfaces.
   void append_own(const NearPair& pair) {
     const Vec3& normal = pair.found.core.normal;
-    if (!is_of_a(pair.a, normal) || !is_of_b(pair.b, normal)) {
+    if (!is_of_a(pair.a, normal, 0) || !is_of_b(pair.b, normal, 0)) {
       return;
     }
     const Triangle a = pair.a.part(), b = pair.b.part();
@@ -144,22 +189,24 @@ class Contacts {
     }
   }
 
-  // Whether no neighbour of a triangle reaches further along a normal. `local`: the same in the frame of the surface.
+  // Whether no neighbour of a triangle reaches further along a normal, but for what leans. `local`: the same in the
+  // frame of the surface.
   [[nodiscard]] bool is_of_surface(const TriangleSource& surface, const PlacedTriangle& triangle, const Vec3& normal,
-                                   const Vec3& local) const {
+                                   const Vec3& local, Real lean) const {
     const Triangle part = triangle.part();
     if (!part.has_area() || is_along(normal, part.normal())) {
       return true;
     }
-    const Real noise = surfaces_.touching();
+    const Vec3 extent = part.box().high - part.box().low;
+    const Real noise = std::max(surfaces_.touching(), lean * largest_magnitude(extent));
     const unsigned corners = outermost_corners(triangle.corners, normal, noise);
     return corners == 7 || surface.is_crest(triangle.number, corners, local, noise);
   }
-  [[nodiscard]] bool is_of_a(const PlacedTriangle& triangle, const Vec3& normal) const {
-    return is_of_surface(a_, triangle, normal, normal);
+  [[nodiscard]] bool is_of_a(const PlacedTriangle& triangle, const Vec3& normal, Real lean) const {
+    return is_of_surface(a_, triangle, normal, normal, lean);
   }
-  [[nodiscard]] bool is_of_b(const PlacedTriangle& triangle, const Vec3& normal) const {
-    return is_of_surface(b_, triangle, -normal, -ab_.rotation.undo(normal));
+  [[nodiscard]] bool is_of_b(const PlacedTriangle& triangle, const Vec3& normal, Real lean) const {
+    return is_of_surface(b_, triangle, -normal, -ab_.rotation.undo(normal), lean);
   }
 
   [[nodiscard]] static CoreSeparation along(const Vec3& normal, Real depth) {

@@ -39,8 +39,7 @@ TEST(Routes, AreToldOfConvexShapesFieldsAndHoles) {
   EXPECT_EQ(route_of(make_octahedron(0.5), identity, make_octahedron(0.5), at(2, 0.2, 0.4)), ABUT_ALGORITHM_GJK_EPA);
   const Shape field = make_of_kind("distance_field", {2, 2, 2, 1, 1, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 1, 1, 1});
   EXPECT_EQ(route_of(field, identity, ball, at(0.5, 0.5, 0.8)), ABUT_ALGORITHM_FIELD);
-  const Shape marble = make_sphere(0.1);
-  EXPECT_EQ(route_of(hollow(sphere_hole(1)), identity, marble, at(0.8, 0, 0)), ABUT_ALGORITHM_HOLE);
+  EXPECT_EQ(route_of(sphere_hole(1), identity, make_octahedron(0.1), at(0.8, 0, 0)), ABUT_ALGORITHM_HOLE);
 }
 
 }  // namespace
