@@ -38,6 +38,12 @@ static abut_shape* make(abut_shape_kind kind) {
     desc.heights = heights;
     return abut_height_field_create(&desc, &shape) == ABUT_OK ? shape : NULL;
   }
+  if (strcmp(abut_shape_kind_name(kind), "uv_grid") == 0) {
+    abut_uv_grid_options options;
+    abut_uv_grid_options_init(&options, sizeof options);
+    options.sides = ABUT_SIDES_FRONT;
+    return abut_uv_grid_create(corners, 4, triangles, 1, &options, &shape) == ABUT_OK ? shape : NULL;
+  }
   for (attempt = 0; attempt < 3; attempt++) {
     abut_shape_desc desc;
     abut_shape_desc_init(&desc, sizeof desc);

@@ -56,7 +56,7 @@ class Contacts {
       append_touched(*translation);
     }
     for (const NearPair& pair : surfaces_.near()) {
-      if (pair.is_overlapped) {
+      if (translation && pair.is_overlapped) {
         append_overlapped(pair, *translation);
       } else {
         append_apart(pair);

@@ -203,7 +203,7 @@ SeparatingTranslation CrossingSurfaces::find() {
 }
 Real CrossingSurfaces::length_until_boxes_part() const {
   const Vec3 ahead = box_a_.high - box_b_.low, behind = box_b_.high - box_a_.low, least = minimum(ahead, behind);
-  return std::min(std::min(least.x, least.y), least.z) + 4 * tolerance_;
+  return std::min({least.x, least.y, least.z}) + 4 * tolerance_;
 }
 
 SurfaceExit CrossingSurfaces::exit_along(const Vec3& direction, Real enough) {

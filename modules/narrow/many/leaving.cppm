@@ -29,7 +29,7 @@ inline constexpr Leaving never_met{-infinity, {0, 0, 0}};
 
 // What is known of the end, and what is asked of it.
 struct LeavingBounds {
-  Real bound;              // no less than the end
+  Real bound = infinity;   // no less than the end
   Real inside = 0;         // where both overlap
   Real least = -infinity;  // an end before it need not be exact, if it is told to be before it
   Real enough = infinity;  // the same beyond it
