@@ -13,7 +13,6 @@ import abut.narrow.convex;
 import abut.narrow.many.contacts_under_planes;
 import abut.narrow.many.continuation;
 import abut.narrow.many.crossing_surfaces;
-import abut.narrow.many.four_nearest;
 import abut.narrow.many.leaving_pairs;
 import abut.narrow.many.least_translation;
 import abut.narrow.many.outermost_corners;
@@ -25,22 +24,8 @@ namespace abut {
 namespace {
 
 constexpr Pose here = Pose::identity();
-constexpr Real same_normal = 1 - 1e-9;
 // A face that leans by less than this angle, in radians, lies on another one with all its corners.
 constexpr Real lean_of_faces = 0.01;
-
-// Whether a triangle that is near holds a point of the surface and rises there: at a crack or a T-junction.
-bool rises_at(const PlacedTriangles& near, const Vec3& point, const Vec3& normal, Real size, Real noise) {
-  const Columns at = Columns::all(point), along = Columns::all(normal);
-  return std::ranges::any_of(near.fours(), [&](const PlacedFour& four) {
-    const FourTriangles& t = four.triangles;
-    const Lanes extent = maximum(largest_magnitude(t.b - t.a), largest_magnitude(t.c - t.a));
-    const Lanes reach = crack_share * minimum(extent, all_lanes(size)) + noise;
-    const Lanes rise = maximum(maximum(dot(along, t.a - at), dot(along, t.b - at)), dot(along, t.c - at));
-    const std::uint64_t rising = four.present & bits_of(rise > 2 * reach);
-    return rising != 0 && (rising & bits_of(FourNearest(t, point).square <= reach * reach)) != 0;
-  });
-}
 
 class Contacts {
  public:
@@ -64,7 +49,8 @@ class Contacts {
     }
     if (translation && translation->ends_behind) {
       append_jammed();
-    } else if (translation && !a_.is_solid() && !does_part(translation->length)) {
+    } else if (translation && !a_.is_solid() &&
+               !do_part(std::span(out_).subspan(first_), translation->length, surfaces_.tolerance())) {
       append_whole(*translation);
     }
     if (!translation) {
@@ -181,7 +167,7 @@ class Contacts {
     const auto rises = [&](bool shares_corners, const Triangle& of, const PlacedTriangles& near, const Vec3& point,
                            const Vec3& outward) {
       return !shares_corners && !is_along(outward, of.normal()) &&
-             rises_at(near, point, outward, surfaces_.size(), noise);
+             rises_at(near.fours(), point, outward, surfaces_.size(), noise);
     };
     if (!rises(a_.shares_corners(), a, surfaces_.triangles_of_a(), core.point_a, normal) &&
         !rises(b_.shares_corners(), b, surfaces_.triangles_of_b(), core.point_b, -normal)) {
@@ -238,7 +224,7 @@ class Contacts {
           (is_along(contact.normal, a.normal()) && is_on_a_cut(a_, a, contact.normal, contact.feature_a, noise)) ||
           (is_along(contact.normal, b.normal()) &&
            is_on_a_cut(b_, local(b), ab_.rotation.undo(contact.normal), contact.feature_b, noise)) ||
-          is_told(contact, kept)) {
+          is_told(contact, std::span(out_).subspan(first_, kept - first_), surfaces_.size())) {
         continue;
       }
       name(contact, a.index(), b.index());
@@ -256,50 +242,6 @@ class Contacts {
                                     is_swapped_ ? number_a : number_b);
     contact.feature_a = {FeatureKind::face, number_a};
     contact.feature_b = {FeatureKind::face, number_b};
-  }
-  // Whether one of the contacts so far is at the same place, and then the deeper one of both.
-  [[nodiscard]] bool is_told(const ContactPoint& contact, std::size_t count) {
-    constexpr Real same_place = 1e-7;  // of the size
-    const Real reach = same_place * surfaces_.size();
-    for (ContactPoint& known : std::span(out_).subspan(first_, count - first_)) {
-      if (dot(known.normal, contact.normal) > same_normal &&
-          squared_norm(known.point_b - contact.point_b) <= reach * reach) {
-        if (contact.distance < known.distance) {
-          known.point_a = contact.point_a;
-          known.point_b = contact.point_b;
-          known.normal = contact.normal;
-          known.distance = contact.distance;
-        }
-        return true;
-      }
-    }
-    return false;
-  }
-
-  // Whether the shortest translation that leaves the planes of all contacts is as long as the one that was found.
-  [[nodiscard]] bool does_part(Real length) const {
-    constexpr std::size_t most_planes = 8;
-    SmallVector<HalfSpaceToLeave, most_planes> planes;
-    Real deepest = 0;
-    for (const ContactPoint& contact : std::span(out_).subspan(first_)) {
-      deepest = std::max(deepest, -contact.distance);
-      bool is_known = false;
-      for (HalfSpaceToLeave& known : planes.span()) {
-        if (dot(known.normal, contact.normal) > same_normal) {
-          known.least = std::max(known.least, -contact.distance);
-          is_known = true;
-        }
-      }
-      if (!is_known && contact.distance < 0 && planes.size() < most_planes) {
-        planes.push_back({contact.normal, -contact.distance});
-      }
-    }
-    const Real enough = length * (1 - 1e-9) - 2 * surfaces_.tolerance();
-    if (deepest >= enough) {
-      return true;
-    }
-    const auto move = planes.empty() ? std::nullopt : least_translation(planes.span());
-    return move && norm(*move) >= enough;
   }
   // The touch after the translation, as a contact along it.
   void append_whole(const SeparatingTranslation& translation) {

@@ -39,6 +39,72 @@ export namespace abut {
   return feature.kind == FeatureKind::vertex && is_flat(feature.index) && is_flat((feature.index + 2) % 3);
 }
 
+// Whether one of fours of triangles holds a point of the surface and rises there: at a crack or a T-junction. `size`:
+// of the smaller one of what meets.
+template <class Fours>
+[[nodiscard]] bool rises_at(const Fours& fours, const Vec3& point, const Vec3& normal, Real size, Real noise) {
+  const Columns at = Columns::all(point), along = Columns::all(normal);
+  return std::ranges::any_of(fours, [&](const auto& four) {
+    const FourTriangles& t = four.triangles;
+    const Lanes extent = maximum(largest_magnitude(t.b - t.a), largest_magnitude(t.c - t.a));
+    const Lanes reach = crack_share * minimum(extent, all_lanes(size)) + noise;
+    const Lanes rise = maximum(maximum(dot(along, t.a - at), dot(along, t.b - at)), dot(along, t.c - at));
+    const std::uint64_t rising = four.present & bits_of(rise > 2 * reach);
+    return rising != 0 && (rising & bits_of(FourNearest(t, point).square <= reach * reach)) != 0;
+  });
+}
+
+// Cosine of normals that count as the same one.
+inline constexpr Real same_normal = 1 - 1e-9;
+
+// Whether two contacts are at the same place, on shapes of a size.
+[[nodiscard]] inline bool is_same_place(const ContactPoint& one, const ContactPoint& other, Real size) {
+  constexpr Real same_place = 1e-7;
+  return squared_norm(one.point_b - other.point_b) <= same_place * size * (same_place * size);
+}
+
+// Whether one of the contacts so far is at the same place, and then the deeper one of both.
+[[nodiscard]] inline bool is_told(const ContactPoint& contact, std::span<ContactPoint> so_far, Real size) {
+  for (ContactPoint& known : so_far) {
+    if (dot(known.normal, contact.normal) > same_normal && is_same_place(contact, known, size)) {
+      if (contact.distance < known.distance) {
+        known.point_a = contact.point_a;
+        known.point_b = contact.point_b;
+        known.normal = contact.normal;
+        known.distance = contact.distance;
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether the shortest translation that leaves the planes of all contacts is as long as the one that was found.
+[[nodiscard]] inline bool do_part(std::span<const ContactPoint> contacts, Real length, Real tolerance) {
+  constexpr std::size_t most_planes = 8;
+  SmallVector<HalfSpaceToLeave, most_planes> planes;
+  Real deepest = 0;
+  for (const ContactPoint& contact : contacts) {
+    deepest = std::max(deepest, -contact.distance);
+    bool is_known = false;
+    for (HalfSpaceToLeave& known : planes.span()) {
+      if (dot(known.normal, contact.normal) > same_normal) {
+        known.least = std::max(known.least, -contact.distance);
+        is_known = true;
+      }
+    }
+    if (!is_known && contact.distance < 0 && planes.size() < most_planes) {
+      planes.push_back({contact.normal, -contact.distance});
+    }
+  }
+  const Real enough = length * (1 - 1e-9) - 2 * tolerance;
+  if (deepest >= enough) {
+    return true;
+  }
+  const auto move = planes.empty() ? std::nullopt : least_translation(planes.span());
+  return move && norm(*move) >= enough;
+}
+
 template <Convex B>
 class ContactsUnderPlanes {
  public:
@@ -59,7 +125,8 @@ class ContactsUnderPlanes {
     for (std::uint32_t i = 0; i < planes_.size(); ++i) {
       append_under(planes_[i], i);
     }
-    if (translation != nullptr && !surface_.is_solid() && !does_part(*translation)) {
+    if (translation != nullptr && !surface_.is_solid() &&
+        !do_part(std::span(out_).subspan(first_), translation->length, search_.tolerance())) {
       append_whole(*translation);
     }
     if (translation == nullptr) {
@@ -76,7 +143,6 @@ class ContactsUnderPlanes {
     bool has_closest;      // whether the points of the separation are the closest ones of that triangle
   };
 
-  static constexpr Real same_normal = 1 - 1e-9;
   static constexpr Real same_direction = 1e-12;  // of unit vectors
 
   void add(const Vec3& normal, const CoreSeparation& core, const NearPlace& at, bool has_closest) {
@@ -192,23 +258,9 @@ class ContactsUnderPlanes {
       return false;
     }
     const CoreSeparation whole = completed(triangle, b_, ab_, near.found);
-    return surface_.shares_corners() || !rises_at(whole.point_a, core.normal, noise);
+    return surface_.shares_corners() ||
+           !rises_at(search_.fours(), whole.point_a, core.normal, b_.extent() + b_.radius(), noise);
   }
-  // Whether a triangle that is near holds a point of the surface and rises there: at a crack or a T-junction.
-  [[nodiscard]] bool rises_at(const Vec3& point, const Vec3& normal, Real noise) const {
-    const Columns at = Columns::all(point), along = Columns::all(normal);
-    const Lanes size = all_lanes(b_.extent() + b_.radius());
-    return std::ranges::any_of(search_.fours(), [&](const NearFour& four) {
-      const FourTriangles& t = four.triangles;
-      const Columns ab = t.b - t.a, ac = t.c - t.a;
-      const Lanes extent = maximum(largest_magnitude(ab), largest_magnitude(ac));
-      const Lanes reach = crack_share * minimum(extent, size) + noise;
-      const Lanes rise = maximum(maximum(dot(along, t.a - at), dot(along, t.b - at)), dot(along, t.c - at));
-      const std::uint64_t rising = four.present & bits_of(rise > 2 * reach);
-      return rising != 0 && (rising & bits_of(FourNearest(t, point).square <= reach * reach)) != 0;
-    });
-  }
-
   void append_under(const Plane& plane, std::uint32_t ordinal) {
     const Triangle lender = search_.triangle_at(plane.at);
     const bool is_face = is_along(plane.normal, lender.normal());
@@ -226,32 +278,6 @@ class ContactsUnderPlanes {
     }
   }
 
-  // Whether the shortest translation that leaves the planes of all contacts parts the shape from the surface, as far as
-  // its length tells.
-  [[nodiscard]] bool does_part(const SeparatingTranslation& translation) const {
-    constexpr std::size_t most_planes = 8;
-    SmallVector<HalfSpaceToLeave, most_planes> planes;
-    Real deepest = 0;
-    for (const ContactPoint& contact : std::span(out_).subspan(first_)) {
-      deepest = std::max(deepest, -contact.distance);
-      bool is_known = false;
-      for (HalfSpaceToLeave& known : planes.span()) {
-        if (dot(known.normal, contact.normal) > same_normal) {
-          known.least = std::max(known.least, -contact.distance);
-          is_known = true;
-        }
-      }
-      if (!is_known && contact.distance < 0 && planes.size() < most_planes) {
-        planes.push_back({contact.normal, -contact.distance});
-      }
-    }
-    const Real enough = translation.length * (1 - 1e-9) - 2 * search_.tolerance();
-    if (deepest >= enough) {
-      return true;
-    }
-    const auto move = planes.empty() ? std::nullopt : least_translation(planes.span());
-    return move && norm(*move) >= enough;
-  }
   // The touch after the translation, as a contact along it.
   void append_whole(const SeparatingTranslation& translation) {
     if (!(-translation.length <= settings_.margin) || translation.touches.empty()) {
@@ -395,7 +421,7 @@ class ContactsUnderPlanes {
     if (nearest == nullptr) {
       out_.push_back(closest);
     } else if (nearest->distance > distance) {
-      const bool is_same = is_same_place(*nearest, closest);
+      const bool is_same = is_same_place(*nearest, closest, b_.extent() + b_.radius());
       if (!is_same && nearest->distance > distance + noise_of(size_of_b())) {
         out_.push_back(closest);
       } else if (is_same) {
@@ -406,12 +432,6 @@ class ContactsUnderPlanes {
     }
   }
   [[nodiscard]] Real size_of_b() const { return largest_magnitude(ab_.position) + b_.extent() + b_.radius(); }
-  [[nodiscard]] bool is_same_place(const ContactPoint& one, const ContactPoint& other) const {
-    constexpr Real same_place = 1e-7;  // of the size of b
-    const Real reach = same_place * (b_.extent() + b_.radius());
-    return squared_norm(one.point_b - other.point_b) <= reach * reach;
-  }
-
   // Names the contacts from `first` on, and takes out those that another triangle has told, or that lie where the
   // surface is cut.
   void keep(std::size_t first, const Triangle& triangle, bool is_face, std::uint32_t ordinal) {
@@ -421,7 +441,7 @@ class ContactsUnderPlanes {
       ContactPoint contact = out_[i];
       if (-contact.distance > most_ * (1 + 1e-9) + search_.tolerance() ||
           (is_face && is_on_a_cut(surface_, triangle, contact.normal, contact.feature_a, noise)) ||
-          is_told(contact, kept)) {
+          is_told(contact, std::span(out_).subspan(first_, kept - first_), b_.extent() + b_.radius())) {
         continue;
       }
       const bool is_in_face =
@@ -433,22 +453,6 @@ class ContactsUnderPlanes {
     }
     out_.resize(kept, ContactPoint{});
   }
-  // Whether one of the first contacts is at the same place, and then the deeper one of both.
-  [[nodiscard]] bool is_told(const ContactPoint& contact, std::size_t count) {
-    for (ContactPoint& known : std::span(out_).subspan(first_, count - first_)) {
-      if (dot(known.normal, contact.normal) > same_normal && is_same_place(contact, known)) {
-        if (contact.distance < known.distance) {
-          known.point_a = contact.point_a;
-          known.point_b = contact.point_b;
-          known.normal = contact.normal;
-          known.distance = contact.distance;
-        }
-        return true;
-      }
-    }
-    return false;
-  }
-
   const TriangleSource& surface_;
   const B& b_;
   const Pose& ab_;
