@@ -80,7 +80,7 @@ enum class Presence : unsigned char { needed, optional };
   return {numbers[3 * index], numbers[3 * index + 1], numbers[3 * index + 2]};
 }
 [[nodiscard]] bool is_zero(const abut_vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-// Of a vector that is not zero.
+// The unit vector along one that is not zero.
 [[nodiscard]] abut_vec3 unit(const abut_vec3& v) {
   const abut_vec3 tame = scale(v, 1 / std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}));
   return scale(tame, 1 / std::sqrt(dot(tame, tame)));

@@ -27,7 +27,7 @@ using response::MassProperties;
   return refuse(ABUT_UNSUPPORTED, message.data());
 }
 
-// Those of one formula. Their parameters are what they are made of.
+// Shapes of one formula. Their parameters are what they are made of.
 [[nodiscard]] std::optional<MassProperties> by_formula(std::string_view kind, const std::vector<double>& its) {
   if (kind == "sphere") return response::ellipsoid_mass({its.at(0), its.at(0), its.at(0)});
   if (kind == "box") return response::box_mass({its.at(0), its.at(1), its.at(2)});

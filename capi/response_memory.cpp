@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the linker calls wherever Eigen asks for memory: see abut_wrap_foreign_memory in cmake/flags.cmake. The size
-// stands in front of each block.
+// Functions that the linker calls wherever Eigen asks for memory: see abut_wrap_foreign_memory in cmake/flags.cmake.
+// The size stands in front of each block.
 #include <abut/abut.h>
 
 #include "core/check.hpp"
